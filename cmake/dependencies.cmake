@@ -1,0 +1,18 @@
+# System packages only, nothing is downloaded. Heavy headers come in through interface targets that few source files link.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(PNG REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+
+# Debian installs OpenVDB's find module outside of CMake's search path.
+list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)
+find_package(OpenVDB REQUIRED)
+add_library(mrsim_openvdb INTERFACE)
+target_link_libraries(mrsim_openvdb INTERFACE OpenVDB::openvdb)
+
+find_package(CGAL REQUIRED)
+add_library(mrsim_cgal INTERFACE)
+target_link_libraries(mrsim_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)

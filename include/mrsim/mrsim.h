@@ -1,0 +1,100 @@
+/// mrsim: the facade. One function per stage, and simulate() that runs them all.
+///
+/// Example:
+///     mrsim::Job job;
+///     job.program = "PRIMER_2F.MPF";
+///     job.stock = "block.stl";
+///     job.outputs = {"part.stl"};
+///     const mrsim::JobResult result = mrsim::simulate(job);  // result.volume,
+///     result.program.diagnostics, ...
+///
+/// Errors: faults of files, options and the machine throw mrsim::Error; faults of the program are
+/// Diagnostics. Every function may be called from any thread; results do not depend on the number
+/// of threads.
+#pragma once
+
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+
+/// Reads an NC program as its control would. Faults of the program are in Program::diagnostics, a
+/// rejected block moves nothing. Throws Error for a missing or empty file, or when the machine
+/// cannot be told.
+MRSIM_API Program interpret(const std::string& path, const InterpOptions& options = {});
+
+/// One motion as the JSON object of `mrsim trace --json` (DESIGN.md of the format: docs/interp.md),
+/// without line end.
+MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
+MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
+/// One motion as a line for people.
+MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
+
+/// Reads tools.toml. Throws Error naming line and key.
+MRSIM_API ToolTable load_tools(const std::string& path);
+/// One tool from "4=endmill:d=5" or "endmill:d=5". Throws Error of kind usage.
+MRSIM_API Tool parse_tool(const std::string& spec);
+
+/// The stock from "box:x0,y0,z0,x1,y1,z1", "cylinder:d,z0,z1", "tube:d,bore,z0,z1" or a mesh file.
+MRSIM_API StockShape load_stock(const std::string& spec, const StockOptions& options = {});
+
+/// Format by extension. Throws Error naming the file and what is wrong with it.
+MRSIM_API TriMesh read_mesh(const std::string& path);
+MRSIM_API void write_mesh(const std::string& path, const TriMesh& mesh);
+
+/// What a mesh is, and whether it keeps mrsim's promises.
+struct MeshSummary {
+  bool closed = false;  ///< every edge has two triangles
+  bool oriented =
+      false;  ///< ... that run through it in opposite directions, and the volume is positive
+  bool manifold = false;       ///< ... and every vertex has one fan
+  std::size_t degenerate = 0;  ///< triangles without area
+  double volume = 0;           ///< mm^3, signed
+  double area = 0;             ///< mm^2
+  long euler = 0;              ///< V - E + F
+  std::string first_fault;     ///< empty, or a sentence with the place
+};
+MRSIM_API MeshSummary summarize(const TriMesh& mesh);
+
+/// Writes a shaded PNG of the mesh, edges drawn, without a display.
+MRSIM_API void render(const TriMesh& mesh, const std::string& png_path,
+                      const RenderOptions& options = {});
+
+struct Job {
+  std::string program;
+  InterpOptions interp;
+  std::string stock;  ///< as load_stock takes it; empty: a box around the program's cuts, reported
+  StockOptions stock_options;
+  CarveOptions carve;
+  MeshOptions mesh;
+  std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
+  bool strict = false;               ///< warnings are errors
+};
+
+struct JobResult {
+  Program program;   ///< with all diagnostics, those of later stages too
+  StockShape stock;  ///< as simulated, without its mesh
+  double voxel = 0;  ///< mm
+  std::string voxel_reason;
+  std::size_t cutting_motions = 0;
+  std::size_t active_voxels = 0;
+  TriMesh mesh;
+  MeshSummary summary;
+  double volume = 0, stock_volume = 0, removed_volume = 0;    ///< mm^3
+  std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
+  std::size_t peak_memory = 0;                                ///< bytes
+  bool ok = false;  ///< false: the program has errors, nothing was written
+};
+
+/// The whole way from program to part. With any error in the program nothing is carved or written
+/// and `ok` is false.
+MRSIM_API JobResult simulate(const Job& job);
+
+/// "0.1.0"
+MRSIM_API const char* version();
+
+}  // namespace mrsim

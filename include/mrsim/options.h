@@ -1,0 +1,69 @@
+/// mrsim: one options struct per stage, each field with its default and range. Standard library
+/// types only.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace mrsim {
+
+/// Called now and then with the stage and the share done in [0, 1], from any thread but never from
+/// two at once. Returning false stops the run with Error "cancelled".
+using Progress = std::function<bool(const char* stage, double fraction)>;
+
+struct InterpOptions {
+  /// The control whose words the program uses. Default: recognised from the text, with the reason
+  /// in Program.
+  Dialect dialect = Dialect::automatic;
+  /// Mill or lathe. Default: by the rule in docs/interp.md; no or mixed evidence is an Error of
+  /// kind usage.
+  MachineKind machine = MachineKind::automatic;
+  /// Position before the first move, mm. Default: unknown; such moves carry Motion::assumed_start.
+  std::optional<Vec3> start;
+  /// Skip levels in force: bit n skips blocks that begin with "/n" ("/" is "/0"). Default: none.
+  unsigned block_skip = 0;
+  /// Folders searched for subprograms after the program's own.
+  std::vector<std::string> search_path;
+  /// Known tools, registers and work offsets; an empty id is the tool of a program that names none.
+  ToolTable table;
+  /// Print the contour instead of the compensated tool reference point.
+  bool programmed_contour = false;
+};
+
+struct StockOptions {
+  /// Replace a mesh that is a box, a cylinder or a tube by that exact solid.
+  bool exact_primitives = true;
+  Progress progress;
+};
+
+struct CarveOptions {
+  /// Voxel edge in mm. Requires: > 0, or 0 for the default (docs/removal.md).
+  double voxel = 0;
+  /// Threads, 0 = all cores. The result does not depend on it.
+  int threads = 0;
+  /// Bytes of memory the run may take, 0 = what the machine has free. A run whose estimate is above
+  /// it is refused.
+  std::size_t max_memory = 0;
+  Progress progress;
+};
+
+struct MeshOptions {
+  /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives.
+  double tolerance = 0;
+  int threads = 0;
+  Progress progress;
+};
+
+struct RenderOptions {
+  /// Picture size in pixels. Requires: 16 .. 8192.
+  int width = 1600, height = 1200;
+  /// Viewing direction: angle about Z from -Y towards +X, and above the XY plane; degrees.
+  double azimuth = 30, elevation = 35;
+  /// Draw edges where faces meet at more than this many degrees; 0 = none.
+  double edge_angle = 25;
+  int threads = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,239 @@
+#include "core/text_io.h"
+
+#include "core/error.h"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  int get() const { return fd_; }
+  int close() {
+    const int result = ::close(fd_);
+    fd_ = -1;
+    return result;
+  }
+
+ private:
+  int fd_;
+};
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+[[noreturn]] void fail_output(const std::string& path, int error) {
+  const std::string code = error == ENOSPC ? "output-full" : "output-unwritable";
+  throw Error(code, fmt::format("cannot write {}: {}", path, std::strerror(error)));
+}
+
+void write_all(int fd, const std::string& path, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t n = ::write(fd, data, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail_output(path, errno);
+    data += n;
+    size -= static_cast<std::size_t>(n);
+  }
+}
+
+void sync_folder(const std::string& folder) {
+  const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) ::fsync(fd.get());  // best effort: some file systems refuse to sync a folder
+}
+
+// Length of the UTF-8 sequence at the head of `s`, 0 when it is not one (overlong forms and
+// surrogates included).
+std::size_t utf8_sequence(std::string_view s) {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+  const unsigned lead = at(0);
+  if (lead < 0x80) return 1;
+  const std::size_t n = lead >= 0xC2 && lead < 0xE0   ? 2
+                        : lead >= 0xE0 && lead < 0xF0 ? 3
+                        : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                      : 0;
+  if (n == 0 || s.size() < n) return 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if ((at(i) & 0xC0) != 0x80) return 0;
+  const unsigned second = at(1);
+  if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
+      (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F))
+    return 0;
+  return n;
+}
+
+// ISO 8859-2, code points of the bytes 0xA0 to 0xFF.
+constexpr std::array<char16_t, 96> kLatin2 = {
+    0x00A0, 0x0104, 0x02D8, 0x0141, 0x00A4, 0x013D, 0x015A, 0x00A7, 0x00A8, 0x0160, 0x015E, 0x0164,
+    0x0179, 0x00AD, 0x017D, 0x017B, 0x00B0, 0x0105, 0x02DB, 0x0142, 0x00B4, 0x013E, 0x015B, 0x02C7,
+    0x00B8, 0x0161, 0x015F, 0x0165, 0x017A, 0x02DD, 0x017E, 0x017C, 0x0154, 0x00C1, 0x00C2, 0x0102,
+    0x00C4, 0x0139, 0x0106, 0x00C7, 0x010C, 0x00C9, 0x0118, 0x00CB, 0x011A, 0x00CD, 0x00CE, 0x010E,
+    0x0110, 0x0143, 0x0147, 0x00D3, 0x00D4, 0x0150, 0x00D6, 0x00D7, 0x0158, 0x016E, 0x00DA, 0x0170,
+    0x00DC, 0x00DD, 0x0162, 0x00DF, 0x0155, 0x00E1, 0x00E2, 0x0103, 0x00E4, 0x013A, 0x0107, 0x00E7,
+    0x010D, 0x00E9, 0x0119, 0x00EB, 0x011B, 0x00ED, 0x00EE, 0x010F, 0x0111, 0x0144, 0x0148, 0x00F3,
+    0x00F4, 0x0151, 0x00F6, 0x00F7, 0x0159, 0x016F, 0x00FA, 0x0171, 0x00FC, 0x00FD, 0x0163, 0x02D9};
+
+bool is_utf8(std::string_view s) {
+  while (!s.empty()) {
+    const std::size_t n = utf8_sequence(s);
+    if (n == 0) return false;
+    s.remove_prefix(n);
+  }
+  return true;
+}
+
+bool looks_like_number(std::string_view text, bool exponent) {
+  std::size_t digits = 0, dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c >= '0' && c <= '9') {
+      ++digits;
+    } else if (c == '.') {
+      if (++dots > 1) return false;
+    } else if ((c == 'e' || c == 'E') && exponent && digits > 0) {
+      return true;  // from_chars judges the rest
+    } else {
+      return false;
+    }
+  }
+  return digits > 0;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text, bool exponent) {
+  bool negative = false;
+  if (!text.empty() && (text[0] == '+' || text[0] == '-')) {
+    negative = text[0] == '-';
+    text.remove_prefix(1);
+  }
+  if (!looks_like_number(text, exponent)) return std::nullopt;
+  double value = 0;
+  const auto format = exponent ? std::chars_format::general : std::chars_format::fixed;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return negative ? -value : value;
+}
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0) {
+    if (errno == ENOENT || errno == ENOTDIR)
+      throw Error("file-missing", fmt::format("{}: no such file", path));
+    throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  }
+  struct stat info {};
+  if (::fstat(fd.get(), &info) != 0)
+    throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  if (S_ISDIR(info.st_mode))
+    throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
+  std::string text;
+  text.reserve(
+      std::min<std::size_t>(static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)), limit) + 1);
+  std::vector<char> chunk(std::size_t(1) << 18);
+  for (;;) {
+    const ssize_t n = ::read(fd.get(), chunk.data(), chunk.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0)
+      throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+    if (n == 0) return text;
+    if (text.size() + static_cast<std::size_t>(n) > limit)
+      throw Error("file-too-large", fmt::format("{} is larger than {} bytes", path, limit));
+    text.append(chunk.data(), static_cast<std::size_t>(n));
+  }
+}
+
+void check_writable(const std::string& path) {
+  const std::string folder = folder_of(path);
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw Error("output-folder",
+                fmt::format("cannot write {}: the folder {} does not exist", path, folder));
+  if (fs::is_directory(path, ignored))
+    throw Error("output-unwritable", fmt::format("cannot write {}: it is a directory", path));
+  // A probe, because access() says yes to root on a read-only file system.
+  std::string probe = folder + "/.mrsim-XXXXXX";
+  const FileDescriptor fd(::mkostemp(probe.data(), O_CLOEXEC));
+  if (fd.get() < 0) fail_output(path, errno);
+  ::unlink(probe.c_str());
+}
+
+void write_file_atomically(const std::string& path,
+                           const std::function<void(const ByteSink&)>& writer) {
+  const std::string folder = folder_of(path);
+  check_writable(path);
+  std::string temporary = folder + "/.mrsim-XXXXXX";
+  FileDescriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (fd.get() < 0) fail_output(path, errno);
+  try {
+    constexpr std::size_t kBuffer = std::size_t(1) << 20;
+    std::string buffer;
+    buffer.reserve(kBuffer);
+    const auto flush = [&] {
+      write_all(fd.get(), path, buffer.data(), buffer.size());
+      buffer.clear();
+    };
+    writer([&](const void* data, std::size_t size) {
+      if (buffer.size() + size > kBuffer) flush();
+      if (size >= kBuffer)
+        write_all(fd.get(), path, static_cast<const char*>(data), size);
+      else
+        buffer.append(static_cast<const char*>(data), size);
+    });
+    flush();
+    // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
+    struct stat old {};
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
+    if (::fchmod(fd.get(), mode) != 0 || ::fsync(fd.get()) != 0 || fd.close() != 0)
+      fail_output(path, errno);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail_output(path, errno);
+    sync_folder(folder);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+std::string to_utf8(std::string_view bytes) {
+  if (is_utf8(bytes)) return std::string(bytes);
+  std::string out;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    const unsigned code = byte < 0xA0 ? byte : kLatin2[byte - 0xA0];
+    if (code < 0x80) {
+      out += static_cast<char>(code);
+    } else {
+      out += static_cast<char>(0xC0 | (code >> 6));
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return out;
+}
+
+}  // namespace mrsim

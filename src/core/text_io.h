@@ -1,0 +1,36 @@
+// Numbers and files, independent of the locale. Reads have a limit, writes are whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// The number that is the whole of `text` ("+1.5", "-.2", "3." allowed; no blanks, no exponent
+/// unless `exponent`); nothing when it is not one, or not finite.
+std::optional<double> parse_number(std::string_view text, bool exponent = false);
+
+/// The whole file. Throws Error "file-missing", "file-is-directory", "file-unreadable",
+/// "file-too-large" (over `limit` bytes).
+std::string read_file(const std::string& path, std::size_t limit = std::size_t(4) << 30);
+
+/// Takes the bytes of an output file, in order.
+using ByteSink = std::function<void(const void* data, std::size_t size)>;
+
+/// Writes `path` whole or not at all: a temporary file beside it, fsync, rename. On any exception,
+/// from `writer` too, the old file is untouched and nothing is left behind. Throws Error
+/// "output-folder", "output-unwritable", "output-full".
+void write_file_atomically(const std::string& path,
+                           const std::function<void(const ByteSink&)>& writer);
+
+/// Throws what write_file_atomically would throw for a missing or read-only folder or a directory
+/// in the way, before any work is done.
+void check_writable(const std::string& path);
+
+/// `bytes` as UTF-8: as it is when valid, else every byte read as Latin-2 (ISO 8859-2).
+std::string to_utf8(std::string_view bytes);
+
+}  // namespace mrsim

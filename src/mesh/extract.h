@@ -1,0 +1,14 @@
+// The stock's surface as a triangle mesh.
+#pragma once
+
+#include "removal/stock.h"
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+namespace mrsim {
+
+/// The part's surface: closed, oriented, 2-manifold, with the owner of each face. Throws Error
+/// "part-empty" when nothing is left.
+TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {});
+
+}  // namespace mrsim

@@ -1,0 +1,55 @@
+// The stock: what is left after the sweeps, as an OpenVDB level set with an owner for every active
+// voxel, together with the recipe it was made from (shape, tools, motions), so that exact questions
+// can still be asked of it.
+#pragma once
+
+#include "removal/field.h"
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace mrsim {
+
+struct StockGrid;  // removal/stock_grid.h: the OpenVDB side, for src/removal and
+                   // src/mesh/extract.cpp only
+
+class Stock {
+ public:
+  explicit Stock(std::unique_ptr<StockGrid> grid);
+  Stock(Stock&&) noexcept;
+  Stock& operator=(Stock&&) noexcept;
+  ~Stock();
+
+  double voxel() const;             ///< mm
+  const ExactField& field() const;  ///< the exact part
+  std::size_t active_voxels() const;
+  std::size_t memory() const;  ///< bytes of the grids and their lists
+  const StockGrid& grid() const { return *grid_; }
+
+  /// d, gradient and owner at p from the exact field, through the index over the sweeps.
+  double distance(const Vec3& p) const;
+  Vec3 gradient(const Vec3& p) const;
+  std::int32_t owner(const Vec3& p) const;
+
+ private:
+  std::unique_ptr<StockGrid> grid_;
+};
+
+/// The voxel edge used when none is given, and why ("longest side 100 mm / 400").
+struct VoxelChoice {
+  double voxel = 0;
+  std::string reason;
+};
+VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
+
+/// Subtracts every cutting motion from the stock. Cost grows with the surface, not with the volume,
+/// and slowly with the number of motions. Throws Error "voxel-invalid", "memory" (the estimate is
+/// above the limit), and what SweepTable throws.
+Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
+            const CarveOptions& options = {});
+
+}  // namespace mrsim

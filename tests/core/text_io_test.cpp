@@ -1,0 +1,88 @@
+#include "core/text_io.h"
+
+#include "core/error.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace mrsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TextIo : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "mrsim-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::string code_of(const std::function<void()>& body) {
+    try {
+      body();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return "";
+  }
+  fs::path folder_;
+};
+
+TEST(ParseNumber, TakesWhatControlsTake) {
+  EXPECT_EQ(parse_number("12"), 12.0);
+  EXPECT_EQ(parse_number("+1.5"), 1.5);
+  EXPECT_EQ(parse_number("-.5"), -0.5);
+  EXPECT_EQ(parse_number("3."), 3.0);
+  EXPECT_EQ(parse_number("1e3", true), 1000.0);
+}
+
+TEST(ParseNumber, RefusesTheRest) {
+  for (const char* bad :
+       {"", "-", ".", "--5", "+-5", "1.2.3", "1e3", "nan", "inf", " 1", "1 ", "0x10", "1,5"})
+    EXPECT_FALSE(parse_number(bad)) << bad;
+  EXPECT_FALSE(parse_number("1e999", true));
+  EXPECT_FALSE(parse_number(std::string(400, '9')));
+}
+
+TEST_F(TextIo, WritesWholeFiles) {
+  write_file_atomically(path("a"), [](const ByteSink& out) { out("hello", 5); });
+  EXPECT_EQ(read_file(path("a")), "hello");
+}
+
+TEST_F(TextIo, KeepsOldFileWhenWriterFails) {
+  write_file_atomically(path("a"), [](const ByteSink& out) { out("old", 3); });
+  EXPECT_THROW(write_file_atomically(path("a"),
+                                     [](const ByteSink& out) {
+                                       out("new", 3);
+                                       throw std::runtime_error("no");
+                                     }),
+               std::runtime_error);
+  EXPECT_EQ(read_file(path("a")), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(TextIo, NamesWhatIsWrong) {
+  EXPECT_EQ(code_of([&] { read_file(path("missing")); }), "file-missing");
+  EXPECT_EQ(code_of([&] { read_file(folder_.string()); }), "file-is-directory");
+  EXPECT_EQ(code_of([&] { check_writable(path("no/such/folder")); }), "output-folder");
+  EXPECT_EQ(code_of([&] { check_writable(folder_.string()); }), "output-unwritable");
+  std::ofstream(path("big")) << std::string(100, 'x');
+  EXPECT_EQ(code_of([&] { read_file(path("big"), 99); }), "file-too-large");
+}
+
+TEST(Utf8, KeepsUtf8AndReadsLatin2) {
+  EXPECT_EQ(to_utf8("Steblasto frezalo \xC3\x98"
+                    "5"),
+            "Steblasto frezalo \xC3\x98"
+            "5");
+  EXPECT_EQ(to_utf8("No\xBE"), "No\xC5\xBE");          // zcaron
+  EXPECT_EQ(to_utf8("\xC0\x80"), "\xC5\x94\xC2\x80");  // overlong: not UTF-8
+}
+
+}  // namespace
+}  // namespace mrsim
