@@ -1,0 +1,50 @@
+// The stock before the first cut as a signed distance: negative inside, exact everywhere for box,
+// cylinder and tube.
+#pragma once
+
+#include <mrsim/types.h>
+
+namespace mrsim {
+
+/// Faces of the primitives, as FieldSample::patch numbers them.
+enum StockPatch : std::int32_t {
+  kBoxXLow,
+  kBoxXHigh,
+  kBoxYLow,
+  kBoxYHigh,
+  kBoxZLow,
+  kBoxZHigh,  // box
+  kRoundWall = 0,
+  kRoundBottom,
+  kRoundTop,
+  kRoundBore  // cylinder and tube
+};
+
+class StockSolid {
+ public:
+  struct Sample {
+    double distance = 0;
+    std::int32_t patch = 0;
+  };
+
+  /// Throws Error "stock-empty" for a solid without volume.
+  explicit StockSolid(StockShape shape);
+
+  double distance(const Vec3& p) const { return sample(p).distance; }
+  Sample sample(const Vec3& p) const;
+  /// Unit outward normal of the patch at the point of it that is nearest to p.
+  Vec3 gradient(const Vec3& p, std::int32_t patch) const;
+  const Box3& bounds() const { return shape_.box; }
+  /// mm^3, by closed form.
+  double volume() const;
+  /// mm^2, by closed form.
+  double area() const;
+
+ private:
+  Sample sample_box(const Vec3& p) const;
+  Sample sample_round(const Vec3& p) const;
+
+  StockShape shape_;
+};
+
+}  // namespace mrsim
