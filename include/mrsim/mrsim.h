@@ -46,18 +46,7 @@ MRSIM_API StockShape load_stock(const std::string& spec, const StockOptions& opt
 MRSIM_API TriMesh read_mesh(const std::string& path);
 MRSIM_API void write_mesh(const std::string& path, const TriMesh& mesh);
 
-/// What a mesh is, and whether it keeps mrsim's promises.
-struct MeshSummary {
-  bool closed = false;  ///< every edge has two triangles
-  bool oriented =
-      false;  ///< ... that run through it in opposite directions, and the volume is positive
-  bool manifold = false;       ///< ... and every vertex has one fan
-  std::size_t degenerate = 0;  ///< triangles without area
-  double volume = 0;           ///< mm^3, signed
-  double area = 0;             ///< mm^2
-  long euler = 0;              ///< V - E + F
-  std::string first_fault;     ///< empty, or a sentence with the place
-};
+/// What a mesh is, and whether it keeps the promises of docs/mesh.md.
 MRSIM_API MeshSummary summarize(const TriMesh& mesh);
 
 /// Writes a shaded PNG of the mesh, edges drawn, without a display.
