@@ -15,30 +15,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // do not tell more.
 constexpr double kFlatCosine = 1 - 0.5e-8;
 
-void find_flat_faces(const TriangleTree& tree, std::vector<std::int32_t>& faces,
-                     std::vector<Vec3>& normals) {
-  faces.assign(tree.size(), -1);
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t seed = 0; seed < tree.size(); ++seed) {
-    if (faces[seed] >= 0) continue;
-    const Vec3 normal = tree.normal(seed);
-    const auto face = static_cast<std::int32_t>(normals.size());
-    normals.push_back(normal);
-    faces[seed] = face;
-    open.assign(1, seed);
-    while (!open.empty()) {
-      const std::uint32_t t = open.back();
-      open.pop_back();
-      for (const std::uint32_t next : tree.neighbors(t)) {
-        if (next >= tree.size() || faces[next] >= 0 || dot(tree.normal(next), normal) < kFlatCosine)
-          continue;
-        faces[next] = face;
-        open.push_back(next);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
@@ -50,7 +26,36 @@ StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
     throw Error("stock-empty", "the stock has no volume: " + shape_.description);
   if (shape_.kind != StockShape::Kind::mesh) return;
   tree_ = std::make_shared<TriangleTree>(shape_.mesh);
-  find_flat_faces(*tree_, faces_, face_normals_);
+  find_flat_faces();
+}
+
+void StockSolid::find_flat_faces() {
+  faces_.assign(tree_->size(), -1);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t seed = 0; seed < tree_->size(); ++seed) {
+    if (faces_[seed] >= 0) continue;
+    const Vec3 normal = tree_->normal(seed);
+    const auto face = static_cast<std::int32_t>(planes_.size());
+    planes_.push_back({normal, dot(normal, tree_->corners(seed).a)});
+    faces_[seed] = face;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (const std::uint32_t next : tree_->neighbors(t)) {
+        if (next >= tree_->size() || faces_[next] >= 0 ||
+            dot(tree_->normal(next), normal) < kFlatCosine)
+          continue;
+        faces_[next] = face;
+        open.push_back(next);
+      }
+    }
+  }
+}
+
+double StockSolid::radius_at(const Vec3& p) const {
+  const double dx = p.x - shape_.axis_point.x, dy = p.y - shape_.axis_point.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 StockSolid::Sample StockSolid::sample(const Vec3& p) const {
@@ -73,8 +78,7 @@ StockSolid::Sample StockSolid::sample_box(const Vec3& p) const {
 }
 
 StockSolid::Sample StockSolid::sample_round(const Vec3& p) const {
-  const double dx = p.x - shape_.axis_point.x, dy = p.y - shape_.axis_point.y;
-  const double rho = std::sqrt(dx * dx + dy * dy);
+  const double rho = radius_at(p);
   const bool tube = shape_.kind == StockShape::Kind::tube;
   const double wall = rho - shape_.outer_radius,
                bore = tube ? shape_.inner_radius - rho : -kInfinity;
@@ -96,7 +100,7 @@ StockSolid::Sample StockSolid::sample_mesh(const Vec3& p) const {
 }
 
 Vec3 StockSolid::gradient(const Vec3& p, std::int32_t patch) const {
-  if (shape_.kind == StockShape::Kind::mesh) return face_normals_[static_cast<std::size_t>(patch)];
+  if (shape_.kind == StockShape::Kind::mesh) return planes_[static_cast<std::size_t>(patch)].normal;
   if (shape_.kind == StockShape::Kind::box) {
     Vec3 normal;
     component(normal, patch / 2) = patch % 2 ? 1 : -1;
@@ -108,6 +112,21 @@ Vec3 StockSolid::gradient(const Vec3& p, std::int32_t patch) const {
   const double rho = length(radial);
   const double sign = patch == kRoundBore ? -1 : 1;
   return rho > 0 ? (sign / rho) * radial : Vec3{sign, 0, 0};
+}
+
+double StockSolid::patch_distance(const Vec3& p, std::int32_t patch) const {
+  const Box3& b = shape_.box;
+  if (shape_.kind == StockShape::Kind::mesh) {
+    const Plane& plane = planes_[static_cast<std::size_t>(patch)];
+    return dot(plane.normal, p) - plane.offset;
+  }
+  if (shape_.kind == StockShape::Kind::box)
+    return patch % 2 ? component(p, patch / 2) - component(b.hi, patch / 2)
+                     : component(b.lo, patch / 2) - component(p, patch / 2);
+  if (patch == kRoundBottom) return b.lo.z - p.z;
+  if (patch == kRoundTop) return p.z - b.hi.z;
+  return patch == kRoundBore ? shape_.inner_radius - radius_at(p)
+                             : radius_at(p) - shape_.outer_radius;
 }
 
 double StockSolid::volume() const {

@@ -39,6 +39,8 @@ class StockSolid {
   Sample sample(const Vec3& p) const;
   /// Unit outward normal of the patch at the point of it that is nearest to p.
   Vec3 gradient(const Vec3& p, std::int32_t patch) const;
+  /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
+  double patch_distance(const Vec3& p, std::int32_t patch) const;
   const Box3& bounds() const { return shape_.box; }
   /// mm^3; of a mesh, its signed volume.
   double volume() const;
@@ -49,11 +51,17 @@ class StockSolid {
   Sample sample_box(const Vec3& p) const;
   Sample sample_round(const Vec3& p) const;
   Sample sample_mesh(const Vec3& p) const;
+  double radius_at(const Vec3& p) const;
+  void find_flat_faces();
 
   StockShape shape_;
   std::shared_ptr<const TriangleTree> tree_;  // mesh; shared so that a solid stays a value
   std::vector<std::int32_t> faces_;           // mesh: the flat face of each triangle
-  std::vector<Vec3> face_normals_;
+  struct Plane {
+    Vec3 normal;
+    double offset;  // dot(normal, point of the plane)
+  };
+  std::vector<Plane> planes_;  // mesh: of each flat face
 };
 
 }  // namespace mrsim

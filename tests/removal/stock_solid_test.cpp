@@ -38,6 +38,7 @@ void expect_distance_function(const StockSolid& solid) {
     const auto at = solid.sample(p);
     EXPECT_LE(std::abs(at.distance - solid.distance(q)), distance(p, q) * (1 + 1e-12) + 1e-12);
     if (at.distance > 0) continue;
+    EXPECT_NEAR(solid.patch_distance(p, at.patch), at.distance, 1e-9);
     const Vec3 n = solid.gradient(p, at.patch);
     EXPECT_NEAR(solid.distance(p - at.distance * n), 0, 1e-9);  // the foot lies on the surface
   }
