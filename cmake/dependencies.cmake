@@ -12,6 +12,9 @@ list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenV
 find_package(OpenVDB REQUIRED)
 add_library(mrsim_openvdb INTERFACE)
 target_link_libraries(mrsim_openvdb INTERFACE OpenVDB::openvdb)
+# OpenVDB's templates keep type names in static members that its library and ours must share: hidden, they are two, and
+# openvdb::initialize() crashes.
+target_compile_options(mrsim_openvdb INTERFACE -fvisibility=default)
 
 find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)
