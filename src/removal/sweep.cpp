@@ -239,12 +239,4 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
   return frame != nullptr ? frame->out(g) : g;
 }
 
-void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
-  for (std::size_t k = 0; k < ids.size(); ++k) out[k] = distance(ids[k], p);
-}
-
-void SweepTable::distances(std::size_t i, std::span<const Vec3> points, double* out) const {
-  for (std::size_t k = 0; k < points.size(); ++k) out[k] = distance(i, points[k]);
-}
-
 }  // namespace mrsim

@@ -228,6 +228,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.arc = l.arc;
     row.z = z;
     l.arc ? arc_in_plan(l, row.c) : line_in_plan(l.start, l.end, row.c);
+    row.length = l.arc ? row.c[2] * l.sweep : row.c[4];
     ref.kind = SweepKind::profile;
     ref.row = static_cast<std::uint32_t>(columns_.profiles.size());
     columns_.profiles.push_back(row);
@@ -235,6 +236,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     ArcRecord row;
     arc_in_plan(l, row.c);
     row.c[7] = z + tool.round(), row.c[8] = tool.core(), row.c[9] = tool.round();
+    row.c[10] = row.c[2] * l.sweep;
     ref.kind = SweepKind::plane_arc;
     ref.row = static_cast<std::uint32_t>(columns_.plane_arcs.size());
     columns_.plane_arcs.push_back(row);
@@ -345,6 +347,9 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
   Builder builder(*this, tools);
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
+  uniform = !refs.empty();
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    uniform = uniform && refs[i].kind == refs[0].kind && refs[i].frame == 0 && refs[i].row == i;
 }
 
 }  // namespace mrsim
