@@ -48,7 +48,7 @@ struct SweepSkeleton {
 struct NearestColumns {
   double* distance = nullptr;  ///< the same bits as distance(ids[k], p)
   double* squared = nullptr;   ///< strip: squared distance to the skeleton; plan: to the path in
-                              ///< plan; none: +infinity
+                               ///< plan; none: +infinity
   double *x = nullptr, *y = nullptr, *z = nullptr;  ///< the nearest point; plan: z is the tip's
 };
 

@@ -27,9 +27,8 @@ enum class SweepKind : std::uint8_t {
 struct ProfileRow {
   bool arc = false;
   double c[7] = {};
-  double z = 0;        ///< height of the tip at its lowest
-  double stretch = 0;  ///< vertical travel, mm
-  double length = 0;   ///< of the path in plan, mm
+  double z = 0;       ///< height of the tip
+  double length = 0;  ///< of the path in plan, mm
 };
 
 /// Rotation into the frame of a tilted tool: rows are its axes.
@@ -70,13 +69,6 @@ struct SweepColumns {
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};
-
-/// Height above the tip of a profile at rest that stands for one that travels up by `stretch`: the
-/// widest place is drawn out.
-inline double unstretched(const Profile& tool, const ProfileRow& row, double z) {
-  const double over = z - row.z - tool.widest();
-  return z - row.z - (over < 0 ? 0 : over > row.stretch ? row.stretch : over);
-}
 
 /// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
 /// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).

@@ -132,7 +132,6 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
     measure(s, r[7] - r[9], r[7] - r[9], r[10]);
   } else {
     const ProfileRow& row = c.profiles[ref.row];
-    if (row.stretch > 0) return {};
     s.straight = !row.arc;
     measure(s, row.z, row.z, row.length);
   }
@@ -167,7 +166,6 @@ void SweepColumns::plan_nearest(const SweepRef& ref, const Vec3& p, double& squa
   squared = kInfinity, x = p.x, y = p.y, z = p.z;
   if (ref.kind != SweepKind::profile || ref.frame != 0) return;
   const ProfileRow& row = profiles[ref.row];
-  if (row.stretch > 0) return;
   double c[10] = {};
   for (int i = 0; i < 7; ++i) c[i] = row.c[i];
   const lane::Near f =

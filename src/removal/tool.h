@@ -57,6 +57,10 @@ class Profile {
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
 
+  /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
+  /// is_unimodal(), a closed top.
+  Profile drawn_out(double travel) const;
+
   const std::vector<ProfileEdge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }
   bool open_top() const { return open_top_; }     ///< reaches to z = +infinity
