@@ -250,6 +250,14 @@ struct MeshSummary {
   std::string first_fault;     ///< empty, or a sentence with the place
 };
 
+/// What was cut in earlier setups, in the order of the cuts: the part of a stock that a .vdb
+/// remembers.
+struct CutHistory {
+  std::vector<std::string> files;
+  std::vector<Tool> tools;
+  std::vector<Motion> motions;  ///< `file` and `tool` index the lists above; `call` is -1
+};
+
 /// The stock before the first cut. Exact primitives keep their closed form; a mesh is taken as it
 /// is.
 struct StockShape {
@@ -260,6 +268,7 @@ struct StockShape {
   double inner_radius = 0;  ///< tube
   Vec3 axis_point;          ///< x, y of the axis (z unused)
   TriMesh mesh;             ///< mesh
+  CutHistory history;       ///< cuts made before this program (a .vdb saved by mrsim)
   std::string description;  ///< for the report: "box 100 x 60 x 10 mm, exact (from block.stl)"
 };
 
