@@ -35,13 +35,14 @@ MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
 
-/// Takes what trace() finds, in program order, as it is found.
+/// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
 struct TraceSink {
-  std::function<void(const std::string& line)> motion;  ///< one motion, without line end
+  std::function<void(const Motion& motion)> motion;
+  std::function<void(const std::string& line)> line;  ///< the same motion as text, no line end
   std::function<void(const Diagnostic& diagnostic)> diagnostic;
 };
-/// Like interpret, but hands on each motion as a line (JSON, or text for people) instead of keeping
-/// it: memory does not grow with the length of the program.
+/// Like interpret, but hands motions on (as JSON or text for people, too) instead of keeping them:
+/// memory does not grow with the length of the program.
 MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
                         const TraceSink& sink);
 

@@ -56,7 +56,8 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "Examples:\n"
      "  mrsim check PRIMER_2F.MPF\n"
      "  mrsim check --strict --dialect fanuc O0001.nc"},
-    {Command::render, "render", "Draws a mesh as a shaded picture with its edges; needs no display.",
+    {Command::render, "render",
+     "Draws a mesh as a shaded picture with its edges; needs no display.",
      "mrsim render PART -o picture.png [options]",
      "Examples:\n"
      "  mrsim render part.stl -o part.png\n"
@@ -72,14 +73,20 @@ void add_program_options(CLI::App& app, Typed& typed) {
       "sinumerik, iso, fanuc or codesys; default: recognised from the text");
   add("--machine", typed.machine, "M", "mill or lathe; default: recognised");
   app.add_option("--tools", typed.tools_files, "tools, registers and work offsets (tools.toml)")
-      ->type_name("FILE")->group(group)->allow_extra_args(false);
+      ->type_name("FILE")
+      ->group(group)
+      ->allow_extra_args(false);
   app.add_option("--tool", typed.tools,
                  "one tool, such as 4=endmill:d=5 or endmill:d=10; may be repeated")
-      ->type_name("T")->group(group)->allow_extra_args(false);
+      ->type_name("T")
+      ->group(group)
+      ->allow_extra_args(false);
   add("--start", typed.start, "X,Y,Z", "position before the first move, mm; default: unknown");
   add("--block-skip", typed.block_skip, "N,N", "skip blocks that begin with /N (/ is /0)");
   app.add_option("--path", typed.search_path, "also look for subprograms here; may be repeated")
-      ->type_name("DIR")->group(group)->allow_extra_args(false);
+      ->type_name("DIR")
+      ->group(group)
+      ->allow_extra_args(false);
 }
 
 void add_simulation_options(CLI::App& app, Typed& typed) {
@@ -120,12 +127,15 @@ void add_output_options(CLI::App& app, Typed& typed, Command command) {
                                                   "may be repeated"
                    : command == Command::trace  ? "draw the tool path: .svg or .ply"
                                                 : "picture to write: .png")
-        ->type_name("FILE")->group(group)->allow_extra_args(false);
+        ->type_name("FILE")
+        ->group(group)
+        ->allow_extra_args(false);
   if (command == Command::trace || command == Command::check)
     app.add_flag("--json", typed.json, "one JSON object a line")->group(group);
   if (command == Command::trace)
     app.add_flag("--programmed", typed.programmed,
-                 "the contour instead of the compensated tool point")->group(group);
+                 "the contour instead of the compensated tool point")
+        ->group(group);
   if (command != Command::render)
     app.add_flag("--strict", typed.strict, "warnings are errors")->group(group);
   app.add_flag("-q,--quiet", typed.quiet, "print errors only")->group(group);
@@ -146,8 +156,7 @@ class HelpFormatter : public CLI::Formatter {
     const std::string type = option->get_items_expected_max() > 0 ? option->get_type_name() : "";
     const std::string name =
         fmt::format("  {}{}{}", option->get_name(false, true), type.empty() ? "" : " ", type);
-    return fmt::format("{:<26}{}{}\n", name,
-                       name.size() > 25 ? "\n" + std::string(26, ' ') : "",
+    return fmt::format("{:<26}{}{}\n", name, name.size() > 25 ? "\n" + std::string(26, ' ') : "",
                        wrapped(option->get_description()));
   }
 
@@ -237,17 +246,16 @@ void read_picture_options(Arguments& out, const Typed& typed) {
     out.render.height = whole_value("--size", typed.size.substr(cross + 1), 16, 8192);
   }
   if (!typed.azimuth.empty()) out.render.azimuth = number_value("--azimuth", typed.azimuth);
-  if (!typed.elevation.empty())
-    out.render.elevation = number_value("--elevation", typed.elevation);
+  if (!typed.elevation.empty()) out.render.elevation = number_value("--elevation", typed.elevation);
   if (!typed.edges.empty()) out.render.edge_angle = number_value("--edges", typed.edges);
 }
 
 void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
   const bool render = line.command == Command::render;
   if (typed.inputs.empty() || typed.inputs[0].empty())
-    fail_usage(fmt::format("{} is missing; usage: {}", render ? "the part" : "the program",
-                           std::string_view(line.usage).substr(
-                               0, std::string_view(line.usage).find('\n'))));
+    fail_usage(fmt::format(
+        "{} is missing; usage: {}", render ? "the part" : "the program",
+        std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
   out.input = typed.inputs[0];
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");

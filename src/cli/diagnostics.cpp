@@ -68,8 +68,9 @@ std::string excerpt(const Diagnostic& diagnostic, bool colours) {
 
 std::string format_diagnostic(const Diagnostic& diagnostic, bool colours) {
   const std::string place = place_of(diagnostic.place);
-  std::string out = fmt::format("{}{} {}", styled(place.empty() ? "" : place + ": ", Style::bold, colours),
-                                severity_word(diagnostic.severity, colours), printable(diagnostic.text));
+  std::string out =
+      fmt::format("{}{} {}", styled(place.empty() ? "" : place + ": ", Style::bold, colours),
+                  severity_word(diagnostic.severity, colours), printable(diagnostic.text));
   if (!diagnostic.code.empty()) out += fmt::format(" [{}]", diagnostic.code);
   out += '\n';
   if (diagnostic.severity != Severity::note && !diagnostic.source_line.empty() &&

@@ -24,8 +24,8 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 template <class T, std::size_t N>
-T choice(const char* option, const std::string& text,
-         const std::array<std::string_view, N>& words, const std::array<T, N>& values) {
+T choice(const char* option, const std::string& text, const std::array<std::string_view, N>& words,
+         const std::array<T, N>& values) {
   std::string all;
   for (std::size_t i = 0; i < N; ++i) {
     if (text == words[i]) return values[i];
@@ -55,8 +55,7 @@ double positive_value(const std::string& option, const std::string& text) {
 int whole_value(const std::string& option, const std::string& text, int low, int high) {
   const double value = number_value(option, text);
   if (value < low || value > high || value != static_cast<int>(value))
-    fail_usage(
-        fmt::format("{} {} must be a whole number from {} to {}", option, text, low, high));
+    fail_usage(fmt::format("{} {} must be a whole number from {} to {}", option, text, low, high));
   return static_cast<int>(value);
 }
 

@@ -17,13 +17,20 @@ extern "C" void on_interrupt(int) { interrupted = 1; }
 
 const char* escape_of(Style style) {
   switch (style) {
-    case Style::bold: return "\x1b[1m";
-    case Style::dim: return "\x1b[2m";
-    case Style::red: return "\x1b[1;31m";
-    case Style::yellow: return "\x1b[1;33m";
-    case Style::cyan: return "\x1b[1;36m";
-    case Style::green: return "\x1b[1;32m";
-    case Style::plain: break;
+    case Style::bold:
+      return "\x1b[1m";
+    case Style::dim:
+      return "\x1b[2m";
+    case Style::red:
+      return "\x1b[1;31m";
+    case Style::yellow:
+      return "\x1b[1;33m";
+    case Style::cyan:
+      return "\x1b[1;36m";
+    case Style::green:
+      return "\x1b[1;32m";
+    case Style::plain:
+      break;
   }
   return "";
 }

@@ -19,8 +19,7 @@ void include(Box3& box, const Vec3& p) {
 }
 
 double margin_of(const Box3& box) {
-  const double longest =
-      std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+  const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
   return std::ceil(std::max(kLeastMargin, kMargin * longest));
 }
 
@@ -57,8 +56,7 @@ StockShape cylinder_round(const Box3& points) {
 
 }  // namespace
 
-StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools,
-                         bool lathe) {
+StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe) {
   Box3 points;
   for (const Motion& motion : motions)
     if (is_cut(motion)) {
