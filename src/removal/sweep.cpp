@@ -57,23 +57,23 @@ Vec2 face_gradient(const Profile& tool, double rho, double z, std::int32_t patch
 struct LevelView {
   bool arc = false;
   const double* plan = nullptr;
-  ProfileRow row;  // z and stretch only
+  double z = 0;  // of the tip
 };
 
 LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
   LevelView v;
   if (ref.kind == SweepKind::plane_line) {
     v.plan = c.plane_lines[ref.row].c;
-    v.row.z = v.plan[5] - v.plan[7];
+    v.z = v.plan[5] - v.plan[7];
   } else if (ref.kind == SweepKind::plane_arc) {
     v.arc = true;
     v.plan = c.plane_arcs[ref.row].c;
-    v.row.z = v.plan[7] - v.plan[9];
+    v.z = v.plan[7] - v.plan[9];
   } else {
     const ProfileRow& row = c.profiles[ref.row];
     v.arc = row.arc;
     v.plan = row.c;
-    v.row.z = row.z, v.row.stretch = row.stretch;
+    v.z = row.z;
   }
   return v;
 }
@@ -86,7 +86,7 @@ SweepSample level_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
   const LevelView v = level_view(c, ref);
   const PlanFoot f = plan_foot(v, p, Half::any);
   const Profile& tool = c.cutter(ref);
-  const ProfileSample s = tool_sample(tool, f.rho, unstretched(tool, v.row, p.z));
+  const ProfileSample s = tool_sample(tool, f.rho, p.z - v.z);
   return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
 }
 
@@ -96,8 +96,7 @@ Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, s
   if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
   const PlanFoot f = plan_foot(v, p, half);
   const Profile& tool = c.cutter(ref);
-  const Vec2 g =
-      face_gradient(tool, f.rho, unstretched(tool, v.row, p.z), patch & (kBranchPatch - 1));
+  const Vec2 g = face_gradient(tool, f.rho, p.z - v.z, patch & (kBranchPatch - 1));
   return revolved(p, f.x, f.y, g);
 }
 
@@ -185,7 +184,7 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
     case SweepKind::profile: {
       const ProfileRow& row = profiles[ref.row];
       const double rho = row.arc ? lane::arc_rho(row.c, p.x, p.y) : lane::line_rho(row.c, p.x, p.y);
-      return tool_distance(cutter(ref), rho, unstretched(cutter(ref), row, p.z));
+      return tool_distance(cutter(ref), rho, p.z - row.z);
     }
     case SweepKind::path:
       return path_distance(cutter(ref), paths[ref.row], p).distance;
@@ -237,14 +236,6 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
       g = level_gradient(*columns_, ref, p, patch);
   }
   return frame != nullptr ? frame->out(g) : g;
-}
-
-void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
-  for (std::size_t k = 0; k < ids.size(); ++k) out[k] = distance(ids[k], p);
-}
-
-void SweepTable::distances(std::size_t i, std::span<const Vec3> points, double* out) const {
-  for (std::size_t k = 0; k < points.size(); ++k) out[k] = distance(i, points[k]);
 }
 
 }  // namespace mrsim

@@ -23,6 +23,35 @@ struct SweepSample {
       0;  ///< smooth face of the sweep: equal for two points whose surfaces join without a crease
 };
 
+/// What the dominance test of the carver (DESIGN.md) needs to know of a sweep. Two sweeps may be
+/// compared when their groups are equal and not negative: same tool, same kind.
+struct SweepSkeleton {
+  enum class Kind : std::uint8_t {
+    none,   ///< nothing to compare (group -1)
+    strip,  ///< a ball that reaches up: the sweep is the set within `radius` of the path's upward
+            ///< strip, a convex set; p's nearest point on it decides
+    plan    ///< horizontal or upright move: distance is a function of the lateral distance from the
+            ///< path (growing) and of the height above the tip
+  };
+  Kind kind = Kind::none;
+  bool rising = false;   ///< plan: a lower tip removes more (open top, no undercut); otherwise only
+                         ///< sweeps at equal heights may be compared
+  bool straight = true;  ///< plan: the path is a segment (its lateral distance is convex)
+  std::int32_t group = -1;
+  double radius = 0;  ///< strip: of the ball; plan: largest of the cutter
+  double low = 0,
+         high = 0;    ///< least and greatest height of the path (strip: of the ball's centre)
+  double length = 0;  ///< 3-D length of the path
+};
+
+/// Columns that SweepTable::nearest fills, each as long as the list of sweeps.
+struct NearestColumns {
+  double* distance = nullptr;  ///< the same bits as distance(ids[k], p)
+  double* squared = nullptr;   ///< strip: squared distance to the skeleton; plan: to the path in
+                               ///< plan; none: +infinity
+  double *x = nullptr, *y = nullptr, *z = nullptr;  ///< the nearest point; plan: z is the tip's
+};
+
 /// The cutting motions of a program with the shapes of their tools.
 class SweepTable {
  public:
@@ -56,6 +85,10 @@ class SweepTable {
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;
   /// out[k] = distance(i, points[k]), the same bits.
   void distances(std::size_t i, std::span<const Vec3> points, double* out) const;
+
+  SweepSkeleton skeleton(std::size_t i) const;
+  /// Distances together with the nearest points of the skeletons. Cost: a little above distances().
+  void nearest(std::span<const std::uint32_t> ids, const Vec3& p, const NearestColumns& out) const;
 
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.
   double max_error() const;

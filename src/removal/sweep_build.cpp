@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace mrsim {
 namespace {
@@ -135,6 +136,7 @@ class Builder {
 
  private:
   int shape(const Motion& m);
+  int drawn_out(int shape, double travel);
   std::uint16_t frame(const Vec3& axis);
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);
   void add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool);
@@ -146,6 +148,7 @@ class Builder {
   SweepColumns& columns_;
   std::span<const Tool> tools_;
   std::vector<int> shape_of_;
+  std::map<std::pair<int, double>, int> drawn_out_;
 };
 
 int Builder::shape(const Motion& m) {
@@ -205,6 +208,7 @@ void Builder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
   const double rise = l.rise.z * l.sweep;
   const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
   allow(kClosedError);
+  columns_.bounds.push_back(sweep_bounds(cutter, l, local));  // first: shapes may move in memory
   if (l.arc ? about_z && rise > -kLevel && rise < kLevel : lean < kLevel)
     add_level(ref, l, cutter);
   else if (!l.arc && dx * dx + dy * dy < kLevel * kLevel)
@@ -212,7 +216,6 @@ void Builder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
   else
     add_path(ref, l, cutter);
   columns_.refs.push_back(ref);
-  columns_.bounds.push_back(sweep_bounds(cutter, l, local));
 }
 
 void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
@@ -228,6 +231,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.arc = l.arc;
     row.z = z;
     l.arc ? arc_in_plan(l, row.c) : line_in_plan(l.start, l.end, row.c);
+    row.length = l.arc ? row.c[2] * l.sweep : row.c[4];
     ref.kind = SweepKind::profile;
     ref.row = static_cast<std::uint32_t>(columns_.profiles.size());
     columns_.profiles.push_back(row);
@@ -235,6 +239,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     ArcRecord row;
     arc_in_plan(l, row.c);
     row.c[7] = z + tool.round(), row.c[8] = tool.core(), row.c[9] = tool.round();
+    row.c[10] = row.c[2] * l.sweep;
     ref.kind = SweepKind::plane_arc;
     ref.row = static_cast<std::uint32_t>(columns_.plane_arcs.size());
     columns_.plane_arcs.push_back(row);
@@ -263,8 +268,21 @@ void Builder::add_upright(SweepRef& ref, const LocalMotion& l, const Profile& to
     add_path(ref, l, tool);
     return;
   }
-  add_level(ref, at, tool);
-  columns_.profiles.back().stretch = std::max(l.start.z, l.end.z) - at.start.z;
+  ref.shape = drawn_out(ref.shape, std::max(l.start.z, l.end.z) - at.start.z);
+  add_level(ref, at, columns_.cutter(ref));
+}
+
+// The shape whose profile is drawn out by `travel`; holes of one depth share one.
+int Builder::drawn_out(int shape, double travel) {
+  const auto [at, added] =
+      drawn_out_.try_emplace({shape, travel}, static_cast<int>(columns_.shapes.size()));
+  if (added) {
+    ToolShape made;
+    made.cutter = columns_.shapes[shape].cutter.drawn_out(travel);
+    made.radius = columns_.shapes[shape].radius;
+    columns_.shapes.push_back(std::move(made));
+  }
+  return at->second;
 }
 
 void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
@@ -345,6 +363,9 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
   Builder builder(*this, tools);
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
+  uniform = !refs.empty();
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    uniform = uniform && refs[i].kind == refs[0].kind && refs[i].frame == 0 && refs[i].row == i;
 }
 
 }  // namespace mrsim

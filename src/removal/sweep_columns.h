@@ -4,6 +4,7 @@
 #pragma once
 
 #include "removal/sweep.h"
+#include "removal/sweep_kernels.h"
 #include "removal/sweep_path.h"
 #include "removal/sweep_turn.h"
 #include "removal/tool.h"
@@ -22,19 +23,12 @@ enum class SweepKind : std::uint8_t {
   turn         ///< insert
 };
 
-struct alignas(64) LineRecord {
-  double c[8] = {};
-};
-struct alignas(64) ArcRecord {
-  double c[16] = {};
-};
-
 /// A horizontal path in plan: line_rho of c[0..4] or arc_rho of c[0..6].
 struct ProfileRow {
   bool arc = false;
   double c[7] = {};
-  double z = 0;        ///< height of the tip at its lowest
-  double stretch = 0;  ///< vertical travel, mm
+  double z = 0;       ///< height of the tip
+  double length = 0;  ///< of the path in plan, mm
 };
 
 /// Rotation into the frame of a tilted tool: rows are its axes.
@@ -63,21 +57,18 @@ struct SweepColumns {
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
+  bool uniform = false;  ///< all of one kind, in the stock's frame: row i is sweep i
   double max_error = 0;
   double smallest_radius = 0;
 
   void build(std::span<const Motion> motions, std::span<const Tool> tools, double top);
   double distance(const SweepRef& ref, const Vec3& p) const;
+  /// Nearest point in plan of a profile row; infinitely far for other kinds.
+  void plan_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
+                    double& z) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};
-
-/// Height above the tip of a profile at rest that stands for one that travels up by `stretch`: the
-/// widest place is drawn out.
-inline double unstretched(const Profile& tool, const ProfileRow& row, double z) {
-  const double over = z - row.z - tool.widest();
-  return z - row.z - (over < 0 ? 0 : over > row.stretch ? row.stretch : over);
-}
 
 /// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
 /// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).

@@ -20,9 +20,9 @@ namespace mrsim {
 /// A piece of a profile: the solid lies on the left of its direction.
 struct ProfileEdge {
   Vec2 a, b;               ///< ends, x = r, y = z; b.y is infinite on a ray towards the shank
-  Vec2 direction;          ///< line: unit vector from a to b
+  Vec2 direction{};        ///< line: unit vector from a to b
   double length = 0;       ///< line: mm, infinite on a ray
-  Vec2 center;             ///< arc
+  Vec2 center{};           ///< arc
   double radius = 0;       ///< arc: mm, 0 = line
   bool convex = true;      ///< arc: counter-clockwise, bulging out of the solid
   std::int32_t patch = 0;  ///< smooth chain of edges, from 0 at the tip
@@ -56,6 +56,10 @@ class Profile {
   int nearest_corner(Vec2 q) const;
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
+
+  /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
+  /// is_unimodal(), a closed top.
+  Profile drawn_out(double travel) const;
 
   const std::vector<ProfileEdge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }

@@ -104,7 +104,7 @@ void Profile::find_flags() {
     const Vec2 from = tangent_at(e, e.a), to = is_arc(e) ? tangent_at(e, e.b) : from;
     if (is_arc(e) && !e.convex) is_convex_ = false;
     // An arc that bulges out passes its widest point where its tangent turns from out to in.
-    const bool over = is_arc(e) && e.convex && from.x > 0 && to.x < 0;
+    const bool over = is_arc(e) && e.convex && from.x > kSmooth && to.x < -kSmooth;
     const double reach = over ? e.center.x + e.radius : std::isinf(e.b.y) ? e.a.x : e.b.x;
     const double at = over ? e.center.y : std::isinf(e.b.y) ? e.a.y : e.b.y;
     const bool dips = is_arc(e) && !e.convex && from.x < 0 && to.x > 0;
@@ -199,6 +199,32 @@ Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
     if (d < least) least = d, best = &e;
   }
   return best != nullptr ? outward(*best, q) : sample(q).gradient;
+}
+
+Profile Profile::drawn_out(double travel) const {
+  std::vector<ProfileEdge> out;
+  bool above = false;
+  const auto add = [&](ProfileEdge e) {
+    if (above) e.a.y += travel, e.b.y += travel, e.center.y += travel;
+    out.push_back(e);
+  };
+  for (const ProfileEdge& e : edges_) {
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
+      out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
+      above = true;
+    } else if (!above && is_arc(e) && e.b.x != max_radius_ && e.center.y == widest_) {
+      // The arc passes the widest place: it is cut there.
+      ProfileEdge low = e, high = e;
+      low.b = high.a = {max_radius_, widest_};
+      add(low);
+      out.push_back({.a = low.b, .b = {max_radius_, widest_ + travel}});
+      above = true;
+      add(high);
+      continue;
+    }
+    add(e);
+  }
+  return Profile(std::move(out));
 }
 
 int Profile::nearest_corner(Vec2 q) const {
