@@ -5,7 +5,9 @@
 #include <mrsim/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
 
 namespace mrsim {
 
@@ -56,6 +58,9 @@ struct MeshOptions {
   Progress progress;
 };
 
+/// What the colour of a face tells.
+enum class ColorBy : std::uint8_t { none, line, tool };
+
 struct RenderOptions {
   /// Picture size in pixels. Requires: 16 .. 8192.
   int width = 1600, height = 1200;
@@ -63,6 +68,14 @@ struct RenderOptions {
   double azimuth = 30, elevation = 35;
   /// Draw edges where faces meet at more than this many degrees; 0 = none.
   double edge_angle = 25;
+  /// Colour the faces by what cut them, with a legend. TriMesh::colors, where given, come first.
+  ColorBy color = ColorBy::none;
+  /// Darken corners and pockets by how little sky they see.
+  bool ambient_occlusion = true;
+  /// Let the part throw a shadow on the ground.
+  bool ground = true;
+  /// A line of text below the part. Default: its size.
+  std::string caption;
   int threads = 0;
 };
 

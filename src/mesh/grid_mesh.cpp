@@ -78,6 +78,8 @@ TriMesh mesh_grid(const openvdb::FloatGrid& distance, const openvdb::Int32Grid* 
     mesh.vertices.push_back({p[0], p[1], p[2]});
   }
   add_polygons(mesher, mesh);
+  if (distance.getGridClass() != openvdb::GRID_LEVEL_SET)  // taken for a fog: inside out
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   if (owners) add_owners(distance, *owners, threads, mesh);
   make_manifold(mesh);
   return mesh;
