@@ -8,6 +8,7 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
+#include "mesh/render.h"
 #include "outputs.h"
 #include "removal/default_stock.h"
 #include "removal/stock.h"
@@ -169,6 +170,11 @@ StockShape load_stock(const std::string& spec, const StockOptions& options) {
   TriMesh mesh = read_mesh(spec);
   require_solid(mesh, spec);
   return recognise_stock(std::move(mesh), options, spec);
+}
+
+void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {
+  write_file_atomically(png_path,
+                        [&](const ByteSink& out) { render_mesh(mesh, options, out); });
 }
 
 MeshSummary summarize(const TriMesh& mesh) { return check_mesh(mesh); }
