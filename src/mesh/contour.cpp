@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <cstdio>
 #include <cmath>
 #include <map>
 
@@ -80,6 +82,7 @@ class Contour {
       report_.triangles_before = mesh.triangles.size();
     }
     report_.cells = surface_.loops().size();
+    if (std::getenv("HIST")) { std::map<int,int> h; for (const auto& l : surface_.loops()) ++h[tree_.node(l.cell).size]; for (auto [s, n] : h) std::printf("  size %g voxels: %d\n", s / 64.0, n); std::map<int,int> g; for (std::size_t k = 0; k < tree_.size(); ++k) ++g[tree_.node(int(k)).size]; for (auto [s, n] : g) std::printf("  nodes %g: %d\n", s / 64.0, n); }
     return to_mesh(mesh);
   }
 
@@ -89,6 +92,7 @@ class Contour {
       ++report_.passes;
       const std::vector<std::int32_t> bad = surface_.find_loops();
       timer_.step("loops");
+      if (std::getenv("HIST")) std::printf("  bad %zu of loops %zu nodes %zu\n", bad.size(), surface_.loops().size(), tree_.size());
       const std::size_t split = tree_.split(bad);
       timer_.step("tree");
       if (split == 0) return;
@@ -143,6 +147,7 @@ class Contour {
       report_.unresolved += !can;
     }
     timer_.step("certify");
+    if (std::getenv("HIST")) std::printf("  failed %zu\n", cells.size());
     const std::size_t count = tree_.split(std::move(cells));
     timer_.step("tree");
     return count > 0;

@@ -270,9 +270,31 @@ bool ContourOctree::must_split(std::int32_t n) const {
     else if (std::find(owners, owners + seen, s.owner) == owners + seen)
       owners[seen++] = s.owner;
   }
-  if (seen < list.size() || near_stock != stock_seen) return true;
+  if (seen < list.size() || near_stock != stock_seen)
+    if (a.size > kMixedCell * lattice_.per_voxel() || shows_more(n, {owners, seen}, stock_seen))
+      return true;
   if (one_face) return false;
   return !a.signs_differ || a.size > kMixedCell * lattice_.per_voxel();
+}
+
+// True where a sample on the lattice of voxels within the cell has an owner that is not among those
+// seen so far: features are resolved at the voxel, whatever the size of cells.
+bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> seen,
+                               bool stock_seen) const {
+  const OctreeNode& a = node(n);
+  const std::int32_t step = lattice_.per_voxel(), count = a.size / step;
+  const std::span<const std::uint32_t> list = candidates(n);
+  for (std::int32_t x = 0; x <= count; ++x)
+    for (std::int32_t y = 0; y <= count; ++y)
+      for (std::int32_t z = 0; z <= count; ++z) {
+        if ((x % count == 0) && (y % count == 0) && (z % count == 0)) continue;
+        const LatticePoint p{a.origin.x + x * step, a.origin.y + y * step, a.origin.z + z * step};
+        const FieldSample s = field_.sample(lattice_.position(p), list);
+        if (s.owner == kStockOwner ? !stock_seen
+                                   : std::find(seen.begin(), seen.end(), s.owner) == seen.end())
+          return true;
+      }
+  return false;
 }
 
 std::vector<MinimalEdge> ContourOctree::crossing_edges() const {

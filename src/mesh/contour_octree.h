@@ -60,6 +60,7 @@ class ContourOctree {
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
   bool must_split(std::int32_t node) const;
+  bool shows_more(std::int32_t node, std::span<const std::int32_t> seen, bool stock_seen) const;
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 
   const ExactField& field_;
