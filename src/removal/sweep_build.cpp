@@ -127,6 +127,23 @@ void arc_in_plan(const LocalMotion& l, double* c) {
   c[6] = turn < kTwoPi ? mid.sin : 0;
 }
 
+// A cutter that reaches up removes nothing with the higher turns of a helix that the lowest does
+// not. Turns the path so that it falls, and keeps its last turn.
+void keep_lowest_turn(LocalMotion& l) {
+  const auto start_at = [&l](double t, double way) {
+    const SinCos sc = sincos(t);
+    const Vec3 u = l.u, v = l.v;
+    l.u = sc.cos * u + sc.sin * v;
+    l.v = way * (sc.cos * v - sc.sin * u);
+    l.center = l.center + t * l.rise;
+    l.rise = way * l.rise;
+  };
+  if (l.rise.z > 0) start_at(l.sweep, -1);
+  if (l.sweep <= kTwoPi) return;
+  start_at(l.sweep - kTwoPi, 1);
+  l.sweep = kTwoPi;
+}
+
 class Builder {
  public:
   Builder(SweepColumns& columns, std::span<const Tool> tools)
@@ -306,18 +323,8 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
   if (l.arc) {
     path.level = l.u.z * l.u.z + l.v.z * l.v.z < kLevel * kLevel &&
                  l.rise.x * l.rise.x + l.rise.y * l.rise.y < kLevel * kLevel;
-    if (path.level && tool.is_rising() && l.sweep > kTwoPi) {
-      // Higher turns of a cutter that reaches up remove nothing that the lowest does not.
-      if (l.rise.z < 0) {
-        const double skip = l.sweep - kTwoPi;
-        const SinCos sc = sincos(skip);
-        const Vec3 u = l.u, v = l.v;
-        l.u = sc.cos * u + sc.sin * v;
-        l.v = sc.cos * v - sc.sin * u;
-        l.center = l.center + skip * l.rise;
-      }
-      l.sweep = kTwoPi;
-    }
+    path.lowest_turn = path.level && tool.is_rising();
+    if (path.lowest_turn) keep_lowest_turn(l);
     path.center = l.center, path.u = l.u, path.v = l.v, path.rise = l.rise, path.sweep = l.sweep;
     path.radius = length(l.u);
     path.speed = std::sqrt(path.radius * path.radius + dot(l.rise, l.rise));
@@ -326,7 +333,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     path.travel = l.end - l.start;
     path.speed = length(path.travel);
   }
-  allow(!tool.is_convex() ? kPathError : l.arc ? 1e-8 : kClosedError);
+  allow(tool.is_convex() && !l.arc ? kClosedError : kPathError);
   ref.kind = SweepKind::path;
   ref.row = static_cast<std::uint32_t>(columns_.paths.size());
   columns_.paths.push_back(path);

@@ -23,6 +23,7 @@ struct ToolPath {
   double sweep = 0;              ///< radians, positive
   double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
   bool level = false;            ///< arc in a horizontal plane, or helix about Z
+  bool lowest_turn = false;  ///< level and falling, at most one turn, tool rising
 };
 Vec3 position(const ToolPath& path, double t);
 Vec3 direction(const ToolPath& path, double t);  ///< d position / dt
