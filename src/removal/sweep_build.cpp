@@ -108,10 +108,10 @@ Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame)
 }
 
 void line_in_plan(const Vec3& a, const Vec3& b, double* c) {
-  const double dx = b.x - a.x, dy = b.y - a.y, n = std::sqrt(dx * dx + dy * dy);
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const bool moves = dx * dx + dy * dy > kLevel * kLevel;
   c[0] = a.x, c[1] = a.y;
-  c[2] = n > kLevel ? dx / n : 1, c[3] = n > kLevel ? dy / n : 0;
-  c[4] = n > kLevel ? n : 0;
+  c[2] = moves ? dx : 0, c[3] = moves ? dy : 0;
 }
 
 void arc_in_plan(const LocalMotion& l, double* c) {
@@ -239,7 +239,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
   const double z = std::min(l.start.z, l.arc ? l.start.z : l.end.z);
   const double radius = std::sqrt(dot(l.u, l.u));
   ref.split = l.arc && l.sweep < kTwoPi && (l.sweep > kPi || tool.max_radius() > radius);
-  if (!l.arc && tool.is_rounded() && tool.core() == 0) {
+  if (!l.arc && tool.is_ball_end()) {
     add_path(ref, l, tool);  // balls on lines all have one form
     return;
   }
@@ -248,7 +248,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.arc = l.arc;
     row.z = z;
     l.arc ? arc_in_plan(l, row.c) : line_in_plan(l.start, l.end, row.c);
-    row.length = l.arc ? row.c[2] * l.sweep : row.c[4];
+    row.length = l.arc ? row.c[2] * l.sweep : std::sqrt(row.c[2] * row.c[2] + row.c[3] * row.c[3]);
     ref.kind = SweepKind::profile;
     ref.row = static_cast<std::uint32_t>(columns_.profiles.size());
     columns_.profiles.push_back(row);
@@ -256,14 +256,16 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     ArcRecord row;
     arc_in_plan(l, row.c);
     row.c[7] = z + tool.round(), row.c[8] = tool.core(), row.c[9] = tool.round();
-    row.c[10] = row.c[2] * l.sweep;
+    row.c[10] = z + tool.top();
+    row.c[11] = row.c[2] * l.sweep;
     ref.kind = SweepKind::plane_arc;
     ref.row = static_cast<std::uint32_t>(columns_.plane_arcs.size());
     columns_.plane_arcs.push_back(row);
   } else {
     LineRecord row;
     line_in_plan(l.start, l.end, row.c);
-    row.c[5] = z + tool.round(), row.c[6] = tool.core(), row.c[7] = tool.round();
+    row.c[4] = z + tool.round(), row.c[5] = tool.core(), row.c[6] = tool.round();
+    row.c[7] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
     columns_.plane_lines.push_back(row);
@@ -303,7 +305,7 @@ int Builder::drawn_out(int shape, double travel) {
 }
 
 void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
-  if (!l.arc && tool.is_rounded() && tool.core() == 0) {
+  if (!l.arc && tool.is_ball_end()) {
     LineRecord row;
     const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
     const double n = std::sqrt(dx * dx + dy * dy);

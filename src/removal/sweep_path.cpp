@@ -197,21 +197,33 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
 
 ProfileSample tool_sample(const Profile& tool, double rho, double z) {
   if (!tool.is_rounded()) return tool.sample({rho, z});
-  const double dr = rho - tool.core(), dz = tool.round() - z;
-  ProfileSample s{lane::rounded_quadrant(rho, z, tool.round(), tool.core(), tool.round()), {}, 0};
-  if (tool.round() == 0) s.patch = dr > dz ? 1 : 0;
+  const bool upper = z >= 0.5 * tool.top();
+  const double dr = rho - (upper ? tool.max_radius() : tool.core());
+  const double dz = upper ? z - tool.top() : tool.round() - z, way = upper ? 1 : -1;
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1, end = upper ? wall + 1 : 0;
+  ProfileSample s{tool_distance(tool, rho, z), {}, dr > dz ? wall : end};
   if (dr > 0 && dz > 0) {
     const double n = std::sqrt(dr * dr + dz * dz);
-    s.gradient = {dr / n, -dz / n};
+    s.gradient = {dr / n, way * dz / n};
   } else {
-    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, -1};
+    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, way};
   }
   return s;
 }
 
 double tool_distance(const Profile& tool, double rho, double z) {
   if (!tool.is_rounded()) return tool.distance({rho, z});
-  return lane::rounded_quadrant(rho, z, tool.round(), tool.core(), tool.round());
+  return lane::rounded_slab(rho, z, tool.round(), tool.core(), tool.round(), tool.top());
+}
+
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+  if (patch > wall) return {0, 1};
+  if (tool.round() == 0) return patch == wall ? Vec2{1, 0} : Vec2{0, -1};
+  const double dr = rho - tool.core(), dz = tool.round() - z;
+  if (!(dr > 0 && dz > 0)) return dr > dz ? Vec2{1, 0} : Vec2{0, -1};
+  const double n = std::sqrt(dr * dr + dz * dz);
+  return {dr / n, -dz / n};
 }
 
 Vec3 position(const ToolPath& path, double t) {
