@@ -23,7 +23,7 @@ enum class SweepKind : std::uint8_t {
   turn         ///< insert
 };
 
-/// A horizontal path in plan: line_rho of c[0..4] or arc_rho of c[0..6].
+/// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
 struct ProfileRow {
   bool arc = false;
   double c[7] = {};

@@ -125,11 +125,11 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
     measure(s, r[2], r[2] + r[6] * r[5], r[5]);
   } else if (ref.kind == SweepKind::plane_line) {
     const double* r = c.plane_lines[ref.row].c;
-    measure(s, r[5] - r[7], r[5] - r[7], r[4]);
+    measure(s, r[4] - r[6], r[4] - r[6], std::sqrt(r[2] * r[2] + r[3] * r[3]));
   } else if (ref.kind == SweepKind::plane_arc) {
     const double* r = c.plane_arcs[ref.row].c;
     s.straight = false;
-    measure(s, r[7] - r[9], r[7] - r[9], r[10]);
+    measure(s, r[7] - r[9], r[7] - r[9], r[11]);
   } else {
     const ProfileRow& row = c.profiles[ref.row];
     s.straight = !row.arc;
@@ -166,7 +166,7 @@ void SweepColumns::plan_nearest(const SweepRef& ref, const Vec3& p, double& squa
   squared = kInfinity, x = p.x, y = p.y, z = p.z;
   if (ref.kind != SweepKind::profile || ref.frame != 0) return;
   const ProfileRow& row = profiles[ref.row];
-  double c[10] = {};
+  double c[11] = {};
   for (int i = 0; i < 7; ++i) c[i] = row.c[i];
   const lane::Near f =
       row.arc ? lane::plane_arc_near(c, p.x, p.y, p.z) : lane::plane_line_near(c, p.x, p.y, p.z);
