@@ -19,9 +19,8 @@ struct PlanFoot {
 enum class Half { any = -1, first = 0, second = 1 };
 
 PlanFoot line_foot(const double* c, const Vec3& p) {
-  const double u = (p.x - c[0]) * c[2] + (p.y - c[1]) * c[3];
-  const double t = lane::vmin(lane::vmax(u, 0), c[4]);
-  return {c[0] + t * c[2], c[1] + t * c[3], lane::line_rho(c, p.x, p.y), 0};
+  const lane::PlanLineFoot f = lane::line_foot(c, p.x, p.y);
+  return {c[0] + f.t * c[2], c[1] + f.t * c[3], std::sqrt(f.squared), 0};
 }
 
 PlanFoot arc_foot(const double* c, const Vec3& p, Half wanted) {
@@ -46,11 +45,10 @@ Vec3 revolved(const Vec3& p, double foot_x, double foot_y, Vec2 g) {
   return n > 0 ? Vec3{g.x * dx / n, g.x * dy / n, g.y} : Vec3{g.x, 0, g.y};
 }
 
-// Gradient of the asked face of a tool at rest; flat ends have floor 0 and wall 1.
+// Gradient of the asked face of a tool at rest.
 Vec2 face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
   if (!tool.is_rounded()) return tool.gradient({rho, z}, patch);
-  if (tool.round() == 0) return patch == 0 ? Vec2{0, -1} : Vec2{1, 0};
-  return tool_sample(tool, rho, z).gradient;
+  return slab_face_gradient(tool, rho, z, patch);
 }
 
 // A horizontal or upright move of any tool: plan path, its lowest tip height, vertical travel.
@@ -64,7 +62,7 @@ LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
   LevelView v;
   if (ref.kind == SweepKind::plane_line) {
     v.plan = c.plane_lines[ref.row].c;
-    v.z = v.plan[5] - v.plan[7];
+    v.z = v.plan[4] - v.plan[6];
   } else if (ref.kind == SweepKind::plane_arc) {
     v.arc = true;
     v.plan = c.plane_arcs[ref.row].c;

@@ -108,10 +108,10 @@ Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame)
 }
 
 void line_in_plan(const Vec3& a, const Vec3& b, double* c) {
-  const double dx = b.x - a.x, dy = b.y - a.y, n = std::sqrt(dx * dx + dy * dy);
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const bool moves = dx * dx + dy * dy > kLevel * kLevel;
   c[0] = a.x, c[1] = a.y;
-  c[2] = n > kLevel ? dx / n : 1, c[3] = n > kLevel ? dy / n : 0;
-  c[4] = n > kLevel ? n : 0;
+  c[2] = moves ? dx : 0, c[3] = moves ? dy : 0;
 }
 
 void arc_in_plan(const LocalMotion& l, double* c) {
@@ -125,6 +125,23 @@ void arc_in_plan(const LocalMotion& l, double* c) {
   // Half the sweep is measured from the middle, so its sine and cosine are those of turn / 2.
   c[5] = turn < kTwoPi ? mid.cos : -1;
   c[6] = turn < kTwoPi ? mid.sin : 0;
+}
+
+// A cutter that reaches up removes nothing with the higher turns of a helix that the lowest does
+// not. Turns the path so that it falls, and keeps its last turn.
+void keep_lowest_turn(LocalMotion& l) {
+  const auto start_at = [&l](double t, double way) {
+    const SinCos sc = sincos(t);
+    const Vec3 u = l.u, v = l.v;
+    l.u = sc.cos * u + sc.sin * v;
+    l.v = way * (sc.cos * v - sc.sin * u);
+    l.center = l.center + t * l.rise;
+    l.rise = way * l.rise;
+  };
+  if (l.rise.z > 0) start_at(l.sweep, -1);
+  if (l.sweep <= kTwoPi) return;
+  start_at(l.sweep - kTwoPi, 1);
+  l.sweep = kTwoPi;
 }
 
 class Builder {
@@ -222,7 +239,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
   const double z = std::min(l.start.z, l.arc ? l.start.z : l.end.z);
   const double radius = std::sqrt(dot(l.u, l.u));
   ref.split = l.arc && l.sweep < kTwoPi && (l.sweep > kPi || tool.max_radius() > radius);
-  if (!l.arc && tool.is_rounded() && tool.core() == 0) {
+  if (!l.arc && tool.is_ball_end()) {
     add_path(ref, l, tool);  // balls on lines all have one form
     return;
   }
@@ -231,7 +248,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.arc = l.arc;
     row.z = z;
     l.arc ? arc_in_plan(l, row.c) : line_in_plan(l.start, l.end, row.c);
-    row.length = l.arc ? row.c[2] * l.sweep : row.c[4];
+    row.length = l.arc ? row.c[2] * l.sweep : std::sqrt(row.c[2] * row.c[2] + row.c[3] * row.c[3]);
     ref.kind = SweepKind::profile;
     ref.row = static_cast<std::uint32_t>(columns_.profiles.size());
     columns_.profiles.push_back(row);
@@ -239,14 +256,16 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     ArcRecord row;
     arc_in_plan(l, row.c);
     row.c[7] = z + tool.round(), row.c[8] = tool.core(), row.c[9] = tool.round();
-    row.c[10] = row.c[2] * l.sweep;
+    row.c[10] = z + tool.top();
+    row.c[11] = row.c[2] * l.sweep;
     ref.kind = SweepKind::plane_arc;
     ref.row = static_cast<std::uint32_t>(columns_.plane_arcs.size());
     columns_.plane_arcs.push_back(row);
   } else {
     LineRecord row;
     line_in_plan(l.start, l.end, row.c);
-    row.c[5] = z + tool.round(), row.c[6] = tool.core(), row.c[7] = tool.round();
+    row.c[4] = z + tool.round(), row.c[5] = tool.core(), row.c[6] = tool.round();
+    row.c[7] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
     columns_.plane_lines.push_back(row);
@@ -286,7 +305,7 @@ int Builder::drawn_out(int shape, double travel) {
 }
 
 void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
-  if (!l.arc && tool.is_rounded() && tool.core() == 0) {
+  if (!l.arc && tool.is_ball_end()) {
     LineRecord row;
     const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
     const double n = std::sqrt(dx * dx + dy * dy);
@@ -306,18 +325,8 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
   if (l.arc) {
     path.level = l.u.z * l.u.z + l.v.z * l.v.z < kLevel * kLevel &&
                  l.rise.x * l.rise.x + l.rise.y * l.rise.y < kLevel * kLevel;
-    if (path.level && tool.is_rising() && l.sweep > kTwoPi) {
-      // Higher turns of a cutter that reaches up remove nothing that the lowest does not.
-      if (l.rise.z < 0) {
-        const double skip = l.sweep - kTwoPi;
-        const SinCos sc = sincos(skip);
-        const Vec3 u = l.u, v = l.v;
-        l.u = sc.cos * u + sc.sin * v;
-        l.v = sc.cos * v - sc.sin * u;
-        l.center = l.center + skip * l.rise;
-      }
-      l.sweep = kTwoPi;
-    }
+    path.lowest_turn = path.level && tool.is_rising();
+    if (path.lowest_turn) keep_lowest_turn(l);
     path.center = l.center, path.u = l.u, path.v = l.v, path.rise = l.rise, path.sweep = l.sweep;
     path.radius = length(l.u);
     path.speed = std::sqrt(path.radius * path.radius + dot(l.rise, l.rise));
@@ -326,7 +335,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     path.travel = l.end - l.start;
     path.speed = length(path.travel);
   }
-  allow(!tool.is_convex() ? kPathError : l.arc ? 1e-8 : kClosedError);
+  allow(tool.is_convex() && !l.arc ? kClosedError : kPathError);
   ref.kind = SweepKind::path;
   ref.row = static_cast<std::uint32_t>(columns_.paths.size());
   columns_.paths.push_back(path);

@@ -23,7 +23,7 @@ enum class SweepKind : std::uint8_t {
   turn         ///< insert
 };
 
-/// A horizontal path in plan: line_rho of c[0..4] or arc_rho of c[0..6].
+/// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
 struct ProfileRow {
   bool arc = false;
   double c[7] = {};
@@ -63,9 +63,10 @@ struct SweepColumns {
 
   void build(std::span<const Motion> motions, std::span<const Tool> tools, double top);
   double distance(const SweepRef& ref, const Vec3& p) const;
-  /// Nearest point in plan of a profile row; infinitely far for other kinds.
-  void plan_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
-                    double& z) const;
+  SweepSkeleton turn_skeleton(const SweepRef& ref) const;
+  /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.
+  void other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
+                     double& z) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};

@@ -25,7 +25,7 @@ MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) 
   for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
 }
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
-  for (int i = 0; i < 10; ++i) c[i] = r[rows[0]].c[i];
+  for (int i = 0; i < 11; ++i) c[i] = r[rows[0]].c[i];
 }
 MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) { x = p->x, y = p->y, z = p->z; }
 MRSIM_LANE void store(double* out, V v) { *out = v; }
@@ -83,6 +83,7 @@ MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   transpose(p0 + 4, p1 + 4, p2 + 4, p3 + 4, c + 4);
   c[8] = _mm256_set_pd(p3[8], p2[8], p1[8], p0[8]);
   c[9] = _mm256_set_pd(p3[9], p2[9], p1[9], p0[9]);
+  c[10] = _mm256_set_pd(p3[10], p2[10], p1[10], p0[10]);
 }
 MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
   x = _mm256_set_pd(p[3].x, p[2].x, p[1].x, p[0].x);
@@ -159,6 +160,7 @@ MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   transpose(row, c);
   c[8] = column(r, rows, 8);
   c[9] = column(r, rows, 9);
+  c[10] = column(r, rows, 10);
 }
 MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
   x = _mm512_set_pd(p[7].x, p[6].x, p[5].x, p[4].x, p[3].x, p[2].x, p[1].x, p[0].x);

@@ -14,7 +14,7 @@ struct alignas(64) LineRecord {
   double c[8] = {};
 };
 struct alignas(64) ArcRecord {
-  double c[16] = {};  ///< c[10]: length of the arc, mm
+  double c[16] = {};  ///< c[11]: length of the arc, mm
 };
 
 /// The kernels of one form. List kernels: out[k] for records[rows[k]] and one point.

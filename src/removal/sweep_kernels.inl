@@ -59,7 +59,7 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
 
 MRSIM_FORM(ball_line, LineRecord, load_line, 8)
 MRSIM_FORM(plane_line, LineRecord, load_line, 8)
-MRSIM_FORM(plane_arc, ArcRecord, load_arc, 10)
+MRSIM_FORM(plane_arc, ArcRecord, load_arc, 11)
 #undef MRSIM_FORM
 
 static const SweepKernels kKernels = {

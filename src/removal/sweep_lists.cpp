@@ -112,7 +112,8 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
   const Columns& c = *columns_;
   const SweepRef& ref = c.refs[i];
   SweepSkeleton s;
-  if (ref.frame != 0 || ref.kind == SweepKind::path || ref.kind == SweepKind::turn) return s;
+  if (ref.kind == SweepKind::turn) return c.turn_skeleton(ref);
+  if (ref.frame != 0 || ref.kind == SweepKind::path) return s;
   const Profile& tool = c.cutter(ref);
   s.kind = SweepSkeleton::Kind::plan;
   s.rising = tool.is_rising();
@@ -125,14 +126,14 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
     measure(s, r[2], r[2] + r[6] * r[5], r[5]);
   } else if (ref.kind == SweepKind::plane_line) {
     const double* r = c.plane_lines[ref.row].c;
-    measure(s, r[5] - r[7], r[5] - r[7], r[4]);
+    measure(s, r[4] - r[6], r[4] - r[6], std::sqrt(r[2] * r[2] + r[3] * r[3]));
   } else if (ref.kind == SweepKind::plane_arc) {
     const double* r = c.plane_arcs[ref.row].c;
-    s.straight = false;
-    measure(s, r[7] - r[9], r[7] - r[9], r[10]);
+    s.convex = false;
+    measure(s, r[7] - r[9], r[7] - r[9], r[11]);
   } else {
     const ProfileRow& row = c.profiles[ref.row];
-    s.straight = !row.arc;
+    s.convex = !row.arc;
     measure(s, row.z, row.z, row.length);
   }
   return s;
@@ -153,7 +154,7 @@ void SweepTable::nearest(std::span<const std::uint32_t> ids, const Vec3& p,
       const std::size_t to = from + k;
       if (parts.add(c.refs[ids[to]], k)) continue;
       out.distance[to] = distance(ids[to], p);
-      c.plan_nearest(c.refs[ids[to]], p, out.squared[to], out.x[to], out.y[to], out.z[to]);
+      c.other_nearest(c.refs[ids[to]], p, out.squared[to], out.x[to], out.y[to], out.z[to]);
     }
     run_nearest(kernels.ball_line, c.ball_lines.data(), parts.ball_line, p, out, from);
     run_nearest(kernels.plane_line, c.plane_lines.data(), parts.plane_line, p, out, from);
@@ -161,12 +162,28 @@ void SweepTable::nearest(std::span<const std::uint32_t> ids, const Vec3& p,
   }
 }
 
-void SweepColumns::plan_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x,
-                                double& y, double& z) const {
+SweepSkeleton SweepColumns::turn_skeleton(const SweepRef& ref) const {
+  const TurnSweep& t = turns[ref.row];
+  SweepSkeleton s;
+  if (t.arc || !t.one_sided) return s;
+  s.kind = SweepSkeleton::Kind::section;
+  s.group = 2 * ref.shape;
+  s.radius = t.round;
+  s.low = t.lo.y, s.high = t.hi.y;
+  return s;
+}
+
+void SweepColumns::other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x,
+                                 double& y, double& z) const {
   squared = kInfinity, x = p.x, y = p.y, z = p.z;
+  if (ref.kind == SweepKind::turn && !turns[ref.row].arc && turns[ref.row].one_sided) {
+    const Vec2 q = {std::sqrt(p.x * p.x + p.y * p.y), p.z};
+    const Vec2 foot = polygon_foot(turns[ref.row].polygon, q);
+    squared = dot(q - foot, q - foot), x = foot.x, y = 0, z = foot.y;
+  }
   if (ref.kind != SweepKind::profile || ref.frame != 0) return;
   const ProfileRow& row = profiles[ref.row];
-  double c[10] = {};
+  double c[11] = {};
   for (int i = 0; i < 7; ++i) c[i] = row.c[i];
   const lane::Near f =
       row.arc ? lane::plane_arc_near(c, p.x, p.y, p.z) : lane::plane_line_near(c, p.x, p.y, p.z);

@@ -263,6 +263,19 @@ double polygon_distance(const ConvexPolygon& polygon, Vec2 q) {
   return most > 0 ? least : most;
 }
 
+Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q) {
+  if (polygon.sides.empty()) return polygon.point;
+  Vec2 best = q;
+  double least = kInfinity;
+  for (const Side& s : polygon.sides) {
+    if (side_of(s, q) <= 0) continue;
+    const Vec2 foot = foot_on(s, q);
+    const double d = dot(q - foot, q - foot);
+    if (d < least) least = d, best = foot;
+  }
+  return best;
+}
+
 PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q) {
   if (polygon.sides.empty()) {
     const Vec2 off = q - polygon.point;
@@ -305,6 +318,7 @@ TurnSweep turn_line(const InsertOutline& insert, Vec2 start, Vec2 end) {
   s.polygon = make_polygon(points);
   s.round = insert.round;
   s.inside = insert.inside;
+  s.one_sided = s.inside || s.lo.x >= 0;
   return s;
 }
 
@@ -332,13 +346,14 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
   const double r = s.path.radius;
   for (Vec2 w : {Vec2{r, 0}, Vec2{0, r}, Vec2{-r, 0}, Vec2{0, -r}})
     if (in_sector(s.path, w)) reach(w);
+  s.one_sided = s.inside || s.lo.x >= 0;
   return s;
 }
 
 double turn_distance(const TurnSweep& s, const Vec3& p) {
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   const double front = plane_distance(s, {rho, p.z});
-  if (s.inside) return front;
+  if (s.one_sided) return front;
   const double behind = plane_distance(s, {-rho, p.z});
   return behind < front ? behind : front;
 }
@@ -346,7 +361,7 @@ double turn_distance(const TurnSweep& s, const Vec3& p) {
 PlaneSample turn_sample(const TurnSweep& s, const Vec3& p) {
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   const PlaneSample front = plane_sample(s, {rho, p.z});
-  if (s.inside) return front;
+  if (s.one_sided) return front;
   PlaneSample behind = plane_sample(s, {-rho, p.z});
   if (!(behind.distance < front.distance)) return front;
   behind.gradient.x = -behind.gradient.x;

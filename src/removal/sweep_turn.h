@@ -30,6 +30,8 @@ struct PlaneSample {
 };
 double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
 PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
+/// Nearest point of the filled polygon; q itself inside.
+Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q);
 
 /// Part of a circle, folded about its middle as in sweep_lanes.inl.
 struct ArcPiece {
@@ -48,7 +50,8 @@ struct TurnSweep {
   std::vector<ConvexPolygon::Side> sides;  ///< arc: sides at rest
   double round = 0;
   bool inside = false;
-  Vec2 lo, hi;  ///< bounds in (X, Z)
+  bool one_sided = false;  ///< never beyond the spindle axis: the mirror image is never nearer
+  Vec2 lo, hi;             ///< bounds in (X, Z)
 };
 
 /// Path from `start` to `end` in (X, Z), or the arc from start about `center` by `turn` radians,

@@ -75,17 +75,20 @@ class Profile {
   double bottom() const { return bottom_; }  ///< z of the tip
   double top() const { return top_; }        ///< infinite when open
 
-  /// Open-top mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened
-  /// by `round`, reaching up. Flat: round = 0; ball: core = 0; bull-nose between them.
+  /// Mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened by
+  /// `round`, with a straight wall up to the flat or open top. Flat: round = 0; ball: core = 0;
+  /// bull-nose between them.
   bool is_rounded() const { return is_rounded_; }
   double core() const { return core_; }
   double round() const { return round_; }
+  bool is_ball_end() const { return is_rounded_ && core_ == 0 && open_top_; }
 
  private:
   struct Foot;
   Foot nearest(Vec2 q) const;
   void find_patches();
   void find_flags();
+  void find_slab();
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i

@@ -118,17 +118,24 @@ void Profile::find_flags() {
   for (std::size_t i = 1; i < edges_.size(); ++i)
     if (corners_[i] == Corner::reflex) is_convex_ = false;
   rising_ = open_top_ && !falling;
-  // Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] ray.
-  const std::size_t n = edges_.size();
-  if (!rising_ || n < 2 || n > 3) return;
-  const ProfileEdge& low = edges_[n - 2];
-  const bool flat_first = !is_arc(edges_[0]) && edges_[0].direction.y == 0;
+  find_slab();
+}
+
+// Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].
+void Profile::find_slab() {
+  const std::size_t lid = open_top_ ? 0 : 1, n = edges_.size() - lid;
+  if (bottom_ != 0 || n < 2 || n > 3) return;
+  const ProfileEdge &low = edges_[n - 2], &wall = edges_[n - 1], &first = edges_.front();
+  if (is_arc(wall) || wall.direction.x != 0) return;
+  if (lid == 1 && (is_arc(edges_.back()) || edges_.back().direction.y != 0)) return;
+  const bool disc = !is_arc(first) && first.direction.y == 0;
   const bool quarter = is_arc(low) && low.convex && low.center.y == low.b.y &&
                        low.center.x == low.a.x && low.center.x + low.radius == low.b.x;
-  if (n == 2 && flat_first) is_rounded_ = true, core_ = max_radius_, round_ = 0;
-  if (quarter && ((n == 2 && low.center.x == 0) || (n == 3 && flat_first)))
+  if (n == 2 && disc) {
+    is_rounded_ = true, core_ = max_radius_, round_ = 0;
+  } else if (quarter && (n == 2 ? low.center.x == 0 : disc) && top_ >= 2 * low.radius) {
     is_rounded_ = true, core_ = low.center.x, round_ = low.radius;
-  if (bottom_ != 0) is_rounded_ = false;
+  }
 }
 
 Profile::Foot Profile::nearest(Vec2 q) const {
@@ -209,6 +216,11 @@ Profile Profile::drawn_out(double travel) const {
     out.push_back(e);
   };
   for (const ProfileEdge& e : edges_) {
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_ && !is_arc(e) && e.direction.x == 0) {
+      out.push_back({.a = e.a, .b = {e.b.x, e.b.y + travel}});
+      above = true;
+      continue;
+    }
     if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
       out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
       above = true;

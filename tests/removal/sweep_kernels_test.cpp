@@ -21,7 +21,7 @@ struct Scene {
 
 Scene mixed_scene(Random& r, int n) {
   Scene s;
-  s.tools = {ballmill(6), endmill(10), endmill(8, 1.5), endmill(4, 0, 7)};
+  s.tools = {ballmill(6), endmill(10), endmill(8, 1.5), endmill(4, 1, 7)};
   s.tools.push_back(endmill(5));
   s.tools.back().type = ToolType::drill;
   for (int i = 0; i < n; ++i) {
@@ -73,7 +73,7 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(MixedBallFlatBull, Lists, testing::Values(-1, 0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(MixedBallFlatBullClosed, Lists, testing::Values(-1, 0, 1, 2, 3));
 
 template <class Record>
 void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
@@ -109,9 +109,10 @@ TEST(SweepKernels, EveryInstructionSetGivesTheSameBits) {
     const double a = r(-4, 4), c = std::cos(a), s = std::sin(a), h = r(0, 3.14);
     const double length = i % 9 == 0 ? 0 : r(0, 8);
     balls.push_back({{r(0, 10), r(0, 10), r(-1, 1), c, s, length, r(-2, 2), r(0.1, 3)}});
-    lines.push_back({{r(0, 10), r(0, 10), c, s, length, r(-1, 1), r(0, 3), r(0, 1)}});
+    lines.push_back({{r(0, 10), r(0, 10), c * length, s * length, r(-1, 1), r(0, 3), r(0, 1),
+                      i % 3 == 0 ? INFINITY : r(4, 6)}});
     arcs.push_back({{r(0, 10), r(0, 10), r(0, 5), c, s, std::cos(h), std::sin(h), r(-1, 1), r(0, 3),
-                     r(0, 1)}});
+                     r(0, 1), i % 3 == 0 ? INFINITY : r(4, 6)}});
   }
   expect_equal_levels(&SweepKernels::ball_line, balls);
   expect_equal_levels(&SweepKernels::plane_line, lines);
