@@ -37,6 +37,25 @@ class Collector : public MotionSink {
   std::vector<Diagnostic> diagnostics;
 };
 
+class TraceSinkAdapter : public MotionSink {
+ public:
+  TraceSinkAdapter(const TraceSink& sink, bool json) : sink_(sink), json_(json) {}
+  void begin(const Program& program) override { program_ = &program; }
+  void motion(const Motion& motion) override {
+    if (sink_.motion) sink_.motion(motion);
+    if (sink_.line)
+      sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
+  }
+  void diagnostic(const Diagnostic& diagnostic) override {
+    if (sink_.diagnostic) sink_.diagnostic(diagnostic);
+  }
+
+ private:
+  const TraceSink& sink_;
+  bool json_;
+  const Program* program_ = nullptr;
+};
+
 class StageClock {
  public:
   explicit StageClock(JobResult& result) : result_(result) {}
@@ -159,6 +178,12 @@ Program interpret(const std::string& path, const InterpOptions& options) {
   program.motions = std::move(collector.motions);
   program.diagnostics = std::move(collector.diagnostics);
   return program;
+}
+
+Program trace(const std::string& path, const InterpOptions& options, bool json,
+              const TraceSink& sink) {
+  TraceSinkAdapter adapter(sink, json);
+  return interpret(path, options, adapter);
 }
 
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
