@@ -68,6 +68,15 @@ struct MeshOptions {
 /// What the colour of a face tells.
 enum class ColorBy : std::uint8_t { none, line, tool };
 
+/// How a mesh is written to a file.
+struct MeshFileOptions {
+  /// Colours of the faces where the format has colours. The owners themselves (file, line, tool) are
+  /// written where the format has room for them, whatever this says.
+  ColorBy color = ColorBy::none;
+  /// Text instead of binary where a format has both (STL).
+  bool ascii = false;
+};
+
 struct RenderOptions {
   /// Picture size in pixels. Requires: 16 .. 8192.
   int width = 1600, height = 1200;
