@@ -191,7 +191,7 @@ Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
-  if (file_extension(spec) == ".vdb") return read_vdb(read_file(spec), spec).shape;
+  if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
   TriMesh mesh = read_mesh(spec);
   require_solid(mesh, spec);
   return recognise_stock(std::move(mesh), options, spec);
