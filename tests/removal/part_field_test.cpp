@@ -64,8 +64,8 @@ void expect_faces_agree(const PartField& field) {
     if (!same) continue;
     ++faces;
     // Faces drawn by a sharp corner of the tool are exact to first order in the distance: their
-    // normal turns by about distance / radius of curvature, here at least 2 mm.
-    EXPECT_LT(distance(numeric, n), 2e-4 + std::abs(at.distance) / 2)
+    // normal turns by about distance / radius of curvature, here at least 1 mm.
+    EXPECT_LT(distance(numeric, n), 2e-4 + std::abs(at.distance))
         << "owner " << at.owner << " patch " << at.patch;
     if (at.distance < 0) {
       EXPECT_LE(std::abs(field.patch_distance(p, at)), std::abs(at.distance) + 1e-6);
