@@ -64,16 +64,25 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
   return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
 }
 
-Vec3 PartField::gradient(const Vec3& p, const FieldSample& at) const {
-  if (at.owner == kStockOwner) return solid_.gradient(p, at.patch);
-  // Motions ascend with the sweeps: find the sweep of the owner by bisection.
+// Motions ascend with the sweeps: bisection.
+std::size_t PartField::sweep_of(std::int32_t motion) const {
   std::size_t low = 0, high = sweeps_.size();
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
-    (sweeps_.motion(middle) <= at.owner ? low : high) = middle;
+    (sweeps_.motion(middle) <= motion ? low : high) = middle;
   }
-  MRSIM_ASSERT(low < sweeps_.size() && sweeps_.motion(low) == at.owner);
-  return -sweeps_.gradient(low, p, at.patch);
+  MRSIM_ASSERT(low < sweeps_.size() && sweeps_.motion(low) == motion);
+  return low;
+}
+
+Vec3 PartField::gradient(const Vec3& p, const FieldSample& at) const {
+  if (at.owner == kStockOwner) return solid_.gradient(p, at.patch);
+  return -sweeps_.gradient(sweep_of(at.owner), p, at.patch);
+}
+
+double PartField::patch_distance(const Vec3& p, const FieldSample& at) const {
+  if (at.owner == kStockOwner) return solid_.patch_distance(p, at.patch);
+  return -sweeps_.patch_distance(sweep_of(at.owner), p, at.patch);
 }
 
 }  // namespace mrsim

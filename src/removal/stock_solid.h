@@ -2,7 +2,11 @@
 // cylinder and tube.
 #pragma once
 
+#include "core/triangle_tree.h"
 #include <mrsim/types.h>
+
+#include <memory>
+#include <vector>
 
 namespace mrsim {
 
@@ -27,24 +31,37 @@ class StockSolid {
     std::int32_t patch = 0;
   };
 
-  /// Throws Error "stock-empty" for a solid without volume.
+  /// Requires, for a mesh: closed and oriented outwards. Throws Error "stock-empty" for a solid
+  /// without volume.
   explicit StockSolid(StockShape shape);
 
   double distance(const Vec3& p) const { return sample(p).distance; }
   Sample sample(const Vec3& p) const;
   /// Unit outward normal of the patch at the point of it that is nearest to p.
   Vec3 gradient(const Vec3& p, std::int32_t patch) const;
+  /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
+  double patch_distance(const Vec3& p, std::int32_t patch) const;
   const Box3& bounds() const { return shape_.box; }
-  /// mm^3, by closed form.
+  /// mm^3; of a mesh, its signed volume.
   double volume() const;
-  /// mm^2, by closed form.
+  /// mm^2.
   double area() const;
 
  private:
   Sample sample_box(const Vec3& p) const;
   Sample sample_round(const Vec3& p) const;
+  Sample sample_mesh(const Vec3& p) const;
+  double radius_at(const Vec3& p) const;
+  void find_flat_faces();
 
   StockShape shape_;
+  std::shared_ptr<const TriangleTree> tree_;  // mesh; shared so that a solid stays a value
+  std::vector<std::int32_t> faces_;           // mesh: the flat face of each triangle
+  struct Plane {
+    Vec3 normal;
+    double offset;  // dot(normal, point of the plane)
+  };
+  std::vector<Plane> planes_;  // mesh: of each flat face
 };
 
 }  // namespace mrsim

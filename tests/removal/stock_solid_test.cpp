@@ -2,6 +2,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/shapes.h"
 
 #include <random>
 
@@ -37,6 +38,7 @@ void expect_distance_function(const StockSolid& solid) {
     const auto at = solid.sample(p);
     EXPECT_LE(std::abs(at.distance - solid.distance(q)), distance(p, q) * (1 + 1e-12) + 1e-12);
     if (at.distance > 0) continue;
+    EXPECT_NEAR(solid.patch_distance(p, at.patch), at.distance, 1e-9);
     const Vec3 n = solid.gradient(p, at.patch);
     EXPECT_NEAR(solid.distance(p - at.distance * n), 0, 1e-9);  // the foot lies on the surface
   }
@@ -66,6 +68,26 @@ TEST(StockSolid, CylinderAndTubeAreExact) {
   EXPECT_EQ(pipe.gradient({0, 11, 0}, kRoundBore), (Vec3{0, -1, 0}));
   EXPECT_NEAR(pipe.area(), 2 * kPi * 35 * 10 + 2 * kPi * (625 - 100), 1e-9);
   expect_distance_function(pipe);
+}
+
+TEST(StockSolid, MeshIsExact) {
+  StockShape shape;
+  shape.kind = StockShape::Kind::mesh;
+  shape.mesh = testing::box_mesh({0, -60, 0}, {100, 0, 10});
+  shape.box = {{0, -60, 0}, {100, 0, 10}};
+  const StockSolid mesh(shape), exact(box({0, -60, 0}, {100, 0, 10}));
+  EXPECT_NEAR(mesh.volume(), 60000, 1e-9);
+  EXPECT_NEAR(mesh.area(), exact.area(), 1e-9);
+  expect_distance_function(mesh);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(-0.5, 1.5);
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 p{100 * u(random), -60 * u(random), 10 * u(random)};
+    ASSERT_NEAR(mesh.distance(p), exact.distance(p), 1e-10);
+  }
+  EXPECT_EQ(mesh.sample({20, -20, 9.5}).patch,
+            mesh.sample({80, -50, 9.5}).patch);  // two triangles, one face
+  EXPECT_NE(mesh.sample({20, -20, 9.5}).patch, mesh.sample({20, -20, 0.5}).patch);
 }
 
 TEST(StockSolid, RefusesWhatHasNoVolume) {
