@@ -168,7 +168,8 @@ class HelpFormatter : public CLI::Formatter {
       std::size_t end = text.find(' ', begin);
       if (end == text.npos) end = text.size();
       if (column + (end - begin) > 96 && column > 26) {
-        out += "\n" + std::string(26, ' ');
+        out.back() = '\n';
+        out += std::string(26, ' ');
         column = 26;
       }
       out += text.substr(begin, end - begin) + " ";
@@ -179,6 +180,12 @@ class HelpFormatter : public CLI::Formatter {
   }
   const CommandLine& line_;
 };
+
+// CLI11 leaves two empty lines after each group.
+std::string single_spaced(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != text.npos;) text.erase(at, 1);
+  return text;
+}
 
 void check_words(const CLI::App& app) {
   std::vector<std::string> names;
@@ -282,7 +289,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   }
   Arguments out;
   out.command = typed.help ? Command::help : typed.version ? Command::version : line.command;
-  if (typed.help) out.help = app.help();
+  if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
   check_words(app);
   read_input(out, typed, line);
