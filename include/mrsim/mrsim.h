@@ -16,6 +16,7 @@
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,20 @@ MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
+
+/// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
+struct TraceSink {
+  std::function<void(const Motion& motion)> motion;
+  std::function<void(const std::string& line)> line;  ///< the same motion as text, no line end
+  std::function<void(const Diagnostic& diagnostic)> diagnostic;
+};
+/// Like interpret, but hands motions on (as JSON or text for people, too) instead of keeping them:
+/// memory does not grow with the length of the program.
+MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
+                        const TraceSink& sink);
+
+/// Draws the tool path as .svg or .ply: rapids dashed, arcs as arcs, a lathe in ZX.
+MRSIM_API void draw_path(const Program& program, const std::string& path);
 
 /// Reads tools.toml. Throws Error naming line and key.
 MRSIM_API ToolTable load_tools(const std::string& path);
@@ -69,7 +84,8 @@ struct JobResult {
   StockShape stock;  ///< as simulated, without its mesh
   double voxel = 0;  ///< mm
   std::string voxel_reason;
-  std::size_t cutting_motions = 0;
+  std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
+  std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;
   TriMesh mesh;
   MeshSummary summary;

@@ -32,6 +32,13 @@ struct InterpOptions {
   ToolTable table;
   /// Print the contour instead of the compensated tool reference point.
   bool programmed_contour = false;
+  /// FANUC: numbers without a decimal point count least increments (0.001 mm, 0.0001 inch) instead
+  /// of millimetres.
+  bool least_increments = false;
+  /// A program that cuts and names no tool at all is an error; false (trace, check): a warning.
+  bool require_tools = true;
+  /// Blocks run in all, repeated subprograms included; more is the error "program-endless".
+  std::uint64_t max_blocks = 4'000'000'000;
 };
 
 struct StockOptions {

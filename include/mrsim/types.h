@@ -79,6 +79,17 @@ struct Diagnostic {
   std::vector<SourcePlace> called_from;  ///< call chain, innermost first
 };
 
+/// An Error about one place in a text file (a tool table, a job): a Diagnostic that ends the run.
+class MRSIM_API PlacedError : public Error {
+ public:
+  explicit PlacedError(Diagnostic diagnostic, Kind kind = Kind::input);
+  ~PlacedError() override;
+  const Diagnostic& diagnostic() const { return diagnostic_; }
+
+ private:
+  Diagnostic diagnostic_;
+};
+
 enum class Dialect : std::uint8_t { automatic, sinumerik, iso, fanuc, codesys };
 enum class MachineKind : std::uint8_t { automatic, mill, lathe };
 
@@ -239,6 +250,14 @@ struct MeshSummary {
   std::string first_fault;     ///< empty, or a sentence with the place
 };
 
+/// What was cut in earlier setups, in the order of the cuts: the part of a stock that a .vdb
+/// remembers.
+struct CutHistory {
+  std::vector<std::string> files;
+  std::vector<Tool> tools;
+  std::vector<Motion> motions;  ///< `file` and `tool` index the lists above; `call` is -1
+};
+
 /// The stock before the first cut. Exact primitives keep their closed form; a mesh is taken as it
 /// is.
 struct StockShape {
@@ -249,6 +268,7 @@ struct StockShape {
   double inner_radius = 0;  ///< tube
   Vec3 axis_point;          ///< x, y of the axis (z unused)
   TriMesh mesh;             ///< mesh
+  CutHistory history;       ///< cuts made before this program (a .vdb saved by mrsim)
   std::string description;  ///< for the report: "box 100 x 60 x 10 mm, exact (from block.stl)"
 };
 

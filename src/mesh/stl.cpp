@@ -1,6 +1,6 @@
 #include "mesh/stl.h"
 
-#include "mesh/bytes.h"
+#include "core/bytes.h"
 #include "mesh/half_edges.h"
 #include "mesh/text_scan.h"
 #include "mesh/weld.h"

@@ -1,0 +1,239 @@
+// SweepTable: the queries, dispatched by the kind of sweep.
+#include "removal/sweep.h"
+
+#include "core/error.h"
+#include "removal/sweep_columns.h"
+#include "removal/sweep_lane_scalar.h"
+
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+// Nearest point of a horizontal path, on one half of an arc when asked for.
+struct PlanFoot {
+  double x = 0, y = 0, rho = 0;
+  int half = 0;
+};
+
+enum class Half { any = -1, first = 0, second = 1 };
+
+PlanFoot line_foot(const double* c, const Vec3& p) {
+  const lane::PlanLineFoot f = lane::line_foot(c, p.x, p.y);
+  return {c[0] + f.t * c[2], c[1] + f.t * c[3], std::sqrt(f.squared), 0};
+}
+
+PlanFoot arc_foot(const double* c, const Vec3& p, Half wanted) {
+  const double dx = p.x - c[0], dy = p.y - c[1];
+  const double a = dx * c[3] + dy * c[4], off = dy * c[3] - dx * c[4];
+  PlanFoot f;
+  f.rho = lane::arc_rho(c, p.x, p.y);
+  f.half = wanted == Half::any ? (off > 0 ? 1 : 0) : wanted == Half::second ? 1 : 0;
+  const bool within = c[5] * (off < 0 ? -off : off) - c[6] * a <= 0;
+  const double n = std::sqrt(dx * dx + dy * dy);
+  if (within && n > 0) {
+    f.x = c[0] + c[2] / n * dx, f.y = c[1] + c[2] / n * dy;
+    return f;
+  }
+  const double ea = c[2] * c[5], eb = c[2] * c[6] * (f.half == 1 ? 1 : -1);
+  f.x = c[0] + ea * c[3] - eb * c[4], f.y = c[1] + ea * c[4] + eb * c[3];
+  return f;
+}
+
+Vec3 revolved(const Vec3& p, double foot_x, double foot_y, Vec2 g) {
+  const double dx = p.x - foot_x, dy = p.y - foot_y, n = std::sqrt(dx * dx + dy * dy);
+  return n > 0 ? Vec3{g.x * dx / n, g.x * dy / n, g.y} : Vec3{g.x, 0, g.y};
+}
+
+// Gradient of the asked face of a tool at rest.
+Vec2 face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
+  if (!tool.is_rounded()) return tool.gradient({rho, z}, patch);
+  return slab_face_gradient(tool, rho, z, patch);
+}
+
+// A horizontal or upright move of any tool: plan path, its lowest tip height, vertical travel.
+struct LevelView {
+  bool arc = false;
+  const double* plan = nullptr;
+  double z = 0;  // of the tip
+};
+
+LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
+  LevelView v;
+  if (ref.kind == SweepKind::plane_line) {
+    v.plan = c.plane_lines[ref.row].c;
+    v.z = v.plan[4] - v.plan[6];
+  } else if (ref.kind == SweepKind::plane_arc) {
+    v.arc = true;
+    v.plan = c.plane_arcs[ref.row].c;
+    v.z = v.plan[7] - v.plan[9];
+  } else {
+    const ProfileRow& row = c.profiles[ref.row];
+    v.arc = row.arc;
+    v.plan = row.c;
+    v.z = row.z;
+  }
+  return v;
+}
+
+PlanFoot plan_foot(const LevelView& v, const Vec3& p, Half half) {
+  return v.arc ? arc_foot(v.plan, p, half) : line_foot(v.plan, p);
+}
+
+SweepSample level_sample(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
+  const LevelView v = level_view(c, ref);
+  const PlanFoot f = plan_foot(v, p, Half::any);
+  const Profile& tool = c.cutter(ref);
+  const ProfileSample s = tool_sample(tool, f.rho, p.z - v.z);
+  return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
+}
+
+Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+  const LevelView v = level_view(c, ref);
+  Half half = Half::any;
+  if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
+  const PlanFoot f = plan_foot(v, p, half);
+  const Profile& tool = c.cutter(ref);
+  const Vec2 g = face_gradient(tool, f.rho, p.z - v.z, patch & (kBranchPatch - 1));
+  return revolved(p, f.x, f.y, g);
+}
+
+Vec3 ball_gradient(const double* c, const Vec3& p) {
+  const lane::StripFoot f = lane::strip_foot(c, p.x, p.y, p.z);
+  const Vec3 g = p - Vec3{c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
+  const double n = length(g);
+  // On the skeleton itself: any direction across it.
+  return n > 0 ? (1 / n) * g : Vec3{-c[4], c[3], 0};
+}
+
+// Path sweeps. Where a corner of the profile draws the surface, its normal is that of the surface
+// drawn by the corner's circle, across both the circle and the path.
+struct Contact {
+  Vec3 q;       // p as seen from the tool's tip
+  Vec3 travel;  // direction of the path
+  double rho = 0;
+  bool at_end = false;
+};
+
+Contact contact_at(const ToolPath& path, double t, const Vec3& p) {
+  Contact c;
+  c.q = p - position(path, t);
+  c.travel = direction(path, t);
+  c.rho = std::sqrt(c.q.x * c.q.x + c.q.y * c.q.y);
+  c.at_end = t <= 0 || t >= (path.arc ? path.sweep : 1);
+  return c;
+}
+
+Vec3 around(const Contact& c, Vec2 g) { return revolved(c.q, 0, 0, g); }
+
+std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, const Vec3& p) {
+  const Contact c = contact_at(path, t, p);
+  const ProfileSample s = tool_sample(tool, c.rho, c.q.z);
+  const std::int32_t branch = path.arc ? path_branch(path, t) * kBranchPatch : 0;
+  if (c.at_end) return s.patch + branch;
+  const double slope = dot(around(c, s.gradient), c.travel);
+  const double steep = 1e-6 * length(c.travel);
+  const int corner = tool.nearest_corner({c.rho, c.q.z});
+  const bool drawn = slope > steep || slope < -steep || tool.foot_is_corner({c.rho, c.q.z});
+  return branch + (drawn && corner >= 0 ? kCornerPatch + corner : s.patch);
+}
+
+Vec3 path_gradient(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+                   std::int32_t patch) {
+  const ToolPath& path = columns.paths[ref.row];
+  const Profile& tool = columns.cutter(ref);
+  const PathSample at = path.arc ? branch_distance(tool, path, p, patch / kBranchPatch)
+                                 : path_distance(tool, path, p);
+  const Contact c = contact_at(path, at.t, p);
+  const std::int32_t face = patch % kBranchPatch;
+  if (face < kCornerPatch) return around(c, face_gradient(tool, c.rho, c.q.z, face));
+  const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
+  const Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
+  const Vec2 out = tool.corner_direction(face - kCornerPatch);
+  const double side = out.x * dot(normal, radial) + out.y * normal.z;
+  if (normal == Vec3{}) return around(c, tool_sample(tool, c.rho, c.q.z).gradient);
+  return side < 0 ? -normal : normal;
+}
+
+}  // namespace
+
+SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top)
+    : columns_(std::make_unique<Columns>()) {
+  columns_->build(motions, tools, top);
+}
+SweepTable::SweepTable(SweepTable&&) noexcept = default;
+SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
+SweepTable::~SweepTable() = default;
+
+std::size_t SweepTable::size() const { return columns_->refs.size(); }
+std::int32_t SweepTable::motion(std::size_t i) const { return columns_->refs[i].motion; }
+Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds[i]; }
+double SweepTable::max_error() const { return columns_->max_error; }
+double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
+
+double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return lane::ball_line(ball_lines[ref.row].c, p.x, p.y, p.z);
+    case SweepKind::plane_line:
+      return lane::plane_line(plane_lines[ref.row].c, p.x, p.y, p.z);
+    case SweepKind::plane_arc:
+      return lane::plane_arc(plane_arcs[ref.row].c, p.x, p.y, p.z);
+    case SweepKind::profile: {
+      const ProfileRow& row = profiles[ref.row];
+      const double rho = row.arc ? lane::arc_rho(row.c, p.x, p.y) : lane::line_rho(row.c, p.x, p.y);
+      return tool_distance(cutter(ref), rho, p.z - row.z);
+    }
+    case SweepKind::path:
+      return path_distance(cutter(ref), paths[ref.row], p).distance;
+    case SweepKind::turn:
+      return turn_distance(turns[ref.row], p);
+  }
+  return 0;
+}
+
+double SweepTable::distance(std::size_t i, const Vec3& p) const {
+  const SweepRef& ref = columns_->refs[i];
+  return columns_->distance(ref, ref.frame > 0 ? columns_->frames[ref.frame - 1].in(p) : p);
+}
+
+SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
+  const SweepRef& ref = columns_->refs[i];
+  const Vec3 p = ref.frame > 0 ? columns_->frames[ref.frame - 1].in(point) : point;
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return {columns_->distance(ref, p), 0};
+    case SweepKind::path: {
+      const ToolPath& path = columns_->paths[ref.row];
+      const PathSample s = path_distance(columns_->cutter(ref), path, p);
+      return {s.distance, path_patch(columns_->cutter(ref), path, s.t, p)};
+    }
+    case SweepKind::turn:
+      return {columns_->distance(ref, p), turn_sample(columns_->turns[ref.row], p).patch};
+    default:
+      return level_sample(*columns_, ref, p);
+  }
+}
+
+Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) const {
+  const SweepRef& ref = columns_->refs[i];
+  const Frame* frame = ref.frame > 0 ? &columns_->frames[ref.frame - 1] : nullptr;
+  const Vec3 p = frame != nullptr ? frame->in(point) : point;
+  Vec3 g;
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      g = ball_gradient(columns_->ball_lines[ref.row].c, p);
+      break;
+    case SweepKind::path:
+      g = path_gradient(*columns_, ref, p, patch);
+      break;
+    case SweepKind::turn:
+      g = turn_gradient(columns_->turns[ref.row], p, patch);
+      break;
+    default:
+      g = level_gradient(*columns_, ref, p, patch);
+  }
+  return frame != nullptr ? frame->out(g) : g;
+}
+
+}  // namespace mrsim

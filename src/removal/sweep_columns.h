@@ -1,0 +1,79 @@
+// The columns of SweepTable, private to src/removal/sweep*.cpp. Sweeps with a closed form are
+// records of 8 or 16 doubles, aligned to cache lines: a list of sweeps costs one or two lines each,
+// and a register full of them is read by loads and a transposition, which beats gathering.
+#pragma once
+
+#include "removal/sweep.h"
+#include "removal/sweep_kernels.h"
+#include "removal/sweep_path.h"
+#include "removal/sweep_turn.h"
+#include "removal/tool.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+enum class SweepKind : std::uint8_t {
+  ball_line,   ///< ball reaching up, any line: ball_line of sweep_lanes.inl
+  plane_line,  ///< flat, bull-nose or ball reaching up, horizontal line: plane_line
+  plane_arc,   ///< the same on a horizontal arc: plane_arc
+  profile,     ///< any profile on a horizontal line or arc, or up and down
+  path,        ///< any profile on any other path
+  turn         ///< insert
+};
+
+/// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
+struct ProfileRow {
+  bool arc = false;
+  double c[7] = {};
+  double z = 0;       ///< height of the tip
+  double length = 0;  ///< of the path in plan, mm
+};
+
+/// Rotation into the frame of a tilted tool: rows are its axes.
+struct Frame {
+  Vec3 x, y, z;
+  Vec3 in(const Vec3& p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
+  Vec3 out(const Vec3& p) const { return p.x * x + p.y * y + p.z * z; }
+};
+
+struct SweepRef {
+  SweepKind kind = SweepKind::profile;
+  bool split = false;       ///< arc whose wall can meet itself: its halves are patches of their own
+  std::uint16_t frame = 0;  ///< index into frames + 1, 0 = the stock's own
+  std::uint32_t row = 0;    ///< index into the column of its kind
+  std::int32_t shape = 0;   ///< index into shapes
+  std::int32_t motion = 0;
+};
+
+struct SweepColumns {
+  std::vector<SweepRef> refs;
+  std::vector<Box3> bounds;
+  std::vector<LineRecord> ball_lines, plane_lines;
+  std::vector<ArcRecord> plane_arcs;
+  std::vector<ProfileRow> profiles;
+  std::vector<ToolPath> paths;
+  std::vector<TurnSweep> turns;
+  std::vector<ToolShape> shapes;
+  std::vector<Frame> frames;
+  bool uniform = false;  ///< all of one kind, in the stock's frame: row i is sweep i
+  double max_error = 0;
+  double smallest_radius = 0;
+
+  void build(std::span<const Motion> motions, std::span<const Tool> tools, double top);
+  double distance(const SweepRef& ref, const Vec3& p) const;
+  SweepSkeleton turn_skeleton(const SweepRef& ref) const;
+  /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.
+  void other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
+                     double& z) const;
+  const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
+};
+struct SweepTable::Columns : SweepColumns {};
+
+/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
+/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
+inline constexpr std::int32_t kCornerPatch = 1 << 12;
+inline constexpr std::int32_t kBranchPatch = 1 << 16;
+
+}  // namespace mrsim

@@ -1,0 +1,259 @@
+// F(t) = signed distance of the tool at rest from p - c(t); its minimum over t.
+//
+// Convex tool, straight path: F is convex, and the tangents at both ends of a bracket bound it from
+// below, so the search ends when the best value and the bound agree. Convex tool, arc or helix of
+// radius R: |c''| = R and |grad| = 1, so F(t + s) >= F(t) + F'(t) s - R s^2 / 2; branch and bound
+// with that, and with the Lipschitz bound speed * s, needs some tens of values. Other tools: the
+// Lipschitz bound alone.
+#include "removal/sweep_path.h"
+
+#include "core/trig.h"
+#include "core/units.h"
+#include "removal/sweep_lane_scalar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+struct Value {
+  double f = 0, slope = 0;
+};
+
+class Objective {
+ public:
+  Objective(const Profile& tool, const ToolPath& path, const Vec3& p)
+      : tool_(tool), path_(path), p_(p) {}
+
+  Value operator()(double t) const {
+    Vec3 c = path_.start + t * path_.travel, d = path_.travel;
+    if (path_.arc) {
+      const SinCos sc = sincos(t);
+      c = path_.center + sc.cos * path_.u + sc.sin * path_.v + t * path_.rise;
+      d = sc.cos * path_.v - sc.sin * path_.u + path_.rise;
+    }
+    const Vec3 q = p_ - c;
+    const double rho = std::sqrt(q.x * q.x + q.y * q.y);
+    const ProfileSample s = tool_sample(tool_, rho, q.z);
+    const double towards = rho > 0 ? (q.x * d.x + q.y * d.y) / rho : 0;
+    return {s.distance, -(s.gradient.x * towards + s.gradient.y * d.z)};
+  }
+
+  /// Lower bound over t +- half for a path about Z: no position is nearer in plan than the circle,
+  /// and heights differ by at most the rise, against which a convex tool's distance is convex. Ends
+  /// the search among the turns of a helix early.
+  double level_bound(double t, double half) const {
+    const double z = p_.z - path_.center.z - t * path_.rise.z;
+    const double rise = (path_.rise.z < 0 ? -path_.rise.z : path_.rise.z) * half;
+    const ProfileSample s = tool_sample(tool_, to_circle(), z);
+    const double slope = s.gradient.y < 0 ? -s.gradient.y : s.gradient.y;
+    return s.distance - (tool_.is_convex() ? slope : 1) * rise;
+  }
+
+  double to_circle() const {
+    const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
+    const double off = std::sqrt(dx * dx + dy * dy) - path_.radius;
+    return off < 0 ? -off : off;
+  }
+  double height(double t) const { return p_.z - path_.center.z - t * path_.rise.z; }
+  double lateral(double t) const {
+    const Vec3 q = p_ - position(path_, t);
+    return std::sqrt(q.x * q.x + q.y * q.y);
+  }
+  double at_rest(double rho, double z) const { return tool_distance(tool_, rho, z); }
+
+  /// The best position on each turn lies, in plan, towards p.
+  double towards() const {
+    const Vec3 w = p_ - path_.center;
+    double a = mrsim::atan2(dot(w, path_.v), dot(w, path_.u));
+    return a < 0 ? a + kTwoPi : a;
+  }
+
+ private:
+  const Profile& tool_;
+  const ToolPath& path_;
+  const Vec3 p_;
+};
+
+double clamp(double t, double lo, double hi) { return t < lo ? lo : t > hi ? hi : t; }
+
+// Minimum of a convex F on [lo, hi], or the local one that a bracket F'(lo) < 0 < F'(hi) holds.
+PathSample descend(const Objective& F, double lo, double hi) {
+  Value a = F(lo);
+  if (a.slope >= 0) return {a.f, lo};
+  Value b = F(hi);
+  if (b.slope <= 0) return {b.f, hi};
+  for (int i = 0; i < 80; ++i) {
+    const double gain = b.slope - a.slope;
+    const double cut = clamp((a.f - b.f + b.slope * hi - a.slope * lo) / gain, lo, hi);
+    const double floor = a.f + a.slope * (cut - lo), best = a.f < b.f ? a.f : b.f;
+    if (best - floor <= 1e-13 * (1 + (best < 0 ? -best : best))) break;
+    // Tangents find kinks at once, the secant of the slopes smooth minima; halving bounds both.
+    double t = i % 3 == 0 ? cut : i % 3 == 1 ? lo - a.slope * (hi - lo) / gain : 0.5 * (lo + hi);
+    if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
+    if (!(t > lo && t < hi)) break;
+    const Value m = F(t);
+    if (m.slope < 0)
+      lo = t, a = m;
+    else
+      hi = t, b = m;
+    if (m.slope == 0) break;
+  }
+  return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi};
+}
+
+struct Interval {
+  double lo, hi;
+};
+
+// Least tangent parabola F + F' s - bend s^2 / 2 over |s| <= half.
+double parabola_bound(const Value& m, double half, double bend) {
+  return m.f - (m.slope < 0 ? -m.slope : m.slope) * half - 0.5 * bend * half * half;
+}
+
+PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
+                  double end) {
+  const double bend = path.arc ? path.radius : 0;
+  const double tolerance = kPathError;
+  const Value first = F(begin), last = F(end);
+  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
+  if (path.level) {
+    const double guess = F.towards();
+    for (double t = guess; t < end; t += kTwoPi) {
+      if (t < begin) continue;
+      const Value v = F(t);
+      if (v.f < best.distance) best = {v.f, t};
+    }
+  }
+  double finest = end - begin;
+  std::array<Interval, 128> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {begin, end};
+  while (depth > 0) {
+    const Interval in = stack[--depth];
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    if (path.level && F.level_bound(mid, half) >= best.distance - tolerance) continue;
+    const Value m = F(mid);
+    if (m.f < best.distance) best = {m.f, mid}, finest = half;
+    double bound = m.f - path.speed * half;
+    if (tool.is_convex()) bound = std::max(bound, parabola_bound(m, half, bend));
+    if (bound >= best.distance - tolerance || depth + 2 > stack.size()) continue;
+    const Interval low = {in.lo, mid}, high = {mid, in.hi};
+    stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
+    stack[depth++] = m.slope < 0 ? high : low;
+  }
+  const PathSample polished =
+      descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
+  return polished.distance < best.distance ? polished : best;
+}
+
+// The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and
+// falls with the height above the tip. Of the positions before the one that looks at p none is
+// better, because they are higher and no nearer; behind it, up to the opposite one, the lateral
+// distance and the height both grow, so that the lateral distance at the beginning of an interval
+// and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
+PathSample search_lowest_turn(const Objective& F, const Profile& tool, const ToolPath& path) {
+  const double end = path.sweep, facing = F.towards();
+  PathSample best{F(end).f, end};
+  double from = facing, to = std::min(facing + kPi, end);
+  if (facing > end) {  // p looks at the gap between end and start
+    if (facing - end <= kTwoPi - facing) return best;
+    from = 0, to = std::min(std::max(0.0, facing - kPi), end);
+  }
+  const double near = facing > end ? F.lateral(from) : F.to_circle();
+  const double first = F.at_rest(near, F.height(from));
+  if (first <= best.distance) best = {first, from};
+  struct Span {
+    double lo, hi, near;
+  };
+  std::array<Span, 128> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {from, to, near};
+  double finest = 0;
+  while (depth > 0) {
+    const Span in = stack[--depth];
+    const double floor = F.at_rest(in.near, F.height(in.hi));
+    if (floor >= best.distance - (finest > 0 ? kPathError : 1e-12)) continue;
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    const Value m = F(mid);
+    finest = finest > 0 ? finest : half;
+    if (m.f < best.distance) best = {m.f, mid}, finest = half;
+    if (tool.is_convex() && parabola_bound(m, half, path.radius) >= best.distance - kPathError)
+      continue;
+    if (depth + 2 > stack.size()) continue;
+    const Span low = {in.lo, mid, in.near}, high = {mid, in.hi, F.lateral(mid)};
+    stack[depth++] = m.slope < 0 ? low : high;
+    stack[depth++] = m.slope < 0 ? high : low;
+  }
+  if (finest == 0) return best;
+  const PathSample polished =
+      descend(F, clamp(best.t - finest, from, to), clamp(best.t + finest, from, to));
+  return polished.distance < best.distance ? polished : best;
+}
+
+}  // namespace
+
+ProfileSample tool_sample(const Profile& tool, double rho, double z) {
+  if (!tool.is_rounded()) return tool.sample({rho, z});
+  const bool upper = z >= 0.5 * tool.top();
+  const double dr = rho - (upper ? tool.max_radius() : tool.core());
+  const double dz = upper ? z - tool.top() : tool.round() - z, way = upper ? 1 : -1;
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1, end = upper ? wall + 1 : 0;
+  ProfileSample s{tool_distance(tool, rho, z), {}, dr > dz ? wall : end};
+  if (dr > 0 && dz > 0) {
+    const double n = std::sqrt(dr * dr + dz * dz);
+    s.gradient = {dr / n, way * dz / n};
+  } else {
+    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, way};
+  }
+  return s;
+}
+
+double tool_distance(const Profile& tool, double rho, double z) {
+  if (!tool.is_rounded()) return tool.distance({rho, z});
+  return lane::rounded_slab(rho, z, tool.round(), tool.core(), tool.round(), tool.top());
+}
+
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+  if (patch > wall) return {0, 1};
+  if (tool.round() == 0) return patch == wall ? Vec2{1, 0} : Vec2{0, -1};
+  const double dr = rho - tool.core(), dz = tool.round() - z;
+  if (!(dr > 0 && dz > 0)) return dr > dz ? Vec2{1, 0} : Vec2{0, -1};
+  const double n = std::sqrt(dr * dr + dz * dz);
+  return {dr / n, -dz / n};
+}
+
+Vec3 position(const ToolPath& path, double t) {
+  if (!path.arc) return path.start + t * path.travel;
+  const SinCos sc = sincos(t);
+  return path.center + sc.cos * path.u + sc.sin * path.v + t * path.rise;
+}
+
+Vec3 direction(const ToolPath& path, double t) {
+  if (!path.arc) return path.travel;
+  const SinCos sc = sincos(t);
+  return sc.cos * path.v - sc.sin * path.u + path.rise;
+}
+
+PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  const Objective F(tool, path, p);
+  if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
+  if (path.lowest_turn) return search_lowest_turn(F, tool, path);
+  return search(F, tool, path, 0, path.arc ? path.sweep : 1);
+}
+
+int path_branch(const ToolPath& path, double t) {
+  const int last = static_cast<int>(path.sweep / (kPi / 2));
+  const int branch = static_cast<int>(t / (kPi / 2));
+  return branch < last ? branch : last;
+}
+
+PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch) {
+  const double begin = branch * (kPi / 2), end = std::min(begin + kPi / 2, path.sweep);
+  return search(Objective(tool, path, p), tool, path, std::min(begin, end), end);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,47 @@
+// Sweeps without a closed form: the least distance from the tool over its positions, found by a
+// minimisation with a proven bracket. Tool revolved about Z; path a straight line, an arc in any
+// plane or a helix about any axis.
+#pragma once
+
+#include "core/vec.h"
+#include "removal/tool.h"
+
+#include <cstdint>
+
+namespace mrsim {
+
+/// Distance of a revolved tool at rest from (rho, z), z above its tip.
+ProfileSample tool_sample(const Profile& tool, double rho, double z);
+double tool_distance(const Profile& tool, double rho, double z);
+/// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
+
+/// Tool tip along the path: start + t * travel, t in [0, 1] (line), or
+/// center + cos(t) * u + sin(t) * v + t * rise, t in [0, sweep] (arc and helix, |u| = |v|).
+struct ToolPath {
+  bool arc = false;
+  Vec3 start, travel;            ///< line
+  Vec3 center, u, v, rise;       ///< arc; rise in mm per radian
+  double sweep = 0;              ///< radians, positive
+  double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
+  bool level = false;            ///< arc in a horizontal plane, or helix about Z
+  bool lowest_turn = false;      ///< level and falling, at most one turn, tool rising
+};
+Vec3 position(const ToolPath& path, double t);
+Vec3 direction(const ToolPath& path, double t);  ///< d position / dt
+
+/// Where the least distance lies.
+struct PathSample {
+  double distance = 0, t = 0;
+};
+
+/// Error bound: kPathError mm for arcs and helices of convex tools and lines of any, 1e-12 of the
+/// size for lines of convex tools. Always from above: distance(true) <= result.
+inline constexpr double kPathError = 2e-7;
+PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+/// Quarter turns of an arc, counted from its start; the same least distance over one of them.
+int path_branch(const ToolPath& path, double t);
+PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
+
+}  // namespace mrsim

@@ -1,0 +1,69 @@
+// What a convex turning insert sweeps along a line or an arc in the (X, Z) half plane, turned about
+// the spindle.
+#pragma once
+
+#include "core/vec.h"
+#include "removal/tool.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Counter-clockwise convex polygon: one point, two points (a segment) or more.
+struct ConvexPolygon {
+  struct Side {
+    Vec2 a, direction;
+    double length = 0;
+  };
+  std::vector<Side> sides;  ///< empty for a point
+  Vec2 point;               ///< the point, or the first corner
+};
+ConvexPolygon make_polygon(std::span<const Vec2> points);
+
+/// Signed distance, nearest side and unit gradient; exact inside and outside.
+struct PlaneSample {
+  double distance = 0;
+  Vec2 gradient;
+  std::int32_t patch = 0;
+};
+double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
+PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
+/// Nearest point of the filled polygon; q itself inside.
+Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q);
+
+/// Part of a circle, folded about its middle as in sweep_lanes.inl.
+struct ArcPiece {
+  Vec2 center, middle;
+  double radius = 0, cos_half = -1, sin_half = 0;
+  int way = 0;  ///< 1: the swept area lies towards the centre, -1: away from it, 0: on both sides
+};
+
+/// One sweep of an insert. A line makes a polygon; an arc the boundary pieces of arc + polygon:
+/// arcs drawn by corners, sides at the ends and where the path runs along them.
+struct TurnSweep {
+  ConvexPolygon polygon;  ///< line: the swept polygon; arc: the insert's core
+  bool arc = false;
+  ArcPiece path;                           ///< arc
+  std::vector<ArcPiece> arcs;              ///< arc: by corners
+  std::vector<ConvexPolygon::Side> sides;  ///< arc: sides at rest
+  double round = 0;
+  bool inside = false;
+  bool one_sided = false;  ///< never beyond the spindle axis: the mirror image is never nearer
+  Vec2 lo, hi;             ///< bounds in (X, Z)
+};
+
+/// Path from `start` to `end` in (X, Z), or the arc from start about `center` by `turn` radians,
+/// counter-clockwise in (X, Z).
+TurnSweep turn_line(const InsertOutline& insert, Vec2 start, Vec2 end);
+TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double turn);
+
+/// Signed distance in space; patches of the mirror image (behind the spindle axis) from
+/// kMirrorPatch.
+inline constexpr std::int32_t kMirrorPatch = 1 << 16;
+double turn_distance(const TurnSweep& s, const Vec3& p);
+PlaneSample turn_sample(const TurnSweep& s, const Vec3& p);
+Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
+
+}  // namespace mrsim

@@ -1,0 +1,123 @@
+// The shape of a tool, made and checked once from the numbers of mrsim::Tool.
+//
+// Milling: a profile in (r, z), z from the tip upwards, revolved about the tool's axis. Every
+// horizontal section is a full disc (the profile never goes down), so one function r(z) says it
+// all; undercuts are where r falls. Turning: a convex polygon in (X radius, Z) about the programmed
+// point, thickened by the nose radius: every corner of an insert is round, not only the one in use.
+//
+// Guarantees: what make_tool_shape returns is valid; distances are exact, signed, 1-Lipschitz and
+// use + - * / sqrt only. Angles are turned into coordinates once, with our own sine.
+#pragma once
+
+#include "core/vec.h"
+#include <mrsim/types.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+/// A piece of a profile: the solid lies on the left of its direction.
+struct ProfileEdge {
+  Vec2 a, b;               ///< ends, x = r, y = z; b.y is infinite on a ray towards the shank
+  Vec2 direction{};        ///< line: unit vector from a to b
+  double length = 0;       ///< line: mm, infinite on a ray
+  Vec2 center{};           ///< arc
+  double radius = 0;       ///< arc: mm, 0 = line
+  bool convex = true;      ///< arc: counter-clockwise, bulging out of the solid
+  std::int32_t patch = 0;  ///< smooth chain of edges, from 0 at the tip
+};
+
+struct ProfileSample {
+  double distance = 0;
+  Vec2 gradient;  ///< unit, d(distance) / d(r, z)
+  std::int32_t patch = 0;
+};
+
+/// The outline of a revolved solid in the half plane r >= 0, from the axis at the tip upwards.
+class Profile {
+ public:
+  enum class Corner : std::uint8_t { smooth, convex, reflex };
+
+  Profile() = default;
+  /// Joins edges that follow one another, from the axis; finds corners, patches and the flags
+  /// below. Requires: edges are not empty and never go down.
+  explicit Profile(std::vector<ProfileEdge> edges);
+
+  /// Signed distance of (r, z), r >= 0, from the profile: exact inside and outside.
+  double distance(Vec2 q) const;
+  ProfileSample sample(Vec2 q) const;
+  /// Gradient of the distance to the nearest edge of one patch, that edge continued beyond its
+  /// ends.
+  Vec2 gradient(Vec2 q, std::int32_t patch) const;
+
+  /// Convex corners draw surfaces of their own when the tool moves across them. Index of the one
+  /// nearest to q (-1: none), whether it is q's nearest point, and its outward direction.
+  int nearest_corner(Vec2 q) const;
+  bool foot_is_corner(Vec2 q) const;
+  Vec2 corner_direction(int corner) const;
+
+  /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
+  /// is_unimodal(), a closed top.
+  Profile drawn_out(double travel) const;
+
+  const std::vector<ProfileEdge>& edges() const { return edges_; }
+  bool empty() const { return edges_.empty(); }
+  bool open_top() const { return open_top_; }     ///< reaches to z = +infinity
+  bool is_convex() const { return is_convex_; }   ///< the revolved solid is convex
+  bool is_unimodal() const { return unimodal_; }  ///< r rises to the widest place, then falls
+  bool is_rising() const {
+    return rising_;
+  }  ///< open top, r never falls: raising the tool
+     ///< sweeps nothing new
+  double max_radius() const { return max_radius_; }
+  double widest() const { return widest_; }  ///< least z at which r = max_radius
+  double bottom() const { return bottom_; }  ///< z of the tip
+  double top() const { return top_; }        ///< infinite when open
+
+  /// Mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened by
+  /// `round`, with a straight wall up to the flat or open top. Flat: round = 0; ball: core = 0;
+  /// bull-nose between them.
+  bool is_rounded() const { return is_rounded_; }
+  double core() const { return core_; }
+  double round() const { return round_; }
+  bool is_ball_end() const { return is_rounded_ && core_ == 0 && open_top_; }
+
+ private:
+  struct Foot;
+  Foot nearest(Vec2 q) const;
+  void find_patches();
+  void find_flags();
+  void find_slab();
+
+  std::vector<ProfileEdge> edges_;
+  std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i
+  bool open_top_ = false, is_convex_ = true, unimodal_ = true, rising_ = true, is_rounded_ = false;
+  double max_radius_ = 0, widest_ = 0, bottom_ = 0, top_ = 0, core_ = 0, round_ = 0;
+};
+
+/// Convex core polygon of an insert, counter-clockwise in (x = X, y = Z), and its thickness.
+struct InsertOutline {
+  std::vector<Vec2> core;  ///< about the programmed point; one point for a round insert
+  double round = 0;        ///< nose radius, mm
+  bool inside = false;     ///< works on the inside (boring): never reaches beyond the spindle axis
+};
+
+struct ToolShape {
+  bool turning = false;
+  Profile cutter;         ///< milling: what cuts
+  Profile shank, holder;  ///< milling: what must not touch, empty when not given
+  InsertOutline insert;   ///< turning
+  double radius = 0;      ///< cutter radius or nose radius, mm; 0 = a sharp insert
+};
+
+/// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.
+ToolShape make_tool_shape(const Tool& tool);
+
+/// Milling and turning halves of it.
+Profile make_cutter(const Tool& tool);
+InsertOutline make_insert(const Tool& tool);
+
+[[noreturn]] void invalid_tool(const Tool& tool, const std::string& why);
+
+}  // namespace mrsim

@@ -1,0 +1,263 @@
+// Exact signed distance of a profile of lines and arcs.
+//
+// The nearest point decides the sign. Inside an edge: the side of the edge. At a corner: outside
+// when the corner is convex, inside when it is reflex (the points nearest to a corner lie in its
+// normal cone, which is on that side), the side of the tangent when it is smooth.
+#include "core/error.h"
+#include "removal/tool.h"
+
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr double kSmooth = 1e-9;  // sine of the turn below which two edges join smoothly
+
+bool is_arc(const ProfileEdge& e) { return e.radius > 0; }
+
+Vec2 left_of(Vec2 d) { return {-d.y, d.x}; }
+
+// Direction of travel at a point of the edge (on the arc: perpendicular to the radius).
+Vec2 tangent_at(const ProfileEdge& e, Vec2 at) {
+  if (!is_arc(e)) return e.direction;
+  const Vec2 t = (1 / e.radius) * left_of(at - e.center);
+  return e.convex ? t : -1.0 * t;
+}
+
+// Whether the direction w from the centre falls within the arc's sector (less than a full turn; at
+// half a turn both forms agree).
+bool in_sector(const ProfileEdge& e, Vec2 w) {
+  Vec2 s = e.a - e.center, t = e.b - e.center;
+  if (!e.convex) std::swap(s, t);
+  const bool left_of_start = cross(s, w) >= 0, right_of_end = cross(w, t) >= 0;
+  return cross(s, t) >= 0 ? left_of_start && right_of_end : left_of_start || right_of_end;
+}
+
+// Signed distance to the edge continued beyond its ends.
+double side(const ProfileEdge& e, Vec2 q) {
+  if (!is_arc(e)) return -cross(e.direction, q - e.a);
+  const double d = length(q - e.center) - e.radius;
+  return e.convex ? d : -d;
+}
+
+Vec2 outward(const ProfileEdge& e, Vec2 q) {
+  if (!is_arc(e)) return {e.direction.y, -e.direction.x};
+  const Vec2 w = q - e.center;
+  const double n = length(w);
+  if (n == 0) return {e.convex ? 1.0 : -1.0, 0};
+  return (e.convex ? 1 / n : -1 / n) * w;
+}
+
+}  // namespace
+
+struct Profile::Foot {
+  double distance = std::numeric_limits<double>::infinity();  // unsigned
+  std::size_t edge = 0;
+  int at_corner = -1;  // corner index, -1 inside the edge
+};
+
+Profile::Profile(std::vector<ProfileEdge> edges) : edges_(std::move(edges)) {
+  MRSIM_ASSERT(!edges_.empty());
+  for (ProfileEdge& e : edges_) {
+    if (is_arc(e)) continue;
+    const bool ray = std::isinf(e.b.y);
+    e.length = ray ? e.b.y : mrsim::length(e.b - e.a);
+    e.direction = ray ? Vec2{0, 1} : (1 / e.length) * (e.b - e.a);
+  }
+  find_patches();
+  find_flags();
+}
+
+void Profile::find_patches() {
+  corners_.assign(edges_.size() + 1, Corner::convex);
+  std::int32_t patch = 0;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (i > 0) {
+      const Vec2 in = tangent_at(edges_[i - 1], edges_[i].a),
+                 out = tangent_at(edges_[i], edges_[i].a);
+      const double turn = cross(in, out);
+      if (turn > -kSmooth && turn < kSmooth && dot(in, out) > 0)
+        corners_[i] = Corner::smooth;
+      else
+        corners_[i] = turn > 0 ? Corner::convex : Corner::reflex;
+      if (corners_[i] != Corner::smooth) ++patch;
+    }
+    edges_[i].patch = patch;
+  }
+  // Where the profile leaves the axis at a right angle its mirror image continues it.
+  const Vec2 first = tangent_at(edges_.front(), edges_.front().a);
+  if (first.y < kSmooth) corners_.front() = Corner::smooth;
+  const ProfileEdge& last = edges_.back();
+  if (!std::isinf(last.b.y) && tangent_at(last, last.b).y < kSmooth)
+    corners_.back() = Corner::smooth;
+}
+
+void Profile::find_flags() {
+  open_top_ = std::isinf(edges_.back().b.y);
+  bottom_ = edges_.front().a.y;
+  top_ = edges_.back().b.y;
+  widest_ = bottom_;
+  double previous = 0;
+  bool falling = false;
+  for (const ProfileEdge& e : edges_) {
+    const Vec2 from = tangent_at(e, e.a), to = is_arc(e) ? tangent_at(e, e.b) : from;
+    if (is_arc(e) && !e.convex) is_convex_ = false;
+    // An arc that bulges out passes its widest point where its tangent turns from out to in.
+    const bool over = is_arc(e) && e.convex && from.x > kSmooth && to.x < -kSmooth;
+    const double reach = over ? e.center.x + e.radius : std::isinf(e.b.y) ? e.a.x : e.b.x;
+    const double at = over ? e.center.y : std::isinf(e.b.y) ? e.a.y : e.b.y;
+    const bool dips = is_arc(e) && !e.convex && from.x < 0 && to.x > 0;
+    if (reach > previous && falling) unimodal_ = false;
+    if (dips) unimodal_ = false;
+    if (e.a.x > max_radius_) max_radius_ = e.a.x, widest_ = e.a.y;
+    if (reach > max_radius_) max_radius_ = reach, widest_ = at;
+    if (over || reach < previous || dips) falling = true;
+    previous = std::isinf(e.b.y) ? e.a.x : e.b.x;
+  }
+  for (std::size_t i = 1; i < edges_.size(); ++i)
+    if (corners_[i] == Corner::reflex) is_convex_ = false;
+  rising_ = open_top_ && !falling;
+  find_slab();
+}
+
+// Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].
+void Profile::find_slab() {
+  const std::size_t lid = open_top_ ? 0 : 1, n = edges_.size() - lid;
+  if (bottom_ != 0 || n < 2 || n > 3) return;
+  const ProfileEdge &low = edges_[n - 2], &wall = edges_[n - 1], &first = edges_.front();
+  if (is_arc(wall) || wall.direction.x != 0) return;
+  if (lid == 1 && (is_arc(edges_.back()) || edges_.back().direction.y != 0)) return;
+  const bool disc = !is_arc(first) && first.direction.y == 0;
+  const bool quarter = is_arc(low) && low.convex && low.center.y == low.b.y &&
+                       low.center.x == low.a.x && low.center.x + low.radius == low.b.x;
+  if (n == 2 && disc) {
+    is_rounded_ = true, core_ = max_radius_, round_ = 0;
+  } else if (quarter && (n == 2 ? low.center.x == 0 : disc) && top_ >= 2 * low.radius) {
+    is_rounded_ = true, core_ = low.center.x, round_ = low.radius;
+  }
+}
+
+Profile::Foot Profile::nearest(Vec2 q) const {
+  Foot best;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const ProfileEdge& e = edges_[i];
+    Foot foot{0, i, -1};
+    if (is_arc(e)) {
+      if (in_sector(e, q - e.center)) {
+        const double d = side(e, q);
+        foot.distance = d < 0 ? -d : d;
+      } else {
+        const double to_a = length(q - e.a), to_b = length(q - e.b);
+        foot.distance = to_a <= to_b ? to_a : to_b;
+        foot.at_corner = static_cast<int>(to_a <= to_b ? i : i + 1);
+      }
+    } else {
+      const double t = dot(q - e.a, e.direction);
+      if (t <= 0) {
+        foot.distance = length(q - e.a), foot.at_corner = static_cast<int>(i);
+      } else if (t >= e.length) {
+        foot.distance = length(q - e.b), foot.at_corner = static_cast<int>(i + 1);
+      } else {
+        const double d = side(e, q);
+        foot.distance = d < 0 ? -d : d;
+      }
+    }
+    if (foot.distance < best.distance) best = foot;
+  }
+  return best;
+}
+
+double Profile::distance(Vec2 q) const {
+  const Foot f = nearest(q);
+  const Corner corner = f.at_corner < 0 ? Corner::smooth : corners_[f.at_corner];
+  const bool outside =
+      corner == Corner::smooth ? side(edges_[f.edge], q) > 0 : corner == Corner::convex;
+  return outside ? f.distance : -f.distance;
+}
+
+ProfileSample Profile::sample(Vec2 q) const {
+  const Foot f = nearest(q);
+  const ProfileEdge& e = edges_[f.edge];
+  const Corner corner = f.at_corner < 0 ? Corner::smooth : corners_[f.at_corner];
+  const bool outside = corner == Corner::smooth ? side(e, q) > 0 : corner == Corner::convex;
+  ProfileSample s{outside ? f.distance : -f.distance, outward(e, q), e.patch};
+  if (f.at_corner >= 0 && f.distance > 0 && corner != Corner::smooth) {
+    const Vec2 v = static_cast<std::size_t>(f.at_corner) == f.edge ? e.a : e.b;
+    s.gradient = (1 / s.distance) * (q - v);
+  }
+  return s;
+}
+
+Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
+  const ProfileEdge* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ProfileEdge& e : edges_) {
+    if (e.patch != patch) continue;
+    double d;
+    if (is_arc(e)) {
+      const double to_a = length(q - e.a), to_b = length(q - e.b), s = side(e, q);
+      d = in_sector(e, q - e.center) ? (s < 0 ? -s : s) : to_a < to_b ? to_a : to_b;
+    } else {
+      const double t = dot(q - e.a, e.direction);
+      const double along = t < 0 ? -t : t > e.length ? t - e.length : 0, s = side(e, q);
+      d = std::sqrt(along * along + s * s);
+    }
+    if (d < least) least = d, best = &e;
+  }
+  return best != nullptr ? outward(*best, q) : sample(q).gradient;
+}
+
+Profile Profile::drawn_out(double travel) const {
+  std::vector<ProfileEdge> out;
+  bool above = false;
+  const auto add = [&](ProfileEdge e) {
+    if (above) e.a.y += travel, e.b.y += travel, e.center.y += travel;
+    out.push_back(e);
+  };
+  for (const ProfileEdge& e : edges_) {
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_ && !is_arc(e) && e.direction.x == 0) {
+      out.push_back({.a = e.a, .b = {e.b.x, e.b.y + travel}});
+      above = true;
+      continue;
+    }
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
+      out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
+      above = true;
+    } else if (!above && is_arc(e) && e.b.x != max_radius_ && e.center.y == widest_) {
+      // The arc passes the widest place: it is cut there.
+      ProfileEdge low = e, high = e;
+      low.b = high.a = {max_radius_, widest_};
+      add(low);
+      out.push_back({.a = low.b, .b = {max_radius_, widest_ + travel}});
+      above = true;
+      add(high);
+      continue;
+    }
+    add(e);
+  }
+  return Profile(std::move(out));
+}
+
+int Profile::nearest_corner(Vec2 q) const {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < edges_.size(); ++i) {
+    const double d = length(q - edges_[i].a);
+    if (corners_[i] == Corner::convex && d < least) least = d, best = static_cast<int>(i);
+  }
+  return best;
+}
+
+bool Profile::foot_is_corner(Vec2 q) const {
+  const Foot f = nearest(q);
+  return f.at_corner > 0 && corners_[f.at_corner] == Corner::convex && distance(q) > 0;
+}
+
+Vec2 Profile::corner_direction(int corner) const {
+  const ProfileEdge &before = edges_[corner - 1], &after = edges_[corner];
+  const Vec2 in = tangent_at(before, after.a), out = tangent_at(after, after.a);
+  return {in.y + out.y, -in.x - out.x};
+}
+
+}  // namespace mrsim

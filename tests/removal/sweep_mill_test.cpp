@@ -1,0 +1,95 @@
+// Flat, bull-nose and ball mills on lines and horizontal arcs against brute force.
+#include "core/units.h"
+#include "sweep_support.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+Motion random_line(Random& r, int kind) {
+  const Vec3 a = {r(-10, 10), r(-10, 10), r(-5, 5)};
+  Vec3 b = {r(-10, 10), r(-10, 10), r(-5, 5)};
+  if (kind == 0) b.z = a.z;
+  if (kind == 1) b.x = a.x, b.y = a.y;
+  return line(a, b);
+}
+
+double brute(const Motion& m, double radius, double corner, const Vec3& p) {
+  return least([&](double t) { return mill_at_rest(radius, corner, p - at(m, t)); }, 800);
+}
+
+class MillSweep : public testing::TestWithParam<double> {};  // corner radius / radius
+
+TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
+  Random r(7);
+  for (int round = 0; round < 120; ++round) {
+    const double radius = r(0.5, 5), corner = GetParam() * radius;
+    const Vec3 start = {r(-10, 10), r(-10, 10), r(-5, 5)};
+    const Vec3 center = {start.x + r(-8, 8), start.y + r(-8, 8), start.z};
+    const Motion m =
+        round % 4 == 3 ? arc(start, center, {0, 0, 1}, r(-7, 7)) : random_line(r, round % 4);
+    const Tool tool = endmill(2 * radius, corner);
+    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    ASSERT_EQ(s.size(), 1u);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 p = {r(-18, 18), r(-18, 18), r(-12, 12)};
+      const double want = brute(m, radius, corner, p);
+      EXPECT_NEAR(s.distance(0, p), want, 1e-7) << "round " << round;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FlatBullBall, MillSweep, testing::Values(0.0, 0.3, 1.0));
+
+TEST(SweepTable, FlatSlotHasFloorAndWall) {
+  const Motion m = line({0, 0, -2}, {10, 0, -2});
+  const Tool tool = endmill(5);
+  const SweepTable s({&m, 1}, {&tool, 1}, 10);
+  EXPECT_NEAR(s.distance(0, {5, 0, -3}), 1, 1e-14);
+  EXPECT_NEAR(s.distance(0, {5, 3, 0}), 0.5, 1e-14);
+  EXPECT_NEAR(s.distance(0, {-2, 0, -1}), -0.5, 1e-14);
+  EXPECT_NEAR(s.distance(0, {5, 5.5, -6}), 5, 1e-14);
+  EXPECT_NE(s.sample(0, {5, 0, -2}).patch, s.sample(0, {5, 2.5, 0}).patch);
+  EXPECT_EQ(s.gradient(0, {5, 0, -2}, s.sample(0, {5, 0, -2}).patch), (Vec3{0, 0, -1}));
+  EXPECT_EQ(s.gradient(0, {5, 2.5, -2}, s.sample(0, {5, 2.5, 0}).patch), (Vec3{0, 1, 0}));
+  EXPECT_EQ(s.bounds(0).lo, (Vec3{-2.5, -2.5, -2}));
+  EXPECT_TRUE(std::isinf(s.bounds(0).hi.z));
+  EXPECT_EQ(s.smallest_radius(), 2.5);
+}
+
+TEST(SweepTable, ArcSmallerThanTheToolHasNoInnerWall) {
+  const Motion m = arc({2, 0, 0}, {0, 0, 0}, {0, 0, 1}, kTwoPi);
+  const Tool tool = endmill(10);
+  const SweepTable s({&m, 1}, {&tool, 1}, 10);
+  EXPECT_NEAR(s.distance(0, {0, 0, 1}), -1, 1e-14);
+  EXPECT_NEAR(s.distance(0, {0, 0, 10}), -3, 1e-14);
+  EXPECT_NEAR(s.distance(0, {0, 7, 10}), 0, 1e-14);
+}
+
+TEST(SweepTable, SkipsRapidsAssumedStartsAndMovesWithoutExtent) {
+  std::vector<Motion> m(4, line({0, 0, 0}, {1, 0, 0}));
+  m[0].kind = MotionKind::rapid;
+  m[1].assumed_start = true;
+  m[2].end = m[2].start;
+  const Tool tool = endmill(5);
+  const SweepTable s(m, {&tool, 1}, 10);
+  ASSERT_EQ(s.size(), 1u);
+  EXPECT_EQ(s.motion(0), 3);
+}
+
+TEST(SweepTable, MissingToolIsAnError) {
+  Motion m = line({0, 0, 0}, {1, 0, 0});
+  m.tool = -1;
+  try {
+    const SweepTable s({&m, 1}, {}, 10);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), "tool-missing");
+  }
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,113 @@
+// Independent, slow answers for the sweep tests: tools at rest by dense samples of their outline,
+// sweeps by dense samples of their path; a deterministic random source.
+#pragma once
+
+#include "removal/sweep.h"
+#include "removal/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace mrsim::test {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed * 2654435769u + 88172645463325252u) {}
+  double operator()(double lo, double hi) {
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 7;
+    state_ ^= state_ << 17;
+    return lo + (hi - lo) * (static_cast<double>(state_ >> 11) * 0x1p-53);
+  }
+  int pick(int n) { return std::min(n - 1, static_cast<int>((*this)(0, n))); }
+
+ private:
+  std::uint64_t state_;
+};
+
+inline Motion line(Vec3 a, Vec3 b) {
+  Motion m;
+  m.kind = MotionKind::line;
+  m.start = a;
+  m.end = b;
+  m.tool = 0;
+  m.line = 1;
+  return m;
+}
+
+/// Rotation of v about a unit axis (Rodrigues), with libm.
+inline Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) +
+         (1 - std::cos(angle)) * dot(axis, v) * axis;
+}
+
+inline Motion arc(Vec3 start, Vec3 center, Vec3 axis, double sweep, double rise = 0) {
+  Motion m;
+  m.kind = MotionKind::arc;
+  m.start = start;
+  m.center = center;
+  m.axis = axis;
+  m.sweep = sweep;
+  m.rise = rise;
+  m.radius = length(start - center);
+  m.end = center + turned(start - center, axis, sweep) + rise * axis;
+  m.tool = 0;
+  m.line = 1;
+  return m;
+}
+
+inline Vec3 at(const Motion& m, double t) {
+  if (m.kind == MotionKind::line) return m.start + t * (m.end - m.start);
+  return m.center + turned(m.start - m.center, m.axis, t * m.sweep) + (t * m.rise) * m.axis;
+}
+
+inline Tool endmill(double d, double corner = 0, double flute = 0) {
+  Tool t;
+  t.id = "1";
+  t.diameter = d;
+  t.corner_radius = corner;
+  t.flute_length = flute;
+  return t;
+}
+
+inline Tool ballmill(double d, double flute = 0) {
+  Tool t = endmill(d, 0, flute);
+  t.type = ToolType::ballmill;
+  return t;
+}
+
+/// Least value over t in [0, 1]: dense samples, then ever finer ones about the best few.
+inline double least(const std::function<double(double)>& f, int samples = 4000) {
+  std::vector<std::pair<double, double>> all;
+  for (int i = 0; i <= samples; ++i) all.push_back({f(i / double(samples)), i / double(samples)});
+  double best = 1e300;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && all[i - 1].first < all[i].first) continue;
+    if (i + 1 < all.size() && all[i + 1].first < all[i].first) continue;
+    double lo = std::max(0.0, all[i].second - 1.0 / samples);
+    double hi = std::min(1.0, all[i].second + 1.0 / samples);
+    for (int k = 0; k < 90; ++k) {  // golden section
+      const double a = lo + 0.382 * (hi - lo), b = lo + 0.618 * (hi - lo);
+      (f(a) < f(b) ? hi : lo) = f(a) < f(b) ? b : a;
+    }
+    best = std::min({best, all[i].first, f(0.5 * (lo + hi))});
+  }
+  return best;
+}
+
+/// Flat, bull-nose or ball mill that reaches up, at rest with its tip at the origin.
+inline double mill_at_rest(double radius, double corner, const Vec3& q) {
+  const double a = std::hypot(q.x, q.y) - (radius - corner), b = corner - q.z;
+  const double outside = std::hypot(std::max(a, 0.0), std::max(b, 0.0));
+  return outside + std::min(std::max(a, b), 0.0) - corner;
+}
+
+/// Central differences of the distance.
+inline Vec3 numeric_gradient(const SweepTable& s, std::size_t i, const Vec3& p, double h = 1e-5) {
+  const auto d = [&](Vec3 o) { return s.distance(i, p + o) - s.distance(i, p - o); };
+  return (0.5 / h) * Vec3{d({h, 0, 0}), d({0, h, 0}), d({0, 0, h})};
+}
+
+}  // namespace mrsim::test

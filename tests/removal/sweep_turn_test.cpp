@@ -1,0 +1,109 @@
+// Turning inserts on lines and arcs against brute force over positions.
+#include "core/units.h"
+#include "sweep_support.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+Tool insert(const char* shape, double nose, int tip = 0) {
+  Tool t;
+  t.id.assign(1, '2');  // GCC 12 warns of overlap on = "2"
+  t.type = ToolType::turning;
+  t.insert = shape;
+  t.nose_radius = nose;
+  t.tip = tip;
+  return t;
+}
+
+// Signed distance to a convex polygon from its corners: brute over points of its sides.
+double polygon(const std::vector<Vec2>& c, Vec2 q) {
+  if (c.size() == 1) return std::hypot(q.x - c[0].x, q.y - c[0].y);
+  double out = 1e300, in = -1e300;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Vec2 a = c[i], b = c[(i + 1) % c.size()], d = b - a;
+    const double t = std::clamp(dot(q - a, d) / dot(d, d), 0.0, 1.0);
+    out = std::min(out, std::hypot(q.x - a.x - t * d.x, q.y - a.y - t * d.y));
+    in = std::max(in, cross(q - a, d) / std::hypot(d.x, d.y));
+  }
+  return in > 0 ? out : in;
+}
+
+double brute(const Motion& m, const InsertOutline& o, const Vec3& p) {
+  const double rho = std::hypot(p.x, p.y);
+  const auto side = [&](double x) {
+    return least(
+               [&](double t) {
+                 const Vec3 c = at(m, t);
+                 return polygon(o.core, {x - c.x, p.z - c.z});
+               },
+               1500) -
+           o.round;
+  };
+  return o.inside ? side(rho) : std::min(side(rho), side(-rho));
+}
+
+TEST(TurnSweep, OutsideEqualsTheLeastDistanceOverAllPositions) {
+  Random r(3);
+  const char* shapes[] = {"V", "CNMG", "D", "T", "W", "S", "R", "KNUX"};
+  for (int round = 0; round < 64; ++round) {
+    Tool tool = insert(shapes[round % 8], round % 3 == 0 ? 0 : 0.4 + 0.4 * (round % 2));
+    if (round % 8 == 6) tool.nose_radius = 3;
+    const Vec3 a = {r(4, 20), 0, r(-20, 0)};
+    Motion m = line(a, {r(-1, 20), 0, r(-20, 0)});
+    if (round % 2 == 1) m = arc(a, {a.x + r(-6, 6), 0, a.z + r(-6, 6)}, {0, 1, 0}, r(-6.2, 6.2));
+    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    const InsertOutline o = make_insert(tool);
+    for (int k = 0; k < 12; ++k) {
+      const Vec3 p = {r(-40, 40), r(-10, 10), r(-40, 30)};
+      const double want = brute(m, o, p), got = s.distance(0, p);
+      if (want > -o.round + 1e-9)
+        EXPECT_NEAR(got, want, 1e-6) << "round " << round << " inside " << o.inside;
+      else  // inside the core: any depth between that of one position and the true one
+        EXPECT_LE(got, want + 1e-6) << "round " << round;
+    }
+  }
+}
+
+TEST(TurnSweep, SharpInsertFacesAndTurnsAtTheProgrammedPoint) {
+  const Motion m = line({15, 0, -5}, {15, 0, -19});
+  const Tool tool = insert("", 0);
+  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  EXPECT_NEAR(s.distance(0, {14, 0, -10}), 1, 1e-12);
+  EXPECT_NEAR(s.distance(0, {0, 14.5, -10}), 0.5, 1e-12);
+  EXPECT_LT(s.distance(0, {16, 0, -10}), -0.5);
+  EXPECT_GT(s.distance(0, {16, 0, -19.5}), 0);
+  EXPECT_EQ(s.smallest_radius(), 0);
+}
+
+TEST(TurnSweep, BoringBarStaysOnItsSideOfTheAxis) {
+  Tool tool = insert("C", 0.4);
+  tool.type = ToolType::boring;
+  const Motion m = line({10, 0, 0}, {10, 0, -20});
+  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  EXPECT_NEAR(s.distance(0, {0, 10.5, -10}), 0.5, 1e-12);
+  EXPECT_LT(s.distance(0, {9, 0, -10}), -0.9);
+  EXPECT_GT(s.distance(0, {12, 0, -10}), 1.9);
+}
+
+TEST(TurnSweep, TipOrientationPlacesTheNose) {
+  const Vec2 centres[] = {{0, 0},  {-1, -1}, {-1, 1}, {1, 1}, {1, -1},
+                          {0, -1}, {-1, 0},  {0, 1},  {1, 0}, {0, 0}};
+  for (int tip = 1; tip <= 9; ++tip) {
+    const InsertOutline o = make_insert(insert("D", 0.8, tip));
+    double nearest = 1e300;
+    for (Vec2 c : o.core) nearest = std::min(nearest, length(c - 0.8 * centres[tip]));
+    EXPECT_LT(nearest, 1e-12) << "tip " << tip;
+    for (std::size_t i = 0; i < o.core.size(); ++i) {
+      const Vec2 a = o.core[i], b = o.core[(i + 1) % o.core.size()];
+      const Vec2 c = o.core[(i + 2) % o.core.size()];
+      EXPECT_GT(cross(b - a, c - b), 0) << "convex, counter-clockwise; tip " << tip;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
