@@ -16,6 +16,7 @@
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,20 @@ MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
 
+/// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
+struct TraceSink {
+  std::function<void(const Motion& motion)> motion;
+  std::function<void(const std::string& line)> line;  ///< the same motion as text, no line end
+  std::function<void(const Diagnostic& diagnostic)> diagnostic;
+};
+/// Like interpret, but hands motions on (as JSON or text for people, too) instead of keeping them:
+/// memory does not grow with the length of the program.
+MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
+                        const TraceSink& sink);
+
+/// Draws the tool path as .svg or .ply: rapids dashed, arcs as arcs, a lathe in ZX.
+MRSIM_API void draw_path(const Program& program, const std::string& path);
+
 /// Reads tools.toml. Throws Error naming line and key.
 MRSIM_API ToolTable load_tools(const std::string& path);
 /// One tool from "4=endmill:d=5" or "endmill:d=5". Throws Error of kind usage.
@@ -46,18 +61,7 @@ MRSIM_API StockShape load_stock(const std::string& spec, const StockOptions& opt
 MRSIM_API TriMesh read_mesh(const std::string& path);
 MRSIM_API void write_mesh(const std::string& path, const TriMesh& mesh);
 
-/// What a mesh is, and whether it keeps mrsim's promises.
-struct MeshSummary {
-  bool closed = false;  ///< every edge has two triangles
-  bool oriented =
-      false;  ///< ... that run through it in opposite directions, and the volume is positive
-  bool manifold = false;       ///< ... and every vertex has one fan
-  std::size_t degenerate = 0;  ///< triangles without area
-  double volume = 0;           ///< mm^3, signed
-  double area = 0;             ///< mm^2
-  long euler = 0;              ///< V - E + F
-  std::string first_fault;     ///< empty, or a sentence with the place
-};
+/// What a mesh is, and whether it keeps the promises of docs/mesh.md.
 MRSIM_API MeshSummary summarize(const TriMesh& mesh);
 
 /// Writes a shaded PNG of the mesh, edges drawn, without a display.
@@ -80,7 +84,8 @@ struct JobResult {
   StockShape stock;  ///< as simulated, without its mesh
   double voxel = 0;  ///< mm
   std::string voxel_reason;
-  std::size_t cutting_motions = 0;
+  std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
+  std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;
   TriMesh mesh;
   MeshSummary summary;

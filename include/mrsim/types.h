@@ -79,6 +79,17 @@ struct Diagnostic {
   std::vector<SourcePlace> called_from;  ///< call chain, innermost first
 };
 
+/// An Error about one place in a text file (a tool table, a job): a Diagnostic that ends the run.
+class MRSIM_API PlacedError : public Error {
+ public:
+  explicit PlacedError(Diagnostic diagnostic, Kind kind = Kind::input);
+  ~PlacedError() override;
+  const Diagnostic& diagnostic() const { return diagnostic_; }
+
+ private:
+  Diagnostic diagnostic_;
+};
+
 enum class Dialect : std::uint8_t { automatic, sinumerik, iso, fanuc, codesys };
 enum class MachineKind : std::uint8_t { automatic, mill, lathe };
 
@@ -194,6 +205,22 @@ struct ToolTable {
   std::vector<WorkOffset> work;
 };
 
+/// Where the faces of one owner come from. A mesh carries the owners that its faces name, so that a
+/// file can say which line of which program, with which tool, cut a face.
+struct FaceOrigin {
+  std::int32_t owner = -1;  ///< as in TriMesh::owners; -1 is the stock and needs no entry
+  std::int32_t file = -1;   ///< index into OwnerTable::files, -1 = unknown
+  std::int32_t line = 0;    ///< 1-based, 0 = unknown
+  std::int32_t tool = -1;   ///< index into OwnerTable::tools, -1 = unknown
+  friend bool operator==(const FaceOrigin&, const FaceOrigin&) = default;
+};
+struct OwnerTable {
+  std::vector<std::string> files;   ///< programs, main program first
+  std::vector<std::string> tools;   ///< ids of the tools, "4"
+  std::vector<FaceOrigin> origins;  ///< ascending by owner, each owner once
+  friend bool operator==(const OwnerTable&, const OwnerTable&) = default;
+};
+
 /// An indexed triangle mesh. Vertices are float because files are: what was checked is what is
 /// written.
 struct TriMesh {
@@ -202,6 +229,33 @@ struct TriMesh {
       triangles;  ///< #F by 3, counter-clockwise seen from outside
   std::vector<std::int32_t>
       owners;  ///< #F or empty: index of the motion that cut the face, -1 = stock
+  std::vector<std::array<std::uint8_t, 3>>
+      colors;         ///< #V or empty: sRGB of each vertex, for pictures and files (deviation)
+  OwnerTable origin;  ///< what `owners` stand for; may be empty
+};
+
+/// What a mesh is, and whether it keeps mrsim's promises.
+struct MeshSummary {
+  bool closed = false;    ///< every edge has two triangles
+  bool oriented = false;  ///< ... that run through it in opposite directions, and the volume is
+                          ///< positive
+  bool manifold = false;  ///< ... and every vertex has one fan
+  bool inverted = false;  ///< closed, but inside out: the volume is negative
+  std::size_t degenerate = 0;  ///< triangles without area
+  double volume = 0;           ///< mm^3, signed
+  double area = 0;             ///< mm^2
+  long euler = 0;              ///< V - E + F
+  std::size_t components = 0;  ///< pieces of surface (a cavity is one of its own)
+  Box3 bounds;                 ///< mm
+  std::string first_fault;     ///< empty, or a sentence with the place
+};
+
+/// What was cut in earlier setups, in the order of the cuts: the part of a stock that a .vdb
+/// remembers.
+struct CutHistory {
+  std::vector<std::string> files;
+  std::vector<Tool> tools;
+  std::vector<Motion> motions;  ///< `file` and `tool` index the lists above; `call` is -1
 };
 
 /// The stock before the first cut. Exact primitives keep their closed form; a mesh is taken as it
@@ -214,6 +268,7 @@ struct StockShape {
   double inner_radius = 0;  ///< tube
   Vec3 axis_point;          ///< x, y of the axis (z unused)
   TriMesh mesh;             ///< mesh
+  CutHistory history;       ///< cuts made before this program (a .vdb saved by mrsim)
   std::string description;  ///< for the report: "box 100 x 60 x 10 mm, exact (from block.stl)"
 };
 

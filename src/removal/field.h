@@ -58,6 +58,14 @@ class ExactField {
   /// material.
   virtual Vec3 gradient(const Vec3& p, const FieldSample& at) const = 0;
 
+  /// Signed distance of p from the surface of one smooth face (`at.owner`, `at.patch`), which is
+  /// continued smoothly beyond its creases: equal to d where the nearest point of the part's
+  /// surface lies on that face, negative on the material's side. gradient(p, at) is its gradient.
+  /// The mesher solves for edges and corners as common zeros of two or three of these, so p may lie
+  /// on the other side of the crease (a box's side: the distance of its plane; a slot's wall: R -
+  /// rho; its floor: z - z_floor, all with d's sign).
+  virtual double patch_distance(const Vec3& p, const FieldSample& at) const = 0;
+
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;
 };

@@ -93,6 +93,10 @@ class SweepTable {
   /// crease.
   Vec3 gradient(std::size_t i, const Vec3& p, std::int32_t patch) const;
 
+  /// Signed distance of p from the face `patch`, continued smoothly beyond its creases: what
+  /// gradient(i, p, patch) is the gradient of. Positive outside of the sweep.
+  double patch_distance(std::size_t i, const Vec3& p, std::int32_t patch) const;
+
   /// out[k] = distance(ids[k], p), the same bits.
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;
   /// out[k] = distance(i, points[k]), the same bits.

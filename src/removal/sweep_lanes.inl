@@ -21,9 +21,9 @@ MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
 // c = ax ay az (ball centre at the start), ux uy (unit horizontal direction), length in plan,
 // slope, R.
 struct StripFoot {
-  V squared;   // distance to the strip, squared
-  V along;     // horizontal parameter of the foot
-  V z;         // height of the foot
+  V squared;  // distance to the strip, squared
+  V along;    // horizontal parameter of the foot
+  V z;        // height of the foot
 };
 MRSIM_LANE StripFoot strip_foot(const V* c, V px, V py, V pz) {
   const V zero = splat(0.0), one = splat(1.0);

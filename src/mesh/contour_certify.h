@@ -1,0 +1,20 @@
+// How far a triangle is from the exact part, from above (docs/mesh.md, Tolerance).
+#pragma once
+
+#include "core/vec.h"
+#include "removal/field.h"
+
+namespace mrsim::detail {
+
+/// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the part:
+/// the largest value of the quadratic through the corners and the middles of the sides, and what the
+/// centroid differs from it, with room to spare. Stops early once it is above `limit`.
+double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+                      const Vec3& b, const Vec3& c, double limit);
+
+/// Upper bound in mm of the distance of the segment's points from the curve in which two faces of
+/// the part meet; from either face where they join smoothly.
+double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
+                    const Vec3& a, const Vec3& b);
+
+}  // namespace mrsim::detail

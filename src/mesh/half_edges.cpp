@@ -1,0 +1,117 @@
+#include "mesh/half_edges.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mrsim {
+namespace {
+
+// A half edge under the smaller of its two vertices.
+struct Entry {
+  std::uint32_t other;      // the larger vertex
+  std::uint32_t half_edge;  // runs from smaller to larger where `forward`
+  bool forward;
+};
+
+struct EdgeBuckets {
+  std::vector<std::uint32_t> begin;
+  std::vector<Entry> entries;
+};
+
+// Counting sort: linear, and in the order of the half edges within a bucket.
+EdgeBuckets bucket_edges(const TriMesh& mesh) {
+  EdgeBuckets out;
+  out.begin.assign(mesh.vertices.size() + 2, 0);
+  const auto each = [&](auto&& body) {
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+      const auto& t = mesh.triangles[f];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t u = t[k], v = t[k == 2 ? 0 : k + 1];
+        body(std::min(u, v), Entry{std::max(u, v), 3 * f + k, u < v});
+      }
+    }
+  };
+  each([&](std::uint32_t low, const Entry&) { ++out.begin[low + 2]; });
+  std::partial_sum(out.begin.begin(), out.begin.end(), out.begin.begin());
+  out.entries.resize(3 * mesh.triangles.size());
+  each([&](std::uint32_t low, const Entry& e) { out.entries[out.begin[low + 1]++] = e; });
+  return out;
+}
+
+// [first, last) holds all half edges of one edge.
+void resolve_edge(const Entry* first, const Entry* last, std::vector<std::uint32_t>& opposite) {
+  const auto count = last - first;
+  if (count == 2 && first[0].forward != first[1].forward) {
+    opposite[first[0].half_edge] = first[1].half_edge;
+    opposite[first[1].half_edge] = first[0].half_edge;
+    return;
+  }
+  const std::uint32_t fault = count == 1 ? kOpenEdge : count == 2 ? kTwistedEdge : kCrowdedEdge;
+  for (const Entry* e = first; e != last; ++e) opposite[e->half_edge] = fault;
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) v = parent[v] = parent[parent[v]];
+  return v;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads) {
+  EdgeBuckets buckets = bucket_edges(mesh);
+  std::vector<std::uint32_t> opposite(3 * mesh.triangles.size());
+  constexpr std::size_t kGrain = 4096;
+  parallel_for(
+      mesh.vertices.size(), threads,
+      [&](std::size_t v) {
+        Entry* first = buckets.entries.data() + buckets.begin[v];
+        Entry* last = buckets.entries.data() + buckets.begin[v + 1];
+        std::sort(first, last, [](const Entry& a, const Entry& b) {
+          return a.other != b.other ? a.other < b.other : a.half_edge < b.half_edge;
+        });
+        while (first != last) {
+          Entry* end = first;
+          while (end != last && end->other == first->other) ++end;
+          resolve_edge(first, end, opposite);
+          first = end;
+        }
+      },
+      kGrain);
+  return opposite;
+}
+
+VertexFans half_edges_by_vertex(const TriMesh& mesh) {
+  VertexFans fans;
+  fans.begin.assign(mesh.vertices.size() + 2, 0);
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) ++fans.begin[v + 2];
+  std::partial_sum(fans.begin.begin(), fans.begin.end(), fans.begin.begin());
+  fans.items.resize(3 * mesh.triangles.size());
+  for (std::uint32_t h = 0; h < fans.items.size(); ++h)
+    fans.items[fans.begin[origin_of(mesh, h) + 1]++] = h;
+  fans.begin.pop_back();
+  return fans;
+}
+
+std::size_t find_components(const TriMesh& mesh, std::vector<std::uint32_t>& component) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (const auto& t : mesh.triangles) {
+    const std::uint32_t a = root_of(parent, t[0]);
+    for (int k = 1; k < 3; ++k) parent[root_of(parent, t[k])] = a;
+  }
+  constexpr std::uint32_t kUnseen = ~0u;
+  std::vector<std::uint32_t> number(mesh.vertices.size(), kUnseen);
+  component.resize(mesh.triangles.size());
+  std::uint32_t count = 0;
+  for (std::size_t f = 0; f < component.size(); ++f) {
+    std::uint32_t& n = number[root_of(parent, mesh.triangles[f][0])];
+    if (n == kUnseen) n = count++;
+    component[f] = n;
+  }
+  return count;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,55 @@
+// Who is beside whom in a triangle mesh. Half edge h = 3 f + k runs from corner k of triangle f to
+// the corner after it.
+#pragma once
+
+#include "core/vec.h"
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+inline Vec3 to_vec(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
+inline Vec3 corner(const TriMesh& mesh, std::size_t face, int k) {
+  return to_vec(mesh.vertices[mesh.triangles[face][k]]);
+}
+/// Twice the area long, out of the material.
+inline Vec3 area_normal(const TriMesh& mesh, std::size_t face) {
+  const Vec3 a = corner(mesh, face, 0);
+  return cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a);
+}
+
+inline std::uint32_t next_half_edge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline std::uint32_t previous_half_edge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+inline std::uint32_t origin_of(const TriMesh& mesh, std::uint32_t h) {
+  return mesh.triangles[h / 3][h % 3];
+}
+inline std::uint32_t target_of(const TriMesh& mesh, std::uint32_t h) {
+  return origin_of(mesh, next_half_edge(h));
+}
+
+/// In place of a neighbour.
+inline constexpr std::uint32_t kOpenEdge = ~0u;         ///< one triangle only
+inline constexpr std::uint32_t kTwistedEdge = ~0u - 1;  ///< two that run through it the same way
+inline constexpr std::uint32_t kCrowdedEdge = ~0u - 2;  ///< more than two
+inline bool is_half_edge(std::uint32_t h) { return h < kCrowdedEdge; }
+
+/// The other half of each half edge, or one of the three above: 3 #F numbers. Requires: indices in
+/// range, fewer than 1.4e9 triangles. Linear in the mesh; the same for any number of threads.
+std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads = 0);
+
+/// Half edges grouped by the vertex they leave: those of v are items[begin[v]] .. items[begin[v +
+/// 1]), ascending.
+struct VertexFans {
+  std::vector<std::uint32_t> begin;  ///< #V + 1
+  std::vector<std::uint32_t> items;  ///< 3 #F
+};
+VertexFans half_edges_by_vertex(const TriMesh& mesh);
+
+/// The connected piece of surface of each triangle (triangles that share a vertex are connected),
+/// numbered by their first triangle. Returns how many there are.
+std::size_t find_components(const TriMesh& mesh, std::vector<std::uint32_t>& component);
+
+}  // namespace mrsim

@@ -1,0 +1,230 @@
+#include "mesh/stl.h"
+
+#include "core/bytes.h"
+#include "mesh/half_edges.h"
+#include "mesh/text_scan.h"
+#include "mesh/weld.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+using detail::TextScan;
+
+constexpr std::size_t kHeader = 84;    // 80 bytes of anything and the count
+constexpr std::size_t kTriangle = 50;  // normal, three points, two unused bytes
+// Bytes after the last triangle that are taken for padding or a stray line end.
+constexpr std::size_t kTrailingAllowed = kTriangle - 1;
+
+using Corners = std::array<std::array<float, 3>, 3>;
+
+void add_triangle(TriMesh& mesh, Welder& welder, const Corners& corners) {
+  std::array<std::uint32_t, 3> t;
+  for (int k = 0; k < 3; ++k) t[k] = welder.add(corners[k]);
+  if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
+}
+
+TriMesh finished(TriMesh&& mesh, Welder& welder, const std::string& name) {
+  mesh.vertices = welder.take();
+  drop_unused_vertices(mesh);
+  if (mesh.triangles.empty())
+    throw Error("stl-empty",
+                fmt::format("{} holds no triangles; export the solid again from CAD", name));
+  return std::move(mesh);
+}
+
+[[noreturn]] void fail_truncated(const std::string& name, std::uint64_t claimed, std::size_t size) {
+  const std::size_t room = size < kHeader ? 0 : (size - kHeader) / kTriangle;
+  throw Error("stl-truncated",
+              fmt::format("{} is cut short: its header claims {} triangles, its {} bytes hold {}; "
+                          "copy or export it again",
+                          name, claimed, size, room));
+}
+
+TriMesh parse_binary(std::string_view bytes, const std::string& name) {
+  const auto claimed = detail::load<std::uint32_t>(bytes.data() + 80);
+  const std::uint64_t needed = kHeader + std::uint64_t(claimed) * kTriangle;
+  if (needed > bytes.size()) fail_truncated(name, claimed, bytes.size());
+  if (bytes.size() - needed > kTrailingAllowed)
+    throw Error("stl-size",
+                fmt::format("{} has {} bytes after the {} triangles its header claims; header and "
+                            "content disagree, export it again",
+                            name, bytes.size() - needed, claimed));
+  TriMesh mesh;
+  mesh.triangles.reserve(claimed);  // the bytes are there
+  Welder welder;
+  for (std::size_t i = 0; i < claimed; ++i) {
+    const char* at = bytes.data() + kHeader + i * kTriangle + 12;
+    Corners corners;
+    for (auto& corner : corners)
+      for (float& x : corner) {
+        x = detail::load<float>(at);
+        at += 4;
+        if (!std::isfinite(x))
+          throw Error("stl-nan",
+                      fmt::format("{}: triangle {} has a coordinate that is not a number; "
+                                  "repair or export the mesh again",
+                                  name, i + 1));
+      }
+    add_triangle(mesh, welder, corners);
+  }
+  return finished(std::move(mesh), welder, name);
+}
+
+[[noreturn]] void fail_syntax(const std::string& name, std::size_t line, std::string_view wanted,
+                              std::string_view found) {
+  if (found.empty())
+    throw Error("stl-truncated",
+                fmt::format("{} is cut short: line {} should go on with \"{}\"; copy or export it "
+                            "again",
+                            name, line, wanted));
+  std::string shown;
+  for (const char c : found.substr(0, 40)) shown += c >= ' ' && c <= '~' ? c : '?';
+  throw Error("stl-syntax", fmt::format("{}:{}: \"{}\" expected, found \"{}\"; the file is not a "
+                                        "proper ASCII STL, export it again",
+                                        name, line, wanted, shown));
+}
+
+void expect(TextScan& scan, std::string_view wanted, const std::string& name) {
+  const std::string_view found = scan.word();
+  if (!detail::equals_ignoring_case(found, wanted)) fail_syntax(name, scan.line(), wanted, found);
+}
+
+float coordinate(TextScan& scan, const std::string& name) {
+  const std::string_view found = scan.word();
+  if (const auto value = detail::to_float(found)) return *value;
+  for (const std::string_view bad : {"nan", "-nan", "inf", "-inf", "infinity", "+nan", "+inf"})
+    if (detail::equals_ignoring_case(found, bad))
+      throw Error("stl-nan", fmt::format("{}:{}: \"{}\" is not a coordinate; repair or export the "
+                                         "mesh again",
+                                         name, scan.line(), found));
+  fail_syntax(name, scan.line(), "a number", found);
+}
+
+void parse_facet(TextScan& scan, const std::string& name, TriMesh& mesh, Welder& welder) {
+  expect(scan, "normal", name);
+  for (int i = 0; i < 3; ++i)  // often nan for slivers, and never needed
+    if (scan.word().empty()) fail_syntax(name, scan.line(), "a number", "");
+  expect(scan, "outer", name);
+  expect(scan, "loop", name);
+  Corners corners;
+  for (auto& corner : corners) {
+    expect(scan, "vertex", name);
+    for (float& x : corner) x = coordinate(scan, name);
+  }
+  expect(scan, "endloop", name);
+  expect(scan, "endfacet", name);
+  add_triangle(mesh, welder, corners);
+}
+
+TriMesh parse_ascii(std::string_view bytes, const std::string& name) {
+  TriMesh mesh;
+  Welder welder;
+  TextScan scan(bytes);
+  bool in_solid = false;
+  for (;;) {
+    const std::string_view word = scan.word();
+    if (word.empty()) break;
+    if (detail::equals_ignoring_case(word, in_solid ? "endsolid" : "solid")) {
+      in_solid = !in_solid;  // several solids in one file are one stock
+      scan.rest_of_line();   // its name
+    } else if (in_solid && detail::equals_ignoring_case(word, "facet")) {
+      parse_facet(scan, name, mesh, welder);
+    } else {
+      fail_syntax(name, scan.line(), in_solid ? "facet or endsolid" : "solid", word);
+    }
+  }
+  if (in_solid) fail_syntax(name, scan.line(), "endsolid", "");
+  return finished(std::move(mesh), welder, name);
+}
+
+bool starts_with_solid(std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != bytes.npos && detail::equals_ignoring_case(bytes.substr(begin, 5), "solid");
+}
+
+// Text has no control bytes but blanks; every binary STL of a real solid has zeros in its floats.
+bool looks_like_text(std::string_view bytes) {
+  for (const char c : bytes.substr(0, 1024))
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t') return false;
+  return true;
+}
+
+// Viewers shade by it; zero for a triangle without area.
+std::array<float, 3> facet_normal(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const Vec3 a = to_vec(mesh.vertices[t[0]]);
+  const Vec3 n =
+      normalized(cross(to_vec(mesh.vertices[t[1]]) - a, to_vec(mesh.vertices[t[2]]) - a));
+  return {float(n.x), float(n.y), float(n.z)};
+}
+
+void append_point(std::string& text, const std::array<float, 3>& point) {
+  for (const float x : point) {
+    text += ' ';
+    detail::append_number(text, x);
+  }
+}
+
+}  // namespace
+
+TriMesh parse_stl(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) throw Error("stl-empty", fmt::format("{} is empty", name));
+  // The count of a text file read as binary would be printable characters, more than 4 GB of
+  // triangles: a file whose size fits its count is binary, whatever its first word.
+  const bool binary_fits =
+      bytes.size() >= kHeader &&
+      bytes.size() >=
+          kHeader + std::uint64_t(detail::load<std::uint32_t>(bytes.data() + 80)) * kTriangle;
+  if (starts_with_solid(bytes) && looks_like_text(bytes) && !binary_fits)
+    return parse_ascii(bytes, name);
+  if (bytes.size() < kHeader) {
+    if (looks_like_text(bytes))
+      throw Error("stl-syntax", fmt::format("{} is not an STL file: it begins neither with "
+                                            "\"solid\" nor with a binary header",
+                                            name));
+    throw Error("stl-truncated", fmt::format("{} is cut short: {} bytes are less than the header "
+                                             "of a binary STL; copy or export it again",
+                                             name, bytes.size()));
+  }
+  return parse_binary(bytes, name);
+}
+
+void write_stl(const TriMesh& mesh, const ByteSink& out) {
+  detail::Buffer buffer(out);
+  std::string header = "mrsim binary STL, mm";
+  header.resize(80, ' ');
+  buffer.text() += header;
+  detail::store(buffer.text(), std::uint32_t(mesh.triangles.size()));
+  for (const auto& t : mesh.triangles) {
+    std::string& text = buffer.text();
+    for (const float x : facet_normal(mesh, t)) detail::store(text, x);
+    for (const std::uint32_t v : t)
+      for (const float x : mesh.vertices[v]) detail::store(text, x);
+    text.append(2, '\0');
+  }
+  buffer.flush();
+}
+
+void write_stl_ascii(const TriMesh& mesh, const ByteSink& out) {
+  detail::Buffer buffer(out);
+  buffer.text() += "solid mrsim\n";
+  for (const auto& t : mesh.triangles) {
+    std::string& text = buffer.text();
+    text += "facet normal";
+    append_point(text, facet_normal(mesh, t));
+    text += "\n outer loop\n";
+    for (const std::uint32_t v : t) {
+      text += "  vertex";
+      append_point(text, mesh.vertices[v]);
+      text += '\n';
+    }
+    text += " endloop\nendfacet\n";
+  }
+  buffer.text() += "endsolid mrsim\n";
+  buffer.flush();
+}
+
+}  // namespace mrsim

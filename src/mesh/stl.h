@@ -1,0 +1,28 @@
+// STL, binary and ASCII.
+//
+// STL keeps three points a triangle and no more: reading welds points with equal coordinates,
+// writing drops owners and colours. Which of the two forms a file has is told by its size and
+// content, never by its first word alone (binary files that begin with "solid" exist).
+#pragma once
+
+#include "core/text_io.h"
+#include <mrsim/types.h>
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// The mesh in the bytes of an STL file. `name` is the file's, for messages. Triangles with two
+/// equal corners are left out; normals in the file are not looked at. Memory grows with the bytes
+/// that are there, never with what a header claims.
+/// Throws Error "stl-empty", "stl-truncated", "stl-size", "stl-syntax", "stl-nan".
+TriMesh parse_stl(std::string_view bytes, const std::string& name);
+
+/// Binary STL, little-endian on any machine.
+void write_stl(const TriMesh& mesh, const ByteSink& out);
+
+/// ASCII STL; numbers are the shortest that read back to the same float.
+void write_stl_ascii(const TriMesh& mesh, const ByteSink& out);
+
+}  // namespace mrsim

@@ -1,0 +1,24 @@
+// What simulate() writes: files by their extension, all of them or none.
+#pragma once
+
+#include "removal/stock.h"
+#include "removal/stock_file.h"
+#include <mrsim/types.h>
+
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// ".stl" of "out/Part.STL"; empty when there is none.
+std::string file_extension(const std::string& path);
+
+/// Finds faults of output names before any work: an unknown format, a folder that is missing or
+/// read-only, a name given twice. Throws Error "format-unknown" (usage), "output-...".
+void check_outputs(const std::vector<std::string>& paths);
+
+/// Writes the part under every name, or under none.
+void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, const Stock& stock,
+                   const StockRecipe& recipe);
+
+}  // namespace mrsim

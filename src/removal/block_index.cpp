@@ -1,0 +1,88 @@
+#include "removal/block_index.h"
+
+#include "core/vec.h"
+#include "removal/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+std::int32_t BlockIndex::block_of(double x, int axis) const {
+  const double block =
+      std::floor((x / voxel_ - component(kLatticeShift, axis) + 0.5) / kBlockVoxels);
+  return static_cast<std::int32_t>(std::clamp(block, -3.0e7, 3.0e7));
+}
+
+bool BlockIndex::range_of(const Box3& box, Range& range) const {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    range.low[a] = std::max(block_of(component(box.lo, axis), axis), first_[a]);
+    range.high[a] = std::min(block_of(component(box.hi, axis), axis), first_[a] + count_[a] - 1);
+    if (range.low[a] > range.high[a]) return false;
+  }
+  return true;
+}
+
+template <typename Body>
+void BlockIndex::for_each_block(const Range& range, Body body) const {
+  for (std::int32_t k = range.low[2]; k <= range.high[2]; ++k)
+    for (std::int32_t j = range.low[1]; j <= range.high[1]; ++j)
+      for (std::int32_t i = range.low[0]; i <= range.high[0]; ++i)
+        body(static_cast<std::size_t>((k - first_[2]) * count_[1] + (j - first_[1])) *
+                 static_cast<std::size_t>(count_[0]) +
+             static_cast<std::size_t>(i - first_[0]));
+}
+
+BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory)
+    : voxel_(voxel) {
+  const Box3 whole = inflated(field.bounds(), band);
+  double blocks = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    first_[a] = block_of(component(whole.lo, axis), axis);
+    count_[a] = block_of(component(whole.hi, axis), axis) - first_[a] + 1;
+    blocks *= count_[a];
+  }
+  if (blocks * sizeof(std::size_t) > static_cast<double>(max_memory))
+    throw Error("memory", fmt::format("a voxel of {:.6g} mm needs {:.3g} blocks for this stock, "
+                                      "more than memory holds; take a larger "
+                                      "--voxel",
+                                      voxel, blocks));
+  const SweepTable& sweeps = field.sweeps();
+  start_.assign(static_cast<std::size_t>(blocks) + 1, 0);
+  std::vector<Range> ranges(sweeps.size());
+  std::vector<bool> reaches(sweeps.size());
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    reaches[i] = range_of(inflated(sweeps.bounds(i), band), ranges[i]);
+    if (reaches[i]) for_each_block(ranges[i], [&](std::size_t b) { ++start_[b + 1]; });
+  }
+  for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
+  ids_.resize(start_.back());
+  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    if (reaches[i])
+      for_each_block(ranges[i],
+                     [&](std::size_t b) { ids_[next[b]++] = static_cast<std::uint32_t>(i); });
+}
+
+std::array<std::int32_t, 3> BlockIndex::origin(std::size_t b) const {
+  const auto x = static_cast<std::int32_t>(b % static_cast<std::size_t>(count_[0]));
+  const auto rest = b / static_cast<std::size_t>(count_[0]);
+  const auto y = static_cast<std::int32_t>(rest % static_cast<std::size_t>(count_[1]));
+  const auto z = static_cast<std::int32_t>(rest / static_cast<std::size_t>(count_[1]));
+  return {(first_[0] + x) * kBlockVoxels, (first_[1] + y) * kBlockVoxels,
+          (first_[2] + z) * kBlockVoxels};
+}
+
+std::size_t BlockIndex::find(const Vec3& p) const {
+  Range range;
+  if (!range_of({p, p}, range)) return size();
+  std::size_t found = 0;
+  for_each_block(range, [&](std::size_t b) { found = b; });
+  return found;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,51 @@
+// Sweeps binned into cubes of 64 voxels: who can matter where.
+#pragma once
+
+#include "removal/part_field.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Edge of a block in voxels.
+inline constexpr int kBlockVoxels = 64;
+
+class BlockIndex {
+ public:
+  /// Covers the stock and `band` mm around it; sweeps are listed in every block that they come
+  /// within `band` of. Memory: 4 bytes per sweep and block that it reaches. Throws Error "memory"
+  /// when the blocks alone would exceed `max_memory` bytes.
+  BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory);
+
+  std::size_t size() const { return start_.size() - 1; }
+  /// Lattice coordinates of the first voxel of block b; a multiple of kBlockVoxels.
+  std::array<std::int32_t, 3> origin(std::size_t b) const;
+  /// Sweeps of block b, ascending.
+  std::span<const std::uint32_t> sweeps(std::size_t b) const {
+    return {ids_.data() + start_[b], start_[b + 1] - start_[b]};
+  }
+  /// The block that holds p; size() when none does.
+  std::size_t find(const Vec3& p) const;
+  std::size_t memory() const {
+    return ids_.capacity() * sizeof(ids_[0]) + start_.capacity() * sizeof(start_[0]);
+  }
+
+ private:
+  struct Range {
+    std::array<std::int32_t, 3> low, high;
+  };
+  std::int32_t block_of(double x, int axis) const;
+  bool range_of(const Box3& box, Range& range) const;
+  template <typename Body>
+  void for_each_block(const Range& range, Body body) const;
+
+  double voxel_;
+  std::array<std::int32_t, 3> first_{}, count_{};
+  std::vector<std::size_t> start_;
+  std::vector<std::uint32_t> ids_;
+};
+
+}  // namespace mrsim

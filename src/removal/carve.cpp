@@ -1,0 +1,252 @@
+// Samples the exact part into a narrow-band level set: blocks from large to small, each with the
+// list of sweeps that can matter in it (docs/removal.md). A voxel is a pure function of stock,
+// motions and its position, so that the result does not depend on the order of the work.
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "removal/block_index.h"
+#include "removal/lattice.h"
+#include "removal/stock.h"
+#include "removal/stock_grid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+using FloatLeaf = openvdb::FloatTree::LeafNodeType;
+using OwnerLeaf = openvdb::Int32Tree::LeafNodeType;
+
+constexpr int kLeafVoxels = 8;
+
+struct LeafPair {
+  std::unique_ptr<FloatLeaf> distance;
+  std::unique_ptr<OwnerLeaf> owner;
+};
+
+// One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
+class BlockCarver {
+ public:
+  BlockCarver(const PartField& field, double voxel)
+      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel) {}
+
+  std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
+                              std::span<const std::uint32_t> sweeps) {
+    leaves_.clear();
+    visit({origin[0], origin[1], origin[2]}, kBlockVoxels, 0, sweeps);
+    return std::move(leaves_);
+  }
+
+ private:
+  Vec3 position(const openvdb::Coord& at) const {
+    return {lattice_position(voxel_, at.x(), kLatticeShift.x),
+            lattice_position(voxel_, at.y(), kLatticeShift.y),
+            lattice_position(voxel_, at.z(), kLatticeShift.z)};
+  }
+
+  static bool evaluate_now(int size, std::size_t sweeps) {
+    return size == 2 || (size == 4 && sweeps <= 8) || (size == kLeafVoxels && sweeps <= 2);
+  }
+
+  void visit(const openvdb::Coord& origin, int size, std::size_t depth,
+             std::span<const std::uint32_t> in) {
+    const double half = 0.5 * (size - 1) * voxel_;
+    const Vec3 center = position(origin) + Vec3{half, half, half};
+    const double radius = half * 1.7320508075688774;
+    Candidates& list = lists_[depth];
+    const auto region = field_.restrict_to(center, radius, band_, in, list);
+    if (size == kLeafVoxels) open_leaf(origin);
+    if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
+    if (region == ExactField::Region::mixed) {
+      if (evaluate_now(size, list.size()))
+        evaluate(origin, size, list);
+      else
+        visit_children(origin, size / 2, depth + 1, list);
+    }
+    if (size == kLeafVoxels) close_leaf();
+  }
+
+  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth,
+                      std::span<const std::uint32_t> in) {
+    for (int child = 0; child < 8; ++child)
+      visit(origin.offsetBy(child >> 2 & 1 ? size : 0, child >> 1 & 1 ? size : 0,
+                            child & 1 ? size : 0),
+            size, depth, in);
+  }
+
+  void open_leaf(const openvdb::Coord& origin) {
+    leaf_.distance = std::make_unique<FloatLeaf>(origin, static_cast<float>(band_), false);
+    leaf_.owner = std::make_unique<OwnerLeaf>(origin, kStockOwner, false);
+  }
+
+  void close_leaf() {
+    if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
+  }
+
+  void fill_material(const openvdb::Coord& origin, int size) {
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z)
+          leaf_.distance->setValueOnly(FloatLeaf::coordToOffset(origin.offsetBy(x, y, z)),
+                                       -static_cast<float>(band_));
+  }
+
+  void evaluate(const openvdb::Coord& origin, int size, std::span<const std::uint32_t> sweeps) {
+    const auto count = static_cast<std::size_t>(size * size * size);
+    points_.resize(count);
+    offsets_.resize(count);
+    std::size_t n = 0;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z, ++n) {
+          const openvdb::Coord at = origin.offsetBy(x, y, z);
+          points_[n] = position(at);
+          offsets_[n] = FloatLeaf::coordToOffset(at);
+        }
+    least_.assign(count, std::numeric_limits<double>::infinity());
+    nearest_.assign(count, 0);
+    distance_.resize(count);
+    for (const std::uint32_t sweep : sweeps) {
+      field_.sweeps().distances(sweep, points_, distance_.data());
+      for (std::size_t k = 0; k < count; ++k)
+        if (distance_[k] < least_[k]) {
+          least_[k] = distance_[k];
+          nearest_[k] = sweep;
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k) store(k);
+  }
+
+  void store(std::size_t k) {
+    const double stock = field_.solid().distance(points_[k]);
+    const bool from_stock = stock >= -least_[k];
+    const double d = from_stock ? stock : -least_[k];
+    if (d >= band_) return;
+    if (d <= -band_) {
+      leaf_.distance->setValueOnly(offsets_[k], -static_cast<float>(band_));
+      return;
+    }
+    leaf_.distance->setValueOn(offsets_[k], static_cast<float>(d));
+    leaf_.owner->setValueOn(offsets_[k],
+                            from_stock ? kStockOwner : field_.sweeps().motion(nearest_[k]));
+  }
+
+  const PartField& field_;
+  double voxel_, band_;
+  std::array<Candidates, 8> lists_;
+  std::vector<LeafPair> leaves_;
+  LeafPair leaf_;
+  std::vector<Vec3> points_;
+  std::vector<openvdb::Index> offsets_;
+  std::vector<double> least_, distance_;
+  std::vector<std::uint32_t> nearest_;
+};
+
+std::size_t free_memory() {
+  const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page)
+                               : std::size_t(4) << 30;
+}
+
+// Bytes a run will take: every surface voxel column holds 2 * kBandVoxels active voxels, in leaves
+// that are about half full, each with a distance and an owner; the mesh and the mesher's own grids
+// come on top. The stock's area is the measure of the surface.
+double memory_estimate(double area, double voxel) {
+  const double active = area / (voxel * voxel) * 2 * kBandVoxels;
+  constexpr double kBytesPerActiveVoxel = 60;
+  return active * kBytesPerActiveVoxel;
+}
+
+void check_options(const PartField& field, const CarveOptions& options, std::size_t limit) {
+  if (!(options.voxel > 0) || !std::isfinite(options.voxel))
+    throw Error("voxel-invalid",
+                fmt::format("--voxel {} is not a positive length in mm", options.voxel),
+                Error::Kind::usage);
+  const double estimate = memory_estimate(field.solid().area(), options.voxel);
+  if (estimate > static_cast<double>(limit))
+    throw Error(
+        "memory",
+        fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock, {:.3g} GB are "
+                    "available; {:.3g} mm would fit",
+                    options.voxel, estimate / 1e9, static_cast<double>(limit) / 1e9,
+                    options.voxel * std::sqrt(estimate / static_cast<double>(limit)) * 1.05));
+}
+
+class ProgressMeter {
+ public:
+  ProgressMeter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
+  void step() {
+    const std::size_t done = ++done_;
+    if (!progress_ || done % 16 != 0) return;
+    const std::scoped_lock lock(mutex_);
+    if (!progress_("removal", static_cast<double>(done) / static_cast<double>(total_)))
+      throw Error("cancelled", "the run was stopped");
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t total_;
+  std::atomic<std::size_t> done_{0};
+  std::mutex mutex_;
+};
+
+void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
+  const double band = kBandVoxels * grid.voxel;
+  const auto transform = openvdb::math::Transform::createLinearTransform(grid.voxel);
+  transform->postTranslate(grid.voxel *
+                           openvdb::Vec3d(kLatticeShift.x, kLatticeShift.y, kLatticeShift.z));
+  grid.distance = openvdb::FloatGrid::create(static_cast<float>(band));
+  grid.distance->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid.distance->setName("distance");
+  grid.distance->setTransform(transform);
+  grid.owner = openvdb::Int32Grid::create(kStockOwner);
+  grid.owner->setName("owner");
+  grid.owner->setTransform(transform);
+  for (std::vector<LeafPair>& leaves : blocks)
+    for (LeafPair& leaf : leaves) {
+      grid.distance->tree().addLeaf(leaf.distance.release());
+      grid.owner->tree().addLeaf(leaf.owner.release());
+    }
+  openvdb::tools::signedFloodFill(grid.distance->tree());
+}
+
+}  // namespace
+
+Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
+            const CarveOptions& options) {
+  auto grid = std::make_unique<StockGrid>();
+  StockSolid solid(shape);
+  const double top = solid.bounds().hi.z;
+  grid->field = std::make_unique<PartField>(std::move(solid), SweepTable(motions, tools, top));
+  const PartField& field = *grid->field;
+  CarveOptions chosen = options;
+  if (chosen.voxel == 0)
+    chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
+  const std::size_t limit = chosen.max_memory > 0 ? chosen.max_memory : free_memory();
+  check_options(field, chosen, limit);
+  grid->voxel = chosen.voxel;
+  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit);
+  const BlockIndex& index = *grid->index;
+
+  openvdb::initialize();
+  std::vector<std::vector<LeafPair>> blocks(index.size());
+  ProgressMeter meter(chosen.progress, index.size());
+  with_threads(chosen.threads, [&] {
+    parallel_for(index.size(), chosen.threads, [&](std::size_t b) {
+      BlockCarver carver(field, grid->voxel);
+      blocks[b] = carver.carve(index.origin(b), index.sweeps(b));
+      meter.step();
+    });
+    collect(blocks, *grid);
+  });
+  return Stock(std::move(grid));
+}
+
+}  // namespace mrsim

@@ -1,0 +1,88 @@
+#include "removal/part_field.h"
+
+#include "core/error.h"
+#include "core/vec.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mrsim {
+namespace {
+
+// Rounding of coordinates up to 1e4 mm in a distance, with room to spare.
+constexpr double kRounding = 1e-9;
+
+std::vector<double>& scratch(std::size_t size) {
+  static thread_local std::vector<double> buffer;
+  if (buffer.size() < size) buffer.resize(size);
+  return buffer;
+}
+
+}  // namespace
+
+PartField::PartField(StockSolid solid, SweepTable sweeps)
+    : solid_(std::move(solid)),
+      sweeps_(std::move(sweeps)),
+      slack_(2 * sweeps_.max_error() + kRounding) {}
+
+Candidates PartField::all() const {
+  Candidates ids(sweeps_.size());
+  std::iota(ids.begin(), ids.end(), 0u);
+  return ids;
+}
+
+ExactField::Region PartField::restrict_to(const Vec3& center, double radius, double band,
+                                          std::span<const std::uint32_t> in,
+                                          Candidates& out) const {
+  out.clear();
+  const double reach = radius + band + slack_;
+  const double stock = solid_.distance(center);
+  if (stock > reach) return Region::air;
+  std::vector<double>& d = scratch(in.size());
+  sweeps_.distances(in, center, d.data());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < in.size(); ++k) least = d[k] < least ? d[k] : least;
+  if (least < -reach) return Region::air;
+  // A sweep farther than 2r beyond the nearest one loses to it everywhere in the ball (both are
+  // 1-Lipschitz).
+  const double limit = std::min(reach, least + 2 * radius + slack_);
+  for (std::size_t k = 0; k < in.size(); ++k)
+    if (d[k] <= limit) out.push_back(in[k]);
+  return out.empty() && stock < -reach ? Region::material : Region::mixed;
+}
+
+FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
+  const StockSolid::Sample stock = solid_.sample(p);
+  std::vector<double>& d = scratch(candidates.size());
+  sweeps_.distances(candidates, p, d.data());
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < candidates.size(); ++k)
+    if (d[k] < d[best]) best = k;
+  if (candidates.empty() || stock.distance >= -d[best])
+    return {stock.distance, kStockOwner, stock.patch};
+  const SweepSample cut = sweeps_.sample(candidates[best], p);
+  return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
+}
+
+// Motions ascend with the sweeps: bisection.
+std::size_t PartField::sweep_of(std::int32_t motion) const {
+  std::size_t low = 0, high = sweeps_.size();
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (sweeps_.motion(middle) <= motion ? low : high) = middle;
+  }
+  MRSIM_ASSERT(low < sweeps_.size() && sweeps_.motion(low) == motion);
+  return low;
+}
+
+Vec3 PartField::gradient(const Vec3& p, const FieldSample& at) const {
+  if (at.owner == kStockOwner) return solid_.gradient(p, at.patch);
+  return -sweeps_.gradient(sweep_of(at.owner), p, at.patch);
+}
+
+double PartField::patch_distance(const Vec3& p, const FieldSample& at) const {
+  if (at.owner == kStockOwner) return solid_.patch_distance(p, at.patch);
+  return -sweeps_.patch_distance(sweep_of(at.owner), p, at.patch);
+}
+
+}  // namespace mrsim

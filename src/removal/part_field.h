@@ -1,0 +1,33 @@
+// The exact part: stock less sweeps, as ExactField.
+#pragma once
+
+#include "removal/field.h"
+#include "removal/stock_solid.h"
+#include "removal/sweep.h"
+
+namespace mrsim {
+
+class PartField final : public ExactField {
+ public:
+  PartField(StockSolid solid, SweepTable sweeps);
+
+  Candidates all() const override;
+  Region restrict_to(const Vec3& center, double radius, double band,
+                     std::span<const std::uint32_t> in, Candidates& out) const override;
+  FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
+  Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
+  double patch_distance(const Vec3& p, const FieldSample& at) const override;
+  Box3 bounds() const override { return solid_.bounds(); }
+
+  const StockSolid& solid() const { return solid_; }
+  const SweepTable& sweeps() const { return sweeps_; }
+
+ private:
+  std::size_t sweep_of(std::int32_t motion) const;
+
+  StockSolid solid_;
+  SweepTable sweeps_;
+  double slack_;  ///< mm: what rounding may change in a difference of two distances
+};
+
+}  // namespace mrsim

@@ -1,0 +1,15 @@
+// StockRecipe as bytes and back, little endian, every count checked against what is there.
+#pragma once
+
+#include "removal/stock_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+std::string encode_recipe(const StockRecipe& recipe);
+/// Throws Error "vdb-damaged" for bytes that encode_recipe can not have made.
+StockRecipe decode_recipe(std::string_view bytes, const std::string& name);
+
+}  // namespace mrsim

@@ -1,0 +1,165 @@
+#include "removal/stock_solid.h"
+
+#include "core/error.h"
+#include "core/units.h"
+#include "core/vec.h"
+
+#include <algorithm>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Neighbouring triangles whose normals agree within 1e-4 rad are one flat face: float32 coordinates
+// do not tell more.
+constexpr double kFlatCosine = 1 - 0.5e-8;
+
+}  // namespace
+
+StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
+  const Vec3 size = shape_.box.hi - shape_.box.lo;
+  const bool round =
+      shape_.kind == StockShape::Kind::cylinder || shape_.kind == StockShape::Kind::tube;
+  if (!(size.x > 0 && size.y > 0 && size.z > 0) ||
+      (round && !(shape_.outer_radius > shape_.inner_radius)))
+    throw Error("stock-empty", "the stock has no volume: " + shape_.description);
+  if (shape_.kind != StockShape::Kind::mesh) return;
+  tree_ = std::make_shared<TriangleTree>(shape_.mesh);
+  find_flat_faces();
+}
+
+void StockSolid::find_flat_faces() {
+  faces_.assign(tree_->size(), -1);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t seed = 0; seed < tree_->size(); ++seed) {
+    if (faces_[seed] >= 0) continue;
+    const Vec3 normal = tree_->normal(seed);
+    const auto face = static_cast<std::int32_t>(planes_.size());
+    planes_.push_back({normal, dot(normal, tree_->corners(seed).a)});
+    faces_[seed] = face;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (const std::uint32_t next : tree_->neighbors(t)) {
+        if (next >= tree_->size() || faces_[next] >= 0 ||
+            dot(tree_->normal(next), normal) < kFlatCosine)
+          continue;
+        faces_[next] = face;
+        open.push_back(next);
+      }
+    }
+  }
+}
+
+double StockSolid::radius_at(const Vec3& p) const {
+  const double dx = p.x - shape_.axis_point.x, dy = p.y - shape_.axis_point.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+StockSolid::Sample StockSolid::sample(const Vec3& p) const {
+  if (shape_.kind == StockShape::Kind::mesh) return sample_mesh(p);
+  return shape_.kind == StockShape::Kind::box ? sample_box(p) : sample_round(p);
+}
+
+StockSolid::Sample StockSolid::sample_box(const Vec3& p) const {
+  const Box3& b = shape_.box;
+  // Signed distances of the six half spaces; of each opposite pair the larger one counts.
+  const double face[6] = {b.lo.x - p.x, p.x - b.hi.x, b.lo.y - p.y,
+                          p.y - b.hi.y, b.lo.z - p.z, p.z - b.hi.z};
+  std::int32_t patch = 0;
+  for (std::int32_t i = 1; i < 6; ++i)
+    if (face[i] > face[patch]) patch = i;
+  if (face[patch] <= 0) return {face[patch], patch};
+  const double x = std::max({face[0], face[1], 0.0}), y = std::max({face[2], face[3], 0.0}),
+               z = std::max({face[4], face[5], 0.0});
+  return {std::sqrt(x * x + y * y + z * z), patch};
+}
+
+StockSolid::Sample StockSolid::sample_round(const Vec3& p) const {
+  const double rho = radius_at(p);
+  const bool tube = shape_.kind == StockShape::Kind::tube;
+  const double wall = rho - shape_.outer_radius,
+               bore = tube ? shape_.inner_radius - rho : -kInfinity;
+  const double bottom = shape_.box.lo.z - p.z, top = p.z - shape_.box.hi.z;
+  const double radial = std::max(wall, bore), axial = std::max(bottom, top);
+  const std::int32_t patch = radial >= axial ? (wall >= bore ? kRoundWall : kRoundBore)
+                                             : (bottom >= top ? kRoundBottom : kRoundTop);
+  if (radial > 0 && axial > 0) return {std::sqrt(radial * radial + axial * axial), patch};
+  return {std::max(radial, axial), patch};
+}
+
+StockSolid::Sample StockSolid::sample_mesh(const Vec3& p) const {
+  // Neighbouring points have neighbouring triangles: the last one found makes the next search
+  // short.
+  static thread_local std::uint32_t hint = 0;
+  const TriangleTree::Hit hit = tree_->nearest(p, hint);
+  hint = hit.triangle;
+  return {tree_->signed_distance(p, hit), faces_[hit.triangle]};
+}
+
+Vec3 StockSolid::gradient(const Vec3& p, std::int32_t patch) const {
+  if (shape_.kind == StockShape::Kind::mesh) return planes_[static_cast<std::size_t>(patch)].normal;
+  if (shape_.kind == StockShape::Kind::box) {
+    Vec3 normal;
+    component(normal, patch / 2) = patch % 2 ? 1 : -1;
+    return normal;
+  }
+  if (patch == kRoundBottom) return {0, 0, -1};
+  if (patch == kRoundTop) return {0, 0, 1};
+  const Vec3 radial{p.x - shape_.axis_point.x, p.y - shape_.axis_point.y, 0};
+  const double rho = length(radial);
+  const double sign = patch == kRoundBore ? -1 : 1;
+  return rho > 0 ? (sign / rho) * radial : Vec3{sign, 0, 0};
+}
+
+double StockSolid::patch_distance(const Vec3& p, std::int32_t patch) const {
+  const Box3& b = shape_.box;
+  if (shape_.kind == StockShape::Kind::mesh) {
+    const Plane& plane = planes_[static_cast<std::size_t>(patch)];
+    return dot(plane.normal, p) - plane.offset;
+  }
+  if (shape_.kind == StockShape::Kind::box)
+    return patch % 2 ? component(p, patch / 2) - component(b.hi, patch / 2)
+                     : component(b.lo, patch / 2) - component(p, patch / 2);
+  if (patch == kRoundBottom) return b.lo.z - p.z;
+  if (patch == kRoundTop) return p.z - b.hi.z;
+  return patch == kRoundBore ? shape_.inner_radius - radius_at(p)
+                             : radius_at(p) - shape_.outer_radius;
+}
+
+double StockSolid::volume() const {
+  if (shape_.kind == StockShape::Kind::mesh) {
+    double six = 0;
+    for (std::uint32_t t = 0; t < tree_->size(); ++t) {
+      const TriangleTree::Corners k = tree_->corners(t);
+      six += dot(k.a, cross(k.b, k.c));
+    }
+    return six / 6;
+  }
+  const Vec3 size = shape_.box.hi - shape_.box.lo;
+  if (shape_.kind == StockShape::Kind::box) return size.x * size.y * size.z;
+  const double ro = shape_.outer_radius,
+               ri = shape_.kind == StockShape::Kind::tube ? shape_.inner_radius : 0;
+  return kPi * (ro * ro - ri * ri) * size.z;
+}
+
+double StockSolid::area() const {
+  if (shape_.kind == StockShape::Kind::mesh) {
+    double twice = 0;
+    for (std::uint32_t t = 0; t < tree_->size(); ++t) {
+      const TriangleTree::Corners k = tree_->corners(t);
+      twice += length(cross(k.b - k.a, k.c - k.a));
+    }
+    return twice / 2;
+  }
+  const Vec3 size = shape_.box.hi - shape_.box.lo;
+  if (shape_.kind == StockShape::Kind::box)
+    return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  const double ro = shape_.outer_radius,
+               ri = shape_.kind == StockShape::Kind::tube ? shape_.inner_radius : 0;
+  return kTwoPi * ((ro + ri) * size.z + ro * ro - ri * ri);
+}
+
+}  // namespace mrsim

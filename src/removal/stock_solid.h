@@ -1,0 +1,67 @@
+// The stock before the first cut as a signed distance: negative inside, exact everywhere for box,
+// cylinder and tube.
+#pragma once
+
+#include "core/triangle_tree.h"
+#include <mrsim/types.h>
+
+#include <memory>
+#include <vector>
+
+namespace mrsim {
+
+/// Faces of the primitives, as FieldSample::patch numbers them.
+enum StockPatch : std::int32_t {
+  kBoxXLow,
+  kBoxXHigh,
+  kBoxYLow,
+  kBoxYHigh,
+  kBoxZLow,
+  kBoxZHigh,  // box
+  kRoundWall = 0,
+  kRoundBottom,
+  kRoundTop,
+  kRoundBore  // cylinder and tube
+};
+
+class StockSolid {
+ public:
+  struct Sample {
+    double distance = 0;
+    std::int32_t patch = 0;
+  };
+
+  /// Requires, for a mesh: closed and oriented outwards. Throws Error "stock-empty" for a solid
+  /// without volume.
+  explicit StockSolid(StockShape shape);
+
+  double distance(const Vec3& p) const { return sample(p).distance; }
+  Sample sample(const Vec3& p) const;
+  /// Unit outward normal of the patch at the point of it that is nearest to p.
+  Vec3 gradient(const Vec3& p, std::int32_t patch) const;
+  /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
+  double patch_distance(const Vec3& p, std::int32_t patch) const;
+  const Box3& bounds() const { return shape_.box; }
+  /// mm^3; of a mesh, its signed volume.
+  double volume() const;
+  /// mm^2.
+  double area() const;
+
+ private:
+  Sample sample_box(const Vec3& p) const;
+  Sample sample_round(const Vec3& p) const;
+  Sample sample_mesh(const Vec3& p) const;
+  double radius_at(const Vec3& p) const;
+  void find_flat_faces();
+
+  StockShape shape_;
+  std::shared_ptr<const TriangleTree> tree_;  // mesh; shared so that a solid stays a value
+  std::vector<std::int32_t> faces_;           // mesh: the flat face of each triangle
+  struct Plane {
+    Vec3 normal;
+    double offset;  // dot(normal, point of the plane)
+  };
+  std::vector<Plane> planes_;  // mesh: of each flat face
+};
+
+}  // namespace mrsim

@@ -1,0 +1,85 @@
+#include "core/triangle_tree.h"
+
+#include "core/units.h"
+#include "core/vec.h"
+#include "support/shapes.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+double box_distance(const Box3& b, const Vec3& p) {
+  const Vec3 q = max(b.lo - p, p - b.hi);
+  const Vec3 outside = max(q, {0, 0, 0});
+  return length(outside) + std::min(std::max({q.x, q.y, q.z}), 0.0);
+}
+
+TEST(TriangleTree, IsExactForABox) {
+  const Box3 box{{-1, -2, -3}, {4, 5, 6}};
+  const TriangleTree tree(testing::box_mesh(box.lo, box.hi));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> u(-8, 10);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p{u(random), u(random), u(random)};
+    ASSERT_NEAR(tree.signed_distance(p), box_distance(box, p), 1e-12);
+  }
+}
+
+TEST(TriangleTree, FindsTheNearestOfAll) {
+  const TriMesh mesh = testing::sphere_mesh(40, 5, {1, 2, 3});
+  const TriangleTree tree(mesh);
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> u(-6, 9);
+  std::uint32_t hint = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p{u(random), u(random), u(random)};
+    TriangleTree::Hit best;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto corner = [&](std::size_t k) {
+        const auto& v = mesh.vertices[mesh.triangles[t][k]];
+        return Vec3{v[0], v[1], v[2]};
+      };
+      const TrianglePoint point = nearest_on_triangle(p, corner(0), corner(1), corner(2));
+      if (point.distance2 < best.distance2) {
+        static_cast<TrianglePoint&>(best) = point;
+        best.triangle = t;
+      }
+    }
+    const auto hit = tree.nearest(p, hint);
+    EXPECT_EQ(hit.triangle, best.triangle);
+    EXPECT_EQ(hit.distance2, best.distance2);
+    const double r = distance(p, {1, 2, 3});
+    if (std::abs(r - 5) > 0.1) {  // 0.1: facets
+      EXPECT_EQ(tree.signed_distance(p, hit) < 0, r < 5) << i;
+    }
+    hint = hit.triangle;
+  }
+}
+
+TEST(NearestOnTriangle, AgreesWithDenseSampling) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto point = [&] { return Vec3{u(random), u(random), u(random)}; };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = point(), b = point(), c = point(), p = 2.0 * point();
+    const TrianglePoint found = nearest_on_triangle(p, a, b, c);
+    double least = 1e9;
+    constexpr int kSteps = 60;
+    for (int s = 0; s <= kSteps; ++s)
+      for (int t = 0; s + t <= kSteps; ++t) {
+        const Vec3 q = a + (double(s) / kSteps) * (b - a) + (double(t) / kSteps) * (c - a);
+        least = std::min(least, distance(p, q));
+      }
+    const double d = std::sqrt(found.distance2);
+    EXPECT_LE(d, least + 1e-12);
+    EXPECT_GE(d, least - 0.06);
+    EXPECT_NEAR(distance(p, found.point), d, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,51 @@
+// What tests ask of meshes and of the bytes they are written as.
+#pragma once
+
+#include "core/text_io.h"
+#include "mesh/check.h"
+#include <mrsim/types.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mrsim::testing {
+
+inline std::string bytes_of(const std::function<void(const ByteSink&)>& writer) {
+  std::string bytes;
+  writer([&](const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  });
+  return bytes;
+}
+
+/// Code of the Error that `body` throws, "" when it throws none.
+inline std::string error_code(const std::function<void()>& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return "";
+}
+
+/// The triangles by the coordinates of their corners: what stays the same when vertices are
+/// renumbered.
+inline std::vector<std::array<std::array<float, 3>, 3>> corners_of(const TriMesh& mesh) {
+  std::vector<std::array<std::array<float, 3>, 3>> out;
+  for (const auto& t : mesh.triangles)
+    out.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+  return out;
+}
+
+inline void expect_closed_manifold(const TriMesh& mesh) {
+  const MeshSummary s = check_mesh(mesh);
+  EXPECT_TRUE(s.closed) << s.first_fault;
+  EXPECT_TRUE(s.oriented) << s.first_fault;
+  EXPECT_TRUE(s.manifold) << s.first_fault;
+  EXPECT_EQ(s.first_fault, "");
+}
+
+}  // namespace mrsim::testing
