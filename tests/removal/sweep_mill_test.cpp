@@ -99,7 +99,7 @@ TEST(SweepTable, ShankHolderAndRapidsAreSelected) {
   ASSERT_EQ(holder.size(), 2u);
   EXPECT_EQ(holder.motion(0), 1);
   EXPECT_EQ(holder.motion(1), 1);
-  EXPECT_NEAR(holder.distance(1, {0, 0, 30}), 9, 1e-9);
+  EXPECT_NEAR(holder.distance(1, {0, 0, 30}), 10, 1e-9);
 }
 
 TEST(SweepTable, MissingToolIsAnError) {
