@@ -5,12 +5,11 @@
 #include "mesh/contour_certify.h"
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
+#include "mesh/contour_thin.h"
 #include "mesh/self_intersection.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <cstdio>
 #include <cmath>
 #include <map>
 
@@ -69,13 +68,11 @@ class Contour {
   TriMesh run() {
     find_topology();
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
-    LabelledMesh mesh = label(surface_.make_triangles());
-    timer_.step("surface");
+    LabelledMesh mesh = triangles();
     if (options_.tolerance > 0) {
       while (split_failed()) {
         find_topology();
-        mesh = label(surface_.make_triangles());
-        timer_.step("surface");
+        mesh = triangles();
       }
       report_.triangles_before = mesh.triangles.size();
       mesh = simplified(mesh);
@@ -85,7 +82,8 @@ class Contour {
       report_.triangles_before = mesh.triangles.size();
     }
     report_.cells = surface_.loops().size();
-    if (std::getenv("HIST")) { std::map<int,int> h; for (const auto& l : surface_.loops()) ++h[tree_.node(l.cell).size]; for (auto [s, n] : h) std::printf("  size %g voxels: %d\n", s / double(tree_.lattice().per_voxel()), n); std::map<int,int> g; for (std::size_t k = 0; k < tree_.size(); ++k) ++g[tree_.node(int(k)).size]; for (auto [s, n] : g) std::printf("  nodes %g: %d\n", s / double(tree_.lattice().per_voxel()), n); }
+    report_.thin = detail::thin_features(field_, tree_);
+    timer_.step("thin");
     return to_mesh(mesh);
   }
 
@@ -139,6 +137,43 @@ class Contour {
     return std::min(bound(mesh, t, limit), kNearestCorner * longest);
   }
 
+  // Makes triangles; cells with several pieces of surface whose triangles meet are split.
+  LabelledMesh triangles() {
+    for (;;) {
+      surface_.make_triangles();
+      timer_.step("surface");
+      const std::vector<std::int32_t> bad = crossed_cells();
+      timer_.step("check");
+      if (bad.empty()) return label(surface_.mesh());
+      if (tree_.split(bad) == 0)
+        throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
+      find_topology();
+    }
+  }
+
+  // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
+  std::vector<std::int32_t> crossed_cells() const {
+    if (surface_.crowded().empty()) return {};
+    std::vector<char> is_crowded(tree_.size(), 0);
+    for (const std::int32_t c : surface_.crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
+    const BaseMesh& mesh = surface_.mesh();
+    const auto crowded_cell = [&](std::uint32_t v) {
+      if (v >= surface_.loops().size()) return -1;
+      const std::int32_t c = surface_.loops()[v].cell;
+      return is_crowded[static_cast<std::size_t>(c)] ? c : -1;
+    };
+    std::vector<std::array<std::uint32_t, 3>> some;
+    for (const auto& t : mesh.triangles)
+      if (crowded_cell(t[0]) >= 0 || crowded_cell(t[1]) >= 0 || crowded_cell(t[2]) >= 0)
+        some.push_back(t);
+    std::vector<std::int32_t> bad;
+    for (const auto& [i, j] : detail::self_intersections(mesh.vertices, some, options_.threads))
+      for (const std::uint32_t k : {i, j})
+        for (const std::uint32_t v : some[k])
+          if (crowded_cell(v) >= 0) bad.push_back(crowded_cell(v));
+    return bad;
+  }
+
   // Splits cells whose triangles are not within the tolerance. False when none is left that can be
   // split.
   bool split_failed() {
@@ -160,9 +195,7 @@ class Contour {
       for (const std::int32_t c : f) can = can || tree_.can_split(c);
       report_.unresolved += !can;
     }
-    if (std::getenv("HIST")) {int shown=0; for (std::size_t t=0;t<failed.size();++t) if(!failed[t].empty() && !tree_.can_split(failed[t][0]) && shown<6){ ++shown; const auto&x=mesh.triangles[t]; const auto& f=mesh.faces[mesh.labels[t]]; std::printf(" fail label %d/%d bound %g\n", f.owner,f.patch,bound(mesh,t,1e9)); for(auto v:x){ const Vec3&p=mesh.vertices[v]; const auto q=field_.sample(p,field_.all()); std::printf("    (%.7g %.7g %.7g) g %.3g d %.2g owner %d/%d faces", p.x,p.y,p.z,field_.patch_distance(p,f),q.distance,q.owner,q.patch); if(v<surface_.loops().size()) for(int k=0;k<surface_.loops()[v].point.count;++k) std::printf(" %d/%d",surface_.loops()[v].point.faces[k].owner,surface_.loops()[v].point.faces[k].patch); std::puts(""); } } }
     timer_.step("certify");
-    if (std::getenv("HIST")) std::printf("  failed %zu\n", cells.size());
     const std::size_t count = tree_.split(std::move(cells));
     timer_.step("tree");
     return count > 0;

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mrsim::detail {
 namespace {
@@ -24,6 +25,9 @@ class EdgeWalk {
   EdgeWalk(const ContourOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
            std::vector<MinimalEdge>& out)
       : tree_(tree), marked_(marked), ring_(ring), out_(out) {}
+
+  /// Collect edges that may be crossed twice instead of the crossed ones.
+  void doubtful() { doubtful_ = true; }
 
   void cell(std::int32_t n) {
     const OctreeNode& node = tree_.node(n);
@@ -112,8 +116,12 @@ class EdgeWalk {
     std::copy(four, four + 4, e.cells);
     e.low = node.corners[k];
     e.high = node.corners[k | 1 << axis];
-    if (e.low < 0 || e.high < 0 ||
-        is_inside(tree_.sample(e.low).distance) == is_inside(tree_.sample(e.high).distance))
+    if (e.low < 0 || e.high < 0) return;
+    const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
+    const bool crossed = is_inside(a.distance) != is_inside(b.distance);
+    if (doubtful_ ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
+                        std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
+                  : !crossed)
       return;
     e.start = node.origin;
     component(e.start, u) += k >> u & 1 ? node.size : 0;
@@ -127,6 +135,7 @@ class EdgeWalk {
   const std::vector<char>* marked_;
   std::vector<char>* ring_;
   std::vector<MinimalEdge>& out_;
+  bool doubtful_ = false;
 };
 
 }  // namespace
@@ -318,6 +327,14 @@ bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> see
 std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
   std::vector<MinimalEdge> out;
   EdgeWalk(*this, nullptr, nullptr, out).cell(0);
+  return out;
+}
+
+std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk walk(*this, nullptr, nullptr, out);
+  walk.doubtful();
+  walk.cell(0);
   return out;
 }
 

@@ -58,6 +58,9 @@ class ContourOctree {
   /// of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
+  /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
+  /// enough to the surface for it to pass twice between them.
+  std::vector<MinimalEdge> doubtful_edges() const;
   /// Leaves made by the last split.
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
 
