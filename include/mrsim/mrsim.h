@@ -34,6 +34,9 @@ MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
+/// The tool path as a picture, .svg or .ply by extension: rapids dashed, arcs as arcs, a lathe in
+/// ZX. Throws Error of kind usage for another extension.
+MRSIM_API void write_path_picture(const Program& program, const std::string& path);
 
 /// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
 struct TraceSink {
