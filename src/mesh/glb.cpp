@@ -1,6 +1,6 @@
 #include "mesh/glb.h"
 
-#include "mesh/bytes.h"
+#include "core/bytes.h"
 #include "mesh/creases.h"
 #include "mesh/half_edges.h"
 #include "mesh/palette.h"

@@ -1,6 +1,6 @@
 #include "mesh/off.h"
 
-#include "mesh/bytes.h"
+#include "core/bytes.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/text_scan.h"
 

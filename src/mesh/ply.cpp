@@ -1,6 +1,6 @@
 #include "mesh/ply.h"
 
-#include "mesh/bytes.h"
+#include "core/bytes.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/origin_text.h"
 #include "mesh/palette.h"

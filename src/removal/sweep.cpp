@@ -189,9 +189,11 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
 
 }  // namespace
 
-SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top)
+// An open cutter reaches to infinity, so that `top` is only a promise of the caller.
+SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double,
+                       const SweepSelection& selection)
     : columns_(std::make_unique<Columns>()) {
-  columns_->build(motions, tools, top);
+  columns_->build(motions, tools, selection);
 }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;

@@ -134,6 +134,10 @@ Piece nearest_piece(const TurnSweep& s, Vec2 q) {
 // Signed distance from arc + polygon given the distance to its pieces.
 double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
   if (s.polygon.sides.empty()) return to_pieces;
+  // Outside of one side at every position of the whole circle: outside, at the cost of a few
+  // products.
+  for (const Side& e : s.polygon.sides)
+    if (side_of(e, q - s.path.center) > s.path.radius) return to_pieces;
   const double inner = deepest(s, q);
   return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
 }

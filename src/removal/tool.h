@@ -109,10 +109,11 @@ struct InsertOutline {
 
 struct ToolShape {
   bool turning = false;
-  Profile cutter;         ///< milling: what cuts
-  Profile shank, holder;  ///< milling: what must not touch, empty when not given
-  InsertOutline insert;   ///< turning
-  double radius = 0;      ///< cutter radius or nose radius, mm; 0 = a sharp insert
+  Profile cutter;  ///< milling: what cuts
+  /// milling: what must not touch; convex pieces from below, empty when not given
+  std::vector<Profile> shank, holder;
+  InsertOutline insert;  ///< turning
+  double radius = 0;     ///< cutter radius or nose radius, mm; 0 = a sharp insert
 };
 
 /// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.

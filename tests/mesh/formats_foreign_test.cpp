@@ -1,6 +1,6 @@
 // What other people's programs make of the files that mrsim writes: OpenMesh for STL, OBJ, PLY and
 // OFF, lib3mf for 3MF, and the rules of glTF for GLB.
-#include "mesh/bytes.h"
+#include "core/bytes.h"
 #include "mesh/glb.h"
 #include "mesh/half_edges.h"
 #include "mesh/mesh_io.h"

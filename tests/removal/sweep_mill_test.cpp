@@ -80,6 +80,28 @@ TEST(SweepTable, SkipsRapidsAssumedStartsAndMovesWithoutExtent) {
   EXPECT_EQ(s.motion(0), 3);
 }
 
+TEST(SweepTable, ShankHolderAndRapidsAreSelected) {
+  std::vector<Motion> m(2, line({0, 0, 0}, {10, 0, 0}));
+  m[0].kind = MotionKind::rapid;
+  Tool tool = endmill(6, 0, 10);
+  tool.shank = {{5, 5, 20}};
+  tool.holder = {{20, 30, 10}, {30, 30, 20}};
+  const auto select = [&](SweepSelection::Part part, bool cuts, bool rapids) {
+    return SweepTable(m, {&tool, 1}, 10, {part, cuts, rapids});
+  };
+  EXPECT_EQ(select(SweepSelection::Part::cutter, true, false).motion(0), 1);
+  EXPECT_EQ(select(SweepSelection::Part::cutter, false, true).motion(0), 0);
+  const SweepTable shank = select(SweepSelection::Part::shank, true, true);
+  ASSERT_EQ(shank.size(), 2u);
+  EXPECT_NEAR(shank.distance(0, {0, 0, 5}), 5, 1e-12);
+  EXPECT_LT(shank.distance(0, {0, 0, 12}), -1.9);
+  const SweepTable holder = select(SweepSelection::Part::holder, true, false);
+  ASSERT_EQ(holder.size(), 2u);
+  EXPECT_EQ(holder.motion(0), 1);
+  EXPECT_EQ(holder.motion(1), 1);
+  EXPECT_NEAR(holder.distance(1, {0, 0, 30}), 10, 1e-9);
+}
+
 TEST(SweepTable, MissingToolIsAnError) {
   Motion m = line({0, 0, 0}, {1, 0, 0});
   m.tool = -1;
