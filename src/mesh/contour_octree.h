@@ -18,7 +18,9 @@ struct OctreeNode {
   std::int32_t child = -1;  ///< first of eight, by bits x, y, z; -1 = leaf
   std::int32_t parent = -1;
   ExactField::Region region = ExactField::Region::mixed;
-  bool signs_differ = false;       ///< of its corners
+  bool signs_differ = false;  ///< of its corners
+  bool plain = false;         ///< nothing but `face` can decide d in it
+  FieldSample face;
   std::int32_t corners[8] = {-1, -1, -1, -1, -1, -1, -1, -1};  ///< samples; mixed leaves only
 };
 
@@ -54,8 +56,8 @@ class ContourOctree {
 
   /// All edges whose ends lie on different sides of the surface, in the order of the tree.
   std::vector<MinimalEdge> crossing_edges() const;
-  /// The same about the given leaves and those that share an edge with them; `nearby` is set for all
-  /// of these.
+  /// The same about the given leaves and those that share an edge with them; `nearby` is set for
+  /// all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
@@ -68,7 +70,7 @@ class ContourOctree {
   void refine(std::vector<std::int32_t> pending);
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
-  bool must_split(std::int32_t node) const;
+  bool must_split(std::int32_t node);
   bool shows_more(std::int32_t node, std::span<const std::int32_t> seen, bool stock_seen) const;
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 
