@@ -118,6 +118,7 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
   s.kind = SweepSkeleton::Kind::plan;
   s.rising = tool.is_rising();
   s.radius = tool.max_radius();
+  s.flat = tool.is_rounded() ? tool.core() : 0;
   // Two groups a tool: strips and plans are never compared.
   s.group = 2 * ref.shape + (ref.kind == SweepKind::ball_line ? 1 : 0);
   if (ref.kind == SweepKind::ball_line) {
