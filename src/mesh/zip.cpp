@@ -1,7 +1,7 @@
 #include "mesh/zip.h"
 
-#include "core/error.h"
 #include "core/bytes.h"
+#include "core/error.h"
 
 #include <algorithm>
 
