@@ -3,6 +3,7 @@
 
 #include "removal/stock.h"
 #include "removal/stock_file.h"
+#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <string>
@@ -10,15 +11,15 @@
 
 namespace mrsim {
 
-/// ".stl" of "out/Part.STL"; empty when there is none.
-std::string file_extension(const std::string& path);
+/// Whether the name ends in .vdb: a stock with its recipe rather than a mesh.
+bool is_vdb(const std::string& path);
 
 /// Finds faults of output names before any work: an unknown format, a folder that is missing or
-/// read-only, a name given twice. Throws Error "format-unknown" (usage), "output-...".
+/// read-only, a name given twice. Throws Error "mesh-format" (usage), "output-...".
 void check_outputs(const std::vector<std::string>& paths);
 
 /// Writes the part under every name, or under none.
 void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, const Stock& stock,
-                   const StockRecipe& recipe);
+                   const StockRecipe& recipe, const MeshFileOptions& options = {});
 
 }  // namespace mrsim

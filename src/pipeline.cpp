@@ -37,6 +37,25 @@ class Collector : public MotionSink {
   std::vector<Diagnostic> diagnostics;
 };
 
+class TraceSinkAdapter : public MotionSink {
+ public:
+  TraceSinkAdapter(const TraceSink& sink, bool json) : sink_(sink), json_(json) {}
+  void begin(const Program& program) override { program_ = &program; }
+  void motion(const Motion& motion) override {
+    if (sink_.motion) sink_.motion(motion);
+    if (sink_.line)
+      sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
+  }
+  void diagnostic(const Diagnostic& diagnostic) override {
+    if (sink_.diagnostic) sink_.diagnostic(diagnostic);
+  }
+
+ private:
+  const TraceSink& sink_;
+  bool json_;
+  const Program* program_ = nullptr;
+};
+
 class StageClock {
  public:
   explicit StageClock(JobResult& result) : result_(result) {}
@@ -161,12 +180,18 @@ Program interpret(const std::string& path, const InterpOptions& options) {
   return program;
 }
 
+Program trace(const std::string& path, const InterpOptions& options, bool json,
+              const TraceSink& sink) {
+  TraceSinkAdapter adapter(sink, json);
+  return interpret(path, options, adapter);
+}
+
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
-  if (file_extension(spec) == ".vdb") return read_vdb(read_file(spec), spec).shape;
+  if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
   TriMesh mesh = read_mesh(spec);
   require_solid(mesh, spec);
   return recognise_stock(std::move(mesh), options, spec);

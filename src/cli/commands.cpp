@@ -98,9 +98,11 @@ int run_trace(const Arguments& arguments) {
   TraceSink sink;
   sink.line = [](const std::string& line) { print(line + "\n"); };
   sink.diagnostic = [&](const Diagnostic& diagnostic) { findings.add(diagnostic); };
-  trace(arguments.input, arguments.interp, arguments.json, sink);
+  InterpOptions options = arguments.interp;
+  options.require_tools = false;
+  trace(arguments.input, options, arguments.json, sink);
   if (!findings.failed() && !arguments.outputs.empty())
-    draw_path(interpret(arguments.input, arguments.interp), arguments.outputs[0]);
+    draw_path(interpret(arguments.input, options), arguments.outputs[0]);
   return finish_output(findings.failed() ? kFailed : kDone);
 }
 
@@ -110,7 +112,9 @@ int run_check(const Arguments& arguments) {
   TraceSink sink;
   sink.motion = [&](const Motion&) { ++motions; };
   sink.diagnostic = [&](const Diagnostic& diagnostic) { findings.add(diagnostic); };
-  const Program program = trace(arguments.input, arguments.interp, arguments.json, sink);
+  InterpOptions options = arguments.interp;
+  options.require_tools = false;
+  const Program program = trace(arguments.input, options, arguments.json, sink);
   if (!arguments.quiet && !arguments.json) {
     print(format_program(program, arguments.verbose, has_colours(stdout)));
     print(fmt::format("  {:<11}{}\n", "motions", grouped(static_cast<double>(motions), 0)));

@@ -36,6 +36,7 @@ struct PathMove {
   Compensation comp;
 };
 
+struct PlanePiece;
 using NextStage = std::function<void(const PathMove&)>;
 
 /// Inserts roundings and chamfers (RND, CHF, CHR). Holds back one move, and the pure infeeds behind
@@ -65,15 +66,27 @@ class CompensationStage {
   bool idle() const { return queue_.empty() && !active_; }
 
  private:
-  struct Item;
+  std::size_t following(std::size_t n) const;
+  bool ready(bool last) const;
   void settle(bool last);
-  void emit_first();
-  bool skip_void();
+  void enter();
+  void follow();
+  void leave_or_shift();
+  bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
+  bool meet_inside(const PlanePiece& piece, Vec2& end);
+  void run_piece(const PathMove& first, PlanePiece piece, Vec2 end, double height);
+  Vec2 extended_end(const PlanePiece& piece, const PathMove& after) const;
+  void round_outside(const PathMove& first, const PathMove& after, const PlanePiece& piece);
+  void send(PathMove move, const PlanePiece& piece, double end_height);
+  void send_line(const PathMove& like, Vec2 to, double end_height);
+  static double half_tangent(double turn);
 
   Reporter& reporter_;
   NextStage next_;
   std::vector<PathMove> queue_;
   bool active_ = false;
+  Vec3 at_;      ///< where the last motion given on ended
+  Vec2 cursor_;  ///< the same in the plane, as tool centre
 };
 
 }  // namespace mrsim

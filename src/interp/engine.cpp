@@ -264,7 +264,8 @@ bool Engine::apply_code(const Word& word, const CodeEntry& entry) {
 bool Engine::interpret_block() {
   motion_code_ = oneshot_ = frame_code_ = nullptr;
   block_motion_ = Code::unknown;
-  suppress_ = comp_selected_ = tool_change_ = false;
+  suppress_ = comp_selected_ = comp_moved_ = tool_change_ = false;
+  const Code comp_before = modal_.comp;
   groups_ = 0;
   bool ok = true;
   for (const Word& word : block_.words) {
@@ -284,6 +285,7 @@ bool Engine::interpret_block() {
   if (oneshot_ && !run_oneshot()) return false;
   if (frame_code_ && !run_frame()) return false;
   if (has_move() && !move()) return false;
+  check_comp_selection(comp_before);
   return report_unused();
 }
 

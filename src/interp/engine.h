@@ -86,7 +86,6 @@ class Engine {
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool report_unused();
-  bool check_comp_selection();
   const Word* find(Address a) const;
   const Word* take(Address a);
   const Word* take(char c) { return take(letter(c)); }
@@ -107,6 +106,8 @@ class Engine {
   // engine_modal.cpp: values that last, M words
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_lasting_code(const Word& word, const CodeEntry& entry);
+  bool select_plane(int plane, const Word& word);
+  bool select_normal(const Word& word);
   bool apply_values();
   bool apply_sinumerik_values();
   bool apply_rotary_words();
@@ -129,6 +130,7 @@ class Engine {
 
   // engine_comp.cpp
   bool start_compensation(const Motion& motion, const Word& where);
+  void check_comp_selection(Code before);
   void set_comp_radius();
   Vec2 tip_vector(const Tool& tool) const;
   Compensation compensation() const;
@@ -277,6 +279,7 @@ class Engine {
   CompensationStage compensation_;
   bool contour_idle_ = true;
   bool comp_started_ = false;
+  bool comp_moved_ = false;
   double comp_radius_ = 0;
   Vec2 comp_tip_;
   std::string comp_key_;

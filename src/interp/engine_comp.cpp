@@ -13,6 +13,7 @@ bool Engine::start_compensation(const Motion& motion, const Word& where) {
   const Vec2 travel = in_plane(b, motion.end - motion.start);
   const bool moves = length(travel) > 1e-9;
   const bool straight = motion.kind != MotionKind::arc;
+  comp_moved_ = moves && straight;
   if (modal_.comp != Code::comp_off && !comp_started_) {
     if (!straight)
       return error("comp-start-arc",
@@ -31,6 +32,17 @@ bool Engine::start_compensation(const Motion& motion, const Word& where) {
   }
   if (modal_.comp != Code::comp_off) set_comp_radius();
   return true;
+}
+
+// SINUMERIK: G41 and G42 count only in a G0 or G1 block with travel in the plane.
+void Engine::check_comp_selection(Code before) {
+  if (!comp_selected_ || comp_moved_ || !is(Dialect::sinumerik) || modal_.comp == Code::comp_off ||
+      comp_started_)
+    return;
+  warning("comp-void",
+          "G41/G42 counts only in a G0 or G1 block that moves in the plane: the selection is void",
+          comp_word_);
+  modal_.comp = before;
 }
 
 // The tool radius in force, from the register or the tool.
@@ -77,7 +89,7 @@ Vec2 Engine::tip_vector(const Tool& tool) const {
 // What radius compensation needs to know about this move.
 Compensation Engine::compensation() const {
   Compensation c;
-  if (modal_.comp == Code::comp_off) return c;
+  if (modal_.comp == Code::comp_off || options_.programmed_contour) return c;
   c.side = modal_.comp == Code::comp_left ? 1 : -1;
   c.suspended = modal_.comp_suspended;
   c.radius = comp_radius_;

@@ -23,17 +23,14 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
   Modal& m = modal_;
   switch (entry.code) {
     case Code::plane_xy:
-      m.plane = 0;
-      return true;
-    case Code::plane_zx:
-      m.plane = 1;
-      return true;
-    case Code::plane_yz:
-      m.plane = 2;
-      return true;
     case Code::plane_2d:
-      m.plane = 0;
-      return true;
+      return select_plane(0, word);
+    case Code::plane_zx:
+      return select_plane(1, word);
+    case Code::plane_yz:
+      return select_plane(2, word);
+    case Code::plane_normal:
+      return select_normal(word);
     case Code::absolute:
     case Code::incremental:
       if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
@@ -154,6 +151,31 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
       frame_op_ = entry.code;
       return true;
   }
+}
+
+bool Engine::select_plane(int plane, const Word& word) {
+  if (plane != modal_.plane && modal_.comp != Code::comp_off && comp_started_)
+    return error("comp-plane",
+                 fmt::format("the plane must not change under radius compensation{}",
+                             is(Dialect::sinumerik) ? " (alarm 10757)"
+                             : is(Dialect::fanuc)   ? " (alarm 037)"
+                                                    : ""),
+                 word);
+  if (plane != modal_.plane) position_.has_polar_angle = false;
+  modal_.plane = plane;
+  return true;
+}
+
+// CODESYS G16 I J K: the plane by its normal.
+bool Engine::select_normal(const Word& word) {
+  Vec3 normal;
+  for (int i = 0; i < 3; ++i)
+    if (const Word* w = take("IJK"[i])) component(normal, i) = w->value;
+  if (length(normal) < 1e-9)
+    return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
+  modal_.normal = normalized(normal);
+  modal_.plane = 3;
+  return true;
 }
 
 bool Engine::apply_values() {

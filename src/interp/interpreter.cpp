@@ -24,6 +24,7 @@ Program interpret(const std::string& path, const InterpOptions& options, MotionS
                     path, found.machine_reason),
         Error::Kind::usage);
   program.start_modes = start_mode_names(program.dialect, program.machine);
+  sink.begin(program);
   Engine engine(options, program, sink);
   engine.run();
   return program;

@@ -18,24 +18,6 @@ constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
     {".stl", MeshFormat::stl}, {".obj", MeshFormat::obj},     {".ply", MeshFormat::ply},
     {".off", MeshFormat::off}, {".3mf", MeshFormat::threemf}, {".glb", MeshFormat::glb}};
 
-void write(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
-           const ByteSink& out) {
-  switch (format) {
-    case MeshFormat::stl:
-      return options.ascii ? write_stl_ascii(mesh, out) : write_stl(mesh, out);
-    case MeshFormat::obj:
-      return write_obj(mesh, out);
-    case MeshFormat::ply:
-      return write_ply(mesh, options.color, out);
-    case MeshFormat::off:
-      return write_off(mesh, out);
-    case MeshFormat::threemf:
-      return write_3mf(mesh, options.color, out);
-    case MeshFormat::glb:
-      return write_glb(mesh, options, out);
-  }
-}
-
 }  // namespace
 
 MeshFormat mesh_format_of(const std::string& path) {
@@ -76,6 +58,24 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
               Error::Kind::usage);
 }
 
+void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+                 const ByteSink& out) {
+  switch (format) {
+    case MeshFormat::stl:
+      return options.ascii ? write_stl_ascii(mesh, out) : write_stl(mesh, out);
+    case MeshFormat::obj:
+      return write_obj(mesh, out);
+    case MeshFormat::ply:
+      return write_ply(mesh, options.color, out);
+    case MeshFormat::off:
+      return write_off(mesh, out);
+    case MeshFormat::threemf:
+      return write_3mf(mesh, options.color, out);
+    case MeshFormat::glb:
+      return write_glb(mesh, options, out);
+  }
+}
+
 TriMesh load_mesh(const std::string& path) {
   const MeshFormat format = mesh_format_of(path);
   return parse_mesh(read_file(path), format, path);
@@ -85,7 +85,7 @@ void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptio
   const MeshFormat format = mesh_format_of(path);
   if (mesh.triangles.empty())
     throw Error("mesh-empty", fmt::format("{} is not written: nothing is left of the part", path));
-  write_file_atomically(path, [&](const ByteSink& out) { write(mesh, format, options, out); });
+  write_file_atomically(path, [&](const ByteSink& out) { encode_mesh(mesh, format, options, out); });
 }
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 // Mesh files by extension.
 #pragma once
 
+#include "core/text_io.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -22,6 +23,10 @@ bool keeps_owners(MeshFormat format);
 /// Mesh in the bytes of a file of that format; `name` for messages. GLB is not read: Error
 /// "mesh-format".
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
+
+/// The bytes of a file of that format.
+void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+                 const ByteSink& out);
 
 /// Reads a file. Throws what read_file and the format throw.
 TriMesh load_mesh(const std::string& path);

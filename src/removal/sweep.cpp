@@ -76,6 +76,11 @@ LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
   return v;
 }
 
+double face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
+  if (!tool.is_rounded()) return tool.face_distance({rho, z}, patch);
+  return slab_face_distance(tool, rho, z, patch);
+}
+
 PlanFoot plan_foot(const LevelView& v, const Vec3& p, Half half) {
   return v.arc ? arc_foot(v.plan, p, half) : line_foot(v.plan, p);
 }
@@ -88,14 +93,27 @@ SweepSample level_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
   return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
 }
 
-Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
-  const LevelView v = level_view(c, ref);
+// Where the face `patch` of a level sweep looks at p from.
+PlanFoot face_foot(const LevelView& v, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
   Half half = Half::any;
   if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
-  const PlanFoot f = plan_foot(v, p, half);
-  const Profile& tool = c.cutter(ref);
-  const Vec2 g = face_gradient(tool, f.rho, p.z - v.z, patch & (kBranchPatch - 1));
+  return plan_foot(v, p, half);
+}
+
+Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+  const LevelView v = level_view(c, ref);
+  const PlanFoot f = face_foot(v, ref, p, patch);
+  const Vec2 g = face_gradient(c.cutter(ref), f.rho, p.z - v.z, patch & (kBranchPatch - 1));
   return revolved(p, f.x, f.y, g);
+}
+
+double level_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                           std::int32_t patch) {
+  const LevelView v = level_view(c, ref);
+  const PlanFoot f = face_foot(v, ref, p, patch);
+  const double rho =
+      std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the asked half
+  return face_distance(c.cutter(ref), rho, p.z - v.z, patch & (kBranchPatch - 1));
 }
 
 Vec3 ball_gradient(const double* c, const Vec3& p) {
@@ -138,7 +156,25 @@ std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, con
   return branch + (drawn && corner >= 0 ? kCornerPatch + corner : s.patch);
 }
 
-Vec3 path_gradient(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+// The face of a path sweep at p: its normal and its distance. Beyond its creases a face is
+// continued by the tool at the position that is nearest to p.
+struct PathFace {
+  Vec3 gradient;
+  double distance = 0;
+};
+
+// The surface drawn by a corner's circle, seen from its point that looks at p.
+PathFace corner_face(const Profile& tool, const Contact& c, int corner) {
+  const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
+  Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
+  if (normal == Vec3{}) normal = around(c, tool_sample(tool, c.rho, c.q.z).gradient);
+  const Vec2 out = tool.corner_direction(corner);
+  if (out.x * dot(normal, radial) + out.y * normal.z < 0) normal = -normal;
+  const Vec2 at = tool.corner_point(corner);
+  return {normal, dot(normal, c.q - (at.x * radial + Vec3{0, 0, at.y}))};
+}
+
+PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                    std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
@@ -146,20 +182,18 @@ Vec3 path_gradient(const SweepColumns& columns, const SweepRef& ref, const Vec3&
                                  : path_distance(tool, path, p);
   const Contact c = contact_at(path, at.t, p);
   const std::int32_t face = patch % kBranchPatch;
-  if (face < kCornerPatch) return around(c, face_gradient(tool, c.rho, c.q.z, face));
-  const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
-  const Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
-  const Vec2 out = tool.corner_direction(face - kCornerPatch);
-  const double side = out.x * dot(normal, radial) + out.y * normal.z;
-  if (normal == Vec3{}) return around(c, tool_sample(tool, c.rho, c.q.z).gradient);
-  return side < 0 ? -normal : normal;
+  if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
+  return {around(c, face_gradient(tool, c.rho, c.q.z, face)),
+          face_distance(tool, c.rho, c.q.z, face)};
 }
 
 }  // namespace
 
-SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top)
+// An open cutter reaches to infinity, so that `top` is only a promise of the caller.
+SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double,
+                       const SweepSelection& selection)
     : columns_(std::make_unique<Columns>()) {
-  columns_->build(motions, tools, top);
+  columns_->build(motions, tools, selection);
 }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
@@ -225,7 +259,7 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
       g = ball_gradient(columns_->ball_lines[ref.row].c, p);
       break;
     case SweepKind::path:
-      g = path_gradient(*columns_, ref, p, patch);
+      g = path_face(*columns_, ref, p, patch).gradient;
       break;
     case SweepKind::turn:
       g = turn_gradient(columns_->turns[ref.row], p, patch);
@@ -234,6 +268,21 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
       g = level_gradient(*columns_, ref, p, patch);
   }
   return frame != nullptr ? frame->out(g) : g;
+}
+
+double SweepTable::patch_distance(std::size_t i, const Vec3& point, std::int32_t patch) const {
+  const SweepRef& ref = columns_->refs[i];
+  const Vec3 p = ref.frame > 0 ? columns_->frames[ref.frame - 1].in(point) : point;
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return columns_->distance(ref, p);
+    case SweepKind::path:
+      return path_face(*columns_, ref, p, patch).distance;
+    case SweepKind::turn:
+      return turn_face_distance(columns_->turns[ref.row], p, patch);
+    default:
+      return level_face_distance(*columns_, ref, p, patch);
+  }
 }
 
 }  // namespace mrsim

@@ -56,20 +56,32 @@ struct NearestColumns {
                                                     ///< z is that of the tip
 };
 
+/// Which motions and which part of the tools a table holds. The default is what removes material;
+/// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
+struct SweepSelection {
+  enum class Part : std::uint8_t { cutter, shank, holder };
+  Part part = Part::cutter;
+  bool cuts = true;     ///< lines and arcs
+  bool rapids = false;  ///< rapids, as straight lines
+};
+
 /// The cutting motions of a program with the shapes of their tools.
 class SweepTable {
  public:
   /// Sweeps of every motion that cuts: lines and arcs, not rapids, not moves of assumed start, not
   /// zero-length ones of zero extent. `top` is the height (mm) up to which a milling cutter without
   /// flute length reaches: anything above the stock's top. Throws Error "tool-missing",
-  /// "tool-invalid", "motion-unsupported", naming tool and line.
-  SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top);
+  /// "tool-invalid", "motion-unsupported", naming tool and line. A selection of shank or holder
+  /// makes a sweep for each of its pieces, and none for tools without them; rapids without a tool
+  /// are left out.
+  SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top,
+             const SweepSelection& selection = {});
   SweepTable(SweepTable&&) noexcept;
   SweepTable& operator=(SweepTable&&) noexcept;
   ~SweepTable();
 
   std::size_t size() const;
-  /// Index of the motion that makes sweep i. Ascending in i.
+  /// Index of the motion that makes sweep i. Never falls with i.
   std::int32_t motion(std::size_t i) const;
   /// A box that holds sweep i; infinite towards the shank where the cutter reaches above the stock.
   Box3 bounds(std::size_t i) const;

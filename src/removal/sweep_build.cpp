@@ -146,13 +146,17 @@ void keep_lowest_turn(LocalMotion& l) {
 
 class Builder {
  public:
-  Builder(SweepColumns& columns, std::span<const Tool> tools)
-      : columns_(columns), tools_(tools), shape_of_(tools.size(), -1) {}
+  Builder(SweepColumns& columns, std::span<const Tool> tools, const SweepSelection& selection)
+      : columns_(columns), tools_(tools), selection_(selection), shapes_of_(tools.size()) {}
 
   void add(const Motion& m, std::int32_t index);
 
  private:
-  int shape(const Motion& m);
+  struct ShapeRange {
+    int first = -1, count = 0;
+  };
+  bool wanted(const Motion& m) const;
+  ShapeRange shapes(const Motion& m);
   int drawn_out(int shape, double travel);
   std::uint16_t frame(const Vec3& axis);
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);
@@ -164,15 +168,17 @@ class Builder {
 
   SweepColumns& columns_;
   std::span<const Tool> tools_;
-  std::vector<int> shape_of_;
+  SweepSelection selection_;
+  std::vector<ShapeRange> shapes_of_;
   std::map<std::pair<int, double>, int> drawn_out_;
 };
 
-int Builder::shape(const Motion& m) {
+// The shapes of the selected part of a motion's tool: one, or a piece of shank or holder each.
+Builder::ShapeRange Builder::shapes(const Motion& m) {
   if (m.tool < 0 || static_cast<std::size_t>(m.tool) >= tools_.size())
     throw Error("tool-missing", "line " + std::to_string(m.line) + ": no tool is in use");
-  int& index = shape_of_[m.tool];
-  if (index >= 0) return index;
+  ShapeRange& range = shapes_of_[m.tool];
+  if (range.first >= 0) return range;
   ToolShape made;
   try {
     made = make_tool_shape(tools_[m.tool]);
@@ -181,11 +187,21 @@ int Builder::shape(const Motion& m) {
                 std::string(e.what()) + " (first used in line " + std::to_string(m.line) + ")",
                 e.kind());
   }
-  index = static_cast<int>(columns_.shapes.size());
-  double& least = columns_.smallest_radius;
-  if (made.radius > 0 && (least == 0 || made.radius < least)) least = made.radius;
-  columns_.shapes.push_back(std::move(made));
-  return index;
+  range.first = static_cast<int>(columns_.shapes.size());
+  if (selection_.part != SweepSelection::Part::cutter) {
+    for (Profile& piece :
+         selection_.part == SweepSelection::Part::shank ? made.shank : made.holder) {
+      ToolShape shape;
+      shape.cutter = std::move(piece);
+      columns_.shapes.push_back(std::move(shape));
+    }
+  } else {
+    double& least = columns_.smallest_radius;
+    if (made.radius > 0 && (least == 0 || made.radius < least)) least = made.radius;
+    columns_.shapes.push_back(std::move(made));
+  }
+  range.count = static_cast<int>(columns_.shapes.size()) - range.first;
+  return range;
 }
 
 std::uint16_t Builder::frame(const Vec3& axis) {
@@ -201,17 +217,26 @@ std::uint16_t Builder::frame(const Vec3& axis) {
   return static_cast<std::uint16_t>(frames.size());
 }
 
+bool Builder::wanted(const Motion& m) const {
+  if (m.assumed_start) return false;
+  if (m.kind == MotionKind::arc) return selection_.cuts && m.sweep != 0;
+  if (m.start == m.end) return false;
+  if (m.kind == MotionKind::rapid) return selection_.rapids && m.tool >= 0;
+  return selection_.cuts;
+}
+
 void Builder::add(const Motion& m, std::int32_t index) {
-  if (m.kind == MotionKind::rapid || m.assumed_start) return;
-  if (m.kind == MotionKind::line && m.start == m.end) return;
-  if (m.kind == MotionKind::arc && m.sweep == 0) return;
-  SweepRef ref;
-  ref.shape = shape(m);
-  ref.motion = index;
-  if (columns_.shapes[ref.shape].turning)
-    add_turning(ref, m, tools_[m.tool]);
-  else
-    add_milling(ref, m, tools_[m.tool]);
+  if (!wanted(m)) return;
+  const ShapeRange range = shapes(m);
+  for (int i = 0; i < range.count; ++i) {
+    SweepRef ref;
+    ref.shape = range.first + i;
+    ref.motion = index;
+    if (columns_.shapes[ref.shape].turning)
+      add_turning(ref, m, tools_[m.tool]);
+    else
+      add_milling(ref, m, tools_[m.tool]);
+  }
 }
 
 void Builder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
@@ -368,8 +393,9 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
 
 }  // namespace
 
-void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools, double) {
-  Builder builder(*this, tools);
+void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
+                         const SweepSelection& selection) {
+  Builder builder(*this, tools, selection);
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
   uniform = !refs.empty();

@@ -61,7 +61,8 @@ struct SweepColumns {
   double max_error = 0;
   double smallest_radius = 0;
 
-  void build(std::span<const Motion> motions, std::span<const Tool> tools, double top);
+  void build(std::span<const Motion> motions, std::span<const Tool> tools,
+             const SweepSelection& selection);
   double distance(const SweepRef& ref, const Vec3& p) const;
   SweepSkeleton turn_skeleton(const SweepRef& ref) const;
   /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.

@@ -226,6 +226,15 @@ Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t 
   return {dr / n, -dz / n};
 }
 
+double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+  if (patch > wall) return z - tool.top();
+  if (tool.round() == 0) return patch == wall ? rho - tool.core() : -z;
+  const double dr = rho - tool.core(), dz = tool.round() - z;
+  const double to_core = dr > 0 && dz > 0 ? std::sqrt(dr * dr + dz * dz) : dr > dz ? dr : dz;
+  return to_core - tool.round();
+}
+
 Vec3 position(const ToolPath& path, double t) {
   if (!path.arc) return path.start + t * path.travel;
   const SinCos sc = sincos(t);

@@ -15,6 +15,8 @@ ProfileSample tool_sample(const Profile& tool, double rho, double z);
 double tool_distance(const Profile& tool, double rho, double z);
 /// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
 Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
+/// Signed distance to that face: what slab_face_gradient is the gradient of.
+double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch);
 
 /// Tool tip along the path: start + t * travel, t in [0, 1] (line), or
 /// center + cos(t) * u + sin(t) * v + t * rise, t in [0, sweep] (arc and helix, |u| = |v|).

@@ -134,6 +134,10 @@ Piece nearest_piece(const TurnSweep& s, Vec2 q) {
 // Signed distance from arc + polygon given the distance to its pieces.
 double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
   if (s.polygon.sides.empty()) return to_pieces;
+  // Outside of one side at every position of the whole circle: outside, at the cost of a few
+  // products.
+  for (const Side& e : s.polygon.sides)
+    if (side_of(e, q - s.path.center) > s.path.radius) return to_pieces;
   const double inner = deepest(s, q);
   return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
 }
@@ -385,6 +389,21 @@ Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch) {
   if (mirrored) g.x = -g.x;
   if (rho == 0) return {g.x, 0, g.y};
   return {g.x * p.x / rho, g.x * p.y / rho, g.y};
+}
+
+double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch) {
+  const double rho = std::sqrt(p.x * p.x + p.y * p.y);
+  const bool mirrored = patch >= kMirrorPatch;
+  const auto index = static_cast<std::size_t>(mirrored ? patch - kMirrorPatch : patch);
+  const Vec2 q = {mirrored ? -rho : rho, p.z};
+  if (!s.arc) {
+    const bool sharp = s.round == 0 && index < s.polygon.sides.size();
+    return sharp ? side_of(s.polygon.sides[index], q) : polygon_distance(s.polygon, q) - s.round;
+  }
+  if (index >= s.arcs.size()) return side_of(s.sides[index - s.arcs.size()], q) - s.round;
+  const ArcPiece& a = s.arcs[index];
+  const double beyond = length(q - a.center) - a.radius;
+  return (a.way > 0 ? beyond : a.way < 0 ? -beyond : beyond < 0 ? -beyond : beyond) - s.round;
 }
 
 }  // namespace mrsim

@@ -65,5 +65,7 @@ inline constexpr std::int32_t kMirrorPatch = 1 << 16;
 double turn_distance(const TurnSweep& s, const Vec3& p);
 PlaneSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
+/// Signed distance to one piece, continued beyond its ends: what turn_gradient is the gradient of.
+double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 
 }  // namespace mrsim

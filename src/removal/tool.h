@@ -50,12 +50,15 @@ class Profile {
   /// Gradient of the distance to the nearest edge of one patch, that edge continued beyond its
   /// ends.
   Vec2 gradient(Vec2 q, std::int32_t patch) const;
+  /// Signed distance to that edge, continued beyond its ends: what gradient() is the gradient of.
+  double face_distance(Vec2 q, std::int32_t patch) const;
 
   /// Convex corners draw surfaces of their own when the tool moves across them. Index of the one
   /// nearest to q (-1: none), whether it is q's nearest point, and its outward direction.
   int nearest_corner(Vec2 q) const;
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
+  Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
 
   /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
   /// is_unimodal(), a closed top.
@@ -86,6 +89,7 @@ class Profile {
  private:
   struct Foot;
   Foot nearest(Vec2 q) const;
+  const ProfileEdge* nearest_edge(Vec2 q, std::int32_t patch) const;
   void find_patches();
   void find_flags();
   void find_slab();
@@ -105,10 +109,11 @@ struct InsertOutline {
 
 struct ToolShape {
   bool turning = false;
-  Profile cutter;         ///< milling: what cuts
-  Profile shank, holder;  ///< milling: what must not touch, empty when not given
-  InsertOutline insert;   ///< turning
-  double radius = 0;      ///< cutter radius or nose radius, mm; 0 = a sharp insert
+  Profile cutter;  ///< milling: what cuts
+  /// milling: what must not touch; convex pieces from below, empty when not given
+  std::vector<Profile> shank, holder;
+  InsertOutline insert;  ///< turning
+  double radius = 0;     ///< cutter radius or nose radius, mm; 0 = a sharp insert
 };
 
 /// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.

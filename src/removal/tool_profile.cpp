@@ -189,7 +189,7 @@ ProfileSample Profile::sample(Vec2 q) const {
   return s;
 }
 
-Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
+const ProfileEdge* Profile::nearest_edge(Vec2 q, std::int32_t patch) const {
   const ProfileEdge* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const ProfileEdge& e : edges_) {
@@ -205,7 +205,17 @@ Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
     }
     if (d < least) least = d, best = &e;
   }
-  return best != nullptr ? outward(*best, q) : sample(q).gradient;
+  return best;
+}
+
+Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
+  const ProfileEdge* edge = nearest_edge(q, patch);
+  return edge != nullptr ? outward(*edge, q) : sample(q).gradient;
+}
+
+double Profile::face_distance(Vec2 q, std::int32_t patch) const {
+  const ProfileEdge* edge = nearest_edge(q, patch);
+  return edge != nullptr ? side(*edge, q) : distance(q);
 }
 
 Profile Profile::drawn_out(double travel) const {

@@ -87,7 +87,7 @@ TEST_F(BadInput, Output) {
   expect_failure("PRIMER_2F.MPF --stock block.stl -o missing/part.stl", 1, "does not exist");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o /proc/part.stl", 1, "cannot write");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stp", 2, "part.stp");
-  expect_failure("PRIMER_2F.MPF --stock block.stl -o part", 2, "no extension");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part", 2, ".stl");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stl -o ./part.stl", 2, "twice");
   std::filesystem::create_directory(folder_ / "closed");
   std::filesystem::permissions(

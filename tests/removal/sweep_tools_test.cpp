@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryTool, testing::Range(0, static_cast<int>(all_
 
 TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
   for (const Tool& tool : form_tools())
-    for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 2, 1e-6);
+    for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 1, 1e-6);
 }
 
 }  // namespace
