@@ -137,6 +137,18 @@ void choose_voxel(CarveOptions& options, const CutHistory& cuts, JobResult& resu
   result.voxel = options.voxel;
 }
 
+// Who sets the voxel wants its grid; else the mesh has a tolerance that goes with the part's size.
+void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
+  result.tolerance_reason = "--tolerance";
+  if (options.tolerance == 0 && job.carve.voxel == 0) {
+    const Vec3 size = result.stock.box.hi - result.stock.box.lo;
+    const double longest = std::max({size.x, size.y, size.z});
+    options.tolerance = round_down_125(longest / 10000);
+    result.tolerance_reason = fmt::format("longest side {:.6g} mm / 10000, rounded down", longest);
+  }
+  result.tolerance = options.tolerance;
+}
+
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
 double volume_before(const StockShape& shape, const CarveOptions& options,
                      const MeshOptions& mesh) {
@@ -164,6 +176,22 @@ void summarize_part(JobResult& result, const CutHistory& cuts, int threads) {
            "no cut meets the stock: check the stock's place and the work offset");
 }
 
+void report_mesh(JobResult& result, const ContourReport& found) {
+  result.mesh_bound = found.bound;
+  if (found.unresolved > 0)
+    report(result, Severity::warning, "tolerance-missed",
+           fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
+                       found.unresolved, result.tolerance));
+  if (!found.thin.empty()) {
+    const ThinFeature& first = found.thin.front();
+    report(result, Severity::warning, "thin-feature",
+           fmt::format("{} walls or gaps are thinner than a voxel and may be missing, the first a "
+                       "{} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}); a smaller --voxel shows them",
+                       found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
+                       first.place.x, first.place.y, first.place.z));
+  }
+}
+
 void require_cuts(const Job& job, const JobResult& result) {
   if (result.cutting_motions == 0)
     throw Error("program-no-cuts",
@@ -184,6 +212,10 @@ Program trace(const std::string& path, const InterpOptions& options, bool json,
               const TraceSink& sink) {
   TraceSinkAdapter adapter(sink, json);
   return interpret(path, options, adapter);
+}
+
+void draw_path(const Program&, const std::string& path) {
+  throw Error("path-picture", "cannot draw " + path + ": not built in yet", Error::Kind::usage);
 }
 
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
@@ -218,14 +250,18 @@ JobResult simulate(const Job& job) {
   const CutList cuts = join_cuts(result.stock.history, result.program);
   CarveOptions options = job.carve;
   choose_voxel(options, cuts.all, result);
+  MeshOptions mesh_options = job.mesh;
+  choose_tolerance(job, mesh_options, result);
   clock.done("stock");
 
   const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
-  result.mesh = extract_mesh(stock, job.mesh);
+  ContourReport contour_report;
+  result.mesh = extract_mesh(stock, mesh_options, &contour_report);
+  report_mesh(result, contour_report);
   clock.done("mesh");
-  result.stock_volume = volume_before(result.stock, options, job.mesh);
+  result.stock_volume = volume_before(result.stock, options, mesh_options);
   summarize_part(result, cuts.all, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;

@@ -34,6 +34,9 @@ MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
+/// The tool path as a picture, .svg or .ply by extension: rapids dashed, arcs as arcs, a lathe in
+/// ZX. Throws Error of kind usage for another extension.
+MRSIM_API void write_path_picture(const Program& program, const std::string& path);
 
 /// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
 struct TraceSink {
@@ -84,6 +87,9 @@ struct JobResult {
   StockShape stock;  ///< as simulated, without its mesh
   double voxel = 0;  ///< mm
   std::string voxel_reason;
+  double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
+  std::string tolerance_reason;
+  double mesh_bound = 0;  ///< mm: certified distance between mesh and part, 0 without tolerance
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;

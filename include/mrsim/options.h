@@ -59,7 +59,8 @@ struct CarveOptions {
 };
 
 struct MeshOptions {
-  /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives.
+  /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives;
+  /// simulate() then takes the longest side / 10000 unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
   Progress progress;

@@ -168,7 +168,8 @@ class HelpFormatter : public CLI::Formatter {
       std::size_t end = text.find(' ', begin);
       if (end == text.npos) end = text.size();
       if (column + (end - begin) > 96 && column > 26) {
-        out += "\n" + std::string(26, ' ');
+        out.back() = '\n';
+        out += std::string(26, ' ');
         column = 26;
       }
       out += text.substr(begin, end - begin) + " ";
@@ -180,14 +181,18 @@ class HelpFormatter : public CLI::Formatter {
   const CommandLine& line_;
 };
 
+// CLI11 leaves two empty lines after each group.
+std::string single_spaced(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != text.npos;) text.erase(at, 1);
+  return text;
+}
+
 void check_words(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const std::vector<std::string_view> known(names.begin(), names.end());
   for (const std::string& word : app.remaining()) {
-    if (!word.starts_with('-'))
-      fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", word));
     const std::string option = word.substr(0, word.find('='));
     fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
   }
@@ -256,6 +261,8 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
     fail_usage(fmt::format(
         "{} is missing; usage: {}", render ? "the part" : "the program",
         std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
+  if (typed.inputs.size() > 1)
+    fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
   out.input = typed.inputs[0];
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
@@ -270,7 +277,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   app.allow_extras();
   app.formatter(std::make_shared<HelpFormatter>(line));
   app.footer("\n" + std::string(line.examples));
-  app.add_option("INPUT", typed.inputs)->expected(0, 1)->group("");
+  app.add_option("INPUT", typed.inputs)->expected(0, -1)->group("");
   if (line.command == Command::simulate) add_simulation_options(app, typed);
   if (line.command != Command::render) add_program_options(app, typed);
   if (line.command == Command::render) add_picture_options(app, typed);
@@ -282,7 +289,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   }
   Arguments out;
   out.command = typed.help ? Command::help : typed.version ? Command::version : line.command;
-  if (typed.help) out.help = app.help();
+  if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
   check_words(app);
   read_input(out, typed, line);

@@ -100,7 +100,10 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.mesh.triangles.size()), 0),
-            "closed, oriented, 2-manifold");
+            "closed, oriented, 2-manifold" +
+                (result.mesh_bound > 0
+                     ? fmt::format(", within {:.2g} mm of the exact part", result.mesh_bound)
+                     : std::string()));
   if (arguments.verbose) {
     sheet.row("area", grouped(summary.area, 3) + " mm²");
     sheet.row("pieces",
@@ -158,6 +161,8 @@ std::string format_report(const Arguments& arguments, const JobResult& result, b
   Sheet sheet(colours);
   sheet.row("stock", result.stock.description);
   sheet.row("voxel", fmt::format("{:.6g} mm", result.voxel), result.voxel_reason);
+  if (result.tolerance > 0)
+    sheet.row("tolerance", fmt::format("{:.6g} mm", result.tolerance), result.tolerance_reason);
   sheet.row("motions",
             fmt::format("{} cut, {}", grouped(static_cast<double>(result.cutting_motions), 0),
                         plural(result.rapid_motions, "rapid")),

@@ -32,8 +32,18 @@ bool takes_part(const PathMove& m) {
 
 double height(const PathMove& m, const Vec3& p) { return dot(p, m.basis.w); }
 
+bool collinear(const PlanePiece& a, const PlanePiece& b) {
+  const Vec2 t = start_tangent(a), u = start_tangent(b);
+  return std::abs(cross(t, u)) < kStraight && dot(t, u) > 0 &&
+         std::abs(cross(t, b.start - a.end)) < kTouch;
+}
+
 // Inside: where two moved elements meet, nearest to the corner. `from` is where the first begins.
 bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, Vec2& out) {
+  if (!a.arc && !b.arc && collinear(a, b)) {
+    out = a.end;
+    return progress(b, a.end, b.end) > kTouch;
+  }
   std::array<Vec2, 2> hits;
   const int n = intersect(a, b, hits);
   double best = 1e300;
@@ -199,6 +209,16 @@ void CompensationStage::leave_or_shift() {
   next_(first);
 }
 
+// The moved element, run on to the intersection where its end is such an outside corner.
+PlanePiece CompensationStage::reach(std::size_t i, std::size_t next) const {
+  PlanePiece piece = moved(queue_[i]);
+  if (piece.arc || next >= queue_.size()) return piece;
+  const PlanePiece after = moved(queue_[next]);
+  if (is_void(after) || corner_kind(queue_[i], queue_[next]) != Corner::outside) return piece;
+  piece.end = extended_end(piece, after);
+  return piece;
+}
+
 // A void element: between the meeting points with its neighbours nothing of it is left.
 bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
   const PlanePiece piece = moved(queue_[i]);
@@ -215,22 +235,60 @@ bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) 
   return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
 }
 
-// Inside corners and void elements: the end of the first piece is where it meets the next that has
-// room. False: the tool does not fit.
-bool CompensationStage::meet_inside(const PlanePiece& piece, Vec2& end) {
-  for (std::size_t n = 1; n < kLookAhead; ++n) {
-    const std::size_t j = following(n);
+// The first of the following elements with room that `piece` meets, or the arc round the corner
+// behind one (then `round` is set). What lies between is void and leaves the queue. False: the tool
+// does not fit.
+bool CompensationStage::meet_inside(const PlanePiece& piece, std::size_t nearest, Vec2& end,
+                                    bool& round) {
+  for (std::size_t n = nearest; n < kLookAhead; ++n) {
+    const std::size_t j = following(n), next = following(n + 1);
     if (j >= queue_.size()) return false;
-    const PlanePiece other = moved(queue_[j]);
+    const PlanePiece other = reach(j, next);
     Vec2 p;
-    if (is_void(other) || !meeting(piece, other, cursor_, piece.end, p)) continue;
-    if (squeezed(j, following(n + 1), p)) continue;
+    std::size_t keep = 0;
+    round = false;
+    if (!is_void(other) && meeting(piece, other, cursor_, piece.end, p) && !squeezed(j, next, p))
+      keep = j;
+    if (keep == 0 && next < queue_.size() &&
+        corner_kind(queue_[j], queue_[next]) == Corner::outside && queue_[j].comp.arcs &&
+        !is_void(other) && !is_void(moved(queue_[next]))) {
+      round =
+          meeting(piece, corner_arc(queue_[j], other, moved(queue_[next])), cursor_, piece.end, p);
+      if (round) keep = next;
+    }
+    if (keep == 0) continue;
     end = p;
-    for (std::size_t k = j; k-- > 1;)  // what lies between is void
-      if (!is_infeed(queue_[k])) queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
+    for (std::size_t k = keep; k-- > 1;)
+      if (!is_infeed(queue_[k])) {
+        reporter_.add_at(Severity::warning, "comp-element-void",
+                         "the tool is too large to reach this element: it is skipped",
+                         queue_[k].motion);
+        queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
+      }
     return true;
   }
   return false;
+}
+
+PlanePiece CompensationStage::corner_arc(const PathMove& first, const PlanePiece& piece,
+                                         const PlanePiece& next) const {
+  PlanePiece arc;
+  arc.arc = true;
+  arc.center = in_plane(first.basis, first.motion.end);
+  arc.radius = first.comp.radius;
+  arc.start = piece.end;
+  arc.end = next.start;
+  arc.sweep = fold_sweep(piece.end - arc.center, next.start - arc.center, first.comp.side < 0);
+  return arc;
+}
+
+// Infeeds between the first of the queue and the next contour element happen before its corner.
+void CompensationStage::run_infeeds() {
+  while (queue_.size() > 1 && is_infeed(queue_[1])) {
+    std::swap(queue_[0], queue_[1]);
+    leave_or_shift();
+    queue_.erase(queue_.begin());
+  }
 }
 
 void CompensationStage::follow() {
@@ -248,23 +306,44 @@ void CompensationStage::follow() {
   if (piece.arc && length(cursor_ - piece.start) > kTouch &&
       std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch)
     send_line(first, piece.start, dot(at_, first.basis.w));
-  std::size_t j = following(1);
   Vec2 end = piece.end;
-  bool corner = false;
-  if (j < queue_.size()) {
-    const PlanePiece next = moved(queue_[j]);
-    const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
-    if (kind == Corner::inside && !meet_inside(piece, end))
-      reporter_.add_at(
-          Severity::error, "comp-interference",
-          fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
-                      first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
-          queue_[std::min(j, queue_.size() - 1)].motion);
-    corner = kind == Corner::outside;
+  bool corner = false, round = false;
+  choose_end(piece, end, corner, round);
+  const PathMove before = queue_.front();
+  run_piece(before, piece, end, h);
+  if (!corner && !round) return;
+  run_infeeds();
+  const std::size_t j = following(1);
+  if (j >= queue_.size()) return;
+  if (corner) return round_outside(before, queue_[j], piece);
+  PlanePiece arc = corner_arc(before, piece, moved(queue_[j]));
+  arc.center = in_plane(queue_[j].basis, queue_[j].motion.start);
+  arc.start = end;
+  arc.sweep = fold_sweep(end - arc.center, arc.end - arc.center, before.comp.side < 0);
+  send_corner(queue_[j], arc);
+}
+
+// Where the first element of the queue ends: inside corners and void elements; `corner`: a way
+// round an outside corner follows; `round`: the rest of a later corner's arc follows.
+void CompensationStage::choose_end(const PlanePiece& piece, Vec2& end, bool& corner, bool& round) {
+  const std::size_t j = following(1);
+  if (j >= queue_.size()) return;
+  const PathMove& first = queue_.front();
+  const PlanePiece next = moved(queue_[j]);
+  const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
+  if (kind == Corner::outside) {
+    // An element that the corner after it leaves no room for is skipped, if that closes the path.
+    if (squeezed(j, following(2), next.start) && meet_inside(piece, 2, end, round)) return;
+    corner = true;
+    if (!piece.arc) end = extended_end(piece, next);
+    return;
   }
-  if (corner && !piece.arc) end = extended_end(piece, queue_[j]);
-  run_piece(first, piece, end, h);
-  if (corner) round_outside(first, queue_[j], piece);
+  if (kind == Corner::smooth) return;
+  if (meet_inside(piece, 1, end, round)) return;
+  reporter_.add_at(Severity::error, "comp-interference",
+                   fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
+                               first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
+                   queue_[j].motion);
 }
 
 // The piece from where the tool is to `end`.
@@ -294,9 +373,9 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
 }
 
 // Outside, straight element: how far it runs on.
-Vec2 CompensationStage::extended_end(const PlanePiece& piece, const PathMove& after) const {
+Vec2 CompensationStage::extended_end(const PlanePiece& piece, const PlanePiece& next) const {
   const PathMove& first = queue_.front();
-  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(moved(after));
+  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(next);
   const double turn = std::abs(fold_sweep(t1, t2, cross(t1, t2) >= 0));
   if (turn <= first.comp.sharpest + 1e-9 && !first.comp.arcs)
     return piece.end + (first.comp.radius * half_tangent(turn)) * t1;
@@ -327,15 +406,15 @@ void CompensationStage::round_outside(const PathMove& first, const PathMove& aft
     if (next.arc) send_line(between, next.start, h);
     return;
   }
-  PlanePiece arc;
-  arc.arc = true;
-  arc.center = in_plane(first.basis, first.motion.end);
-  arc.radius = r;
-  arc.start = piece.end;
-  arc.end = next.start;
-  arc.sweep = fold_sweep(piece.end - arc.center, next.start - arc.center, first.comp.side < 0);
+  send_corner(after, corner_arc(first, piece, next));
+}
+
+void CompensationStage::send_corner(const PathMove& after, const PlanePiece& arc) {
+  PathMove between = after;
+  between.corner = {};
+  const double h = dot(at_, after.basis.w);
   send(between, arc, h);
-  cursor_ = next.start;
+  cursor_ = arc.end;
 }
 
 }  // namespace mrsim

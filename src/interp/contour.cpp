@@ -11,6 +11,7 @@
 namespace mrsim {
 namespace {
 
+constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
@@ -127,6 +128,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
                      before.motion);
     if (size <= 1e-6) return false;
   }
+  if (length(c.first - a.start) < kHair) c.first = a.start;
+  if (length(c.second - b.end) < kHair) c.second = b.end;
   inserted = before;
   inserted.corner = {};
   if (before.corner.feed > 0) inserted.motion.feed = before.corner.feed;
@@ -167,7 +170,9 @@ void CornerStage::push(const PathMove& move) {
   const bool same_plane = length(before.basis.w - move.basis.w) < 1e-12;
   const bool fits =
       !is_infeed(move) && !is_tilted(move) && same_plane && insert(before, after, inserted);
-  next_(before);
+  if (distance(before.motion.start, before.motion.end) > 1e-9 ||
+      before.motion.kind == MotionKind::arc)
+    next_(before);
   if (fits) next_(inserted);
   for (std::size_t i = 1; i < held_.size(); ++i) {
     PathMove infeed = held_[i];
@@ -180,7 +185,8 @@ void CornerStage::push(const PathMove& move) {
     next_(infeed);
   }
   held_.clear();
-  push(after);
+  if (distance(after.motion.start, after.motion.end) > 1e-9 || after.motion.kind == MotionKind::arc)
+    push(after);
 }
 
 }  // namespace mrsim

@@ -73,9 +73,15 @@ class CompensationStage {
   void follow();
   void leave_or_shift();
   bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
-  bool meet_inside(const PlanePiece& piece, Vec2& end);
+  bool meet_inside(const PlanePiece& piece, std::size_t nearest, Vec2& end, bool& round);
+  void choose_end(const PlanePiece& piece, Vec2& end, bool& corner, bool& round);
+  PlanePiece reach(std::size_t i, std::size_t next) const;
+  PlanePiece corner_arc(const PathMove& first, const PlanePiece& piece,
+                        const PlanePiece& next) const;
+  void send_corner(const PathMove& after, const PlanePiece& arc);
+  void run_infeeds();
   void run_piece(const PathMove& first, PlanePiece piece, Vec2 end, double height);
-  Vec2 extended_end(const PlanePiece& piece, const PathMove& after) const;
+  Vec2 extended_end(const PlanePiece& piece, const PlanePiece& next) const;
   void round_outside(const PathMove& first, const PathMove& after, const PlanePiece& piece);
   void send(PathMove move, const PlanePiece& piece, double end_height);
   void send_line(const PathMove& like, Vec2 to, double end_height);

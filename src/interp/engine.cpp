@@ -8,12 +8,13 @@
 
 namespace mrsim {
 
-Engine::Engine(const InterpOptions& options, Program& program, MotionSink& sink)
+Engine::Engine(const InterpOptions& options, Program& program, int leader_lines, MotionSink& sink)
     : options_(options),
       program_(program),
       sink_(sink),
       reporter_(sink, program),
       dialect_(program.dialect),
+      leader_lines_(leader_lines),
       parser_(program.dialect, reporter_),
       subprograms_(program.files.front(), options.search_path, program.dialect),
       corners_(reporter_, [this](const PathMove& m) { compensation_.push(m); }),
@@ -76,6 +77,8 @@ CodeEntry Engine::lookup(const Word& word) const {
 void Engine::run() {
   stack_.emplace_back();
   stack_.back().source = std::make_unique<LineSource>(program_.files.front());
+  std::string_view leader;
+  for (int i = 0; i < leader_lines_; ++i) stack_.back().source->next(leader);
   while (!stack_.empty()) {
     if (!read_block()) {
       end_activation();
@@ -126,8 +129,9 @@ bool Engine::legal_address(const Word& word) {
                                  : lathe()              ? kLathe
                                                         : kMill;
   if (legal.find(c) != std::string_view::npos) return true;
-  const bool pause = (c == 'U' || c == 'E') && !is(Dialect::sinumerik);
-  if (pause && peek('G')) return true;  // G4 U, judged later
+  if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
+    for (const Word& other : block_.words)
+      if (other.address == letter('G') && other.value == 4) return true;
   if (is(Dialect::sinumerik) && c == 'R')
     return error("not-supported",
                  "R is a variable of SINUMERIK, which is not supported yet; "
@@ -190,7 +194,6 @@ void Engine::execute() {
     return;
   }
   has_loose_hint_ = false;
-  if (!stack_.empty()) stack_.back().started = true;
   if (stop_after_) return stop();
   if (m98_) {
     fanuc_call(*m98_);

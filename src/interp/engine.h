@@ -21,7 +21,8 @@ namespace mrsim {
 
 class Engine {
  public:
-  Engine(const InterpOptions& options, Program& program, MotionSink& sink);
+  /// The first `leader_lines` of the file lie before the tape mark and are not read.
+  Engine(const InterpOptions& options, Program& program, int leader_lines, MotionSink& sink);
   void run();
 
  private:
@@ -218,6 +219,7 @@ class Engine {
 
   // engine_calls.cpp
   bool run_flow();
+  bool alone(const Word& call);
   bool call_subprogram(const SubprogramName& name, long repeats, const Word& word);
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
@@ -230,6 +232,7 @@ class Engine {
   MotionSink& sink_;
   Reporter reporter_;
   Dialect dialect_;
+  int leader_lines_;
   Parser parser_;
   SubprogramIndex subprograms_;
   std::array<CodeEntry, 1000> codes_;

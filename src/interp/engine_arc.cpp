@@ -159,6 +159,7 @@ bool Engine::center_arc(ArcBlock& arc, Vec2 center) {
   }
   PlaneArc solved;
   if (length(arc.end - arc.start) <= kSamePoint) {
+    hint_sign(arc, center);
     solved = arc_about(arc.start, arc.end, center, arc.ccw);
     return finish_arc(solved, arc);
   }
@@ -166,6 +167,23 @@ bool Engine::center_arc(ArcBlock& arc, Vec2 center) {
   bool straight = false;
   if (!check_center(arc, solved, straight)) return false;
   return straight || finish_arc(solved, arc);
+}
+
+// A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
+// centre at X25; I-12.5 would close on X0".
+void Engine::hint_sign(const ArcBlock& arc, Vec2 center) {
+  static constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};
+  if (modal_.plane > 2 || modal_.center_absolute) return;
+  const Vec2 d = center - arc.start, zero = arc.start - d;
+  const double far = length(center);
+  if (length(zero) > kSamePoint || far <= kSamePoint) return;
+  const bool first = std::abs(d.x) >= std::abs(d.y);
+  const int axis = first ? kFirst[modal_.plane] : kSecond[modal_.plane];
+  const double word = first ? d.x : d.y, at = first ? center.x : center.y;
+  note_once("arc-center-sign",
+            fmt::format("{0}{1:.6g} puts the centre at {2}{3:.6g}; {0}{4:.6g} would close on {2}0",
+                        "IJK"[axis], word, "XYZ"[axis], at, -word),
+            *arc.where, fmt::format("{}:{}", stack_.back().file, block_.line_number));
 }
 
 // Both radii must agree; how far the control bends, and to what, is DIALECTS' policy table.
@@ -176,23 +194,25 @@ bool Engine::check_center(ArcBlock& arc, PlaneArc& solved, bool& straight) {
   const Vec2 moved = bisector_center(s, e, c);
   const double shift = length(moved - c), r_moved = length(moved - s);
   const bool near = differ <= tolerance && shift <= tolerance;
-  const std::string radii = fmt::format(
-      "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
-      re, differ, 100 * differ / rs, sign_hint(arc, c));
+  const auto radii = [&] {
+    return fmt::format(
+        "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
+        re, differ, 100 * differ / rs, sign_hint(arc, c));
+  };
   if (is(Dialect::sinumerik)) {
     const double turn = std::abs(cross(moved - s, c - s)) / (rs * std::max(r_moved, 1e-12));
     if (!near || turn > 0.0316227766)
-      return error("arc-radii-differ", radii + " (alarm 14040)", *arc.where);
+      return error("arc-radii-differ", radii() + " (alarm 14040)", *arc.where);
   } else if (differ > tolerance) {
     const double share = is(Dialect::codesys) ? shift / std::max(r_moved, 1e-12) : differ / rs;
-    if (is(Dialect::fanuc)) return error("arc-radii-differ", radii + " (alarm 020)", *arc.where);
-    if (share > 0.10 && is(Dialect::iso)) return error("arc-radii-differ", radii, *arc.where);
+    if (is(Dialect::fanuc)) return error("arc-radii-differ", radii() + " (alarm 020)", *arc.where);
+    if (share > 0.10 && is(Dialect::iso)) return error("arc-radii-differ", radii(), *arc.where);
     if (share > 0.10) {
       straight = true;
-      return arc_to_line("arc-radii-differ", radii, arc);
+      return arc_to_line("arc-radii-differ", radii(), arc);
     }
     warning("arc-center-moved",
-            fmt::format("{}: the centre is moved by {:.3g} mm to the bisector", radii, shift),
+            fmt::format("{}: the centre is moved by {:.3g} mm to the bisector", radii(), shift),
             *arc.where);
   } else if (shift > tolerance) {
     // Nearly a full or an empty circle: the bisector says nothing about the centre. Keep it, and

@@ -38,13 +38,36 @@ bool Engine::run_flow() {
     return_after_ = stop_after_ = false;
     return true;
   }
+  if (!leader) top.started = true;
   if (const Word* call = take(Address::call)) call_word_ = call;
   if (const Word* l = is(Dialect::sinumerik) ? take('L') : nullptr) call_word_ = l;
+  if (call_word_ && !alone(*call_word_)) return false;
   if (call_word_ || find(letter('M'))) {  // repeats of a call
     take('P');
     if (!is(Dialect::codesys)) take('L');
   }
   return true;
+}
+
+// A call stands alone in its block; a name beside other words is a word that nobody knows.
+bool Engine::alone(const Word& call) {
+  bool others = false, known = true;
+  for (const Word& word : block_.words) {
+    if (&word == &call || word.address == letter('P')) continue;
+    others = true;
+    if (word.address != Address::call) continue;
+    known =
+        error("word-unknown", fmt::format("{} is not a word of this control", text_of(word)), word);
+  }
+  if (!others) return true;
+  if (call.address == Address::call && !call.string)
+    return error(
+        "word-unknown",
+        fmt::format("{} is not a word of this control{}", text_of(call),
+                    is(Dialect::sinumerik) ? " (alarm 12550), and a call stands alone in its block"
+                                           : ", and a call stands alone in its block"),
+        call);
+  return known && error("call-not-alone", "a call stands alone in its block", call);
 }
 
 int Engine::call_site(int line) {

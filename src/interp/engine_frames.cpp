@@ -190,6 +190,10 @@ bool Engine::fanuc_frame(const Word& word) {
     case Code::scaling_off:
       frames_.scaling = Frame{};
       break;
+    case Code::local_shift:
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+      break;
     case Code::mirror_on:
     case Code::mirror_off:
       for (int i = 0; i < 3; ++i)

@@ -283,7 +283,7 @@ constexpr NamedRow kFunctions[] = {
 
 struct UnsupportedName {
   std::string_view prefix;
-  bool whole;  // the name must be equal, not only begin so
+  bool whole;  // the name itself; else the name and a number
   std::string_view what;
 };
 
@@ -292,7 +292,12 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"ENDIF", true, "a condition"},
                                             {"THEN", true, "a condition"},
                                             {"CASE", true, "a condition"},
-                                            {"GOTO", false, "a jump"},
+                                            {"GOTO", true, "a jump"},
+                                            {"GOTOF", true, "a jump"},
+                                            {"GOTOB", true, "a jump"},
+                                            {"GOTOC", true, "a jump"},
+                                            {"GOTOS", true, "a jump"},
+                                            {"REPEATB", true, "a loop"},
                                             {"WHILE", true, "a loop"},
                                             {"ENDWHILE", true, "a loop"},
                                             {"FOR", true, "a loop"},
@@ -300,7 +305,7 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"TO", true, "a loop"},
                                             {"DO", true, "a loop"},
                                             {"END", true, "a loop"},
-                                            {"REPEAT", false, "a loop"},
+                                            {"REPEAT", true, "a loop"},
                                             {"UNTIL", true, "a loop"},
                                             {"LOOP", true, "a loop"},
                                             {"ENDLOOP", true, "a loop"},
@@ -314,7 +319,7 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"POCKET", false, "a canned cycle"},
                                             {"SLOT", false, "a canned cycle"},
                                             {"LONGHOLE", false, "a canned cycle"},
-                                            {"WHEN", false, "a synchronised action"},
+                                            {"WHEN", true, "a synchronised action"},
                                             {"EVERY", true, "a synchronised action"},
                                             {"ID", true, "a synchronised action"},
                                             {"IDS", true, "a synchronised action"},
@@ -374,8 +379,13 @@ CodeEntry find_function(std::string_view name) {
 }
 
 std::string_view unsupported_name(std::string_view name) {
-  for (const UnsupportedName& entry : kUnsupported)
-    if (entry.whole ? name == entry.prefix : name.starts_with(entry.prefix)) return entry.what;
+  for (const UnsupportedName& entry : kUnsupported) {
+    if (entry.whole && name == entry.prefix) return entry.what;
+    if (entry.whole || !name.starts_with(entry.prefix) || name.size() == entry.prefix.size())
+      continue;
+    if (name.find_first_not_of("0123456789", entry.prefix.size()) == std::string_view::npos)
+      return entry.what;
+  }
   return {};
 }
 

@@ -193,6 +193,7 @@ bool Parser::number(Block& block, Word& word, bool exponent) {
       break;
     }
   }
+  while (glued_blanks_ && p_ > from && blank(line_[p_ - 1])) --p_;
   const bool any = p_ > from && (is_digit(line_[p_ - 1]) || p_ - from > 1);
   const char follows = at(p_);
   const bool odd =
@@ -237,6 +238,18 @@ bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool expone
   return false;
 }
 
+// FANUC reads "G1 95" as G195; whoever wrote it meant something else.
+void Parser::check_inner_blanks(const Block&, std::size_t from) {
+  const std::string_view run = line_.substr(from, p_ - from);
+  if (run.find_first_of(" \t") == std::string_view::npos) return;
+  reporter_.add(
+      Severity::warning, "blank-in-number",
+      fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
+                  "letter?",
+                  run.substr(0, 40)),
+      static_cast<int>(from), static_cast<int>(run.size()));
+}
+
 void Parser::letter_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
@@ -246,7 +259,9 @@ void Parser::letter_word(Block& block) {
   if (starts_number(n)) {
     Word word;
     word.address = letter(c);
+    const std::size_t digits = p_;
     if (!number(block, word, false)) return;
+    if (glued_blanks_) check_inner_blanks(block, digits);
     if (c == 'N') {
       block.has_number = true;
       return;

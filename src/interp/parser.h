@@ -32,6 +32,7 @@ class Parser {
   bool sinumerik_radix(Word& word);
   void codesys_name(Block& block);
   bool macro_word(Block& block);
+  void check_inner_blanks(const Block& block, std::size_t from);
   bool number(Block& block, Word& word, bool exponent);
   bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);
   void read_comment(Block& block, char close);

@@ -101,6 +101,13 @@ bool Parser::sinumerik_value(Block& block, Word& word) {
   if (is_letter(c) || c == '_') return sinumerik_form(block, word);
   if (starts_number(c) &&
       (is_digit(at(p_ + 1)) || at(p_ + 1) == '.' || is_digit(c) || starts_number(at(p_ + 1)))) {
+    std::size_t end = from + 1;
+    while (is_digit(at(end)) || at(end) == '.') ++end;
+    if ((at(end) == '+' || at(end) == '-') && is_digit(at(end - 1))) {
+      p_ = end;
+      unsupported(block, line_.substr(from, end - from + 1), "an expression", from);
+      return false;
+    }
     if (!number(block, word, true)) return false;
     const char after = at(p_);
     if (after == '*' || after == '/' || after == '(' || after == '<' || after == '>') {

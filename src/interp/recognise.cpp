@@ -214,6 +214,29 @@ void weigh_iso(const LineScan& s, std::string_view raw, int line, Evidence& e) {
     e.add(Dialect::iso, 1, "lower-case words", line);
 }
 
+/// Text before the first % of a tape is no program: how many lines, once content follows the mark.
+class Leader {
+ public:
+  void line(std::string_view raw, const LineScan& s, int n) {
+    if (n > 100 || done_) return;
+    if (mark_ == 0 && !raw.empty() && raw[0] == '%') {
+      mark_ = n;
+    } else if (mark_ > 0) {
+      lines_ = mark_ - 1;
+      done_ = true;
+    } else {
+      for (std::size_t i = 0; i + 1 < s.code.size(); ++i)
+        if ((s.code[i] == 'G' || s.code[i] == 'O' || s.code[i] == 'M') && is_digit(s.code[i + 1]))
+          done_ = true;
+    }
+  }
+  int lines() const { return lines_; }
+
+ private:
+  int mark_ = 0, lines_ = 0;
+  bool done_ = false;
+};
+
 /// Signs of mill and lathe.
 struct MachineScan {
   std::string mill, lathe, plane, turning_tool, milling_tool;
@@ -311,14 +334,16 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   LineScan scan;
   std::string_view raw;
   bool arcs = false;
+  Leader leader;
   const bool wants_machine = options.machine == MachineKind::automatic;
   while (source.next(raw)) {
     const int n = source.line_number();
     const bool wants_dialect =
         options.dialect == Dialect::automatic && n <= kDialectLines && !evidence.certain();
-    if (!out.empty && !wants_dialect && (!wants_machine || (machine.settled() && n > 200))) break;
+    if (!out.empty && !wants_dialect && n > 200 && (!wants_machine || machine.settled())) break;
     if (raw.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     scan_line(raw.substr(0, 4000), scan);
+    leader.line(raw, scan, n);
     if (!scan.code.empty() || !scan.comment.empty()) out.empty = false;
     if (wants_dialect) {
       weigh_sinumerik(scan, n, evidence);
@@ -333,6 +358,8 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   out.dialect = options.dialect;
   out.dialect_reason = "as told";
   if (options.dialect == Dialect::automatic) judge_dialect(evidence, path, out);
+  if (out.dialect == Dialect::fanuc || out.dialect == Dialect::iso)
+    out.leader_lines = leader.lines();
   out.machine = options.machine;
   out.machine_reason = "as told";
   if (wants_machine) judge_machine(machine, options, out);

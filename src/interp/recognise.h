@@ -13,7 +13,8 @@ struct Recognition {
   std::string dialect_reason;
   MachineKind machine = MachineKind::automatic;  ///< automatic: not to be told
   std::string machine_reason;
-  bool empty = true;  ///< no word of NC at all
+  int leader_lines = 0;  ///< text before the first % of a FANUC or ISO tape
+  bool empty = true;     ///< no word of NC at all
 };
 
 /// Reads as much of the file as it takes, in one pass, memory flat. What `options` fix stays fixed.

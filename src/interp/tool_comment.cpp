@@ -137,15 +137,19 @@ std::optional<ToolType> find_type(std::string_view text) {
   return std::nullopt;
 }
 
+// "T12 ..." or "TOOL 12 ..." at the head.
 void find_id(std::string_view text, ToolHint& hint) {
   std::size_t i = text.find_first_not_of(' ');
-  if (text.substr(i == std::string_view::npos ? text.size() : i).starts_with("TOOL ")) i += 5;
-  if (i == std::string_view::npos || i + 1 >= text.size()) return;
-  if (text[i] == 'T') ++i;
-  if (!is_digit(text[i]) || (i > 0 && text[i - 1] != 'T' && text.find("TOOL") != 0)) return;
+  if (i == std::string_view::npos) return;
+  text.remove_prefix(i);
+  const bool tool = text.starts_with("TOOL ");
+  if (!tool && !text.starts_with("T")) return;
+  i = tool ? 5 : 1;
+  if (i < text.size() && tool && text[i] == 'T') ++i;
   std::size_t end = i;
   while (end < text.size() && is_digit(text[end])) ++end;
-  if (end - i > 8 || (end < text.size() && (text[end] == '.' || is_letter(text[end])))) return;
+  if (end == i || end - i > 8 || (end < text.size() && (text[end] == '.' || is_letter(text[end]))))
+    return;
   while (i + 1 < end && text[i] == '0') ++i;
   hint.id = std::string(text.substr(i, end - i));
 }

@@ -5,12 +5,11 @@
 #include "mesh/contour_certify.h"
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
+#include "mesh/contour_thin.h"
 #include "mesh/self_intersection.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <cstdio>
 #include <cmath>
 #include <map>
 
@@ -28,6 +27,8 @@ using detail::Lattice;
 
 constexpr double kExact = 1e-4;        ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;     ///< of the tolerance, for triangles before simplification
+constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
+constexpr int kCrowdedRounds = 3;      ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
 
 class Timer {
@@ -66,13 +67,12 @@ class Contour {
 
   TriMesh run() {
     find_topology();
-    LabelledMesh mesh = label(surface_.make_triangles());
-    timer_.step("surface");
+    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
+    LabelledMesh mesh = triangles();
     if (options_.tolerance > 0) {
       while (split_failed()) {
         find_topology();
-        mesh = label(surface_.make_triangles());
-        timer_.step("surface");
+        mesh = triangles();
       }
       report_.triangles_before = mesh.triangles.size();
       mesh = simplified(mesh);
@@ -82,21 +82,25 @@ class Contour {
       report_.triangles_before = mesh.triangles.size();
     }
     report_.cells = surface_.loops().size();
-    if (std::getenv("HIST")) { std::map<int,int> h; for (const auto& l : surface_.loops()) ++h[tree_.node(l.cell).size]; for (auto [s, n] : h) std::printf("  size %g voxels: %d\n", s / 64.0, n); std::map<int,int> g; for (std::size_t k = 0; k < tree_.size(); ++k) ++g[tree_.node(int(k)).size]; for (auto [s, n] : g) std::printf("  nodes %g: %d\n", s / 64.0, n); }
+    report_.thin = detail::thin_features(field_, tree_);
+    timer_.step("thin");
     return to_mesh(mesh);
   }
 
  private:
+  // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
-    for (;;) {
-      ++report_.passes;
-      const std::vector<std::int32_t> bad = surface_.find_loops();
-      timer_.step("loops");
-      if (std::getenv("HIST")) std::printf("  bad %zu of loops %zu nodes %zu\n", bad.size(), surface_.loops().size(), tree_.size());
-      const std::size_t split = tree_.split(bad);
-      timer_.step("tree");
-      if (split == 0) return;
+    std::vector<std::int32_t> bad =
+        detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
+    while (tree_.split(bad) > 0) {
+      std::vector<char> nearby;
+      const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
+      bad = detail::badly_crossed(tree_, edges, &nearby);
     }
+    timer_.step("tree");
+    surface_.find_loops();
+    ++report_.passes;
+    timer_.step("loops");
   }
 
   LabelledMesh label(const BaseMesh& base) const {
@@ -125,6 +129,51 @@ class Contour {
     return std::max(face, std::abs(field_.sample(center, list).distance));
   }
 
+  // From the face of the part, or from the nearest corner, which is exact.
+  double certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
+    const auto& x = mesh.triangles[t];
+    const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    return std::min(bound(mesh, t, limit), kNearestCorner * longest);
+  }
+
+  // Makes triangles; cells with several pieces of surface whose triangles meet are split.
+  LabelledMesh triangles() {
+    for (;;) {
+      surface_.make_triangles();
+      timer_.step("surface");
+      const std::vector<std::int32_t> bad = crossed_cells();
+      timer_.step("check");
+      if (bad.empty()) return label(surface_.mesh());
+      if (tree_.split(bad) == 0)
+        throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
+      find_topology();
+    }
+  }
+
+  // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
+  std::vector<std::int32_t> crossed_cells() const {
+    if (surface_.crowded().empty()) return {};
+    std::vector<char> is_crowded(tree_.size(), 0);
+    for (const std::int32_t c : surface_.crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
+    const BaseMesh& mesh = surface_.mesh();
+    const auto crowded_cell = [&](std::uint32_t v) {
+      if (v >= surface_.loops().size()) return -1;
+      const std::int32_t c = surface_.loops()[v].cell;
+      return is_crowded[static_cast<std::size_t>(c)] ? c : -1;
+    };
+    std::vector<std::array<std::uint32_t, 3>> some;
+    for (const auto& t : mesh.triangles)
+      if (crowded_cell(t[0]) >= 0 || crowded_cell(t[1]) >= 0 || crowded_cell(t[2]) >= 0)
+        some.push_back(t);
+    std::vector<std::int32_t> bad;
+    for (const auto& [i, j] : detail::self_intersections(mesh.vertices, some, options_.threads))
+      for (const std::uint32_t k : {i, j})
+        for (const std::uint32_t v : some[k])
+          if (crowded_cell(v) >= 0) bad.push_back(crowded_cell(v));
+    return bad;
+  }
+
   // Splits cells whose triangles are not within the tolerance. False when none is left that can be
   // split.
   bool split_failed() {
@@ -135,7 +184,7 @@ class Contour {
     parallel_for(
         mesh.triangles.size(), options_.threads,
         [&](std::size_t t) {
-          if (bound(mesh, t, limit) > limit) failed[t] = guilty_cells(mesh, base, t);
+          if (certified(mesh, t, limit) > limit) failed[t] = guilty_cells(mesh, base, t);
         },
         64);
     std::vector<std::int32_t> cells;
@@ -147,7 +196,6 @@ class Contour {
       report_.unresolved += !can;
     }
     timer_.step("certify");
-    if (std::getenv("HIST")) std::printf("  failed %zu\n", cells.size());
     const std::size_t count = tree_.split(std::move(cells));
     timer_.step("tree");
     return count > 0;
@@ -212,7 +260,7 @@ class Contour {
     parallel_for(
         bounds.size(), options_.threads,
         [&](std::size_t t) {
-          bounds[t] = bound(mesh, t, std::numeric_limits<double>::infinity());
+          bounds[t] = certified(mesh, t, std::numeric_limits<double>::infinity());
         },
         64);
     double most = 0;
@@ -240,6 +288,23 @@ class Contour {
   ContourSurface surface_;
 };
 
+// Cells down to half the tolerance, in which any triangle is within it, but not so small that
+// coordinates as floats no longer resolve them.
+int fine_levels(const Box3& bounds, double voxel, double tolerance) {
+  double largest = 0, longest = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double lo = component(bounds.lo, a), hi = component(bounds.hi, a);
+    largest = std::max({largest, std::abs(lo), std::abs(hi)});
+    longest = std::max(longest, hi - lo);
+  }
+  const double wanted = tolerance > 0 ? 0.5 * tolerance : voxel / 8;
+  const double least = 64 * detail::coordinate_step(largest);
+  int levels = 0;
+  while (levels < 12 && voxel / (1 << levels) > wanted && voxel / (2 << levels) > least) ++levels;
+  while (levels > 0 && 2 * longest / voxel * (1 << levels) > (1 << 20)) --levels;
+  return levels;
+}
+
 }  // namespace
 
 TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options,
@@ -254,7 +319,10 @@ TriMesh contour(const ExactField& field, double voxel, const MeshOptions& option
   ContourReport& out = report ? *report : ignored;
   out = {};
   TriMesh mesh =
-      Contour(field, Lattice(field.bounds(), voxel, detail::kFineLevels), options, out).run();
+      Contour(field,
+              Lattice(field.bounds(), voxel, fine_levels(field.bounds(), voxel, options.tolerance)),
+              options, out)
+          .run();
   if (mesh.triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
   return mesh;
 }

@@ -6,43 +6,65 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kCubicRoom = 4;       ///< multiple of the centroid's deviation from the quadratic
+constexpr double kFlat = 2e-5;         ///< mm: deviations that rounding of coordinates explains
+constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
+constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
 
-// Largest |q| of the quadratic that vanishes at the corners and is m[i] in the middle of side i
-// (between corners i and i + 1), on a lattice of an eighth, with the rest a lattice can miss.
-double largest_quadratic(const double (&m)[3]) {
-  double most = 0;
-  for (int i = 0; i <= 8; ++i)
-    for (int j = 0; i + j <= 8; ++j) {
-      const double x = i / 8.0, y = j / 8.0, z = 1 - x - y;
-      most = std::max(most, std::abs(4 * (m[0] * x * y + m[1] * y * z + m[2] * z * x)));
+// Node (i, j): i quarters towards b, j towards c.
+struct Nodes {
+  double value[kSides + 1][kSides + 1];
+
+  double largest() const {
+    double most = 0;
+    for (int i = 0; i <= kSides; ++i)
+      for (int j = 0; i + j <= kSides; ++j) most = std::max(most, std::abs(value[i][j]));
+    return most;
+  }
+  // What the distance can do between the nodes: a share of its second differences where it bends
+  // evenly, a larger one of their change, for a bend between two nodes.
+  double remainder() const {
+    double second = 0, third = 0;
+    const auto along = [&](int i, int j, int u, int v, int n) {
+      double last = 0;
+      for (int k = 1; k < n; ++k) {
+        const double d = value[i + (k - 1) * u][j + (k - 1) * v] - 2 * value[i + k * u][j + k * v] +
+                         value[i + (k + 1) * u][j + (k + 1) * v];
+        second = std::max(second, std::abs(d));
+        if (k > 1) third = std::max(third, std::abs(d - last));
+        last = d;
+      }
+    };
+    for (int k = 0; k + 2 <= kSides; ++k) {
+      along(0, k, 1, 0, kSides - k);
+      along(k, 0, 0, 1, kSides - k);
+      along(kSides - k, 0, -1, 1, kSides - k);
     }
-  return 1.02 * most;
-}
+    return kEven * second + kUneven * third;
+  }
+};
 
 }  // namespace
 
 double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
                       const Vec3& b, const Vec3& c, double limit) {
-  const Vec3* p[3] = {&a, &b, &c};
-  double at_corner[3], m[3], corner = 0, side = 0, total = 0;
-  for (int i = 0; i < 3; ++i) {
-    at_corner[i] = field.patch_distance(*p[i], face);
-    corner = std::max(corner, std::abs(at_corner[i]));
-  }
-  if (corner > limit) return corner;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    m[i] = field.patch_distance(0.5 * (*p[i] + *p[j]), face) - 0.5 * (at_corner[i] + at_corner[j]);
-    side = std::max(side, std::abs(m[i]));
-    total += m[i];
-  }
-  if (corner + side > limit) return corner + side;
-  const double center = field.patch_distance((1.0 / 3) * (a + b + c), face) -
-                        (at_corner[0] + at_corner[1] + at_corner[2]) / 3;
-  const double cubic = kCubicRoom * std::abs(center - 4.0 / 9 * total);
-  return corner + largest_quadratic(m) + cubic;
+  Nodes nodes;
+  double most = 0;
+  const auto measure = [&](int i, int j) {
+    const Vec3 p =
+        (1.0 / kSides) * (static_cast<double>(kSides - i - j) * a + static_cast<double>(i) * b +
+                          static_cast<double>(j) * c);
+    nodes.value[i][j] = field.patch_distance(p, face);
+    most = std::max(most, std::abs(nodes.value[i][j]));
+  };
+  for (int i = 0; i <= kSides; i += kSides / 2)
+    for (int j = 0; i + j <= kSides; j += kSides / 2) measure(i, j);
+  measure(1, 1);
+  if (most > limit || most < kFlat) return most;
+  for (int i = 0; i <= kSides; ++i)
+    for (int j = 0; i + j <= kSides; ++j)
+      if ((i % 2 || j % 2) && !(i == 1 && j == 1)) measure(i, j);
+  return nodes.largest() + nodes.remainder();
 }
 
 double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,

@@ -7,8 +7,8 @@
 namespace mrsim::detail {
 
 /// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the part:
-/// the largest value of the quadratic through the corners and the middles of the sides, and what the
-/// centroid differs from it, with room to spare. Stops early once it is above `limit`.
+/// the largest value at 15 nodes (quarters of the sides), and what g can do between them by its
+/// second differences there. Stops early once it is above `limit`.
 double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
                       const Vec3& b, const Vec3& c, double limit);
 

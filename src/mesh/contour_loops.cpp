@@ -44,14 +44,79 @@ bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
   return component(a.start, across) == component(b.start, across);
 }
 
+std::int32_t ring_cell(const MinimalEdge& e, int place) {
+  return e.cells[(place ^ (place >> 1)) & 3];
+}
+
+std::int32_t smaller_cell(const ContourOctree& tree, const CellFace& face) {
+  return tree.node(face.high).size < tree.node(face.low).size ? face.high : face.low;
+}
+
+// Faces by the smaller of their two cells and its side.
+class FaceTable {
+ public:
+  explicit FaceTable(std::size_t edges) { ids_.reserve(3 * edges); }
+
+  void add(const ContourOctree& tree, const MinimalEdge& e, std::int32_t id, int place) {
+    const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
+    if (from == to) return;
+    CellFace face;
+    face.axis = (e.axis + 1 + (place & 1)) % 3;
+    face.low = place < 2 ? from : to;
+    face.high = place < 2 ? to : from;
+    const std::int32_t owner = smaller_cell(tree, face);
+    const std::int64_t key = std::int64_t(owner) * 6 + 2 * face.axis + (owner == face.low);
+    const auto [it, is_new] = ids_.try_emplace(key, faces_.size());
+    if (is_new) faces_.push_back(face);
+    faces_[it->second].crossings.push_back(id);
+  }
+  const std::vector<CellFace>& all() const { return faces_; }
+  std::vector<CellFace> take() { return std::move(faces_); }
+
+ private:
+  std::unordered_map<std::int64_t, std::size_t> ids_;
+  std::vector<CellFace> faces_;
+};
+
+enum class Joining { none, two, four };
+
+// Every face should have two crossings, on two of its sides; four on all sides are paired where the
+// face is small.
+Joining joining(const ContourOctree& tree, const CellFace& face,
+                const std::vector<MinimalEdge>& edges) {
+  const std::size_t n = face.crossings.size();
+  if (n != 2 && n != 4) return Joining::none;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (on_one_side(at(edges, face.crossings[i]), at(edges, face.crossings[j]), face.axis))
+        return Joining::none;
+  if (n == 2) return Joining::two;
+  return tree.node(smaller_cell(tree, face)).size <= tree.lattice().per_voxel() ? Joining::four
+                                                                               : Joining::none;
+}
+
 }  // namespace
 
-std::vector<std::int32_t> ContourSurface::find_loops() {
+std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
+                                        const std::vector<MinimalEdge>& edges,
+                                        const std::vector<char>* nearby) {
+  FaceTable faces(edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int i = 0; i < 4; ++i) faces.add(tree, edges[k], static_cast<std::int32_t>(k), i);
+  std::vector<std::int32_t> bad;
+  for (const CellFace& face : faces.all()) {
+    if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
+    if (joining(tree, face, edges) == Joining::none)
+      bad.insert(bad.end(), {face.low, face.high});
+  }
+  return bad;
+}
+
+void ContourSurface::find_loops() {
   find_crossings();
   find_faces();
-  std::vector<std::int32_t> bad = find_segments();
-  if (!bad.empty()) return bad;
-  return join_loops();
+  find_segments();
+  join_loops();
 }
 
 void ContourSurface::find_crossings() {
@@ -94,28 +159,17 @@ void ContourSurface::find_crossings() {
 }
 
 void ContourSurface::find_faces() {
-  faces_.clear();
-  std::unordered_map<std::int64_t, std::int32_t> ids;
-  for (std::size_t k = 0; k < crossings_.size(); ++k) {
-    Crossing& c = crossings_[k];
+  FaceTable table(crossings_.size());
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t from = c.cell(i), to = c.cell((i + 1) & 3);
-      c.segments[i] = -1;
-      if (from == to) continue;
-      const int axis = (c.edge.axis + 1 + (i & 1)) % 3;
-      const std::int32_t low = i < 2 ? from : to, high = i < 2 ? to : from;
-      const bool owned_high = tree_.node(high).size < tree_.node(low).size;
-      const std::int64_t id = std::int64_t(owned_high ? high : low) * 6 + 2 * axis + !owned_high;
-      const auto [it, is_new] = ids.try_emplace(id, static_cast<std::int32_t>(faces_.size()));
-      if (is_new) faces_.push_back({low, high, axis, {}});
-      faces_[static_cast<std::size_t>(it->second)].crossings.push_back(
-          static_cast<std::int32_t>(k));
+      crossings_[k].segments[i] = -1;
+      table.add(tree_, crossings_[k].edge, static_cast<std::int32_t>(k), i);
     }
-  }
+  faces_ = table.take();
 }
 
 std::int32_t ContourSurface::face_cell(const CellFace& face) const {
-  return tree_.node(face.high).size < tree_.node(face.low).size ? face.high : face.low;
+  return smaller_cell(tree_, face);
 }
 
 Box3 ContourSurface::face_box(const CellFace& face) const {
@@ -127,31 +181,19 @@ Box3 ContourSurface::face_box(const CellFace& face) const {
   return b;
 }
 
-// Every face should have two crossings, on two of its sides; four are paired when the face can not
-// be made smaller.
-std::vector<std::int32_t> ContourSurface::find_segments() {
+void ContourSurface::find_segments() {
   segments_.clear();
-  std::vector<std::int32_t> bad;
+  std::vector<MinimalEdge> edges;
+  for (const Crossing& c : crossings_) edges.push_back(c.edge);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const CellFace& face = faces_[f];
-    MRSIM_ASSERT(face.crossings.size() % 2 == 0);
-    const bool simple = face.crossings.size() == 2 &&
-                        !on_one_side(at(crossings_, face.crossings[0]).edge,
-                                     at(crossings_, face.crossings[1]).edge, face.axis);
-    const bool small = tree_.node(face_cell(face)).size <= tree_.lattice().per_voxel();
-    bool four = face.crossings.size() == 4 && small;
-    for (std::size_t i = 0; four && i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        four = four && !on_one_side(at(crossings_, face.crossings[i]).edge,
-                                    at(crossings_, face.crossings[j]).edge, face.axis);
-    if (simple)
+    const Joining j = joining(tree_, face, edges);
+    MRSIM_ASSERT(j != Joining::none);
+    if (j == Joining::two)
       add_segment(static_cast<std::int32_t>(f), face.crossings[0], face.crossings[1]);
-    else if (four)
-      pair_four(static_cast<std::int32_t>(f));
     else
-      bad.insert(bad.end(), {face.low, face.high});
+      pair_four(static_cast<std::int32_t>(f));
   }
-  return bad;
 }
 
 void ContourSurface::add_segment(std::int32_t f, std::int32_t from, std::int32_t to) {
@@ -194,7 +236,7 @@ void ContourSurface::pair_four(std::int32_t f) {
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }
 
-std::vector<std::int32_t> ContourSurface::join_loops() {
+void ContourSurface::join_loops() {
   std::vector<std::int32_t> parent(4 * crossings_.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto slot = [&](std::int32_t crossing, std::int32_t cell) {
@@ -216,7 +258,7 @@ std::vector<std::int32_t> ContourSurface::join_loops() {
   loops_.clear();
   loops_in_cell_.assign(tree_.size(), 0);
   std::vector<std::int32_t> loop_of_root(parent.size(), -1);
-  std::vector<std::int32_t> bad;
+  crowded_.clear();
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
       const std::int32_t root = find(parent, static_cast<std::int32_t>(4 * k) + i);
@@ -225,9 +267,8 @@ std::vector<std::int32_t> ContourSurface::join_loops() {
         id = static_cast<std::int32_t>(loops_.size());
         loops_.emplace_back();
         loops_.back().cell = crossings_[k].cell(i);
-        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] > 1 &&
-            tree_.can_split(loops_.back().cell))
-          bad.push_back(loops_.back().cell);
+        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] == 2)
+          crowded_.push_back(loops_.back().cell);
       }
       crossings_[k].loops[i] = id;
       Loop& loop = loops_[static_cast<std::size_t>(id)];
@@ -242,7 +283,6 @@ std::vector<std::int32_t> ContourSurface::join_loops() {
           static_cast<std::int32_t>(s));
     }
   }
-  return bad;
 }
 
 }  // namespace mrsim::detail

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mrsim::detail {
 namespace {
@@ -19,11 +20,18 @@ bool same_face(const FieldSample& a, const FieldSample& b) {
 // line where four cells meet [Ju, Losasso, Schaefer and Warren 2002].
 class EdgeWalk {
  public:
-  EdgeWalk(const ContourOctree& tree, std::vector<MinimalEdge>& out) : tree_(tree), out_(out) {}
+  /// `marked` (null: everything): only edges about nodes with a mark; `ring` (null: none): set for
+  /// all leaves about such an edge, crossed or not.
+  EdgeWalk(const ContourOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
+           std::vector<MinimalEdge>& out)
+      : tree_(tree), marked_(marked), ring_(ring), out_(out) {}
+
+  /// Collect edges that may be crossed twice instead of the crossed ones.
+  void doubtful() { doubtful_ = true; }
 
   void cell(std::int32_t n) {
     const OctreeNode& node = tree_.node(n);
-    if (node.child < 0) return;
+    if (node.child < 0 || !is_marked(n)) return;
     for (int k = 0; k < 8; ++k) cell(node.child + k);
     for (int axis = 0; axis < 3; ++axis)
       for (int k = 0; k < 8; ++k)
@@ -46,8 +54,12 @@ class EdgeWalk {
     return tree_.node(n).region != ExactField::Region::mixed;
   }
 
+  bool is_marked(std::int32_t n) const {
+    return !marked_ || (*marked_)[static_cast<std::size_t>(n)] != 0;
+  }
+
   void face(std::int32_t low, std::int32_t high, int axis) {
-    if (is_empty(low) || is_empty(high)) return;
+    if (is_empty(low) || is_empty(high) || !(is_marked(low) || is_marked(high))) return;
     if (tree_.node(low).child < 0 && tree_.node(high).child < 0) return;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int q = 0; q < 4; ++q) {
@@ -74,6 +86,8 @@ class EdgeWalk {
   void edge(const std::int32_t (&four)[4], int axis) {
     int smallest = 0;
     bool leaves = true;
+    if (!is_marked(four[0]) && !is_marked(four[1]) && !is_marked(four[2]) && !is_marked(four[3]))
+      return;
     for (int q = 0; q < 4; ++q) {
       if (is_empty(four[q])) return;
       leaves = leaves && tree_.node(four[q]).child < 0;
@@ -93,6 +107,8 @@ class EdgeWalk {
   }
 
   void emit(const std::int32_t (&four)[4], int axis, int smallest) {
+    if (ring_)
+      for (const std::int32_t n : four) (*ring_)[static_cast<std::size_t>(n)] = 1;
     const OctreeNode& node = tree_.node(four[smallest]);
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const int k = ((smallest & 1) ^ 1) << u | ((smallest >> 1) ^ 1) << v;
@@ -100,8 +116,12 @@ class EdgeWalk {
     std::copy(four, four + 4, e.cells);
     e.low = node.corners[k];
     e.high = node.corners[k | 1 << axis];
-    if (e.low < 0 || e.high < 0 ||
-        is_inside(tree_.sample(e.low).distance) == is_inside(tree_.sample(e.high).distance))
+    if (e.low < 0 || e.high < 0) return;
+    const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
+    const bool crossed = is_inside(a.distance) != is_inside(b.distance);
+    if (doubtful_ ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
+                        std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
+                  : !crossed)
       return;
     e.start = node.origin;
     component(e.start, u) += k >> u & 1 ? node.size : 0;
@@ -112,7 +132,10 @@ class EdgeWalk {
   }
 
   const ContourOctree& tree_;
+  const std::vector<char>* marked_;
+  std::vector<char>* ring_;
   std::vector<MinimalEdge>& out_;
+  bool doubtful_ = false;
 };
 
 }  // namespace
@@ -182,6 +205,7 @@ std::size_t ContourOctree::split(std::vector<std::int32_t> leaves) {
 }
 
 void ContourOctree::refine(std::vector<std::int32_t> pending) {
+  new_leaves_.clear();
   while (!pending.empty()) {
     find_regions(pending);
     std::vector<std::int32_t> mixed, next;
@@ -191,7 +215,10 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
     std::vector<char> split(mixed.size());
     parallel_for(mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
     for (std::size_t k = 0; k < mixed.size(); ++k)
-      if (split[k]) add_children(mixed[k], next);
+      if (split[k])
+        add_children(mixed[k], next);
+      else
+        new_leaves_.push_back(mixed[k]);
     pending = std::move(next);
   }
 }
@@ -299,7 +326,33 @@ bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> see
 
 std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
   std::vector<MinimalEdge> out;
-  EdgeWalk(*this, out).cell(0);
+  EdgeWalk(*this, nullptr, nullptr, out).cell(0);
+  return out;
+}
+
+std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk walk(*this, nullptr, nullptr, out);
+  walk.doubtful();
+  walk.cell(0);
+  return out;
+}
+
+std::vector<MinimalEdge> ContourOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
+                                                            std::vector<char>& nearby) const {
+  std::vector<char> marked(size(), 0);
+  const auto mark = [&](std::int32_t n) {
+    for (; n >= 0 && !marked[static_cast<std::size_t>(n)]; n = node(n).parent)
+      marked[static_cast<std::size_t>(n)] = 1;
+  };
+  for (const std::int32_t n : leaves) mark(n);
+  nearby.assign(size(), 0);
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, &marked, &nearby, out).cell(0);
+  for (std::size_t n = 0; n < nearby.size(); ++n)
+    if (nearby[n]) mark(static_cast<std::int32_t>(n));
+  out.clear();
+  EdgeWalk(*this, &marked, nullptr, out).cell(0);
   return out;
 }
 

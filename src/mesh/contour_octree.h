@@ -48,12 +48,21 @@ class ContourOctree {
   std::int32_t locate(const Vec3& p) const;
   Box3 box(std::int32_t node) const;
 
-  bool can_split(std::int32_t node) const { return this->node(node).size >= 4; }
+  bool can_split(std::int32_t node) const { return this->node(node).size >= 2; }
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
   std::size_t split(std::vector<std::int32_t> leaves);
 
   /// All edges whose ends lie on different sides of the surface, in the order of the tree.
   std::vector<MinimalEdge> crossing_edges() const;
+  /// The same about the given leaves and those that share an edge with them; `nearby` is set for all
+  /// of these.
+  std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
+                                               std::vector<char>& nearby) const;
+  /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
+  /// enough to the surface for it to pass twice between them.
+  std::vector<MinimalEdge> doubtful_edges() const;
+  /// Leaves made by the last split.
+  const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
 
  private:
   void refine(std::vector<std::int32_t> pending);
@@ -68,6 +77,7 @@ class ContourOctree {
   bool adaptive_;
   int threads_;
   std::vector<OctreeNode> nodes_;
+  std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
   std::vector<FieldSample> samples_;
   std::unordered_map<std::uint64_t, std::int32_t> sample_of_;

@@ -52,16 +52,24 @@ void ContourSurface::place_creases() {
         if (join_smoothly(field_, middle, a.at, b.at)) return;
         s.is_crease = true;
         const CellFace& face = at(faces_, s.face);
-        s.point = point_in_face(probe(face_cell(face)), face_box(face), face.axis, middle, a.at,
-                                &b.at);
+        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position, a.at,
+                                 b.position, b.at);
       },
       64);
 }
 
+void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
+  LatticePoint end = c.edge.start;
+  component(end, c.edge.axis) += c.edge.length;
+  out.push_back(tree_.lattice().position(c.edge.start));
+  out.push_back(tree_.lattice().position(end));
+}
+
 void ContourSurface::place_loop(Loop& loop) {
-  std::vector<Vec3> crossings, creases;
+  std::vector<Vec3> crossings, creases, ends;
   std::vector<FieldSample> faces;
   for (const std::int32_t k : loop.crossings) {
+    add_ends(at(crossings_, k), ends);
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
   }
@@ -69,7 +77,7 @@ void ContourSurface::place_loop(Loop& loop) {
     if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
       creases.push_back(at(segments_, k).point.position);
   const Box3 box = tree_.box(loop.cell);
-  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
+  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases, ends});
   loop.point.position = snap_inside(loop.point.position, box);
 }
 
@@ -82,8 +90,7 @@ const Loop& ContourSurface::loop_of(std::int32_t crossing, std::int32_t cell) co
 }
 
 bool ContourSurface::vertex_on_crease(const Loop& loop, const Segment& s) const {
-  return has_face(loop.point, at(crossings_, s.from).at) &&
-         has_face(loop.point, at(crossings_, s.to).at);
+  return has_face(loop.point, s.point.faces[0]) && has_face(loop.point, s.point.faces[1]);
 }
 
 // A segment needs no vertex of its own where the line between the vertices on both sides passes
@@ -122,9 +129,13 @@ void ContourSurface::choose_explicit() {
         const CellFace& face = at(faces_, s.face);
         const Box3 box = face_box(face);
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-        if (s.point.count == 0 && face.crossings.size() == 2)
-          s.point = point_in_face(probe(face_cell(face)), box, face.axis,
-                                  0.5 * (a.position + b.position), a.at, nullptr);
+        if (s.point.count == 0 && face.crossings.size() == 2) {
+          const Probe p = probe(face_cell(face));
+          s.point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
+          std::vector<Vec3> ends;
+          add_ends(a, ends);
+          if (s.point.count == 0) s.point = point_towards_middle(p, box, ends);
+        }
         if (face.crossings.size() == 4) s.point = point_between(face, box, a, b);
         s.point.position = snap_inside(s.point.position, box, face.axis);
       },

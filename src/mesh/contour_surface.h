@@ -54,14 +54,23 @@ struct BaseMesh {
   std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
 };
 
+/// Cells about faces on whose sides the crossings can not be joined in one way: more than two (four,
+/// in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby` count
+/// (null: all).
+std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
+                                        const std::vector<MinimalEdge>& edges,
+                                        const std::vector<char>* nearby);
+
 class ContourSurface {
  public:
   ContourSurface(const ExactField& field, const ContourOctree& tree, int threads)
       : field_(field), tree_(tree), threads_(threads) {}
 
-  /// Finds crossings, faces, segments and loops on the tree as it is now. Returns the cells that
-  /// must be split before triangles can be made; empty = all is well.
-  std::vector<std::int32_t> find_loops();
+  /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
+  /// badly_crossed().
+  void find_loops();
+  /// Cells that hold more than one loop.
+  const std::vector<std::int32_t>& crowded() const { return crowded_; }
   /// Places vertices and makes triangles.
   const BaseMesh& make_triangles();
 
@@ -78,9 +87,9 @@ class ContourSurface {
 
   void find_crossings();
   void find_faces();
-  std::vector<std::int32_t> find_segments();
+  void find_segments();
   void pair_four(std::int32_t face);
-  std::vector<std::int32_t> join_loops();
+  void join_loops();
   void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
   Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell)}; }
   Box3 face_box(const CellFace& face) const;
@@ -88,6 +97,7 @@ class ContourSurface {
 
   void place_creases();
   void place_loop(Loop& loop);
+  void add_ends(const Crossing& c, std::vector<Vec3>& out) const;
   void choose_explicit();
   bool may_be_implicit(const Segment& s) const;
   bool vertex_on_crease(const Loop& loop, const Segment& s) const;
@@ -106,6 +116,7 @@ class ContourSurface {
   std::vector<Segment> segments_;
   std::vector<Loop> loops_;
   std::vector<std::uint8_t> loops_in_cell_;
+  std::vector<std::int32_t> crowded_;
   std::unordered_map<std::uint64_t, Found> known_;  ///< crossings of former rounds
   BaseMesh mesh_;
 };

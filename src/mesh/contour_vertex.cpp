@@ -118,27 +118,63 @@ SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start)
   return result;
 }
 
-// Where a corner of the room lies on another side than its centre or than the opposite corner: the
-// segment between them runs in the interior.
-SurfacePoint search_room(const Probe& probe, const Box3& room, int flat) {
-  const Vec3 center = 0.5 * (room.lo + room.hi);
-  const bool center_inside = is_inside(probe.sample(center).distance);
-  for (int k = 0; k < 16; ++k) {
-    const auto corner = [&](int c) {
-      return Vec3{c & 1 ? room.hi.x : room.lo.x, c & 2 ? room.hi.y : room.lo.y,
-                  c & 4 ? room.hi.z : room.lo.z};
-    };
-    const Vec3 from = corner(k & 7), to = k < 8 ? center : corner((k & 7) ^ 7);
-    const bool from_inside = is_inside(probe.sample(from).distance);
-    const bool to_inside = k < 8 ? center_inside : is_inside(probe.sample(to).distance);
-    if (from_inside == to_inside) continue;
-    SurfacePoint result;
-    result.position =
-        from_inside ? find_crossing(probe, from, to) : find_crossing(probe, to, from);
-    if (!strictly_inside(result.position, room, flat, 0)) continue;
-    result.faces[0] = probe.sample(result.position);
-    result.count = 1;
+// Moves p onto the surface, in the plane of the given axis (-1: freely).
+bool project(const Probe& probe, int axis, double reach, Vec3& p) {
+  const Vec3 from = p;
+  for (int k = 0; k < 12; ++k) {
+    const FieldSample s = probe.sample(p);
+    if (std::abs(s.distance) < 1e-8) return true;
+    Vec3 n = probe.field.gradient(p, s);
+    if (axis >= 0) component(n, axis) = 0;
+    const double nn = dot(n, n);
+    if (!(nn > 1e-4)) return false;
+    p = p - s.distance / nn * n;
+    if (distance(p, from) > reach) return false;
+  }
+  return false;
+}
+
+// Halves the way over the surface between two of its points on different faces, until the crease
+// between two faces is near, which need not be those two.
+SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& p,
+                            const Vec3& q) {
+  Vec3 low = p, high = q;
+  FieldSample a = probe.sample(p), b = probe.sample(q);
+  SurfacePoint result;
+  if (same_face(a, b)) return result;
+  const double reach = length(room.hi - room.lo);
+  for (int k = 0; k < 20; ++k) {
+    Vec3 m = 0.5 * (low + high);
+    if (!project(probe, axis, reach, m)) return result;
+    const FieldSample s = probe.sample(m);
+    if (same_face(s, a)) {
+      low = m;
+    } else {
+      high = m;
+      b = s;
+    }
+    if (k < 4 || k % 4 != 0) continue;
+    const FieldSample pair[2] = {a, b};
+    Vec3 x = 0.5 * (low + high);
+    if (join_smoothly(probe.field, x, a, b) || !solve_faces(probe.field, pair, axis, room, x))
+      continue;
+    if (axis >= 0) component(x, axis) = component(room.lo, axis);
+    if (!accept(probe, x, room, axis)) continue;
+    result.position = x;
+    result.count = 2;
+    std::copy(pair, pair + 2, result.faces);
     return result;
+  }
+  return result;
+}
+
+SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const CellHints& hints) {
+  for (std::size_t k = 1; k < hints.crossings.size(); ++k) {
+    if (same_face(hints.faces[k - 1], hints.faces[k])) continue;
+    if (SurfacePoint s =
+            crease_between(probe, room, -1, hints.crossings[k - 1], hints.crossings[k]);
+        s.count > 0)
+      return s;
   }
   return {};
 }
@@ -215,6 +251,7 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& a, const FieldSample* b) {
+  // Newton from the middle of the chord.
   const FieldSample pair[2] = {a, b ? *b : a};
   SurfacePoint result;
   Vec3 p = start;
@@ -228,7 +265,30 @@ SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const
       return result;
     }
   }
-  return b ? result : search_room(probe, room, axis);
+  return result;
+}
+
+SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
+                            const FieldSample& a, const Vec3& to, const FieldSample& b) {
+  SurfacePoint s = point_in_face(probe, room, axis, 0.5 * (from + to), a, &b);
+  return s.count > 0 ? s : crease_between(probe, room, axis, from, to);
+}
+
+// A segment from the border of a convex room to its middle runs in its interior.
+SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
+                                  std::span<const Vec3> points) {
+  const Vec3 middle = 0.5 * (room.lo + room.hi);
+  const bool middle_inside = is_inside(probe.sample(middle).distance);
+  for (const Vec3& p : points) {
+    if (is_inside(probe.sample(p).distance) == middle_inside) continue;
+    SurfacePoint result;
+    result.position =
+        middle_inside ? find_crossing(probe, middle, p) : find_crossing(probe, p, middle);
+    result.faces[0] = probe.sample(result.position);
+    result.count = 1;
+    return result;
+  }
+  return {};
 }
 
 SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints) {
@@ -245,9 +305,10 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
     if (SurfacePoint s = try_creases(probe, room, starts, {faces, n}); s.count > 0) return s;
     // The crease may be hidden by other faces between its ends: start at each of them.
     if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0) return s;
+    if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
   }
   if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
-  return search_room(probe, room, -1);
+  return point_towards_middle(probe, room, hints.ends);
 }
 
 Vec3 snap_inside(const Vec3& p, const Box3& room, int flat) {

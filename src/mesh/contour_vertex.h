@@ -46,12 +46,23 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& a, const FieldSample* b);
 
+/// Where a crease passes the rectangle between two points of the surface on its border, which lie on
+/// faces a and b of the part.
+SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
+                            const FieldSample& a, const Vec3& to, const FieldSample& b);
+
+/// A point of the surface between the middle of `room` and one of the points, of which the two
+/// nearest in order lie on different sides. Requires: points on the border of the room.
+SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
+                                  std::span<const Vec3> points);
+
 /// What a cell's vertex is placed by: crossings of the grid's edges, and points where creases enter
 /// the cell through its faces.
 struct CellHints {
   std::span<const Vec3> crossings;
   std::span<const FieldSample> faces;  ///< of the crossings
   std::span<const Vec3> creases;       ///< may be empty
+  std::span<const Vec3> ends;          ///< of the crossed edges
 };
 
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.

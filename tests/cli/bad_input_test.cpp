@@ -22,7 +22,7 @@ TEST_F(BadInput, Program) {
   write("nocuts.MPF",
         "G54\nTRANS X0 Y0\nT4 D1 M6; Steblasto frezalo \xC3\x98"
         "5\nG0 X0 Y0 Z5\nM30\n");
-  expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "cuts nothing");
+  expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "nothing is cut");
   write("error.MPF", "G54\nTRANS X0\nT4 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X12.3.4\nM30\n");
   expect_failure("error.MPF --tool 4=endmill:d=5 --stock block.stl -o part.stl", 1, "error.MPF:6:");
 }
@@ -30,7 +30,7 @@ TEST_F(BadInput, Program) {
 TEST_F(BadInput, UnknownTool) {
   write("tool.MPF",
         "G54\nTRANS X50 Y-30 Z10\nT9 M6\nS3200 F200 M3\nG0 X0 Y0 Z5\nG1 Z-2\nG1 X10\nM30\n");
-  expect_failure("tool.MPF --stock block.stl -o part.stl", 1, "T9");
+  expect_failure("tool.MPF --stock block.stl -o part.stl", 1, "tool 9");
   expect_failure("PRIMER_2F.MPF --tool 4=endmil:d=5 -o part.stl", 2, "did you mean \"endmill\"");
   write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiametr = 5\n");
   expect_failure("PRIMER_2F.MPF --tools tools.toml -o part.stl", 1, "tools.toml:4:1: error:");
@@ -80,7 +80,7 @@ TEST_F(BadInput, StlThatIsNoSolid) {
     std::memcpy(block.data() + at + 24, corner, 12);
   }
   write("bad.stl", block);
-  expect_bad_stock("inside out");
+  expect_bad_stock("inverted orientation");
 }
 
 TEST_F(BadInput, Output) {
