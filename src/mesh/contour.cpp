@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -121,12 +122,10 @@ class Contour {
   double bound(const LabelledMesh& mesh, std::size_t t, double limit) const {
     const auto& x = mesh.triangles[t];
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
-    const double face =
-        detail::triangle_bound(field_, mesh.faces[mesh.labels[t]], a, b, c, limit);
+    const FieldSample& label = mesh.faces[mesh.labels[t]];
+    const double face = detail::triangle_bound(field_, label, a, b, c, limit);
     if (face > limit) return face;
-    const Vec3 center = (1.0 / 3) * (a + b + c);
-    const auto list = tree_.candidates(tree_.locate(center));
-    return std::max(face, std::abs(field_.sample(center, list).distance));
+    return std::max(face, detail::largest_distance(field_, tree_, label, a, b, c, limit));
   }
 
   // From the face of the part, or from the nearest corner, which is exact.
@@ -181,12 +180,17 @@ class Contour {
     const LabelledMesh mesh = label(base);
     const double limit = kBaseShare * options_.tolerance;
     std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());
+    std::vector<std::uint64_t> hashes(mesh.triangles.size());
     parallel_for(
         mesh.triangles.size(), options_.threads,
         [&](std::size_t t) {
+          hashes[t] = triangle_hash(mesh, t);
+          if (passed_.count(hashes[t]) > 0) return;
           if (certified(mesh, t, limit) > limit) failed[t] = guilty_cells(mesh, base, t);
         },
         64);
+    for (std::size_t t = 0; t < hashes.size(); ++t)
+      if (failed[t].empty()) passed_.insert(hashes[t]);
     std::vector<std::int32_t> cells;
     report_.unresolved = 0;
     for (const auto& f : failed) {
@@ -199,6 +203,20 @@ class Contour {
     const std::size_t count = tree_.split(std::move(cells));
     timer_.step("tree");
     return count > 0;
+  }
+
+  // Tells a triangle from all others of former rounds, which need not be certified again.
+  static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
+    const FieldSample& face = mesh.faces[mesh.labels[t]];
+    std::uint64_t h = static_cast<std::uint32_t>(face.owner) * 0x9e3779b97f4a7c15u +
+                      static_cast<std::uint32_t>(face.patch);
+    for (const std::uint32_t v : mesh.triangles[t])
+      for (int a = 0; a < 3; ++a) {
+        const auto q = static_cast<std::int64_t>(component(mesh.vertices[v], a) / detail::kQuantum);
+        h = (h ^ static_cast<std::uint64_t>(q)) * 0xff51afd7ed558ccdu;
+        h ^= h >> 32;
+      }
+    return h;
   }
 
   // The cell whose vertex has missed the face of the part; else the largest about the edge.
@@ -286,6 +304,7 @@ class Contour {
   Timer timer_;
   ContourOctree tree_;
   ContourSurface surface_;
+  std::unordered_set<std::uint64_t> passed_;  ///< hashes of triangles within the tolerance
 };
 
 // Cells down to half the tolerance, in which any triangle is within it, but not so small that

@@ -1,5 +1,7 @@
 #include "mesh/contour_certify.h"
 
+#include "mesh/contour_vertex.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,16 +46,38 @@ struct Nodes {
   }
 };
 
+Vec3 node_at(const Vec3& a, const Vec3& b, const Vec3& c, double i, double j) {
+  return (1.0 / kSides) * ((kSides - i - j) * a + i * b + j * c);
+}
+
 }  // namespace
+
+double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
+  // Interior nodes and middles first; all of them where the triangle spans many voxels.
+  static constexpr double kOrder[18][2] = {
+      {1, 1}, {2, 2}, {2, 0},   {0, 2},   {1, 2},   {2, 1},   {1, 0},     {3, 0},     {0, 1},
+      {0, 3}, {1, 3}, {.5, 0},  {0, .5},  {3.5, 0}, {0, 3.5}, {3.5, .5},  {.5, 3.5},  {3, 1}};
+  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  const double voxel = tree.lattice().voxel();
+  const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 18;
+  double most = 0;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
+    const std::int32_t cell = tree.locate(p);
+    if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
+    most = std::max(most, std::abs(field.sample(p, tree.candidates(cell)).distance));
+    if (most > limit) return most;
+  }
+  return most;
+}
 
 double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
                       const Vec3& b, const Vec3& c, double limit) {
   Nodes nodes;
   double most = 0;
   const auto measure = [&](int i, int j) {
-    const Vec3 p =
-        (1.0 / kSides) * (static_cast<double>(kSides - i - j) * a + static_cast<double>(i) * b +
-                          static_cast<double>(j) * c);
+    const Vec3 p = node_at(a, b, c, i, j);
     nodes.value[i][j] = field.patch_distance(p, face);
     most = std::max(most, std::abs(nodes.value[i][j]));
   };

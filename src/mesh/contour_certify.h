@@ -1,8 +1,7 @@
 // How far a triangle is from the exact part, from above (docs/mesh.md, Tolerance).
 #pragma once
 
-#include "core/vec.h"
-#include "removal/field.h"
+#include "mesh/contour_octree.h"
 
 namespace mrsim::detail {
 
@@ -11,6 +10,11 @@ namespace mrsim::detail {
 /// second differences there. Stops early once it is above `limit`.
 double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
                       const Vec3& b, const Vec3& c, double limit);
+
+/// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
+/// once it is above `limit`. Finds triangles that leave the face they are measured by.
+double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit);
 
 /// Upper bound in mm of the distance of the segment's points from the curve in which two faces of
 /// the part meet; from either face where they join smoothly.

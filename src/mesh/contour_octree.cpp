@@ -275,10 +275,9 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
 // A cell above a voxel stays whole only where everything that could matter in it shows itself at
 // its corners or centre: one smooth face; or, in cells of a few voxels, faces of owners that are
 // all seen.
-bool ContourOctree::must_split(std::int32_t n) const {
-  const OctreeNode& a = node(n);
-  if (a.size <= lattice_.per_voxel()) return false;
-  if (a.corners[0] < 0 || !adaptive_) return true;
+bool ContourOctree::must_split(std::int32_t n) {
+  OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+  if (!adaptive_ || a.corners[0] < 0) return a.size > lattice_.per_voxel();
   const Box3 b = box(n);
   const Vec3 center = 0.5 * (b.lo + b.hi);
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
@@ -297,6 +296,9 @@ bool ContourOctree::must_split(std::int32_t n) const {
     else if (std::find(owners, owners + seen, s.owner) == owners + seen)
       owners[seen++] = s.owner;
   }
+  a.plain = one_face && list.size() + near_stock <= 1;
+  a.face = middle;
+  if (a.size <= lattice_.per_voxel()) return false;
   if (seen < list.size() || near_stock != stock_seen)
     if (a.size > kMixedCell * lattice_.per_voxel() || shows_more(n, {owners, seen}, stock_seen))
       return true;

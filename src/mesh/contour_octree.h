@@ -19,6 +19,8 @@ struct OctreeNode {
   std::int32_t parent = -1;
   ExactField::Region region = ExactField::Region::mixed;
   bool signs_differ = false;       ///< of its corners
+  bool plain = false;              ///< nothing but `face` can decide d in it
+  FieldSample face;
   std::int32_t corners[8] = {-1, -1, -1, -1, -1, -1, -1, -1};  ///< samples; mixed leaves only
 };
 
@@ -68,7 +70,7 @@ class ContourOctree {
   void refine(std::vector<std::int32_t> pending);
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
-  bool must_split(std::int32_t node) const;
+  bool must_split(std::int32_t node);
   bool shows_more(std::int32_t node, std::span<const std::int32_t> seen, bool stock_seen) const;
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 

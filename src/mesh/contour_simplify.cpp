@@ -162,8 +162,7 @@ class Simplifier {
     const Vec3 center = (1.0 / 3) * (a + b + c);
     if (!(dot(n, field_.gradient(center, face)) > kLeastCosine * area)) return false;
     if (triangle_bound(field_, face, a, b, c, limits_.tolerance) > limits_.tolerance) return false;
-    return std::abs(field_.sample(center, tree_.candidates(tree_.locate(center))).distance) <=
-           limits_.tolerance;
+    return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance) <= limits_.tolerance;
   }
 
   void collapse(std::uint32_t v, std::size_t k) {
