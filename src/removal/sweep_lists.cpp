@@ -124,6 +124,13 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
     const double* r = c.ball_lines[ref.row].c;
     s.kind = SweepSkeleton::Kind::strip;
     measure(s, r[2], r[2] + r[6] * r[5], r[5]);
+  } else if (ref.kind == SweepKind::ball_arc) {
+    const BallArc& b = c.ball_arcs[ref.row];
+    s.kind = SweepSkeleton::Kind::strip;
+    s.group = 2 * ref.shape + 1;
+    s.convex = false;
+    measure(s, b.center.z - b.whole.radius, b.center.z + b.whole.radius, 0);
+    s.length = b.length;
   } else if (ref.kind == SweepKind::plane_line) {
     const double* r = c.plane_lines[ref.row].c;
     measure(s, r[4] - r[6], r[4] - r[6], std::sqrt(r[2] * r[2] + r[3] * r[3]));
@@ -176,6 +183,10 @@ SweepSkeleton SweepColumns::turn_skeleton(const SweepRef& ref) const {
 void SweepColumns::other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x,
                                  double& y, double& z) const {
   squared = kInfinity, x = p.x, y = p.y, z = p.z;
+  if (ref.kind == SweepKind::ball_arc && ref.frame == 0) {
+    const BallArcFoot f = ball_arc_foot(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
+    squared = f.squared, x = f.point.x, y = f.point.y, z = f.point.z;
+  }
   if (ref.kind == SweepKind::turn && !turns[ref.row].arc && turns[ref.row].one_sided) {
     const Vec2 q = {std::sqrt(p.x * p.x + p.y * p.y), p.z};
     const Vec2 foot = polygon_foot(turns[ref.row].polygon, q);
