@@ -92,7 +92,7 @@ Joining joining(const ContourOctree& tree, const CellFace& face,
         return Joining::none;
   if (n == 2) return Joining::two;
   return tree.node(smaller_cell(tree, face)).size <= tree.lattice().per_voxel() ? Joining::four
-                                                                               : Joining::none;
+                                                                                : Joining::none;
 }
 
 }  // namespace
@@ -106,8 +106,7 @@ std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
   std::vector<std::int32_t> bad;
   for (const CellFace& face : faces.all()) {
     if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
-    if (joining(tree, face, edges) == Joining::none)
-      bad.insert(bad.end(), {face.low, face.high});
+    if (joining(tree, face, edges) == Joining::none) bad.insert(bad.end(), {face.low, face.high});
   }
   return bad;
 }
@@ -142,7 +141,8 @@ void ContourSurface::find_crossings() {
           if (tree_.node(other).size < tree_.node(cell).size) cell = other;
         LatticePoint end = c.edge.start;
         component(end, c.edge.axis) += c.edge.length;
-        const Vec3 low = tree_.lattice().position(c.edge.start), high = tree_.lattice().position(end);
+        const Vec3 low = tree_.lattice().position(c.edge.start),
+                   high = tree_.lattice().position(end);
         const Probe p = probe(cell);
         const bool low_inside = is_inside(tree_.sample(c.edge.low).distance);
         const Vec3 x = low_inside ? find_crossing(p, low, high) : find_crossing(p, high, low);
@@ -213,8 +213,8 @@ void ContourSurface::add_segment(std::int32_t f, std::int32_t from, std::int32_t
   segments_.push_back(s);
 }
 
-// Crossings on all four sides: the side of the surface on which the face's centre lies is connected,
-// the two corners of the other are cut off.
+// Crossings on all four sides: the side of the surface on which the face's centre lies is
+// connected, the two corners of the other are cut off.
 void ContourSurface::pair_four(std::int32_t f) {
   const CellFace& face = at(faces_, f);
   const Box3 b = face_box(face);
@@ -229,9 +229,9 @@ void ContourSurface::pair_four(std::int32_t f) {
   // The corner between sides 3 and 0 is the low end of side 0's edge.
   const Crossing& first = at(crossings_, side[0]);
   const bool corner_inside = is_inside(tree_.sample(first.edge.low).distance);
-  const bool center_inside =
-      is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
-  const int shift = corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
+  const bool center_inside = is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
+  const int shift =
+      corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
   for (int k = 0; k < 2; ++k)
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }

@@ -40,7 +40,8 @@ class EdgeWalk {
       for (int s = 0; s < 2; ++s) {
         std::int32_t four[4];
         for (int q = 0; q < 4; ++q)
-          four[q] = node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
+          four[q] =
+              node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
         edge(four, axis);
       }
   }
@@ -50,9 +51,7 @@ class EdgeWalk {
     const OctreeNode& node = tree_.node(n);
     return node.child < 0 ? n : node.child + k;
   }
-  bool is_empty(std::int32_t n) const {
-    return tree_.node(n).region != ExactField::Region::mixed;
-  }
+  bool is_empty(std::int32_t n) const { return tree_.node(n).region != ExactField::Region::mixed; }
 
   bool is_marked(std::int32_t n) const {
     return !marked_ || (*marked_)[static_cast<std::size_t>(n)] != 0;
@@ -119,9 +118,10 @@ class EdgeWalk {
     if (e.low < 0 || e.high < 0) return;
     const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
     const bool crossed = is_inside(a.distance) != is_inside(b.distance);
-    if (doubtful_ ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
-                        std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
-                  : !crossed)
+    if (doubtful_
+            ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
+                  std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
+            : !crossed)
       return;
     e.start = node.origin;
     component(e.start, u) += k >> u & 1 ? node.size : 0;
@@ -213,7 +213,8 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
       if (node(n).region == ExactField::Region::mixed) mixed.push_back(n);
     sample_corners(mixed);
     std::vector<char> split(mixed.size());
-    parallel_for(mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
+    parallel_for(
+        mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
     for (std::size_t k = 0; k < mixed.size(); ++k)
       if (split[k])
         add_children(mixed[k], next);

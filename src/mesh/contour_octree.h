@@ -18,8 +18,8 @@ struct OctreeNode {
   std::int32_t child = -1;  ///< first of eight, by bits x, y, z; -1 = leaf
   std::int32_t parent = -1;
   ExactField::Region region = ExactField::Region::mixed;
-  bool signs_differ = false;       ///< of its corners
-  bool plain = false;              ///< nothing but `face` can decide d in it
+  bool signs_differ = false;  ///< of its corners
+  bool plain = false;         ///< nothing but `face` can decide d in it
   FieldSample face;
   std::int32_t corners[8] = {-1, -1, -1, -1, -1, -1, -1, -1};  ///< samples; mixed leaves only
 };
@@ -56,8 +56,8 @@ class ContourOctree {
 
   /// All edges whose ends lie on different sides of the surface, in the order of the tree.
   std::vector<MinimalEdge> crossing_edges() const;
-  /// The same about the given leaves and those that share an edge with them; `nearby` is set for all
-  /// of these.
+  /// The same about the given leaves and those that share an edge with them; `nearby` is set for
+  /// all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near

@@ -11,9 +11,9 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kGrowth = 1.6;        ///< of the length of new edges, from pass to pass
+constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
-constexpr double kLeastCosine = 0.3;   ///< between a new triangle and the exact surface
+constexpr double kLeastCosine = 0.3;     ///< between a new triangle and the exact surface
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
 struct Spoke {
@@ -78,7 +78,9 @@ class Simplifier {
     return ring_.back().last == ring_.front().next;
   }
 
-  std::uint32_t label(std::size_t k) const { return mesh_.labels[ring_[k % ring_.size()].triangle]; }
+  std::uint32_t label(std::size_t k) const {
+    return mesh_.labels[ring_[k % ring_.size()].triangle];
+  }
 
   void try_remove(std::uint32_t v, double longest) {
     tried_[v] = 1;
@@ -112,7 +114,8 @@ class Simplifier {
     const std::uint32_t to = ring_[k].next;
     const Vec3& target = mesh_.vertices[to];
     for (const Spoke& s : ring_)
-      if (s.next != to && distance(target, mesh_.vertices[s.next]) > longest) return Answer::too_long;
+      if (s.next != to && distance(target, mesh_.vertices[s.next]) > longest)
+        return Answer::too_long;
     if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return Answer::no;
     const std::size_t n = ring_.size();
     for (std::size_t m = 1; m + 1 < n; ++m)

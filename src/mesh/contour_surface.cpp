@@ -1,7 +1,7 @@
-// From loops to triangles. A loop's vertex lies strictly inside its cell, a segment's strictly inside
-// its face, a crossing strictly inside its edge: cones from the loops' vertices over their segments
-// can not meet, and where face and edge vertices are left out, orientation tests see to it that each
-// polygon stays in the envelope of its edge [Ju and Udeshi 2006].
+// From loops to triangles. A loop's vertex lies strictly inside its cell, a segment's strictly
+// inside its face, a crossing strictly inside its edge: cones from the loops' vertices over their
+// segments can not meet, and where face and edge vertices are left out, orientation tests see to it
+// that each polygon stays in the envelope of its edge [Ju and Udeshi 2006].
 #include "mesh/contour_surface.h"
 
 #include "core/error.h"
@@ -29,7 +29,8 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
 const BaseMesh& ContourSurface::make_triangles() {
   mesh_ = {};
   place_creases();
-  parallel_for(loops_.size(), threads_, [&](std::size_t k) { place_loop(loops_[k]); }, 32);
+  parallel_for(
+      loops_.size(), threads_, [&](std::size_t k) { place_loop(loops_[k]); }, 32);
   for (const Loop& loop : loops_) {
     if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
     mesh_.vertices.push_back(loop.point.position);
@@ -52,8 +53,8 @@ void ContourSurface::place_creases() {
         if (join_smoothly(field_, middle, a.at, b.at)) return;
         s.is_crease = true;
         const CellFace& face = at(faces_, s.face);
-        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position, a.at,
-                                 b.position, b.at);
+        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position,
+                                 a.at, b.position, b.at);
       },
       64);
 }
@@ -101,8 +102,7 @@ bool ContourSurface::may_be_implicit(const Segment& s) const {
       loops_in_cell_[static_cast<std::size_t>(face.high)] > 1)
     return false;
   const Loop &low = loop_of(s.from, face.low), &high = loop_of(s.from, face.high);
-  if (s.is_crease && s.point.count == 2 &&
-      !(vertex_on_crease(low, s) && vertex_on_crease(high, s)))
+  if (s.is_crease && s.point.count == 2 && !(vertex_on_crease(low, s) && vertex_on_crease(high, s)))
     return false;
   const Box3 box = face_box(face);
   const Vec3 &p = low.point.position, &q = high.point.position;
@@ -131,7 +131,8 @@ void ContourSurface::choose_explicit() {
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (s.point.count == 0 && face.crossings.size() == 2) {
           const Probe p = probe(face_cell(face));
-          s.point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
+          s.point =
+              point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
           std::vector<Vec3> ends;
           add_ends(a, ends);
           if (s.point.count == 0) s.point = point_towards_middle(p, box, ends);

@@ -34,8 +34,8 @@ struct CellFace {
 /// The curve of the surface in a face, from one crossing to another.
 struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
-  bool is_crease = false;   ///< its ends lie on faces of the part that meet in a crease
-  SurfacePoint point;       ///< where the crease passes; later also smooth points
+  bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
+  SurfacePoint point;        ///< where the crease passes; later also smooth points
   bool is_explicit = false;  ///< the point is a vertex of the mesh
   std::int32_t vertex = -1;
 };
@@ -54,9 +54,9 @@ struct BaseMesh {
   std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
 };
 
-/// Cells about faces on whose sides the crossings can not be joined in one way: more than two (four,
-/// in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby` count
-/// (null: all).
+/// Cells about faces on whose sides the crossings can not be joined in one way: more than two
+/// (four, in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby`
+/// count (null: all).
 std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
                                         const std::vector<MinimalEdge>& edges,
                                         const std::vector<char>* nearby);

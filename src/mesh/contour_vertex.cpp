@@ -7,9 +7,9 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kOnSurface = 5e-7;     ///< mm: |d| at which a point counts as exact
-constexpr double kSmoothJoin = 3e-3;    ///< sine of the angle below which two faces join smoothly
-constexpr double kMargin = 1e-6;        ///< share of a cell that its vertex keeps from its sides
+constexpr double kOnSurface = 5e-7;   ///< mm: |d| at which a point counts as exact
+constexpr double kSmoothJoin = 3e-3;  ///< sine of the angle below which two faces join smoothly
+constexpr double kMargin = 1e-6;      ///< share of a cell that its vertex keeps from its sides
 constexpr int kNewtonSteps = 24;
 
 bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
@@ -22,7 +22,8 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
 }
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
-  return strictly_inside(p, room, flat, kMargin) && std::abs(probe.sample(p).distance) <= kOnSurface;
+  return strictly_inside(p, room, flat, kMargin) &&
+         std::abs(probe.sample(p).distance) <= kOnSurface;
 }
 
 // The shortest step x with n_i . x = -g_i.

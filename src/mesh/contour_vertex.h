@@ -46,8 +46,8 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& a, const FieldSample* b);
 
-/// Where a crease passes the rectangle between two points of the surface on its border, which lie on
-/// faces a and b of the part.
+/// Where a crease passes the rectangle between two points of the surface on its border, which lie
+/// on faces a and b of the part.
 SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
                             const FieldSample& a, const Vec3& to, const FieldSample& b);
 
