@@ -235,7 +235,7 @@ class Engine {
   int leader_lines_;
   Parser parser_;
   SubprogramIndex subprograms_;
-  std::array<CodeEntry, 1000> codes_;
+  const CodeTable& codes_;
 
   std::vector<Activation> stack_;
   Block block_;

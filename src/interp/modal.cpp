@@ -372,6 +372,18 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
   return find_range(dialect, number_by_10);
 }
 
+const CodeTable& code_table(Dialect dialect, MachineKind machine) {
+  static const auto kTables = [] {
+    std::array<CodeTable, 10> tables;
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      for (int g = 0; g < 1000; ++g)
+        tables[t][static_cast<std::size_t>(g)] = find_g_code(
+            static_cast<Dialect>(t / 2), t % 2 ? MachineKind::lathe : MachineKind::mill, 10 * g);
+    return tables;
+  }();
+  return kTables[2 * static_cast<std::size_t>(dialect) + (machine == MachineKind::lathe ? 1 : 0)];
+}
+
 CodeEntry find_function(std::string_view name) {
   for (const NamedRow& row : kFunctions)
     if (row.name == name) return {row.code, row.group, 0};
