@@ -175,18 +175,9 @@ bool Engine::fanuc_frame(const Word& word) {
     case Code::rotation_off:
       frames_.rotation = Frame{};
       break;
-    case Code::scaling_on: {
-      Vec3 factors{1, 1, 1};
-      // Without a decimal point a factor counts thousandths.
-      const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
-      if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
-      for (int i = 0; i < 3; ++i)
-        if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
-      if (factors.x == 0 || factors.y == 0 || factors.z == 0)
-        return error("value-range", "a scale factor must not be 0", word);
-      frames_.scaling = about(scale_frame(factors), values);
+    case Code::scaling_on:
+      if (!fanuc_scaling(word, values)) return false;
       break;
-    }
     case Code::scaling_off:
       frames_.scaling = Frame{};
       break;
@@ -208,6 +199,19 @@ bool Engine::fanuc_frame(const Word& word) {
       break;
   }
   rebuild_frame();
+  return true;
+}
+
+// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths.
+bool Engine::fanuc_scaling(const Word& word, const Vec3& center) {
+  Vec3 factors{1, 1, 1};
+  const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
+  if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
+  for (int i = 0; i < 3; ++i)
+    if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
+  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+    return error("value-range", "a scale factor must not be 0", word);
+  frames_.scaling = about(scale_frame(factors), center);
   return true;
 }
 

@@ -47,7 +47,7 @@ void Engine::read_comments() {
 
 bool Engine::apply_tool() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
-      (peek('I') || peek('J') || peek('K')))
+      (peek('I') || peek('J') || peek('K') || motion_code_))
     return true;  // the opening angle
   if (const Word* word = take('T')) {
     if (!word->string &&
