@@ -250,10 +250,10 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
     for (int k = 0; k < 8; ++k) {
       const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
                            a.origin.z + (k & 4 ? a.size : 0)};
-      const auto [it, is_new] =
-          sample_of_.try_emplace(key(p), static_cast<std::int32_t>(first + wanted.size()));
+      const auto [id, is_new] =
+          sample_of_.insert(key(p), static_cast<std::int32_t>(first + wanted.size()));
       if (is_new) wanted.emplace_back(p, n);
-      a.corners[k] = it->second;
+      a.corners[k] = id;
     }
   }
   samples_.resize(first + wanted.size());

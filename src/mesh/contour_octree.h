@@ -3,11 +3,11 @@
 #pragma once
 
 #include "mesh/contour_lattice.h"
+#include "mesh/flat_map.h"
 #include "removal/field.h"
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace mrsim::detail {
@@ -82,7 +82,7 @@ class ContourOctree {
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
   std::vector<FieldSample> samples_;
-  std::unordered_map<std::uint64_t, std::int32_t> sample_of_;
+  FlatMap sample_of_;
 };
 
 }  // namespace mrsim::detail

@@ -143,7 +143,7 @@ class Simplifier {
     const Vec3 &a = mesh_.vertices[ring_[k].next], &b = mesh_.vertices[ring_[other].next];
     const FieldSample &f = mesh_.faces[label(other)],
                       &g = mesh_.faces[label(other + ring_.size() - 1)];
-    if (join_smoothly(field_, mesh_.vertices[v], f, g)) {
+    if (join_smoothly({field_, {}, 0}, mesh_.vertices[v], f, g, 1)) {
       const Vec3 u = b - a;
       const double t = dot(mesh_.vertices[v] - a, u) / std::max(dot(u, u), 1e-30);
       if (distance(mesh_.vertices[v], lerp(a, b, t)) > limits_.lateral) return false;

@@ -50,9 +50,11 @@ void ContourSurface::place_creases() {
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (same_face(a.at, b.at)) return;
         const Vec3 middle = 0.5 * (a.position + b.position);
-        if (join_smoothly(field_, middle, a.at, b.at)) return;
-        s.is_crease = true;
         const CellFace& face = at(faces_, s.face);
+        const Box3 box = face_box(face);
+        if (join_smoothly(probe(face_cell(face)), middle, a.at, b.at, length(box.hi - box.lo)))
+          return;
+        s.is_crease = true;
         s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position,
                                  a.at, b.position, b.at);
       },

@@ -6,7 +6,6 @@
 #include "mesh/contour_vertex.h"
 
 #include <array>
-#include <unordered_map>
 #include <vector>
 
 namespace mrsim::detail {
@@ -63,8 +62,9 @@ std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
 
 class ContourSurface {
  public:
-  ContourSurface(const ExactField& field, const ContourOctree& tree, int threads)
-      : field_(field), tree_(tree), threads_(threads) {}
+  /// `shallow`: creases that may be cut off by that many mm are.
+  ContourSurface(const ExactField& field, const ContourOctree& tree, double shallow, int threads)
+      : field_(field), tree_(tree), shallow_(shallow), threads_(threads) {}
 
   /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
   /// badly_crossed().
@@ -91,7 +91,7 @@ class ContourSurface {
   void pair_four(std::int32_t face);
   void join_loops();
   void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
-  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell)}; }
+  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell), shallow_}; }
   Box3 face_box(const CellFace& face) const;
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
@@ -110,6 +110,7 @@ class ContourSurface {
 
   const ExactField& field_;
   const ContourOctree& tree_;
+  double shallow_;
   int threads_;
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;
@@ -117,7 +118,8 @@ class ContourSurface {
   std::vector<Loop> loops_;
   std::vector<std::uint8_t> loops_in_cell_;
   std::vector<std::int32_t> crowded_;
-  std::unordered_map<std::uint64_t, Found> known_;  ///< crossings of former rounds
+  FlatMap known_;             ///< crossings of former rounds, by edge
+  std::vector<Found> found_;  ///< what is known of them
   BaseMesh mesh_;
 };
 
