@@ -29,7 +29,7 @@ using detail::Lattice;
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr double kShallow = 2e-4;      ///< mm: what cutting off a shallow crease may move
+constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease may move
 constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
 

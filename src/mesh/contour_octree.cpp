@@ -161,15 +161,13 @@ Box3 ContourOctree::box(std::int32_t n) const {
 }
 
 std::int32_t ContourOctree::locate(const Vec3& p) const {
+  const LatticePoint at = lattice_.floor(p);
   std::int32_t n = 0;
   while (node(n).child >= 0) {
     const OctreeNode& a = node(n);
-    int k = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      if (mrsim::component(p, axis) >=
-          lattice_.coordinate(axis, component(a.origin, axis) + a.size / 2))
-        k |= 1 << axis;
-    n = a.child + k;
+    const std::int32_t half = a.size / 2;
+    n = a.child + (at.x >= a.origin.x + half) + 2 * (at.y >= a.origin.y + half) +
+        4 * (at.z >= a.origin.z + half);
   }
   return n;
 }

@@ -46,7 +46,7 @@ class ContourOctree {
 
   /// The sweeps that can decide d in the cell.
   std::span<const std::uint32_t> candidates(std::int32_t node) const;
-  /// The leaf that holds p (on a plane of the grid: the one above).
+  /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two.
   std::int32_t locate(const Vec3& p) const;
   Box3 box(std::int32_t node) const;
 

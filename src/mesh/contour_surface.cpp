@@ -69,10 +69,9 @@ void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
 }
 
 void ContourSurface::place_loop(Loop& loop) {
-  std::vector<Vec3> crossings, creases, ends;
+  std::vector<Vec3> crossings, creases;
   std::vector<FieldSample> faces;
   for (const std::int32_t k : loop.crossings) {
-    add_ends(at(crossings_, k), ends);
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
   }
@@ -80,7 +79,12 @@ void ContourSurface::place_loop(Loop& loop) {
     if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
       creases.push_back(at(segments_, k).point.position);
   const Box3 box = tree_.box(loop.cell);
-  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases, ends});
+  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
+  if (loop.point.count == 0) {
+    std::vector<Vec3> ends;
+    for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);
+    loop.point = point_towards_middle(probe(loop.cell), box, ends);
+  }
   loop.point.position = snap_inside(loop.point.position, box);
 }
 

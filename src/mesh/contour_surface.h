@@ -4,6 +4,7 @@
 
 #include "mesh/contour_octree.h"
 #include "mesh/contour_vertex.h"
+#include "mesh/small_list.h"
 
 #include <array>
 #include <vector>
@@ -27,7 +28,7 @@ struct Crossing {
 struct CellFace {
   std::int32_t low = -1, high = -1;  ///< cells on both sides of it
   std::int32_t axis = 0;
-  std::vector<std::int32_t> crossings;
+  SmallList<4> crossings;
 };
 
 /// The curve of the surface in a face, from one crossing to another.
@@ -42,8 +43,8 @@ struct Segment {
 /// A closed run of segments about a cell: one piece of surface in it, with one vertex.
 struct Loop {
   std::int32_t cell = -1;
-  std::vector<std::int32_t> crossings;
-  std::vector<std::int32_t> segments;
+  SmallList<8> crossings;
+  SmallList<8> segments;
   SurfacePoint point;
 };
 

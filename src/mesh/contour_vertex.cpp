@@ -7,10 +7,10 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kOnSurface = 5e-7;   ///< mm: |d| at which a point counts as exact
-constexpr double kSmoothJoin = 3e-3;  ///< sine of the angle below which two faces join smoothly
+constexpr double kOnSurface = 5e-7;       ///< mm: |d| at which a point counts as exact
+constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
 constexpr double kLargestShallow = 0.05;  ///< sine
-constexpr double kMargin = 1e-6;      ///< share of a cell that its vertex keeps from its sides
+constexpr double kMargin = 1e-6;          ///< share of a cell that its vertex keeps from its sides
 constexpr int kNewtonSteps = 24;
 
 bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
@@ -311,8 +311,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
     if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0) return s;
     if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
   }
-  if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
-  return point_towards_middle(probe, room, hints.ends);
+  return try_smooth(probe, room, mean);
 }
 
 Vec3 snap_inside(const Vec3& p, const Box3& room, int flat) {

@@ -33,8 +33,8 @@ struct SurfacePoint {
 /// Where the surface crosses the segment from `inside` to `outside`. Requires d to differ in side.
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
 
-/// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut off
-/// their crease: none is looked for.
+/// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut
+/// off their crease: none is looked for.
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
                    double size);
 
@@ -64,7 +64,6 @@ struct CellHints {
   std::span<const Vec3> crossings;
   std::span<const FieldSample> faces;  ///< of the crossings
   std::span<const Vec3> creases;       ///< may be empty
-  std::span<const Vec3> ends;          ///< of the crossed edges
 };
 
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.
