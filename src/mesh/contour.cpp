@@ -62,7 +62,7 @@ class Contour {
         options_(options),
         report_(report),
         timer_(report),
-        tree_(field, lattice, options.tolerance > 0, options.threads),
+        tree_(field, lattice, options.tolerance, options.threads),
         surface_(field, tree_, options.tolerance > 0 ? options.tolerance / 8 : kShallow,
                  options.threads) {
     timer_.step("tree");
