@@ -29,6 +29,7 @@ using detail::Lattice;
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
+constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease may move
 constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
 
@@ -61,8 +62,9 @@ class Contour {
         options_(options),
         report_(report),
         timer_(report),
-        tree_(field, lattice, options.tolerance > 0, options.threads),
-        surface_(field, tree_, options.threads) {
+        tree_(field, lattice, options.tolerance, options.threads),
+        surface_(field, tree_, options.tolerance > 0 ? options.tolerance / 8 : kShallow,
+                 options.threads) {
     timer_.step("tree");
   }
 

@@ -72,6 +72,15 @@ class Lattice {
     const double base = static_cast<double>(first_[axis]) + mrsim::component(kLatticeShift, axis);
     return snap(voxel_ * base + fine_ * static_cast<double>(i));
   }
+  /// The last point of the lattice at or below p on each axis, up to the rounding of coordinates.
+  LatticePoint floor(const Vec3& p) const {
+    const auto index = [&](int axis) {
+      const double base =
+          voxel_ * (static_cast<double>(first_[axis]) + mrsim::component(kLatticeShift, axis));
+      return static_cast<std::int32_t>((mrsim::component(p, axis) - base) / fine_);
+    };
+    return {index(0), index(1), index(2)};
+  }
   Vec3 position(const LatticePoint& p) const {
     return {coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)};
   }

@@ -55,7 +55,7 @@ std::int32_t smaller_cell(const ContourOctree& tree, const CellFace& face) {
 // Faces by the smaller of their two cells and its side.
 class FaceTable {
  public:
-  explicit FaceTable(std::size_t edges) { ids_.reserve(3 * edges); }
+  explicit FaceTable(std::size_t edges) : ids_(3 * edges) {}
 
   void add(const ContourOctree& tree, const MinimalEdge& e, std::int32_t id, int place) {
     const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
@@ -65,16 +65,17 @@ class FaceTable {
     face.low = place < 2 ? from : to;
     face.high = place < 2 ? to : from;
     const std::int32_t owner = smaller_cell(tree, face);
-    const std::int64_t key = std::int64_t(owner) * 6 + 2 * face.axis + (owner == face.low);
-    const auto [it, is_new] = ids_.try_emplace(key, faces_.size());
+    const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
+                              static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
+    const auto [index, is_new] = ids_.insert(key, static_cast<std::int32_t>(faces_.size()));
     if (is_new) faces_.push_back(face);
-    faces_[it->second].crossings.push_back(id);
+    faces_[static_cast<std::size_t>(index)].crossings.push_back(id);
   }
   const std::vector<CellFace>& all() const { return faces_; }
   std::vector<CellFace> take() { return std::move(faces_); }
 
  private:
-  std::unordered_map<std::int64_t, std::size_t> ids_;
+  FlatMap ids_;
   std::vector<CellFace> faces_;
 };
 
@@ -121,21 +122,26 @@ void ContourSurface::find_loops() {
 void ContourSurface::find_crossings() {
   const std::vector<MinimalEdge> edges = tree_.crossing_edges();
   crossings_.assign(edges.size(), {});
+  std::vector<std::int32_t> ids(edges.size());
   std::vector<std::uint8_t> is_new(edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
     crossings_[k].edge = edges[k];
-    const auto it = known_.find(edge_key(edges[k]));
-    is_new[k] = it == known_.end();
-    if (!is_new[k]) {
-      crossings_[k].position = it->second.position;
-      crossings_[k].at = it->second.at;
-    }
+    const auto [id, fresh] =
+        known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
+    ids[k] = id;
+    is_new[k] = fresh;
+    if (fresh) found_.emplace_back();
   }
   parallel_for(
       edges.size(), threads_,
       [&](std::size_t k) {
-        if (!is_new[k]) return;
         Crossing& c = crossings_[k];
+        Found& found = found_[static_cast<std::size_t>(ids[k])];
+        if (!is_new[k]) {
+          c.position = found.position;
+          c.at = found.at;
+          return;
+        }
         std::int32_t cell = c.edge.cells[0];
         for (const std::int32_t other : c.edge.cells)
           if (tree_.node(other).size < tree_.node(cell).size) cell = other;
@@ -151,11 +157,9 @@ void ContourSurface::find_crossings() {
         const Vec3 clamped = snap_inside(x, {low, high});
         mrsim::component(on_edge, c.edge.axis) = mrsim::component(clamped, c.edge.axis);
         c.position = on_edge;
+        found = {c.position, c.at};
       },
       64);
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    if (is_new[k])
-      known_.emplace(edge_key(edges[k]), Found{crossings_[k].position, crossings_[k].at});
 }
 
 void ContourSurface::find_faces() {

@@ -50,9 +50,11 @@ void ContourSurface::place_creases() {
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (same_face(a.at, b.at)) return;
         const Vec3 middle = 0.5 * (a.position + b.position);
-        if (join_smoothly(field_, middle, a.at, b.at)) return;
-        s.is_crease = true;
         const CellFace& face = at(faces_, s.face);
+        const Box3 box = face_box(face);
+        if (join_smoothly(probe(face_cell(face)), middle, a.at, b.at, length(box.hi - box.lo)))
+          return;
+        s.is_crease = true;
         s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position,
                                  a.at, b.position, b.at);
       },
@@ -67,10 +69,9 @@ void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
 }
 
 void ContourSurface::place_loop(Loop& loop) {
-  std::vector<Vec3> crossings, creases, ends;
+  std::vector<Vec3> crossings, creases;
   std::vector<FieldSample> faces;
   for (const std::int32_t k : loop.crossings) {
-    add_ends(at(crossings_, k), ends);
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
   }
@@ -78,7 +79,12 @@ void ContourSurface::place_loop(Loop& loop) {
     if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
       creases.push_back(at(segments_, k).point.position);
   const Box3 box = tree_.box(loop.cell);
-  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases, ends});
+  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
+  if (loop.point.count == 0) {
+    std::vector<Vec3> ends;
+    for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);
+    loop.point = point_towards_middle(probe(loop.cell), box, ends);
+  }
   loop.point.position = snap_inside(loop.point.position, box);
 }
 

@@ -53,7 +53,7 @@ std::vector<ThinFeature> thin_features(const ExactField& field, const ContourOct
     LatticePoint end = e.start;
     component(end, e.axis) += e.length;
     const Vec3 a = tree.lattice().position(e.start), b = tree.lattice().position(end);
-    const Probe probe{field, tree.candidates(e.cells[0])};
+    const Probe probe{field, tree.candidates(e.cells[0]), 0};
     const bool inside = is_inside(low.distance);
     Vec3 middle;
     if (!find_between(probe, a, b, inside, middle)) continue;
