@@ -92,6 +92,10 @@ bool Engine::apply_mode(Code code, const Word& word) {
     if (word.value > 50) take('D');
   } else if (code == Code::suppress_frames) {
     suppress_ = true;
+    if (options_.table.work.empty())
+      note_once("machine-coordinates",
+                "no machine zero is known: machine coordinates are read as those of the stock",
+                word, "g53");
   } else if (code == Code::program_return) {
     return_after_ = true;
   } else if (code != Code::header && code != Code::diameter_cycles_off) {
