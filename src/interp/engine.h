@@ -138,6 +138,7 @@ class Engine {
 
   // engine_frames.cpp
   bool run_frame();
+  bool frame_in_range();
   bool frame_arguments(Vec3& values, unsigned& named, bool lengths);
   bool rotation_arguments(Frame& frame);
   bool sinumerik_frame(Vec3 values, unsigned named);

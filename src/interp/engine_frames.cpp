@@ -123,6 +123,13 @@ bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
   return true;
 }
 
+// Scales that compound beyond all measure would end in positions that are no numbers.
+bool Engine::frame_in_range() {
+  const double d = std::abs(determinant(frames_.total));
+  if (d >= 1e-9 && d <= 1e9 && length(frames_.total.shift) <= 1e10) return true;
+  return error("value-range", "the frame scales or shifts beyond all measure", *frame_code_);
+}
+
 bool Engine::run_frame() {
   if (frame_op_ == Code::pole_position || frame_op_ == Code::pole_zero ||
       frame_op_ == Code::pole_pole)
@@ -132,8 +139,8 @@ bool Engine::run_frame() {
     return true;
   }
   save_frames();
-  if (is(Dialect::codesys)) return codesys_frame();
-  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_);
+  if (is(Dialect::codesys)) return codesys_frame() && frame_in_range();
+  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_) && frame_in_range();
   if (motion_code_)
     return error("frame-own-block", "a frame word needs a block of its own", *frame_code_);
   const bool lengths = frame_op_ == Code::trans || frame_op_ == Code::atrans ||
@@ -155,7 +162,7 @@ bool Engine::run_frame() {
     return false;
   }
   rebuild_frame();
-  return true;
+  return frame_in_range();
 }
 
 // G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.

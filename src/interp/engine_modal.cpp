@@ -92,6 +92,10 @@ bool Engine::apply_mode(Code code, const Word& word) {
     if (word.value > 50) take('D');
   } else if (code == Code::suppress_frames) {
     suppress_ = true;
+    if (options_.table.work.empty())
+      note_once("machine-coordinates",
+                "no machine zero is known: machine coordinates are read as those of the stock",
+                word, "g53");
   } else if (code == Code::program_return) {
     return_after_ = true;
   } else if (code != Code::header && code != Code::diameter_cycles_off) {
@@ -177,6 +181,14 @@ bool Engine::apply_values() {
   if (!apply_feed() || !apply_tool() || !apply_length()) return false;
   if (!is(Dialect::sinumerik)) return true;
   take('H');
+  const bool machine_axes =
+      oneshot_ && (oneshot_code_ == Code::reference_approach || oneshot_code_ == Code::fixed_point);
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
+      return error("not-supported",
+                   "a machine axis is named, which is supported only in G74 and G75", word);
+  }
   if (const Word* word = take(Address::rndm)) {
     if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
     modal_.rndm = word->value * scale();
