@@ -93,6 +93,9 @@ void Engine::run() {
   }
   corners_.flush();
   compensation_.flush();
+  if (pending_angle_.active)
+    reporter_.add_at(Severity::error, "angle-incomplete",
+                     "the program ends after a block that gives only ANG=", pending_angle_.motion);
   if (cuts_ == 0 && reporter_.errors() == 0)
     reporter_.add_general(Severity::error, "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");

@@ -156,6 +156,8 @@ constexpr Row kIso[] = {
     {50, C::ignored, G::path},
     {70, C::ignored, G::path},
     {90, C::ignored, G::exact},
+    {200, C::inch_feed, G::units},
+    {210, C::metric_feed, G::units},
     {280, C::reference, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {330, C::thread, G::motion},

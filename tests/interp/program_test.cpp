@@ -32,6 +32,10 @@ TEST(Recognise, Dialects) {
       {"a.nc", "N10 G1 X100 Y100 F100 N20 G2 X200 Y100 R50", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100 F100\nN15 G99\nN20 G2 X200 Y100 I50 J0", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100\nN20 G2 I50 J0 T180", Dialect::codesys},
+      {"a.nc",
+       ";@MKR|TOOL|number=1|type=Flat End|diameter=3\n;pass 1\nG21\nG90\nT1 M6\nG1 X1 Y1 ; cut",
+       Dialect::iso},
+      {"a.nc", "O1;\nG1X1F1;X2Y5;", Dialect::fanuc},
       {"a.nc", "SUBPROGRAM Part\nG1 X1 Y1\nEND_SUBPROGRAM", Dialect::codesys},
   };
   const Scratch scratch;
