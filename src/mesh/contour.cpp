@@ -144,7 +144,11 @@ class Contour {
       timer_.step("surface");
       const std::vector<std::int32_t> bad = crossed_cells();
       timer_.step("check");
-      if (bad.empty()) return label(surface_.mesh());
+      if (bad.empty()) {
+        if (options_.tolerance > 0) surface_.sharpen();
+        timer_.step("sharpen");
+        return label(surface_.mesh());
+      }
       if (tree_.split(bad) == 0)
         throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
       find_topology();

@@ -55,12 +55,15 @@ Vec3 node_at(const Vec3& a, const Vec3& b, const Vec3& c, double i, double j) {
 double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
-  static constexpr double kOrder[18][2] = {
-      {1, 1}, {2, 2}, {2, 0},  {0, 2},  {1, 2},   {2, 1},   {1, 0},    {3, 0},    {0, 1},
-      {0, 3}, {1, 3}, {.5, 0}, {0, .5}, {3.5, 0}, {0, 3.5}, {3.5, .5}, {.5, 3.5}, {3, 1}};
+  // The same for every order of the corners: centroid, middles, inner nodes, quarters, eighths.
+  static constexpr double kThird = 4.0 / 3;
+  static constexpr double kOrder[19][2] = {{kThird, kThird}, {2, 2},   {2, 0},    {0, 2},   {1, 1},
+                                           {1, 2},           {2, 1},   {1, 0},    {3, 0},   {0, 1},
+                                           {0, 3},           {1, 3},   {3, 1},    {.5, 0},  {0, .5},
+                                           {3.5, 0},         {0, 3.5}, {3.5, .5}, {.5, 3.5}};
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
   const double voxel = tree.lattice().voxel();
-  const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 18;
+  const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 19;
   double most = 0;
   for (int k = 0; k < count; ++k) {
     const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);

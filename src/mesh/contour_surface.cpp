@@ -55,8 +55,10 @@ void ContourSurface::place_creases() {
         if (join_smoothly(probe(face_cell(face)), middle, a.at, b.at, length(box.hi - box.lo)))
           return;
         s.is_crease = true;
-        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position,
-                                 a.at, b.position, b.at);
+        const Probe p = probe(face_cell(face));
+        s.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
+        const FieldSample ends[2] = {a.at, b.at};
+        if (s.point.count == 0) s.outside = crease_near(p, box, face.axis, middle, ends);
       },
       64);
 }
@@ -80,6 +82,11 @@ void ContourSurface::place_loop(Loop& loop) {
       creases.push_back(at(segments_, k).point.position);
   const Box3 box = tree_.box(loop.cell);
   loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
+  if (loop.point.count < 2 && creases.empty()) {
+    Vec3 mean;
+    for (const Vec3& p : crossings) mean += (1.0 / static_cast<double>(crossings.size())) * p;
+    loop.outside = crease_near(probe(loop.cell), box, -1, mean, faces);
+  }
   if (loop.point.count == 0) {
     std::vector<Vec3> ends;
     for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);

@@ -36,6 +36,7 @@ struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
   bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
   SurfacePoint point;        ///< where the crease passes; later also smooth points
+  SurfacePoint outside;      ///< the crease beyond the face, where it does not pass inside
   bool is_explicit = false;  ///< the point is a vertex of the mesh
   std::int32_t vertex = -1;
 };
@@ -46,6 +47,7 @@ struct Loop {
   SmallList<8> crossings;
   SmallList<8> segments;
   SurfacePoint point;
+  SurfacePoint outside;  ///< a crease beyond the cell, where none passes inside
 };
 
 struct BaseMesh {
@@ -74,6 +76,10 @@ class ContourSurface {
   const std::vector<std::int32_t>& crowded() const { return crowded_; }
   /// Places vertices and makes triangles.
   const BaseMesh& make_triangles();
+
+  /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet.
+  /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
+  void sharpen();
 
   const BaseMesh& mesh() const { return mesh_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }

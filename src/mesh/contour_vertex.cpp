@@ -295,6 +295,28 @@ SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
   return {};
 }
 
+SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
+                         std::span<const FieldSample> faces) {
+  FieldSample some[8];
+  const std::size_t n = distinct_faces(faces, some, 8);
+  const double size = length(room.hi - room.lo);
+  const Box3 near = inflated(room, size);
+  SurfacePoint result;
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b) {
+      Vec3 p = start;
+      const FieldSample pair[2] = {some[a], some[b]};
+      if (join_smoothly(probe, start, some[a], some[b], size) ||
+          !solve_faces(probe.field, pair, axis, room, p) || !accept(probe, p, near, axis))
+        continue;
+      result.position = p;
+      result.count = 2;
+      std::copy(pair, pair + 2, result.faces);
+      return result;
+    }
+  return result;
+}
+
 SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints) {
   FieldSample faces[8];
   const std::size_t n = distinct_faces(hints.faces, faces, 8);

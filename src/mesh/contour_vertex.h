@@ -69,6 +69,12 @@ struct CellHints {
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.
 SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints);
 
+/// The crease of two of the faces nearest to `start`, in or near the room but not necessarily
+/// inside: the tip of a ridge that passes between the edges of the grid. `axis` as in
+/// point_in_face, -1: free.
+SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
+                         std::span<const FieldSample> faces);
+
 /// p moved into the interior of the box, off its sides by at least two steps of the coordinates
 /// (not along `flat`).
 Vec3 snap_inside(const Vec3& p, const Box3& room, int flat = -1);

@@ -132,7 +132,7 @@ class BoxTree {
       if (!overlap(n.box, b)) continue;
       if (n.right == 0)
         for (std::uint32_t k = n.begin; k < n.end; ++k) {
-          if (order_[k] > triangle && overlap(boxes_[order_[k]], b)) f(order_[k]);
+          if (order_[k] != triangle && overlap(boxes_[order_[k]], b)) f(order_[k]);
         }
       else {
         stack.push_back(n.right);
@@ -183,7 +183,8 @@ class BoxTree {
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
-    std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
+    std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
+    std::span<const char> chosen) {
   const PairTest test(vertices, triangles);
   const BoxTree tree(vertices, triangles);
   std::vector<std::vector<std::uint32_t>> found(triangles.size());
@@ -191,8 +192,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
       triangles.size(), threads,
       [&](std::size_t i) {
         const auto id = static_cast<std::uint32_t>(i);
+        if (!chosen.empty() && !chosen[i]) return;
         tree.visit(id, [&](std::uint32_t j) {
-          if (test.meet(id, j)) found[i].push_back(j);
+          const bool other_looks = chosen.empty() || chosen[j];
+          if ((j > id || !other_looks) && test.meet(id, j)) found[i].push_back(j);
         });
         std::sort(found[i].begin(), found[i].end());
       },

@@ -11,11 +11,12 @@
 
 namespace mrsim::detail {
 
-/// All pairs of triangles that touch or cross outside of the vertex or edge they share, ascending.
+/// All pairs of triangles that touch or cross outside of the vertex or edge they share, ascending;
+/// where `chosen` is not empty, only pairs with a triangle that has a mark there.
 /// Requires: coordinates as contour_lattice.h says, no degenerate triangle. O(n log n) on meshes
 /// whose triangles are spread out.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
-    int threads);
+    int threads, std::span<const char> chosen = {});
 
 }  // namespace mrsim::detail

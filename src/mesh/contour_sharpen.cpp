@@ -1,0 +1,63 @@
+// Ridges whose tips pass between the edges of the grid: the crease lies outside of the cells that
+// see both flanks. Their vertices are moved there, where that makes no triangles meet; it is the
+// one step that leaves the envelopes, so it is tested exactly.
+#include "mesh/contour_surface.h"
+#include "mesh/exact_predicates.h"
+#include "mesh/self_intersection.h"
+
+namespace mrsim::detail {
+namespace {
+
+constexpr int kRounds = 6;
+
+}  // namespace
+
+void ContourSurface::sharpen() {
+  std::vector<char> moved(mesh_.vertices.size(), 0);
+  const std::vector<Vec3> before = mesh_.vertices;
+  bool any = false;
+  const auto move = [&](std::size_t v, const SurfacePoint& to) {
+    if (to.count == 0) return;
+    mesh_.vertices[v] = snap(to.position);
+    moved[v] = 1;
+    any = true;
+  };
+  for (std::size_t k = 0; k < loops_.size(); ++k) move(k, loops_[k].outside);
+  for (const Segment& s : segments_)
+    if (s.is_explicit) move(static_cast<std::size_t>(s.vertex), s.outside);
+  std::vector<char> chosen(mesh_.triangles.size());  // triangles that the last round has changed
+  for (std::uint32_t t = 0; t < chosen.size(); ++t)
+    for (const std::uint32_t v : mesh_.triangles[t]) chosen[t] |= moved[v];
+  for (int round = 0; any; ++round) {
+    any = false;
+    std::vector<char> back(mesh_.vertices.size(), 0);
+    const auto put_back = [&](std::uint32_t t) {
+      for (const std::uint32_t v : mesh_.triangles[t])
+        if (moved[v]) {
+          mesh_.vertices[v] = before[v];
+          moved[v] = 0;
+          back[v] = 1;
+          any = true;
+        }
+    };
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const auto& x = mesh_.triangles[t];
+      if ((moved[x[0]] || moved[x[1]] || moved[x[2]]) &&
+          (round == kRounds ||
+           is_degenerate(mesh_.vertices[x[0]], mesh_.vertices[x[1]], mesh_.vertices[x[2]])))
+        put_back(t);
+    }
+    if (round == kRounds) return;
+    for (const auto& [i, j] :
+         self_intersections(mesh_.vertices, mesh_.triangles, threads_, chosen)) {
+      put_back(i);
+      put_back(j);
+    }
+    for (std::uint32_t t = 0; t < chosen.size(); ++t) {
+      chosen[t] = 0;
+      for (const std::uint32_t v : mesh_.triangles[t]) chosen[t] |= back[v];
+    }
+  }
+}
+
+}  // namespace mrsim::detail
