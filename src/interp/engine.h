@@ -213,6 +213,7 @@ class Engine {
   Motion current_tool_place_;  ///< of its T word
   int tool_index_ = -1;        ///< into Program::tools, -1 = not used yet
   bool tool_chosen_ = false;
+  bool direct_change_ = false;  ///< a mill without M6: T changes at once
   bool tool_failed_ = false;
   std::map<std::string, ToolHint> hints_;
   ToolHint loose_hint_;  ///< of the comment before this block

@@ -138,6 +138,21 @@ TEST(Tools, UnknownOnlyWhenItCuts) {
   EXPECT_EQ(codes(read_text("G1 X5 Y1 F1\n", options), Severity::error), "");
 }
 
+TEST(Tools, ChangeAtM6OrWithoutItAtT) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  const char* head = "(T1 D=6. - FLAT END MILL)\n(T2 D=8. - BALL END MILL)\n";
+  const auto ids = [&](const std::string& text) {
+    const Program p = read_text(head + text, options);
+    std::string out;
+    for (const Motion& m : p.motions)
+      out += m.tool < 0 ? std::string("-") : p.tools[static_cast<std::size_t>(m.tool)].id;
+    return out;
+  };
+  EXPECT_EQ(ids("T1 M6\nG1 X1 Y1 F1\nT2\nX2\nM6\nX3\n"), "112");
+  EXPECT_EQ(ids("T1\nG1 X1 Y1 F1\nT2\nX2\n"), "12");
+}
+
 TEST(Subprograms, FanucInOneFile) {
   const char* spellings[] = {"M98 P2 L3", "M98P30002", "M98 P0002 L3", "M98 P00030002"};
   for (const char* call : spellings) {
