@@ -52,7 +52,7 @@ class BlockCarver {
   }
 
   static bool evaluate_now(int size, std::size_t sweeps) {
-    return size == 2 || (size == 4 && sweeps <= 8) || (size == kLeafVoxels && sweeps <= 2);
+    return size == 2 || (size == 4 && sweeps <= 4);
   }
 
   void visit(const openvdb::Coord& origin, int size, std::size_t depth,

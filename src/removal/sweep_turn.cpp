@@ -8,11 +8,13 @@
 // single position; the larger one counts.
 #include "removal/sweep_turn.h"
 
+#include "core/error.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/sweep_lane_scalar.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,7 +24,8 @@ namespace {
 using Side = ConvexPolygon::Side;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTiny = 1e-12;  // mm
+constexpr double kTiny = 1e-12;         // mm
+constexpr std::size_t kMostSides = 16;  // of an insert
 
 double arc_distance(const ArcPiece& a, Vec2 q) {
   const double c[] = {a.center.x, a.center.y, a.radius,  a.middle.x,
@@ -39,40 +42,39 @@ Vec2 arc_end(const ArcPiece& a, double side) {
   return a.radius * (a.cos_half * a.middle + side * a.sin_half * Vec2{-a.middle.y, a.middle.x});
 }
 
-// Depth of q in the insert at its deepest position along the arc: least over the path of the
-// greatest signed distance from a side. Its minima lie at the ends, where a side's distance is
-// least, or where two sides are equally far.
+// Depth of q in the insert at its deepest position along the arc, 0 when it is in none: least over
+// the path of the greatest signed distance from a side. Its minima lie at the ends, where a side's
+// distance is least, or where two sides are equally far.
 double deepest(const TurnSweep& s, Vec2 q) {
   const std::vector<Side>& sides = s.polygon.sides;
   const Vec2 at = q - s.path.center;
-  double best = kInfinity;
+  std::array<double, kMostSides> from_center;  // of each side, with the insert on the centre
+  for (std::size_t i = 0; i < sides.size(); ++i) from_center[i] = side_of(sides[i], at);
+  double best = 0;
   const auto probe = [&](Vec2 w) {
     double most = -kInfinity;
-    for (const Side& e : sides) {
-      most = std::max(most, side_of(e, at - w));
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      most = std::max(most, from_center[i] - dot(right_of(sides[i].direction), w));
       if (most >= best) return;
     }
     best = most;
   };
-  const auto probe_within = [&](Vec2 w) {
-    if (in_sector(s.path, w)) probe(w);
+  const auto probe_within = [&](Vec2 w, std::size_t side) {
+    const bool hopeless = from_center[side] - dot(right_of(sides[side].direction), w) >= best;
+    if (!hopeless && in_sector(s.path, w)) probe(w);
   };
   probe(arc_end(s.path, 1));
   probe(arc_end(s.path, -1));
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Vec2 n = right_of(sides[i].direction);
-    probe_within(s.path.radius * n);
-    for (std::size_t j = 0; j < i; ++j) {
-      const Vec2 m = n - right_of(sides[j].direction);
-      const double mm = dot(m, m);
-      if (mm < 1e-20) continue;
-      const double k = side_of(sides[i], at) - side_of(sides[j], at);  // m . w = k
-      const double rest = s.path.radius * s.path.radius - k * k / mm;
-      if (rest < 0) continue;
-      const Vec2 foot = (k / mm) * m, off = std::sqrt(rest / mm) * Vec2{-m.y, m.x};
-      probe_within(foot + off);
-      probe_within(foot - off);
-    }
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    probe_within(s.path.radius * right_of(sides[i].direction), i);
+  for (const SidePair& pair : s.pairs) {
+    const double k = from_center[pair.first] - from_center[pair.second];  // m . w = k
+    const double rest = s.path.radius * s.path.radius - k * k * pair.inverse;
+    if (rest < 0) continue;
+    const Vec2 foot = k * pair.inverse * pair.m;
+    const Vec2 off = std::sqrt(rest * pair.inverse) * Vec2{-pair.m.y, pair.m.x};
+    probe_within(foot + off, pair.first);
+    probe_within(foot - off, pair.first);
   }
   return best;
 }
@@ -98,10 +100,10 @@ Piece nearest_piece(const TurnSweep& s, Vec2 q) {
 // Signed distance from arc + polygon given the distance to its pieces.
 double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
   if (s.polygon.sides.empty()) return to_pieces;
-  // Outside of one side at every position of the whole circle: outside, at the cost of a few
-  // products.
-  for (const Side& e : s.polygon.sides)
-    if (side_of(e, q - s.path.center) > s.path.radius) return to_pieces;
+  // Outside of one side at every position: outside, at the cost of a few products.
+  const Vec2 at = q - s.path.center;
+  for (std::size_t i = 0; i < s.reach.size(); ++i)
+    if (side_of(s.polygon.sides[i], at) > s.reach[i]) return to_pieces;
   const double inner = deepest(s, q);
   return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
 }
@@ -203,6 +205,23 @@ void add_pieces(TurnSweep& s, double from, double turn) {
   }
 }
 
+// What deepest() and its quick tests need of the arc, once.
+void prepare_depth(TurnSweep& s) {
+  const std::vector<Side>& sides = s.polygon.sides;
+  MRSIM_ASSERT(sides.size() <= kMostSides);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Vec2 n = right_of(sides[i].direction);
+    s.reach.push_back(in_sector(s.path, n)
+                          ? s.path.radius
+                          : std::max(dot(n, arc_end(s.path, 1)), dot(n, arc_end(s.path, -1))));
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec2 m = n - right_of(sides[j].direction);
+      const double mm = dot(m, m);
+      if (mm >= 1e-20) s.pairs.push_back({i, j, m, 1 / mm});
+    }
+  }
+}
+
 }  // namespace
 
 TurnSweep turn_line(const InsertOutline& insert, Vec2 start, Vec2 end) {
@@ -234,6 +253,7 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
   const double size = std::min(turn < 0 ? -turn : turn, kTwoPi);
   const double from = mrsim::atan2(v.y, v.x) - (turn < 0 ? size : 0);
   s.path = make_arc(center, length(v), from, size);
+  prepare_depth(s);
   add_pieces(s, wrap(from), size);
   s.lo = {kInfinity, kInfinity}, s.hi = {-kInfinity, -kInfinity};
   const auto reach = [&](Vec2 w) {

@@ -19,6 +19,13 @@ struct ArcPiece {
   int way = 0;  ///< 1: the swept area lies towards the centre, -1: away from it, 0: on both sides
 };
 
+/// Two sides of an insert that are not parallel: the difference m of their normals, and 1 / |m|^2.
+struct SidePair {
+  std::size_t first = 0, second = 0;
+  Vec2 m;
+  double inverse = 0;
+};
+
 /// One sweep of an insert. A line makes a polygon; an arc the boundary pieces of arc + polygon:
 /// arcs drawn by corners, sides at the ends and where the path runs along them.
 struct TurnSweep {
@@ -27,6 +34,8 @@ struct TurnSweep {
   ArcPiece path;                           ///< arc
   std::vector<ArcPiece> arcs;              ///< arc: by corners
   std::vector<ConvexPolygon::Side> sides;  ///< arc: sides at rest
+  std::vector<double> reach;    ///< arc: farthest point of the path along each side's normal, mm
+  std::vector<SidePair> pairs;  ///< arc: sides of the core that can be equally far
   double round = 0;
   bool inside = false;
   bool one_sided = false;  ///< never beyond the spindle axis: the mirror image is never nearer
