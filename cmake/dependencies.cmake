@@ -3,7 +3,10 @@ find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(nlohmann_json REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 
@@ -12,12 +15,13 @@ list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenV
 find_package(OpenVDB REQUIRED)
 add_library(mrsim_openvdb INTERFACE)
 target_link_libraries(mrsim_openvdb INTERFACE OpenVDB::openvdb)
+# Hidden copies of its template statics mix with those of the library: openvdb::initialize() then
+# reads a name that the other copy has set, and crashes.
+target_compile_options(mrsim_openvdb INTERFACE -fvisibility=default)
 
 find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)
 target_link_libraries(mrsim_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)
-
-find_package(nlohmann_json REQUIRED)
 
 # STEP input. Open CASCADE is large, so a build may go without.
 add_library(mrsim_step INTERFACE)

@@ -1,0 +1,34 @@
+# What `cmake --install` lays down: the program, the library with its headers, the CMake package, pkg-config,
+# manual, completion and documents. Consumers: find_package(mrsim), target mrsim::mrsim.
+include(CMakePackageConfigHelpers)
+
+set(mrsim_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mrsim)
+install(TARGETS mrsim EXPORT mrsimTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS mrsim_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY include/mrsim DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT mrsimTargets NAMESPACE mrsim:: DESTINATION ${mrsim_package_dir})
+
+configure_package_config_file(cmake/mrsimConfig.cmake.in ${PROJECT_BINARY_DIR}/mrsimConfig.cmake
+  INSTALL_DESTINATION ${mrsim_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mrsimConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mrsimConfig.cmake ${PROJECT_BINARY_DIR}/mrsimConfigVersion.cmake
+  DESTINATION ${mrsim_package_dir})
+
+configure_file(cmake/mrsim.pc.in ${PROJECT_BINARY_DIR}/mrsim.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/mrsim.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES docs/mrsim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES scripts/completion.bash RENAME mrsim
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES README.md CHANGELOG.md LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# A package for Debian: cpack --config build/CPackConfig.cmake
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "mrsim maintainers <maintainers@users.noreply.example>")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+include(CPack)

@@ -1,4 +1,7 @@
 if(MRSIM_SANITIZE)
   add_compile_options(-fsanitize=${MRSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(MRSIM_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+  endif()
   add_link_options(-fsanitize=${MRSIM_SANITIZE})
 endif()

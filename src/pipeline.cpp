@@ -1,4 +1,277 @@
+// The facade: calls the stages in order.
+
+#include "core/error.h"
+#include "core/text_io.h"
+#include "core/units.h"
+#include "core/vec.h"
+#include "cuts.h"
+#include "interp/interpreter.h"
+#include "mesh/check.h"
+#include "mesh/extract.h"
+#include "mesh/render.h"
+#include "outputs.h"
+#include "removal/default_stock.h"
+#include "removal/stock.h"
+#include "removal/stock_file.h"
+#include "removal/stock_shape.h"
+#include "removal/sweep.h"
+#include "setup/stock_spec.h"
+#include "setup/tool_spec.h"
+#include "setup/tools_file.h"
 #include <mrsim/mrsim.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
 namespace mrsim {
-const char* version() { return "0.1.0"; }
+namespace {
+
+class Collector : public MotionSink {
+ public:
+  void motion(const Motion& motion) override { motions.push_back(motion); }
+  void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
+  std::vector<Motion> motions;
+  std::vector<Diagnostic> diagnostics;
+};
+
+class TraceSinkAdapter : public MotionSink {
+ public:
+  TraceSinkAdapter(const TraceSink& sink, bool json) : sink_(sink), json_(json) {}
+  void begin(const Program& program) override { program_ = &program; }
+  void motion(const Motion& motion) override {
+    if (sink_.motion) sink_.motion(motion);
+    if (sink_.line)
+      sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
+  }
+  void diagnostic(const Diagnostic& diagnostic) override {
+    if (sink_.diagnostic) sink_.diagnostic(diagnostic);
+  }
+
+ private:
+  const TraceSink& sink_;
+  bool json_;
+  const Program* program_ = nullptr;
+};
+
+class StageClock {
+ public:
+  explicit StageClock(JobResult& result) : result_(result) {}
+  void done(const char* stage) {
+    const auto now = std::chrono::steady_clock::now();
+    result_.stage_seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  JobResult& result_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::size_t peak_memory() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
+
+bool has(const Program& program, Severity severity) {
+  return std::any_of(program.diagnostics.begin(), program.diagnostics.end(),
+                     [&](const Diagnostic& d) { return d.severity == severity; });
+}
+
+bool is_faulty(const JobResult& result, bool strict) {
+  return has(result.program, Severity::error) || (strict && has(result.program, Severity::warning));
+}
+
+void report(JobResult& result, Severity severity, const char* code, const std::string& text) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.code = code;
+  diagnostic.text = text;
+  diagnostic.place.file = result.program.files.empty() ? "" : result.program.files[0];
+  result.program.diagnostics.push_back(diagnostic);
+}
+
+void count_motions(JobResult& result) {
+  for (const Motion& motion : result.program.motions) {
+    result.rapid_motions += motion.kind == MotionKind::rapid;
+    result.line_motions += motion.kind == MotionKind::line;
+    result.arc_motions += motion.kind == MotionKind::arc;
+    result.cutting_motions += is_cut(motion);
+  }
+}
+
+// The stock that was given, else the one the program states, else one round its cuts.
+StockShape choose_stock(const Job& job, JobResult& result) {
+  const Program& program = result.program;
+  if (!job.stock.empty()) return load_stock(job.stock, job.stock_options);
+  if (program.workpiece) return *program.workpiece;
+  StockShape shape =
+      default_stock(program.motions, program.tools, program.machine == MachineKind::lathe);
+  report(result, Severity::note, "stock-assumed", "no --stock given: a stock " + shape.description);
+  return shape;
+}
+
+// The tools' smallest radius, from one cut of each tool: the sweeps of a long program are made once
+// only.
+double smallest_radius(const CutHistory& cuts) {
+  std::vector<bool> seen(cuts.tools.size(), false);
+  std::vector<Motion> samples;
+  for (const Motion& motion : cuts.motions) {
+    if (!is_cut(motion) || motion.tool < 0 || seen[static_cast<std::size_t>(motion.tool)]) continue;
+    seen[static_cast<std::size_t>(motion.tool)] = true;
+    samples.push_back(motion);
+  }
+  return SweepTable(samples, cuts.tools, 0).smallest_radius();
+}
+
+void choose_voxel(CarveOptions& options, const CutHistory& cuts, JobResult& result) {
+  result.voxel_reason = "--voxel";
+  if (options.voxel == 0) {
+    const VoxelChoice choice = default_voxel(result.stock, smallest_radius(cuts));
+    options.voxel = choice.voxel;
+    result.voxel_reason = choice.reason;
+  }
+  result.voxel = options.voxel;
+}
+
+// Who sets the voxel wants its grid; else the mesh has a tolerance that goes with the part's size.
+void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
+  result.tolerance_reason = "--tolerance";
+  if (options.tolerance == 0 && job.carve.voxel == 0) {
+    const Vec3 size = result.stock.box.hi - result.stock.box.lo;
+    const double longest = std::max({size.x, size.y, size.z});
+    options.tolerance = round_down_125(longest / 10000);
+    result.tolerance_reason = fmt::format("longest side {:.6g} mm / 10000, rounded down", longest);
+  }
+  result.tolerance = options.tolerance;
+}
+
+// Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
+double volume_before(const StockShape& shape, const CarveOptions& options,
+                     const MeshOptions& mesh) {
+  if (!shape.history.motions.empty())
+    return signed_volume(
+        extract_mesh(carve(shape, shape.history.motions, shape.history.tools, options), mesh));
+  const Vec3 size = shape.box.hi - shape.box.lo;
+  if (shape.kind == StockShape::Kind::box) return size.x * size.y * size.z;
+  if (shape.kind == StockShape::Kind::mesh) return signed_volume(shape.mesh);
+  const double outer = shape.outer_radius, inner = shape.inner_radius;
+  return kPi * (outer * outer - inner * inner) * size.z;
+}
+
+void summarize_part(JobResult& result, const CutHistory& cuts, int threads) {
+  result.summary = check_mesh(result.mesh, threads);
+  const MeshSummary& s = result.summary;
+  if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
+    throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
+  result.mesh.origin = owner_table(result.mesh, cuts);
+  result.volume = s.volume;
+  result.removed_volume = result.stock_volume - result.volume;
+  const auto& owners = result.mesh.owners;
+  if (std::all_of(owners.begin(), owners.end(), [](std::int32_t owner) { return owner < 0; }))
+    report(result, Severity::warning, "nothing-cut",
+           "no cut meets the stock: check the stock's place and the work offset");
+}
+
+void report_mesh(JobResult& result, const ContourReport& found) {
+  result.mesh_bound = found.bound;
+  if (found.unresolved > 0)
+    report(result, Severity::warning, "tolerance-missed",
+           fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
+                       found.unresolved, result.tolerance));
+  if (!found.thin.empty()) {
+    const ThinFeature& first = found.thin.front();
+    report(result, Severity::warning, "thin-feature",
+           fmt::format("{} walls or gaps are thinner than a voxel and may be missing, the first a "
+                       "{} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}); a smaller --voxel shows them",
+                       found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
+                       first.place.x, first.place.y, first.place.z));
+  }
+}
+
+void require_cuts(const Job& job, const JobResult& result) {
+  if (result.cutting_motions == 0)
+    throw Error("program-no-cuts",
+                job.program + " cuts nothing: it has no G1, G2 or G3 whose start is known");
+}
+
+}  // namespace
+
+Program interpret(const std::string& path, const InterpOptions& options) {
+  Collector collector;
+  Program program = interpret(path, options, collector);
+  program.motions = std::move(collector.motions);
+  program.diagnostics = std::move(collector.diagnostics);
+  return program;
+}
+
+Program trace(const std::string& path, const InterpOptions& options, bool json,
+              const TraceSink& sink) {
+  TraceSinkAdapter adapter(sink, json);
+  return interpret(path, options, adapter);
+}
+
+ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
+Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
+
+StockShape load_stock(const std::string& spec, const StockOptions& options) {
+  if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
+  if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
+  TriMesh mesh = read_mesh(spec);
+  require_solid(mesh, spec);
+  return recognise_stock(std::move(mesh), options, spec);
+}
+
+void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {
+  write_file_atomically(png_path,
+                        [&](const ByteSink& out) { render_mesh(mesh, options, out); });
+}
+
+MeshSummary summarize(const TriMesh& mesh) { return check_mesh(mesh); }
+
+JobResult simulate(const Job& job) {
+  JobResult result;
+  StageClock clock(result);
+  check_outputs(job.outputs);
+  result.program = interpret(job.program, job.interp);
+  count_motions(result);
+  clock.done("read");
+  if (is_faulty(result, job.strict)) return result;
+  require_cuts(job, result);
+
+  result.stock = choose_stock(job, result);
+  const CutList cuts = join_cuts(result.stock.history, result.program);
+  CarveOptions options = job.carve;
+  choose_voxel(options, cuts.all, result);
+  MeshOptions mesh_options = job.mesh;
+  choose_tolerance(job, mesh_options, result);
+  clock.done("stock");
+
+  const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
+  result.active_voxels = stock.active_voxels();
+  clock.done("carve");
+  ContourReport contour_report;
+  result.mesh = extract_mesh(stock, mesh_options, &contour_report);
+  report_mesh(result, contour_report);
+  clock.done("mesh");
+  result.stock_volume = volume_before(result.stock, options, mesh_options);
+  summarize_part(result, cuts.all, job.mesh.threads);
+  clock.done("check");
+  if (is_faulty(result, job.strict)) return result;
+
+  StockRecipe recipe{result.stock, result.voxel};
+  recipe.shape.history = cuts.all;
+  write_outputs(job.outputs, result.mesh, stock, recipe);
+  clock.done("write");
+  result.stock.mesh = {};
+  result.peak_memory = peak_memory();
+  result.ok = true;
+  return result;
+}
+
+const char* version() { return MRSIM_VERSION; }
+
+}  // namespace mrsim

@@ -16,6 +16,7 @@
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,20 @@ MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
+/// The tool path as a picture, .svg or .ply by extension: rapids dashed, arcs as arcs, a lathe in
+/// ZX. Throws Error of kind usage for another extension.
+MRSIM_API void write_path_picture(const Program& program, const std::string& path);
+
+/// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
+struct TraceSink {
+  std::function<void(const Motion& motion)> motion;
+  std::function<void(const std::string& line)> line;  ///< the same motion as text, no line end
+  std::function<void(const Diagnostic& diagnostic)> diagnostic;
+};
+/// Like interpret, but hands motions on (as JSON or text for people, too) instead of keeping them:
+/// memory does not grow with the length of the program.
+MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
+                        const TraceSink& sink);
 
 /// Reads tools.toml. Throws Error naming line and key.
 MRSIM_API ToolTable load_tools(const std::string& path);
@@ -69,7 +84,11 @@ struct JobResult {
   StockShape stock;  ///< as simulated, without its mesh
   double voxel = 0;  ///< mm
   std::string voxel_reason;
-  std::size_t cutting_motions = 0;
+  double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
+  std::string tolerance_reason;
+  double mesh_bound = 0;  ///< mm: certified distance between mesh and part, 0 without tolerance
+  std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
+  std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;
   TriMesh mesh;
   MeshSummary summary;

@@ -5,7 +5,9 @@
 #include <mrsim/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
 
 namespace mrsim {
 
@@ -30,6 +32,13 @@ struct InterpOptions {
   ToolTable table;
   /// Print the contour instead of the compensated tool reference point.
   bool programmed_contour = false;
+  /// FANUC: numbers without a decimal point count least increments (0.001 mm, 0.0001 inch) instead
+  /// of millimetres.
+  bool least_increments = false;
+  /// A program that cuts and names no tool at all is an error; false (trace, check): a warning.
+  bool require_tools = true;
+  /// Blocks run in all, repeated subprograms included; more is the error "program-endless".
+  std::uint64_t max_blocks = 4'000'000'000;
 };
 
 struct StockOptions {
@@ -50,10 +59,23 @@ struct CarveOptions {
 };
 
 struct MeshOptions {
-  /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives.
+  /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives;
+  /// simulate() then takes the longest side / 10000 unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
   Progress progress;
+};
+
+/// What the colour of a face tells.
+enum class ColorBy : std::uint8_t { none, line, tool };
+
+/// How a mesh is written to a file.
+struct MeshFileOptions {
+  /// Colours of the faces where the format has colours. The owners themselves (file, line, tool) are
+  /// written where the format has room for them, whatever this says.
+  ColorBy color = ColorBy::none;
+  /// Text instead of binary where a format has both (STL).
+  bool ascii = false;
 };
 
 struct RenderOptions {
@@ -63,6 +85,14 @@ struct RenderOptions {
   double azimuth = 30, elevation = 35;
   /// Draw edges where faces meet at more than this many degrees; 0 = none.
   double edge_angle = 25;
+  /// Colour the faces by what cut them, with a legend. TriMesh::colors, where given, come first.
+  ColorBy color = ColorBy::none;
+  /// Darken corners and pockets by how little sky they see.
+  bool ambient_occlusion = true;
+  /// Let the part throw a shadow on the ground.
+  bool ground = true;
+  /// A line of text below the part. Default: its size.
+  std::string caption;
   int threads = 0;
 };
 

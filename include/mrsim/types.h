@@ -79,6 +79,17 @@ struct Diagnostic {
   std::vector<SourcePlace> called_from;  ///< call chain, innermost first
 };
 
+/// An Error about one place in a text file (a tool table, a job): a Diagnostic that ends the run.
+class MRSIM_API PlacedError : public Error {
+ public:
+  explicit PlacedError(Diagnostic diagnostic, Kind kind = Kind::input);
+  ~PlacedError() override;
+  const Diagnostic& diagnostic() const { return diagnostic_; }
+
+ private:
+  Diagnostic diagnostic_;
+};
+
 enum class Dialect : std::uint8_t { automatic, sinumerik, iso, fanuc, codesys };
 enum class MachineKind : std::uint8_t { automatic, mill, lathe };
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include <fcntl.h>
@@ -64,6 +65,61 @@ void sync_folder(const std::string& folder) {
   const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (fd.get() >= 0) ::fsync(fd.get());  // best effort: some file systems refuse to sync a folder
 }
+
+// A file beside `path` that takes its place when it is whole, and goes away otherwise.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& path)
+      : path_(path), name_(folder_of(path) + "/.mrsim-XXXXXX"), fd_(create(path, name_)) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+
+  void fill(const std::function<void(const ByteSink&)>& writer) {
+    constexpr std::size_t kBuffer = std::size_t(1) << 20;
+    std::string buffer;
+    buffer.reserve(kBuffer);
+    const auto flush = [&] {
+      write_all(fd_.get(), path_, buffer.data(), buffer.size());
+      buffer.clear();
+    };
+    writer([&](const void* data, std::size_t size) {
+      if (buffer.size() + size > kBuffer) flush();
+      if (size >= kBuffer)
+        write_all(fd_.get(), path_, static_cast<const char*>(data), size);
+      else
+        buffer.append(static_cast<const char*>(data), size);
+    });
+    flush();
+    // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
+    struct stat old {};
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    const mode_t mode = ::stat(path_.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
+    if (::fchmod(fd_.get(), mode) != 0 || ::fsync(fd_.get()) != 0 || fd_.close() != 0)
+      fail_output(path_, errno);
+  }
+
+  void take_its_place() {
+    if (::rename(name_.c_str(), path_.c_str()) != 0) fail_output(path_, errno);
+    name_.clear();
+    sync_folder(folder_of(path_));
+  }
+
+ private:
+  static int create(const std::string& path, std::string& name) {
+    check_writable(path);
+    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
+    if (fd < 0) fail_output(path, errno);
+    return fd;
+  }
+
+  std::string path_;
+  std::string name_;
+  FileDescriptor fd_;
+};
 
 // Length of the UTF-8 sequence at the head of `s`, 0 when it is not one (overlong forms and
 // surrogates included).
@@ -182,42 +238,19 @@ void check_writable(const std::string& path) {
   ::unlink(probe.c_str());
 }
 
+void write_files_atomically(std::span<const OutputFile> files) {
+  std::vector<std::unique_ptr<TemporaryFile>> written;
+  for (const OutputFile& file : files) {
+    written.push_back(std::make_unique<TemporaryFile>(file.path));
+    written.back()->fill(file.writer);
+  }
+  for (const auto& file : written) file->take_its_place();
+}
+
 void write_file_atomically(const std::string& path,
                            const std::function<void(const ByteSink&)>& writer) {
-  const std::string folder = folder_of(path);
-  check_writable(path);
-  std::string temporary = folder + "/.mrsim-XXXXXX";
-  FileDescriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (fd.get() < 0) fail_output(path, errno);
-  try {
-    constexpr std::size_t kBuffer = std::size_t(1) << 20;
-    std::string buffer;
-    buffer.reserve(kBuffer);
-    const auto flush = [&] {
-      write_all(fd.get(), path, buffer.data(), buffer.size());
-      buffer.clear();
-    };
-    writer([&](const void* data, std::size_t size) {
-      if (buffer.size() + size > kBuffer) flush();
-      if (size >= kBuffer)
-        write_all(fd.get(), path, static_cast<const char*>(data), size);
-      else
-        buffer.append(static_cast<const char*>(data), size);
-    });
-    flush();
-    // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
-    struct stat old {};
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
-    if (::fchmod(fd.get(), mode) != 0 || ::fsync(fd.get()) != 0 || fd.close() != 0)
-      fail_output(path, errno);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail_output(path, errno);
-    sync_folder(folder);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
+  const OutputFile file{path, writer};
+  write_files_atomically({&file, 1});
 }
 
 std::string to_utf8(std::string_view bytes) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,16 @@ using ByteSink = std::function<void(const void* data, std::size_t size)>;
 /// "output-folder", "output-unwritable", "output-full".
 void write_file_atomically(const std::string& path,
                            const std::function<void(const ByteSink&)>& writer);
+
+/// One file of a set, and who writes it.
+struct OutputFile {
+  std::string path;
+  std::function<void(const ByteSink&)> writer;
+};
+
+/// Writes all files or none: every temporary file is complete before the first is renamed. Throws
+/// what write_file_atomically throws.
+void write_files_atomically(std::span<const OutputFile> files);
 
 /// Throws what write_file_atomically would throw for a missing or read-only folder or a directory
 /// in the way, before any work is done.

@@ -19,9 +19,8 @@ struct PlanFoot {
 enum class Half { any = -1, first = 0, second = 1 };
 
 PlanFoot line_foot(const double* c, const Vec3& p) {
-  const double u = (p.x - c[0]) * c[2] + (p.y - c[1]) * c[3];
-  const double t = lane::vmin(lane::vmax(u, 0), c[4]);
-  return {c[0] + t * c[2], c[1] + t * c[3], lane::line_rho(c, p.x, p.y), 0};
+  const lane::PlanLineFoot f = lane::line_foot(c, p.x, p.y);
+  return {c[0] + f.t * c[2], c[1] + f.t * c[3], std::sqrt(f.squared), 0};
 }
 
 PlanFoot arc_foot(const double* c, const Vec3& p, Half wanted) {
@@ -46,36 +45,40 @@ Vec3 revolved(const Vec3& p, double foot_x, double foot_y, Vec2 g) {
   return n > 0 ? Vec3{g.x * dx / n, g.x * dy / n, g.y} : Vec3{g.x, 0, g.y};
 }
 
-// Gradient of the asked face of a tool at rest; flat ends have floor 0 and wall 1.
+// Gradient of the asked face of a tool at rest.
 Vec2 face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
   if (!tool.is_rounded()) return tool.gradient({rho, z}, patch);
-  if (tool.round() == 0) return patch == 0 ? Vec2{0, -1} : Vec2{1, 0};
-  return tool_sample(tool, rho, z).gradient;
+  return slab_face_gradient(tool, rho, z, patch);
 }
 
 // A horizontal or upright move of any tool: plan path, its lowest tip height, vertical travel.
 struct LevelView {
   bool arc = false;
   const double* plan = nullptr;
-  ProfileRow row;  // z and stretch only
+  double z = 0;  // of the tip
 };
 
 LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
   LevelView v;
   if (ref.kind == SweepKind::plane_line) {
     v.plan = c.plane_lines[ref.row].c;
-    v.row.z = v.plan[5] - v.plan[7];
+    v.z = v.plan[4] - v.plan[6];
   } else if (ref.kind == SweepKind::plane_arc) {
     v.arc = true;
     v.plan = c.plane_arcs[ref.row].c;
-    v.row.z = v.plan[7] - v.plan[9];
+    v.z = v.plan[7] - v.plan[9];
   } else {
     const ProfileRow& row = c.profiles[ref.row];
     v.arc = row.arc;
     v.plan = row.c;
-    v.row.z = row.z, v.row.stretch = row.stretch;
+    v.z = row.z;
   }
   return v;
+}
+
+double face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
+  if (!tool.is_rounded()) return tool.face_distance({rho, z}, patch);
+  return slab_face_distance(tool, rho, z, patch);
 }
 
 PlanFoot plan_foot(const LevelView& v, const Vec3& p, Half half) {
@@ -86,19 +89,31 @@ SweepSample level_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
   const LevelView v = level_view(c, ref);
   const PlanFoot f = plan_foot(v, p, Half::any);
   const Profile& tool = c.cutter(ref);
-  const ProfileSample s = tool_sample(tool, f.rho, unstretched(tool, v.row, p.z));
+  const ProfileSample s = tool_sample(tool, f.rho, p.z - v.z);
   return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
+}
+
+// Where the face `patch` of a level sweep looks at p from.
+PlanFoot face_foot(const LevelView& v, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+  Half half = Half::any;
+  if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
+  return plan_foot(v, p, half);
 }
 
 Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
   const LevelView v = level_view(c, ref);
-  Half half = Half::any;
-  if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
-  const PlanFoot f = plan_foot(v, p, half);
-  const Profile& tool = c.cutter(ref);
-  const Vec2 g =
-      face_gradient(tool, f.rho, unstretched(tool, v.row, p.z), patch & (kBranchPatch - 1));
+  const PlanFoot f = face_foot(v, ref, p, patch);
+  const Vec2 g = face_gradient(c.cutter(ref), f.rho, p.z - v.z, patch & (kBranchPatch - 1));
   return revolved(p, f.x, f.y, g);
+}
+
+double level_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                           std::int32_t patch) {
+  const LevelView v = level_view(c, ref);
+  const PlanFoot f = face_foot(v, ref, p, patch);
+  const double rho =
+      std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the asked half
+  return face_distance(c.cutter(ref), rho, p.z - v.z, patch & (kBranchPatch - 1));
 }
 
 Vec3 ball_gradient(const double* c, const Vec3& p) {
@@ -141,7 +156,25 @@ std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, con
   return branch + (drawn && corner >= 0 ? kCornerPatch + corner : s.patch);
 }
 
-Vec3 path_gradient(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+// The face of a path sweep at p: its normal and its distance. Beyond its creases a face is
+// continued by the tool at the position that is nearest to p.
+struct PathFace {
+  Vec3 gradient;
+  double distance = 0;
+};
+
+// The surface drawn by a corner's circle, seen from its point that looks at p.
+PathFace corner_face(const Profile& tool, const Contact& c, int corner) {
+  const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
+  Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
+  if (normal == Vec3{}) normal = around(c, tool_sample(tool, c.rho, c.q.z).gradient);
+  const Vec2 out = tool.corner_direction(corner);
+  if (out.x * dot(normal, radial) + out.y * normal.z < 0) normal = -normal;
+  const Vec2 at = tool.corner_point(corner);
+  return {normal, dot(normal, c.q - (at.x * radial + Vec3{0, 0, at.y}))};
+}
+
+PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                    std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
@@ -149,20 +182,18 @@ Vec3 path_gradient(const SweepColumns& columns, const SweepRef& ref, const Vec3&
                                  : path_distance(tool, path, p);
   const Contact c = contact_at(path, at.t, p);
   const std::int32_t face = patch % kBranchPatch;
-  if (face < kCornerPatch) return around(c, face_gradient(tool, c.rho, c.q.z, face));
-  const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
-  const Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
-  const Vec2 out = tool.corner_direction(face - kCornerPatch);
-  const double side = out.x * dot(normal, radial) + out.y * normal.z;
-  if (normal == Vec3{}) return around(c, tool_sample(tool, c.rho, c.q.z).gradient);
-  return side < 0 ? -normal : normal;
+  if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
+  return {around(c, face_gradient(tool, c.rho, c.q.z, face)),
+          face_distance(tool, c.rho, c.q.z, face)};
 }
 
 }  // namespace
 
-SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top)
+// An open cutter reaches to infinity, so that `top` is only a promise of the caller.
+SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double,
+                       const SweepSelection& selection)
     : columns_(std::make_unique<Columns>()) {
-  columns_->build(motions, tools, top);
+  columns_->build(motions, tools, selection);
 }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
@@ -182,10 +213,12 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
       return lane::plane_line(plane_lines[ref.row].c, p.x, p.y, p.z);
     case SweepKind::plane_arc:
       return lane::plane_arc(plane_arcs[ref.row].c, p.x, p.y, p.z);
+    case SweepKind::ball_arc:
+      return ball_arc_distance(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
     case SweepKind::profile: {
       const ProfileRow& row = profiles[ref.row];
       const double rho = row.arc ? lane::arc_rho(row.c, p.x, p.y) : lane::line_rho(row.c, p.x, p.y);
-      return tool_distance(cutter(ref), rho, unstretched(cutter(ref), row, p.z));
+      return tool_distance(cutter(ref), rho, p.z - row.z);
     }
     case SweepKind::path:
       return path_distance(cutter(ref), paths[ref.row], p).distance;
@@ -206,6 +239,10 @@ SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
   switch (ref.kind) {
     case SweepKind::ball_line:
       return {columns_->distance(ref, p), 0};
+    case SweepKind::ball_arc: {
+      const int half = ref.split ? ball_arc_half(columns_->ball_arcs[ref.row], p) : 0;
+      return {columns_->distance(ref, p), half * kBranchPatch};
+    }
     case SweepKind::path: {
       const ToolPath& path = columns_->paths[ref.row];
       const PathSample s = path_distance(columns_->cutter(ref), path, p);
@@ -227,8 +264,11 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
     case SweepKind::ball_line:
       g = ball_gradient(columns_->ball_lines[ref.row].c, p);
       break;
+    case SweepKind::ball_arc:
+      g = ball_arc_gradient(columns_->ball_arcs[ref.row], columns_->ball_arc_face(ref, patch), p);
+      break;
     case SweepKind::path:
-      g = path_gradient(*columns_, ref, p, patch);
+      g = path_face(*columns_, ref, p, patch).gradient;
       break;
     case SweepKind::turn:
       g = turn_gradient(columns_->turns[ref.row], p, patch);
@@ -239,12 +279,22 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
   return frame != nullptr ? frame->out(g) : g;
 }
 
-void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
-  for (std::size_t k = 0; k < ids.size(); ++k) out[k] = distance(ids[k], p);
-}
-
-void SweepTable::distances(std::size_t i, std::span<const Vec3> points, double* out) const {
-  for (std::size_t k = 0; k < points.size(); ++k) out[k] = distance(i, points[k]);
+double SweepTable::patch_distance(std::size_t i, const Vec3& point, std::int32_t patch) const {
+  const SweepRef& ref = columns_->refs[i];
+  const Vec3 p = ref.frame > 0 ? columns_->frames[ref.frame - 1].in(point) : point;
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return columns_->distance(ref, p);
+    case SweepKind::ball_arc:
+      return ball_arc_distance(columns_->ball_arcs[ref.row], columns_->ball_arc_face(ref, patch),
+                               p);
+    case SweepKind::path:
+      return path_face(*columns_, ref, p, patch).distance;
+    case SweepKind::turn:
+      return turn_face_distance(columns_->turns[ref.row], p, patch);
+    default:
+      return level_face_distance(*columns_, ref, p, patch);
+  }
 }
 
 }  // namespace mrsim

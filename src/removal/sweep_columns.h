@@ -4,6 +4,8 @@
 #pragma once
 
 #include "removal/sweep.h"
+#include "removal/sweep_curtain.h"
+#include "removal/sweep_kernels.h"
 #include "removal/sweep_path.h"
 #include "removal/sweep_turn.h"
 #include "removal/tool.h"
@@ -13,28 +15,27 @@
 
 namespace mrsim {
 
+/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
+/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
+inline constexpr std::int32_t kCornerPatch = 1 << 12;
+inline constexpr std::int32_t kBranchPatch = 1 << 16;
+
 enum class SweepKind : std::uint8_t {
   ball_line,   ///< ball reaching up, any line: ball_line of sweep_lanes.inl
   plane_line,  ///< flat, bull-nose or ball reaching up, horizontal line: plane_line
   plane_arc,   ///< the same on a horizontal arc: plane_arc
+  ball_arc,    ///< ball reaching up, arc in an upright plane
   profile,     ///< any profile on a horizontal line or arc, or up and down
   path,        ///< any profile on any other path
   turn         ///< insert
 };
 
-struct alignas(64) LineRecord {
-  double c[8] = {};
-};
-struct alignas(64) ArcRecord {
-  double c[16] = {};
-};
-
-/// A horizontal path in plan: line_rho of c[0..4] or arc_rho of c[0..6].
+/// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
 struct ProfileRow {
   bool arc = false;
   double c[7] = {};
-  double z = 0;        ///< height of the tip at its lowest
-  double stretch = 0;  ///< vertical travel, mm
+  double z = 0;       ///< height of the tip
+  double length = 0;  ///< of the path in plan, mm
 };
 
 /// Rotation into the frame of a tilted tool: rows are its axes.
@@ -58,30 +59,29 @@ struct SweepColumns {
   std::vector<Box3> bounds;
   std::vector<LineRecord> ball_lines, plane_lines;
   std::vector<ArcRecord> plane_arcs;
+  std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
   std::vector<ToolPath> paths;
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
+  bool uniform = false;  ///< all of one kind, in the stock's frame: row i is sweep i
   double max_error = 0;
   double smallest_radius = 0;
 
-  void build(std::span<const Motion> motions, std::span<const Tool> tools, double top);
+  void build(std::span<const Motion> motions, std::span<const Tool> tools,
+             const SweepSelection& selection);
   double distance(const SweepRef& ref, const Vec3& p) const;
+  SweepSkeleton turn_skeleton(const SweepRef& ref) const;
+  /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.
+  void other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
+                     double& z) const;
+  const Curtain& ball_arc_face(const SweepRef& ref, std::int32_t patch) const {
+    const BallArc& s = ball_arcs[ref.row];
+    return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
+  }
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};
-
-/// Height above the tip of a profile at rest that stands for one that travels up by `stretch`: the
-/// widest place is drawn out.
-inline double unstretched(const Profile& tool, const ProfileRow& row, double z) {
-  const double over = z - row.z - tool.widest();
-  return z - row.z - (over < 0 ? 0 : over > row.stretch ? row.stretch : over);
-}
-
-/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
-/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
-inline constexpr std::int32_t kCornerPatch = 1 << 12;
-inline constexpr std::int32_t kBranchPatch = 1 << 16;
 
 }  // namespace mrsim

@@ -5,22 +5,25 @@
 // Only + - * / sqrt min max and comparisons, in one written order: every instruction set gives the
 // same bits.
 
-// Disc of radius `core` with its centre at height `low`, thickened by `round`, reaching up; seen
-// at lateral distance rho.
-MRSIM_LANE V rounded_quadrant(V rho, V z, V low, V core, V round) {
+// Cutter with a flat, rounded or ball end and a flat top: a disc of radius `core` with its centre at
+// height `low`, thickened by `round`, cut off at `top` (infinite: reaching up); seen at lateral
+// distance rho. Requires: height >= 2 round, so that the upper half knows only wall and top.
+MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
   const V zero = splat(0.0);
-  const V dr = rho - core, dz = low - z;
+  const M upper = less_equal(splat(0.5) * (low - round + top), z);
+  const V r = select(upper, zero, round);
+  const V dr = rho - select(upper, core + round, core), dz = select(upper, z - top, low - z);
   const V a = vmax(dr, zero), b = vmax(dz, zero);
-  return vsqrt(a * a + b * b) + vmin(vmax(dr, dz), zero) - round;
+  return vsqrt(a * a + b * b) + vmin(vmax(dr, dz), zero) - r;
 }
 
 // Ball end reaching up, any straight line: distance to the segment's upward strip, minus R.
 // c = ax ay az (ball centre at the start), ux uy (unit horizontal direction), length in plan,
 // slope, R.
 struct StripFoot {
-  V squared;   // distance to the strip, squared
-  V along;     // horizontal parameter of the foot
-  V z;         // height of the foot
+  V squared;  // distance to the strip, squared
+  V along;    // horizontal parameter of the foot
+  V z;        // height of the foot
 };
 MRSIM_LANE StripFoot strip_foot(const V* c, V px, V py, V pz) {
   const V zero = splat(0.0), one = splat(1.0);
@@ -37,21 +40,42 @@ MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
   return vsqrt(strip_foot(c, px, py, pz).squared) - c[7];
 }
 
-// Horizontal line: distance in plan to the segment.
-// c = ax ay ux uy length, low core round.
-MRSIM_LANE V line_rho(const V* c, V px, V py) {
-  const V zero = splat(0.0);
-  const V dx = px - c[0], dy = py - c[1];
-  const V u = dx * c[2] + dy * c[3], v = dx * c[3] - dy * c[2];
-  const V du = u - vmin(vmax(u, zero), c[4]);
-  return vsqrt(du * du + v * v);
+// Nearest points: what the dominance test of the carver compares. `squared` is the distance to the
+// skeleton (ball) or, in plan, to the path (horizontal moves), squared; x y z is the nearest point,
+// for horizontal moves with the height of the tip.
+struct Near {
+  V distance, squared, x, y, z;
+};
+MRSIM_LANE Near ball_line_near(const V* c, V px, V py, V pz) {
+  const StripFoot f = strip_foot(c, px, py, pz);
+  return {vsqrt(f.squared) - c[7], f.squared, c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
 }
+
+// Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].
+// c = ax ay dx dy (from start to end), low core round top. An upright move has d = 0.
+struct PlanLineFoot {
+  V squared, t;
+};
+MRSIM_LANE PlanLineFoot line_foot(const V* c, V px, V py) {
+  const V zero = splat(0.0), one = splat(1.0);
+  const V dx = px - c[0], dy = py - c[1];
+  const V size = c[2] * c[2] + c[3] * c[3];
+  const V t = vmin(vmax((dx * c[2] + dy * c[3]) / vmax(size, splat(1e-300)), zero), one);
+  const V ex = dx - t * c[2], ey = dy - t * c[3];
+  return {ex * ex + ey * ey, t};
+}
+MRSIM_LANE V line_rho(const V* c, V px, V py) { return vsqrt(line_foot(c, px, py).squared); }
 MRSIM_LANE V plane_line(const V* c, V px, V py, V pz) {
-  return rounded_quadrant(line_rho(c, px, py), pz, c[5], c[6], c[7]);
+  return rounded_slab(line_rho(c, px, py), pz, c[4], c[5], c[6], c[7]);
+}
+MRSIM_LANE Near plane_line_near(const V* c, V px, V py, V pz) {
+  const PlanLineFoot f = line_foot(c, px, py);
+  return {rounded_slab(vsqrt(f.squared), pz, c[4], c[5], c[6], c[7]), f.squared,
+          c[0] + f.t * c[2], c[1] + f.t * c[3], c[4] - c[6]};
 }
 
 // Horizontal arc of up to a full turn: distance in plan to the arc, folded about its middle.
-// c = cx cy R mx my (unit vector to the middle) cos sin (of half the sweep), low core round.
+// c = cx cy R mx my (unit vector to the middle) cos sin (of half the sweep), low core round top.
 MRSIM_LANE V arc_rho(const V* c, V px, V py) {
   const V dx = px - c[0], dy = py - c[1];
   const V a = dx * c[3] + dy * c[4], b = vabs(dx * c[4] - dy * c[3]);
@@ -61,5 +85,18 @@ MRSIM_LANE V arc_rho(const V* c, V px, V py) {
   return select(less_equal(c[5] * b - c[6] * a, splat(0.0)), within, beyond);
 }
 MRSIM_LANE V plane_arc(const V* c, V px, V py, V pz) {
-  return rounded_quadrant(arc_rho(c, px, py), pz, c[7], c[8], c[9]);
+  return rounded_slab(arc_rho(c, px, py), pz, c[7], c[8], c[9], c[10]);
+}
+MRSIM_LANE Near plane_arc_near(const V* c, V px, V py, V pz) {
+  const V zero = splat(0.0);
+  const V dx = px - c[0], dy = py - c[1];
+  const V a = dx * c[3] + dy * c[4], off = dy * c[3] - dx * c[4];
+  const M outside = less_equal(c[5] * vabs(off) - c[6] * a, zero);  // of the gap: on the arc
+  const V n = vsqrt(dx * dx + dy * dy);
+  const V scale = select(less_equal(n, zero), zero, c[2] / n);
+  const V ea = c[2] * c[5], eb = select(less_equal(off, zero), -c[2] * c[6], c[2] * c[6]);
+  const V rho = arc_rho(c, px, py);
+  return {rounded_slab(rho, pz, c[7], c[8], c[9], c[10]), rho * rho,
+          c[0] + select(outside, scale * dx, ea * c[3] - eb * c[4]),
+          c[1] + select(outside, scale * dy, ea * c[4] + eb * c[3]), c[7] - c[9]};
 }

@@ -42,14 +42,27 @@ class Objective {
   }
 
   /// Lower bound over t +- half for a path about Z: no position is nearer in plan than the circle,
-  /// and heights differ by at most the rise. Ends the search among the turns of a helix early.
+  /// and heights differ by at most the rise, against which a convex tool's distance is convex. Ends
+  /// the search among the turns of a helix early.
   double level_bound(double t, double half) const {
+    const double z = p_.z - path_.center.z - t * path_.rise.z;
+    const double rise = (path_.rise.z < 0 ? -path_.rise.z : path_.rise.z) * half;
+    const ProfileSample s = tool_sample(tool_, to_circle(), z);
+    const double slope = s.gradient.y < 0 ? -s.gradient.y : s.gradient.y;
+    return s.distance - (tool_.is_convex() ? slope : 1) * rise;
+  }
+
+  double to_circle() const {
     const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
     const double off = std::sqrt(dx * dx + dy * dy) - path_.radius;
-    const double z = p_.z - path_.center.z - t * path_.rise.z;
-    const double rise = path_.rise.z < 0 ? -path_.rise.z : path_.rise.z;
-    return tool_distance(tool_, off < 0 ? -off : off, z) - rise * half;
+    return off < 0 ? -off : off;
   }
+  double height(double t) const { return p_.z - path_.center.z - t * path_.rise.z; }
+  double lateral(double t) const {
+    const Vec3 q = p_ - position(path_, t);
+    return std::sqrt(q.x * q.x + q.y * q.y);
+  }
+  double at_rest(double rho, double z) const { return tool_distance(tool_, rho, z); }
 
   /// The best position on each turn lies, in plan, towards p.
   double towards() const {
@@ -103,7 +116,7 @@ double parabola_bound(const Value& m, double half, double bend) {
 PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
                   double end) {
   const double bend = path.arc ? path.radius : 0;
-  const double tolerance = tool.is_convex() ? 1e-8 : kPathError;
+  const double tolerance = kPathError;
   const Value first = F(begin), last = F(end);
   PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
   if (path.level) {
@@ -136,25 +149,90 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
   return polished.distance < best.distance ? polished : best;
 }
 
+// The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and
+// falls with the height above the tip. Of the positions before the one that looks at p none is
+// better, because they are higher and no nearer; behind it, up to the opposite one, the lateral
+// distance and the height both grow, so that the lateral distance at the beginning of an interval
+// and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
+PathSample search_lowest_turn(const Objective& F, const Profile& tool, const ToolPath& path) {
+  const double end = path.sweep, facing = F.towards();
+  PathSample best{F(end).f, end};
+  double from = facing, to = std::min(facing + kPi, end);
+  if (facing > end) {  // p looks at the gap between end and start
+    if (facing - end <= kTwoPi - facing) return best;
+    from = 0, to = std::min(std::max(0.0, facing - kPi), end);
+  }
+  const double near = facing > end ? F.lateral(from) : F.to_circle();
+  const double first = F.at_rest(near, F.height(from));
+  if (first <= best.distance) best = {first, from};
+  struct Span {
+    double lo, hi, near;
+  };
+  std::array<Span, 128> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {from, to, near};
+  double finest = 0;
+  while (depth > 0) {
+    const Span in = stack[--depth];
+    const double floor = F.at_rest(in.near, F.height(in.hi));
+    if (floor >= best.distance - (finest > 0 ? kPathError : 1e-12)) continue;
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    const Value m = F(mid);
+    finest = finest > 0 ? finest : half;
+    if (m.f < best.distance) best = {m.f, mid}, finest = half;
+    if (tool.is_convex() && parabola_bound(m, half, path.radius) >= best.distance - kPathError)
+      continue;
+    if (depth + 2 > stack.size()) continue;
+    const Span low = {in.lo, mid, in.near}, high = {mid, in.hi, F.lateral(mid)};
+    stack[depth++] = m.slope < 0 ? low : high;
+    stack[depth++] = m.slope < 0 ? high : low;
+  }
+  if (finest == 0) return best;
+  const PathSample polished =
+      descend(F, clamp(best.t - finest, from, to), clamp(best.t + finest, from, to));
+  return polished.distance < best.distance ? polished : best;
+}
+
 }  // namespace
 
 ProfileSample tool_sample(const Profile& tool, double rho, double z) {
   if (!tool.is_rounded()) return tool.sample({rho, z});
-  const double dr = rho - tool.core(), dz = tool.round() - z;
-  ProfileSample s{lane::rounded_quadrant(rho, z, tool.round(), tool.core(), tool.round()), {}, 0};
-  if (tool.round() == 0) s.patch = dr > dz ? 1 : 0;
+  const bool upper = z >= 0.5 * tool.top();
+  const double dr = rho - (upper ? tool.max_radius() : tool.core());
+  const double dz = upper ? z - tool.top() : tool.round() - z, way = upper ? 1 : -1;
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1, end = upper ? wall + 1 : 0;
+  ProfileSample s{tool_distance(tool, rho, z), {}, dr > dz ? wall : end};
   if (dr > 0 && dz > 0) {
     const double n = std::sqrt(dr * dr + dz * dz);
-    s.gradient = {dr / n, -dz / n};
+    s.gradient = {dr / n, way * dz / n};
   } else {
-    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, -1};
+    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, way};
   }
   return s;
 }
 
 double tool_distance(const Profile& tool, double rho, double z) {
   if (!tool.is_rounded()) return tool.distance({rho, z});
-  return lane::rounded_quadrant(rho, z, tool.round(), tool.core(), tool.round());
+  return lane::rounded_slab(rho, z, tool.round(), tool.core(), tool.round(), tool.top());
+}
+
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+  if (patch > wall) return {0, 1};
+  if (tool.round() == 0) return patch == wall ? Vec2{1, 0} : Vec2{0, -1};
+  const double dr = rho - tool.core(), dz = tool.round() - z;
+  if (!(dr > 0 && dz > 0)) return dr > dz ? Vec2{1, 0} : Vec2{0, -1};
+  const double n = std::sqrt(dr * dr + dz * dz);
+  return {dr / n, -dz / n};
+}
+
+double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
+  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+  if (patch > wall) return z - tool.top();
+  if (tool.round() == 0) return patch == wall ? rho - tool.core() : -z;
+  const double dr = rho - tool.core(), dz = tool.round() - z;
+  const double to_core = dr > 0 && dz > 0 ? std::sqrt(dr * dr + dz * dz) : dr > dz ? dr : dz;
+  return to_core - tool.round();
 }
 
 Vec3 position(const ToolPath& path, double t) {
@@ -172,6 +250,7 @@ Vec3 direction(const ToolPath& path, double t) {
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   const Objective F(tool, path, p);
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
+  if (path.lowest_turn) return search_lowest_turn(F, tool, path);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 

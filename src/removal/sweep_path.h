@@ -13,6 +13,10 @@ namespace mrsim {
 /// Distance of a revolved tool at rest from (rho, z), z above its tip.
 ProfileSample tool_sample(const Profile& tool, double rho, double z);
 double tool_distance(const Profile& tool, double rho, double z);
+/// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
+/// Signed distance to that face: what slab_face_gradient is the gradient of.
+double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch);
 
 /// Tool tip along the path: start + t * travel, t in [0, 1] (line), or
 /// center + cos(t) * u + sin(t) * v + t * rise, t in [0, sweep] (arc and helix, |u| = |v|).
@@ -23,6 +27,7 @@ struct ToolPath {
   double sweep = 0;              ///< radians, positive
   double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
   bool level = false;            ///< arc in a horizontal plane, or helix about Z
+  bool lowest_turn = false;      ///< level and falling, at most one turn, tool rising
 };
 Vec3 position(const ToolPath& path, double t);
 Vec3 direction(const ToolPath& path, double t);  ///< d position / dt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/sweep_polygon.h"
 #include "removal/tool.h"
 
 #include <cstdint>
@@ -10,26 +11,6 @@
 #include <vector>
 
 namespace mrsim {
-
-/// Counter-clockwise convex polygon: one point, two points (a segment) or more.
-struct ConvexPolygon {
-  struct Side {
-    Vec2 a, direction;
-    double length = 0;
-  };
-  std::vector<Side> sides;  ///< empty for a point
-  Vec2 point;               ///< the point, or the first corner
-};
-ConvexPolygon make_polygon(std::span<const Vec2> points);
-
-/// Signed distance, nearest side and unit gradient; exact inside and outside.
-struct PlaneSample {
-  double distance = 0;
-  Vec2 gradient;
-  std::int32_t patch = 0;
-};
-double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
-PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
 
 /// Part of a circle, folded about its middle as in sweep_lanes.inl.
 struct ArcPiece {
@@ -48,7 +29,8 @@ struct TurnSweep {
   std::vector<ConvexPolygon::Side> sides;  ///< arc: sides at rest
   double round = 0;
   bool inside = false;
-  Vec2 lo, hi;  ///< bounds in (X, Z)
+  bool one_sided = false;  ///< never beyond the spindle axis: the mirror image is never nearer
+  Vec2 lo, hi;             ///< bounds in (X, Z)
 };
 
 /// Path from `start` to `end` in (X, Z), or the arc from start about `center` by `turn` radians,
@@ -62,5 +44,7 @@ inline constexpr std::int32_t kMirrorPatch = 1 << 16;
 double turn_distance(const TurnSweep& s, const Vec3& p);
 PlaneSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
+/// Signed distance to one piece, continued beyond its ends: what turn_gradient is the gradient of.
+double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 
 }  // namespace mrsim

@@ -209,6 +209,11 @@ Profile form_mill(const Tool& tool) {
             "the profile holds a number that is not finite");
     require(to.r >= 0, tool, "the profile crosses the axis");
     require(to.z >= from.z, tool, "the profile goes down");
+    require(to.r > 0 || i + 1 == tool.profile.size(), tool,
+            "the profile touches the axis before its end");
+    const double back = i > 1 ? (to.r - from.r) * (from.r - tool.profile[i - 2].r) : 0;
+    require(i < 2 || to.z > from.z || from.z > tool.profile[i - 2].z || back >= 0, tool,
+            "the profile runs back along itself");
     require(from.bulge > -1.0001 && from.bulge < 1.0001, tool, "an arc beyond half a turn");
     if (from.bulge == 0)
       o.line({to.r, to.z});
@@ -219,18 +224,20 @@ Profile form_mill(const Tool& tool) {
   return finish(std::move(o), tool.flute_length);
 }
 
-// Cylinders and cones stacked from height z.
-Profile stack(const Tool& tool, const std::vector<ToolSegment>& segments, double z) {
-  if (segments.empty()) return {};
-  Outline o({0, z});
+// Cylinders and cones stacked from height z, each a convex piece of its own.
+std::vector<Profile> stack(const Tool& tool, const std::vector<ToolSegment>& segments, double z) {
+  std::vector<Profile> pieces;
   for (const ToolSegment& s : segments) {
     require(s.diameter_low > 0 && s.diameter_high > 0 && s.length > 0, tool,
             "a piece of shank or holder has no diameter or length");
-    o.line({s.diameter_low / 2, o.at().y});
-    o.line({s.diameter_high / 2, o.at().y + s.length});
+    Outline o({0, z});
+    o.line({s.diameter_low / 2, z});
+    o.line({s.diameter_high / 2, z + s.length});
+    o.line({0, z + s.length});
+    pieces.emplace_back(std::move(o).edges());
+    z += s.length;
   }
-  o.line({0, o.at().y});
-  return Profile(std::move(o).edges());
+  return pieces;
 }
 
 }  // namespace
@@ -286,8 +293,9 @@ ToolShape make_tool_shape(const Tool& tool) {
   }
   shape.cutter = make_cutter(tool);
   shape.radius = shape.cutter.max_radius();
-  if (shape.cutter.open_top() && tool.shank.empty() && tool.holder.empty()) return shape;
-  double z = shape.cutter.open_top() ? 0 : shape.cutter.top();
+  // Without a flute length nobody knows where the shank begins: above all that is cut.
+  double z = tool.flute_length > 0 ? tool.flute_length : shape.cutter.top();
+  if (std::isinf(z)) return shape;
   shape.shank = stack(tool, tool.shank, z);
   for (const ToolSegment& s : tool.shank) z += s.length;
   shape.holder = stack(tool, tool.holder, z);

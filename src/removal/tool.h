@@ -20,9 +20,9 @@ namespace mrsim {
 /// A piece of a profile: the solid lies on the left of its direction.
 struct ProfileEdge {
   Vec2 a, b;               ///< ends, x = r, y = z; b.y is infinite on a ray towards the shank
-  Vec2 direction;          ///< line: unit vector from a to b
+  Vec2 direction{};        ///< line: unit vector from a to b
   double length = 0;       ///< line: mm, infinite on a ray
-  Vec2 center;             ///< arc
+  Vec2 center{};           ///< arc
   double radius = 0;       ///< arc: mm, 0 = line
   bool convex = true;      ///< arc: counter-clockwise, bulging out of the solid
   std::int32_t patch = 0;  ///< smooth chain of edges, from 0 at the tip
@@ -50,12 +50,19 @@ class Profile {
   /// Gradient of the distance to the nearest edge of one patch, that edge continued beyond its
   /// ends.
   Vec2 gradient(Vec2 q, std::int32_t patch) const;
+  /// Signed distance to that edge, continued beyond its ends: what gradient() is the gradient of.
+  double face_distance(Vec2 q, std::int32_t patch) const;
 
   /// Convex corners draw surfaces of their own when the tool moves across them. Index of the one
   /// nearest to q (-1: none), whether it is q's nearest point, and its outward direction.
   int nearest_corner(Vec2 q) const;
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
+  Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
+
+  /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
+  /// is_unimodal(), a closed top.
+  Profile drawn_out(double travel) const;
 
   const std::vector<ProfileEdge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }
@@ -71,17 +78,21 @@ class Profile {
   double bottom() const { return bottom_; }  ///< z of the tip
   double top() const { return top_; }        ///< infinite when open
 
-  /// Open-top mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened
-  /// by `round`, reaching up. Flat: round = 0; ball: core = 0; bull-nose between them.
+  /// Mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened by
+  /// `round`, with a straight wall up to the flat or open top. Flat: round = 0; ball: core = 0;
+  /// bull-nose between them.
   bool is_rounded() const { return is_rounded_; }
   double core() const { return core_; }
   double round() const { return round_; }
+  bool is_ball_end() const { return is_rounded_ && core_ == 0 && open_top_; }
 
  private:
   struct Foot;
   Foot nearest(Vec2 q) const;
+  const ProfileEdge* nearest_edge(Vec2 q, std::int32_t patch) const;
   void find_patches();
   void find_flags();
+  void find_slab();
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i
@@ -98,10 +109,11 @@ struct InsertOutline {
 
 struct ToolShape {
   bool turning = false;
-  Profile cutter;         ///< milling: what cuts
-  Profile shank, holder;  ///< milling: what must not touch, empty when not given
-  InsertOutline insert;   ///< turning
-  double radius = 0;      ///< cutter radius or nose radius, mm; 0 = a sharp insert
+  Profile cutter;  ///< milling: what cuts
+  /// milling: what must not touch; convex pieces from below, empty when not given
+  std::vector<Profile> shank, holder;
+  InsertOutline insert;  ///< turning
+  double radius = 0;     ///< cutter radius or nose radius, mm; 0 = a sharp insert
 };
 
 /// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.

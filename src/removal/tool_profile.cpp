@@ -104,7 +104,7 @@ void Profile::find_flags() {
     const Vec2 from = tangent_at(e, e.a), to = is_arc(e) ? tangent_at(e, e.b) : from;
     if (is_arc(e) && !e.convex) is_convex_ = false;
     // An arc that bulges out passes its widest point where its tangent turns from out to in.
-    const bool over = is_arc(e) && e.convex && from.x > 0 && to.x < 0;
+    const bool over = is_arc(e) && e.convex && from.x > kSmooth && to.x < -kSmooth;
     const double reach = over ? e.center.x + e.radius : std::isinf(e.b.y) ? e.a.x : e.b.x;
     const double at = over ? e.center.y : std::isinf(e.b.y) ? e.a.y : e.b.y;
     const bool dips = is_arc(e) && !e.convex && from.x < 0 && to.x > 0;
@@ -118,17 +118,24 @@ void Profile::find_flags() {
   for (std::size_t i = 1; i < edges_.size(); ++i)
     if (corners_[i] == Corner::reflex) is_convex_ = false;
   rising_ = open_top_ && !falling;
-  // Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] ray.
-  const std::size_t n = edges_.size();
-  if (!rising_ || n < 2 || n > 3) return;
-  const ProfileEdge& low = edges_[n - 2];
-  const bool flat_first = !is_arc(edges_[0]) && edges_[0].direction.y == 0;
+  find_slab();
+}
+
+// Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].
+void Profile::find_slab() {
+  const std::size_t lid = open_top_ ? 0 : 1, n = edges_.size() - lid;
+  if (bottom_ != 0 || n < 2 || n > 3) return;
+  const ProfileEdge &low = edges_[n - 2], &wall = edges_[n - 1], &first = edges_.front();
+  if (is_arc(wall) || wall.direction.x != 0) return;
+  if (lid == 1 && (is_arc(edges_.back()) || edges_.back().direction.y != 0)) return;
+  const bool disc = !is_arc(first) && first.direction.y == 0;
   const bool quarter = is_arc(low) && low.convex && low.center.y == low.b.y &&
                        low.center.x == low.a.x && low.center.x + low.radius == low.b.x;
-  if (n == 2 && flat_first) is_rounded_ = true, core_ = max_radius_, round_ = 0;
-  if (quarter && ((n == 2 && low.center.x == 0) || (n == 3 && flat_first)))
+  if (n == 2 && disc) {
+    is_rounded_ = true, core_ = max_radius_, round_ = 0;
+  } else if (quarter && (n == 2 ? low.center.x == 0 : disc) && top_ >= 2 * low.radius) {
     is_rounded_ = true, core_ = low.center.x, round_ = low.radius;
-  if (bottom_ != 0) is_rounded_ = false;
+  }
 }
 
 Profile::Foot Profile::nearest(Vec2 q) const {
@@ -182,7 +189,7 @@ ProfileSample Profile::sample(Vec2 q) const {
   return s;
 }
 
-Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
+const ProfileEdge* Profile::nearest_edge(Vec2 q, std::int32_t patch) const {
   const ProfileEdge* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const ProfileEdge& e : edges_) {
@@ -198,7 +205,48 @@ Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
     }
     if (d < least) least = d, best = &e;
   }
-  return best != nullptr ? outward(*best, q) : sample(q).gradient;
+  return best;
+}
+
+Vec2 Profile::gradient(Vec2 q, std::int32_t patch) const {
+  const ProfileEdge* edge = nearest_edge(q, patch);
+  return edge != nullptr ? outward(*edge, q) : sample(q).gradient;
+}
+
+double Profile::face_distance(Vec2 q, std::int32_t patch) const {
+  const ProfileEdge* edge = nearest_edge(q, patch);
+  return edge != nullptr ? side(*edge, q) : distance(q);
+}
+
+Profile Profile::drawn_out(double travel) const {
+  std::vector<ProfileEdge> out;
+  bool above = false;
+  const auto add = [&](ProfileEdge e) {
+    if (above) e.a.y += travel, e.b.y += travel, e.center.y += travel;
+    out.push_back(e);
+  };
+  for (const ProfileEdge& e : edges_) {
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_ && !is_arc(e) && e.direction.x == 0) {
+      out.push_back({.a = e.a, .b = {e.b.x, e.b.y + travel}});
+      above = true;
+      continue;
+    }
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
+      out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
+      above = true;
+    } else if (!above && is_arc(e) && e.a.y < widest_ && widest_ < e.b.y) {
+      // The arc passes the widest place: it is cut there.
+      ProfileEdge low = e, high = e;
+      low.b = high.a = {max_radius_, widest_};
+      add(low);
+      out.push_back({.a = low.b, .b = {max_radius_, widest_ + travel}});
+      above = true;
+      add(high);
+      continue;
+    }
+    add(e);
+  }
+  return Profile(std::move(out));
 }
 
 int Profile::nearest_corner(Vec2 q) const {

@@ -66,6 +66,17 @@ TEST_F(TextIo, KeepsOldFileWhenWriterFails) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(TextIo, WritesAllFilesOrNone) {
+  const auto good = [](const ByteSink& out) { out("new", 3); };
+  const auto bad = [](const ByteSink&) { throw std::runtime_error("no"); };
+  const std::vector<OutputFile> broken = {{path("a"), good}, {path("b"), bad}};
+  EXPECT_THROW(write_files_atomically(broken), std::runtime_error);
+  EXPECT_TRUE(fs::is_empty(folder_));
+  const std::vector<OutputFile> whole = {{path("a"), good}, {path("b"), good}};
+  write_files_atomically(whole);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
+}
+
 TEST_F(TextIo, NamesWhatIsWrong) {
   EXPECT_EQ(code_of([&] { read_file(path("missing")); }), "file-missing");
   EXPECT_EQ(code_of([&] { read_file(folder_.string()); }), "file-is-directory");

@@ -53,8 +53,9 @@ TEST(TriangleTree, FindsTheNearestOfAll) {
     EXPECT_EQ(hit.triangle, best.triangle);
     EXPECT_EQ(hit.distance2, best.distance2);
     const double r = distance(p, {1, 2, 3});
-    if (std::abs(r - 5) > 0.1)
-      EXPECT_EQ(tree.signed_distance(p, hit) < 0, r < 5) << i;  // 0.1: facets
+    if (std::abs(r - 5) > 0.1) {  // 0.1: facets
+      EXPECT_EQ(tree.signed_distance(p, hit) < 0, r < 5) << i;
+    }
     hint = hit.triangle;
   }
 }

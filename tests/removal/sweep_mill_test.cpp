@@ -25,7 +25,7 @@ class MillSweep : public testing::TestWithParam<double> {};  // corner radius / 
 
 TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
   Random r(7);
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < 60; ++round) {
     const double radius = r(0.5, 5), corner = GetParam() * radius;
     const Vec3 start = {r(-10, 10), r(-10, 10), r(-5, 5)};
     const Vec3 center = {start.x + r(-8, 8), start.y + r(-8, 8), start.z};
@@ -34,7 +34,7 @@ TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
     const Tool tool = endmill(2 * radius, corner);
     const SweepTable s({&m, 1}, {&tool, 1}, 100);
     ASSERT_EQ(s.size(), 1u);
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < 12; ++k) {
       const Vec3 p = {r(-18, 18), r(-18, 18), r(-12, 12)};
       const double want = brute(m, radius, corner, p);
       EXPECT_NEAR(s.distance(0, p), want, 1e-7) << "round " << round;
@@ -78,6 +78,28 @@ TEST(SweepTable, SkipsRapidsAssumedStartsAndMovesWithoutExtent) {
   const SweepTable s(m, {&tool, 1}, 10);
   ASSERT_EQ(s.size(), 1u);
   EXPECT_EQ(s.motion(0), 3);
+}
+
+TEST(SweepTable, ShankHolderAndRapidsAreSelected) {
+  std::vector<Motion> m(2, line({0, 0, 0}, {10, 0, 0}));
+  m[0].kind = MotionKind::rapid;
+  Tool tool = endmill(6, 0, 10);
+  tool.shank = {{5, 5, 20}};
+  tool.holder = {{20, 30, 10}, {30, 30, 20}};
+  const auto select = [&](SweepSelection::Part part, bool cuts, bool rapids) {
+    return SweepTable(m, {&tool, 1}, 10, {part, cuts, rapids});
+  };
+  EXPECT_EQ(select(SweepSelection::Part::cutter, true, false).motion(0), 1);
+  EXPECT_EQ(select(SweepSelection::Part::cutter, false, true).motion(0), 0);
+  const SweepTable shank = select(SweepSelection::Part::shank, true, true);
+  ASSERT_EQ(shank.size(), 2u);
+  EXPECT_NEAR(shank.distance(0, {0, 0, 5}), 5, 1e-12);
+  EXPECT_LT(shank.distance(0, {0, 0, 12}), -1.9);
+  const SweepTable holder = select(SweepSelection::Part::holder, true, false);
+  ASSERT_EQ(holder.size(), 2u);
+  EXPECT_EQ(holder.motion(0), 1);
+  EXPECT_EQ(holder.motion(1), 1);
+  EXPECT_NEAR(holder.distance(1, {0, 0, 30}), 10, 1e-9);
 }
 
 TEST(SweepTable, MissingToolIsAnError) {

@@ -1,0 +1,27 @@
+# Bash completion of mrsim.
+_mrsim() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+  local program="--dialect --machine --tools --tool --start --block-skip --path --strict"
+  local common="--quiet --verbose --help --version"
+  case $previous in
+    --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys" -- "$current"); return ;;
+    --machine) mapfile -t COMPREPLY < <(compgen -W "mill lathe" -- "$current"); return ;;
+    --stock-exact) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$current"); return ;;
+    --path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
+    --stock) mapfile -t COMPREPLY < <(compgen -W "box: cylinder: tube:" -f -- "$current"); return ;;
+  esac
+  if [[ $current == -* ]]; then
+    case $command in
+      trace) common="$program $common --output --json --programmed" ;;
+      check) common="$program $common --json" ;;
+      render) common="$common --output --size --azimuth --elevation --edges --threads" ;;
+      *) common="$program $common --output --stock --stock-exact --voxel --tolerance --threads --max-memory" ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
+  else
+    local commands=""
+    [ "$COMP_CWORD" -eq 1 ] && commands="trace check render"
+    mapfile -t COMPREPLY < <(compgen -W "$commands" -f -- "$current")
+  fi
+}
+complete -o filenames -F _mrsim mrsim

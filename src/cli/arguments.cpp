@@ -1,0 +1,320 @@
+#include "cli/arguments.h"
+
+#include "cli/option_values.h"
+#include "core/suggest.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+// Options as they are typed; they become values after parsing, so that all errors read alike.
+struct Typed {
+  std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
+  std::string dialect, machine, start, block_skip;
+  std::string stock, stock_exact, voxel, tolerance, threads, max_memory;
+  std::string size, azimuth, elevation, edges;
+  bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
+  bool help = false, version = false;
+};
+
+struct CommandLine {
+  Command command;
+  std::string_view word;
+  const char* summary;
+  const char* usage;
+  const char* examples;
+};
+
+constexpr std::array<CommandLine, 4> kCommands = {{
+    {Command::simulate, "",
+     "Cuts a part out of a stock the way an NC program would, and writes its mesh.",
+     "mrsim PROGRAM [--stock S] -o OUT [options]\n"
+     "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
+     "       mrsim check PROGRAM     diagnostics only\n"
+     "       mrsim render PART       a picture of a mesh, without a display",
+     "Examples:\n"
+     "  mrsim PRIMER_2F.MPF --stock block.stl -o part.stl\n"
+     "  mrsim pocket.nc --stock box:0,0,-20,80,60,0 --tool endmill:d=10 -o part.stl\n"
+     "  mrsim shaft.mpf --stock cylinder:50,0,51 --tools tools.toml --voxel 0.1 -o shaft.stl\n\n"
+     "Exit: 0 done; 1 the program or a file has errors; 2 wrong usage; 3 a fault of mrsim.\n"
+     "Each command has its own --help. Manual: man mrsim, and docs/."},
+    {Command::trace, "trace", "Prints what the control understood, one motion a line.",
+     "mrsim trace PROGRAM [--json] [-o path.svg] [options]",
+     "Examples:\n"
+     "  mrsim trace PRIMER_2F.MPF\n"
+     "  mrsim trace PRIMER_2F.MPF --json | jq .kind\n"
+     "  mrsim trace PRIMER_2S.MPF -o path.svg"},
+    {Command::check, "check", "Reads a program and prints its errors, warnings and notes.",
+     "mrsim check PROGRAM [options]",
+     "Examples:\n"
+     "  mrsim check PRIMER_2F.MPF\n"
+     "  mrsim check --strict --dialect fanuc O0001.nc"},
+    {Command::render, "render",
+     "Draws a mesh as a shaded picture with its edges; needs no display.",
+     "mrsim render PART -o picture.png [options]",
+     "Examples:\n"
+     "  mrsim render part.stl -o part.png\n"
+     "  mrsim render part.stl -o top.png --azimuth 0 --elevation 90 --size 800x600"},
+}};
+
+void add_program_options(CLI::App& app, Typed& typed) {
+  const char* group = "Reading the program";
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    app.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("--dialect", typed.dialect, "D",
+      "sinumerik, iso, fanuc or codesys; default: recognised from the text");
+  add("--machine", typed.machine, "M", "mill or lathe; default: recognised");
+  app.add_option("--tools", typed.tools_files, "tools, registers and work offsets (tools.toml)")
+      ->type_name("FILE")
+      ->group(group)
+      ->allow_extra_args(false);
+  app.add_option("--tool", typed.tools,
+                 "one tool, such as 4=endmill:d=5 or endmill:d=10; may be repeated")
+      ->type_name("T")
+      ->group(group)
+      ->allow_extra_args(false);
+  add("--start", typed.start, "X,Y,Z", "position before the first move, mm; default: unknown");
+  add("--block-skip", typed.block_skip, "N,N", "skip blocks that begin with /N (/ is /0)");
+  app.add_option("--path", typed.search_path, "also look for subprograms here; may be repeated")
+      ->type_name("DIR")
+      ->group(group)
+      ->allow_extra_args(false);
+}
+
+void add_simulation_options(CLI::App& app, Typed& typed) {
+  const auto add = [&](const char* group, const char* name, std::string& value, const char* type,
+                       const char* text) {
+    app.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("Stock", "--stock", typed.stock, "S",
+      "mesh file, box:x0,y0,z0,x1,y1,z1, cylinder:d,z0,z1 or tube:d,bore,z0,z1; default: a stock "
+      "around the program's cuts");
+  add("Stock", "--stock-exact", typed.stock_exact, "off",
+      "off: take a mesh as it is, even where it is a box, a cylinder or a tube");
+  add("Cutting", "--voxel", typed.voxel, "H", "voxel edge, mm; default: from stock and tools");
+  add("Cutting", "--tolerance", typed.tolerance, "T",
+      "largest distance between mesh and exact part, mm");
+  add("Cutting", "--threads", typed.threads, "N",
+      "default: all cores; the result is the same for any number");
+  add("Cutting", "--max-memory", typed.max_memory, "SIZE",
+      "refuse a run that would need more, such as 4G; default: what is free");
+}
+
+void add_picture_options(CLI::App& app, Typed& typed) {
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+    app.add_option(name, value, text)->type_name(type)->group("Picture");
+  };
+  add("--size", typed.size, "WxH", "pixels; default: 1600x1200");
+  add("--azimuth", typed.azimuth, "DEG", "view from -Y towards +X about Z; default: 30");
+  add("--elevation", typed.elevation, "DEG", "view from above; default: 35");
+  add("--edges", typed.edges, "DEG", "draw edges sharper than this, 0 for none; default: 25");
+  add("--threads", typed.threads, "N", "default: all cores");
+}
+
+void add_output_options(CLI::App& app, Typed& typed, Command command) {
+  const char* group = "Output";
+  if (command != Command::check)
+    app.add_option("-o,--output", typed.outputs,
+                   command == Command::simulate ? "part to write, format by extension (.stl ...); "
+                                                  "may be repeated"
+                   : command == Command::trace  ? "draw the tool path: .svg or .ply"
+                                                : "picture to write: .png")
+        ->type_name("FILE")
+        ->group(group)
+        ->allow_extra_args(false);
+  if (command == Command::trace || command == Command::check)
+    app.add_flag("--json", typed.json, "one JSON object a line")->group(group);
+  if (command == Command::trace)
+    app.add_flag("--programmed", typed.programmed,
+                 "the contour instead of the compensated tool point")
+        ->group(group);
+  if (command != Command::render)
+    app.add_flag("--strict", typed.strict, "warnings are errors")->group(group);
+  app.add_flag("-q,--quiet", typed.quiet, "print errors only")->group(group);
+  app.add_flag("-v,--verbose", typed.verbose, "print more")->group(group);
+  app.add_flag("-h,--help", typed.help, "print this and exit")->group(group);
+  app.add_flag("--version", typed.version, "print the version and exit")->group(group);
+}
+
+// One shape for all help: usage first, then groups, then examples.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(const CommandLine& line) : line_(line) { column_width(26); }
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return fmt::format("\nUsage: {}\n", line_.usage);
+  }
+  std::string make_positionals(const CLI::App*) const override { return ""; }
+  std::string make_option(const CLI::Option* option, bool) const override {
+    const std::string type = option->get_items_expected_max() > 0 ? option->get_type_name() : "";
+    const std::string name =
+        fmt::format("  {}{}{}", option->get_name(false, true), type.empty() ? "" : " ", type);
+    return fmt::format("{:<26}{}{}\n", name, name.size() > 25 ? "\n" + std::string(26, ' ') : "",
+                       wrapped(option->get_description()));
+  }
+
+ private:
+  static std::string wrapped(const std::string& text) {
+    std::string out;
+    std::size_t column = 26, begin = 0;
+    while (begin < text.size()) {
+      std::size_t end = text.find(' ', begin);
+      if (end == text.npos) end = text.size();
+      if (column + (end - begin) > 96 && column > 26) {
+        out.back() = '\n';
+        out += std::string(26, ' ');
+        column = 26;
+      }
+      out += text.substr(begin, end - begin) + " ";
+      column += end - begin + 1;
+      begin = end + 1;
+    }
+    return out.substr(0, out.find_last_not_of(' ') + 1);
+  }
+  const CommandLine& line_;
+};
+
+// CLI11 leaves two empty lines after each group.
+std::string single_spaced(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != text.npos;) text.erase(at, 1);
+  return text;
+}
+
+void check_words(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& word : app.remaining()) {
+    const std::string option = word.substr(0, word.find('='));
+    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
+  }
+}
+
+void read_program_options(Arguments& out, const Typed& typed) {
+  if (!typed.dialect.empty()) out.interp.dialect = dialect_value(typed.dialect);
+  if (!typed.machine.empty()) out.interp.machine = machine_value(typed.machine);
+  if (!typed.start.empty()) out.interp.start = point_value("--start", typed.start);
+  if (!typed.block_skip.empty())
+    out.interp.block_skip = skip_value("--block-skip", typed.block_skip);
+  out.interp.search_path = typed.search_path;
+  out.interp.programmed_contour = typed.programmed;
+  ToolTable& table = out.interp.table;
+  for (const std::string& spec : typed.tools) {
+    table.tools.push_back(parse_tool(spec));
+    const std::string& id = table.tools.back().id;
+    if (std::count_if(table.tools.begin(), table.tools.end(),
+                      [&](const Tool& tool) { return tool.id == id; }) > 1)
+      fail_usage(fmt::format("--tool {}: this tool is given twice", spec));
+  }
+  for (const std::string& file : typed.tools_files) {
+    ToolTable more = load_tools(file);
+    const std::size_t given = table.tools.size();
+    // A tool on the command line is meant to replace the one in the file.
+    for (Tool& tool : more.tools) {
+      const auto end = table.tools.begin() + static_cast<std::ptrdiff_t>(given);
+      if (std::none_of(table.tools.begin(), end,
+                       [&](const Tool& other) { return other.id == tool.id; }))
+        table.tools.push_back(std::move(tool));
+    }
+    table.offsets.insert(table.offsets.end(), more.offsets.begin(), more.offsets.end());
+    table.work.insert(table.work.end(), more.work.begin(), more.work.end());
+  }
+}
+
+void read_simulation_options(Arguments& out, const Typed& typed) {
+  out.stock = typed.stock;
+  if (!typed.stock_exact.empty())
+    out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
+  if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
+  if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
+  if (!typed.threads.empty()) {
+    const int threads = whole_value("--threads", typed.threads, 1, 4096);
+    out.carve.threads = out.mesh.threads = out.render.threads = threads;
+  }
+  if (!typed.max_memory.empty())
+    out.carve.max_memory = size_value("--max-memory", typed.max_memory);
+}
+
+void read_picture_options(Arguments& out, const Typed& typed) {
+  if (!typed.size.empty()) {
+    const std::size_t cross = typed.size.find('x');
+    if (cross == typed.size.npos) fail_usage("--size must be WIDTHxHEIGHT, such as 1600x1200");
+    out.render.width = whole_value("--size", typed.size.substr(0, cross), 16, 8192);
+    out.render.height = whole_value("--size", typed.size.substr(cross + 1), 16, 8192);
+  }
+  if (!typed.azimuth.empty()) out.render.azimuth = number_value("--azimuth", typed.azimuth);
+  if (!typed.elevation.empty()) out.render.elevation = number_value("--elevation", typed.elevation);
+  if (!typed.edges.empty()) out.render.edge_angle = number_value("--edges", typed.edges);
+}
+
+void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
+  const bool render = line.command == Command::render;
+  if (typed.inputs.empty() || typed.inputs[0].empty())
+    fail_usage(fmt::format(
+        "{} is missing; usage: {}", render ? "the part" : "the program",
+        std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
+  if (typed.inputs.size() > 1)
+    fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
+  out.input = typed.inputs[0];
+  out.outputs = typed.outputs;
+  if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
+  if (line.command == Command::trace && out.outputs.size() > 1)
+    fail_usage("trace draws one picture: -o path.svg");
+}
+
+Arguments parse_command(const CommandLine& line, int argc, const char* const* argv) {
+  Typed typed;
+  CLI::App app(line.summary);
+  app.set_help_flag("");
+  app.allow_extras();
+  app.formatter(std::make_shared<HelpFormatter>(line));
+  app.footer("\n" + std::string(line.examples));
+  app.add_option("INPUT", typed.inputs)->expected(0, -1)->group("");
+  if (line.command == Command::simulate) add_simulation_options(app, typed);
+  if (line.command != Command::render) add_program_options(app, typed);
+  if (line.command == Command::render) add_picture_options(app, typed);
+  add_output_options(app, typed, line.command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    fail_usage(error.what());
+  }
+  Arguments out;
+  out.command = typed.help ? Command::help : typed.version ? Command::version : line.command;
+  if (typed.help) out.help = single_spaced(app.help());
+  if (typed.help || typed.version) return out;
+  check_words(app);
+  read_input(out, typed, line);
+  out.quiet = typed.quiet;
+  out.verbose = typed.verbose;
+  out.strict = typed.strict;
+  out.json = typed.json;
+  read_simulation_options(out, typed);
+  read_picture_options(out, typed);
+  read_program_options(out, typed);
+  return out;
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, const char* const* argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "--help";
+  const bool ask_help = argc < 2 || first == "help";
+  for (const CommandLine& line : kCommands)
+    if (!line.word.empty() && first == line.word) return parse_command(line, argc - 1, argv + 1);
+  if (ask_help) {
+    const char* words[] = {"mrsim", "--help"};
+    return parse_command(kCommands[0], 2, words);
+  }
+  return parse_command(kCommands[0], argc, argv);
+}
+
+}  // namespace mrsim::cli

@@ -1,0 +1,32 @@
+// The command line as values.
+#pragma once
+
+#include <mrsim/mrsim.h>
+
+#include <string>
+#include <vector>
+
+namespace mrsim::cli {
+
+enum class Command { simulate, trace, check, render, help, version };
+
+struct Arguments {
+  Command command = Command::simulate;
+  std::string help;  ///< text for Command::help
+
+  std::string input;                 ///< the program, or the part that render draws
+  InterpOptions interp;              ///< with the tools of --tools and --tool
+  std::vector<std::string> outputs;  ///< -o
+  std::string stock;
+  StockOptions stock_options;
+  CarveOptions carve;
+  MeshOptions mesh;
+  RenderOptions render;
+  bool quiet = false, verbose = false, strict = false, json = false;
+};
+
+/// Reads the command line. Throws Error of kind usage for anything it does not understand, with the
+/// word that was probably meant; what --tools throws for its file.
+Arguments parse_arguments(int argc, const char* const* argv);
+
+}  // namespace mrsim::cli

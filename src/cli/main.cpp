@@ -1,0 +1,64 @@
+// The program mrsim: arguments to a command, faults to text and an exit code. The only place that
+// catches.
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/diagnostics.h"
+#include "cli/terminal.h"
+
+#include <cstdio>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+int run(const Arguments& arguments) {
+  switch (arguments.command) {
+    case Command::simulate:
+      return run_simulate(arguments);
+    case Command::trace:
+      return run_trace(arguments);
+    case Command::check:
+      return run_check(arguments);
+    case Command::render:
+      return run_render(arguments);
+    case Command::help:
+      std::fputs(arguments.help.c_str(), stdout);
+      return kDone;
+    case Command::version:
+      fmt::print("mrsim {}\n", version());
+      return kDone;
+  }
+  return kInternal;
+}
+
+int fail(const std::string& text, const char* code, int exit_code) {
+  std::fflush(stdout);
+  std::fputs(format_error(text, code, has_colours(stderr)).c_str(), stderr);
+  return exit_code;
+}
+
+int run_guarded(int argc, const char* const* argv) {
+  try {
+    return run(parse_arguments(argc, argv));
+  } catch (const PlacedError& error) {
+    std::fflush(stdout);
+    std::fputs(format_diagnostic(error.diagnostic(), has_colours(stderr)).c_str(), stderr);
+    return error.kind() == Error::Kind::usage ? kUsage : kFailed;
+  } catch (const Error& error) {
+    const bool usage = error.kind() == Error::Kind::usage;
+    const int code = fail(error.what(), error.code().c_str(), usage ? kUsage : kFailed);
+    if (error.code() == "usage") std::fputs("Try: mrsim --help\n", stderr);
+    return code;
+  } catch (const std::bad_alloc&) {
+    return fail("memory ran out; a larger --voxel needs less", "memory", kFailed);
+  } catch (const std::exception& error) {
+    return fail(error.what(), "internal", kInternal);
+  }
+}
+
+}  // namespace
+}  // namespace mrsim::cli
+
+int main(int argc, char** argv) { return mrsim::cli::run_guarded(argc, argv); }

@@ -1,0 +1,111 @@
+#include "cli/option_values.h"
+
+#include "core/suggest.h"
+#include "core/text_io.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = text.find(',', begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == text.npos) return parts;
+    begin = end + 1;
+  }
+}
+
+template <class T, std::size_t N>
+T choice(const char* option, const std::string& text, const std::array<std::string_view, N>& words,
+         const std::array<T, N>& values) {
+  std::string all;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (text == words[i]) return values[i];
+    all += (i > 0 ? ", " : "") + std::string(words[i]);
+  }
+  fail_usage(fmt::format("{} \"{}\" is unknown{} (known: {})", option, text,
+                         suggestion(text, words), all));
+}
+
+}  // namespace
+
+void fail_usage(const std::string& text) { throw Error("usage", text, Error::Kind::usage); }
+
+double number_value(const std::string& option, const std::string& text) {
+  const std::optional<double> value = parse_number(text, true);
+  if (!value) fail_usage(fmt::format("{} \"{}\" is not a number", option, text));
+  return *value;
+}
+
+double positive_value(const std::string& option, const std::string& text) {
+  const double value = number_value(option, text);
+  if (!(value > 0) || value > 1e6)
+    fail_usage(fmt::format("{} {} must be above 0, in mm", option, text));
+  return value;
+}
+
+int whole_value(const std::string& option, const std::string& text, int low, int high) {
+  const double value = number_value(option, text);
+  if (value < low || value > high || value != static_cast<int>(value))
+    fail_usage(fmt::format("{} {} must be a whole number from {} to {}", option, text, low, high));
+  return static_cast<int>(value);
+}
+
+Vec3 point_value(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = split(text);
+  if (parts.size() != 3) fail_usage(fmt::format("{} \"{}\" must be X,Y,Z in mm", option, text));
+  return {number_value(option, parts[0]), number_value(option, parts[1]),
+          number_value(option, parts[2])};
+}
+
+std::size_t size_value(const std::string& option, const std::string& text) {
+  constexpr std::string_view kUnits = "KMGT";
+  std::string digits = text;
+  double factor = 1;
+  if (!digits.empty() && (digits.back() == 'B' || digits.back() == 'b')) digits.pop_back();
+  if (!digits.empty()) {
+    const char unit = digits.back() >= 'a' ? static_cast<char>(digits.back() - 32) : digits.back();
+    const std::size_t power = kUnits.find(unit);
+    if (power != kUnits.npos) {
+      digits.pop_back();
+      for (std::size_t i = 0; i <= power; ++i) factor *= 1024;
+    }
+  }
+  const std::optional<double> value = parse_number(digits);
+  if (!value || *value * factor < 1 || *value * factor > 1e18)
+    fail_usage(fmt::format("{} \"{}\" must be a size such as 4G or 500M", option, text));
+  return static_cast<std::size_t>(*value * factor);
+}
+
+bool on_off_value(const std::string& option, const std::string& text) {
+  if (text != "on" && text != "off")
+    fail_usage(fmt::format("{} \"{}\" must be on or off", option, text));
+  return text == "on";
+}
+
+Dialect dialect_value(const std::string& text) {
+  return choice<Dialect, 5>(
+      "--dialect", text, {"sinumerik", "iso", "fanuc", "codesys", "auto"},
+      {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys, Dialect::automatic});
+}
+
+MachineKind machine_value(const std::string& text) {
+  return choice<MachineKind, 3>("--machine", text, {"mill", "lathe", "auto"},
+                                {MachineKind::mill, MachineKind::lathe, MachineKind::automatic});
+}
+
+unsigned skip_value(const std::string& option, const std::string& text) {
+  unsigned bits = 0;
+  for (const std::string& part : split(text)) bits |= 1u << whole_value(option, part, 0, 9);
+  return bits;
+}
+
+}  // namespace mrsim::cli

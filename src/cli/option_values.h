@@ -1,0 +1,29 @@
+// Values of options: text to numbers, with errors that name the option.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace mrsim::cli {
+
+/// Error "usage" of kind usage.
+[[noreturn]] void fail_usage(const std::string& text);
+
+double number_value(const std::string& option, const std::string& text);
+/// A number above 0, mm.
+double positive_value(const std::string& option, const std::string& text);
+int whole_value(const std::string& option, const std::string& text, int low, int high);
+/// "X,Y,Z"
+Vec3 point_value(const std::string& option, const std::string& text);
+/// Bytes: "4G", "500M", "1048576"; units K M G T are powers of 1024.
+std::size_t size_value(const std::string& option, const std::string& text);
+bool on_off_value(const std::string& option, const std::string& text);
+Dialect dialect_value(const std::string& text);
+MachineKind machine_value(const std::string& text);
+/// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.
+unsigned skip_value(const std::string& option, const std::string& text);
+
+}  // namespace mrsim::cli

@@ -1,0 +1,177 @@
+#include "cli/report.h"
+
+#include "cli/terminal.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+constexpr int kLabel = 11;
+
+class Sheet {
+ public:
+  explicit Sheet(bool colours) : colours_(colours) {}
+  void title(const std::string& text) { out_ += styled(text, Style::bold, colours_) + "\n"; }
+  // A label, a value, and why it is so.
+  void row(const std::string& label, const std::string& value, const std::string& reason = "") {
+    const std::string head = fmt::format("  {:<{}}", label, kLabel);
+    out_ += styled(head, Style::dim, colours_) + printable(value);
+    if (!reason.empty()) out_ += styled("  (" + printable(reason) + ")", Style::dim, colours_);
+    out_ += '\n';
+  }
+  std::string text() const { return out_; }
+
+ private:
+  bool colours_;
+  std::string out_;
+};
+
+const char* dialect_name(Dialect dialect) {
+  switch (dialect) {
+    case Dialect::sinumerik:
+      return "SINUMERIK";
+    case Dialect::iso:
+      return "ISO";
+    case Dialect::fanuc:
+      return "FANUC";
+    case Dialect::codesys:
+      return "CODESYS";
+    case Dialect::automatic:
+      break;
+  }
+  return "unknown";
+}
+
+const char* machine_name(MachineKind kind) {
+  return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
+}
+
+const char* tool_name(ToolType type) {
+  constexpr const char* kNames[] = {
+      "end mill",       "ball mill",      "bull-nose mill", "chamfer mill",    "taper mill",
+      "drill",          "T-slot mill",    "lollipop mill",  "barrel mill",     "form mill",
+      "turning insert", "grooving blade", "boring bar",     "threading insert"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+std::string tool_text(const Tool& tool) {
+  std::string text = tool_name(tool.type);
+  if (is_turning(tool.type)) {
+    if (!tool.insert.empty()) text += " " + tool.insert;
+    if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));
+    if (tool.lead_angle > 0) text += fmt::format(", lead {:.4g}°", degrees(tool.lead_angle));
+    if (tool.edge_length > 0) text += fmt::format(", edge {:.6g} mm", tool.edge_length);
+    text += tool.nose_radius > 0 ? fmt::format(", nose radius {:.6g} mm", tool.nose_radius)
+                                 : std::string(", sharp");
+    return text;
+  }
+  if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
+  if (tool.corner_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.corner_radius);
+  text += tool.flute_length > 0 ? fmt::format(", flutes {:.6g} mm", tool.flute_length)
+                                : std::string(", cuts up to the stock's top");
+  return text;
+}
+
+std::string plural(std::size_t n, const char* word) {
+  return fmt::format("{} {}{}", grouped(static_cast<double>(n), 0), word, n == 1 ? "" : "s");
+}
+
+void add_program(Sheet& sheet, const Program& program) {
+  sheet.row("dialect", dialect_name(program.dialect), program.dialect_reason);
+  sheet.row("machine", machine_name(program.machine), program.machine_reason);
+  bool first = true;
+  for (const Tool& tool : program.tools) {
+    sheet.row(first ? "tools" : "", (tool.id.empty() ? "" : "T" + tool.id + "  ") + tool_text(tool),
+              tool.origin);
+    first = false;
+  }
+}
+
+void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
+  const MeshSummary& summary = result.summary;
+  sheet.row("volume", grouped(result.volume, 3) + " mm³");
+  sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
+            "stock " + grouped(result.stock_volume, 3) + " mm³");
+  sheet.row("triangles", grouped(static_cast<double>(result.mesh.triangles.size()), 0),
+            "closed, oriented, 2-manifold" +
+                (result.mesh_bound > 0
+                     ? fmt::format(", within {:.2g} mm of the exact part", result.mesh_bound)
+                     : std::string()));
+  if (arguments.verbose) {
+    sheet.row("area", grouped(summary.area, 3) + " mm²");
+    sheet.row("pieces",
+              fmt::format("{}, Euler characteristic {}", summary.components, summary.euler));
+    sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
+  }
+  for (const std::string& path : arguments.outputs) {
+    std::error_code ignored;
+    sheet.row("written", path, file_size(std::filesystem::file_size(path, ignored)));
+  }
+}
+
+void add_time(Sheet& sheet, const JobResult& result) {
+  double total = 0;
+  std::string stages;
+  for (const auto& [stage, seconds] : result.stage_seconds) {
+    total += seconds;
+    stages += fmt::format("{}{} {:.3f}", stages.empty() ? "" : ", ", stage, seconds);
+  }
+  sheet.row("time", fmt::format("{:.3f} s", total), stages);
+  sheet.row("memory", file_size(result.peak_memory) + " at most");
+}
+
+}  // namespace
+
+std::string grouped(double value, int decimals) {
+  std::string digits = fmt::format("{:.{}f}", std::fabs(value), decimals);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  for (std::size_t i = point; i > 3; i -= 3) digits.insert(i - 3, " ");
+  return (value < 0 && digits.find_first_not_of("0. ") != digits.npos ? "-" : "") + digits;
+}
+
+std::string file_size(std::size_t bytes) {
+  const double size = static_cast<double>(bytes);
+  if (size < 1000) return fmt::format("{} bytes", bytes);
+  if (size < 1e6) return fmt::format("{:.1f} kB", size / 1e3);
+  if (size < 1e9) return fmt::format("{:.1f} MB", size / 1e6);
+  return fmt::format("{:.2f} GB", size / 1e9);
+}
+
+std::string format_program(const Program& program, bool verbose, bool colours) {
+  Sheet sheet(colours);
+  sheet.title(program.files.empty() ? "program" : program.files[0]);
+  add_program(sheet, program);
+  bool first = true;
+  for (const auto& [name, mode] : program.start_modes) {
+    if (verbose) sheet.row(first ? "starts in" : "", mode, name);
+    first = false;
+  }
+  return sheet.text();
+}
+
+std::string format_report(const Arguments& arguments, const JobResult& result, bool colours) {
+  const std::string head = format_program(result.program, arguments.verbose, colours);
+  Sheet sheet(colours);
+  sheet.row("stock", result.stock.description);
+  sheet.row("voxel", fmt::format("{:.6g} mm", result.voxel), result.voxel_reason);
+  if (result.tolerance > 0)
+    sheet.row("tolerance", fmt::format("{:.6g} mm", result.tolerance), result.tolerance_reason);
+  sheet.row("motions",
+            fmt::format("{} cut, {}", grouped(static_cast<double>(result.cutting_motions), 0),
+                        plural(result.rapid_motions, "rapid")),
+            fmt::format("{}, {}", plural(result.line_motions, "line"),
+                        plural(result.arc_motions, "arc")));
+  sheet.title("part");
+  add_part(sheet, arguments, result);
+  add_time(sheet, result);
+  return head + sheet.text();
+}
+
+}  // namespace mrsim::cli

@@ -1,0 +1,23 @@
+// What a run did, for a person: the facts in the order they were decided, then the part, then the
+// time.
+#pragma once
+
+#include "cli/arguments.h"
+#include <mrsim/mrsim.h>
+
+#include <string>
+
+namespace mrsim::cli {
+
+/// The report of a simulation that ended well.
+std::string format_report(const Arguments& arguments, const JobResult& result, bool colours);
+
+/// Dialect, machine, tools of a program, and (verbose) the modes it starts in.
+std::string format_program(const Program& program, bool verbose, bool colours);
+
+/// "58 782.63": thousands apart, as in the project's documents.
+std::string grouped(double value, int decimals);
+/// "1.5 MB"
+std::string file_size(std::size_t bytes);
+
+}  // namespace mrsim::cli

@@ -1,0 +1,115 @@
+#include "cli/terminal.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace mrsim::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void on_interrupt(int) { interrupted = 1; }
+
+const char* escape_of(Style style) {
+  switch (style) {
+    case Style::bold:
+      return "\x1b[1m";
+    case Style::dim:
+      return "\x1b[2m";
+    case Style::red:
+      return "\x1b[1;31m";
+    case Style::yellow:
+      return "\x1b[1;33m";
+    case Style::cyan:
+      return "\x1b[1;36m";
+    case Style::green:
+      return "\x1b[1;32m";
+    case Style::plain:
+      break;
+  }
+  return "";
+}
+
+int terminal_width() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return 80;
+}
+
+}  // namespace
+
+bool has_colours(std::FILE* stream) {
+  const char* no_color = std::getenv("NO_COLOR");
+  if (no_color != nullptr && *no_color != '\0') return false;
+  const char* term = std::getenv("TERM");
+  if (term == nullptr || std::string_view(term) == "dumb") return false;
+  return ::isatty(::fileno(stream)) != 0;
+}
+
+std::string styled(std::string_view text, Style style, bool colours) {
+  if (!colours || style == Style::plain) return std::string(text);
+  return fmt::format("{}{}\x1b[0m", escape_of(style), text);
+}
+
+std::string printable(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F are control characters too; in UTF-8 they begin with C2.
+    const bool control =
+        (byte < 0x20 && byte != '\t' && byte != '\n') || byte == 0x7F ||
+        (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0);
+    if (control && byte == 0xC2) ++i;
+    out += control ? '?' : static_cast<char>(byte);
+  }
+  return out;
+}
+
+ProgressBar::ProgressBar(bool enabled)
+    : enabled_(enabled && ::isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (drawn_) std::fputs("\r\x1b[K", stderr);
+  drawn_ = false;
+}
+
+bool ProgressBar::update(const char* stage, double fraction) {
+  using namespace std::chrono_literals;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (enabled_ && now - start_ > 1s && now - last_ > 100ms) {
+    const int width = std::clamp(terminal_width() - 30, 10, 50);
+    const double share = std::clamp(fraction, 0.0, 1.0);
+    const int filled = static_cast<int>(share * width);
+    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                            std::string(static_cast<std::size_t>(width - filled), '.');
+    fmt::print(stderr, "\r\x1b[K{:<12.12} [{}] {:3.0f} %", stage, bar, 100 * share);
+    std::fflush(stderr);
+    drawn_ = true;
+    last_ = now;
+  }
+  return interrupted == 0;
+}
+
+Progress ProgressBar::callback() {
+  return [this](const char* stage, double fraction) { return update(stage, fraction); };
+}
+
+void catch_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  action.sa_flags = SA_RESETHAND;
+  ::sigaction(SIGINT, &action, nullptr);
+}
+
+}  // namespace mrsim::cli

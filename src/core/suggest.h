@@ -1,0 +1,18 @@
+// "Did you mean": the known word nearest to a mistyped one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// The word of `known` nearest to `word` (letters inserted, dropped, changed or swapped with their
+/// neighbour, capitals aside), empty when none is near enough to be meant: at most one change in
+/// three letters. Ties: the first. Cost: #known times the product of the lengths.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
+
+/// "; did you mean \"x\"?", or the empty string.
+std::string suggestion(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace mrsim

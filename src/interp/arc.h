@@ -1,0 +1,62 @@
+// Circular arcs in a plane and in space, from every way of programming them. Pure geometry: what a
+// control tolerates is decided by the caller.
+#pragma once
+
+#include "core/vec.h"
+
+#include <optional>
+
+namespace mrsim {
+
+/// Points nearer than this are one point, mm.
+inline constexpr double kSamePoint = 1e-3;
+
+/// An arc in plane coordinates (u, v): signed sweep in radians, counter-clockwise (u towards v)
+/// positive.
+struct PlaneArc {
+  Vec2 center;
+  double radius = 0;
+  double sweep = 0;
+};
+
+/// Angle from a to b as seen from the origin, in (0, 2 pi] when counter-clockwise, else [-2 pi, 0).
+double fold_sweep(Vec2 a, Vec2 b, bool ccw);
+
+/// `p` turned about `center`, radians.
+Vec2 rotated(Vec2 p, Vec2 center, double angle);
+
+/// The arc from start to end about `center`; a full circle when they are one point.
+PlaneArc arc_about(Vec2 start, Vec2 end, Vec2 center, bool ccw);
+
+/// The point of the perpendicular bisector of start and end that is nearest to `center`.
+Vec2 bisector_center(Vec2 start, Vec2 end, Vec2 center);
+
+/// Radius > 0: at most 180 degrees, < 0: at least. Nothing when the chord is longer than the
+/// diameter (beyond rounding: 1e-6 of it, or 1 um). Requires: start != end.
+std::optional<PlaneArc> arc_by_radius(Vec2 start, Vec2 end, double radius, bool ccw);
+
+/// Opening angle in radians, in (0, 2 pi). Requires: start != end.
+PlaneArc arc_by_angle(Vec2 start, Vec2 end, double angle, bool ccw);
+
+/// Leaves start along unit vector `tangent`. Nothing when that is the straight line to end.
+std::optional<PlaneArc> arc_by_tangent(Vec2 start, Vec2 tangent, Vec2 end);
+
+/// An arc in space: `sweep` > 0 about unit `axis`.
+struct SpatialArc {
+  Vec3 center, axis;
+  double radius = 0, sweep = 0;
+};
+enum class Fit { arc, line, impossible };
+/// From start through `via` to end. `line`: on one line with via between the others. Requires:
+/// three different points.
+Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc& out);
+
+/// Turns the axis so that its first non-zero component in the order z, y, x is positive.
+void normalise_axis(Motion& arc);
+
+/// The point of an arc motion after the share t of its sweep.
+Vec3 arc_point(const Motion& arc, double t);
+/// Unit direction of travel there.
+Vec3 arc_tangent(const Motion& arc, double t);
+
+}  // namespace mrsim

@@ -1,0 +1,74 @@
+// One NC block as words: no meaning yet, only addresses, values and places.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// What a word is addressed to. Letters keep their ASCII code; the rest are addresses of several
+/// characters.
+enum class Address : std::uint8_t {
+  none = 0,
+  A = 'A',
+  Z = 'Z',
+  function = 96,  ///< a G-like word without value (TRANS, CIP, SUPA); Word::code says which
+  i1,
+  j1,
+  k1,
+  cr,
+  ar,
+  ap,
+  rp,
+  turn,
+  rnd,
+  rndm,
+  chf,
+  chr,
+  ang,
+  frc,
+  frcm,
+  rpl,
+  lims,
+  sf,
+  disc,
+  ff,
+  ef,
+  data,  ///< accepted, without geometry (SPOS=, ADIS=, S2=)
+  call,  ///< name of a subprogram, in Word::text
+  count,
+};
+
+constexpr Address letter(char c) { return static_cast<Address>(c); }
+
+/// How the value was written: plain, or AC() IC() DAC() DIC() RAC() RIC().
+enum class Form : std::uint8_t { plain, ac, ic, dac, dic, rac, ric };
+
+enum class Code : std::uint8_t;
+
+struct Word {
+  Address address = Address::none;
+  Form form = Form::plain;
+  bool point = false;   ///< a decimal point was written
+  bool string = false;  ///< the value is `text` (T="NAME")
+  Code code{};
+  int column = 0;  ///< 0-based, bytes from the start of the line
+  int length = 0;
+  double value = 0;
+  std::string_view text;  ///< the string, the name; else empty
+};
+
+struct Block {
+  std::vector<Word> words;                 ///< in program order; capacity is reused
+  std::vector<std::string_view> comments;  ///< without their brackets
+  std::string_view line;                   ///< the whole line
+  std::string_view argument;       ///< text between the brackets of MSG(...), WORKPIECE(...)
+  std::string_view function_name;  ///< name before `argument`
+  int line_number = 0;
+  int skip_level = -1;  ///< -1 = no "/"
+  bool bad = false;     ///< the parser reported an error
+  bool has_number = false;
+};
+
+}  // namespace mrsim

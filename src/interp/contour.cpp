@@ -1,0 +1,192 @@
+#include "interp/contour.h"
+
+#include "interp/arc.h"
+#include "interp/plane_piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
+constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
+constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
+
+// Where a rounding or chamfer touches its two elements.
+struct Contact {
+  Vec2 first, second, center;
+};
+
+// The point of a piece at a straight distance from its end (or start) that is the corner.
+bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool from_end, Vec2& out) {
+  if (!piece.arc) {
+    out = from_end ? corner - distance * end_tangent(piece)
+                   : corner + distance * start_tangent(piece);
+    return distance <= length(piece.end - piece.start) + 1e-9;
+  }
+  PlanePiece ring;
+  ring.arc = true;
+  ring.center = corner;
+  ring.radius = distance;
+  std::array<Vec2, 2> hits;
+  const int n = intersect(piece, ring, hits);
+  double best = 1e300;
+  for (int i = 0; i < n; ++i) {
+    const double along = position_on(piece, hits[static_cast<std::size_t>(i)]);
+    const double gap = from_end ? extent(piece) - along : along;
+    if (gap < -1e-9 || gap > extent(piece) + 1e-9 || gap >= best) continue;
+    best = gap;
+    out = hits[static_cast<std::size_t>(i)];
+  }
+  return best < 1e300;
+}
+
+Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
+  if (!piece.arc) {
+    const Vec2 t = start_tangent(piece);
+    return piece.start + dot(p - piece.start, t) * t;
+  }
+  const Vec2 d = p - piece.center;
+  return piece.center + (piece.radius / std::max(length(d), 1e-300)) * d;
+}
+
+bool on_piece(const PlanePiece& piece, Vec2 p) {
+  const double along = position_on(piece, p);
+  return along >= -1e-9 && along <= extent(piece) + 1e-9;
+}
+
+// Contacts of an arc of radius r; false when it does not fit on the elements.
+bool round_contacts(const PlanePiece& a, const PlanePiece& b, double side, double r, Contact& out) {
+  const PlanePiece oa = offset_piece(a, side * r), ob = offset_piece(b, side * r);
+  if ((oa.arc && oa.radius <= 1e-9) || (ob.arc && ob.radius <= 1e-9)) return false;
+  std::array<Vec2, 2> hits;
+  const int n = intersect(oa, ob, hits);
+  double best = 1e300;
+  for (int i = 0; i < n; ++i) {
+    const Vec2 c = hits[static_cast<std::size_t>(i)];
+    const double far = length(c - a.end);
+    if (far >= best) continue;
+    const Vec2 first = foot_on(a, c), second = foot_on(b, c);
+    if (!on_piece(a, first) || !on_piece(b, second)) continue;
+    best = far;
+    out = {first, second, c};
+  }
+  return best < 1e300;
+}
+
+bool contacts(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, double side,
+              double size, Contact& out) {
+  if (spec.kind == CornerSpec::Kind::round) return round_contacts(a, b, side, size, out);
+  double leg = size;
+  if (spec.kind == CornerSpec::Kind::cut) {
+    const Vec2 t = end_tangent(a) + start_tangent(b);  // |t| = 2 cos(half the turn)
+    leg = size / std::max(length(t), 1e-9);
+  }
+  return at_distance(a, a.end, leg, true, out.first) &&
+         at_distance(b, b.start, leg, false, out.second);
+}
+
+// The largest size below the wanted one that fits.
+double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, double side,
+                   Contact& out) {
+  double low = 0, high = spec.size;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (contacts(spec, a, b, side, middle, out) ? low : high) = middle;
+  }
+  return low > 0 && contacts(spec, a, b, side, low, out) ? low : 0;
+}
+
+void shorten(PathMove& move, PlanePiece piece, bool at_end, Vec2 to) {
+  const double start = dot(move.motion.start, move.basis.w);
+  const double end = dot(move.motion.end, move.basis.w);
+  const double share = position_on(piece, to) / extent(piece);
+  if (piece.arc) piece.sweep *= at_end ? share : 1 - share;
+  const double height = start + (end - start) * share;
+  (at_end ? piece.end : piece.start) = to;
+  from_piece(piece, move.basis, at_end ? start : height, at_end ? height : end, move.motion);
+}
+
+}  // namespace
+
+// Shortens both moves and makes the element between them. False: nothing fits or nothing is needed.
+bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) {
+  const PlanePiece a = to_plane(before.motion, before.basis),
+                   b = to_plane(after.motion, before.basis);
+  const double turn = cross(end_tangent(a), start_tangent(b));
+  if (std::abs(turn) < kTangent) return false;
+  const double side = turn > 0 ? 1 : -1;
+  Contact c;
+  if (!contacts(before.corner, a, b, side, before.corner.size, c)) {
+    const double size = largest_fit(before.corner, a, b, side, c);
+    reporter_.add_at(Severity::warning, "corner-reduced",
+                     fmt::format("{} mm does not fit on the neighbours: reduced to {:.4g} mm",
+                                 before.corner.size, size),
+                     before.motion);
+    if (size <= 1e-6) return false;
+  }
+  if (length(c.first - a.start) < kHair) c.first = a.start;
+  if (length(c.second - b.end) < kHair) c.second = b.end;
+  inserted = before;
+  inserted.corner = {};
+  if (before.corner.feed > 0) inserted.motion.feed = before.corner.feed;
+  shorten(before, a, true, c.first);
+  shorten(after, b, false, c.second);
+  PlanePiece piece;
+  piece.start = c.first;
+  piece.end = c.second;
+  if (before.corner.kind == CornerSpec::Kind::round) {
+    piece.arc = true;
+    piece.center = c.center;
+    piece.radius = length(c.first - c.center);
+    piece.sweep = fold_sweep(c.first - c.center, c.second - c.center, side > 0);
+  }
+  from_piece(piece, before.basis, dot(before.motion.end, before.basis.w),
+             dot(after.motion.start, before.basis.w), inserted.motion);
+  inserted.motion.assumed_start = false;
+  return true;
+}
+
+void CornerStage::flush() {
+  for (const PathMove& move : held_) next_(move);
+  held_.clear();
+}
+
+void CornerStage::push(const PathMove& move) {
+  if (held_.empty()) {
+    if (move.corner.kind == CornerSpec::Kind::none || is_infeed(move) || is_tilted(move))
+      return next_(move);
+    held_.push_back(move);
+    return;
+  }
+  if (is_infeed(move) && held_.size() <= kMostBetween) {
+    held_.push_back(move);
+    return;
+  }
+  PathMove before = held_.front(), after = move, inserted;
+  const bool same_plane = length(before.basis.w - move.basis.w) < 1e-12;
+  const bool fits =
+      !is_infeed(move) && !is_tilted(move) && same_plane && insert(before, after, inserted);
+  if (distance(before.motion.start, before.motion.end) > 1e-9 ||
+      before.motion.kind == MotionKind::arc)
+    next_(before);
+  if (fits) next_(inserted);
+  for (std::size_t i = 1; i < held_.size(); ++i) {
+    PathMove infeed = held_[i];
+    if (fits) {  // the infeed happens where the inserted element ends
+      const Vec3 shift = inserted.motion.end - before.motion.end;
+      const Vec3 old = held_.front().motion.end;
+      infeed.motion.start = infeed.motion.start - old + before.motion.end + shift;
+      infeed.motion.end = infeed.motion.end - old + before.motion.end + shift;
+    }
+    next_(infeed);
+  }
+  held_.clear();
+  if (distance(after.motion.start, after.motion.end) > 1e-9 || after.motion.kind == MotionKind::arc)
+    push(after);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,224 @@
+// Where a block goes: axis words, diameters, increments, polar coordinates, angles.
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/engine.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+Basis Engine::basis() const {
+  return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
+}
+
+// mm; X of a lathe as a radius.
+double Engine::axis_value(int axis, const Word& word, bool incremental) const {
+  const double value = word.value * length_unit(word);
+  if (axis != 0) return value;
+  switch (word.form) {
+    case Form::dac:
+    case Form::dic:
+      return value / 2;
+    case Form::rac:
+    case Form::ric:
+      return value;
+    default:
+      break;
+  }
+  if (modal_.diameter == Code::diameter_on) return value / 2;
+  if (modal_.diameter == Code::diameter_absolute && !incremental) return value / 2;
+  return value;
+}
+
+double Engine::length_unit(const Word& word) const {
+  const double unit = modal_.inch ? 25.4 : 1.0;
+  if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;
+  return unit * (modal_.inch ? 1e-4 : 1e-3);
+}
+
+bool Engine::has_move() const {
+  static constexpr Address kMoves[] = {letter('X'), letter('Y'), letter('Z'),
+                                       Address::ap, Address::rp, Address::ang};
+  if (frame_code_ || (oneshot_ && oneshot_code_ != Code::tap_floating)) return false;
+  for (const Address a : kMoves) {
+    const Slot& slot = slots_[static_cast<std::size_t>(a)];
+    if (slot.epoch == epoch_ && !slot.used) return true;
+  }
+  if (lathe() && is(Dialect::fanuc) && (peek('U') || peek('V') || peek('W'))) return true;
+  if (!is_circular(current_motion())) return false;
+  if (find(Address::cr) || find(Address::ar) || find(Address::i1) || find(Address::j1) ||
+      find(Address::k1) || find(Address::turn))
+    return true;
+  if (peek('I') || peek('J') || peek('K')) return true;
+  if (is(Dialect::codesys) && peek('T')) return true;
+  return peek('R') != nullptr;
+}
+
+bool Engine::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
+  bool incremental = modal_.incremental || incremental_word;
+  if (word.form == Form::ac || word.form == Form::dac || word.form == Form::rac)
+    incremental = false;
+  if (word.form == Form::ic || word.form == Form::dic || word.form == Form::ric) incremental = true;
+  if (lathe() && axis == 1) {
+    if (options_.machine == MachineKind::automatic)
+      throw Error("machine-unclear",
+                  fmt::format("{}:{}: Y moves in a program that looked like a lathe's ({}): say "
+                              "--machine mill or --machine lathe",
+                              program_.files.front(), block_.line_number, program_.machine_reason),
+                  Error::Kind::usage);
+    if (word.value != 0)
+      return error("not-supported", "a Y axis on a lathe is not supported yet", word);
+  }
+  const double value = axis_value(axis, word, incremental);
+  double base = 0;
+  if (incremental) {
+    base = component(out.programmed, axis);
+    // SD42440 = 1: the first increment after a change of frame travels the new offset too.
+    if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !suppress_)
+      base = component(position_.retained, axis);
+    if ((position_.known >> axis & 1U) == 0)
+      reporter_.once(Severity::warning, "start-unknown",
+                     "an increment from a position that was never given: it is counted from 0; say "
+                     "--start X,Y,Z",
+                     word, "start");
+  } else {
+    out.absolute |= 1U << axis;
+  }
+  const double result = base + value;
+  if (!(result >= -1e9 && result <= 1e9))
+    return error("number-too-large", "the position is more than 1e9 mm away", word);
+  component(out.programmed, axis) = result;
+  out.named |= 1U << axis;
+  if (!out.first || word.column < out.first->column) out.first = &word;
+  return true;
+}
+
+bool Engine::target(Target& out, const Vec3& from) {
+  out.programmed = from;
+  if (modal_.polar && !suppress_) return fanuc_polar_target(out, from);
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (word && !axis_word(out, i, *word, false)) return false;
+    if (!lathe() || !is(Dialect::fanuc)) continue;
+    const Word* relative = take("UVW"[i]);
+    if (!relative) continue;
+    if (word) return error("address-twice", "an axis is given absolute and incremental", *relative);
+    if (!axis_word(out, i, *relative, true)) return false;
+  }
+  if (find(Address::ap) || find(Address::rp)) return polar_target(out);
+  return true;
+}
+
+// AP= RP= about the pole, in the plane.
+bool Engine::polar_target(Target& out) {
+  const Word* ap = take(Address::ap);
+  const Word* rp = take(Address::rp);
+  const Word& where = ap ? *ap : *rp;
+  const Basis b = basis();
+  for (int i = 0; i < 3; ++i) {
+    const bool in = std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0;
+    if (in && (out.named >> i & 1U))
+      return error("polar-mixed", "AP= RP= and an axis of the plane in one block (alarm 14280)",
+                   where);
+  }
+  if (rp) {
+    if (rp->value < 0) return error("polar-radius", "RP must not be negative (alarm 14200)", *rp);
+    position_.polar_radius = rp->value * scale();
+    position_.has_polar_radius = true;
+  }
+  if (ap) {
+    const bool relative = ap->form == Form::ic || (modal_.incremental && ap->form == Form::plain);
+    if (ap->value < -360 || ap->value > 360)
+      return error("value-range", "AP is -360 to 360 degrees", *ap);
+    position_.polar_angle = ap->value + (relative ? last_polar_angle(b) : 0);
+    position_.has_polar_angle = true;
+  }
+  if (!position_.has_polar_radius) {  // G2 and G3 may leave it out: the pole is the centre
+    position_.polar_radius = length(in_plane(b, position_.programmed - position_.pole));
+    position_.has_polar_radius = true;
+  }
+  if (!position_.has_polar_angle)
+    return error("value-missing", "AP= was not given since the pole was set (alarm 14270)", where);
+  const SinCos sc = sincos_deg(position_.polar_angle);
+  const Vec2 pole = in_plane(b, position_.pole);
+  const Vec2 end = pole + position_.polar_radius * Vec2{sc.cos, sc.sin};
+  out.programmed = from_plane(b, end, dot(out.programmed, b.w));
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) {
+      out.named |= 1U << i;
+      out.absolute |= 1U << i;
+    }
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
+double Engine::last_polar_angle(const Basis& b) const {
+  if (position_.has_polar_angle) return position_.polar_angle;
+  const Vec2 d = in_plane(b, position_.programmed - position_.pole);
+  return degrees(mrsim::atan2(d.y, d.x));
+}
+
+// G16: the plane's first axis is the radius, the second the angle. G91 counts from the position.
+bool Engine::fanuc_polar_target(Target& out, const Vec3& from) {
+  const Basis b = basis();
+  static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
+  const Word* radius = take("XYZ"[kFirst[modal_.plane]]);
+  const Word* angle = take("XYZ"[kSecond[modal_.plane]]);
+  const Word* height = take("XYZ"[kNormal[modal_.plane]]);
+  if (height && !axis_word(out, kNormal[modal_.plane], *height, false)) return false;
+  if (!radius && !angle) return true;
+  const Word& where = radius ? *radius : *angle;
+  Vec2 pole;
+  if (modal_.incremental) pole = in_plane(b, from);
+  if (angle)
+    position_.polar_angle = angle->value + (modal_.incremental ? last_polar_angle(b) : 0);
+  else if (!position_.has_polar_angle)
+    position_.polar_angle = last_polar_angle(b);
+  position_.has_polar_angle = true;
+  double r = radius ? radius->value * length_unit(*radius) : length(in_plane(b, from) - pole);
+  if (!radius && modal_.incremental) r = position_.polar_radius;
+  position_.polar_radius = r;
+  const SinCos sc = sincos_deg(position_.polar_angle);
+  out.programmed = from_plane(b, pole + r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
+  out.named |= (1U << kFirst[modal_.plane]) | (1U << kSecond[modal_.plane]);
+  out.absolute |= out.named;
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
+// ANG= with one coordinate: the other follows.
+bool Engine::angle_target(Target& out, const Vec3& from) {
+  const Word* ang = take(Address::ang);
+  const Basis b = basis();
+  const SinCos sc = sincos_deg(ang->value);
+  const Vec2 direction{sc.cos, sc.sin}, s = in_plane(b, from), e = in_plane(b, out.programmed);
+  const bool has_u = named_along(out, b.u), has_v = named_along(out, b.v);
+  if (has_u == has_v)
+    return error("angle-coordinates",
+                 "ANG= needs exactly one coordinate of the plane, or the two "
+                 "blocks of a corner",
+                 *ang);
+  const double given = has_u ? e.x - s.x : e.y - s.y;
+  const double along = has_u ? direction.x : direction.y;
+  if (std::abs(along) < 1e-9)
+    return error("angle-parallel",
+                 "the line runs square to the given coordinate and never reaches it", *ang);
+  const double t = given / along;
+  if (t < 0)
+    return error("angle-behind", "the line reaches the given coordinate behind its start", *ang);
+  out.programmed = from_plane(b, s + t * direction, dot(out.programmed, b.w));
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) out.named |= 1U << i;
+  if (!out.first) out.first = ang;
+  return true;
+}
+
+bool Engine::named_along(const Target& out, const Vec3& direction) const {
+  for (int i = 0; i < 3; ++i)
+    if ((out.named >> i & 1U) && component(direction, i) != 0) return true;
+  return false;
+}
+
+}  // namespace mrsim

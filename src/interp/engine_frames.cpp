@@ -1,0 +1,275 @@
+// Frames: work offsets, TRANS and its kin, FANUC's rotations, scalings and mirrors, poles.
+#include "core/trig.h"
+#include "interp/engine.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+Frame Engine::frame_now() const {
+  if (!suppress_) return frames_.total;
+  return Frame{};
+}
+
+// The pieces in the order the control applies them: innermost last.
+void Engine::rebuild_frame() {
+  Frame total = shift_frame(frames_.work + frames_.position_shift + frames_.local);
+  total = compose(total, frames_.program);
+  total = compose(total, frames_.rotation);
+  total = compose(total, frames_.scaling);
+  total = compose(total, frames_.mirror);
+  if (total == frames_.total) return;
+  frames_.total = total;
+  const Vec3 old = position_.programmed;
+  position_.programmed = apply_inverse(total, position_.physical);
+  for (int i = 0; i < 3; ++i) {
+    if ((position_.moved_frame >> i & 1U) == 0)
+      component(position_.retained, i) = component(old, i);
+    position_.moved_frame |= 1U << i;
+  }
+}
+
+void Engine::save_frames() {
+  if (frames_changed_) return;
+  saved_frames_ = frames_;
+  saved_position_ = position_;
+  frames_changed_ = true;
+}
+
+bool Engine::select_work(const CodeEntry& entry, const Word& word) {
+  save_frames();
+  std::string name;
+  if (entry.code == Code::work_extended) {
+    const Word* p = take('P');
+    if (!p || p->value < 1 || p->value > 300 || p->value != std::floor(p->value))
+      return error("value-range", "G54.1 needs P1 to P300", word);
+    name = fmt::format("G54.1P{:g}", p->value);
+  } else if (entry.code == Code::work_offset) {
+    name = fmt::format("G{}", entry.number);
+  }
+  frames_.work = {};
+  for (const WorkOffset& offset : options_.table.work) {
+    std::string key;
+    for (const char c : offset.name)
+      if (c != ' ') key += c;
+    if (key != name) continue;
+    frames_.work = offset.shift;
+  }
+  rebuild_frame();
+  return true;
+}
+
+// X Y Z of a frame word. Lengths are converted; factors and angles are not.
+bool Engine::frame_arguments(Vec3& values, unsigned& named, bool lengths) {
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (!word) continue;
+    named |= 1U << i;
+    component(values, i) = lengths ? word->value * scale() : word->value;
+  }
+  return true;
+}
+
+// ROT: axis angles (about Z, then the new Y, then the new X) or RPL= in the plane.
+bool Engine::rotation_arguments(Frame& frame) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  if (const Word* rpl = take(Address::rpl)) {
+    frame = rotation_frame(kNormal[modal_.plane], rpl->value);
+    return true;
+  }
+  Vec3 angles;
+  unsigned named = 0;
+  frame_arguments(angles, named, false);
+  frame = Frame{};
+  if (named & 4U) frame = compose(frame, rotation_frame(2, angles.z));
+  if (named & 2U) frame = compose(frame, rotation_frame(1, angles.y));
+  if (named & 1U) frame = compose(frame, rotation_frame(0, angles.x));
+  return true;
+}
+
+bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
+  Frame step;
+  switch (frame_op_) {
+    case Code::trans:
+    case Code::atrans:
+      step = shift_frame(values);
+      break;
+    case Code::scale:
+    case Code::ascale: {
+      Vec3 factors{1, 1, 1};
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(factors, i) = component(values, i);
+      if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+        return error("value-range", "a scale factor must not be 0", *frame_code_);
+      if (named) step = scale_frame(factors);
+      break;
+    }
+    case Code::mirror:
+    case Code::amirror: {
+      Vec3 factors{1, 1, 1};
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(factors, i) = -1;
+      if (named) step = scale_frame(factors);
+      break;
+    }
+    default:
+      rotation_arguments(step);
+  }
+  const bool appends = frame_op_ == Code::atrans || frame_op_ == Code::arot ||
+                       frame_op_ == Code::ascale || frame_op_ == Code::amirror;
+  frames_.program = appends ? compose(frames_.program, step) : step;
+  return true;
+}
+
+bool Engine::run_frame() {
+  if (frame_op_ == Code::pole_position || frame_op_ == Code::pole_zero ||
+      frame_op_ == Code::pole_pole)
+    return pole();
+  if (frame_op_ == Code::speed_limit) {
+    for (const char c : {'X', 'Y', 'Z', 'S'}) take(c);
+    return true;
+  }
+  save_frames();
+  if (is(Dialect::codesys)) return codesys_frame();
+  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_);
+  if (motion_code_)
+    return error("frame-own-block", "a frame word needs a block of its own", *frame_code_);
+  const bool lengths = frame_op_ == Code::trans || frame_op_ == Code::atrans ||
+                       frame_op_ == Code::trans_coarse || frame_op_ == Code::trans_fine;
+  const bool rotates = frame_op_ == Code::rot || frame_op_ == Code::arot;
+  Vec3 values;
+  unsigned named = 0;
+  if (!rotates) frame_arguments(values, named, lengths);
+  if (frame_op_ == Code::trans_coarse || frame_op_ == Code::trans_fine) {
+    for (int i = 0; i < 3; ++i) {
+      if ((named >> i & 1U) == 0) continue;
+      double& shift = component(frames_.program.shift, i);
+      const double fine = component(frames_.fine, i);
+      component(frames_.fine, i) = frame_op_ == Code::trans_fine ? component(values, i) : fine;
+      shift = frame_op_ == Code::trans_fine ? shift - fine + component(values, i)
+                                            : component(values, i) + fine;
+    }
+  } else if (!sinumerik_frame(values, named)) {
+    return false;
+  }
+  rebuild_frame();
+  return true;
+}
+
+// G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
+bool Engine::fanuc_frame(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  Vec3 values = position_.programmed;
+  unsigned named = 0;
+  const bool cancels = frame_op_ == Code::rotation_off || frame_op_ == Code::scaling_off;
+  if (!cancels) frame_arguments(values, named, true);
+  switch (frame_op_) {
+    case Code::rotation_on: {
+      const Word* r = take('R');
+      if (!r) return error("value-missing", "G68 needs the angle R", word);
+      frames_.rotation = about(rotation_frame(kNormal[modal_.plane], r->value), values);
+      break;
+    }
+    case Code::rotation_off:
+      frames_.rotation = Frame{};
+      break;
+    case Code::scaling_on: {
+      Vec3 factors{1, 1, 1};
+      // Without a decimal point a factor counts thousandths.
+      const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
+      if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
+      for (int i = 0; i < 3; ++i)
+        if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
+      if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+        return error("value-range", "a scale factor must not be 0", word);
+      frames_.scaling = about(scale_frame(factors), values);
+      break;
+    }
+    case Code::scaling_off:
+      frames_.scaling = Frame{};
+      break;
+    case Code::local_shift:
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+      break;
+    case Code::mirror_on:
+    case Code::mirror_off:
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(frames_.mirror_at, i) = component(values, i);
+      if (frame_op_ == Code::mirror_on)
+        frames_.mirrored |= named;
+      else
+        frames_.mirrored &= named ? ~named : 0U;
+      set_mirror();
+      break;
+    default:
+      break;
+  }
+  rebuild_frame();
+  return true;
+}
+
+void Engine::set_mirror() {
+  frames_.mirror = Frame{};
+  if (!frames_.mirrored) return;
+  Vec3 factors{1, 1, 1};
+  for (int i = 0; i < 3; ++i)
+    if (frames_.mirrored >> i & 1U) component(factors, i) = -1;
+  frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
+}
+
+// G53 resets the decoder's frame, G54 sets its shift, G55 adds to it, G56 puts it at the position.
+bool Engine::codesys_frame() {
+  Vec3 values;
+  unsigned named = 0;
+  frame_arguments(values, named, true);
+  for (const char c : {'A', 'B', 'C'})
+    if (const Word* word = peek(c); word && word->value != 0)
+      return error("not-supported", "a rotated decoder frame is not supported yet", *word);
+  switch (frame_op_) {
+    case Code::decoder_reset:
+      frames_.program = Frame{};
+      break;
+    case Code::decoder_set:
+      frames_.program = shift_frame(values);
+      break;
+    case Code::decoder_add:
+      frames_.program = compose(frames_.program, shift_frame(values));
+      break;
+    default:
+      frames_.program = shift_frame(position_.physical + values);
+  }
+  rebuild_frame();
+  return true;
+}
+
+// G110 from the last position, G111 from workpiece zero, G112 from the last pole; G90 and G91 are
+// ignored.
+bool Engine::pole() {
+  const Basis b = basis();
+  Vec3 from;
+  if (frame_op_ == Code::pole_position) from = position_.programmed;
+  if (frame_op_ == Code::pole_pole) from = position_.pole;
+  Vec3 at = from;
+  const Word* rp = take(Address::rp);
+  const Word* ap = take(Address::ap);
+  if (ap || rp) {
+    const double angle = ap ? ap->value : 0, radius = rp ? rp->value * scale() : 0;
+    if (radius < 0) return error("polar-radius", "RP must not be negative (alarm 14250)", *rp);
+    const SinCos sc = sincos_deg(angle);
+    at = from + (radius * sc.cos) * b.u + (radius * sc.sin) * b.v;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (!word) continue;
+    const bool relative = frame_op_ != Code::pole_zero;
+    component(at, i) = (relative ? component(from, i) : 0) + axis_value(i, *word, relative);
+  }
+  position_.pole = at;
+  position_.has_polar_angle = false;
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,327 @@
+// G words that last, values that last (F S D H ...) and M words.
+#include "core/units.h"
+#include "interp/characters.h"
+#include "interp/engine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// M words that control spindle, coolant, chuck and the like: no geometry, no note.
+constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
+                                         13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
+                                         43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
+
+}  // namespace
+
+bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
+  Modal& m = modal_;
+  switch (entry.code) {
+    case Code::plane_xy:
+    case Code::plane_2d:
+      return select_plane(0, word);
+    case Code::plane_zx:
+      return select_plane(1, word);
+    case Code::plane_yz:
+      return select_plane(2, word);
+    case Code::plane_normal:
+      return select_normal(word);
+    case Code::absolute:
+    case Code::incremental:
+      if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
+        return error("not-supported",
+                     fmt::format("G{:g} with axes is a turning cycle of code system A, which is "
+                                 "not supported yet",
+                                 word.value),
+                     word);
+      m.incremental = entry.code == Code::incremental;
+      return true;
+    case Code::inch:
+      m.inch = true;
+      return true;
+    case Code::metric:
+      m.inch = false;
+      return true;
+    case Code::inch_feed:
+      m.inch = m.inch_feed = true;
+      return true;
+    case Code::metric_feed:
+      m.inch = m.inch_feed = false;
+      return true;
+    case Code::inverse_time:
+    case Code::per_minute:
+    case Code::per_revolution:
+      m.feed_unit = entry.code == Code::inverse_time ? FeedUnit::inverse_time
+                    : entry.code == Code::per_minute ? FeedUnit::mm_per_min
+                                                     : FeedUnit::mm_per_rev;
+      if (is(Dialect::sinumerik)) m.surface_speed = false;
+      return true;
+    case Code::surface_speed:
+      m.surface_speed = true;
+      if (is(Dialect::sinumerik)) m.feed_unit = FeedUnit::mm_per_rev;
+      return true;
+    case Code::surface_speed_off:
+      m.surface_speed = false;
+      return true;
+    case Code::comp_off:
+    case Code::comp_left:
+    case Code::comp_right:
+      comp_selected_ = entry.code != m.comp;
+      m.comp = entry.code;
+      comp_word_ = word;
+      return true;
+    case Code::comp_suspend:
+      m.comp_suspended = true;
+      return true;
+    case Code::comp_resume:
+      m.comp_suspended = false;
+      return true;
+    case Code::corner_arc:
+    case Code::corner_intersection:
+      m.corner = entry.code;
+      return true;
+    case Code::approach_normal:
+    case Code::approach_contour:
+      m.approach = entry.code;
+      return true;
+    case Code::length_plus:
+    case Code::length_minus:
+    case Code::length_off:
+      m.length = entry.code;
+      length_changed_ = true;
+      return true;
+    case Code::center_absolute:
+      m.center_absolute = true;
+      return true;
+    case Code::center_relative:
+      m.center_absolute = false;
+      return true;
+    case Code::polar_on:
+      m.polar = true;
+      return true;
+    case Code::polar_off:
+      m.polar = false;
+      return true;
+    case Code::diameter_on:
+    case Code::diameter_off:
+    case Code::diameter_absolute:
+      m.diameter = entry.code;
+      return true;
+    case Code::diameter_cycles_off:
+      return true;
+    case Code::path_smoothing:
+      if (word.value > 50)
+        warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
+      if (word.value > 50) take('D');
+      return true;
+    case Code::suppress_frames:
+      suppress_ = true;
+      return true;
+    case Code::work_off:
+    case Code::work_offset:
+    case Code::work_extended:
+      return select_work(entry, word);
+    case Code::program_return:
+      return_after_ = true;
+      return true;
+    case Code::header:
+      return true;
+    case Code::tap_floating:
+      motion_code_ = &word;
+      block_motion_ = entry.code;
+      return true;
+    case Code::dwell:
+    case Code::reference:
+    case Code::reference_second:
+    case Code::reference_approach:
+    case Code::fixed_point:
+    case Code::set_position:
+    case Code::position_jump:
+    case Code::decoder_length:
+      oneshot_ = &word;
+      oneshot_code_ = entry.code;
+      return true;
+    default:
+      frame_code_ = &word;
+      frame_op_ = entry.code;
+      return true;
+  }
+}
+
+bool Engine::select_plane(int plane, const Word& word) {
+  if (plane != modal_.plane && modal_.comp != Code::comp_off && comp_started_)
+    return error("comp-plane",
+                 fmt::format("the plane must not change under radius compensation{}",
+                             is(Dialect::sinumerik) ? " (alarm 10757)"
+                             : is(Dialect::fanuc)   ? " (alarm 037)"
+                                                    : ""),
+                 word);
+  if (plane != modal_.plane) position_.has_polar_angle = false;
+  modal_.plane = plane;
+  return true;
+}
+
+// CODESYS G16 I J K: the plane by its normal.
+bool Engine::select_normal(const Word& word) {
+  Vec3 normal;
+  for (int i = 0; i < 3; ++i)
+    if (const Word* w = take("IJK"[i])) component(normal, i) = w->value;
+  if (length(normal) < 1e-9)
+    return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
+  modal_.normal = normalized(normal);
+  modal_.plane = 3;
+  return true;
+}
+
+bool Engine::apply_values() {
+  if (is(Dialect::codesys)) {
+    if (!apply_codesys_values()) return false;
+  } else {
+    for (const char c : {'A', 'B', 'C'}) {
+      const Word* word = take(c);
+      if (!word) continue;
+      if (word->value != 0)
+        return error("not-supported",
+                     fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
+      note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word,
+                std::string(1, c));
+    }
+    if (!apply_speed() || !apply_edge()) return false;
+  }
+  if (!apply_feed() || !apply_tool() || !apply_length()) return false;
+  if (!is(Dialect::sinumerik)) return true;
+  take('H');
+  if (const Word* word = take(Address::rndm)) {
+    if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
+    modal_.rndm = word->value * scale();
+  }
+  if (const Word* word = take(Address::frcm)) modal_.frcm = word->value * feed_scale();
+  if (const Word* word = take(Address::disc)) {
+    if (word->value < 0 || word->value > 100)
+      return error("value-range", "DISC is 0 to 100", *word);
+    modal_.disc = word->value;
+    if (word->value > 0 && word->value < 100)
+      warning("disc", "DISC between 0 and 100 is read as 0: corners are arcs", *word);
+  }
+  return true;
+}
+
+bool Engine::apply_feed() {
+  const Word* word = take('F');
+  if (!word) return true;
+  if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
+  if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
+    return error("feed-range",
+                 fmt::format("F{:g}: the feed must be above 0{}", word->value,
+                             is(Dialect::sinumerik) ? " (alarm 14800)" : ""),
+                 *word);
+  if (is_thread(current_motion()) && current_motion() != Code::tap_floating) return true;
+  modal_.feed =
+      modal_.feed_unit == FeedUnit::inverse_time ? word->value : word->value * feed_scale();
+  return true;
+}
+
+bool Engine::apply_speed() {
+  if (const Word* word = take(Address::lims)) {
+    if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
+  }
+  const Word* word = take('S');
+  if (!word) return true;
+  if (word->value < 0) return error("speed-range", "S must not be negative", *word);
+  if (frame_code_ && frame_op_ == Code::speed_limit) return true;
+  if (oneshot_ && oneshot_code_ == Code::set_position) return true;  // G50 S: a limit
+  if (modal_.surface_speed)
+    modal_.cutting_speed = word->value * (modal_.inch_feed ? 0.3048 : 1.0);
+  else
+    modal_.speed = word->value;
+  return true;
+}
+
+// D: number of a register or of a cutting edge.
+bool Engine::apply_edge() {
+  const Word* word = take('D');
+  if (!word) return true;
+  if (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e6)
+    return error("value-range", "D is a whole number", *word);
+  modal_.edge = static_cast<int>(word->value);
+  modal_.edge_given = true;
+  edge_word_ = *word;
+  return true;
+}
+
+bool Engine::apply_length() {
+  if (is(Dialect::sinumerik) || is(Dialect::codesys)) return true;
+  const Word* word = take('H');
+  if (!word && !length_changed_) return true;
+  length_changed_ = false;
+  if (modal_.length == Code::length_off) {
+    modal_.length_offset = 0;
+    return true;
+  }
+  if (!word) return true;
+  const std::string name = fmt::format("H{:g}", word->value);
+  const OffsetRegister* reg = find_register(name);
+  if (!reg && word->value != 0)
+    note_once("register-missing", name + " is not in the tool table: 0 is used", *word, name);
+  const double sign = modal_.length == Code::length_minus ? -1 : 1;
+  modal_.length_offset = reg ? sign * (reg->length + reg->wear) : 0;
+  return true;
+}
+
+// E H L O S: dynamics and switch points, without geometry, but checked.
+bool Engine::apply_codesys_values() {
+  for (const char c : {'A', 'B', 'C', 'P', 'Q', 'U', 'V', 'W', 'E', 'S'}) take(c);
+  take(Address::ff);
+  take(Address::ef);
+  int switches = 0, negative = 0, positive = 0;
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.address);
+    if (c == 'H' && (word.value == 0 || word.value != std::floor(word.value)))
+      return error("value-range", "H is a whole number, not 0: the switch and its state", word);
+    if (c == 'H' && ++switches > 3)
+      return error("value-range", "at most three switch points in a block", word);
+    if (c == 'O' && (word.value < 0 || word.value > 1))
+      return error("value-range", "O is a share of the path from 0 to 1", word);
+    if (c == 'E') {
+      int& count = word.value < 0 ? negative : positive;
+      if (++count > 1) return error("address-twice", "E is given twice with the same sign", word);
+    }
+  }
+  const bool arc = modal_.motion == Code::arc_cw || modal_.motion == Code::arc_ccw;
+  (void)arc;
+  const Word* d = take('D');
+  if (d) {
+    if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
+    if (comp_selected_ || modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
+  }
+  return true;
+}
+
+bool Engine::apply_m_word(const Word& word) {
+  const double v = word.value;
+  if (v < 0 || v != std::floor(v) || v > 1e8)
+    return error("value-range", "an M number is a whole number", word);
+  const int m = static_cast<int>(v);
+  if (m == 6) tool_change_ = true;
+  if (m == 2 || m == 30) stop_after_ = true;
+  if (m == 17 && !is(Dialect::fanuc)) return_after_ = true;
+  if (m == 99 && !is(Dialect::sinumerik)) {
+    if (peek('P'))
+      return error("not-supported", "M99 P (return to a block number) is not supported yet", word);
+    return_after_ = true;
+    m99_ = true;
+  }
+  if (m == 98 && !is(Dialect::sinumerik)) m98_ = &word;
+  if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
+    note_once("m-unknown",
+              fmt::format("M{} is not known: taken to be without effect on the part", m), word,
+              fmt::format("M{}", m));
+  return true;
+}
+
+}  // namespace mrsim

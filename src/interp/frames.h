@@ -1,0 +1,53 @@
+// Coordinate frames: p -> linear part * p + shift, from programmed coordinates to those of the
+// stock.
+#pragma once
+
+#include "core/vec.h"
+
+#include <array>
+
+namespace mrsim {
+
+struct Frame {
+  /// Images of the unit vectors.
+  std::array<Vec3, 3> axis{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  Vec3 shift;
+  bool plain = true;  ///< the linear part is the identity: coordinates stay exact
+  friend bool operator==(const Frame&, const Frame&) = default;
+};
+
+/// Direction or displacement.
+Vec3 turn(const Frame& frame, const Vec3& v);
+Vec3 apply(const Frame& frame, const Vec3& p);
+/// Requires: determinant(frame) != 0.
+Vec3 apply_inverse(const Frame& frame, const Vec3& p);
+Vec3 turn_inverse(const Frame& frame, const Vec3& v);
+double determinant(const Frame& frame);
+
+/// First `inner`, then `outer`.
+Frame compose(const Frame& outer, const Frame& inner);
+
+Frame shift_frame(const Vec3& shift);
+/// About coordinate axis 0, 1 or 2, degrees, counter-clockwise seen from its positive end.
+Frame rotation_frame(int axis, double degrees);
+Frame scale_frame(const Vec3& factors);
+/// `frame` with `center` as its fixed point instead of the origin.
+Frame about(const Frame& frame, const Vec3& center);
+
+/// The axes of an arc's plane: u first, v second, w normal; u x v = w unless mirrored.
+struct Basis {
+  Vec3 u{1, 0, 0}, v{0, 1, 0}, w{0, 0, 1};
+};
+
+/// G17 (0), G18 (1: Z first), G19 (2).
+Basis plane_basis(int plane);
+/// A right-handed basis about a unit normal.
+Basis normal_basis(const Vec3& normal);
+inline Vec2 in_plane(const Basis& basis, const Vec3& p) {
+  return {dot(p, basis.u), dot(p, basis.v)};
+}
+inline Vec3 from_plane(const Basis& basis, Vec2 p, double height) {
+  return p.x * basis.u + p.y * basis.v + height * basis.w;
+}
+
+}  // namespace mrsim

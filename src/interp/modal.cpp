@@ -1,0 +1,392 @@
+#include "interp/modal.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace mrsim {
+namespace {
+
+struct Row {
+  int number;  // G number * 10
+  Code code;
+  Group group;
+};
+
+using C = Code;
+using G = Group;
+
+constexpr Row kShared[] = {{0, C::rapid, G::motion},          {10, C::line, G::motion},
+                           {20, C::arc_cw, G::motion},        {30, C::arc_ccw, G::motion},
+                           {40, C::dwell, G::oneshot},        {170, C::plane_xy, G::plane},
+                           {180, C::plane_zx, G::plane},      {190, C::plane_yz, G::plane},
+                           {400, C::comp_off, G::comp},       {410, C::comp_left, G::comp},
+                           {420, C::comp_right, G::comp},     {900, C::absolute, G::distance},
+                           {910, C::incremental, G::distance}};
+
+constexpr Row kSinumerik[] = {
+    {90, C::ignored, G::exact},
+    {250, C::speed_limit, G::frame},
+    {260, C::speed_limit, G::frame},
+    {330, C::thread, G::motion},
+    {340, C::thread_growing, G::motion},
+    {350, C::thread_shrinking, G::motion},
+    {530, C::suppress_frames, G::suppress},
+    {580, C::trans_coarse, G::frame},
+    {590, C::trans_fine, G::frame},
+    {600, C::ignored, G::path},
+    {630, C::tap_floating, G::oneshot},
+    {640, C::ignored, G::path},
+    {700, C::inch, G::units},
+    {710, C::metric, G::units},
+    {740, C::reference_approach, G::oneshot},
+    {750, C::fixed_point, G::oneshot},
+    {930, C::inverse_time, G::feed},
+    {940, C::per_minute, G::feed},
+    {950, C::per_revolution, G::feed},
+    {960, C::surface_speed, G::feed},
+    {970, C::surface_speed_off, G::feed},
+    {1100, C::pole_position, G::frame},
+    {1110, C::pole_zero, G::frame},
+    {1120, C::pole_pole, G::frame},
+    {1400, C::ignored, G::other},
+    {1410, C::ignored, G::other},
+    {1420, C::ignored, G::other},
+    {1430, C::ignored, G::other},
+    {1470, C::unsupported, G::oneshot},
+    {1480, C::unsupported, G::oneshot},
+    {1530, C::suppress_frames, G::suppress},
+    {2470, C::unsupported, G::oneshot},
+    {2480, C::unsupported, G::oneshot},
+    {2900, C::ignored, G::other},
+    {2910, C::unsupported, G::other},
+    {3310, C::tap_in, G::motion},
+    {3320, C::tap_out, G::motion},
+    {3400, C::ignored, G::other},
+    {3410, C::ignored, G::other},
+    {3470, C::unsupported, G::oneshot},
+    {3480, C::unsupported, G::oneshot},
+    {4500, C::corner_arc, G::corner},
+    {4510, C::corner_intersection, G::corner},
+    {4600, C::ignored, G::other},
+    {4610, C::ignored, G::other},
+    {4620, C::ignored, G::other},
+    {5000, C::work_off, G::work},
+    {6010, C::ignored, G::exact},
+    {6020, C::ignored, G::exact},
+    {6030, C::ignored, G::exact},
+    {6410, C::ignored, G::path},
+    {6420, C::ignored, G::path},
+    {6430, C::ignored, G::path},
+    {6440, C::ignored, G::path},
+    {6450, C::ignored, G::path},
+    {7000, C::inch_feed, G::units},
+    {7100, C::metric_feed, G::units},
+    {9610, C::surface_speed, G::feed},
+    {9620, C::per_revolution, G::feed},
+    {9710, C::surface_speed_off, G::feed},
+};
+
+// FANUC words that mean the same on mills and lathes.
+constexpr Row kFanuc[] = {
+    {50, C::ignored, G::path},
+    {51, C::ignored, G::path},
+    {80, C::ignored, G::path},
+    {90, C::ignored, G::exact},
+    {100, C::unsupported, G::oneshot},
+    {110, C::ignored, G::oneshot},
+    {121, C::unsupported, G::other},
+    {131, C::ignored, G::other},
+    {200, C::inch_feed, G::units},
+    {210, C::metric_feed, G::units},
+    {220, C::ignored, G::other},
+    {230, C::ignored, G::other},
+    {250, C::ignored, G::other},
+    {260, C::ignored, G::other},
+    {270, C::ignored, G::oneshot},
+    {280, C::reference, G::oneshot},
+    {290, C::unsupported, G::oneshot},
+    {300, C::reference_second, G::oneshot},
+    {310, C::unsupported, G::oneshot},
+    {520, C::local_shift, G::oneshot},
+    {530, C::suppress_frames, G::oneshot},
+    {541, C::work_extended, G::work},
+    {610, C::ignored, G::path},
+    {640, C::ignored, G::path},
+    {650, C::unsupported, G::oneshot},
+    {660, C::unsupported, G::other},
+    {670, C::ignored, G::other},
+    {800, C::ignored, G::other},
+    {960, C::surface_speed, G::speed},
+    {970, C::surface_speed_off, G::speed},
+};
+
+constexpr Row kFanucMill[] = {
+    {150, C::polar_off, G::polar},      {160, C::polar_on, G::polar},
+    {330, C::thread, G::motion},        {390, C::unsupported, G::oneshot},
+    {430, C::length_plus, G::length},   {440, C::length_minus, G::length},
+    {450, C::unsupported, G::oneshot},  {460, C::unsupported, G::oneshot},
+    {470, C::unsupported, G::oneshot},  {480, C::unsupported, G::oneshot},
+    {490, C::length_off, G::length},    {500, C::scaling_off, G::scaling},
+    {501, C::mirror_off, G::mirror},    {510, C::scaling_on, G::scaling},
+    {511, C::mirror_on, G::mirror},     {600, C::ignored, G::oneshot},
+    {620, C::ignored, G::path},         {630, C::ignored, G::path},
+    {680, C::rotation_on, G::rotation}, {690, C::rotation_off, G::rotation},
+    {730, C::cycle, G::other},          {740, C::cycle, G::other},
+    {760, C::cycle, G::other},          {920, C::set_position, G::oneshot},
+    {930, C::inverse_time, G::feed},    {940, C::per_minute, G::feed},
+    {950, C::per_revolution, G::feed},  {980, C::ignored, G::center},
+    {990, C::ignored, G::center},
+};
+
+constexpr Row kFanucLathe[] = {
+    {320, C::thread, G::motion},         {330, C::thread, G::motion},
+    {340, C::thread_growing, G::motion}, {430, C::length_plus, G::length},
+    {490, C::length_off, G::length},     {500, C::set_position, G::oneshot},
+    {680, C::unsupported, G::other},     {690, C::ignored, G::other},
+    {700, C::cycle, G::oneshot},         {710, C::cycle, G::oneshot},
+    {720, C::cycle, G::oneshot},         {730, C::cycle, G::oneshot},
+    {740, C::cycle, G::oneshot},         {750, C::cycle, G::oneshot},
+    {760, C::cycle, G::oneshot},         {920, C::cycle, G::motion},
+    {940, C::cycle, G::motion},          {980, C::per_minute, G::feed},
+    {990, C::per_revolution, G::feed},
+};
+
+constexpr Row kIso[] = {
+    {50, C::ignored, G::path},
+    {70, C::ignored, G::path},
+    {90, C::ignored, G::exact},
+    {280, C::reference, G::oneshot},
+    {300, C::reference_second, G::oneshot},
+    {330, C::thread, G::motion},
+    {430, C::length_plus, G::length},
+    {440, C::length_minus, G::length},
+    {490, C::length_off, G::length},
+    {500, C::ignored, G::path},
+    {520, C::local_shift, G::oneshot},
+    {530, C::suppress_frames, G::oneshot},
+    {600, C::ignored, G::path},
+    {610, C::ignored, G::path},
+    {640, C::ignored, G::path},
+    {700, C::inch_feed, G::units},
+    {710, C::metric_feed, G::units},
+    {800, C::ignored, G::other},
+    {920, C::set_position, G::oneshot},
+    {930, C::inverse_time, G::feed},
+    {940, C::per_minute, G::feed},
+    {950, C::per_revolution, G::feed},
+    {960, C::surface_speed, G::speed},
+    {970, C::surface_speed_off, G::speed},
+};
+
+constexpr Row kCodesys[] = {
+    {50, C::unsupported, G::motion},      {60, C::unsupported, G::motion},
+    {80, C::unsupported, G::motion},      {90, C::unsupported, G::motion},
+    {100, C::unsupported, G::motion},     {120, C::unsupported, G::motion},
+    {150, C::plane_2d, G::plane},         {160, C::plane_normal, G::plane},
+    {200, C::unsupported, G::oneshot},    {360, C::unsupported, G::oneshot},
+    {370, C::unsupported, G::oneshot},    {380, C::unsupported, G::oneshot},
+    {430, C::decoder_length, G::length},  {500, C::path_smoothing, G::path},
+    {510, C::path_smoothing, G::path},    {520, C::path_smoothing, G::path},
+    {530, C::decoder_reset, G::oneshot},  {540, C::decoder_set, G::oneshot},
+    {550, C::decoder_add, G::oneshot},    {560, C::decoder_here, G::oneshot},
+    {600, C::ignored, G::exact},          {610, C::ignored, G::exact},
+    {700, C::ignored, G::other},          {710, C::ignored, G::other},
+    {750, C::ignored, G::oneshot},        {920, C::position_jump, G::oneshot},
+    {980, C::center_absolute, G::center}, {990, C::center_relative, G::center},
+};
+
+struct NamedRow {
+  std::string_view name;
+  Code code;
+  Group group;
+};
+
+constexpr NamedRow kFunctions[] = {
+    {"CIP", C::arc_point, G::motion},
+    {"CT", C::arc_tangent, G::motion},
+    {"TRANS", C::trans, G::frame},
+    {"ATRANS", C::atrans, G::frame},
+    {"ROT", C::rot, G::frame},
+    {"AROT", C::arot, G::frame},
+    {"SCALE", C::scale, G::frame},
+    {"ASCALE", C::ascale, G::frame},
+    {"MIRROR", C::mirror, G::frame},
+    {"AMIRROR", C::amirror, G::frame},
+    {"SUPA", C::suppress_frames, G::suppress},
+    {"DIAMON", C::diameter_on, G::diameter},
+    {"DIAMOF", C::diameter_off, G::diameter},
+    {"DIAM90", C::diameter_absolute, G::diameter},
+    {"DIAMCYCOF", C::diameter_cycles_off, G::diameter},
+    {"NORM", C::approach_normal, G::approach},
+    {"KONT", C::approach_contour, G::approach},
+    {"KONTC", C::approach_normal, G::approach},
+    {"KONTT", C::approach_normal, G::approach},
+    {"CUTCONON", C::comp_suspend, G::suspend},
+    {"CUTCONOF", C::comp_resume, G::suspend},
+    {"RET", C::program_return, G::none},
+    {"PROC", C::header, G::none},
+    {"BRISK", C::ignored, G::other},
+    {"SOFT", C::ignored, G::other},
+    {"DRIVE", C::ignored, G::other},
+    {"FFWON", C::ignored, G::other},
+    {"FFWOF", C::ignored, G::other},
+    {"CFC", C::ignored, G::other},
+    {"CFTCP", C::ignored, G::other},
+    {"CFIN", C::ignored, G::other},
+    {"CDON", C::ignored, G::other},
+    {"CDOF", C::ignored, G::other},
+    {"CDOF2", C::ignored, G::other},
+    {"COMPOF", C::ignored, G::other},
+    {"COMPON", C::ignored, G::other},
+    {"COMPCURV", C::ignored, G::other},
+    {"COMPCAD", C::ignored, G::other},
+    {"CUT2D", C::ignored, G::other},
+    {"CUT2DF", C::ignored, G::other},
+    {"DIACYCOFA", C::ignored, G::other},
+    {"TRAFOOF", C::ignored, G::other},
+    {"STOPRE", C::ignored, G::other},
+    {"SPCON", C::ignored, G::other},
+    {"SPCOF", C::ignored, G::other},
+    {"FIFOCTRL", C::ignored, G::other},
+    {"STARTFIFO", C::ignored, G::other},
+    {"STOPFIFO", C::ignored, G::other},
+    {"SAVE", C::ignored, G::other},
+    {"SBLOF", C::ignored, G::other},
+    {"SBLON", C::ignored, G::other},
+    {"DISPLOF", C::ignored, G::other},
+    {"DISPLON", C::ignored, G::other},
+    {"UPATH", C::ignored, G::other},
+    {"SPATH", C::ignored, G::other},
+    {"FNORM", C::ignored, G::other},
+    {"FLIN", C::ignored, G::other},
+    {"RTLION", C::ignored, G::other},
+    {"RTLIOF", C::ignored, G::other},
+    {"ASPLINE", C::unsupported, G::motion},
+    {"BSPLINE", C::unsupported, G::motion},
+    {"CSPLINE", C::unsupported, G::motion},
+    {"POLY", C::unsupported, G::motion},
+    {"INVCW", C::unsupported, G::motion},
+    {"INVCCW", C::unsupported, G::motion},
+    {"ROTS", C::unsupported, G::frame},
+    {"AROTS", C::unsupported, G::frame},
+    {"CROTS", C::unsupported, G::frame},
+    {"TOROT", C::unsupported, G::frame},
+    {"TOFRAME", C::unsupported, G::frame},
+    {"CUT3DC", C::unsupported, G::other},
+    {"CUT3DF", C::unsupported, G::other},
+    {"TRAORI", C::unsupported, G::other},
+    {"TRANSMIT", C::unsupported, G::other},
+    {"TRACYL", C::unsupported, G::other},
+    {"REPOSL", C::unsupported, G::motion},
+};
+
+struct UnsupportedName {
+  std::string_view prefix;
+  bool whole;  // the name itself; else the name and a number
+  std::string_view what;
+};
+
+constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
+                                            {"ELSE", true, "a condition"},
+                                            {"ENDIF", true, "a condition"},
+                                            {"THEN", true, "a condition"},
+                                            {"CASE", true, "a condition"},
+                                            {"GOTO", true, "a jump"},
+                                            {"GOTOF", true, "a jump"},
+                                            {"GOTOB", true, "a jump"},
+                                            {"GOTOC", true, "a jump"},
+                                            {"GOTOS", true, "a jump"},
+                                            {"REPEATB", true, "a loop"},
+                                            {"WHILE", true, "a loop"},
+                                            {"ENDWHILE", true, "a loop"},
+                                            {"FOR", true, "a loop"},
+                                            {"ENDFOR", true, "a loop"},
+                                            {"TO", true, "a loop"},
+                                            {"DO", true, "a loop"},
+                                            {"END", true, "a loop"},
+                                            {"REPEAT", true, "a loop"},
+                                            {"UNTIL", true, "a loop"},
+                                            {"LOOP", true, "a loop"},
+                                            {"ENDLOOP", true, "a loop"},
+                                            {"DEF", true, "a variable"},
+                                            {"REDEF", true, "a variable"},
+                                            {"EXTERN", true, "a declaration"},
+                                            {"SETVN", true, "a variable"},
+                                            {"MCALL", true, "a modal call"},
+                                            {"CYCLE", false, "a canned cycle"},
+                                            {"HOLES", false, "a canned cycle"},
+                                            {"POCKET", false, "a canned cycle"},
+                                            {"SLOT", false, "a canned cycle"},
+                                            {"LONGHOLE", false, "a canned cycle"},
+                                            {"WHEN", true, "a synchronised action"},
+                                            {"EVERY", true, "a synchronised action"},
+                                            {"ID", true, "a synchronised action"},
+                                            {"IDS", true, "a synchronised action"},
+                                            {"CALLPATH", true, "a search path"},
+                                            {"POPEN", true, "an output command"},
+                                            {"DPRNT", true, "an output command"},
+                                            {"PCALL", true, "a call by path"},
+                                            {"ISOCALL", true, "a call in ISO mode"}};
+
+const Row* find_row(std::span<const Row> rows, int number) {
+  const auto at =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.number == number; });
+  return at == rows.end() ? nullptr : &*at;
+}
+
+// Work offsets and drilling cycles are ranges, not rows.
+CodeEntry find_range(Dialect dialect, int number) {
+  if (number % 10 != 0 || dialect == Dialect::codesys) return {};
+  const int g = number / 10;
+  const bool sinumerik = dialect == Dialect::sinumerik;
+  if (g >= 54 && g <= (sinumerik ? 57 : 59)) return {C::work_offset, G::work, g};
+  if (sinumerik && g >= 505 && g <= 599) return {C::work_offset, G::work, g};
+  if (!sinumerik && g >= 81 && g <= 89) return {C::cycle, G::other, 0};
+  return {};
+}
+
+std::span<const Row> own_rows(Dialect dialect) {
+  switch (dialect) {
+    case Dialect::sinumerik:
+      return kSinumerik;
+    case Dialect::fanuc:
+      return kFanuc;
+    case Dialect::codesys:
+      return kCodesys;
+    default:
+      return kIso;
+  }
+}
+
+}  // namespace
+
+CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
+  const Row* row = nullptr;
+  if (dialect == Dialect::fanuc)
+    row = machine == MachineKind::lathe ? find_row(kFanucLathe, number_by_10)
+                                        : find_row(kFanucMill, number_by_10);
+  if (!row) row = find_row(own_rows(dialect), number_by_10);
+  if (!row) row = find_row(kShared, number_by_10);
+  if (row) return {row->code, row->group, number_by_10 / 10};
+  return find_range(dialect, number_by_10);
+}
+
+CodeEntry find_function(std::string_view name) {
+  for (const NamedRow& row : kFunctions)
+    if (row.name == name) return {row.code, row.group, 0};
+  return {};
+}
+
+std::string_view unsupported_name(std::string_view name) {
+  for (const UnsupportedName& entry : kUnsupported) {
+    if (entry.whole && name == entry.prefix) return entry.what;
+    if (entry.whole || !name.starts_with(entry.prefix) || name.size() == entry.prefix.size())
+      continue;
+    if (name.find_first_not_of("0123456789", entry.prefix.size()) == std::string_view::npos)
+      return entry.what;
+  }
+  return {};
+}
+
+}  // namespace mrsim

@@ -1,0 +1,154 @@
+// The function words (G codes and names) of the four controls as tables: number or name -> meaning
+// and modal group. No logic.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace mrsim {
+
+/// The meaning of a function word, the same for all dialects.
+enum class Code : std::uint8_t {
+  unknown,
+  ignored,      ///< known, without effect on geometry
+  unsupported,  ///< known, not read yet: an error
+  cycle,        ///< canned cycle: an error
+  rapid,
+  line,
+  arc_cw,
+  arc_ccw,
+  arc_point,
+  arc_tangent,
+  thread,
+  thread_growing,
+  thread_shrinking,
+  tap_in,
+  tap_out,
+  tap_floating,
+  dwell,
+  reference,
+  reference_second,
+  reference_approach,
+  fixed_point,
+  plane_xy,
+  plane_zx,
+  plane_yz,
+  plane_normal,
+  plane_2d,
+  absolute,
+  incremental,
+  inch,
+  metric,
+  inch_feed,
+  metric_feed,
+  inverse_time,
+  per_minute,
+  per_revolution,
+  surface_speed,
+  surface_speed_off,
+  comp_off,
+  comp_left,
+  comp_right,
+  corner_arc,
+  corner_intersection,
+  approach_normal,
+  approach_contour,
+  comp_suspend,
+  comp_resume,
+  length_plus,
+  length_minus,
+  length_off,
+  work_offset,
+  work_extended,
+  work_off,
+  suppress_frames,
+  center_absolute,
+  center_relative,
+  polar_on,
+  polar_off,
+  pole_position,
+  pole_zero,
+  pole_pole,
+  trans,
+  atrans,
+  rot,
+  arot,
+  scale,
+  ascale,
+  mirror,
+  amirror,
+  trans_coarse,
+  trans_fine,
+  speed_limit,
+  set_position,
+  local_shift,
+  rotation_on,
+  rotation_off,
+  scaling_on,
+  scaling_off,
+  mirror_on,
+  mirror_off,
+  diameter_on,
+  diameter_off,
+  diameter_absolute,
+  diameter_cycles_off,
+  decoder_reset,
+  decoder_set,
+  decoder_add,
+  decoder_here,
+  position_jump,
+  decoder_length,
+  path_smoothing,
+  program_end,
+  program_return,
+  header,
+};
+
+/// Modal group: two words of one group in a block contradict each other.
+enum class Group : std::uint8_t {
+  none,
+  motion,
+  oneshot,
+  plane,
+  distance,
+  units,
+  feed,
+  speed,
+  comp,
+  corner,
+  approach,
+  suspend,
+  length,
+  work,
+  suppress,
+  center,
+  polar,
+  frame,
+  scaling,
+  rotation,
+  mirror,
+  diameter,
+  path,
+  exact,
+  other,
+};
+
+struct CodeEntry {
+  Code code = Code::unknown;
+  Group group = Group::none;
+  int number = 0;  ///< for work_offset: which
+};
+
+/// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
+CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
+
+/// The meaning of a name ("TRANS", "CIP"), upper case; SINUMERIK only.
+CodeEntry find_function(std::string_view name);
+
+/// Upper-case names that announce what this reader does not do yet (IF, WHILE, DEF, CYCLE81 ...):
+/// what it is, or empty.
+std::string_view unsupported_name(std::string_view name);
+
+}  // namespace mrsim

@@ -1,0 +1,141 @@
+#include "interp/motion_text.h"
+
+#include "core/units.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+const char* kind_name(MotionKind kind) {
+  return kind == MotionKind::rapid ? "rapid" : kind == MotionKind::line ? "line" : "arc";
+}
+
+const char* unit_name(FeedUnit unit) {
+  return unit == FeedUnit::mm_per_min   ? "mm/min"
+         : unit == FeedUnit::mm_per_rev ? "mm/rev"
+                                        : "1/min";
+}
+
+const char* severity_name(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
+}
+
+std::string calls_text(const Program& program, int call) {
+  std::string out = "[";
+  for (int i = call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer) {
+    const CallSite& site = program.calls[static_cast<std::size_t>(i)];
+    out += fmt::format("{}[{},{}]", out.size() > 1 ? "," : "",
+                       json_string(program.files[static_cast<std::size_t>(site.file)]), site.line);
+  }
+  return out + "]";
+}
+
+std::string tool_of(const Program& program, const Motion& motion) {
+  if (motion.tool < 0) return {};
+  return program.tools[static_cast<std::size_t>(motion.tool)].id;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  if (!std::isfinite(value)) return "null";
+  const double magnitude = std::abs(value);
+  int decimals = 9;
+  for (double limit = 1000; limit <= magnitude && decimals > 0; limit *= 10) --decimals;
+  char buffer[64];
+  const auto [end, error] =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+  if (error != std::errc()) return "null";
+  std::string text(buffer, end);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("[{},{},{}]", number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      (out += '\\') += c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string motion_json(const Program& program, const Motion& motion) {
+  std::string out = fmt::format(
+      "{{\"line\":{},\"column\":{},\"kind\":\"{}\",\"start\":{},\"end\":{}", motion.line,
+      motion.column, kind_name(motion.kind), vector_text(motion.start), vector_text(motion.end));
+  if (motion.kind == MotionKind::arc)
+    out += fmt::format(",\"center\":{},\"axis\":{},\"radius\":{},\"sweep\":{},\"rise\":{}",
+                       vector_text(motion.center), vector_text(motion.axis),
+                       number_text(motion.radius), number_text(degrees(motion.sweep)),
+                       number_text(motion.rise));
+  if (motion.tool >= 0) out += ",\"tool\":" + json_string(tool_of(program, motion));
+  if (motion.kind != MotionKind::rapid)
+    out += fmt::format(",\"feed\":{},\"feed_unit\":\"{}\"", number_text(motion.feed),
+                       unit_name(motion.feed_unit));
+  if (motion.lead != 0) out += ",\"lead\":" + number_text(motion.lead);
+  out += fmt::format(",\"{}\":{}", motion.constant_surface_speed ? "surface_speed" : "spindle",
+                     number_text(motion.speed));
+  if (motion.assumed_start) out += ",\"assumed_start\":true";
+  if (motion.call >= 0)
+    out += fmt::format(",\"file\":{},\"called_from\":{}",
+                       json_string(program.files[static_cast<std::size_t>(motion.file)]),
+                       calls_text(program, motion.call));
+  return out + "}";
+}
+
+std::string diagnostic_json(const Diagnostic& diagnostic) {
+  std::string out = fmt::format(
+      "{{\"line\":{},\"column\":{},\"kind\":\"{}\",\"code\":{},\"text\":{}", diagnostic.place.line,
+      diagnostic.place.column, severity_name(diagnostic.severity), json_string(diagnostic.code),
+      json_string(diagnostic.text));
+  if (!diagnostic.called_from.empty()) {
+    out += ",\"file\":" + json_string(diagnostic.place.file) + ",\"called_from\":[";
+    for (std::size_t i = 0; i < diagnostic.called_from.size(); ++i)
+      out += fmt::format("{}[{},{}]", i > 0 ? "," : "", json_string(diagnostic.called_from[i].file),
+                         diagnostic.called_from[i].line);
+    out += "]";
+  }
+  return out + "}";
+}
+
+std::string motion_text(const Program& program, const Motion& motion) {
+  const auto point = [](const Vec3& p) {
+    return fmt::format("{} {} {}", number_text(p.x), number_text(p.y), number_text(p.z));
+  };
+  std::string out = fmt::format("{:>5}:{:<3} {:5}  {} -> {}", motion.line, motion.column,
+                                kind_name(motion.kind), point(motion.start), point(motion.end));
+  if (motion.kind == MotionKind::arc)
+    out += fmt::format("  centre {}  radius {}  sweep {} deg", point(motion.center),
+                       number_text(motion.radius), number_text(degrees(motion.sweep)));
+  if (motion.kind == MotionKind::arc && motion.rise != 0)
+    out += "  rise " + number_text(motion.rise);
+  if (motion.tool >= 0 && !tool_of(program, motion).empty())
+    out += "  T" + tool_of(program, motion);
+  if (motion.kind != MotionKind::rapid && motion.feed > 0)
+    out += fmt::format("  F {} {}", number_text(motion.feed), unit_name(motion.feed_unit));
+  if (motion.assumed_start) out += "  (start assumed)";
+  if (motion.call >= 0) {
+    out += "  in " + program.files[static_cast<std::size_t>(motion.file)];
+    for (int i = motion.call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer)
+      out += fmt::format(", called from line {}", program.calls[static_cast<std::size_t>(i)].line);
+  }
+  return out;
+}
+
+}  // namespace mrsim

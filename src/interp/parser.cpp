@@ -1,0 +1,342 @@
+#include "interp/parser.h"
+
+#include "core/text_io.h"
+#include "interp/characters.h"
+#include "interp/modal.h"
+
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
+constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+constexpr double kLargest = 1e9;
+
+}  // namespace
+
+Parser::Parser(Dialect dialect, Reporter& reporter)
+    : dialect_(dialect), reporter_(reporter), glued_blanks_(dialect == Dialect::fanuc) {}
+
+void Parser::skip_blanks() {
+  while (p_ < line_.size() && blank(line_[p_])) ++p_;
+}
+
+void Parser::fault(Block& block, const char* code, const std::string& text, std::size_t from,
+                   std::size_t to) {
+  block.bad = true;
+  reporter_.add(Severity::error, code, text, static_cast<int>(from), static_cast<int>(to - from));
+}
+
+void Parser::unsupported(Block& block, std::string_view word, std::string_view what,
+                         std::size_t from) {
+  fault(block, "not-supported",
+        fmt::format("{} is {}, which is not supported yet; the block is not read",
+                    to_utf8(word.substr(0, 40)), what),
+        from, from + word.size());
+  // The rest belongs to the unread construct.
+  const bool comment = dialect_ == Dialect::sinumerik;
+  while (p_ < line_.size() && line_[p_] != ';' && (comment || line_[p_] != '(')) ++p_;
+}
+
+void Parser::push(Block& block, Word& word, std::size_t from) {
+  word.column = static_cast<int>(from);
+  word.length = static_cast<int>(p_ - from);
+  block.words.push_back(word);
+}
+
+bool Parser::next(Block& block, std::size_t& position) {
+  block.words.clear();
+  block.comments.clear();
+  block.argument = block.function_name = {};
+  block.skip_level = -1;
+  block.bad = block.has_number = false;
+  line_ = block.line;
+  p_ = position;
+  skip_blanks();
+  const bool any = p_ < line_.size();
+  while (p_ < line_.size() && step(block) == Step::more) {
+  }
+  position = p_;
+  return any;
+}
+
+Parser::Step Parser::step(Block& block) {
+  const char c = line_[p_];
+  if (is_letter(c) || c == '_') {
+    if (dialect_ == Dialect::sinumerik) {
+      sinumerik_word(block);
+      return Step::more;
+    }
+    if (upper(c) == 'N' && dialect_ == Dialect::codesys && is_digit(at(p_ + 1)) &&
+        (block.has_number || !block.words.empty())) {
+      reporter_.add(Severity::warning, "blocks-on-one-line",
+                    "a second N word on the line: a new block is taken to start here",
+                    static_cast<int>(p_), 1);
+      return Step::end_of_block;
+    }
+    letter_word(block);
+    return Step::more;
+  }
+  if (blank(c)) {
+    ++p_;
+  } else if (c == ';') {
+    if (dialect_ == Dialect::fanuc) {
+      ++p_;
+      return Step::end_of_block;
+    }
+    read_comment(block, '\0');
+  } else if (c == '(' && dialect_ != Dialect::sinumerik) {
+    read_comment(block, ')');
+  } else if (c == '%' && block.words.empty()) {
+    Word word;
+    word.address = Address::function;
+    word.code = Code::header;
+    word.text = line_.substr(p_);
+    const std::size_t from = p_;
+    p_ = line_.size();
+    push(block, word, from);
+  } else if (c == '/' && block.words.empty() && block.skip_level < 0) {
+    ++p_;
+    block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
+  } else if (starts_number(c)) {
+    bare_number(block);
+  } else if (c == ':' && is_digit(at(p_ + 1)) && block.words.empty()) {
+    const std::size_t from = p_++;
+    Word word;
+    word.address = letter('O');
+    if (number(block, word, false) && dialect_ != Dialect::sinumerik) push(block, word, from);
+  } else {
+    strange_character(block);
+  }
+  return Step::more;
+}
+
+void Parser::read_comment(Block& block, char close) {
+  const std::size_t from = p_ + 1;
+  if (close == '\0') {
+    block.comments.push_back(line_.substr(from));
+    p_ = line_.size();
+    return;
+  }
+  const std::size_t end = line_.find(close, from);
+  if (end == std::string_view::npos) {
+    fault(block, "comment-unterminated", "the comment that starts here is not closed with )", p_,
+          p_ + 1);
+    p_ = line_.size();
+    return;
+  }
+  block.comments.push_back(line_.substr(from, end - from));
+  p_ = end + 1;
+}
+
+void Parser::bare_number(Block& block) {
+  const std::size_t from = p_;
+  while (p_ < line_.size() && (starts_number(line_[p_]))) ++p_;
+  const std::string text(line_.substr(from, std::min<std::size_t>(p_ - from, 40)));
+  fault(block, "number-without-address",
+        fmt::format("{} has no address; missing axis letter before {}?", text, text), from, p_);
+}
+
+void Parser::strange_character(Block& block) {
+  const std::size_t from = p_;
+  const char c = line_[p_];
+  const auto byte = static_cast<unsigned char>(c);
+  if (c == '$') {
+    while (p_ < line_.size() && (is_name(line_[p_]) || line_[p_] == '$')) ++p_;
+    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+  }
+  if (c == '#' && dialect_ != Dialect::sinumerik) {
+    ++p_;
+    while (is_digit(at(p_))) ++p_;
+    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+  }
+  if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (c == '&' && dialect_ == Dialect::sinumerik) {
+    ++p_;
+    return;
+  }
+  if (c == ',' && is_letter(at(p_ + 1)))
+    return unsupported(block, line_.substr(from, 2), "a corner word", from);
+  ++p_;
+  if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
+  if (byte >= 0x80) {
+    while (p_ < line_.size() && static_cast<unsigned char>(line_[p_]) >= 0x80) ++p_;
+    return fault(block, "character", "a character outside of ASCII, allowed only in comments", from,
+                 p_);
+  }
+  if (byte < 0x20 || byte == 0x7F)
+    return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
+  fault(block, "character", fmt::format("{} has no meaning here", c), from, p_);
+}
+
+// The number at p_. Requires: starts_number(at(p_)) or the fault is reported.
+bool Parser::number(Block& block, Word& word, bool exponent) {
+  const std::size_t from = p_;
+  bool negative = false;
+  if (at(p_) == '+' || at(p_) == '-') negative = line_[p_++] == '-';
+  std::uint64_t mantissa = 0;
+  int digits = 0, fraction = -1;
+  for (;; ++p_) {
+    const char c = at(p_);
+    if (is_digit(c)) {
+      if (mantissa != 0 || c != '0') ++digits;
+      if (digits <= 15) mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
+      if (fraction >= 0) ++fraction;
+    } else if (c == '.' && fraction < 0) {
+      fraction = 0;
+    } else if (!(glued_blanks_ && blank(c) && p_ < line_.size())) {
+      break;
+    }
+  }
+  while (glued_blanks_ && p_ > from && blank(line_[p_ - 1])) --p_;
+  const bool any = p_ > from && (is_digit(line_[p_ - 1]) || p_ - from > 1);
+  const char follows = at(p_);
+  const bool odd =
+      follows == '.' || follows == '+' || follows == '-' || (exponent && upper(follows) == 'E');
+  if (!any || digits > 15 || fraction > 15 || odd) return number_slow(block, word, from, exponent);
+  const double value = fraction > 0 ? static_cast<double>(mantissa) /
+                                          kPowersOfTen[static_cast<std::size_t>(fraction)]
+                                    : static_cast<double>(mantissa);
+  word.value = negative ? -value : value;
+  word.point = fraction >= 0;
+  if (value <= kLargest && (fraction != 0 || p_ - from > 1 + (negative ? 1U : 0U))) return true;
+  return number_slow(block, word, from, exponent);
+}
+
+bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
+  p_ = from;
+  std::string text;
+  while (p_ < line_.size() && (starts_number(line_[p_]) || (glued_blanks_ && blank(line_[p_])))) {
+    if (!blank(line_[p_])) text += line_[p_];
+    ++p_;
+  }
+  if (exponent && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X') {
+    text += 'e';
+    p_ += 2;
+    while (p_ < line_.size() && (is_digit(line_[p_]) || line_[p_] == '-' || line_[p_] == '+'))
+      text += line_[p_++];
+  }
+  word.point = text.find('.') != std::string::npos;
+  const std::optional<double> value = parse_number(text, exponent);
+  if (value && *value <= kLargest && *value >= -kLargest) {
+    word.value = *value;
+    return true;
+  }
+  const std::string shown = text.substr(0, 40);
+  const bool plain = text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
+                     text.find_first_of("0123456789") != std::string::npos;
+  const bool large = plain && text.find_last_of("+-") != 0 ? text.size() > 9 : text.size() > 9;
+  if (large && text.find('.') == text.rfind('.') && text.rfind('-') + 1 <= 1)
+    fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
+  else
+    fault(block, "number-malformed", fmt::format("\"{}\" is not a number", shown), from, p_);
+  return false;
+}
+
+// FANUC reads "G1 95" as G195; whoever wrote it meant something else.
+void Parser::check_inner_blanks(const Block&, std::size_t from) {
+  const std::string_view run = line_.substr(from, p_ - from);
+  if (run.find_first_of(" \t") == std::string_view::npos) return;
+  reporter_.add(
+      Severity::warning, "blank-in-number",
+      fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
+                  "letter?",
+                  run.substr(0, 40)),
+      static_cast<int>(from), static_cast<int>(run.size()));
+}
+
+void Parser::letter_word(Block& block) {
+  const std::size_t from = p_;
+  const char c = upper(line_[p_]);
+  ++p_;
+  if (dialect_ != Dialect::codesys) skip_blanks();
+  const char n = at(p_);
+  if (starts_number(n)) {
+    Word word;
+    word.address = letter(c);
+    const std::size_t digits = p_;
+    if (!number(block, word, false)) return;
+    if (glued_blanks_) check_inner_blanks(block, digits);
+    if (c == 'N') {
+      block.has_number = true;
+      return;
+    }
+    push(block, word, from);
+    return;
+  }
+  if (n == '#' || n == '[' || n == '$') return strange_character(block);
+  p_ = from;
+  if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
+  if (macro_word(block)) return;
+  while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
+  const std::string_view run = line_.substr(from, p_ - from);
+  const bool assigned = run.find('=') != std::string_view::npos;
+  if (assigned || run.size() > 2)
+    return fault(block, "word-unknown",
+                 fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
+                             assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
+                 from, p_);
+  fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
+}
+
+// IF, WHILE, GOTO ... of the macro languages.
+bool Parser::macro_word(Block& block) {
+  std::size_t end = p_;
+  while (is_letter(at(end))) ++end;
+  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 12)));
+  const std::string_view what = name.size() < 2 ? std::string_view() : unsupported_name(name);
+  if (what.empty()) return false;
+  const std::size_t from = p_;
+  p_ = end;
+  unsupported(block, line_.substr(from, end - from), what, from);
+  return true;
+}
+
+void Parser::codesys_name(Block& block) {
+  const std::size_t from = p_;
+  while (is_name(at(p_))) ++p_;
+  const std::string_view run = line_.substr(from, p_ - from);
+  const std::string name = upper_case(run);
+  Word word;
+  if ((name.starts_with("FF") || name.starts_with("EF")) &&
+      (name.size() == 2 || is_digit(name[2]))) {
+    p_ = from + 2;
+    word.address = name[0] == 'F' ? Address::ff : Address::ef;
+    if (number(block, word, false)) push(block, word, from);
+    return;
+  }
+  word.address = Address::function;
+  if (name == "SUBPROGRAM") {
+    word.code = Code::header;
+    p_ = line_.size();
+    return push(block, word, from);
+  }
+  if (name == "END_SUBPROGRAM" || name == "RETURN") {
+    word.code = Code::program_return;
+    return push(block, word, from);
+  }
+  const std::string_view what = unsupported_name(name);
+  if (!what.empty()) return unsupported(block, run, what, from);
+  if (run.size() < 3 || run.size() > 80)
+    return fault(block, "address-without-number",
+                 fmt::format("no number after {}", name.substr(0, 1)), from, p_);
+  word.address = Address::call;
+  word.text = run;
+  skip_blanks();
+  if (at(p_) == '{') {
+    const std::size_t close = line_.find('}', p_);
+    if (close == std::string_view::npos)
+      return fault(block, "bracket", "the { here is not closed", p_, p_ + 1);
+    if (line_.substr(p_ + 1, close - p_ - 1).find_first_not_of(" \t") != std::string_view::npos)
+      return unsupported(block, run, "a call with arguments", from);
+    p_ = close + 1;
+  }
+  push(block, word, from);
+}
+
+}  // namespace mrsim

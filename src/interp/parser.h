@@ -1,0 +1,57 @@
+// Characters to blocks: one line of text holds one block, or several (FANUC ";", CODESYS "N").
+// Lexical rules of the four dialects are flags; every fault is reported at its character and the
+// rest of the block is still read, so that one run shows all of them.
+#pragma once
+
+#include "interp/block.h"
+#include "interp/reporter.h"
+
+#include <cstddef>
+
+namespace mrsim {
+
+class Parser {
+ public:
+  Parser(Dialect dialect, Reporter& reporter);
+  Dialect dialect() const { return dialect_; }
+
+  /// Reads the block that starts at `position` of block.line and moves `position` behind it.
+  /// False when nothing is left on the line.
+  bool next(Block& block, std::size_t& position);
+
+ private:
+  enum class Step { more, end_of_block };
+
+  Step step(Block& block);
+  void letter_word(Block& block);
+  void sinumerik_word(Block& block);
+  void sinumerik_name(Block& block);
+  void sinumerik_call(Block& block, std::size_t from, std::string_view name);
+  bool sinumerik_value(Block& block, Word& word);
+  bool sinumerik_form(Block& block, Word& word);
+  bool sinumerik_radix(Word& word);
+  void codesys_name(Block& block);
+  bool macro_word(Block& block);
+  void check_inner_blanks(const Block& block, std::size_t from);
+  bool number(Block& block, Word& word, bool exponent);
+  bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);
+  void read_comment(Block& block, char close);
+  void bare_number(Block& block);
+  void strange_character(Block& block);
+  void text_value(Block& block, Word& word);
+  void skip_blanks();
+  void fault(Block& block, const char* code, const std::string& text, std::size_t from,
+             std::size_t to);
+  void unsupported(Block& block, std::string_view word, std::string_view what, std::size_t from);
+  void push(Block& block, Word& word, std::size_t from);
+  char at(std::size_t i) const { return i < line_.size() ? line_[i] : '\0'; }
+  bool blank(char c) const { return c == ' ' || c == '\t' || c == '\r'; }
+
+  Dialect dialect_;
+  Reporter& reporter_;
+  bool glued_blanks_;  ///< FANUC: blanks mean nothing, even inside a word
+  std::string_view line_;
+  std::size_t p_ = 0;
+};
+
+}  // namespace mrsim

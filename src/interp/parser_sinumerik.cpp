@@ -1,0 +1,289 @@
+// The lexical rules that only SINUMERIK has: names, assignments, AC() and IC(), strings.
+#include "core/text_io.h"
+#include "interp/characters.h"
+#include "interp/modal.h"
+#include "interp/parser.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::pair<std::string_view, Address> kAddresses[] = {
+    {"CR", Address::cr},       {"AR", Address::ar},        {"AP", Address::ap},
+    {"RP", Address::rp},       {"TURN", Address::turn},    {"RND", Address::rnd},
+    {"RNDM", Address::rndm},   {"CHF", Address::chf},      {"CHR", Address::chr},
+    {"ANG", Address::ang},     {"FRC", Address::frc},      {"FRCM", Address::frcm},
+    {"RPL", Address::rpl},     {"LIMS", Address::lims},    {"SF", Address::sf},
+    {"DISC", Address::disc},   {"SPOS", Address::data},    {"SPOSA", Address::data},
+    {"ADIS", Address::data},   {"ADISPOS", Address::data}, {"OVR", Address::data},
+    {"OVRRAP", Address::data}, {"FP", Address::data},      {"CTOL", Address::data},
+    {"OTOL", Address::data}};
+
+constexpr std::pair<std::string_view, Form> kForms[] = {{"AC", Form::ac},   {"IC", Form::ic},
+                                                        {"DAC", Form::dac}, {"DIC", Form::dic},
+                                                        {"RAC", Form::rac}, {"RIC", Form::ric}};
+
+// Calls without effect on geometry.
+constexpr std::string_view kHarmlessCalls[] = {"MSG",   "SETMS", "FGROUP",  "CYCLE832", "WAITM",
+                                               "WAITP", "WAITS", "INIT",    "START",    "CLRINT",
+                                               "SPCON", "SPCOF", "COMPLETE"};
+
+Address find_address(std::string_view name) {
+  for (const auto& [known, address] : kAddresses)
+    if (known == name) return address;
+  return Address::none;
+}
+
+}  // namespace
+
+void Parser::sinumerik_word(Block& block) {
+  const std::size_t from = p_;
+  const char c = upper(line_[p_]);
+  char n = at(p_ + 1);
+  if (is_letter(n) || n == '_' || c == '_') return sinumerik_name(block);
+  Word word;
+  word.address = letter(c);
+  ++p_;
+  while (blank(n) && p_ < line_.size()) n = at(++p_);
+  if (n == '=') {
+    ++p_;
+    if (sinumerik_value(block, word)) push(block, word, from);
+    return;
+  }
+  if (n == '[') return unsupported(block, line_.substr(from, p_ - from), "an array", from);
+  if (n == '$' || n == '(')
+    return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
+  if (!starts_number(n))
+    return fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
+  if (!number(block, word, true)) return;
+  if (at(p_) == '=') {  // a numbered address: I1= X1= S2= M2= R5=
+    const int index = static_cast<int>(word.value);
+    ++p_;
+    if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+    if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
+      word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
+    else if (c == 'S' || c == 'M' || c == 'H' || c == 'X' || c == 'Y' || c == 'Z')
+      word.address = Address::data;
+    else
+      fault(block, "address-unknown",
+            fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
+    word.code = static_cast<Code>(c);  // the letter, for the rare ones that matter
+    if (sinumerik_value(block, word) && word.address != letter(c)) push(block, word, from);
+    return;
+  }
+  if (c == 'N') {
+    block.has_number = true;
+    return;
+  }
+  push(block, word, from);
+}
+
+// The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
+// expression.
+bool Parser::sinumerik_value(Block& block, Word& word) {
+  skip_blanks();
+  const std::size_t from = p_;
+  const char c = at(p_);
+  if (c == '"') {
+    text_value(block, word);
+    return !block.bad;
+  }
+  if (c == '\'') {
+    if (sinumerik_radix(word)) return true;
+    fault(block, "number-malformed", "expected 'H...' or 'B...'", from, p_);
+    return false;
+  }
+  if (is_letter(c) || c == '_') return sinumerik_form(block, word);
+  if (starts_number(c) &&
+      (is_digit(at(p_ + 1)) || at(p_ + 1) == '.' || is_digit(c) || starts_number(at(p_ + 1)))) {
+    std::size_t end = from + 1;
+    while (is_digit(at(end)) || at(end) == '.') ++end;
+    if ((at(end) == '+' || at(end) == '-') && is_digit(at(end - 1))) {
+      p_ = end;
+      unsupported(block, line_.substr(from, end - from + 1), "an expression", from);
+      return false;
+    }
+    if (!number(block, word, true)) return false;
+    const char after = at(p_);
+    if (after == '*' || after == '/' || after == '(' || after == '<' || after == '>') {
+      unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
+      return false;
+    }
+    return true;
+  }
+  if (c == '\0' || c == ';') {
+    fault(block, "address-without-number", "no value after =", from > 0 ? from - 1 : 0, from);
+    return false;
+  }
+  p_ = from + 1;
+  unsupported(block, line_.substr(from, 1), "an expression", from);
+  return false;
+}
+
+bool Parser::sinumerik_form(Block& block, Word& word) {
+  const std::size_t from = p_;
+  while (is_name(at(p_))) ++p_;
+  const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 33)));
+  skip_blanks();
+  const bool bracket = at(p_) == '(';
+  for (const auto& [known, form] : kForms) {
+    if (known != name || !bracket) continue;
+    word.form = form;
+    ++p_;
+    skip_blanks();
+    const std::size_t inner = p_;
+    if (!starts_number(at(p_)) ||
+        !(is_digit(at(p_ + 1)) || is_digit(at(p_)) || at(p_ + 1) == '.')) {
+      if (at(p_) == ')' || at(p_) == '\0' || at(p_) == ';')
+        fault(block, "address-without-number", fmt::format("no number in {}()", name), from, p_);
+      else
+        unsupported(block, line_.substr(inner, 1), "an expression", inner);
+      return false;
+    }
+    if (!number(block, word, true)) return false;
+    skip_blanks();
+    if (at(p_) == ')') {
+      ++p_;
+      return true;
+    }
+    if (at(p_) == '\0' || at(p_) == ';')
+      fault(block, "bracket", "the ( here is not closed", inner - 1, inner);
+    else
+      unsupported(block, line_.substr(inner, p_ - inner + 1), "an expression", inner);
+    return false;
+  }
+  unsupported(block, line_.substr(from, p_ - from), "an expression", from);
+  return false;
+}
+
+bool Parser::sinumerik_radix(Word& word) {
+  const char kind = upper(at(p_ + 1));
+  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
+  const std::size_t end = line_.find('\'', p_ + 1);
+  if (base == 0 || end == std::string_view::npos || end - p_ > 34) return false;
+  double value = 0;
+  std::size_t i = p_ + 2;
+  for (; i < end; ++i) {
+    const char c = upper(line_[i]);
+    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+    if (digit >= base) return false;
+    value = value * base + digit;
+  }
+  if (i == p_ + 2 || value > 1e9) return false;
+  word.value = value;
+  p_ = end + 1;
+  return true;
+}
+
+void Parser::text_value(Block& block, Word& word) {
+  const std::size_t end = line_.find('"', p_ + 1);
+  if (end == std::string_view::npos) {
+    fault(block, "string-unterminated", "the text that starts here is not closed with \"", p_,
+          p_ + 1);
+    p_ = line_.size();
+    return;
+  }
+  word.string = true;
+  word.text = line_.substr(p_ + 1, end - p_ - 1);
+  p_ = end + 1;
+}
+
+void Parser::sinumerik_name(Block& block) {
+  const std::size_t from = p_;
+  while (is_name(at(p_))) ++p_;
+  const std::string_view run = line_.substr(from, p_ - from);
+  const std::string name = upper_case(run.substr(0, 33));
+  const std::size_t after_name = p_;
+  skip_blanks();
+  const char c = at(p_);
+  if (c == ':' && block.words.empty()) {  // a label
+    ++p_;
+    return;
+  }
+  if (c == '=' && at(p_ + 1) != '=') {
+    Word word;
+    word.address = find_address(name);
+    ++p_;
+    if (word.address != Address::none) {
+      if (sinumerik_value(block, word)) push(block, word, from);
+      return;
+    }
+    return unsupported(block, run, "a variable or an address unknown to this reader", from);
+  }
+  if (c == '(') return sinumerik_call(block, from, run);
+  if (c == '[') return unsupported(block, run, "an array", from);
+  p_ = after_name;
+  const CodeEntry entry = find_function(name);
+  Word word;
+  if (entry.code != Code::unknown) {
+    word.address = Address::function;
+    word.code = entry.code;
+    if (entry.code == Code::header) p_ = line_.size();  // PROC NAME ...
+    word.text = run;
+    return push(block, word, from);
+  }
+  word.address = Address::call;
+  if (name == "CALL" || name == "EXTCALL") {
+    skip_blanks();
+    if (at(p_) != '"') return unsupported(block, run, "a call by variable", from);
+    text_value(block, word);
+    if (!block.bad) push(block, word, from);
+    return;
+  }
+  const std::string_view what = unsupported_name(name);
+  if (!what.empty()) return unsupported(block, run, what, from);
+  if (run.size() > 32)
+    return fault(block, "name-too-long", "a name has at most 32 characters", from, p_);
+  word.text = run;
+  push(block, word, from);
+}
+
+// NAME( ... ): a call with arguments. Quotes hide brackets.
+void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run) {
+  const std::size_t open = p_;
+  int depth = 0;
+  bool quoted = false;
+  for (; p_ < line_.size(); ++p_) {
+    const char c = line_[p_];
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '(') ++depth;
+    if (c == ')' && --depth == 0) break;
+  }
+  if (quoted)
+    return fault(block, "string-unterminated", "a text is not closed with \"", open, open + 1);
+  if (depth != 0) return fault(block, "bracket", "the ( here is not closed", open, open + 1);
+  const std::string_view argument = line_.substr(open + 1, p_ - open - 1);
+  ++p_;
+  const std::string name = upper_case(run.substr(0, 33));
+  for (const std::string_view harmless : kHarmlessCalls)
+    if (name == harmless) return;
+  if (name == "WORKPIECE") {
+    block.function_name = "WORKPIECE";
+    block.argument = argument;
+    return;
+  }
+  Word word;
+  word.address = Address::call;
+  const std::size_t first = argument.find_first_not_of(" \t");
+  if ((name == "EXTCALL" || name == "CALL") && first != std::string_view::npos &&
+      argument[first] == '"' && argument.find('"', first + 1) != std::string_view::npos) {
+    word.string = true;
+    word.text = argument.substr(first + 1, argument.find('"', first + 1) - first - 1);
+    return push(block, word, from);
+  }
+  std::string_view what = unsupported_name(name);
+  if (find_function(name).code != Code::unknown) what = "a function with arguments";
+  if (what.empty() && first == std::string_view::npos) {
+    word.text = run;
+    return push(block, word, from);
+  }
+  unsupported(block, run, what.empty() ? "a call with arguments" : what, from);
+}
+
+}  // namespace mrsim

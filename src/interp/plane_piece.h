@@ -1,0 +1,48 @@
+// Lines and arcs of a contour in the coordinates of its plane: tangents, offsets, intersections.
+#pragma once
+
+#include "interp/contour.h"
+
+#include <array>
+
+namespace mrsim {
+
+/// A line or an arc; signed sweep, counter-clockwise (u towards v) positive.
+struct PlanePiece {
+  bool arc = false;
+  Vec2 start, end;
+  Vec2 center;
+  double radius = 0;
+  double sweep = 0;
+};
+
+PlanePiece to_plane(const Motion& motion, const Basis& basis);
+/// A motion without travel in the plane (an infeed).
+bool is_infeed(const PathMove& move);
+/// An arc whose axis is not the plane's normal.
+bool is_tilted(const PathMove& move);
+
+Vec2 start_tangent(const PlanePiece& piece);
+Vec2 end_tangent(const PlanePiece& piece);
+inline Vec2 left_of(Vec2 t) { return {-t.y, t.x}; }
+
+/// The piece moved to its left by `distance`; the radius of an arc may become <= 0 (then it is
+/// void).
+PlanePiece offset_piece(const PlanePiece& piece, double distance);
+
+/// Up to two points common to the whole lines or circles of a and b.
+int intersect(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out);
+
+/// Signed distance along the piece from `from` to `to`, both on it: mm for lines, radians times the
+/// direction of travel for arcs, in (-pi, pi].
+double progress(const PlanePiece& piece, Vec2 from, Vec2 to);
+/// The same from the start of the piece, arcs in [0, 2 pi).
+double position_on(const PlanePiece& piece, Vec2 p);
+/// Its value at the end of the piece.
+double extent(const PlanePiece& piece);
+
+/// `motion` as the piece says, at heights of its own: start, end, centre, radius, sweep.
+void from_piece(const PlanePiece& piece, const Basis& basis, double start_height, double end_height,
+                Motion& motion);
+
+}  // namespace mrsim

@@ -1,0 +1,369 @@
+#include "interp/recognise.h"
+
+#include "interp/characters.h"
+#include "interp/source.h"
+#include "interp/tool_comment.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr int kDialectLines = 20000;  // enough to tell a control; the machine may need the rest
+
+std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
+
+/// Points for each dialect, and the strongest sign of each.
+class Evidence {
+ public:
+  void add(Dialect dialect, int points, std::string_view sign, int line) {
+    Entry& e = entries_[slot(dialect)];
+    e.points += points;
+    if (points <= e.strongest) return;
+    e.strongest = points;
+    e.reason = line > 0 ? fmt::format("{} in line {}", sign, line) : std::string(sign);
+  }
+  Dialect best() const {
+    static constexpr Dialect kOrder[] = {Dialect::sinumerik, Dialect::fanuc, Dialect::codesys};
+    Dialect winner = Dialect::iso;
+    for (const Dialect d : kOrder)
+      if (points(d) > points(winner)) winner = d;
+    return winner;
+  }
+  int points(Dialect d) const { return entries_[slot(d)].points; }
+  const std::string& reason(Dialect d) const { return entries_[slot(d)].reason; }
+  bool certain() const {
+    const Dialect d = best();
+    for (const Dialect o : {Dialect::sinumerik, Dialect::fanuc, Dialect::codesys, Dialect::iso})
+      if (o != d && points(d) < points(o) + 20) return false;
+    return true;
+  }
+
+ private:
+  struct Entry {
+    int points = 0, strongest = 0;
+    std::string reason;
+  };
+  std::array<Entry, 5> entries_;
+};
+
+/// What one line says, comments taken out.
+struct LineScan {
+  std::string code;  ///< upper case
+  std::string_view comment;
+  char comment_kind = '\0';
+  bool ends_block = false;  ///< ';' with nothing behind it
+};
+
+void scan_line(std::string_view line, LineScan& out) {
+  out.code.clear();
+  out.comment = {};
+  out.comment_kind = '\0';
+  out.ends_block = false;
+  int depth = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == ';' && depth == 0) {
+      const std::string_view rest = line.substr(i + 1);
+      if (rest.find_first_not_of(" \t;") == std::string_view::npos) {
+        out.ends_block = !out.code.empty();
+        return;
+      }
+      if (out.comment.empty()) out.comment = rest;
+      out.comment_kind = ';';
+      return;
+    }
+    const bool call = !out.code.empty() && (is_name(out.code.back()) || out.code.back() == '=');
+    const bool word_call = call && out.code.size() >= 2 &&
+                           (is_letter(out.code[out.code.size() - 2]) || out.code.back() == '=') &&
+                           !is_digit(out.code.back());
+    if (c == '(' && depth == 0 && !word_call) {
+      const std::size_t close = line.find(')', i);
+      if (close == std::string_view::npos) return;
+      out.comment = line.substr(i + 1, close - i - 1);
+      out.comment_kind = '(';
+      i = close;
+      continue;
+    }
+    if (c == '(') ++depth;
+    if (c == ')' && depth > 0) --depth;
+    out.code += upper(c);
+  }
+}
+
+/// True when `token` stands in the text with no letter before it.
+bool has(std::string_view text, std::string_view token) {
+  for (std::size_t i = text.find(token); i != std::string_view::npos; i = text.find(token, i + 1))
+    if (i == 0 || !(is_letter(text[i - 1]) || text[i - 1] == '_')) return true;
+  return false;
+}
+
+/// Letter followed by exactly this number.
+bool has_word(std::string_view text, std::string_view word) {
+  for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if (i > 0 && is_letter(text[i - 1])) continue;
+    if (end >= text.size() || !(is_digit(text[end]) || text[end] == '.')) return true;
+  }
+  return false;
+}
+
+/// "G0X" and "G90 X1" have X with a number.
+bool has_axis(std::string_view text, char axis) {
+  for (std::size_t i = text.find(axis); i != std::string_view::npos; i = text.find(axis, i + 1)) {
+    if (i > 0 && (is_letter(text[i - 1]) || text[i - 1] == '_')) continue;
+    std::size_t n = i + 1;
+    while (n < text.size() && text[n] == ' ') ++n;
+    if (n < text.size() && (starts_number(text[n]) || text[n] == '=')) return true;
+  }
+  return false;
+}
+
+void weigh_sinumerik(const LineScan& s, int line, Evidence& e) {
+  constexpr auto d = Dialect::sinumerik;
+  static constexpr std::string_view kSure[] = {
+      "CR=",   "=AC(",       "=IC(",  "LIMS=",   "TRANS ", "ATRANS",  "AROT",
+      "CIP ",  "TURN=",      "I1=",   "DIAMON",  "DIAMOF", "DIAM90",  "MSG(",
+      "%_N_",  "AR=",        "RP=",   "RND=",    "CHF=",   "CHR=",    "ANG=",
+      "RNDM=", "WORKPIECE(", "SUPA",  "AMIRROR", "ASCALE", "MIRROR ", "SCALE ",
+      "ROT ",  "G500",       "GOTOF", "GOTOB",   "ENDIF",  "CYCLE8",  "T=\""};
+  for (const std::string_view sign : kSure)
+    if (s.code.find(sign) != std::string::npos) e.add(d, 10, sign, line);
+  const std::size_t equal = s.code.find('=');
+  if (equal != std::string::npos && equal > 0 && is_name(s.code[equal - 1]) && s.code[0] != '#')
+    e.add(d, 4, "an assignment with =", line);
+  if (s.comment_kind == ';' && !s.code.empty()) e.add(d, 3, "a comment after ;", line);
+  if (s.comment_kind == ';' && s.code.empty()) e.add(d, 2, "a comment after ;", line);
+  if (has_word(s.code, "M17")) e.add(d, 4, "M17", line);
+  if (has_word(s.code, "G710") || has_word(s.code, "G700")) e.add(d, 8, "G710", line);
+  if (has_word(s.code, "G450") || has_word(s.code, "G451")) e.add(d, 8, "G450/G451", line);
+}
+
+void weigh_fanuc(const LineScan& s, std::string_view raw, int line, Evidence& e) {
+  constexpr auto d = Dialect::fanuc;
+  const std::string& c = s.code;
+  const bool number = c.size() > 1 && is_digit(c[1]);
+  if (number && (c[0] == 'O' || c[0] == ':')) e.add(d, 10, "a program number", line);
+  if (raw.size() == 1 && raw[0] == '%') e.add(d, 3, "% alone", line);
+  if (s.ends_block) e.add(d, 3, "; as end of block", line);
+  if (has(c, "M98")) e.add(d, 6, "M98", line);
+  if (has_word(c, "M99")) e.add(d, 4, "M99", line);
+  for (const std::string_view g :
+       {"G43", "G49", "G54.1", "G68", "G69", "G51.1", "G50.1", "G52", "G28"})
+    if (has_word(c, g)) e.add(d, g == "G43" || g == "G28" || g == "G49" ? 3 : 6, g, line);
+  if (has_word(c, "G20") || has_word(c, "G21")) e.add(d, 3, "G20/G21", line);
+  if (has_word(c, "G16") && !has_axis(c, 'I') && !has_axis(c, 'J') && !has_axis(c, 'K'))
+    e.add(d, 2, "G16 without a normal vector", line);
+  if (c.find('#') != std::string::npos && c.find('=') != std::string::npos &&
+      c.find(':') == std::string::npos)
+    e.add(d, 6, "a # variable", line);
+  if (c.find("IF[") != std::string::npos || c.find("WHILE[") != std::string::npos)
+    e.add(d, 8, "a macro statement", line);
+  if (s.comment_kind == '(') e.add(d, 1, "a comment in ( )", line);
+  std::size_t run = 0;
+  for (std::size_t i = 1; i < c.size(); ++i)
+    if (c[i] == 'G' && is_digit(c[i - 1])) ++run;
+  if (run > 0) e.add(d, 3, "G codes run together", line);
+}
+
+std::size_t count_numbers(std::string_view c) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i + 1 < c.size(); ++i)
+    if (c[i] == 'N' && is_digit(c[i + 1]) && (i == 0 || !is_name(c[i - 1]))) ++n;
+  return n;
+}
+
+void weigh_codesys(const LineScan& s, int line, bool& arcs, Evidence& e) {
+  constexpr auto d = Dialect::codesys;
+  const std::string& c = s.code;
+  if (has_word(c, "G2") || has_word(c, "G3") || has_word(c, "G02") || has_word(c, "G03"))
+    arcs = true;
+  if (has_word(c, "G1") || has_word(c, "G0") || has_word(c, "G01") || has_word(c, "G00")) {
+    if (count_numbers(c) < 2) arcs = false;
+  }
+  const bool center = has_axis(c, 'I') || has_axis(c, 'J') || has_axis(c, 'K');
+  if (arcs && center && has_axis(c, 'T')) e.add(d, 12, "T as an opening angle", line);
+  if (count_numbers(c) > 1) e.add(d, 6, "several N words in a line", line);
+  if (has(c, "SUBPROGRAM") || has(c, "END_SUBPROGRAM")) e.add(d, 15, "SUBPROGRAM", line);
+  if (c.find(": LREAL") != std::string::npos) e.add(d, 10, "LREAL", line);
+  if (c.find('{') != std::string::npos) e.add(d, 6, "a call with { }", line);
+  if (c.find('$') != std::string::npos && c.find("$P_") == std::string::npos &&
+      std::count(c.begin(), c.end(), '$') > 1)
+    e.add(d, 6, "a variable in $ $", line);
+  if (has_word(c, "G16") && center) e.add(d, 10, "G16 with a normal vector", line);
+  const bool cycle = has_axis(c, 'R') || has_axis(c, 'Z') || has(c, "G8") || has(c, "G7");
+  if ((has_word(c, "G98") || has_word(c, "G99")) && !cycle && !has_axis(c, 'F') &&
+      !has_axis(c, 'S'))
+    e.add(d, 5, "G98/G99 for the centre", line);
+  if (has(c, "FF") || has(c, "EF")) e.add(d, 5, "FF/EF", line);
+  const std::size_t first = c.find(" E"),
+                    second = first == std::string::npos ? first : c.find(" E", first + 2);
+  if (second != std::string::npos && second + 2 < c.size() && starts_number(c[second + 2]))
+    e.add(d, 8, "E twice", line);
+  if (c.size() > 2 && c[0] == '%' && c[1] == ' ') e.add(d, 4, "a header with %", line);
+}
+
+void weigh_iso(const LineScan& s, std::string_view raw, int line, Evidence& e) {
+  bool lower = false;
+  for (const char c : raw)
+    if (c >= 'a' && c <= 'z') lower = true;
+  if (lower && s.comment.empty() && s.code.find('=') == std::string::npos)
+    e.add(Dialect::iso, 1, "lower-case words", line);
+}
+
+/// Text before the first % of a tape is no program: how many lines, once content follows the mark.
+class Leader {
+ public:
+  void line(std::string_view raw, const LineScan& s, int n) {
+    if (n > 100 || done_) return;
+    if (mark_ == 0 && !raw.empty() && raw[0] == '%') {
+      mark_ = n;
+    } else if (mark_ > 0) {
+      lines_ = mark_ - 1;
+      done_ = true;
+    } else {
+      for (std::size_t i = 0; i + 1 < s.code.size(); ++i)
+        if ((s.code[i] == 'G' || s.code[i] == 'O' || s.code[i] == 'M') && is_digit(s.code[i + 1]))
+          done_ = true;
+    }
+  }
+  int lines() const { return lines_; }
+
+ private:
+  int mark_ = 0, lines_ = 0;
+  bool done_ = false;
+};
+
+/// Signs of mill and lathe.
+struct MachineScan {
+  std::string mill, lathe, plane, turning_tool, milling_tool;
+  int y_words = 0;
+
+  void line(const LineScan& s, int n, Dialect dialect);
+  bool settled() const { return !mill.empty() || !lathe.empty(); }
+};
+
+void note_first(std::string& where, std::string_view what, int line) {
+  if (where.empty()) where = fmt::format("{} in line {}", what, line);
+}
+
+void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
+  const std::string& c = s.code;
+  if (c.find('G') != std::string::npos) {
+    if (has_word(c, "G96") || has_word(c, "G961")) note_first(lathe, "G96", n);
+    if (has_word(c, "G18")) note_first(plane, "G18", n);
+    if (dialect == Dialect::fanuc)
+      for (const std::string_view g : {"G70", "G71", "G72", "G75"})
+        if (has_word(c, g)) note_first(lathe, g, n);
+  }
+  if (c.find("LIMS") != std::string::npos) note_first(lathe, "LIMS", n);
+  if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
+    note_first(lathe, "DIAMON", n);
+  if (has(c, "CYCLE95") || has(c, "CYCLE951") || has(c, "CYCLE93") || has(c, "CYCLE97"))
+    note_first(lathe, "a turning cycle", n);
+  const bool frame =
+      c.find("TRANS") != std::string::npos || c.find("ROT ") != std::string::npos ||
+      c.find("SCALE") != std::string::npos || c.find("WORKPIECE") != std::string::npos ||
+      c.find("MSG(") != std::string::npos || has_word(c, "G58") || has_word(c, "G59");
+  if (!frame && has_axis(c, 'Y')) note_first(mill, "a motion with Y", n);
+  if (!frame && has_axis(c, 'J')) note_first(mill, "an arc with J", n);
+  if (s.comment.empty()) return;
+  const ToolHint hint = read_tool_comment(s.comment);
+  if (!hint.type) return;
+  note_first(is_turning(*hint.type) ? turning_tool : milling_tool,
+             fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
+}
+
+void judge_dialect(const Evidence& e, const std::string& path, Recognition& out) {
+  out.dialect = e.best();
+  out.dialect_reason = e.reason(out.dialect);
+  if (out.dialect_reason.empty()) out.dialect_reason = "nothing points to another control";
+  (void)path;
+}
+
+void judge_machine(const MachineScan& m, const InterpOptions& options, Recognition& out) {
+  if (out.dialect == Dialect::codesys) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = "CODESYS has no diameters";
+    return;
+  }
+  bool turning = false, milling = false;
+  for (const Tool& tool : options.table.tools) (is_turning(tool.type) ? turning : milling) = true;
+  if (!m.mill.empty() && !m.lathe.empty()) {
+    out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", m.mill, m.lathe);
+  } else if (!m.lathe.empty()) {
+    out.machine = MachineKind::lathe;
+    out.machine_reason = m.lathe;
+  } else if (!m.mill.empty()) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = m.mill;
+  } else if (!m.plane.empty() || !m.turning_tool.empty() || (turning && !milling)) {
+    out.machine = MachineKind::lathe;
+    const std::string why = !m.plane.empty()          ? m.plane
+                            : !m.turning_tool.empty() ? "turning tool " + m.turning_tool
+                                                      : "a turning tool in the tool table";
+    out.machine_reason = why + ", and no motion with Y";
+  } else if (!m.milling_tool.empty() || (milling && !turning)) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = m.milling_tool.empty() ? "a milling tool in the tool table"
+                                                : "milling tool " + m.milling_tool;
+  } else {
+    out.machine_reason = "no Y motion, G96, LIMS, DIAMON or G18, no known tool";
+  }
+}
+
+void weigh_name(const std::string& path, Evidence& e) {
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos) return;
+  const std::string extension = upper_case(path.substr(dot));
+  if (extension == ".MPF" || extension == ".SPF")
+    e.add(Dialect::sinumerik, 12, "the file name ends in " + extension, 0);
+}
+
+}  // namespace
+
+Recognition recognise(const std::string& path, const InterpOptions& options) {
+  Recognition out;
+  Evidence evidence;
+  MachineScan machine;
+  weigh_name(path, evidence);
+  LineSource source(path);
+  LineScan scan;
+  std::string_view raw;
+  bool arcs = false;
+  Leader leader;
+  const bool wants_machine = options.machine == MachineKind::automatic;
+  while (source.next(raw)) {
+    const int n = source.line_number();
+    const bool wants_dialect =
+        options.dialect == Dialect::automatic && n <= kDialectLines && !evidence.certain();
+    if (!out.empty && !wants_dialect && n > 200 && (!wants_machine || machine.settled())) break;
+    if (raw.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    scan_line(raw.substr(0, 4000), scan);
+    leader.line(raw, scan, n);
+    if (!scan.code.empty() || !scan.comment.empty()) out.empty = false;
+    if (wants_dialect) {
+      weigh_sinumerik(scan, n, evidence);
+      weigh_fanuc(scan, raw, n, evidence);
+      weigh_codesys(scan, n, arcs, evidence);
+      weigh_iso(scan, raw, n, evidence);
+    }
+    if (wants_machine)
+      machine.line(scan, n,
+                   options.dialect == Dialect::automatic ? evidence.best() : options.dialect);
+  }
+  out.dialect = options.dialect;
+  out.dialect_reason = "as told";
+  if (options.dialect == Dialect::automatic) judge_dialect(evidence, path, out);
+  if (out.dialect == Dialect::fanuc || out.dialect == Dialect::iso)
+    out.leader_lines = leader.lines();
+  out.machine = options.machine;
+  out.machine_reason = "as told";
+  if (wants_machine) judge_machine(machine, options, out);
+  return out;
+}
+
+}  // namespace mrsim

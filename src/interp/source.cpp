@@ -1,0 +1,118 @@
+#include "interp/source.h"
+
+#include "core/error.h"
+#include "core/text_io.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+[[noreturn]] void fail(const std::string& path) {
+  if (errno == ENOENT || errno == ENOTDIR)
+    throw Error("file-missing", fmt::format("{}: no such file", path));
+  throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+}
+
+}  // namespace
+
+LineSource::LineSource(const std::string& path, std::size_t chunk) : path_(path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) fail(path);
+  if (S_ISDIR(info.st_mode))
+    throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
+  if (!S_ISREG(info.st_mode)) {
+    whole_ = read_file(path);
+    piped_ = true;
+  } else {
+    fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd_ < 0) fail(path);
+  }
+  buffer_.resize(chunk);
+}
+
+LineSource::LineSource(LineSource&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)),
+      path_(std::move(other.path_)),
+      whole_(std::move(other.whole_)),
+      piped_(other.piped_),
+      buffer_(std::move(other.buffer_)),
+      buffer_offset_(other.buffer_offset_),
+      begin_(other.begin_),
+      end_(other.end_),
+      line_(other.line_) {}
+
+LineSource::~LineSource() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+void LineSource::seek(std::uint64_t offset, int line_number) {
+  line_ = line_number;
+  if (offset >= buffer_offset_ && offset <= buffer_offset_ + end_) {
+    begin_ = static_cast<std::size_t>(offset - buffer_offset_);
+    return;
+  }
+  buffer_offset_ = offset;
+  begin_ = end_ = 0;
+}
+
+bool LineSource::refill() {
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    buffer_offset_ += begin_;
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  const std::uint64_t from = buffer_offset_ + end_;
+  if (piped_) {
+    const std::size_t left = from < whole_.size() ? whole_.size() - from : 0;
+    const std::size_t n = std::min(left, buffer_.size() - end_);
+    std::memcpy(buffer_.data() + end_, whole_.data() + from, n);
+    end_ += n;
+    return n > 0;
+  }
+  for (;;) {
+    const ssize_t n =
+        ::pread(fd_, buffer_.data() + end_, buffer_.size() - end_, static_cast<off_t>(from));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(path_);
+    end_ += static_cast<std::size_t>(n);
+    return n > 0;
+  }
+}
+
+bool LineSource::next(std::string_view& line) {
+  std::size_t searched = 0;
+  for (;;) {
+    const char* from = buffer_.data() + begin_;
+    const std::size_t available = end_ - begin_;
+    const void* found =
+        available > searched ? std::memchr(from + searched, '\n', available - searched) : nullptr;
+    std::size_t length = available;
+    if (found) {
+      length = static_cast<std::size_t>(static_cast<const char*>(found) - from);
+    } else {
+      searched = available;
+      if (refill()) continue;
+      if (available == 0) return false;
+      from = buffer_.data() + begin_;
+    }
+    line = std::string_view(from, length);
+    begin_ += length + (found ? 1 : 0);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (line_ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    ++line_;
+    return true;
+  }
+}
+
+}  // namespace mrsim

@@ -1,0 +1,42 @@
+// Lines of a text file through one reused buffer: memory is that of the longest line, whatever the
+// length of the file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+class LineSource {
+ public:
+  /// Throws Error "file-missing", "file-is-directory", "file-unreadable".
+  explicit LineSource(const std::string& path, std::size_t chunk = std::size_t(1) << 18);
+  LineSource(LineSource&& other) noexcept;
+  LineSource& operator=(LineSource&&) = delete;
+  ~LineSource();
+
+  /// The next line without its end (\n or \r\n); valid until the next call. False at the end.
+  bool next(std::string_view& line);
+  /// Goes on at a line start seen earlier.
+  void seek(std::uint64_t offset, int line_number);
+
+  /// Offset of the start of the next line, and the number of the last line returned (1-based).
+  std::uint64_t next_offset() const { return buffer_offset_ + begin_; }
+  int line_number() const { return line_; }
+
+ private:
+  bool refill();
+
+  int fd_ = -1;
+  std::string path_;
+  std::string whole_;  ///< a pipe is read whole: the program is read twice
+  bool piped_ = false;
+  std::vector<char> buffer_;
+  std::uint64_t buffer_offset_ = 0;  ///< offset in the file of buffer_[0]
+  std::size_t begin_ = 0, end_ = 0;  ///< unread part of the buffer
+  int line_ = 0;
+};
+
+}  // namespace mrsim

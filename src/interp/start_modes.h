@@ -1,0 +1,20 @@
+// What is in force when a program starts: a table per dialect and machine.
+#pragma once
+
+#include "interp/state.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+
+Modal start_modal(Dialect dialect, MachineKind machine);
+
+/// The same for people: "plane" -> "G17".
+std::vector<std::pair<std::string, std::string>> start_mode_names(Dialect dialect,
+                                                                  MachineKind machine);
+
+const char* dialect_name(Dialect dialect);
+
+}  // namespace mrsim

@@ -1,0 +1,68 @@
+// The state of a control as plain values, so that a rejected block can be undone by a copy.
+#pragma once
+
+#include "core/vec.h"
+#include "interp/frames.h"
+#include "interp/modal.h"
+
+#include <cstdint>
+
+namespace mrsim {
+
+/// What G words and modal values say.
+struct Modal {
+  Code motion = Code::line;
+  int plane = 0;         ///< 0 = G17, 1 = G18, 2 = G19, 3 = by `normal`
+  Vec3 normal{0, 0, 1};  ///< CODESYS G16
+  bool incremental = false;
+  bool inch = false;             ///< lengths
+  bool inch_feed = false;        ///< feeds
+  bool center_absolute = false;  ///< CODESYS G98
+  bool polar = false;            ///< FANUC G16
+  Code diameter = Code::diameter_off;
+  FeedUnit feed_unit = FeedUnit::mm_per_min;
+  bool surface_speed = false;
+  double feed = 0, speed = 0, cutting_speed = 0;  ///< mm, rev/min, m/min
+  double lead = 0;                                ///< mm per revolution, of the thread in force
+  Code comp = Code::comp_off;
+  bool comp_suspended = false;
+  Code corner = Code::corner_arc;
+  Code approach = Code::approach_normal;
+  double disc = 0;
+  double rndm = 0, frcm = 0;
+  int edge = 1;  ///< D number; CODESYS: see edge_radius
+  bool edge_given = false;
+  double edge_radius = 0;  ///< CODESYS: D, mm
+  Code length = Code::length_off;
+  double length_offset = 0;  ///< mm along the tool axis
+};
+
+/// Where the tool is.
+struct Position {
+  Vec3 programmed;           ///< in the frame in force, mm, X as radius
+  Vec3 physical;             ///< in the stock's coordinates
+  unsigned known = 0;        ///< bit per axis: given by the program or the user
+  Vec3 retained;             ///< programmed values before the frame changed (G91 travels from them)
+  unsigned moved_frame = 0;  ///< axes whose `retained` still counts
+  Vec3 tangent;  ///< direction of the last element at its end, in the stock's coordinates
+  bool has_tangent = false;
+  Vec3 pole;                                 ///< in the frame in force
+  double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
+  bool has_polar_angle = false, has_polar_radius = false;
+};
+
+/// The pieces that make the frame in force.
+struct Frames {
+  Vec3 work;                        ///< settable offset (G54 ...)
+  int work_number = 0;              ///< 54 ..., 0 = off
+  Vec3 position_shift;              ///< G92
+  Vec3 local;                       ///< G52
+  Vec3 fine;                        ///< G59
+  Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame
+  Frame rotation, scaling, mirror;  ///< FANUC G68, G51, G51.1
+  Vec3 mirror_at;
+  unsigned mirrored = 0;  ///< axes under G51.1
+  Frame total;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,51 @@
+// Where subprograms are: in the file of the main program, beside it, or in the search path.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// A subprogram by number (O2, P2) or by name.
+struct SubprogramName {
+  long number = -1;
+  std::string text;  ///< as written; for a number, as it is shown
+};
+
+struct SubprogramPlace {
+  std::string file;
+  std::uint64_t offset = 0;  ///< of its header line
+  int line = 0;              ///< number of the line before `offset`
+};
+
+class SubprogramIndex {
+ public:
+  SubprogramIndex(std::string main_file, std::vector<std::string> search_path, Dialect dialect);
+
+  /// Nothing when it is in none of the places.
+  std::optional<SubprogramPlace> find(const SubprogramName& name);
+
+ private:
+  void scan(const std::string& file);
+  std::optional<std::string> find_file(const std::string& folder,
+                                       const std::vector<std::string>& stems) const;
+
+  std::string main_file_;
+  std::vector<std::string> folders_;
+  Dialect dialect_;
+  bool scanned_ = false;
+  std::map<std::string, SubprogramPlace> inside_;  ///< sections of the main file, "O2" or NAME
+  std::map<std::string, std::optional<SubprogramPlace>> found_;
+};
+
+/// The name that a header line announces ("O0002", "%_N_POCKET_SPF", "SUBPROGRAM Name{...}"),
+/// upper case; empty when it is none.
+std::string section_name(std::string_view line, Dialect dialect);
+
+}  // namespace mrsim

@@ -1,0 +1,349 @@
+#include "mesh/contour.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "mesh/contour_certify.h"
+#include "mesh/contour_simplify.h"
+#include "mesh/contour_surface.h"
+#include "mesh/contour_thin.h"
+#include "mesh/self_intersection.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+using detail::BaseMesh;
+using detail::ContourOctree;
+using detail::ContourSurface;
+using detail::Crossing;
+using detail::LabelledMesh;
+using detail::Lattice;
+
+constexpr double kExact = 1e-4;        ///< mm: a vertex farther off its face has missed a crease
+constexpr double kBaseShare = 1.0;     ///< of the tolerance, for triangles before simplification
+constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
+constexpr int kCrowdedRounds = 3;      ///< of splitting cells with two pieces of surface
+constexpr int kLockRounds = 12;
+
+class Timer {
+ public:
+  explicit Timer(ContourReport& report) : report_(report), start_(Clock::now()) {}
+  void step(const char* name) {
+    const auto now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    for (auto& [known, sum] : report_.seconds)
+      if (known == name) {
+        sum += seconds;
+        return;
+      }
+    report_.seconds.emplace_back(name, seconds);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  ContourReport& report_;
+  Clock::time_point start_;
+};
+
+class Contour {
+ public:
+  Contour(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
+          ContourReport& report)
+      : field_(field),
+        options_(options),
+        report_(report),
+        timer_(report),
+        tree_(field, lattice, options.tolerance > 0, options.threads),
+        surface_(field, tree_, options.threads) {
+    timer_.step("tree");
+  }
+
+  TriMesh run() {
+    find_topology();
+    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
+    LabelledMesh mesh = triangles();
+    if (options_.tolerance > 0) {
+      while (split_failed()) {
+        find_topology();
+        mesh = triangles();
+      }
+      report_.triangles_before = mesh.triangles.size();
+      mesh = simplified(mesh);
+      report_.bound = largest_bound(mesh);
+      timer_.step("certify");
+    } else {
+      report_.triangles_before = mesh.triangles.size();
+    }
+    report_.cells = surface_.loops().size();
+    report_.thin = detail::thin_features(field_, tree_);
+    timer_.step("thin");
+    return to_mesh(mesh);
+  }
+
+ private:
+  // Splits cells until the crossings on every face can be joined, then joins them.
+  void find_topology() {
+    std::vector<std::int32_t> bad =
+        detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
+    while (tree_.split(bad) > 0) {
+      std::vector<char> nearby;
+      const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
+      bad = detail::badly_crossed(tree_, edges, &nearby);
+    }
+    timer_.step("tree");
+    surface_.find_loops();
+    ++report_.passes;
+    timer_.step("loops");
+  }
+
+  LabelledMesh label(const BaseMesh& base) const {
+    LabelledMesh mesh;
+    mesh.vertices = base.vertices;
+    mesh.triangles = base.triangles;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> ids;
+    for (const std::int32_t c : base.crossings) {
+      const FieldSample& at = surface_.crossings()[static_cast<std::size_t>(c)].at;
+      const auto [it, is_new] =
+          ids.try_emplace({at.owner, at.patch}, static_cast<std::uint32_t>(mesh.faces.size()));
+      if (is_new) mesh.faces.push_back(at);
+      mesh.labels.push_back(it->second);
+    }
+    return mesh;
+  }
+
+  double bound(const LabelledMesh& mesh, std::size_t t, double limit) const {
+    const auto& x = mesh.triangles[t];
+    const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
+    const FieldSample& label = mesh.faces[mesh.labels[t]];
+    const double face = detail::triangle_bound(field_, label, a, b, c, limit);
+    if (face > limit) return face;
+    return std::max(face, detail::largest_distance(field_, tree_, label, a, b, c, limit));
+  }
+
+  // From the face of the part, or from the nearest corner, which is exact.
+  double certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
+    const auto& x = mesh.triangles[t];
+    const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    return std::min(bound(mesh, t, limit), kNearestCorner * longest);
+  }
+
+  // Makes triangles; cells with several pieces of surface whose triangles meet are split.
+  LabelledMesh triangles() {
+    for (;;) {
+      surface_.make_triangles();
+      timer_.step("surface");
+      const std::vector<std::int32_t> bad = crossed_cells();
+      timer_.step("check");
+      if (bad.empty()) return label(surface_.mesh());
+      if (tree_.split(bad) == 0)
+        throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
+      find_topology();
+    }
+  }
+
+  // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
+  std::vector<std::int32_t> crossed_cells() const {
+    if (surface_.crowded().empty()) return {};
+    std::vector<char> is_crowded(tree_.size(), 0);
+    for (const std::int32_t c : surface_.crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
+    const BaseMesh& mesh = surface_.mesh();
+    const auto crowded_cell = [&](std::uint32_t v) {
+      if (v >= surface_.loops().size()) return -1;
+      const std::int32_t c = surface_.loops()[v].cell;
+      return is_crowded[static_cast<std::size_t>(c)] ? c : -1;
+    };
+    std::vector<std::array<std::uint32_t, 3>> some;
+    for (const auto& t : mesh.triangles)
+      if (crowded_cell(t[0]) >= 0 || crowded_cell(t[1]) >= 0 || crowded_cell(t[2]) >= 0)
+        some.push_back(t);
+    std::vector<std::int32_t> bad;
+    for (const auto& [i, j] : detail::self_intersections(mesh.vertices, some, options_.threads))
+      for (const std::uint32_t k : {i, j})
+        for (const std::uint32_t v : some[k])
+          if (crowded_cell(v) >= 0) bad.push_back(crowded_cell(v));
+    return bad;
+  }
+
+  // Splits cells whose triangles are not within the tolerance. False when none is left that can be
+  // split.
+  bool split_failed() {
+    const BaseMesh& base = surface_.mesh();
+    const LabelledMesh mesh = label(base);
+    const double limit = kBaseShare * options_.tolerance;
+    std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());
+    std::vector<std::uint64_t> hashes(mesh.triangles.size());
+    parallel_for(
+        mesh.triangles.size(), options_.threads,
+        [&](std::size_t t) {
+          hashes[t] = triangle_hash(mesh, t);
+          if (passed_.count(hashes[t]) > 0) return;
+          if (certified(mesh, t, limit) > limit) failed[t] = guilty_cells(mesh, base, t);
+        },
+        64);
+    for (std::size_t t = 0; t < hashes.size(); ++t)
+      if (failed[t].empty()) passed_.insert(hashes[t]);
+    std::vector<std::int32_t> cells;
+    report_.unresolved = 0;
+    for (const auto& f : failed) {
+      cells.insert(cells.end(), f.begin(), f.end());
+      bool can = f.empty();
+      for (const std::int32_t c : f) can = can || tree_.can_split(c);
+      report_.unresolved += !can;
+    }
+    timer_.step("certify");
+    const std::size_t count = tree_.split(std::move(cells));
+    timer_.step("tree");
+    return count > 0;
+  }
+
+  // Tells a triangle from all others of former rounds, which need not be certified again.
+  static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
+    const FieldSample& face = mesh.faces[mesh.labels[t]];
+    std::uint64_t h = static_cast<std::uint32_t>(face.owner) * 0x9e3779b97f4a7c15u +
+                      static_cast<std::uint32_t>(face.patch);
+    for (const std::uint32_t v : mesh.triangles[t])
+      for (int a = 0; a < 3; ++a) {
+        const auto q = static_cast<std::int64_t>(component(mesh.vertices[v], a) / detail::kQuantum);
+        h = (h ^ static_cast<std::uint64_t>(q)) * 0xff51afd7ed558ccdu;
+        h ^= h >> 32;
+      }
+    return h;
+  }
+
+  // The cell whose vertex has missed the face of the part; else the largest about the edge.
+  std::vector<std::int32_t> guilty_cells(const LabelledMesh& mesh, const BaseMesh& base,
+                                         std::size_t t) const {
+    std::vector<std::int32_t> cells;
+    const auto& loops = surface_.loops();
+    for (const std::uint32_t v : mesh.triangles[t])
+      if (v < loops.size() && std::abs(field_.patch_distance(
+                                  mesh.vertices[v], mesh.faces[mesh.labels[t]])) > kExact)
+        cells.push_back(loops[v].cell);
+    if (!cells.empty()) return cells;
+    const Crossing& c = surface_.crossings()[static_cast<std::size_t>(base.crossings[t])];
+    std::int32_t largest = 0;
+    for (const std::int32_t cell : c.edge.cells) largest = std::max(largest, tree_.node(cell).size);
+    for (const std::int32_t cell : c.edge.cells)
+      if (tree_.node(cell).size == largest) cells.push_back(cell);
+    return cells;
+  }
+
+  // Simplifies; where walls are so thin that the result meets itself, keeps the vertices about the
+  // place and starts again.
+  LabelledMesh simplified(const LabelledMesh& mesh) {
+    std::vector<char> locked(mesh.vertices.size(), 0);
+    for (int round = 0; round < kLockRounds; ++round) {
+      const LabelledMesh small = detail::simplify(
+          field_, tree_, mesh, {options_.tolerance, 0.5 * tree_.lattice().voxel()}, locked);
+      timer_.step("simplify");
+      const auto pairs =
+          detail::self_intersections(small.vertices, small.triangles, options_.threads);
+      timer_.step("check");
+      if (pairs.empty()) return small;
+      lock_about(small, pairs, mesh, locked);
+    }
+    throw Error("mesh-unresolved",
+                "the mesh still meets itself after simplification; use a larger tolerance");
+  }
+
+  void lock_about(const LabelledMesh& small,
+                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs,
+                  const LabelledMesh& mesh, std::vector<char>& locked) const {
+    const double margin = tree_.lattice().voxel();
+    for (const auto& [i, j] : pairs) {
+      Box3 a, b;
+      for (const std::uint32_t v : small.triangles[i]) extend(a, small.vertices[v]);
+      for (const std::uint32_t v : small.triangles[j]) extend(b, small.vertices[v]);
+      const Vec3 lo = max(a.lo, b.lo) - Vec3{margin, margin, margin},
+                 hi = min(a.hi, b.hi) + Vec3{margin, margin, margin};
+      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec3& p = mesh.vertices[v];
+        if (p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z)
+          locked[v] = 1;
+      }
+    }
+  }
+
+  double largest_bound(const LabelledMesh& mesh) const {
+    std::vector<double> bounds(mesh.triangles.size());
+    parallel_for(
+        bounds.size(), options_.threads,
+        [&](std::size_t t) {
+          bounds[t] = certified(mesh, t, std::numeric_limits<double>::infinity());
+        },
+        64);
+    double most = 0;
+    for (const double b : bounds) most = std::max(most, b);
+    return most;
+  }
+
+  static TriMesh to_mesh(const LabelledMesh& mesh) {
+    TriMesh out;
+    out.vertices.reserve(mesh.vertices.size());
+    for (const Vec3& p : mesh.vertices)
+      out.vertices.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    out.triangles = mesh.triangles;
+    out.owners.reserve(mesh.labels.size());
+    for (const std::uint32_t l : mesh.labels) out.owners.push_back(mesh.faces[l].owner);
+    return out;
+  }
+
+  const ExactField& field_;
+  const MeshOptions& options_;
+  ContourReport& report_;
+  Timer timer_;
+  ContourOctree tree_;
+  ContourSurface surface_;
+  std::unordered_set<std::uint64_t> passed_;  ///< hashes of triangles within the tolerance
+};
+
+// Cells down to half the tolerance, in which any triangle is within it, but not so small that
+// coordinates as floats no longer resolve them.
+int fine_levels(const Box3& bounds, double voxel, double tolerance) {
+  double largest = 0, longest = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double lo = component(bounds.lo, a), hi = component(bounds.hi, a);
+    largest = std::max({largest, std::abs(lo), std::abs(hi)});
+    longest = std::max(longest, hi - lo);
+  }
+  const double wanted = tolerance > 0 ? 0.5 * tolerance : voxel / 8;
+  const double least = 64 * detail::coordinate_step(largest);
+  int levels = 0;
+  while (levels < 12 && voxel / (1 << levels) > wanted && voxel / (2 << levels) > least) ++levels;
+  while (levels > 0 && 2 * longest / voxel * (1 << levels) > (1 << 20)) --levels;
+  return levels;
+}
+
+}  // namespace
+
+TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options,
+                ContourReport* report) {
+  if (!(voxel > 0) || !std::isfinite(voxel))
+    throw Error("voxel-invalid", fmt::format("a voxel of {} mm is not a positive length", voxel));
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+    throw Error("tolerance-invalid",
+                fmt::format("--tolerance {} is not a length in mm", options.tolerance),
+                Error::Kind::usage);
+  ContourReport ignored;
+  ContourReport& out = report ? *report : ignored;
+  out = {};
+  TriMesh mesh =
+      Contour(field,
+              Lattice(field.bounds(), voxel, fine_levels(field.bounds(), voxel, options.tolerance)),
+              options, out)
+          .run();
+  if (mesh.triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
+  return mesh;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,49 @@
+// The exact mesher: from the exact part to triangles that are sharp, manifold, small and certified
+// (docs/mesh.md).
+//
+// Guarantees, all of them on the coordinates as written (float): closed, oriented, 2-manifold, no
+// triangle without area, no self-intersection; every vertex within 1 um of the exact surface; same
+// bytes for any number of threads. With a tolerance, the distance between mesh and part, both ways,
+// stays below it on resolved features, and the bound that was reached is reported.
+//
+// Not guaranteed: features that no edge of the grid meets (a needle between the samples); walls and
+// gaps thinner than a voxel are found where an edge of the grid shows them, and listed.
+#pragma once
+
+#include "removal/field.h"
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// A wall or gap that passes between two neighbouring samples.
+struct ThinFeature {
+  Vec3 place;             ///< mm, on or in the feature
+  bool wall = false;      ///< material between air; else a gap
+  double thickness = 0;   ///< mm, along the edge of the grid
+  std::int32_t owner[2];  ///< what bounds it: motion or kStockOwner
+};
+
+struct ContourReport {
+  double bound = 0;           ///< mm: largest certified distance of the mesh from the part; 0 without
+                              ///< tolerance
+  std::size_t cells = 0;      ///< cells that the surface passes
+  std::size_t passes = 0;     ///< rounds of splitting
+  std::size_t triangles_before = 0;  ///< triangles before simplification
+  std::size_t unresolved = 0;        ///< places that stayed above the tolerance at the smallest cell
+  std::vector<ThinFeature> thin;     ///< in the order of their places on the lattice
+  std::vector<std::pair<std::string, double>> seconds;  ///< by step
+};
+
+/// The surface of `field`, with the owner of each triangle. `voxel` (mm) is the size of features to
+/// resolve, and the edge of all cells where options.tolerance is 0. Throws Error "part-empty",
+/// "voxel-invalid", "tolerance-invalid"; "mesh-unresolved" rather than give a mesh that breaks a
+/// guarantee.
+TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options = {},
+                ContourReport* report = nullptr);
+
+}  // namespace mrsim

@@ -1,0 +1,104 @@
+#include "mesh/contour_certify.h"
+
+#include "mesh/contour_vertex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr double kFlat = 2e-5;         ///< mm: deviations that rounding of coordinates explains
+constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
+constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
+constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
+
+// Node (i, j): i quarters towards b, j towards c.
+struct Nodes {
+  double value[kSides + 1][kSides + 1];
+
+  double largest() const {
+    double most = 0;
+    for (int i = 0; i <= kSides; ++i)
+      for (int j = 0; i + j <= kSides; ++j) most = std::max(most, std::abs(value[i][j]));
+    return most;
+  }
+  // What the distance can do between the nodes: a share of its second differences where it bends
+  // evenly, a larger one of their change, for a bend between two nodes.
+  double remainder() const {
+    double second = 0, third = 0;
+    const auto along = [&](int i, int j, int u, int v, int n) {
+      double last = 0;
+      for (int k = 1; k < n; ++k) {
+        const double d = value[i + (k - 1) * u][j + (k - 1) * v] - 2 * value[i + k * u][j + k * v] +
+                         value[i + (k + 1) * u][j + (k + 1) * v];
+        second = std::max(second, std::abs(d));
+        if (k > 1) third = std::max(third, std::abs(d - last));
+        last = d;
+      }
+    };
+    for (int k = 0; k + 2 <= kSides; ++k) {
+      along(0, k, 1, 0, kSides - k);
+      along(k, 0, 0, 1, kSides - k);
+      along(kSides - k, 0, -1, 1, kSides - k);
+    }
+    return kEven * second + kUneven * third;
+  }
+};
+
+Vec3 node_at(const Vec3& a, const Vec3& b, const Vec3& c, double i, double j) {
+  return (1.0 / kSides) * ((kSides - i - j) * a + i * b + j * c);
+}
+
+}  // namespace
+
+double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
+  // Interior nodes and middles first; all of them where the triangle spans many voxels.
+  static constexpr double kOrder[18][2] = {
+      {1, 1}, {2, 2}, {2, 0},   {0, 2},   {1, 2},   {2, 1},   {1, 0},     {3, 0},     {0, 1},
+      {0, 3}, {1, 3}, {.5, 0},  {0, .5},  {3.5, 0}, {0, 3.5}, {3.5, .5},  {.5, 3.5},  {3, 1}};
+  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  const double voxel = tree.lattice().voxel();
+  const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 18;
+  double most = 0;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
+    const std::int32_t cell = tree.locate(p);
+    if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
+    most = std::max(most, std::abs(field.sample(p, tree.candidates(cell)).distance));
+    if (most > limit) return most;
+  }
+  return most;
+}
+
+double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+                      const Vec3& b, const Vec3& c, double limit) {
+  Nodes nodes;
+  double most = 0;
+  const auto measure = [&](int i, int j) {
+    const Vec3 p = node_at(a, b, c, i, j);
+    nodes.value[i][j] = field.patch_distance(p, face);
+    most = std::max(most, std::abs(nodes.value[i][j]));
+  };
+  for (int i = 0; i <= kSides; i += kSides / 2)
+    for (int j = 0; i + j <= kSides; j += kSides / 2) measure(i, j);
+  measure(1, 1);
+  if (most > limit || most < kFlat) return most;
+  for (int i = 0; i <= kSides; ++i)
+    for (int j = 0; i + j <= kSides; ++j)
+      if ((i % 2 || j % 2) && !(i == 1 && j == 1)) measure(i, j);
+  return nodes.largest() + nodes.remainder();
+}
+
+double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
+                    const Vec3& a, const Vec3& b) {
+  const Vec3 p = 0.5 * (a + b);
+  const Vec3 n = field.gradient(p, f), m = field.gradient(p, g);
+  const double x = field.patch_distance(p, f), y = field.patch_distance(p, g);
+  const double ab = dot(n, m), det = 1 - ab * ab;
+  if (det < kSmoothAngle * kSmoothAngle) return std::max(std::abs(x), std::abs(y));
+  return std::sqrt(std::max((x * x - 2 * ab * x * y + y * y) / det, 0.0));
+}
+
+}  // namespace mrsim::detail

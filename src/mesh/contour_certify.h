@@ -1,0 +1,24 @@
+// How far a triangle is from the exact part, from above (docs/mesh.md, Tolerance).
+#pragma once
+
+#include "mesh/contour_octree.h"
+
+namespace mrsim::detail {
+
+/// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the part:
+/// the largest value at 15 nodes (quarters of the sides), and what g can do between them by its
+/// second differences there. Stops early once it is above `limit`.
+double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+                      const Vec3& b, const Vec3& c, double limit);
+
+/// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
+/// once it is above `limit`. Finds triangles that leave the face they are measured by.
+double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit);
+
+/// Upper bound in mm of the distance of the segment's points from the curve in which two faces of
+/// the part meet; from either face where they join smoothly.
+double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
+                    const Vec3& a, const Vec3& b);
+
+}  // namespace mrsim::detail

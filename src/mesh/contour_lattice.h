@@ -1,0 +1,86 @@
+// Coordinates of the mesher. The planes of its grid and all vertices are multiples of 2^-20 mm that
+// a float holds, so that what is decided about them is true of the file too, and predicates on them
+// are exact in 128-bit integers.
+#pragma once
+
+#include "core/vec.h"
+#include "removal/lattice.h"
+#include <mrsim/types.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace mrsim::detail {
+
+inline constexpr double kQuantum = 1.0 / (1 << 20);  ///< mm
+inline constexpr double kLargestCoordinate = 4096;   ///< mm: 32 bits of quanta
+
+/// The nearest coordinate that a vertex may have. The rounding to the 24 bits of a float is Veltkamp's
+/// split: GCC 12 drops a cast to float and back when it vectorises three of them (-O2).
+inline double snap(double x) {
+  const double y = std::floor(x / kQuantum + 0.5) * kQuantum;
+  const double c = y * ((1 << 29) + 1.0);
+  return c - (c - y);
+}
+inline Vec3 snap(const Vec3& p) { return {snap(p.x), snap(p.y), snap(p.z)}; }
+
+/// More than the distance of two neighbouring coordinates about x.
+inline double coordinate_step(double x) {
+  const double a = x < 0 ? -x : x;
+  const double ulp = a * (1.0 / (1 << 22));
+  return ulp > 2 * kQuantum ? ulp : 2 * kQuantum;
+}
+
+struct LatticePoint {
+  std::int32_t x = 0, y = 0, z = 0;
+  friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
+};
+inline std::int32_t& component(LatticePoint& p, int i) { return i == 0 ? p.x : i == 1 ? p.y : p.z; }
+inline std::int32_t component(const LatticePoint& p, int i) {
+  return i == 0 ? p.x : i == 1 ? p.y : p.z;
+}
+inline std::uint64_t key(const LatticePoint& p) {
+  return static_cast<std::uint64_t>(p.x) | static_cast<std::uint64_t>(p.y) << 21 |
+         static_cast<std::uint64_t>(p.z) << 42;
+}
+
+/// The grid: a cube of 2^levels fine units, voxel * 2^-fine_levels each, aligned with the carver's
+/// samples.
+class Lattice {
+ public:
+  Lattice() = default;
+  Lattice(const Box3& bounds, double voxel, int fine_levels)
+      : voxel_(voxel), fine_(voxel / (1 << fine_levels)), per_voxel_(1 << fine_levels) {
+    const Vec3 size = bounds.hi - bounds.lo;
+    const double longest = size.x > size.y ? (size.x > size.z ? size.x : size.z)
+                                           : (size.y > size.z ? size.y : size.z);
+    std::int64_t voxels = 8;
+    while (static_cast<double>(voxels) < longest / voxel + 6) voxels *= 2;
+    size_ = voxels * per_voxel_;
+    for (int a = 0; a < 3; ++a)
+      first_[a] =
+          lattice_floor(voxel, mrsim::component(bounds.lo, a), mrsim::component(kLatticeShift, a)) -
+          2;
+  }
+
+  double voxel() const { return voxel_; }
+  std::int64_t size() const { return size_; }
+  std::int32_t per_voxel() const { return per_voxel_; }
+  double fine() const { return fine_; }
+
+  double coordinate(int axis, std::int32_t i) const {
+    const double base = static_cast<double>(first_[axis]) + mrsim::component(kLatticeShift, axis);
+    return snap(voxel_ * base + fine_ * static_cast<double>(i));
+  }
+  Vec3 position(const LatticePoint& p) const {
+    return {coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)};
+  }
+
+ private:
+  double voxel_ = 1, fine_ = 1;
+  std::int32_t per_voxel_ = 1;
+  std::int64_t size_ = 0;
+  std::int64_t first_[3] = {};
+};
+
+}  // namespace mrsim::detail

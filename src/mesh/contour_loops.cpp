@@ -1,0 +1,288 @@
+// From signs at the corners of cells to closed loops about them.
+#include "core/error.h"
+#include "core/parallel.h"
+#include "mesh/contour_surface.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mrsim::detail {
+namespace {
+
+std::uint64_t edge_key(const MinimalEdge& e) {
+  // The start is a multiple of the length and below 2^21 on each axis: the length's lowest bit
+  // in place of the axis coordinate's tells lengths apart.
+  LatticePoint p = e.start;
+  component(p, e.axis) += e.length / 2;
+  return key(p) | static_cast<std::uint64_t>(e.axis) << 62;
+}
+
+std::int32_t find(std::vector<std::int32_t>& parent, std::int32_t i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    auto& p = parent[static_cast<std::size_t>(i)];
+    p = parent[static_cast<std::size_t>(p)];
+    i = p;
+  }
+  return i;
+}
+
+void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
+  a = find(parent, a);
+  b = find(parent, b);
+  if (a != b) parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+}
+
+template <class T>
+const T& at(const std::vector<T>& v, std::int32_t i) {
+  return v[static_cast<std::size_t>(i)];
+}
+
+// Both edges lie on one side of a face that is flat on `axis`.
+bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
+  if (a.axis != b.axis) return false;
+  const int across = 3 - axis - a.axis;
+  return component(a.start, across) == component(b.start, across);
+}
+
+std::int32_t ring_cell(const MinimalEdge& e, int place) {
+  return e.cells[(place ^ (place >> 1)) & 3];
+}
+
+std::int32_t smaller_cell(const ContourOctree& tree, const CellFace& face) {
+  return tree.node(face.high).size < tree.node(face.low).size ? face.high : face.low;
+}
+
+// Faces by the smaller of their two cells and its side.
+class FaceTable {
+ public:
+  explicit FaceTable(std::size_t edges) { ids_.reserve(3 * edges); }
+
+  void add(const ContourOctree& tree, const MinimalEdge& e, std::int32_t id, int place) {
+    const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
+    if (from == to) return;
+    CellFace face;
+    face.axis = (e.axis + 1 + (place & 1)) % 3;
+    face.low = place < 2 ? from : to;
+    face.high = place < 2 ? to : from;
+    const std::int32_t owner = smaller_cell(tree, face);
+    const std::int64_t key = std::int64_t(owner) * 6 + 2 * face.axis + (owner == face.low);
+    const auto [it, is_new] = ids_.try_emplace(key, faces_.size());
+    if (is_new) faces_.push_back(face);
+    faces_[it->second].crossings.push_back(id);
+  }
+  const std::vector<CellFace>& all() const { return faces_; }
+  std::vector<CellFace> take() { return std::move(faces_); }
+
+ private:
+  std::unordered_map<std::int64_t, std::size_t> ids_;
+  std::vector<CellFace> faces_;
+};
+
+enum class Joining { none, two, four };
+
+// Every face should have two crossings, on two of its sides; four on all sides are paired where the
+// face is small.
+Joining joining(const ContourOctree& tree, const CellFace& face,
+                const std::vector<MinimalEdge>& edges) {
+  const std::size_t n = face.crossings.size();
+  if (n != 2 && n != 4) return Joining::none;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (on_one_side(at(edges, face.crossings[i]), at(edges, face.crossings[j]), face.axis))
+        return Joining::none;
+  if (n == 2) return Joining::two;
+  return tree.node(smaller_cell(tree, face)).size <= tree.lattice().per_voxel() ? Joining::four
+                                                                               : Joining::none;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
+                                        const std::vector<MinimalEdge>& edges,
+                                        const std::vector<char>* nearby) {
+  FaceTable faces(edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int i = 0; i < 4; ++i) faces.add(tree, edges[k], static_cast<std::int32_t>(k), i);
+  std::vector<std::int32_t> bad;
+  for (const CellFace& face : faces.all()) {
+    if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
+    if (joining(tree, face, edges) == Joining::none)
+      bad.insert(bad.end(), {face.low, face.high});
+  }
+  return bad;
+}
+
+void ContourSurface::find_loops() {
+  find_crossings();
+  find_faces();
+  find_segments();
+  join_loops();
+}
+
+void ContourSurface::find_crossings() {
+  const std::vector<MinimalEdge> edges = tree_.crossing_edges();
+  crossings_.assign(edges.size(), {});
+  std::vector<std::uint8_t> is_new(edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    crossings_[k].edge = edges[k];
+    const auto it = known_.find(edge_key(edges[k]));
+    is_new[k] = it == known_.end();
+    if (!is_new[k]) {
+      crossings_[k].position = it->second.position;
+      crossings_[k].at = it->second.at;
+    }
+  }
+  parallel_for(
+      edges.size(), threads_,
+      [&](std::size_t k) {
+        if (!is_new[k]) return;
+        Crossing& c = crossings_[k];
+        std::int32_t cell = c.edge.cells[0];
+        for (const std::int32_t other : c.edge.cells)
+          if (tree_.node(other).size < tree_.node(cell).size) cell = other;
+        LatticePoint end = c.edge.start;
+        component(end, c.edge.axis) += c.edge.length;
+        const Vec3 low = tree_.lattice().position(c.edge.start), high = tree_.lattice().position(end);
+        const Probe p = probe(cell);
+        const bool low_inside = is_inside(tree_.sample(c.edge.low).distance);
+        const Vec3 x = low_inside ? find_crossing(p, low, high) : find_crossing(p, high, low);
+        c.at = p.sample(x);
+        Vec3 on_edge = low;
+        const Vec3 clamped = snap_inside(x, {low, high});
+        mrsim::component(on_edge, c.edge.axis) = mrsim::component(clamped, c.edge.axis);
+        c.position = on_edge;
+      },
+      64);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    if (is_new[k])
+      known_.emplace(edge_key(edges[k]), Found{crossings_[k].position, crossings_[k].at});
+}
+
+void ContourSurface::find_faces() {
+  FaceTable table(crossings_.size());
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      crossings_[k].segments[i] = -1;
+      table.add(tree_, crossings_[k].edge, static_cast<std::int32_t>(k), i);
+    }
+  faces_ = table.take();
+}
+
+std::int32_t ContourSurface::face_cell(const CellFace& face) const {
+  return smaller_cell(tree_, face);
+}
+
+Box3 ContourSurface::face_box(const CellFace& face) const {
+  const std::int32_t cell = face_cell(face);
+  Box3 b = tree_.box(cell);
+  const double plane =
+      mrsim::component(cell == face.low ? b.hi : b.lo, static_cast<int>(face.axis));
+  mrsim::component(b.lo, face.axis) = mrsim::component(b.hi, face.axis) = plane;
+  return b;
+}
+
+void ContourSurface::find_segments() {
+  segments_.clear();
+  std::vector<MinimalEdge> edges;
+  for (const Crossing& c : crossings_) edges.push_back(c.edge);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const CellFace& face = faces_[f];
+    const Joining j = joining(tree_, face, edges);
+    MRSIM_ASSERT(j != Joining::none);
+    if (j == Joining::two)
+      add_segment(static_cast<std::int32_t>(f), face.crossings[0], face.crossings[1]);
+    else
+      pair_four(static_cast<std::int32_t>(f));
+  }
+}
+
+void ContourSurface::add_segment(std::int32_t f, std::int32_t from, std::int32_t to) {
+  const CellFace& face = at(faces_, f);
+  for (const std::int32_t end : {from, to}) {
+    Crossing& c = crossings_[static_cast<std::size_t>(end)];
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t a = c.cell(i), b = c.cell((i + 1) & 3);
+      if ((a == face.low && b == face.high) || (a == face.high && b == face.low))
+        c.segments[i] = static_cast<std::int32_t>(segments_.size());
+    }
+  }
+  Segment s;
+  s.face = f;
+  s.from = from;
+  s.to = to;
+  segments_.push_back(s);
+}
+
+// Crossings on all four sides: the side of the surface on which the face's centre lies is connected,
+// the two corners of the other are cut off.
+void ContourSurface::pair_four(std::int32_t f) {
+  const CellFace& face = at(faces_, f);
+  const Box3 b = face_box(face);
+  const int u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
+  std::int32_t side[4] = {};  // low v, high u, high v, low u: counter-clockwise
+  for (const std::int32_t k : face.crossings) {
+    const Crossing& c = at(crossings_, k);
+    const int across = c.edge.axis == u ? v : u;
+    const bool high = mrsim::component(c.position, across) > mrsim::component(b.lo, across);
+    side[c.edge.axis == u ? (high ? 2 : 0) : (high ? 1 : 3)] = k;
+  }
+  // The corner between sides 3 and 0 is the low end of side 0's edge.
+  const Crossing& first = at(crossings_, side[0]);
+  const bool corner_inside = is_inside(tree_.sample(first.edge.low).distance);
+  const bool center_inside =
+      is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
+  const int shift = corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
+  for (int k = 0; k < 2; ++k)
+    add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
+}
+
+void ContourSurface::join_loops() {
+  std::vector<std::int32_t> parent(4 * crossings_.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto slot = [&](std::int32_t crossing, std::int32_t cell) {
+    for (int i = 0; i < 4; ++i)
+      if (at(crossings_, crossing).cell(i) == cell) return 4 * crossing + i;
+    MRSIM_ASSERT(false);
+    return 0;
+  };
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+    for (int i = 0; i < 4; ++i)
+      if (crossings_[k].cell(i) == crossings_[k].cell((i + 1) & 3))
+        join(parent, static_cast<std::int32_t>(4 * k) + i,
+             static_cast<std::int32_t>(4 * k) + ((i + 1) & 3));
+  for (const Segment& s : segments_) {
+    const CellFace& face = at(faces_, s.face);
+    join(parent, slot(s.from, face.low), slot(s.to, face.low));
+    join(parent, slot(s.from, face.high), slot(s.to, face.high));
+  }
+  loops_.clear();
+  loops_in_cell_.assign(tree_.size(), 0);
+  std::vector<std::int32_t> loop_of_root(parent.size(), -1);
+  crowded_.clear();
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t root = find(parent, static_cast<std::int32_t>(4 * k) + i);
+      std::int32_t& id = loop_of_root[static_cast<std::size_t>(root)];
+      if (id < 0) {
+        id = static_cast<std::int32_t>(loops_.size());
+        loops_.emplace_back();
+        loops_.back().cell = crossings_[k].cell(i);
+        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] == 2)
+          crowded_.push_back(loops_.back().cell);
+      }
+      crossings_[k].loops[i] = id;
+      Loop& loop = loops_[static_cast<std::size_t>(id)];
+      if (loop.crossings.empty() || loop.crossings.back() != static_cast<std::int32_t>(k))
+        loop.crossings.push_back(static_cast<std::int32_t>(k));
+    }
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    const CellFace& face = at(faces_, segments_[s].face);
+    for (const std::int32_t cell : {face.low, face.high}) {
+      const std::int32_t root = find(parent, slot(segments_[s].from, cell));
+      loops_[static_cast<std::size_t>(at(loop_of_root, root))].segments.push_back(
+          static_cast<std::int32_t>(s));
+    }
+  }
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,361 @@
+#include "mesh/contour_octree.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr int kLargestCell = 64;  ///< voxels
+constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet
+constexpr double kBand = 4 * kInsideTolerance;
+
+bool same_face(const FieldSample& a, const FieldSample& b) {
+  return a.owner == b.owner && a.patch == b.patch;
+}
+
+// Walks the edges of the tree: a cell's own, those in the face between two cells, those about the
+// line where four cells meet [Ju, Losasso, Schaefer and Warren 2002].
+class EdgeWalk {
+ public:
+  /// `marked` (null: everything): only edges about nodes with a mark; `ring` (null: none): set for
+  /// all leaves about such an edge, crossed or not.
+  EdgeWalk(const ContourOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
+           std::vector<MinimalEdge>& out)
+      : tree_(tree), marked_(marked), ring_(ring), out_(out) {}
+
+  /// Collect edges that may be crossed twice instead of the crossed ones.
+  void doubtful() { doubtful_ = true; }
+
+  void cell(std::int32_t n) {
+    const OctreeNode& node = tree_.node(n);
+    if (node.child < 0 || !is_marked(n)) return;
+    for (int k = 0; k < 8; ++k) cell(node.child + k);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < 8; ++k)
+        if (!(k >> axis & 1)) face(node.child + k, node.child + (k | 1 << axis), axis);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int s = 0; s < 2; ++s) {
+        std::int32_t four[4];
+        for (int q = 0; q < 4; ++q)
+          four[q] = node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
+        edge(four, axis);
+      }
+  }
+
+ private:
+  std::int32_t child(std::int32_t n, int k) const {
+    const OctreeNode& node = tree_.node(n);
+    return node.child < 0 ? n : node.child + k;
+  }
+  bool is_empty(std::int32_t n) const {
+    return tree_.node(n).region != ExactField::Region::mixed;
+  }
+
+  bool is_marked(std::int32_t n) const {
+    return !marked_ || (*marked_)[static_cast<std::size_t>(n)] != 0;
+  }
+
+  void face(std::int32_t low, std::int32_t high, int axis) {
+    if (is_empty(low) || is_empty(high) || !(is_marked(low) || is_marked(high))) return;
+    if (tree_.node(low).child < 0 && tree_.node(high).child < 0) return;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int q = 0; q < 4; ++q) {
+      const int k = (q & 1) << u | (q >> 1) << v;
+      face(child(low, k | 1 << axis), child(high, k), axis);
+    }
+    for (const int along : {u, v}) {
+      const int across = along == u ? v : u;
+      for (int s = 0; s < 2; ++s) {
+        std::int32_t four[4];
+        for (int q = 0; q < 4; ++q) {
+          // Bit of each quadrant on the face's axis and on the one across the edge.
+          const int b1 = q & 1, b2 = q >> 1;
+          const bool first_is_axis = (along + 1) % 3 == axis;
+          const int on_axis = first_is_axis ? b1 : b2, on_across = first_is_axis ? b2 : b1;
+          const int k = s << along | on_across << across | (on_axis ? 0 : 1) << axis;
+          four[q] = child(on_axis ? high : low, k);
+        }
+        edge(four, along);
+      }
+    }
+  }
+
+  void edge(const std::int32_t (&four)[4], int axis) {
+    int smallest = 0;
+    bool leaves = true;
+    if (!is_marked(four[0]) && !is_marked(four[1]) && !is_marked(four[2]) && !is_marked(four[3]))
+      return;
+    for (int q = 0; q < 4; ++q) {
+      if (is_empty(four[q])) return;
+      leaves = leaves && tree_.node(four[q]).child < 0;
+      if (tree_.node(four[q]).size < tree_.node(four[smallest]).size) smallest = q;
+    }
+    if (leaves) {
+      emit(four, axis, smallest);
+      return;
+    }
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int s = 0; s < 2; ++s) {
+      std::int32_t next[4];
+      for (int q = 0; q < 4; ++q)
+        next[q] = child(four[q], s << axis | ((q & 1) ^ 1) << u | ((q >> 1) ^ 1) << v);
+      edge(next, axis);
+    }
+  }
+
+  void emit(const std::int32_t (&four)[4], int axis, int smallest) {
+    if (ring_)
+      for (const std::int32_t n : four) (*ring_)[static_cast<std::size_t>(n)] = 1;
+    const OctreeNode& node = tree_.node(four[smallest]);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const int k = ((smallest & 1) ^ 1) << u | ((smallest >> 1) ^ 1) << v;
+    MinimalEdge e;
+    std::copy(four, four + 4, e.cells);
+    e.low = node.corners[k];
+    e.high = node.corners[k | 1 << axis];
+    if (e.low < 0 || e.high < 0) return;
+    const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
+    const bool crossed = is_inside(a.distance) != is_inside(b.distance);
+    if (doubtful_ ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
+                        std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
+                  : !crossed)
+      return;
+    e.start = node.origin;
+    component(e.start, u) += k >> u & 1 ? node.size : 0;
+    component(e.start, v) += k >> v & 1 ? node.size : 0;
+    e.axis = axis;
+    e.length = node.size;
+    out_.push_back(e);
+  }
+
+  const ContourOctree& tree_;
+  const std::vector<char>* marked_;
+  std::vector<char>* ring_;
+  std::vector<MinimalEdge>& out_;
+  bool doubtful_ = false;
+};
+
+}  // namespace
+
+ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, bool adaptive,
+                             int threads)
+    : field_(field), lattice_(lattice), adaptive_(adaptive), threads_(threads) {
+  OctreeNode root;
+  root.size = static_cast<std::int32_t>(lattice.size());
+  nodes_.push_back(root);
+  lists_.emplace_back();
+  refine({0});
+}
+
+std::span<const std::uint32_t> ContourOctree::candidates(std::int32_t n) const {
+  return lists_[static_cast<std::size_t>(n)];
+}
+
+Box3 ContourOctree::box(std::int32_t n) const {
+  const OctreeNode& a = node(n);
+  return {lattice_.position(a.origin),
+          lattice_.position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
+}
+
+std::int32_t ContourOctree::locate(const Vec3& p) const {
+  std::int32_t n = 0;
+  while (node(n).child >= 0) {
+    const OctreeNode& a = node(n);
+    int k = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (mrsim::component(p, axis) >=
+          lattice_.coordinate(axis, component(a.origin, axis) + a.size / 2))
+        k |= 1 << axis;
+    n = a.child + k;
+  }
+  return n;
+}
+
+void ContourOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out) {
+  const OctreeNode parent = node(n);
+  nodes_[static_cast<std::size_t>(n)].child = static_cast<std::int32_t>(nodes_.size());
+  const std::int32_t half = parent.size / 2;
+  for (int k = 0; k < 8; ++k) {
+    OctreeNode c;
+    c.parent = n;
+    c.size = half;
+    c.origin = {parent.origin.x + (k & 1 ? half : 0), parent.origin.y + (k & 2 ? half : 0),
+                parent.origin.z + (k & 4 ? half : 0)};
+    out.push_back(static_cast<std::int32_t>(nodes_.size()));
+    nodes_.push_back(c);
+    lists_.emplace_back();
+  }
+}
+
+std::size_t ContourOctree::split(std::vector<std::int32_t> leaves) {
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  std::vector<std::int32_t> pending;
+  std::size_t count = 0;
+  for (const std::int32_t n : leaves)
+    if (node(n).child < 0 && can_split(n)) {
+      add_children(n, pending);
+      ++count;
+    }
+  refine(std::move(pending));
+  return count;
+}
+
+void ContourOctree::refine(std::vector<std::int32_t> pending) {
+  new_leaves_.clear();
+  while (!pending.empty()) {
+    find_regions(pending);
+    std::vector<std::int32_t> mixed, next;
+    for (const std::int32_t n : pending)
+      if (node(n).region == ExactField::Region::mixed) mixed.push_back(n);
+    sample_corners(mixed);
+    std::vector<char> split(mixed.size());
+    parallel_for(mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
+    for (std::size_t k = 0; k < mixed.size(); ++k)
+      if (split[k])
+        add_children(mixed[k], next);
+      else
+        new_leaves_.push_back(mixed[k]);
+    pending = std::move(next);
+  }
+}
+
+void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
+  const Candidates everything = pending.size() == 1 ? field_.all() : Candidates{};
+  parallel_for(
+      pending.size(), threads_,
+      [&](std::size_t k) {
+        const auto n = static_cast<std::size_t>(pending[k]);
+        OctreeNode& a = nodes_[n];
+        const Box3 b = box(pending[k]);
+        const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
+        const std::span<const std::uint32_t> in =
+            a.parent < 0 ? std::span<const std::uint32_t>(everything) : candidates(a.parent);
+        a.region = field_.restrict_to(0.5 * (b.lo + b.hi), radius, kBand, in, lists_[n]);
+      },
+      64);
+}
+
+void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
+  const std::size_t first = samples_.size();
+  std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
+  const std::int32_t largest = kLargestCell * lattice_.per_voxel();
+  for (const std::int32_t n : pending) {
+    OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+    if (a.size > largest || (!adaptive_ && a.size > lattice_.per_voxel())) continue;
+    for (int k = 0; k < 8; ++k) {
+      const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
+                           a.origin.z + (k & 4 ? a.size : 0)};
+      const auto [it, is_new] =
+          sample_of_.try_emplace(key(p), static_cast<std::int32_t>(first + wanted.size()));
+      if (is_new) wanted.emplace_back(p, n);
+      a.corners[k] = it->second;
+    }
+  }
+  samples_.resize(first + wanted.size());
+  parallel_for(
+      wanted.size(), threads_,
+      [&](std::size_t k) {
+        samples_[first + k] =
+            field_.sample(lattice_.position(wanted[k].first), candidates(wanted[k].second));
+      },
+      256);
+  for (const std::int32_t n : pending) {
+    OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+    if (a.corners[0] < 0) continue;
+    for (int k = 1; k < 8; ++k)
+      a.signs_differ = a.signs_differ || is_inside(sample(a.corners[k]).distance) !=
+                                             is_inside(sample(a.corners[0]).distance);
+  }
+}
+
+// A cell above a voxel stays whole only where everything that could matter in it shows itself at
+// its corners or centre: one smooth face; or, in cells of a few voxels, faces of owners that are
+// all seen.
+bool ContourOctree::must_split(std::int32_t n) {
+  OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+  if (!adaptive_ || a.corners[0] < 0) return a.size > lattice_.per_voxel();
+  const Box3 b = box(n);
+  const Vec3 center = 0.5 * (b.lo + b.hi);
+  const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
+  const std::span<const std::uint32_t> list = candidates(n);
+  const FieldSample middle = field_.sample(center, list);
+  const bool near_stock = std::abs(field_.sample(center, {}).distance) <= radius + kBand;
+
+  std::int32_t owners[9];
+  std::size_t seen = 0;
+  bool one_face = true, stock_seen = false;
+  for (int k = 0; k < 9; ++k) {
+    const FieldSample& s = k < 8 ? sample(a.corners[k]) : middle;
+    one_face = one_face && same_face(s, middle);
+    if (s.owner == kStockOwner)
+      stock_seen = true;
+    else if (std::find(owners, owners + seen, s.owner) == owners + seen)
+      owners[seen++] = s.owner;
+  }
+  a.plain = one_face && list.size() + near_stock <= 1;
+  a.face = middle;
+  if (a.size <= lattice_.per_voxel()) return false;
+  if (seen < list.size() || near_stock != stock_seen)
+    if (a.size > kMixedCell * lattice_.per_voxel() || shows_more(n, {owners, seen}, stock_seen))
+      return true;
+  if (one_face) return false;
+  return !a.signs_differ || a.size > kMixedCell * lattice_.per_voxel();
+}
+
+// True where a sample on the lattice of voxels within the cell has an owner that is not among those
+// seen so far: features are resolved at the voxel, whatever the size of cells.
+bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> seen,
+                               bool stock_seen) const {
+  const OctreeNode& a = node(n);
+  const std::int32_t step = lattice_.per_voxel(), count = a.size / step;
+  const std::span<const std::uint32_t> list = candidates(n);
+  for (std::int32_t x = 0; x <= count; ++x)
+    for (std::int32_t y = 0; y <= count; ++y)
+      for (std::int32_t z = 0; z <= count; ++z) {
+        if ((x % count == 0) && (y % count == 0) && (z % count == 0)) continue;
+        const LatticePoint p{a.origin.x + x * step, a.origin.y + y * step, a.origin.z + z * step};
+        const FieldSample s = field_.sample(lattice_.position(p), list);
+        if (s.owner == kStockOwner ? !stock_seen
+                                   : std::find(seen.begin(), seen.end(), s.owner) == seen.end())
+          return true;
+      }
+  return false;
+}
+
+std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, nullptr, nullptr, out).cell(0);
+  return out;
+}
+
+std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk walk(*this, nullptr, nullptr, out);
+  walk.doubtful();
+  walk.cell(0);
+  return out;
+}
+
+std::vector<MinimalEdge> ContourOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
+                                                            std::vector<char>& nearby) const {
+  std::vector<char> marked(size(), 0);
+  const auto mark = [&](std::int32_t n) {
+    for (; n >= 0 && !marked[static_cast<std::size_t>(n)]; n = node(n).parent)
+      marked[static_cast<std::size_t>(n)] = 1;
+  };
+  for (const std::int32_t n : leaves) mark(n);
+  nearby.assign(size(), 0);
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, &marked, &nearby, out).cell(0);
+  for (std::size_t n = 0; n < nearby.size(); ++n)
+    if (nearby[n]) mark(static_cast<std::int32_t>(n));
+  out.clear();
+  EdgeWalk(*this, &marked, nullptr, out).cell(0);
+  return out;
+}
+
+}  // namespace mrsim::detail

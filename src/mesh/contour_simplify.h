@@ -1,0 +1,31 @@
+// Certified simplification: takes vertices out of the mesh while every triangle stays within the
+// tolerance of the face of the part it lies on, and every crease within the tolerance of the exact
+// one (docs/mesh.md, Simplification).
+#pragma once
+
+#include "mesh/contour_octree.h"
+#include "mesh/contour_vertex.h"
+
+#include <array>
+#include <vector>
+
+namespace mrsim::detail {
+
+struct LabelledMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
+  std::vector<FieldSample> faces;
+};
+
+struct SimplifyLimits {
+  double tolerance = 0;  ///< mm
+  double lateral = 0;    ///< mm: how far a border between owners may move where no crease is
+};
+
+/// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;
+/// it may intersect itself where walls are thinner than the tolerance (the caller checks).
+LabelledMesh simplify(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
+                      const SimplifyLimits& limits, const std::vector<char>& locked);
+
+}  // namespace mrsim::detail

@@ -1,0 +1,124 @@
+// The surface over the leaves of the octree: crossings of edges, segments in faces, loops in cells,
+// and from them triangles that can not intersect (docs/mesh.md, Surface).
+#pragma once
+
+#include "mesh/contour_octree.h"
+#include "mesh/contour_vertex.h"
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// Where the surface crosses an edge of the grid. Ring places 0..3 run counter-clockwise about the
+/// edge's axis; `segments[i]` lies in the face between places i and i + 1 (-1: one cell spans
+/// both).
+struct Crossing {
+  MinimalEdge edge;
+  Vec3 position;
+  FieldSample at;
+  std::int32_t segments[4] = {-1, -1, -1, -1};
+  std::int32_t loops[4] = {-1, -1, -1, -1};
+
+  std::int32_t cell(int place) const { return edge.cells[place ^ (place >> 1)]; }
+};
+
+/// A face of a cell that no smaller cell divides, with the crossings on its sides.
+struct CellFace {
+  std::int32_t low = -1, high = -1;  ///< cells on both sides of it
+  std::int32_t axis = 0;
+  std::vector<std::int32_t> crossings;
+};
+
+/// The curve of the surface in a face, from one crossing to another.
+struct Segment {
+  std::int32_t face = -1, from = -1, to = -1;
+  bool is_crease = false;   ///< its ends lie on faces of the part that meet in a crease
+  SurfacePoint point;       ///< where the crease passes; later also smooth points
+  bool is_explicit = false;  ///< the point is a vertex of the mesh
+  std::int32_t vertex = -1;
+};
+
+/// A closed run of segments about a cell: one piece of surface in it, with one vertex.
+struct Loop {
+  std::int32_t cell = -1;
+  std::vector<std::int32_t> crossings;
+  std::vector<std::int32_t> segments;
+  SurfacePoint point;
+};
+
+struct BaseMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
+};
+
+/// Cells about faces on whose sides the crossings can not be joined in one way: more than two (four,
+/// in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby` count
+/// (null: all).
+std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
+                                        const std::vector<MinimalEdge>& edges,
+                                        const std::vector<char>* nearby);
+
+class ContourSurface {
+ public:
+  ContourSurface(const ExactField& field, const ContourOctree& tree, int threads)
+      : field_(field), tree_(tree), threads_(threads) {}
+
+  /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
+  /// badly_crossed().
+  void find_loops();
+  /// Cells that hold more than one loop.
+  const std::vector<std::int32_t>& crowded() const { return crowded_; }
+  /// Places vertices and makes triangles.
+  const BaseMesh& make_triangles();
+
+  const BaseMesh& mesh() const { return mesh_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  const std::vector<Loop>& loops() const { return loops_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+
+ private:
+  struct Found {
+    Vec3 position;
+    FieldSample at;
+  };
+
+  void find_crossings();
+  void find_faces();
+  void find_segments();
+  void pair_four(std::int32_t face);
+  void join_loops();
+  void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
+  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell)}; }
+  Box3 face_box(const CellFace& face) const;
+  std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
+
+  void place_creases();
+  void place_loop(Loop& loop);
+  void add_ends(const Crossing& c, std::vector<Vec3>& out) const;
+  void choose_explicit();
+  bool may_be_implicit(const Segment& s) const;
+  bool vertex_on_crease(const Loop& loop, const Segment& s) const;
+  SurfacePoint point_between(const CellFace& face, const Box3& box, const Crossing& a,
+                             const Crossing& b) const;
+  void add_polygon(std::int32_t crossing);
+  bool add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring, std::int32_t id);
+  void add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  const Loop& loop_of(std::int32_t crossing, std::int32_t cell) const;
+
+  const ExactField& field_;
+  const ContourOctree& tree_;
+  int threads_;
+  std::vector<Crossing> crossings_;
+  std::vector<CellFace> faces_;
+  std::vector<Segment> segments_;
+  std::vector<Loop> loops_;
+  std::vector<std::uint8_t> loops_in_cell_;
+  std::vector<std::int32_t> crowded_;
+  std::unordered_map<std::uint64_t, Found> known_;  ///< crossings of former rounds
+  BaseMesh mesh_;
+};
+
+}  // namespace mrsim::detail

@@ -1,0 +1,329 @@
+#include "mesh/contour_vertex.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr double kOnSurface = 5e-7;     ///< mm: |d| at which a point counts as exact
+constexpr double kSmoothJoin = 3e-3;    ///< sine of the angle below which two faces join smoothly
+constexpr double kMargin = 1e-6;        ///< share of a cell that its vertex keeps from its sides
+constexpr int kNewtonSteps = 24;
+
+bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
+  for (int a = 0; a < 3; ++a) {
+    if (a == flat) continue;
+    const double lo = component(room.lo, a), hi = component(room.hi, a), m = margin * (hi - lo);
+    if (!(component(p, a) > lo + m && component(p, a) < hi - m)) return false;
+  }
+  return true;
+}
+
+bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
+  return strictly_inside(p, room, flat, kMargin) && std::abs(probe.sample(p).distance) <= kOnSurface;
+}
+
+// The shortest step x with n_i . x = -g_i.
+bool newton_step(const Vec3* n, const double* g, int rows, Vec3& step) {
+  if (rows == 1) {
+    step = -g[0] * n[0];
+    return true;
+  }
+  if (rows == 2) {
+    const double aa = dot(n[0], n[0]), ab = dot(n[0], n[1]), bb = dot(n[1], n[1]);
+    const double det = aa * bb - ab * ab;
+    if (!(det > 1e-9)) return false;
+    step = (-g[0] * bb + g[1] * ab) / det * n[0] + (-g[1] * aa + g[0] * ab) / det * n[1];
+    return true;
+  }
+  const Vec3 c12 = cross(n[1], n[2]), c20 = cross(n[2], n[0]), c01 = cross(n[0], n[1]);
+  const double det = dot(n[0], c12);
+  if (!(std::abs(det) > 1e-5)) return false;
+  step = (-1 / det) * (g[0] * c12 + g[1] * c20 + g[2] * c01);
+  return true;
+}
+
+// Up to `most` different faces, in the order of their first crossing.
+std::size_t distinct_faces(std::span<const FieldSample> in, FieldSample* out, std::size_t most) {
+  std::size_t n = 0;
+  for (const FieldSample& s : in) {
+    bool known = false;
+    for (std::size_t k = 0; k < n; ++k) known = known || same_face(out[k], s);
+    if (!known && n < most) out[n++] = s;
+  }
+  return n;
+}
+
+SurfacePoint try_faces(const Probe& probe, const Box3& room, const Vec3& start,
+                       std::span<const FieldSample> faces) {
+  SurfacePoint result;
+  Vec3 p = start;
+  if (!solve_faces(probe.field, faces, -1, room, p) || !accept(probe, p, room, -1)) return result;
+  result.position = p;
+  result.count = static_cast<int>(faces.size());
+  std::copy(faces.begin(), faces.end(), result.faces);
+  return result;
+}
+
+// Where three faces or more meet the cell: the corner of the three with the largest determinant.
+SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start,
+                         std::span<const FieldSample> faces) {
+  struct Triple {
+    double det;
+    std::array<FieldSample, 3> faces;
+  };
+  std::array<Vec3, 8> normals;
+  for (std::size_t k = 0; k < faces.size(); ++k) normals[k] = probe.field.gradient(start, faces[k]);
+  std::vector<Triple> triples;
+  for (std::size_t a = 0; a < faces.size(); ++a)
+    for (std::size_t b = a + 1; b < faces.size(); ++b)
+      for (std::size_t c = b + 1; c < faces.size(); ++c) {
+        const double det = std::abs(dot(normals[a], cross(normals[b], normals[c])));
+        if (det > 1e-4) triples.push_back({det, {faces[a], faces[b], faces[c]}});
+      }
+  std::stable_sort(triples.begin(), triples.end(),
+                   [](const Triple& x, const Triple& y) { return x.det > y.det; });
+  for (std::size_t k = 0; k < triples.size() && k < 6; ++k)
+    if (SurfacePoint s = try_faces(probe, room, start, triples[k].faces); s.count > 0) return s;
+  return {};
+}
+
+SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const Vec3> starts,
+                         std::span<const FieldSample> faces) {
+  for (std::size_t a = 0; a < faces.size(); ++a)
+    for (std::size_t b = a + 1; b < faces.size(); ++b)
+      for (const Vec3& start : starts) {
+        if (join_smoothly(probe.field, start, faces[a], faces[b])) continue;
+        const FieldSample pair[2] = {faces[a], faces[b]};
+        if (SurfacePoint s = try_faces(probe, room, start, pair); s.count > 0) return s;
+      }
+  return {};
+}
+
+// Follows whatever face decides d; creases are met only by chance.
+SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
+  Vec3 p = start;
+  FieldSample s = probe.sample(p);
+  for (int k = 0; k < kNewtonSteps && std::abs(s.distance) > 1e-9; ++k) {
+    p = p - s.distance * probe.field.gradient(p, s);
+    s = probe.sample(p);
+  }
+  SurfacePoint result;
+  if (!accept(probe, p, room, -1)) return result;
+  result.position = p;
+  result.faces[0] = s;
+  result.count = 1;
+  return result;
+}
+
+// Moves p onto the surface, in the plane of the given axis (-1: freely).
+bool project(const Probe& probe, int axis, double reach, Vec3& p) {
+  const Vec3 from = p;
+  for (int k = 0; k < 12; ++k) {
+    const FieldSample s = probe.sample(p);
+    if (std::abs(s.distance) < 1e-8) return true;
+    Vec3 n = probe.field.gradient(p, s);
+    if (axis >= 0) component(n, axis) = 0;
+    const double nn = dot(n, n);
+    if (!(nn > 1e-4)) return false;
+    p = p - s.distance / nn * n;
+    if (distance(p, from) > reach) return false;
+  }
+  return false;
+}
+
+// Halves the way over the surface between two of its points on different faces, until the crease
+// between two faces is near, which need not be those two.
+SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& p,
+                            const Vec3& q) {
+  Vec3 low = p, high = q;
+  FieldSample a = probe.sample(p), b = probe.sample(q);
+  SurfacePoint result;
+  if (same_face(a, b)) return result;
+  const double reach = length(room.hi - room.lo);
+  for (int k = 0; k < 20; ++k) {
+    Vec3 m = 0.5 * (low + high);
+    if (!project(probe, axis, reach, m)) return result;
+    const FieldSample s = probe.sample(m);
+    if (same_face(s, a)) {
+      low = m;
+    } else {
+      high = m;
+      b = s;
+    }
+    if (k < 4 || k % 4 != 0) continue;
+    const FieldSample pair[2] = {a, b};
+    Vec3 x = 0.5 * (low + high);
+    if (join_smoothly(probe.field, x, a, b) || !solve_faces(probe.field, pair, axis, room, x))
+      continue;
+    if (axis >= 0) component(x, axis) = component(room.lo, axis);
+    if (!accept(probe, x, room, axis)) continue;
+    result.position = x;
+    result.count = 2;
+    std::copy(pair, pair + 2, result.faces);
+    return result;
+  }
+  return result;
+}
+
+SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const CellHints& hints) {
+  for (std::size_t k = 1; k < hints.crossings.size(); ++k) {
+    if (same_face(hints.faces[k - 1], hints.faces[k])) continue;
+    if (SurfacePoint s =
+            crease_between(probe, room, -1, hints.crossings[k - 1], hints.crossings[k]);
+        s.count > 0)
+      return s;
+  }
+  return {};
+}
+
+Vec3 mean_of(std::span<const Vec3> points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum += p;
+  return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+}  // namespace
+
+Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+  double a = 0, b = 1, fa = probe.offset(inside), fb = probe.offset(outside);
+  const double length = distance(inside, outside);
+  int side = 0;
+  for (int k = 0; k < 80 && (b - a) * length > 1e-10; ++k) {
+    // Illinois; plain halving when it is slow.
+    double t = k < 20 && fb > fa ? a + (b - a) * (-fa / (fb - fa)) : 0.5 * (a + b);
+    if (!(t > a && t < b)) t = 0.5 * (a + b);
+    const double f = probe.offset(lerp(inside, outside, t));
+    if (std::abs(f) < 1e-10) return lerp(inside, outside, t);
+    if (f < 0) {
+      a = t;
+      fa = f;
+      if (side < 0) fb *= 0.5;
+      side = -1;
+    } else {
+      b = t;
+      fb = f;
+      if (side > 0) fa *= 0.5;
+      side = 1;
+    }
+  }
+  return lerp(inside, outside, 0.5 * (a + b));
+}
+
+bool join_smoothly(const ExactField& field, const Vec3& p, const FieldSample& a,
+                   const FieldSample& b) {
+  if (same_face(a, b)) return true;
+  const Vec3 n = field.gradient(p, a), m = field.gradient(p, b);
+  const Vec3 c = cross(n, m);
+  return dot(n, m) > 0 && dot(c, c) < kSmoothJoin * kSmoothJoin;
+}
+
+bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
+                 const Box3& room, Vec3& p) {
+  const double reach = 2 * length(room.hi - room.lo);
+  const Vec3 middle = 0.5 * (room.lo + room.hi);
+  const int rows = static_cast<int>(faces.size());
+  for (int k = 0; k < kNewtonSteps; ++k) {
+    Vec3 n[4], step;
+    double g[4] = {}, worst = 0;
+    for (int i = 0; i < rows; ++i) {
+      const auto f = static_cast<std::size_t>(i);
+      g[i] = field.patch_distance(p, faces[f]);
+      n[i] = field.gradient(p, faces[f]);
+      worst = std::max(worst, std::abs(g[i]));
+    }
+    if (worst < 1e-9) return true;
+    int all = rows;
+    if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
+    if (!newton_step(n, g, all, step)) return worst < kOnSurface;
+    const double size = length(step);
+    if (size > reach) return false;
+    p = p + step;
+    if (distance(p, middle) > reach) return false;
+    if (size < 1e-10) return worst < kOnSurface;
+  }
+  double worst = 0;
+  for (const FieldSample& s : faces) worst = std::max(worst, std::abs(field.patch_distance(p, s)));
+  return worst < kOnSurface;
+}
+
+SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
+                           const FieldSample& a, const FieldSample* b) {
+  // Newton from the middle of the chord.
+  const FieldSample pair[2] = {a, b ? *b : a};
+  SurfacePoint result;
+  Vec3 p = start;
+  const std::span<const FieldSample> faces(pair, b ? 2 : 1);
+  if (solve_faces(probe.field, faces, axis, room, p)) {
+    component(p, axis) = component(room.lo, axis);
+    if (accept(probe, p, room, axis)) {
+      result.position = p;
+      result.count = b ? 2 : 1;
+      std::copy(pair, pair + 2, result.faces);
+      return result;
+    }
+  }
+  return result;
+}
+
+SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
+                            const FieldSample& a, const Vec3& to, const FieldSample& b) {
+  SurfacePoint s = point_in_face(probe, room, axis, 0.5 * (from + to), a, &b);
+  return s.count > 0 ? s : crease_between(probe, room, axis, from, to);
+}
+
+// A segment from the border of a convex room to its middle runs in its interior.
+SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
+                                  std::span<const Vec3> points) {
+  const Vec3 middle = 0.5 * (room.lo + room.hi);
+  const bool middle_inside = is_inside(probe.sample(middle).distance);
+  for (const Vec3& p : points) {
+    if (is_inside(probe.sample(p).distance) == middle_inside) continue;
+    SurfacePoint result;
+    result.position =
+        middle_inside ? find_crossing(probe, middle, p) : find_crossing(probe, p, middle);
+    result.faces[0] = probe.sample(result.position);
+    result.count = 1;
+    return result;
+  }
+  return {};
+}
+
+SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints) {
+  FieldSample faces[8];
+  const std::size_t n = distinct_faces(hints.faces, faces, 8);
+  const Vec3 mean = mean_of(hints.crossings);
+  if (n == 1)
+    if (SurfacePoint s = try_faces(probe, room, mean, {faces, 1}); s.count > 0) return s;
+  const Vec3 start = hints.creases.empty() ? mean : mean_of(hints.creases);
+  if (n >= 3)
+    if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;
+  if (n >= 2) {
+    const Vec3 starts[2] = {start, mean};
+    if (SurfacePoint s = try_creases(probe, room, starts, {faces, n}); s.count > 0) return s;
+    // The crease may be hidden by other faces between its ends: start at each of them.
+    if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0) return s;
+    if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
+  }
+  if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
+  return point_towards_middle(probe, room, hints.ends);
+}
+
+Vec3 snap_inside(const Vec3& p, const Box3& room, int flat) {
+  Vec3 q = snap(p);
+  for (int a = 0; a < 3; ++a) {
+    double& x = component(q, a);
+    const double lo = component(room.lo, a), hi = component(room.hi, a);
+    if (a == flat) {
+      x = lo;
+      continue;
+    }
+    const double step = 2 * std::max(coordinate_step(lo), coordinate_step(hi));
+    x = std::min(std::max(x, snap(lo + step)), snap(hi - step));
+  }
+  return q;
+}
+
+}  // namespace mrsim::detail

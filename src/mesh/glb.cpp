@@ -1,0 +1,255 @@
+#include "mesh/glb.h"
+
+#include "core/bytes.h"
+#include "mesh/creases.h"
+#include "mesh/half_edges.h"
+#include "mesh/palette.h"
+#include "mesh/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kCrease = 25;  // degrees
+constexpr double kSteps = 65535;
+enum : int {
+  kByte = 5120,
+  kUnsignedByte = 5121,
+  kUnsignedShort = 5123,
+  kUnsignedInt = 5125,
+  kFloat = 5126,
+  kArrayBuffer = 34962,
+  kElementBuffer = 34963
+};
+
+struct Quantizer {
+  Vec3 lo;
+  double step = 1;  // mm
+  std::array<std::uint16_t, 3> operator()(const std::array<float, 3>& p) const {
+    const Vec3 q = (1 / step) * (to_vec(p) - lo);
+    return {std::uint16_t(std::lround(q.x)), std::uint16_t(std::lround(q.y)),
+            std::uint16_t(std::lround(q.z))};
+  }
+};
+
+Quantizer quantizer_for(const TriMesh& mesh) {
+  Box3 box;
+  for (const auto& v : mesh.vertices) extend(box, to_vec(v));
+  Quantizer q;
+  if (is_empty(box)) return q;
+  q.lo = box.lo;
+  const Vec3 side = box.hi - box.lo;
+  q.step = std::max({side.x, side.y, side.z, 1e-6}) / kSteps;
+  return q;
+}
+
+// All that tells one vertex of the file from another.
+struct Corner {
+  std::uint32_t vertex = 0;
+  std::array<std::int8_t, 3> normal{};
+  std::int32_t owner = -1;
+  std::uint32_t entry = 0;  // of the palette
+  friend auto operator<=>(const Corner&, const Corner&) = default;
+};
+
+struct Vertices {
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> indices;
+};
+
+Vertices split_vertices(const TriMesh& mesh, const FacePalette& palette) {
+  const SurfaceShape shape = find_surface_shape(mesh, kCrease);
+  Vertices out;
+  // Corners of one vertex are few: found by walking its list, in the order of first use.
+  constexpr std::uint32_t kEnd = ~0u;
+  std::vector<std::uint32_t> first(mesh.vertices.size(), kEnd), next;
+  for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
+    Corner c;
+    c.vertex = origin_of(mesh, h);
+    for (int k = 0; k < 3; ++k)
+      c.normal[k] = std::int8_t(std::lround(std::clamp(shape.normals[h][k], -1.0f, 1.0f) * 127));
+    if (!mesh.owners.empty()) c.owner = mesh.owners[h / 3];
+    if (!palette.index.empty()) c.entry = palette.index[h / 3];
+    std::uint32_t at = first[c.vertex];
+    while (at != kEnd && out.corners[at] != c) at = next[at];
+    if (at == kEnd) {
+      at = std::uint32_t(out.corners.size());
+      out.corners.push_back(c);
+      next.push_back(first[c.vertex]);
+      first[c.vertex] = at;
+    }
+    out.indices.push_back(at);
+  }
+  return out;
+}
+
+// The binary part, with the views and accessors that describe it.
+class Binary {
+ public:
+  Json views = Json::array(), accessors = Json::array();
+  std::string bytes;
+
+  int add(const std::string& data, int stride, int target, Json accessor) {
+    Json view = {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", data.size()}};
+    if (stride > 0) view["byteStride"] = stride;
+    view["target"] = target;
+    accessor["bufferView"] = views.size();
+    views.push_back(std::move(view));
+    accessors.push_back(std::move(accessor));
+    bytes += data;
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+    return int(accessors.size()) - 1;
+  }
+};
+
+Json accessor(int type, const char* shape, std::size_t count, bool normalized = false) {
+  Json a = {{"componentType", type}, {"count", count}, {"type", shape}};
+  if (normalized) a["normalized"] = true;
+  return a;
+}
+
+int add_positions(const TriMesh& mesh, const Vertices& vertices, const Quantizer& quantize,
+                  Binary& binary) {
+  std::string data;
+  std::array<int, 3> lo = {65535, 65535, 65535}, hi = {0, 0, 0};
+  for (const Corner& c : vertices.corners) {
+    const auto q = quantize(mesh.vertices[c.vertex]);
+    for (int k = 0; k < 3; ++k) {
+      detail::store(data, q[k]);
+      lo[k] = std::min<int>(lo[k], q[k]);
+      hi[k] = std::max<int>(hi[k], q[k]);
+    }
+    detail::store(data, std::uint16_t(0));  // rows of the file begin at multiples of four
+  }
+  Json a = accessor(kUnsignedShort, "VEC3", vertices.corners.size());
+  a["min"] = lo;
+  a["max"] = hi;
+  return binary.add(data, 8, kArrayBuffer, a);
+}
+
+int add_normals(const Vertices& vertices, Binary& binary) {
+  std::string data;
+  for (const Corner& c : vertices.corners) {
+    for (const std::int8_t n : c.normal) detail::store(data, n);
+    detail::store(data, std::int8_t(0));
+  }
+  return binary.add(data, 4, kArrayBuffer, accessor(kByte, "VEC3", vertices.corners.size(), true));
+}
+
+// glTF's vertex colours are linear light.
+int add_colors(const TriMesh& mesh, const Vertices& vertices, const FacePalette& palette,
+               Binary& binary) {
+  std::string data;
+  for (const Corner& c : vertices.corners) {
+    const Color linear =
+        to_linear(mesh.colors.empty() ? palette.entries[c.entry].color : mesh.colors[c.vertex]);
+    for (const float x : {linear.r, linear.g, linear.b, 1.0f})
+      detail::store(data, std::uint8_t(std::lround(x * 255)));
+  }
+  return binary.add(data, 4, kArrayBuffer,
+                    accessor(kUnsignedByte, "VEC4", vertices.corners.size(), true));
+}
+
+int add_owners(const Vertices& vertices, Binary& binary) {
+  std::string data;
+  for (const Corner& c : vertices.corners) detail::store(data, float(c.owner));
+  return binary.add(data, 4, kArrayBuffer, accessor(kFloat, "SCALAR", vertices.corners.size()));
+}
+
+int add_indices(const Vertices& vertices, Binary& binary) {
+  std::string data;
+  const bool narrow = vertices.corners.size() <= 65535;  // the last index restarts strips
+  for (const std::uint32_t i : vertices.indices) {
+    if (narrow)
+      detail::store(data, std::uint16_t(i));
+    else
+      detail::store(data, i);
+  }
+  return binary.add(
+      data, 0, kElementBuffer,
+      accessor(narrow ? kUnsignedShort : kUnsignedInt, "SCALAR", vertices.indices.size()));
+}
+
+Json extras_of(const OwnerTable& table) {
+  Json files = Json::array(), tools = Json::array(), origins = Json::array();
+  for (const std::string& file : table.files) files.push_back(to_utf8(file));
+  for (const std::string& tool : table.tools) tools.push_back(to_utf8(tool));
+  for (const FaceOrigin& o : table.origins) origins.push_back({o.owner, o.file, o.line, o.tool});
+  return {{"mrsim", {{"files", files}, {"tools", tools}, {"origins", origins}}}};
+}
+
+// From steps to metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000.
+Json node_of(const Quantizer& q) {
+  constexpr double kHalfRoot = 0.70710678118654752;
+  const double scale = q.step / 1000;
+  return {{"mesh", 0},
+          {"name", "part"},
+          {"rotation", {-kHalfRoot, 0, 0, kHalfRoot}},
+          {"scale", {scale, scale, scale}},
+          {"translation", {q.lo.x / 1000, q.lo.z / 1000, -q.lo.y / 1000}}};
+}
+
+Json document(const TriMesh& mesh, const Quantizer& quantizer, const Json& primitive,
+              const Binary& binary) {
+  const bool colored = primitive["attributes"].contains("COLOR_0");
+  const double gray = to_linear(kStockColor).r;
+  const Json base = colored ? Json{1, 1, 1, 1} : Json{gray, gray, gray * 1.04, 1};
+  Json part = {{"name", "part"}, {"primitives", {primitive}}};
+  if (!mesh.owners.empty()) part["extras"] = extras_of(mesh.origin);
+  return {{"asset", {{"version", "2.0"}, {"generator", "mrsim"}}},
+          {"extensionsUsed", {"KHR_mesh_quantization"}},
+          {"extensionsRequired", {"KHR_mesh_quantization"}},
+          {"scene", 0},
+          {"scenes", {{{"nodes", {0}}}}},
+          {"nodes", {node_of(quantizer)}},
+          {"meshes", {part}},
+          {"materials",
+           {{{"name", "part"},
+             {"pbrMetallicRoughness",
+              {{"baseColorFactor", base}, {"metallicFactor", 0.1}, {"roughnessFactor", 0.55}}}}}},
+          {"buffers", {{{"byteLength", binary.bytes.size()}}}},
+          {"bufferViews", binary.views},
+          {"accessors", binary.accessors}};
+}
+
+}  // namespace
+
+double glb_max_error(const TriMesh& mesh) { return std::sqrt(3.0) / 2 * quantizer_for(mesh).step; }
+
+void write_glb(const TriMesh& mesh, const MeshFileOptions& options, const ByteSink& out) {
+  const FacePalette palette = make_palette(mesh, options.color);
+  const Quantizer quantizer = quantizer_for(mesh);
+  const Vertices vertices = split_vertices(mesh, palette);
+  Binary binary;
+  Json attributes;
+  attributes["POSITION"] = add_positions(mesh, vertices, quantizer, binary);
+  attributes["NORMAL"] = add_normals(vertices, binary);
+  if (!mesh.colors.empty() || !palette.index.empty())
+    attributes["COLOR_0"] = add_colors(mesh, vertices, palette, binary);
+  if (!mesh.owners.empty()) attributes["_OWNER"] = add_owners(vertices, binary);
+  const Json primitive = {
+      {"attributes", attributes}, {"indices", add_indices(vertices, binary)}, {"material", 0}};
+  std::string json = document(mesh, quantizer, primitive, binary).dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t total = 12 + 8 + json.size() + 8 + binary.bytes.size();
+  if (total > 0xffffffff)
+    throw Error("glb-too-large", "the mesh is too large for a GLB file; write .ply or .stl");
+  std::string head;
+  for (const std::uint32_t n :
+       {0x46546c67u, 2u, std::uint32_t(total), std::uint32_t(json.size()), 0x4e4f534au})
+    detail::store(head, n);
+  head += json;
+  detail::store(head, std::uint32_t(binary.bytes.size()));
+  detail::store(head, std::uint32_t(0x004e4942));
+  out(head.data(), head.size());
+  out(binary.bytes.data(), binary.bytes.size());
+}
+
+}  // namespace mrsim

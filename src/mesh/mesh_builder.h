@@ -1,0 +1,40 @@
+// What the readers of indexed formats have in common: polygons to triangles, checks, welding.
+#pragma once
+
+#include "mesh/text_scan.h"
+#include <mrsim/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace mrsim::detail {
+
+/// Builds a mesh from untrusted numbers. Every fault is an Error "<format>-index", "-nan",
+/// "-polygon", "-empty" that names the file.
+class MeshBuilder {
+ public:
+  /// `format` is the beginning of error codes, "obj".
+  MeshBuilder(std::string format, std::string name)
+      : format_(std::move(format)), name_(std::move(name)) {}
+
+  void add_vertex(double x, double y, double z);
+  /// A polygon of vertex indices, split into triangles by its ears; polygons of fewer than three
+  /// different corners are left out.
+  void add_face(std::span<const std::int64_t> corners, std::int32_t owner);
+  std::size_t vertex_count() const { return mesh_.vertices.size(); }
+  TriMesh& mesh() { return mesh_; }
+
+  /// The mesh. A file that repeats its vertices (each face its own, for normals or textures) is
+  /// welded: a solid is to be closed. Owners are dropped when no face has any.
+  TriMesh take();
+
+  [[noreturn]] void fail(const char* fault, const std::string& text) const;
+
+ private:
+  std::string format_, name_;
+  TriMesh mesh_;
+  bool has_owners_ = false;
+};
+
+}  // namespace mrsim::detail

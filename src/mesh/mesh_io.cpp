@@ -1,0 +1,91 @@
+#include "mesh/mesh_io.h"
+
+#include "core/text_io.h"
+#include "mesh/glb.h"
+#include "mesh/obj.h"
+#include "mesh/off.h"
+#include "mesh/ply.h"
+#include "mesh/stl.h"
+#include "mesh/text_scan.h"
+#include "mesh/threemf.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
+    {".stl", MeshFormat::stl}, {".obj", MeshFormat::obj},     {".ply", MeshFormat::ply},
+    {".off", MeshFormat::off}, {".3mf", MeshFormat::threemf}, {".glb", MeshFormat::glb}};
+
+}  // namespace
+
+MeshFormat mesh_format_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string file = slash == path.npos ? path : path.substr(slash + 1);
+  const std::size_t dot = file.find_last_of('.');
+  if (dot != file.npos)
+    for (const auto& [extension, format] : kExtensions)
+      if (detail::equals_ignoring_case(std::string_view(file).substr(dot), extension))
+        return format;
+  throw Error("mesh-format",
+              fmt::format("{}: the format of a mesh is told by the end of its name, one of .stl "
+                          ".obj .ply .off .3mf .glb",
+                          path),
+              Error::Kind::usage);
+}
+
+bool keeps_owners(MeshFormat format) {
+  return format != MeshFormat::stl && format != MeshFormat::off;
+}
+
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+  switch (format) {
+    case MeshFormat::stl:
+      return parse_stl(bytes, name);
+    case MeshFormat::obj:
+      return parse_obj(bytes, name);
+    case MeshFormat::ply:
+      return parse_ply(bytes, name);
+    case MeshFormat::off:
+      return parse_off(bytes, name);
+    case MeshFormat::threemf:
+      return parse_3mf(bytes, name);
+    case MeshFormat::glb:
+      break;
+  }
+  throw Error("mesh-format", fmt::format("{}: GLB is written, not read; take .ply or .3mf", name),
+              Error::Kind::usage);
+}
+
+void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+                 const ByteSink& out) {
+  switch (format) {
+    case MeshFormat::stl:
+      return options.ascii ? write_stl_ascii(mesh, out) : write_stl(mesh, out);
+    case MeshFormat::obj:
+      return write_obj(mesh, out);
+    case MeshFormat::ply:
+      return write_ply(mesh, options.color, out);
+    case MeshFormat::off:
+      return write_off(mesh, out);
+    case MeshFormat::threemf:
+      return write_3mf(mesh, options.color, out);
+    case MeshFormat::glb:
+      return write_glb(mesh, options, out);
+  }
+}
+
+TriMesh load_mesh(const std::string& path) {
+  const MeshFormat format = mesh_format_of(path);
+  return parse_mesh(read_file(path), format, path);
+}
+
+void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptions& options) {
+  const MeshFormat format = mesh_format_of(path);
+  if (mesh.triangles.empty())
+    throw Error("mesh-empty", fmt::format("{} is not written: nothing is left of the part", path));
+  write_file_atomically(path, [&](const ByteSink& out) { encode_mesh(mesh, format, options, out); });
+}
+
+}  // namespace mrsim

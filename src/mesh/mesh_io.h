@@ -1,0 +1,38 @@
+// Mesh files by extension.
+#pragma once
+
+#include "core/text_io.h"
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+enum class MeshFormat : std::uint8_t { stl, obj, ply, off, threemf, glb };
+
+/// The format that a file name ends in, whatever its case. Throws Error "mesh-format" of kind usage
+/// that lists the known ones.
+MeshFormat mesh_format_of(const std::string& path);
+
+/// Whether the format keeps the owners of faces, so that a later comparison can name lines.
+bool keeps_owners(MeshFormat format);
+
+/// Mesh in the bytes of a file of that format; `name` for messages. GLB is not read: Error
+/// "mesh-format".
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
+
+/// The bytes of a file of that format.
+void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+                 const ByteSink& out);
+
+/// Reads a file. Throws what read_file and the format throw.
+TriMesh load_mesh(const std::string& path);
+
+/// Writes a file whole or not at all. Throws Error "mesh-empty" for a mesh without triangles and
+/// what write_file_atomically throws.
+void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptions& options = {});
+
+}  // namespace mrsim

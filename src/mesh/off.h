@@ -1,0 +1,20 @@
+// OFF, the text form.
+#pragma once
+
+#include "core/text_io.h"
+#include <mrsim/types.h>
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// The mesh in the text of an OFF, COFF or NOFF file; colours and normals are passed over. Throws
+/// Error "off-syntax", "off-truncated", "off-index", "off-nan", "off-polygon", "off-empty".
+TriMesh parse_off(std::string_view text, const std::string& name);
+
+/// Numbers are the shortest that read back to the same float. Owners are lost; colours are not
+/// written, for many readers take them for vertices.
+void write_off(const TriMesh& mesh, const ByteSink& out);
+
+}  // namespace mrsim

@@ -1,0 +1,44 @@
+// Colours that tell which line or which tool cut a face: the same for the same mesh, and told apart
+// by colour-blind people too.
+#pragma once
+
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+using Rgb = std::array<std::uint8_t, 3>;  ///< sRGB
+
+inline constexpr Rgb kStockColor = {178, 182, 188};
+
+struct PaletteEntry {
+  Rgb color = kStockColor;
+  std::string label;        ///< "stock", "tool 4", "PRIMER_2F.MPF:12"
+  std::int32_t owner = -1;  ///< the first owner that has it
+};
+
+struct FacePalette {
+  std::vector<PaletteEntry> entries;  ///< stock first where it occurs, then by program order
+  std::vector<std::uint32_t> index;   ///< #F: into entries; empty without colours
+};
+
+/// Tools: a set of colours made for colour blindness (after Okabe and Ito), by the order of the
+/// tool list. Lines: a ramp from blue to ochre that grows steadily lighter, from the first line to
+/// the last, every second line a little darker. Empty where the mesh has no owners or `by` is none.
+FacePalette make_palette(const TriMesh& mesh, ColorBy by);
+
+/// The entry of `owner`, null for the stock and for owners without one.
+const FaceOrigin* find_origin(const OwnerTable& table, std::int32_t owner);
+
+/// "PRIMER_2F.MPF:12, tool 4", "stock", "motion 7" (nothing known but the index).
+std::string owner_label(const OwnerTable& table, std::int32_t owner);
+
+/// Fills TriMesh::origin with the owners that the faces name.
+OwnerTable make_owner_table(const TriMesh& mesh, const Program& program);
+
+}  // namespace mrsim

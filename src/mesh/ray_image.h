@@ -1,0 +1,30 @@
+// The shaded picture of a mesh, without lines and letters.
+//
+// One ray a pixel finds the surface; rays to the sky and the key light, taken in turns by the
+// pixels of a 4 x 4 square and averaged over neighbours on the same surface, its light; pixels
+// where surface, direction or colour change are taken again with 16 rays.
+#pragma once
+
+#include "mesh/creases.h"
+#include "mesh/light.h"
+#include "mesh/picture.h"
+#include "mesh/ray_scene.h"
+#include "mesh/view.h"
+
+#include <vector>
+
+namespace mrsim {
+
+struct RayImageInput {
+  const TriMesh& mesh;
+  const SurfaceShape& shape;
+  const RayScene& scene;
+  const View& view;
+  const std::vector<Color>& paints;  ///< #F, or one for all
+  const RenderOptions& options;
+};
+
+/// Draws into all of `picture`.
+void draw_surface(const RayImageInput& input, Picture& picture);
+
+}  // namespace mrsim

@@ -1,0 +1,122 @@
+#include "mesh/render.h"
+
+#include "mesh/creases.h"
+#include "mesh/edge_lines.h"
+#include "mesh/half_edges.h"
+#include "mesh/palette.h"
+#include "mesh/picture.h"
+#include "mesh/ray_image.h"
+#include "mesh/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr Rgb kSteel = {196, 201, 207};
+constexpr Rgb kText = {62, 70, 80};
+constexpr double kDefaultCrease = 25;  // degrees, for shading where no edges are drawn
+constexpr std::size_t kMostEntries = 14;
+
+void require_valid(const TriMesh& mesh, const RenderOptions& options) {
+  const auto fail = [](const std::string& what) {
+    throw Error("render-options", what, Error::Kind::usage);
+  };
+  for (const int side : {options.width, options.height})
+    if (side < 16 || side > 8192)
+      fail(fmt::format("a picture side of {} pixels is not in 16 .. 8192", side));
+  if (!(std::fabs(options.azimuth) <= 3600) || !(std::fabs(options.elevation) <= 90))
+    fail("the view needs an azimuth within 3600 and an elevation within 90 degrees");
+  if (!(options.edge_angle >= 0 && options.edge_angle <= 180))
+    fail(fmt::format("an edge angle of {} degrees is not in 0 .. 180", options.edge_angle));
+  if (mesh.triangles.empty()) throw Error("mesh-empty", "there is nothing to draw");
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.vertices.size() || !std::isfinite(mesh.vertices[v][0]) ||
+          !std::isfinite(mesh.vertices[v][1]) || !std::isfinite(mesh.vertices[v][2]))
+        throw Error("mesh-invalid", "a triangle names a vertex that is not there, or no number");
+}
+
+std::vector<Color> face_paints(const FacePalette& palette) {
+  if (palette.index.empty()) return {to_linear(kSteel)};
+  std::vector<Color> of_entry, paints;
+  for (const PaletteEntry& entry : palette.entries) of_entry.push_back(to_linear(entry.color));
+  for (const std::uint32_t i : palette.index) paints.push_back(of_entry[i]);
+  return paints;
+}
+
+std::string size_text(const TriMesh& mesh) {
+  Box3 box;
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  const Vec3 side = box.hi - box.lo;
+  const auto rounded = [](double mm) { return std::round(mm * 100) / 100; };
+  return fmt::format("{:g} x {:g} x {:g} mm", rounded(side.x), rounded(side.y), rounded(side.z));
+}
+
+// Entries to show: all, or those of the largest area.
+std::vector<std::size_t> shown_entries(const TriMesh& mesh, const FacePalette& palette) {
+  std::vector<double> area(palette.entries.size(), 0);
+  for (std::size_t f = 0; f < palette.index.size(); ++f)
+    area[palette.index[f]] += length(area_normal(mesh, f));
+  std::vector<std::size_t> shown(palette.entries.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = i;
+  if (shown.size() > kMostEntries) {
+    std::stable_sort(shown.begin(), shown.end(),
+                     [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
+    shown.resize(kMostEntries);
+    std::sort(shown.begin(), shown.end());
+  }
+  return shown;
+}
+
+void draw_legend(const TriMesh& mesh, const FacePalette& palette, double text, Picture& picture) {
+  if (palette.entries.empty()) return;
+  const std::vector<std::size_t> shown = shown_entries(mesh, palette);
+  std::vector<std::string> labels;
+  for (const std::size_t i : shown) labels.push_back(palette.entries[i].label);
+  if (shown.size() < palette.entries.size())
+    labels.push_back(fmt::format("and {} more", palette.entries.size() - shown.size()));
+  const double row = 1.9 * text, pad = text, left = 1.6 * text, chip = 1.3 * text;
+  double widest = 0;
+  for (const std::string& label : labels) widest = std::max(widest, text_width(label, text));
+  picture.fill_box({left, left}, {chip + widest + 3 * pad, row * double(labels.size()) + pad},
+                   0.6 * text, to_linear({255, 255, 255}), 0.82);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double y = left + pad + row * double(i);
+    if (i < shown.size())
+      picture.fill_box({left + pad, y - 0.05 * text}, {chip, 1.05 * text}, 0.25 * text,
+                       to_linear(palette.entries[shown[i]].color));
+    draw_text(picture, {left + 2 * pad + chip, y + text}, text, labels[i], to_linear(kText));
+  }
+}
+
+}  // namespace
+
+void render_mesh(const TriMesh& mesh, const RenderOptions& options, const ByteSink& out) {
+  require_valid(mesh, options);
+  const double crease = options.edge_angle > 0 ? options.edge_angle : kDefaultCrease;
+  const SurfaceShape shape = find_surface_shape(mesh, crease, options.threads);
+  const RayScene scene(mesh, options.threads);
+  const FacePalette palette =
+      mesh.colors.empty() ? make_palette(mesh, options.color) : FacePalette{};
+  const std::vector<Color> paints = face_paints(palette);
+
+  const double text = std::max(6.0, options.height / 75.0);
+  const double margin = 0.05 * std::min(options.width, options.height);
+  const View view =
+      fit_view(mesh, options,
+               {margin, margin, options.width - margin, options.height - margin - 2.2 * text});
+  Picture picture(options.width, options.height);
+  draw_surface({mesh, shape, scene, view, paints, options}, picture);
+  if (options.edge_angle > 0) draw_edges(mesh, shape, scene, view, options.threads, picture);
+  draw_legend(mesh, palette, text, picture);
+  draw_text(picture, {1.8 * text, options.height - 1.8 * text}, text,
+            options.caption.empty() ? size_text(mesh) : options.caption, to_linear(kText));
+  write_png(picture, out);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,206 @@
+#include "mesh/self_intersection.h"
+
+#include "core/parallel.h"
+#include "mesh/exact_predicates.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mrsim::detail {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr std::uint32_t kLeaf = 8;
+
+bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b, int axis) {
+  for (const int i : {(axis + 1) % 3, (axis + 2) % 3}) {
+    const double x = mrsim::component(p, i), y = mrsim::component(a, i), z = mrsim::component(b, i);
+    if (x < std::min(y, z) || x > std::max(y, z)) return false;
+  }
+  return true;
+}
+
+bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, int axis) {
+  const int s = orientation2(p, q, a, axis), t = orientation2(p, q, b, axis);
+  const int u = orientation2(a, b, p, axis), v = orientation2(a, b, q, axis);
+  if (s * t < 0 && u * v < 0) return true;
+  return (s == 0 && on_segment(a, p, q, axis)) || (t == 0 && on_segment(b, p, q, axis)) ||
+         (u == 0 && on_segment(p, a, b, axis)) || (v == 0 && on_segment(q, a, b, axis));
+}
+
+int flat_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (orientation2(a, b, c, axis) != 0) return axis;
+  return 2;
+}
+
+bool segment_meets_coplanar(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                            const Vec3& c) {
+  const int axis = flat_axis(a, b, c);
+  const int s = orientation2(a, b, p, axis), t = orientation2(b, c, p, axis),
+            u = orientation2(c, a, p, axis);
+  if ((s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0)) return true;
+  return segments_meet(p, q, a, b, axis) || segments_meet(p, q, b, c, axis) ||
+         segments_meet(p, q, c, a, axis);
+}
+
+bool segment_meets(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const int above = orientation(a, b, c, p), below = orientation(a, b, c, q);
+  if (above * below > 0) return false;
+  if (above == 0 && below == 0) return segment_meets_coplanar(p, q, a, b, c);
+  const int s = orientation(p, q, a, b), t = orientation(p, q, b, c);
+  if (s * t < 0) return false;
+  const int u = orientation(p, q, c, a);
+  return (s >= 0 && t >= 0 && u >= 0) || (s <= 0 && t <= 0 && u <= 0);
+}
+
+class PairTest {
+ public:
+  PairTest(std::span<const Vec3> vertices, std::span<const Triangle> triangles)
+      : vertices_(vertices), triangles_(triangles) {}
+
+  bool meet(std::uint32_t i, std::uint32_t j) const {
+    const Triangle &s = triangles_[i], &t = triangles_[j];
+    int shared = 0, a[3] = {-1, -1, -1}, b[3] = {-1, -1, -1};
+    for (int k = 0; k < 3; ++k)
+      for (int m = 0; m < 3; ++m)
+        if (s[std::size_t(k)] == t[std::size_t(m)]) {
+          a[shared] = k;
+          b[shared] = m;
+          ++shared;
+        }
+    if (shared == 0) return meet_apart(s, t);
+    if (shared == 1) return opposite_meets(s, a[0], t) || opposite_meets(t, b[0], s);
+    if (shared == 2) return folded(s, a, t, b);
+    return true;
+  }
+
+ private:
+  const Vec3& at(const Triangle& t, int k) const {
+    return vertices_[t[static_cast<std::size_t>(k % 3)]];
+  }
+  bool edge_meets(const Triangle& s, int k, const Triangle& t) const {
+    return segment_meets(at(s, k), at(s, k + 1), at(t, 0), at(t, 1), at(t, 2));
+  }
+  bool opposite_meets(const Triangle& s, int shared, const Triangle& t) const {
+    return edge_meets(s, shared + 1, t);
+  }
+  // On one side of the other's plane: by far the most frequent case.
+  bool is_apart(const Triangle& s, const Triangle& t) const {
+    const int x = orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 0));
+    return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 1)) &&
+           x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 2));
+  }
+  bool meet_apart(const Triangle& s, const Triangle& t) const {
+    if (is_apart(s, t) || is_apart(t, s)) return false;
+    for (int k = 0; k < 3; ++k)
+      if (edge_meets(s, k, t) || edge_meets(t, k, s)) return true;
+    return false;
+  }
+  bool folded(const Triangle& s, const int* a, const Triangle& t, const int* b) const {
+    const Vec3 &p = at(s, a[0]), &q = at(s, a[1]);
+    const Vec3 &x = at(s, 3 - a[0] - a[1]), &y = at(t, 3 - b[0] - b[1]);
+    if (orientation(p, q, x, y) != 0) return false;
+    const int axis = flat_axis(p, q, x);
+    return orientation2(p, q, x, axis) == orientation2(p, q, y, axis);
+  }
+
+  std::span<const Vec3> vertices_;
+  std::span<const Triangle> triangles_;
+};
+
+// A tree of boxes over the triangles, halved at the median of the longest side.
+class BoxTree {
+ public:
+  BoxTree(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+    boxes_.resize(triangles.size());
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+      for (const std::uint32_t v : triangles[k]) extend(boxes_[k], vertices[v]);
+    order_.resize(triangles.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+  }
+
+  template <class F>
+  void visit(std::uint32_t triangle, F&& f) const {
+    std::vector<std::uint32_t> stack{0};
+    const Box3& b = boxes_[triangle];
+    while (!stack.empty()) {
+      const Node& n = nodes_[stack.back()];
+      stack.pop_back();
+      if (!overlap(n.box, b)) continue;
+      if (n.right == 0)
+        for (std::uint32_t k = n.begin; k < n.end; ++k) {
+          if (order_[k] > triangle && overlap(boxes_[order_[k]], b)) f(order_[k]);
+        }
+      else {
+        stack.push_back(n.right);
+        stack.push_back(static_cast<std::uint32_t>(&n - nodes_.data()) + 1);
+      }
+    }
+  }
+
+ private:
+  struct Node {
+    Box3 box;
+    std::uint32_t begin = 0, end = 0, right = 0;
+  };
+
+  static bool overlap(const Box3& a, const Box3& b) {
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+           a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+  }
+
+  void build(std::uint32_t begin, std::uint32_t end) {
+    const auto id = nodes_.size();
+    nodes_.push_back({{}, begin, end, 0});
+    Box3 box;
+    for (std::uint32_t k = begin; k < end; ++k) extend(box, boxes_[order_[k]]);
+    nodes_[id].box = box;
+    if (end - begin <= kLeaf) return;
+    const Vec3 size = box.hi - box.lo;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    const auto center = [&](std::uint32_t t) {
+      return mrsim::component(boxes_[t].lo, axis) + mrsim::component(boxes_[t].hi, axis);
+    };
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double x = center(a), y = center(b);
+                       return x < y || (x == y && a < b);
+                     });
+    build(begin, middle);
+    nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
+    build(middle, end);
+  }
+
+  std::vector<Box3> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
+    std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads) {
+  const PairTest test(vertices, triangles);
+  const BoxTree tree(vertices, triangles);
+  std::vector<std::vector<std::uint32_t>> found(triangles.size());
+  parallel_for(
+      triangles.size(), threads,
+      [&](std::size_t i) {
+        const auto id = static_cast<std::uint32_t>(i);
+        tree.visit(id, [&](std::uint32_t j) {
+          if (test.meet(id, j)) found[i].push_back(j);
+        });
+        std::sort(found[i].begin(), found[i].end());
+      },
+      64);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < found.size(); ++i)
+    for (const std::uint32_t j : found[i]) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,21 @@
+// Pairs of triangles that meet where they should not, by exact predicates.
+#pragma once
+
+#include "core/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// All pairs of triangles that touch or cross outside of the vertex or edge they share, ascending.
+/// Requires: coordinates as contour_lattice.h says, no degenerate triangle. O(n log n) on meshes
+/// whose triangles are spread out.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
+    std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+    int threads);
+
+}  // namespace mrsim::detail

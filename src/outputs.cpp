@@ -1,0 +1,56 @@
+#include "outputs.h"
+
+#include "core/text_io.h"
+#include "mesh/mesh_io.h"
+#include <mrsim/mrsim.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::string_view kVdb = ".vdb";
+
+}  // namespace
+
+bool is_vdb(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension == kVdb;
+}
+
+void check_outputs(const std::vector<std::string>& paths) {
+  std::set<std::string> seen;
+  for (const std::string& path : paths) {
+    if (!is_vdb(path)) mesh_format_of(path);
+    check_writable(path);
+    if (!seen.insert(std::filesystem::absolute(path).lexically_normal().string()).second)
+      throw Error("output-twice", fmt::format("{} is given as output twice", path),
+                  Error::Kind::usage);
+  }
+}
+
+void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, const Stock& stock,
+                   const StockRecipe& recipe, const MeshFileOptions& options) {
+  std::vector<OutputFile> files;
+  for (const std::string& path : paths) {
+    if (is_vdb(path)) {
+      files.push_back({path, [&](const ByteSink& out) { write_vdb(stock, recipe, out); }});
+      continue;
+    }
+    files.push_back({path, [&, format = mesh_format_of(path)](const ByteSink& out) {
+                       encode_mesh(mesh, format, options, out);
+                     }});
+  }
+  write_files_atomically(files);
+}
+
+TriMesh read_mesh(const std::string& path) { return load_mesh(path); }
+void write_mesh(const std::string& path, const TriMesh& mesh) { save_mesh(path, mesh); }
+
+}  // namespace mrsim

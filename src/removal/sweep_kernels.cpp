@@ -1,0 +1,212 @@
+// Instruction sets: each namespace defines a register V and how to fill it, then includes the forms
+// and the loops. Targets are set for these functions alone, so that one build runs everywhere; FMA
+// is never among them (contraction would change bits).
+#include "removal/sweep_kernels.h"
+
+#include "removal/sweep_lane_scalar.h"
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#define MRSIM_X86 1
+#ifndef __clang__  // GCC 12 warns of its own AVX-512 header (GCC bug 105593)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
+#include <immintrin.h>
+#endif
+
+namespace mrsim {
+namespace lane {
+namespace {
+
+constexpr std::size_t kLanes = 1;
+constexpr const char* kName = "scalar";
+#define MRSIM_LANE inline
+MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+  for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
+}
+MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
+  for (int i = 0; i < 11; ++i) c[i] = r[rows[0]].c[i];
+}
+MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) { x = p->x, y = p->y, z = p->z; }
+MRSIM_LANE void store(double* out, V v) { *out = v; }
+MRSIM_LANE void store_some(double* out, V v, std::size_t) { *out = v; }
+#include "removal/sweep_kernels.inl"
+#undef MRSIM_LANE
+
+}  // namespace
+}  // namespace lane
+
+#ifdef MRSIM_X86
+
+#define MRSIM_LANE static inline __attribute__((always_inline))
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+namespace avx2 {
+namespace {
+
+constexpr std::size_t kLanes = 4;
+constexpr const char* kName = "AVX2";
+using V = __m256d;
+using M = __m256d;
+MRSIM_LANE V splat(double a) { return _mm256_set1_pd(a); }
+MRSIM_LANE V vmin(V a, V b) { return _mm256_min_pd(a, b); }
+MRSIM_LANE V vmax(V a, V b) { return _mm256_max_pd(a, b); }
+MRSIM_LANE V vabs(V a) { return _mm256_max_pd(a, -a); }
+MRSIM_LANE V vsqrt(V a) { return _mm256_sqrt_pd(a); }
+MRSIM_LANE M less_equal(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
+MRSIM_LANE V select(M m, V a, V b) { return _mm256_blendv_pd(b, a, m); }
+// Four rows of four into four columns.
+MRSIM_LANE void transpose(const double* a, const double* b, const double* c, const double* d,
+                          V* out) {
+  const V ra = _mm256_load_pd(a), rb = _mm256_load_pd(b), rc = _mm256_load_pd(c),
+          rd = _mm256_load_pd(d);
+  const V ab0 = _mm256_unpacklo_pd(ra, rb), ab1 = _mm256_unpackhi_pd(ra, rb);
+  const V cd0 = _mm256_unpacklo_pd(rc, rd), cd1 = _mm256_unpackhi_pd(rc, rd);
+  out[0] = _mm256_permute2f128_pd(ab0, cd0, 0x20);
+  out[1] = _mm256_permute2f128_pd(ab1, cd1, 0x20);
+  out[2] = _mm256_permute2f128_pd(ab0, cd0, 0x31);
+  out[3] = _mm256_permute2f128_pd(ab1, cd1, 0x31);
+}
+MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+  const double *p0 = r[rows[0]].c, *p1 = r[rows[1]].c, *p2 = r[rows[2]].c, *p3 = r[rows[3]].c;
+  transpose(p0, p1, p2, p3, c);
+  transpose(p0 + 4, p1 + 4, p2 + 4, p3 + 4, c + 4);
+}
+MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
+  const double *p0 = r[rows[0]].c, *p1 = r[rows[1]].c, *p2 = r[rows[2]].c, *p3 = r[rows[3]].c;
+  transpose(p0, p1, p2, p3, c);
+  transpose(p0 + 4, p1 + 4, p2 + 4, p3 + 4, c + 4);
+  c[8] = _mm256_set_pd(p3[8], p2[8], p1[8], p0[8]);
+  c[9] = _mm256_set_pd(p3[9], p2[9], p1[9], p0[9]);
+  c[10] = _mm256_set_pd(p3[10], p2[10], p1[10], p0[10]);
+}
+MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
+  x = _mm256_set_pd(p[3].x, p[2].x, p[1].x, p[0].x);
+  y = _mm256_set_pd(p[3].y, p[2].y, p[1].y, p[0].y);
+  z = _mm256_set_pd(p[3].z, p[2].z, p[1].z, p[0].z);
+}
+MRSIM_LANE void store(double* out, V v) { _mm256_storeu_pd(out, v); }
+MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
+  if (n >= kLanes) return _mm256_storeu_pd(out, v);
+  alignas(32) double lanes[kLanes];
+  _mm256_store_pd(lanes, v);
+  for (std::size_t j = 0; j < n; ++j) out[j] = lanes[j];
+}
+#include "removal/sweep_lanes.inl"
+//
+#include "removal/sweep_kernels.inl"
+
+}  // namespace
+}  // namespace avx2
+#ifdef __clang__
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f"))), apply_to = function)
+#else
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+#endif
+namespace avx512 {
+namespace {
+
+constexpr std::size_t kLanes = 8;
+constexpr const char* kName = "AVX-512";
+using V = __m512d;
+using M = __mmask8;
+MRSIM_LANE V splat(double a) { return _mm512_set1_pd(a); }
+MRSIM_LANE V vmin(V a, V b) { return _mm512_min_pd(a, b); }
+MRSIM_LANE V vmax(V a, V b) { return _mm512_max_pd(a, b); }
+MRSIM_LANE V vabs(V a) { return _mm512_max_pd(a, -a); }
+MRSIM_LANE V vsqrt(V a) { return _mm512_sqrt_pd(a); }
+MRSIM_LANE M less_equal(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
+MRSIM_LANE V select(M m, V a, V b) { return _mm512_mask_blend_pd(m, b, a); }
+// Eight rows of eight into eight columns: pairs, then pairs of pairs, then halves.
+MRSIM_LANE void transpose(const V* r, V* c) {
+  V pair[8], quad[8];
+  for (int i = 0; i < 4; ++i) {
+    pair[2 * i] = _mm512_unpacklo_pd(r[2 * i], r[2 * i + 1]);
+    pair[2 * i + 1] = _mm512_unpackhi_pd(r[2 * i], r[2 * i + 1]);
+  }
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      quad[4 * i + j] = _mm512_shuffle_f64x2(pair[4 * i + j], pair[4 * i + j + 2], 0x88);
+      quad[4 * i + j + 2] = _mm512_shuffle_f64x2(pair[4 * i + j], pair[4 * i + j + 2], 0xdd);
+    }
+  }
+  for (int j = 0; j < 2; ++j) {
+    c[j] = _mm512_shuffle_f64x2(quad[j], quad[4 + j], 0x88);
+    c[j + 4] = _mm512_shuffle_f64x2(quad[j], quad[4 + j], 0xdd);
+    c[j + 2] = _mm512_shuffle_f64x2(quad[j + 2], quad[4 + j + 2], 0x88);
+    c[j + 6] = _mm512_shuffle_f64x2(quad[j + 2], quad[4 + j + 2], 0xdd);
+  }
+}
+MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+  V row[8];
+  for (int j = 0; j < 8; ++j) row[j] = _mm512_load_pd(r[rows[j]].c);
+  transpose(row, c);
+}
+MRSIM_LANE V column(const ArcRecord* r, const std::uint32_t* rows, int i) {
+  return _mm512_set_pd(r[rows[7]].c[i], r[rows[6]].c[i], r[rows[5]].c[i], r[rows[4]].c[i],
+                       r[rows[3]].c[i], r[rows[2]].c[i], r[rows[1]].c[i], r[rows[0]].c[i]);
+}
+MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
+  V row[8];
+  for (int j = 0; j < 8; ++j) row[j] = _mm512_load_pd(r[rows[j]].c);
+  transpose(row, c);
+  c[8] = column(r, rows, 8);
+  c[9] = column(r, rows, 9);
+  c[10] = column(r, rows, 10);
+}
+MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
+  x = _mm512_set_pd(p[7].x, p[6].x, p[5].x, p[4].x, p[3].x, p[2].x, p[1].x, p[0].x);
+  y = _mm512_set_pd(p[7].y, p[6].y, p[5].y, p[4].y, p[3].y, p[2].y, p[1].y, p[0].y);
+  z = _mm512_set_pd(p[7].z, p[6].z, p[5].z, p[4].z, p[3].z, p[2].z, p[1].z, p[0].z);
+}
+MRSIM_LANE void store(double* out, V v) { _mm512_storeu_pd(out, v); }
+MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
+  _mm512_mask_storeu_pd(out, static_cast<__mmask8>((1u << n) - 1), v);
+}
+#include "removal/sweep_lanes.inl"
+//
+#include "removal/sweep_kernels.inl"
+
+}  // namespace
+}  // namespace avx512
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+#endif  // MRSIM_X86
+
+const SweepKernels* sweep_kernels(SimdLevel level) {
+  switch (level) {
+#ifdef MRSIM_X86
+    case SimdLevel::avx512:
+      return __builtin_cpu_supports("avx512f") ? &avx512::kKernels : nullptr;
+    case SimdLevel::avx2:
+      return __builtin_cpu_supports("avx2") ? &avx2::kKernels : nullptr;
+#endif
+    case SimdLevel::scalar:
+      return &lane::kKernels;
+    default:
+      return nullptr;
+  }
+}
+
+const SweepKernels& sweep_kernels() {
+  static const SweepKernels& best = [&]() -> const SweepKernels& {
+    for (SimdLevel level : {SimdLevel::avx512, SimdLevel::avx2})
+      if (const SweepKernels* k = sweep_kernels(level)) return *k;
+    return *sweep_kernels(SimdLevel::scalar);
+  }();
+  return best;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,42 @@
+// The closed forms of sweep_lanes.inl over lists of sweeps and lists of points, for the best
+// instruction set of this machine. All of them give the same bits.
+#pragma once
+
+#include "removal/sweep.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace mrsim {
+
+/// Coefficients of one sweep, in the order told in sweep_lanes.inl; whole cache lines.
+struct alignas(64) LineRecord {
+  double c[8] = {};
+};
+struct alignas(64) ArcRecord {
+  double c[16] = {};  ///< c[11]: length of the arc, mm
+};
+
+/// The kernels of one form. List kernels: out[k] for records[rows[k]] and one point.
+template <class Record>
+struct FormKernels {
+  void (*list)(const Record* records, const std::uint32_t* rows, std::size_t n, const Vec3& p,
+               double* out);
+  void (*points)(const Record& record, const Vec3* points, std::size_t n, double* out);
+  void (*nearest)(const Record* records, const std::uint32_t* rows, std::size_t n, const Vec3& p,
+                  const NearestColumns& out);
+};
+struct SweepKernels {
+  const char* name;
+  FormKernels<LineRecord> ball_line, plane_line;
+  FormKernels<ArcRecord> plane_arc;
+};
+
+enum class SimdLevel { scalar, avx2, avx512 };
+
+/// The kernels of a level, null where the machine or the compiler has none.
+const SweepKernels* sweep_kernels(SimdLevel level);
+/// The best ones; chosen once.
+const SweepKernels& sweep_kernels();
+
+}  // namespace mrsim

@@ -1,0 +1,114 @@
+#include "setup/tool_keys.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLargest = 1e5;  // mm
+
+// In the order of ToolType.
+const std::vector<std::string_view> kTypeNames = {
+    "endmill",  "ballmill", "bullmill", "chamfer", "taper",    "drill",  "tslot",
+    "lollipop", "barrel",   "form",     "turning", "grooving", "boring", "threading"};
+
+constexpr std::uint32_t bits() { return 0; }
+template <class... Rest>
+constexpr std::uint32_t bits(ToolType first, Rest... rest) {
+  return (1u << static_cast<unsigned>(first)) | bits(rest...);
+}
+
+constexpr std::uint32_t kTurning =
+    bits(ToolType::turning, ToolType::grooving, ToolType::boring, ToolType::threading);
+constexpr std::uint32_t kMilling = bits(ToolType::turning) - 1;
+constexpr std::uint32_t kRound = kMilling & ~bits(ToolType::form);
+
+using enum ToolType;
+const std::vector<ToolKey> kKeys = {
+    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargest, kRound},
+    {"corner_radius", "r", Quantity::length, &Tool::corner_radius, 0, kLargest,
+     bits(endmill, bullmill, chamfer, taper, tslot, barrel)},
+    {"flute_length", "l", Quantity::length, &Tool::flute_length, 0, kLargest, kMilling},
+    {"taper_angle", "a", Quantity::angle, &Tool::taper_angle, 0, 89, bits(taper, chamfer, barrel)},
+    {"tip_angle", "a", Quantity::angle, &Tool::tip_angle, 1, 180, bits(drill, chamfer)},
+    {"tip_diameter", "t", Quantity::length, &Tool::tip_diameter, 0, kLargest, bits(chamfer, taper)},
+    {"neck_diameter", "n", Quantity::length, &Tool::neck_diameter, 0, kLargest,
+     bits(tslot, lollipop)},
+    {"profile_radius", "p", Quantity::length, &Tool::profile_radius, 1e-3, kLargest, bits(barrel)},
+    {"insert_angle", "", Quantity::angle, &Tool::insert_angle, 1, 179, kTurning},
+    {"nose_radius", "r", Quantity::length, &Tool::nose_radius, 0, kLargest, kTurning},
+    {"lead_angle", "a", Quantity::angle, &Tool::lead_angle, 1, 179, kTurning},
+    {"edge_length", "l", Quantity::length, &Tool::edge_length, 1e-3, kLargest, kTurning},
+    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargest, bits(grooving, tslot)},
+};
+
+bool has(const ToolKey& key, ToolType type) { return (key.types & bits(type)) != 0; }
+
+}  // namespace
+
+std::optional<ToolType> tool_type(std::string_view name) {
+  const auto at = std::find(kTypeNames.begin(), kTypeNames.end(), name);
+  if (at == kTypeNames.end()) return std::nullopt;
+  return static_cast<ToolType>(at - kTypeNames.begin());
+}
+
+std::string_view tool_type_name(ToolType type) {
+  return kTypeNames[static_cast<std::size_t>(type)];
+}
+const std::vector<std::string_view>& tool_type_names() { return kTypeNames; }
+const std::vector<ToolKey>& tool_keys() { return kKeys; }
+
+const ToolKey* find_tool_key(std::string_view name, ToolType type) {
+  // A chamfer mill has two angles: "a" is the first that fits, the one per side being a taper's.
+  for (const ToolKey& key : kKeys)
+    if (has(key, type) && name == key.short_name && !name.empty() &&
+        !(type == chamfer && key.name == "taper_angle"))
+      return &key;
+  for (const ToolKey& key : kKeys)
+    if (name == key.name) return &key;
+  return nullptr;
+}
+
+std::vector<std::string_view> key_names(ToolType type) {
+  std::vector<std::string_view> names;
+  for (const ToolKey& key : kKeys)
+    if (has(key, type)) names.push_back(key.name);
+  return names;
+}
+
+std::string set_number(Tool& tool, const ToolKey& key, double value, double scale) {
+  if (!has(key, tool.type))
+    return fmt::format("a tool of type {} has none", tool_type_name(tool.type));
+  if (key.quantity == Quantity::length) value *= scale;
+  if (!std::isfinite(value) || value < key.low || value > key.high)
+    return fmt::format("must be between {:g} and {:g}{}", key.low, key.high,
+                       key.quantity == Quantity::length ? " mm" : " degrees");
+  tool.*key.member = key.quantity == Quantity::length ? value : radians(value);
+  return "";
+}
+
+std::string check_tool(const Tool& tool) {
+  const std::string_view name = tool_type_name(tool.type);
+  const double radius = tool.diameter / 2;
+  if ((bits(tool.type) & kRound) != 0 && tool.diameter <= 0)
+    return fmt::format("a tool of type {} needs a diameter", name);
+  if (tool.type == form && tool.profile.size() < 2)
+    return "a tool of type form needs a profile of two points or more";
+  if (tool.type == bullmill && tool.corner_radius <= 0)
+    return "a tool of type bullmill needs a corner_radius";
+  if ((bits(tool.type) & kRound) != 0 && tool.corner_radius > radius)
+    return fmt::format("corner_radius {:g} mm is larger than the tool's radius {:g} mm",
+                       tool.corner_radius, radius);
+  if (tool.type == grooving && tool.width <= 0) return "a tool of type grooving needs a width";
+  if (tool.tip_diameter > tool.diameter)
+    return fmt::format("tip_diameter {:g} mm is larger than the diameter {:g} mm",
+                       tool.tip_diameter, tool.diameter);
+  return "";
+}
+
+}  // namespace mrsim

@@ -1,0 +1,131 @@
+// Bad input: a clear error, the right exit code, and no output file.
+#include "run_program.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace mrsim {
+namespace {
+
+class BadInput : public CliTest {
+ protected:
+  void expect_bad_stock(const std::string& text) {
+    expect_failure("PRIMER_2F.MPF --stock bad.stl -o part.stl", 1, text);
+  }
+};
+
+TEST_F(BadInput, Program) {
+  expect_failure("missing.MPF --stock block.stl -o part.stl", 1, "no such file");
+  expect_failure(". --stock block.stl -o part.stl", 1, "is a directory");
+  write("empty.MPF", "");
+  expect_failure("empty.MPF --stock block.stl -o part.stl", 1, "empty");
+  write("nocuts.MPF",
+        "G54\nTRANS X0 Y0\nT4 D1 M6; Steblasto frezalo \xC3\x98"
+        "5\nG0 X0 Y0 Z5\nM30\n");
+  expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "nothing is cut");
+  write("error.MPF", "G54\nTRANS X0\nT4 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X12.3.4\nM30\n");
+  expect_failure("error.MPF --tool 4=endmill:d=5 --stock block.stl -o part.stl", 1, "error.MPF:6:");
+}
+
+TEST_F(BadInput, UnknownTool) {
+  write("tool.MPF",
+        "G54\nTRANS X50 Y-30 Z10\nT9 M6\nS3200 F200 M3\nG0 X0 Y0 Z5\nG1 Z-2\nG1 X10\nM30\n");
+  expect_failure("tool.MPF --stock block.stl -o part.stl", 1, "tool 9");
+  expect_failure("PRIMER_2F.MPF --tool 4=endmil:d=5 -o part.stl", 2, "did you mean \"endmill\"");
+  write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiametr = 5\n");
+  expect_failure("PRIMER_2F.MPF --tools tools.toml -o part.stl", 1, "tools.toml:4:1: error:");
+  expect_failure("PRIMER_2F.MPF --tools missing.toml -o part.stl", 1, "no such file");
+}
+
+TEST_F(BadInput, StlTruncated) {
+  const std::string block = read("block.stl");
+  write("bad.stl", block.substr(0, block.size() - 25));
+  expect_bad_stock("bad.stl");
+  write("bad.stl", block.substr(0, 50));
+  expect_bad_stock("bad.stl");
+  write("bad.stl", "");
+  expect_bad_stock("empty");
+}
+
+TEST_F(BadInput, StlThatClaimsMoreThanItHas) {
+  std::string block = read("block.stl");
+  const std::uint32_t count = 4000000000u;
+  std::memcpy(block.data() + 80, &count, 4);
+  write("bad.stl", block);
+  expect_bad_stock("4000000000");
+}
+
+TEST_F(BadInput, StlOfTheOtherKind) {
+  std::string block = read("block.stl");
+  std::memcpy(block.data(), "solid block", 11);  // binary all the same, and read as such
+  write("solid.stl", block);
+  EXPECT_EQ(run("PRIMER_2F.MPF --stock solid.stl --voxel 1 -o good.stl").code, 0);
+  write("bad.stl", "solid block\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n");
+  expect_bad_stock("bad.stl");
+  write("bad.stl", "solid block\nendsolid block\n");
+  expect_bad_stock("bad.stl");
+}
+
+TEST_F(BadInput, StlThatIsNoSolid) {
+  std::string block = read("block.stl");
+  std::string open = block.substr(0, block.size() - 50);
+  const std::uint32_t count = 11;
+  std::memcpy(open.data() + 80, &count, 4);
+  write("bad.stl", open);
+  expect_bad_stock("open edge");
+  for (std::size_t at = 84; at < block.size(); at += 50) {  // swap two corners of each triangle
+    char corner[12];
+    std::memcpy(corner, block.data() + at + 12, 12);
+    std::memcpy(block.data() + at + 12, block.data() + at + 24, 12);
+    std::memcpy(block.data() + at + 24, corner, 12);
+  }
+  write("bad.stl", block);
+  expect_bad_stock("inverted orientation");
+}
+
+TEST_F(BadInput, Output) {
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o missing/part.stl", 1, "does not exist");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o /proc/part.stl", 1, "cannot write");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stp", 2, "part.stp");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part", 2, ".stl");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stl -o ./part.stl", 2, "twice");
+  std::filesystem::create_directory(folder_ / "closed");
+  std::filesystem::permissions(
+      folder_ / "closed", std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  if (::geteuid() != 0)
+    expect_failure("PRIMER_2F.MPF --stock block.stl -o closed/part.stl", 1, "cannot write");
+}
+
+TEST_F(BadInput, OldOutputStaysWhenARunFails) {
+  write("old.stl", "old");
+  EXPECT_EQ(run("missing.MPF -o old.stl").code, 1);
+  EXPECT_EQ(run("PRIMER_2F.MPF --stock block.stl -o old.stl -o missing/part.stl").code, 1);
+  EXPECT_EQ(read("old.stl"), "old");
+}
+
+TEST_F(BadInput, Voxel) {
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0 -o part.stl", 2, "--voxel");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel -1 -o part.stl", 2, "--voxel");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel nan -o part.stl", 2, "--voxel");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.0001 -o part.stl", 1, "memory");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --max-memory 1M -o part.stl", 1, "memory");
+}
+
+TEST_F(BadInput, Usage) {
+  expect_failure("PRIMER_2F.MPF --stok block.stl -o part.stl", 2, "did you mean \"--stock\"");
+  expect_failure("PRIMER_2F.MPF PRIMER_2S.MPF -o part.stl", 2, "not expected");
+  expect_failure("--stock block.stl -o part.stl", 2, "the program is missing");
+  expect_failure("PRIMER_2F.MPF --stock box:0,0,0,1 -o part.stl", 2, "6 numbers");
+  expect_failure("PRIMER_2F.MPF --stock missing.stl -o part.stl", 1, "missing.stl");
+  expect_failure("PRIMER_2F.MPF --dialect sinumeric -o part.stl", 2, "did you mean \"sinumerik\"");
+  expect_failure("PRIMER_2F.MPF --machine robot -o part.stl", 2, "mill, lathe");
+  expect_failure("PRIMER_2F.MPF --threads 0 -o part.stl", 2, "--threads");
+  expect_failure("PRIMER_2F.MPF --start 1,2 -o part.stl", 2, "X,Y,Z");
+  expect_failure("PRIMER_2F.MPF --max-memory much -o part.stl", 2, "--max-memory");
+  expect_failure("render block.stl", 2, "-o picture.png");
+  expect_failure("render missing.stl -o part.png", 1, "missing.stl");
+  expect_failure("trace", 2, "the program is missing");
+}
+
+}  // namespace
+}  // namespace mrsim

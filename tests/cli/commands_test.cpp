@@ -1,0 +1,132 @@
+// What each command prints and where.
+#include "run_program.h"
+
+#include <algorithm>
+
+namespace mrsim {
+namespace {
+
+using Cli = CliTest;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Cli, HelpAndVersion) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* word :
+       {"Usage:", "--stock", "--voxel", "--tool", "trace", "check", "render", "Exit:", "Examples:"})
+    EXPECT_TRUE(contains(help.out, word)) << word;
+  EXPECT_EQ(run("").out, help.out);
+  EXPECT_EQ(run("help").out, help.out);
+  EXPECT_TRUE(contains(run("trace --help").out, "--json"));
+  EXPECT_TRUE(contains(run("render -h").out, "--azimuth"));
+  EXPECT_TRUE(run("--version").out.starts_with("mrsim "));
+  for (const std::string& line : {help.out, run("trace --help").out})
+    EXPECT_FALSE(contains(line, "TEXT"));
+}
+
+TEST_F(Cli, ReportSaysWhatWasDecidedAndWhy) {
+  const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 0.5 -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* word : {"dialect",     "SINUMERIK", "machine",
+                           "mill",        "tools",     "T4",
+                           "end mill Ø5", "stock",     "box 100 x 60 x 10 mm",
+                           "voxel",       "0.5 mm",    "motions",
+                           "volume",      "removed",   "triangles",
+                           "written",     "part.stl",  "time",
+                           "read",        "carve",     "mesh",
+                           "memory"})
+    EXPECT_TRUE(contains(outcome.out, word)) << word << "\n" << outcome.out;
+  EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b")) << "no colours in a pipe";
+  EXPECT_FALSE(contains(outcome.err, "%")) << "no progress bar in a pipe";
+}
+
+TEST_F(Cli, QuietPrintsNothing) {
+  const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 1 -q -o part.stl");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_TRUE(exists("part.stl"));
+}
+
+TEST_F(Cli, DiagnosticShowsTheLineAndACaret) {
+  write("bad.MPF", "G54\nTRANS X0 Y0\nT1 M6\nG0 X0 Y0 Z5 ; \xC3\x98\nG1\tZ-1 FF100\nM30\n");
+  const Outcome outcome = run("check bad.MPF --tool 1=endmill:d=5");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(contains(outcome.err, "bad.MPF:5:")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "    G1\tZ-1 FF100\n")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "\n      \t")) << "the caret's line keeps the tab";
+  EXPECT_TRUE(contains(outcome.err, "^"));
+}
+
+TEST_F(Cli, NothingFromAFileReachesTheTerminalAsControl) {
+  write("esc.MPF", "G54\nTRANS X0\nG1 \x1b[31mX1\nM30\n");
+  const Outcome outcome = run("check esc.MPF --machine mill");
+  EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b"));
+}
+
+TEST_F(Cli, CheckListsEverythingAndWritesNothing) {
+  const Outcome good = run("check PRIMER_2S.MPF --verbose");
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_TRUE(contains(good.out, "lathe")) << good.out;
+  EXPECT_TRUE(contains(good.out, "0 errors")) << good.out;
+}
+
+TEST_F(Cli, TraceJsonIsOneObjectALine) {
+  const Outcome outcome = run("trace PRIMER_2F.MPF --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::size_t arcs = 0;
+  for (std::size_t begin = 0; begin < outcome.out.size();) {
+    const std::size_t end = outcome.out.find('\n', begin);
+    ASSERT_NE(end, std::string::npos);
+    const std::string line = outcome.out.substr(begin, end - begin);
+    EXPECT_TRUE(line.starts_with("{") && line.ends_with("}")) << line;
+    arcs += contains(line, "\"kind\":\"arc\"");
+    begin = end + 1;
+  }
+  EXPECT_EQ(arcs, 3u);
+  EXPECT_TRUE(contains(outcome.out, "\"center\":[27.5,-30,8]")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "\"tool\":\"4\""));
+}
+
+TEST_F(Cli, TraceDrawsThePath) {
+  EXPECT_EQ(run("trace PRIMER_2S.MPF -o path.svg").code, 0);
+  EXPECT_TRUE(contains(read("path.svg"), "<svg"));
+}
+
+TEST_F(Cli, RenderMakesAPicture) {
+  ASSERT_EQ(run("render block.stl -o block.png --size 320x240").code, 0);
+  EXPECT_TRUE(read("block.png").starts_with("\x89PNG"));
+}
+
+TEST_F(Cli, ToolsComeFromCommentFileOrCommandLine) {
+  write("tools.toml", "[[tool]]\nid = 4\ntype = \"ballmill\"\ndiameter = 5\n");
+  const Outcome file = run("PRIMER_2F.MPF --stock block.stl --tools tools.toml --voxel 1");
+  EXPECT_TRUE(contains(file.out, "ball mill Ø5")) << file.out << file.err;
+  EXPECT_TRUE(contains(file.out, "tools.toml:1")) << file.out;
+  const Outcome both =
+      run("PRIMER_2F.MPF --stock block.stl --tools tools.toml --tool 4=endmill:d=6 --voxel 1");
+  EXPECT_TRUE(contains(both.out, "end mill Ø6")) << both.out << both.err;
+}
+
+TEST_F(Cli, DefaultStockIsReported) {
+  const Outcome outcome = run("PRIMER_2F.MPF --voxel 1 -o part.stl");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "no --stock given")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "box:")) << outcome.out;
+}
+
+TEST_F(Cli, StrictMakesWarningsErrors) {
+  // A block far away from the cuts: a warning, and with --strict no part.
+  const std::string far = "PRIMER_2F.MPF --stock box:500,500,0,510,510,10 --voxel 1 -o part.stl";
+  const Outcome warned = run(far);
+  EXPECT_EQ(warned.code, 0) << warned.err;
+  EXPECT_TRUE(contains(warned.err, "no cut meets the stock")) << warned.err;
+  std::filesystem::remove(folder_ / "part.stl");
+  EXPECT_EQ(run(far + " --strict").code, 1);
+  EXPECT_FALSE(exists("part.stl"));
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,64 @@
+// The two example parts at default settings, against their exact volumes.
+#include "run_program.h"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace mrsim {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const double kRemoved2F = 2 * (5 * 37.5 * kPi + 6.25 * kPi);
+const double kPart2F = 60000 - kRemoved2F;
+const double kPart2S =
+    kPi * (625 * 25 + (2790 - 378 * kPi) + 225 * 14 + (500 + 125 * kPi + 250.0 / 3));
+
+class Figures : public CliTest {
+ protected:
+  double part_volume(const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return number_after(outcome.out, "volume");
+  }
+};
+
+TEST_F(Figures, MilledPart) {
+  const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(number_after(outcome.out, "removed"), kRemoved2F, 0.005 * kRemoved2F);
+  EXPECT_NEAR(number_after(outcome.out, "volume"), kPart2F, 0.0002 * kPart2F);
+  EXPECT_TRUE(exists("part.stl"));
+}
+
+TEST_F(Figures, TurnedPart) {
+  const double volume = part_volume("PRIMER_2S.MPF --stock bar.stl -o part.stl");
+  EXPECT_NEAR(volume, kPart2S, 0.0003 * kPart2S);
+}
+
+TEST_F(Figures, VolumeErrorFallsByThreeWhenTheVoxelIsHalved) {
+  const std::string command = "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel ";
+  const double coarse = std::fabs(part_volume(command + "0.5") - kPart2S);
+  const double fine = std::fabs(part_volume(command + "0.25") - kPart2S);
+  EXPECT_LT(3 * fine, coarse);
+}
+
+TEST_F(Figures, SameBytesForAnyNumberOfThreads) {
+  for (const char* n : {"1", "2", "7"})
+    ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 0.5 --threads " + std::string(n) +
+                  " -o t" + n + ".stl")
+                  .code,
+              0);
+  EXPECT_EQ(read("t1.stl"), read("t2.stl"));
+  EXPECT_EQ(read("t1.stl"), read("t7.stl"));
+}
+
+TEST_F(Figures, ExactPrimitiveIsTheStockOfTheFile) {
+  const std::string voxel = " --voxel 0.5 -o ";
+  ASSERT_EQ(run("PRIMER_2S.MPF --stock bar.stl" + voxel + "a.stl").code, 0);
+  ASSERT_EQ(run("PRIMER_2S.MPF --stock cylinder:50,0,51" + voxel + "b.stl").code, 0);
+  EXPECT_EQ(read("a.stl"), read("b.stl"));
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,80 @@
+// Runs the built program as a user does, in a folder of its own.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace mrsim {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+inline std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+class CliTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "mrsim-cli-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    for (const char* name : {"PRIMER_2F.MPF", "PRIMER_2S.MPF", "block.stl", "bar.stl"})
+      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// `arguments` as typed after "mrsim" in a shell.
+  Outcome run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" MRSIM_PROGRAM "' " +
+                                arguments + " >.out 2>.err </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 100 + status;
+    outcome.out = contents(folder_ / ".out");
+    outcome.err = contents(folder_ / ".err");
+    return outcome;
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string read(const std::string& name) { return contents(folder_ / name); }
+  bool exists(const std::string& name) { return std::filesystem::exists(folder_ / name); }
+
+  /// The run fails with `code`, says `text`, and leaves no file "part.stl" nor any temporary one.
+  void expect_failure(const std::string& arguments, int code, const std::string& text) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("error:"), std::string::npos) << arguments << "\n" << outcome.err;
+    EXPECT_FALSE(exists("part.stl")) << arguments;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// The number after `label` in a report, its thousands apart.
+inline double number_after(const std::string& text, const std::string& label) {
+  const std::size_t at = text.find(label);
+  if (at == std::string::npos) return -1;
+  std::string digits;
+  for (std::size_t i = text.find_first_of("0123456789", at + label.size()); i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == ' ' && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') continue;
+    if (c != '.' && (c < '0' || c > '9')) break;
+    digits += c;
+  }
+  return std::stod("0" + digits);
+}
+
+}  // namespace mrsim

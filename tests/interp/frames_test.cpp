@@ -1,0 +1,181 @@
+// Frames, units, diameters, increments: where a point lands, worked out by hand.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+struct Row {
+  Dialect dialect;
+  const char* text;
+  Vec3 end;  // of the last motion
+};
+
+void expect_end(const Row& row, const InterpOptions& options) {
+  SCOPED_TRACE(row.text);
+  const Program p = read_text(std::string(row.text) + "\n", options);
+  ASSERT_EQ(codes(p, Severity::error), "") << listing(p);
+  ASSERT_FALSE(p.motions.empty());
+  expect_near(p.motions.back().end, row.end);
+}
+
+TEST(Frames, Points) {
+  constexpr auto s = Dialect::sinumerik, f = Dialect::fanuc, i = Dialect::iso, c = Dialect::codesys;
+  const Row rows[] = {
+      {s, "TRANS X10 Y20\nG1 X1 Y2 Z3 F1", {11, 22, 3}},
+      {s, "TRANS X10\nTRANS Y5\nG1 X1 Y1 F1", {1, 6, 0}},
+      {s, "TRANS X10\nATRANS Y5\nG1 X1 Y1 F1", {11, 6, 0}},
+      {s, "TRANS X10\nTRANS\nG1 X1 Y1 F1", {1, 1, 0}},
+      {s, "TRANS X10\nAROT Z90\nG1 X5 Y1 F1", {9, 5, 0}},
+      {s, "ROT Z90\nATRANS X10\nG1 X5 Y1 F1", {-1, 15, 0}},
+      {s, "ROT RPL=90\nG1 X5 Y1 F1", {-1, 5, 0}},
+      {s, "G18\nROT RPL=90\nG1 X5 Z1 F1", {1, 0, -5}},  // +Y: Z towards X, X towards -Z
+      {s, "ROT X90\nG1 X1 Y2 Z3 F1", {1, -3, 2}},
+      {s, "SCALE X2 Y3\nG1 X5 Y1 F1", {10, 3, 0}},
+      {s, "TRANS X1\nASCALE X2\nG1 X5 F1", {11, 0, 0}},
+      {s, "MIRROR X0\nG1 X5 Y1 F1", {-5, 1, 0}},
+      {s, "MIRROR X0\nAMIRROR X0\nG1 X5 Y1 F1", {5, 1, 0}},
+      {s, "TRANS X10\nMIRROR Y0\nG1 X5 Y1 F1", {5, -1, 0}},
+      {s, "G54\nG1 X1 F1", {101, 0, 0}},
+      {s, "G505\nG1 X1 Y0 F1", {1, 50, 0}},
+      {s, "G54\nG500\nG1 X1 F1", {1, 0, 0}},
+      {s, "G54\nTRANS X10\nG1 G53 X1 F1", {1, 0, 0}},
+      {s, "G54\nG1 SUPA X1 F1\nX1", {101, 0, 0}},
+      {s, "G58 X10\nG59 X1\nG1 X1 F1", {12, 0, 0}},
+      {s, "G1 X10 F1\nTRANS X100\nG91 X5", {115, 0, 0}},
+      {s, "G1 X10 F1\nTRANS X100\nG1 Y5", {10, 5, 0}},
+      {s, "G91 G1 X10 F1\nX=AC(3)\nG90 X=IC(4)", {7, 0, 0}},
+      {s, "G70 G1 X1 F1", {25.4, 0, 0}},
+      {s, "G700 G1 X1 F1", {25.4, 0, 0}},
+      {s, "G1 X1EX2 Y='H1F' F1", {100, 31, 0}},
+      {s, "G111 X10 Y10\nG1 AP=90 RP=5 F1", {10, 15, 0}},
+      {s, "G1 X3 Y4 F1\nG110 X1\nG1 AP=0 RP=5", {9, 4, 0}},
+      {s, "G111 X10\nG112 Y5\nG1 AP=180 RP=2 F1\nAP=IC(90)", {10, 3, 0}},
+      {s, "G1 X10 Y10 F1\nANG=60 X20", {20, 27.320508075688775, 0}},
+      {f, "G20 G1 X1 F1", {25.4, 0, 0}},
+      {f, "G54.1 P3 G1 X1 F1", {301, 0, 0}},
+      {f, "G52 X5\nG1 X1 F1", {6, 0, 0}},
+      {f, "G52 X5\nG52 X0\nG1 X1 F1", {1, 0, 0}},
+      {f, "G1 X10 F1\nG92 X0\nG1 X1", {11, 0, 0}},
+      {f, "G68 X10 Y0 R90\nG1 X15 Y0 F1", {10, 5, 0}},
+      {f, "G68 X10 Y0 R90\nG69\nG1 X15 Y0 F1", {15, 0, 0}},
+      {f, "G51 X0 Y0 Z0 P2000\nG1 X5 Y1 F1", {10, 2, 0}},
+      {f, "G51 X0 Y0 Z0 I2. J3. K1.\nG1 X5 Y1 F1", {10, 3, 0}},
+      {f, "G51.1 X10\nG1 X5 Y1 F1", {15, 1, 0}},
+      {f, "G51.1 X10\nG50.1 X0\nG1 X5 Y1 F1", {5, 1, 0}},
+      {f, "G43 H1 G1 Z5 F1", {0, 0, 17}},
+      {f, "G44 H1 G1 Z5 F1", {0, 0, -7}},
+      {f, "G1 X10 F1\nG55\nG91 X5", {15, 0, 0}},
+      {i, "G70 G1 X1 F1", {25.4, 0, 0}},
+      {i, "g91 g1 x1 f1\nx2", {3, 0, 0}},
+      {c, "G54 X10 Y5\nG1 X1 Y1 F1", {11, 6, 0}},
+      {c, "G54 X10\nG55 X5\nG1 X1 F1", {16, 0, 0}},
+      {c, "G54 X10\nG53\nG1 X1 F1", {1, 0, 0}},
+      {c, "G92 X10\nG1 Y5 F1", {10, 5, 0}},
+      {c, "G71 L4\nG1 X1 F1", {1, 0, 0}},
+  };
+  for (const Row& row : rows) {
+    InterpOptions options = at_origin(row.dialect);
+    options.table.work = {{"G54", {100, 0, 0}}, {"G505", {0, 50, 0}}, {"G54.1 P3", {300, 0, 0}}};
+    if (row.dialect == Dialect::fanuc) options.table.work[0].shift = {};
+    options.table.offsets.push_back({"H1", 0, 0, 12});
+    expect_end(row, options);
+  }
+}
+
+TEST(Frames, LatheDiameters) {
+  constexpr auto s = Dialect::sinumerik, f = Dialect::fanuc;
+  const Row rows[] = {
+      {s, "G1 X20 Z-5 F.1", {10, 0, -5}},
+      {s, "G1 X20 F.1\nG91 X4", {12, 0, 0}},
+      {s, "DIAM90\nG1 X20 F.1\nG91 X4", {14, 0, 0}},
+      {s, "DIAMOF\nG1 X20 F.1", {20, 0, 0}},
+      {s, "G1 X=RAC(20) F.1\nX=DIC(4)\nX=RIC(3)", {25, 0, 0}},
+      {s, "DIAMOF\nG1 X=DAC(20) F.1", {10, 0, 0}},
+      {s, "TRANS Z50\nG1 X20 Z-5 F.1", {10, 0, 45}},
+      {f, "G1 X20 Z-5 F.1\nU4 W-2", {12, 0, -7}},
+      {f, "T0101 G1 X20 F.1", {10, 0, 0}},
+  };
+  for (const Row& row : rows) expect_end(row, at_origin(row.dialect, MachineKind::lathe));
+}
+
+TEST(Frames, LatheCentres) {
+  // Quarter circle about X40 (radius 20), Z0: I is a radius, absolute I a diameter.
+  for (const char* text :
+       {"G1 X20 Z0 F.1\nG3 X40 Z-10 I10 K0", "G1 X20 Z0 F.1\nG3 X40 Z-10 I=AC(40) K=AC(0)",
+        "G1 X20 Z0 F.1\nG3 X40 Z-10 CR=10"}) {
+    SCOPED_TRACE(text);
+    const Program p =
+        read_text(std::string(text) + "\n", at_origin(Dialect::sinumerik, MachineKind::lathe));
+    ASSERT_EQ(codes(p), "") << listing(p);
+    const bool radius = std::string(text).find("CR") != std::string::npos;
+    expect_near(p.motions.back().center, radius ? Vec3{10, 0, -10} : Vec3{20, 0, 0});
+  }
+  // The turning manual prints one arc both ways: X absolute as a diameter, increments as radii.
+  for (const char* text : {"G0 X40 Z-25\nCIP X70 Z-75 I1=93.33 K1=-54.25 F.1",
+                           "G0 X40 Z-25\nCIP X70 Z-75 I1=IC(26.665) K1=IC(-29.25) F.1"}) {
+    const Program p =
+        read_text(std::string(text) + "\n", at_origin(Dialect::sinumerik, MachineKind::lathe));
+    ASSERT_EQ(codes(p), "") << listing(p);
+    expect_near(p.motions.back().center, {19.230288569, 0, -52.480913429}, 1e-8);
+  }
+}
+
+TEST(Frames, MirrorTurnsArcsByGeometry) {
+  const Program m = read_text("MIRROR X0\nG3 X10 Y10 I0 J10 F1\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(m.motions.size(), 1U) << listing(m);
+  EXPECT_NEAR(degrees(m.motions[0].sweep), -90, 1e-9);
+  expect_near(m.motions[0].end, {-10, 10, 0});
+  expect_near(m.motions[0].axis, {0, 0, 1});
+  const Program twice =
+      read_text("MIRROR X0 Y0\nG3 X10 Y10 I0 J10 F1\n", at_origin(Dialect::sinumerik));
+  EXPECT_NEAR(degrees(twice.motions[0].sweep), 90, 1e-9);
+  // Compensation changes sides with it: left of the mirrored path is right of the drawn one.
+  const Program comp =
+      read_text("MIRROR X0\nG41 G1 X20 F1\nX40\nX60\n", at_origin(Dialect::sinumerik));
+  expect_near(comp.motions[1].end, {-60, 5, 0}, 60);
+  EXPECT_GT(comp.motions[1].end.y, 0);
+}
+
+TEST(Frames, UnequalScaleOfAnArcIsAnError) {
+  EXPECT_EQ(codes(read_text("SCALE X2\nF1\nG2 X10 CR=5\nG1 X1\n", at_origin(Dialect::sinumerik))),
+            "arc-scaled-unequally");
+  EXPECT_EQ(codes(read_text("SCALE Z2\nG2 X10 Z1 CR=5 F1\nG1 X1\n", at_origin(Dialect::sinumerik))),
+            "");
+}
+
+TEST(Frames, UnknownStart) {
+  InterpOptions options = at_origin(Dialect::iso);
+  options.start.reset();
+  const Program p = read_text("G1 X10 Y0 F1\nZ5\nX20\n", options);
+  ASSERT_EQ(p.motions.size(), 3U);
+  EXPECT_TRUE(p.motions[0].assumed_start);
+  EXPECT_TRUE(p.motions[1].assumed_start);
+  EXPECT_FALSE(p.motions[2].assumed_start);
+  EXPECT_NE(motion_json(p, p.motions[0]).find("\"start\":[0,0,0]"), std::string::npos);
+  const Program home = read_text("G1 X1 Y1 Z1 F1\nG28 Z2\nX5\nZ3\nX6\n", options);
+  ASSERT_EQ(home.motions.size(), 5U) << listing(home);
+  EXPECT_TRUE(home.motions[2].assumed_start);
+  EXPECT_FALSE(home.motions[4].assumed_start);
+}
+
+TEST(Frames, FeedsAndSpeeds) {
+  const InterpOptions mill = at_origin(Dialect::sinumerik);
+  const Program p = read_text(
+      "G95 F0.2 S100 G1 X1\nG94 F50 X2\nG93 F2 X3\nG96 S200 F.1 X4\nG97 S500 X5\n"
+      "G33 Z-5 K1.5\nG0 X9\nG331 Z-9 K-2\n",
+      mill);
+  ASSERT_EQ(p.motions.size(), 8U) << listing(p);
+  EXPECT_EQ(p.motions[0].feed_unit, FeedUnit::mm_per_rev);
+  EXPECT_EQ(p.motions[1].feed_unit, FeedUnit::mm_per_min);
+  EXPECT_EQ(p.motions[2].feed_unit, FeedUnit::inverse_time);
+  EXPECT_TRUE(p.motions[3].constant_surface_speed);
+  EXPECT_EQ(p.motions[3].feed_unit, FeedUnit::mm_per_rev);
+  EXPECT_EQ(p.motions[3].speed, 200);
+  EXPECT_EQ(p.motions[4].speed, 500);
+  EXPECT_EQ(p.motions[5].lead, 1.5);
+  EXPECT_EQ(p.motions[6].lead, 0);
+  EXPECT_EQ(p.motions[7].lead, 2);
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,170 @@
+// DIALECTS section 7: what each control does with bad input, one row of the table per row here.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+struct Row {
+  const char* what;
+  const char* text;  // after a start at the origin
+  const char* sinumerik;
+  const char* iso;
+  const char* codesys;
+  const char* fanuc;
+};
+
+// "arc", "line" or "none": what the last block gives; then the codes of warnings and errors.
+std::string outcome(const char* text, Dialect dialect) {
+  std::string program = text;
+  if (dialect == Dialect::sinumerik)
+    for (std::size_t i = 0; (i = program.find(" R", i)) != std::string::npos; i += 4)
+      program.replace(i, 2, " CR=");
+  const Program p = read_text("G17 F100\n" + program + "\n", at_origin(dialect));
+  std::string out = p.motions.empty()                           ? "none"
+                    : p.motions.back().kind == MotionKind::arc  ? "arc"
+                    : p.motions.back().kind == MotionKind::line ? "line"
+                                                                : "rapid";
+  const std::string found = codes(p);
+  return found.empty() ? out : out + " " + found;
+}
+
+std::string worst(const Program& p) {
+  for (const Diagnostic& d : p.diagnostics)
+    if (d.severity == Severity::error) return "error";
+  return "";
+}
+
+TEST(Policy, ArcsByTheTable) {
+  const Row rows[] = {
+      {"radii agree to the tolerance", "G3 X20.008 Y0 I10 J0", "arc", "arc", "arc", "arc"},
+      // 60 degrees, where the metrics agree: 5 % off
+      {"within ten per cent", "G3 X-4.75 Y9.093266740 I-10 J0", "none arc-radii-differ",
+       "arc arc-center-moved", "arc arc-center-moved", "none arc-radii-differ"},
+      {"beyond ten per cent", "G3 X20 Y0 I14 J0", "none arc-radii-differ", "none arc-radii-differ",
+       "line arc-radii-differ", "none arc-radii-differ"},
+      {"chord over the diameter", "G2 X20 R9", "none arc-radius-too-small",
+       "none arc-radius-too-small", "line arc-radius-too-small", "none arc-radius-too-small"},
+      {"radius 0", "G2 X20 R0", "none arc-radius-zero", "none arc-radius-zero",
+       "line arc-radius-zero", "none arc-radius-zero"},
+      {"centre is the start", "G2 X20 I0 J0", "none arc-center-is-start",
+       "none arc-center-is-start", "line arc-center-is-start", "none arc-center-is-start"},
+      {"no centre data", "G2 X20", "none arc-no-center", "none arc-no-center", "line arc-no-center",
+       "line arc-no-center"},
+      {"end = start by radius", "G2 X0 Y0 R5", "none arc-radius-full-circle",
+       "none arc-radius-full-circle", "arc", "none program-without-cuts"},
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.what);
+    EXPECT_EQ(outcome(row.text, Dialect::sinumerik), row.sinumerik);
+    EXPECT_EQ(outcome(row.text, Dialect::iso), row.iso);
+    EXPECT_EQ(outcome(row.text, Dialect::codesys), row.codesys);
+    EXPECT_EQ(outcome(row.text, Dialect::fanuc), row.fanuc);
+  }
+}
+
+TEST(Policy, BadWordsAreErrorsEverywhere) {
+  const char* rows[] = {"G1 X--5",  "G1 X1.2.3", "G1 XNAN",         "G1 XINF", "G1 X Y5",
+                        "G1 X",     "G1 95 Y17", "G1 X1 X2",        "G1 X1 ?", "G1 X\xC3\x98",
+                        "G9999 X1", "G1 X1 J",   "G1 X99999999999", "X1e400"};
+  for (const Dialect d : {Dialect::sinumerik, Dialect::iso, Dialect::codesys, Dialect::fanuc})
+    for (const char* row : rows) {
+      SCOPED_TRACE(row);
+      if (d == Dialect::codesys && std::string(row) == "X1e400") continue;  // E is an acceleration
+      const Program p = read_text("G1 X1 F100\n" + std::string(row) + "\nG1 X2\n", at_origin(d));
+      EXPECT_EQ(worst(p), "error");
+      // The rejected block moves nothing; the others run.
+      ASSERT_EQ(p.motions.size(), 2U) << listing(p);
+      expect_near(p.motions[1].start, {1, 0, 0});
+    }
+}
+
+TEST(Policy, ARejectedBlockLeavesTheModes) {
+  const Program p = read_text("G1 X1 F100\nG91 G19 G2 X5 F50 R1\nX3\n", at_origin(Dialect::iso));
+  ASSERT_EQ(p.motions.size(), 2U) << listing(p);
+  EXPECT_EQ(p.motions[1].kind, MotionKind::line);
+  EXPECT_EQ(p.motions[1].end.x, 3);
+  EXPECT_EQ(p.motions[1].feed, 100);
+}
+
+TEST(Policy, PlacesPointAtTheWord) {
+  const Program p = read_text("G1 X1 F100\n  G1 95 Y17\n", at_origin(Dialect::iso));
+  ASSERT_EQ(p.diagnostics.size(), 1U);
+  const Diagnostic& d = p.diagnostics[0];
+  EXPECT_EQ(d.place.line, 2);
+  EXPECT_EQ(d.place.column, 6);
+  EXPECT_EQ(d.length, 2);
+  EXPECT_EQ(d.source_line, "  G1 95 Y17");
+  EXPECT_NE(d.text.find("missing axis letter before 95?"), std::string::npos);
+}
+
+TEST(Policy, BothRadiiAndASignAreNamed) {
+  const Program p = read_text("G1 X44 Y73 F100\nG3 X95 Y43 I17 J30\n", at_origin(Dialect::iso));
+  const Diagnostic& d = p.diagnostics.back();
+  EXPECT_NE(d.text.find("34.4819"), std::string::npos) << d.text;
+  EXPECT_NE(d.text.find("68.9638"), std::string::npos) << d.text;
+  EXPECT_NE(d.text.find("J-30"), std::string::npos) << d.text;
+}
+
+TEST(Policy, ThreePoints) {
+  const auto run = [](const char* text) {
+    return codes(
+        read_text(std::string("G1 X1 F100\n") + text + "\n", at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(run("CIP X10 I1=5"), "");
+  EXPECT_EQ(run("CIP X10 I1=15"), "arc-points-collinear");
+  EXPECT_EQ(run("CIP X10 I1=5 TURN=1"), "arc-points-collinear");
+  EXPECT_EQ(run("CIP X10 I1=10"), "arc-points-coincide");
+}
+
+TEST(Policy, NotSupportedIsNeverSkipped) {
+  const std::pair<Dialect, const char*> rows[] = {{Dialect::sinumerik, "R1=5"},
+                                                  {Dialect::sinumerik, "G1 X=R1"},
+                                                  {Dialect::sinumerik, "IF R1>5 GOTOF A"},
+                                                  {Dialect::sinumerik, "CYCLE83(1,2)"},
+                                                  {Dialect::sinumerik, "WHILE R1"},
+                                                  {Dialect::sinumerik, "G1 X=10+5"},
+                                                  {Dialect::sinumerik, "ASPLINE X5"},
+                                                  {Dialect::sinumerik, "BSPLINE"},
+                                                  {Dialect::sinumerik, "POLY PO[X]=(1,2)"},
+                                                  {Dialect::sinumerik, "MCALL CYCLE81(1)"},
+                                                  {Dialect::sinumerik, "OFFN=2"},
+                                                  {Dialect::sinumerik, "TRAORI"},
+                                                  {Dialect::fanuc, "#1=5"},
+                                                  {Dialect::fanuc, "G1 X#1"},
+                                                  {Dialect::fanuc, "IF[#1EQ2]GOTO5"},
+                                                  {Dialect::fanuc, "G81 X1 Z-1 R1"},
+                                                  {Dialect::fanuc, "G65 P1"},
+                                                  {Dialect::fanuc, "G10 L2 P1 X0"},
+                                                  {Dialect::iso, "G81 X1"},
+                                                  {Dialect::codesys, "G1 X$x$"},
+                                                  {Dialect::codesys, "G5 X1"},
+                                                  {Dialect::codesys, "Part{1}"}};
+  for (const auto& [dialect, text] : rows) {
+    SCOPED_TRACE(text);
+    const Program p = read_text(std::string("G1 X1 F100\n") + text + "\n", at_origin(dialect));
+    EXPECT_EQ(codes(p), "not-supported") << listing(p);
+    EXPECT_EQ(p.motions.size(), 1U);
+  }
+}
+
+TEST(Policy, Programs) {
+  const Scratch scratch;
+  const InterpOptions options = at_origin(Dialect::iso);
+  EXPECT_THROW(read_program(scratch.write("empty.nc", ""), options), Error);
+  EXPECT_THROW(read_program(scratch.write("blank.nc", " \n\r\n"), options), Error);
+  EXPECT_THROW(read_program("/nowhere/x.nc", options), Error);
+  EXPECT_THROW(read_program("/tmp", options), Error);
+  EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
+}
+
+TEST(Policy, LongLines) {
+  const std::string blanks(3 << 20, ' ');
+  const Program p =
+      read_text("G1" + blanks + "X1 F100\nG1 X" + std::string(1 << 20, '9') + "\nG1 X2\n",
+                at_origin(Dialect::iso));
+  EXPECT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(codes(p), "number-too-large");
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,95 @@
+// Runs program text through the interpreter and keeps what comes out.
+#pragma once
+
+#include "core/units.h"
+#include "interp/interpreter.h"
+#include "interp/motion_text.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace mrsim {
+
+/// Keeps motions and diagnostics in the Program, as the facade does.
+class CollectingSink : public MotionSink {
+ public:
+  void motion(const Motion& m) override { motions.push_back(m); }
+  void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
+  std::vector<Motion> motions;
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// A folder of its own that is removed at the end.
+class Scratch {
+ public:
+  Scratch() {
+    static int count = 0;
+    folder_ = std::filesystem::temp_directory_path() /
+              ("mrsim-interp-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    std::filesystem::create_directories(folder_);
+  }
+  ~Scratch() { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) const {
+    const std::string path = (folder_ / name).string();
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+inline Program read_program(const std::string& path, const InterpOptions& options) {
+  CollectingSink sink;
+  Program program = interpret(path, options, sink);
+  program.motions = std::move(sink.motions);
+  program.diagnostics = std::move(sink.diagnostics);
+  return program;
+}
+
+/// Options of a test: everything known, a tool in the spindle, the tool at the origin.
+inline InterpOptions at_origin(Dialect dialect, MachineKind machine = MachineKind::mill) {
+  InterpOptions options;
+  options.dialect = dialect;
+  options.machine = machine;
+  options.start = Vec3{};
+  Tool tool;
+  tool.diameter = 10;
+  tool.origin = "test";
+  if (machine == MachineKind::lathe) tool.type = ToolType::turning;
+  options.table.tools.push_back(tool);
+  return options;
+}
+
+inline Program read_text(const std::string& text, const InterpOptions& options,
+                         const std::string& name = "program.nc") {
+  const Scratch scratch;
+  return read_program(scratch.write(name, text), options);
+}
+
+inline std::string codes(const Program& program, Severity least = Severity::warning) {
+  std::string out;
+  for (const Diagnostic& d : program.diagnostics)
+    if (d.severity >= least) out += (out.empty() ? "" : " ") + d.code;
+  return out;
+}
+
+inline std::string listing(const Program& program) {
+  std::string out;
+  for (const Motion& m : program.motions) out += motion_text(program, m) + "\n";
+  for (const Diagnostic& d : program.diagnostics) out += diagnostic_json(d) + "\n";
+  return out;
+}
+
+inline void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e-9) {
+  EXPECT_NEAR(actual.x, expected.x, tolerance);
+  EXPECT_NEAR(actual.y, expected.y, tolerance);
+  EXPECT_NEAR(actual.z, expected.z, tolerance);
+}
+
+}  // namespace mrsim

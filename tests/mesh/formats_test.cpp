@@ -1,0 +1,268 @@
+// Every format written by mrsim and read back by mrsim; formats_foreign_test.cpp reads them with
+// other people's readers.
+#include "mesh/glb.h"
+#include "mesh/mesh_io.h"
+#include "mesh/obj.h"
+#include "mesh/off.h"
+#include "mesh/ply.h"
+#include "mesh/threemf.h"
+#include "mesh/weld.h"
+#include "mesh/zip.h"
+#include "support/mesh_asserts.h"
+#include "support/shapes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+TriMesh part() {
+  TriMesh m = tube_mesh(30, 10, 5, 0.1, 7);
+  for (std::size_t f = 0; f < m.triangles.size(); ++f) m.owners.push_back(int(f / 40) * 3 - 1);
+  m.origin.files = {"data/PRIMER_2F.MPF", "a & <b>.spf"};
+  m.origin.tools = {"4", "T \"7\""};
+  for (int owner = 2; owner < 17; owner += 3)
+    m.origin.origins.push_back({owner, owner % 2, 10 + owner, (owner + 1) % 2});
+  return m;
+}
+
+std::string bytes_as(MeshFormat format, const TriMesh& m, ColorBy color = ColorBy::none) {
+  return bytes_of([&](const ByteSink& out) {
+    if (format == MeshFormat::obj) write_obj(m, out);
+    if (format == MeshFormat::off) write_off(m, out);
+    if (format == MeshFormat::ply) write_ply(m, color, out);
+    if (format == MeshFormat::threemf) write_3mf(m, color, out);
+  });
+}
+std::string code(const std::string& bytes, MeshFormat format) {
+  return error_code([&] { parse_mesh(bytes, format, "part"); });
+}
+constexpr MeshFormat kFormats[] = {MeshFormat::obj, MeshFormat::off, MeshFormat::ply,
+                                   MeshFormat::threemf};
+
+TEST(MeshFormats, ReadBackWhatTheyWrite) {
+  const TriMesh m = part();
+  for (const MeshFormat format : kFormats)
+    for (const ColorBy color : {ColorBy::none, ColorBy::line, ColorBy::tool}) {
+      const TriMesh back = parse_mesh(bytes_as(format, m, color), format, "part");
+      EXPECT_EQ(back.vertices, m.vertices) << int(format);
+      EXPECT_EQ(back.triangles, m.triangles) << int(format);
+      if (!keeps_owners(format)) continue;
+      EXPECT_EQ(back.owners, m.owners) << int(format);
+      EXPECT_EQ(back.origin, m.origin) << int(format);
+    }
+}
+
+TEST(MeshFormats, KeepVertexColours) {
+  TriMesh m = part();
+  for (std::size_t v = 0; v < m.vertices.size(); ++v)
+    m.colors.push_back({std::uint8_t(v), std::uint8_t(2 * v), 200});
+  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply})
+    EXPECT_EQ(parse_mesh(bytes_as(format, m), format, "part").colors, m.colors) << int(format);
+}
+
+TEST(MeshFormats, WriteTheSameBytesEveryTime) {
+  const TriMesh m = part();
+  for (const MeshFormat format : kFormats)
+    EXPECT_EQ(bytes_as(format, m, ColorBy::line), bytes_as(format, m, ColorBy::line));
+}
+
+TEST(MeshFormats, SurviveEveryTruncation) {
+  for (const MeshFormat format : kFormats) {
+    const std::string bytes = bytes_as(format, part(), ColorBy::tool);
+    for (std::size_t n = 0; n + 1 < bytes.size(); n += 1 + bytes.size() / 300) {
+      const std::string c = code(bytes.substr(0, n), format);
+      // A text file may end behind a whole line: then it is a smaller mesh, which is open.
+      EXPECT_TRUE(!c.empty() || format == MeshFormat::obj) << int(format) << " " << n;
+    }
+  }
+}
+
+TEST(MeshFormats, SurviveEveryFlippedByte) {
+  for (const MeshFormat format : kFormats) {
+    const std::string bytes = bytes_as(format, part(), ColorBy::tool);
+    for (std::size_t n = 0; n < bytes.size(); n += 1 + bytes.size() / 500) {
+      std::string bad = bytes;
+      bad[n] = char(bad[n] ^ 0x41);
+      try {
+        const TriMesh m = parse_mesh(bad, format, "part");
+        for (const auto& t : m.triangles)
+          for (const std::uint32_t v : t) ASSERT_LT(v, m.vertices.size());
+      } catch (const Error&) {
+      }
+    }
+  }
+}
+
+TEST(Obj, ReadsWhatOtherProgramsWrite) {
+  const char* cube =
+      "mtllib x.mtl\no Cube\nv 0 0 0 # c\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\n"
+      "v 0 1 1\nvn 0 0 1\nvt 0.5 0.5\ns off\nf 4//1 3//1 2//1 1//1\nf -4/1 -3/1 -2/1 -1/1\n"
+      "f 1 2 6 5\nf 2 3 \\\n 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  const TriMesh m = parse_obj(cube, "cube.obj");
+  expect_closed_manifold(m);
+  EXPECT_DOUBLE_EQ(check_mesh(m).volume, 1);
+  EXPECT_EQ(m.triangles.size(), 12u);
+}
+
+TEST(Obj, TakesConcavePolygonsApart) {
+  // An L standing up: volume 3, and a fan from any corner of the 6-gon but two would be wrong.
+  const char* shape =
+      "v 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nv 2 0 0\n"
+      "v 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\nv 0 0 1\nv 2 0 1\n"
+      "f 7 8 9 10 11 12\nf 6 5 4 3 2 1\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
+      "f 5 6 12 11\nf 6 1 7 12\n";
+  const TriMesh m = parse_obj(shape, "l.obj");
+  expect_closed_manifold(m);
+  EXPECT_DOUBLE_EQ(check_mesh(m).volume, 3);
+  EXPECT_DOUBLE_EQ(check_mesh(m).area, 14);
+}
+
+TEST(Obj, RefusesWhatIsWrong) {
+  const auto refused = [](const char* text) { return code(text, MeshFormat::obj); };
+  EXPECT_EQ(refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "obj-index");
+  EXPECT_EQ(refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n"), "obj-index");
+  EXPECT_EQ(refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999\n"), "obj-index");
+  EXPECT_EQ(refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n"), "obj-syntax");
+  EXPECT_EQ(refused("v 0 0 nan\n"), "obj-syntax");
+  EXPECT_EQ(refused("v 0 0\n"), "obj-syntax");
+  EXPECT_EQ(refused("v 0 0 1e99\n"), "obj-syntax");
+  EXPECT_EQ(refused(""), "obj-empty");
+  EXPECT_EQ(refused("solid\n"), "obj-empty");
+}
+
+TEST(Ply, ReadsTextAndBigEndian) {
+  const std::string head =
+      "ply\r\nformat ascii 1.0\r\ncomment x\r\nelement vertex 3\r\n"
+      "property double x\r\nproperty double y\r\nproperty double z\r\n"
+      "property float quality\r\nelement face 1\r\n"
+      "property list uchar uint vertex_index\r\nproperty list uchar float "
+      "texcoord\r\nend_header\r\n";
+  const TriMesh m =
+      parse_ply(head + "0 0 0 9\r\n1 0 0 9\r\n0 1e0 0 9\r\n3 0 1 2 2 0.5 0.5\r\n", "a.ply");
+  EXPECT_EQ(m.triangles.size(), 1u);
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uchar ushort vertex_indices\nend_header\n";
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+    for (int i = 3; i >= 0; --i) big += char(std::bit_cast<std::uint32_t>(x) >> (8 * i));
+  big += std::string("\3\0\0\0\1\0\2", 7);
+  EXPECT_EQ(corners_of(parse_ply(big, "b.ply")), corners_of(m));
+}
+
+TEST(Ply, RefusesCountsThatTheFileCannotHold) {
+  std::string bytes = bytes_as(MeshFormat::ply, part());
+  const std::string count = "element vertex 120";
+  const std::size_t at = bytes.find(count);
+  ASSERT_NE(at, bytes.npos);
+  bytes.replace(at, count.size(), "element vertex 4000000000");
+  EXPECT_EQ(code(bytes, MeshFormat::ply), "ply-truncated");
+  EXPECT_EQ(code("ply\nformat ascii 1.0\nelement nothing 9000000000000000000\nelement face 2\n"
+                 "property list int int vertex_indices\nend_header\n2147483647 1 2 3\n",
+                 MeshFormat::ply),
+            "ply-truncated");
+}
+
+TEST(Off, RefusesCountsThatTheFileCannotHold) {
+  EXPECT_EQ(code("OFF\n4000000000 1 0\n0 0 0\n", MeshFormat::off), "off-truncated");
+  EXPECT_EQ(code("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", MeshFormat::off),
+            "off-truncated");
+  EXPECT_EQ(code("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", MeshFormat::off), "off-index");
+  EXPECT_EQ(code("OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", MeshFormat::off), "off-nan");
+  EXPECT_EQ(code("OFF\n-3 1 0\n", MeshFormat::off), "off-syntax");
+}
+
+std::string package(const std::string& model) {
+  return detail::zip({{"_rels/.rels", "<R/>"}, {"3d/3DModel.model", model}});
+}
+
+TEST(ThreeMf, AppliesUnitsComponentsAndTransforms) {
+  const std::string object =
+      "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" "
+      "z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"1\"/></vertices>"
+      "<triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"3\"/>"
+      "<triangle v1=\"1\" v2=\"2\" v3=\"3\"/><triangle v1=\"2\" v2=\"0\" v3=\"3\"/></triangles>"
+      "</mesh></object>";
+  const std::string model =
+      "<?xml version=\"1.0\"?><!-- x --><model unit=\"inch\"><resources>" + object +
+      "<object id='7'><components><component objectid=\"1\" transform=\"2 0 0 0 1 0 0 0 1 0 0 "
+      "0\"/></components></object></resources><build><item objectid=\"7\" transform=\"-1 0 0 0 1 0 "
+      "0 0 1 10 0 0\"/><item objectid=\"1\"/></build></model>";
+  const TriMesh m = parse_3mf(package(model), "t.3mf");
+  expect_closed_manifold(m);
+  EXPECT_NEAR(check_mesh(m).volume, 3 * 25.4 * 25.4 * 25.4 / 6, 0.01);
+  EXPECT_NEAR(check_mesh(m).bounds.hi.x, 254, 1e-4);
+  EXPECT_NEAR(check_mesh(m).bounds.lo.x, 0, 1e-4);
+}
+
+TEST(ThreeMf, RefusesBombsAndLoops) {
+  const auto refused = [](const std::string& model) {
+    return code(package(model), MeshFormat::threemf);
+  };
+  EXPECT_EQ(refused("<model><resources><object id=\"1\"><components><component objectid=\"1\"/>"
+                    "<component objectid=\"1\"/></components></object></resources><build><item "
+                    "objectid=\"1\"/></build></model>"),
+            "3mf-too-large");
+  EXPECT_EQ(refused("<!DOCTYPE x [<!ENTITY a \"b\">]><model/>"), "3mf-xml");
+  EXPECT_EQ(refused("<model><resources><object id=\"1\""), "3mf-xml");
+  EXPECT_EQ(refused("<model><build><item objectid=\"5\"/></build></model>"), "3mf-index");
+  EXPECT_EQ(refused("<model/>"), "3mf-empty");
+  // A directory that claims 3 GB in a few bytes is refused before anything is unpacked.
+  std::string bomb = package(std::string(5000, ' '));
+  const std::size_t entry = bomb.find("PK\1\2", bomb.find("PK\1\2") + 1);
+  for (int i = 0; i < 4; ++i) bomb[entry + 24 + std::size_t(i)] = "\0\0\0\xc0"[i];
+  EXPECT_EQ(code(bomb, MeshFormat::threemf), "3mf-too-large");
+  EXPECT_EQ(code("PK", MeshFormat::threemf), "3mf-zip");
+}
+
+TEST(MeshFormats, WeldFilesThatRepeatTheirVertices) {
+  const TriMesh box = box_mesh({0, 0, 0}, {1, 2, 3});
+  TriMesh soup;
+  for (const auto& t : box.triangles) {
+    for (const std::uint32_t v : t) soup.vertices.push_back(box.vertices[v]);
+    const auto n = std::uint32_t(soup.vertices.size());
+    soup.triangles.push_back({n - 3, n - 2, n - 1});
+  }
+  for (const MeshFormat format : kFormats) {
+    const TriMesh back = parse_mesh(bytes_as(format, soup), format, "part");
+    EXPECT_EQ(back.vertices.size(), 8u);
+    expect_closed_manifold(back);
+  }
+}
+
+TEST(MeshFile, FormatsAreToldByExtension) {
+  EXPECT_EQ(mesh_format_of("a/b.c/part.STL"), MeshFormat::stl);
+  EXPECT_EQ(mesh_format_of("x.3mf"), MeshFormat::threemf);
+  EXPECT_EQ(error_code([] { mesh_format_of("a.stl/part"); }), "mesh-format");
+  EXPECT_EQ(error_code([] { mesh_format_of("part.step"); }), "mesh-format");
+  EXPECT_EQ(error_code([] { parse_mesh("glTF", MeshFormat::glb, "a.glb"); }), "mesh-format");
+}
+
+TEST(MeshFile, IsWrittenWholeAndReadBack) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("mrsim-formats-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  for (const char* end : {".stl", ".obj", ".ply", ".off", ".3mf"}) {
+    const std::string path = (folder / "part").string() + end;
+    save_mesh(path, part());
+    EXPECT_EQ(corners_of(load_mesh(path)), corners_of(part())) << end;
+  }
+  save_mesh((folder / "part.glb").string(), part());
+  EXPECT_EQ(error_code([&] { save_mesh((folder / "none.stl").string(), {}); }), "mesh-empty");
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.stl"));
+  EXPECT_EQ(error_code([&] { save_mesh((folder / "no/part.stl").string(), part()); }),
+            "output-folder");
+  EXPECT_EQ(error_code([&] { load_mesh((folder / "gone.stl").string()); }), "file-missing");
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace mrsim

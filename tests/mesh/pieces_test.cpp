@@ -1,0 +1,55 @@
+#include "mesh/pieces.h"
+
+#include "core/vec.h"
+#include "support/mesh_asserts.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+// A box with a cavity in which a ball lies, and a small box beside it.
+TriMesh nested() {
+  TriMesh m = box_mesh({20, 0, 0}, {21, 1, 1});
+  m = joined(m, box_mesh({0, 0, 0}, {10, 10, 10}));
+  m = joined(m, flipped(box_mesh({1, 1, 1}, {9, 9, 9})));
+  m = joined(m, sphere_mesh(40, 2, {5, 5, 5}));
+  m.owners.resize(m.triangles.size());
+  for (std::size_t f = 0; f < m.owners.size(); ++f) m.owners[f] = int(f);
+  return m;
+}
+
+TEST(Pieces, AreFoundWithVolumeAndPlace) {
+  const std::vector<Piece> pieces = find_pieces(nested());
+  ASSERT_EQ(pieces.size(), 3u);
+  EXPECT_NEAR(pieces[0].volume, 1000 - 512, 1e-9);
+  EXPECT_EQ(pieces[0].components.size(), 2u);
+  EXPECT_EQ(pieces[0].triangles, 24u);
+  EXPECT_NEAR(distance(pieces[0].center, {5, 5, 5}), 0, 1e-9);
+  EXPECT_NEAR(pieces[1].volume, 33.5, 0.6);
+  EXPECT_NEAR(pieces[2].volume, 1, 1e-9);
+  EXPECT_NEAR(distance(pieces[2].center, {20.5, 0.5, 0.5}), 0, 1e-9);
+  EXPECT_EQ(describe_piece(pieces[2]),
+            "detached piece of 1 mm3 at (20.5, 0.5, 0.5) mm, 1 x 1 x 1 mm");
+}
+
+TEST(Pieces, CanBeTakenOut) {
+  const TriMesh m = nested();
+  const std::vector<Piece> pieces = find_pieces(m);
+  const TriMesh largest = extract_piece(m, pieces[0]);
+  EXPECT_EQ(largest.triangles.size(), 24u);
+  EXPECT_EQ(largest.vertices.size(), 16u);
+  EXPECT_EQ(largest.owners.front(), 12);
+  EXPECT_NEAR(check_mesh(largest).volume, 488, 1e-9);
+}
+
+TEST(Pieces, OneSolidIsOnePiece) {
+  EXPECT_EQ(find_pieces(tube_mesh(64, 10, 5, 0, 7)).size(), 1u);
+  EXPECT_TRUE(find_pieces({}).empty());
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,237 @@
+#include "core/error.h"
+#include "core/units.h"
+#include "core/vec.h"
+#include "removal/lattice.h"
+#include "removal/stock.h"
+#include "removal/stock_grid.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+StockShape box(Vec3 lo, Vec3 hi) {
+  StockShape s;
+  s.box = {lo, hi};
+  return s;
+}
+
+Tool mill(ToolType type, double diameter) {
+  Tool t;
+  t.id = "1";
+  t.type = type;
+  t.diameter = diameter;
+  return t;
+}
+
+Motion line(Vec3 a, Vec3 b, int at = 0) {
+  Motion m;
+  m.kind = MotionKind::line;
+  m.start = a;
+  m.end = b;
+  m.tool = 0;
+  m.line = at;
+  return m;
+}
+
+Motion half_circle(Vec3 a, double radius, double sweep) {
+  Motion m;
+  m.kind = MotionKind::arc;
+  m.start = a;
+  m.center = a + Vec3{radius, 0, 0};
+  m.end = a + Vec3{2 * radius, 0, 0};
+  m.radius = radius;
+  m.sweep = sweep;
+  m.tool = 0;
+  return m;
+}
+
+// Volume of the level set by counting, sub-voxel by the distance: good to a few tenths of a percent
+// of the cut.
+double counted_volume(const Stock& stock) {
+  const double h = stock.voxel();
+  double sum = 0;
+  const auto& tree = stock.grid().distance->tree();
+  const openvdb::CoordBBox box = stock.grid().distance->evalActiveVoxelBoundingBox();
+  openvdb::tree::ValueAccessor<const openvdb::FloatTree> at(tree);
+  for (auto it = box.begin(); it; ++it) sum += std::clamp(0.5 - at.getValue(*it) / h, 0.0, 1.0);
+  return sum * h * h * h;
+}
+
+using Voxel = std::tuple<openvdb::Coord, float, std::int32_t>;
+std::vector<Voxel> voxels(const Stock& stock) {
+  std::vector<Voxel> list;
+  openvdb::tree::ValueAccessor<const openvdb::Int32Tree> owner(stock.grid().owner->tree());
+  for (auto it = stock.grid().distance->cbeginValueOn(); it; ++it)
+    list.emplace_back(it.getCoord(), it.getValue(), owner.getValue(it.getCoord()));
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+std::vector<Motion> random_motions(std::uint64_t seed, int count) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> x(0, 20), z(2, 9);
+  std::vector<Motion> motions;
+  Vec3 at{10, 10, 8};
+  for (int i = 0; i < count; ++i) {
+    const bool slanted = random() % 4 == 0;
+    const Vec3 to{double(x(random)), double(x(random)), slanted ? double(z(random)) : at.z};
+    if (to == at) continue;
+    motions.push_back(random() % 3 ? line(at, to, i)
+                                   : half_circle(at, 2, random() % 2 ? kPi : -kPi));
+    at = motions.back().end;
+  }
+  return motions;
+}
+
+// The obvious carver: every sweep at every voxel.
+std::vector<Voxel> reference(const StockShape& shape, std::span<const Motion> motions,
+                             std::span<const Tool> tools, double h) {
+  const StockSolid solid(shape);
+  const SweepTable sweeps(motions, tools, solid.bounds().hi.z);
+  const double band = kBandVoxels * h;
+  const Box3 whole = inflated(solid.bounds(), band + h);
+  std::vector<Voxel> list;
+  const auto index = [&](const Vec3& p, int a) {
+    return int(lattice_floor(h, component(p, a), component(kLatticeShift, a)));
+  };
+  for (int i = index(whole.lo, 0); i <= index(whole.hi, 0); ++i)
+    for (int j = index(whole.lo, 1); j <= index(whole.hi, 1); ++j)
+      for (int k = index(whole.lo, 2); k <= index(whole.hi, 2); ++k) {
+        const Vec3 p{lattice_position(h, i, kLatticeShift.x),
+                     lattice_position(h, j, kLatticeShift.y),
+                     lattice_position(h, k, kLatticeShift.z)};
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t best = 0;
+        for (std::size_t s = 0; s < sweeps.size(); ++s)
+          if (const double d = sweeps.distance(s, p); d < least) {
+            least = d;
+            best = s;
+          }
+        const double stock = solid.distance(p), d = std::max(stock, -least);
+        if (std::abs(d) < band)
+          list.emplace_back(openvdb::Coord(i, j, k), float(d),
+                            stock >= -least ? kStockOwner : sweeps.motion(best));
+      }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+TEST(Carve, EqualsTheReferenceToTheLastBit) {
+  for (const ToolType type : {ToolType::endmill, ToolType::ballmill})
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const std::vector<Tool> tools{mill(type, 3)};
+      const std::vector<Motion> motions = random_motions(seed, 40);
+      const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+      const Stock stock = carve(shape, motions, tools, {.voxel = 0.5});
+      EXPECT_EQ(voxels(stock), reference(shape, motions, tools, 0.5)) << "seed " << seed;
+    }
+}
+
+TEST(Carve, GivesTheSameForAnyNumberOfThreads) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
+  const std::vector<Motion> motions = random_motions(3, 100);
+  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const auto one = voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 1}));
+  EXPECT_EQ(one, voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 2})));
+  EXPECT_EQ(one, voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 7})));
+}
+
+TEST(Carve, ShapeDoesNotDependOnTheOrderOfMoves) {
+  const std::vector<Tool> tools{mill(ToolType::ballmill, 3)};
+  std::vector<Motion> motions = random_motions(4, 60);
+  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  auto strip = [](std::vector<Voxel> list) {
+    for (Voxel& v : list) std::get<2>(v) = 0;
+    return list;
+  };
+  const auto forward = strip(voxels(carve(shape, motions, tools, {.voxel = 0.4})));
+  std::reverse(motions.begin(), motions.end());
+  EXPECT_EQ(forward, strip(voxels(carve(shape, motions, tools, {.voxel = 0.4}))));
+}
+
+TEST(Carve, CuttingTwiceChangesNothing) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
+  std::vector<Motion> motions = random_motions(5, 40);
+  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const auto once = voxels(carve(shape, motions, tools, {.voxel = 0.4}));
+  const std::size_t n = motions.size();
+  for (std::size_t i = 0; i < n; ++i) motions.push_back(motions[i]);
+  EXPECT_EQ(once, voxels(carve(shape, motions, tools, {.voxel = 0.4})));
+}
+
+TEST(Carve, VolumeNeverGrows) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
+  const std::vector<Motion> motions = random_motions(6, 40);
+  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  double last = 1e9;
+  for (std::size_t n = 0; n <= motions.size(); n += 8) {
+    const double volume =
+        counted_volume(carve(shape, std::span(motions).first(n), tools, {.voxel = 0.5}));
+    EXPECT_LE(volume, last);
+    last = volume;
+  }
+}
+
+TEST(Carve, CoincidentSurfacesAreDecided) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
+  const StockShape shape = box({0, 0, 0}, {20, 10, 5});
+  const auto inside = [&](const Stock& s, Vec3 p) { return is_inside(s.distance(p)); };
+  // A floor exactly on the bottom leaves no skin.
+  const Stock hole =
+      carve(shape, std::vector{line({-5, 5, 0}, {25, 5, 0})}, tools, {.voxel = 0.25});
+  for (const double z : {0.0, 1e-7, 1e-3, 1.0}) EXPECT_FALSE(inside(hole, {10, 5, z})) << z;
+  // A pass along a face removes nothing.
+  const Stock whole =
+      carve(shape, std::vector{line({-5, 12, 0}, {25, 12, 0})}, tools, {.voxel = 0.25});
+  EXPECT_EQ(whole.owner({10, 10, 2.5}), kStockOwner);
+  EXPECT_TRUE(inside(whole, {10, 9.999, 2.5}));
+  // Touching passes leave no fin.
+  const Stock fin =
+      carve(shape, std::vector{line({-5, 3, 2}, {25, 3, 2}), line({-5, 7, 2}, {25, 7, 2})}, tools,
+            {.voxel = 0.25});
+  for (const double z : {2.001, 3.0, 4.999}) EXPECT_FALSE(inside(fin, {10, 5, z})) << z;
+}
+
+TEST(Carve, EveryActiveVoxelKnowsItsOwner) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
+  const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3}, 10),
+                                    line({10, -5, 2}, {10, 15, 2}, 20)};
+  const Stock stock = carve(box({0, 0, 0}, {20, 10, 5}), motions, tools, {.voxel = 0.25});
+  EXPECT_EQ(stock.owner({3, 5, 3}), 0);
+  EXPECT_EQ(stock.owner({10, 5, 2}), 1);
+  EXPECT_EQ(stock.owner({3, 1, 5}), kStockOwner);
+  for (const auto& [at, d, owner] : voxels(stock)) {
+    const Vec3 p{lattice_position(0.25, at.x(), kLatticeShift.x),
+                 lattice_position(0.25, at.y(), kLatticeShift.y),
+                 lattice_position(0.25, at.z(), kLatticeShift.z)};
+    ASSERT_EQ(stock.owner(p), owner);
+    ASSERT_EQ(float(stock.distance(p)), d);
+  }
+}
+
+TEST(DefaultVoxel, FollowsTheRule) {
+  EXPECT_EQ(default_voxel(box({0, -60, 0}, {100, 0, 10}), 2.5).voxel, 0.25);
+  EXPECT_EQ(default_voxel(box({0, 0, 0}, {51, 51, 51}), 0).voxel, 0.1);
+  EXPECT_EQ(default_voxel(box({0, 0, 0}, {200, 200, 40}), 1).voxel, 0.1);
+  EXPECT_EQ(default_voxel(box({0, 0, 0}, {400, 1, 1}), 0).voxel, 1.0);
+  EXPECT_EQ(default_voxel(box({0, 0, 0}, {10000, 1, 1}), 0).voxel, 25.0);
+}
+
+TEST(Carve, RefusesBadVoxels) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
+  const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3})};
+  const StockShape shape = box({0, 0, 0}, {100, 100, 50});
+  for (const double voxel : {-1.0, 1e-9, 1e-4, 0.003, double(NAN), double(INFINITY)})
+    EXPECT_THROW(carve(shape, motions, tools, {.voxel = voxel, .max_memory = std::size_t(1) << 30}),
+                 Error)
+        << voxel;
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,100 @@
+#include "removal/stock_file.h"
+
+#include <gtest/gtest.h>
+#include <openvdb/io/Stream.h>
+
+#include <random>
+#include <sstream>
+
+#include "removal/recipe_codec.h"
+#include "removal/stock_grid.h"
+
+namespace mrsim {
+namespace {
+
+StockRecipe recipe_of_a_slot() {
+  StockRecipe recipe;
+  recipe.voxel = 0.5;
+  recipe.shape.box = {{0, 0, 0}, {20, 10, 5}};
+  recipe.shape.description = "box";
+  recipe.shape.history.files = {"a.MPF"};
+  Tool tool;
+  tool.id = "1";
+  tool.diameter = 4;
+  tool.shank = {{4, 4, 10}};
+  recipe.shape.history.tools = {tool};
+  Motion m;
+  m.kind = MotionKind::line;
+  m.start = {-5, 5, 3};
+  m.end = {25, 5, 3};
+  m.tool = 0;
+  m.line = 7;
+  recipe.shape.history.motions = {m};
+  return recipe;
+}
+
+std::string saved(const StockRecipe& recipe) {
+  const Stock stock = carve(recipe.shape, recipe.shape.history.motions, recipe.shape.history.tools, {.voxel = recipe.voxel});
+  std::string bytes;
+  write_vdb(stock, recipe, [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
+  return bytes;
+}
+
+std::string code_of(std::string_view bytes) {
+  try {
+    read_vdb(bytes, "a.vdb");
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return "";
+}
+
+TEST(StockFile, KeepsTheRecipe) {
+  const StockRecipe recipe = recipe_of_a_slot();
+  const std::string bytes = saved(recipe);
+  EXPECT_EQ(encode_recipe(read_vdb(bytes, "a.vdb")), encode_recipe(recipe));
+  EXPECT_EQ(bytes, saved(read_vdb(bytes, "a.vdb")));  // and so the bytes, no random identifier among them
+}
+
+TEST(StockFile, OpensInOpenVdb) {
+  openvdb::initialize();
+  std::istringstream in(saved(recipe_of_a_slot()));
+  openvdb::io::Stream archive(in);
+  const auto grids = archive.getGrids();
+  ASSERT_EQ(grids->size(), 2u);
+  const auto distance = openvdb::gridPtrCast<openvdb::FloatGrid>((*grids)[0]);
+  ASSERT_TRUE(distance);
+  EXPECT_EQ(distance->getName(), "distance");
+  EXPECT_GT(distance->activeVoxelCount(), 1000u);
+  EXPECT_EQ(openvdb::gridPtrCast<openvdb::Int32Grid>((*grids)[1])->activeVoxelCount(), distance->activeVoxelCount());
+}
+
+TEST(StockFile, RefusesWhatIsDamaged) {
+  const std::string bytes = saved(recipe_of_a_slot());
+  for (std::size_t size = 0; size < bytes.size(); size += 97) EXPECT_NE(code_of(bytes.substr(0, size)), "") << size;
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 300; ++i) {
+    std::string bad = bytes;
+    bad[random() % bad.size()] ^= static_cast<char>(1 + random() % 255);
+    EXPECT_NE(code_of(bad), "");
+  }
+  EXPECT_EQ(code_of(""), "vdb-foreign");
+  EXPECT_EQ(code_of(std::string(1000, 'x')), "vdb-foreign");
+}
+
+TEST(RecipeCodec, ChecksEveryCount) {
+  const std::string bytes = encode_recipe(recipe_of_a_slot());
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {  // whatever the bytes: a recipe or an Error, never more memory than there are bytes
+    std::string bad = bytes.substr(0, random() % 2 ? bytes.size() : random() % bytes.size());
+    for (int k = 0; k < 4 && !bad.empty(); ++k) bad[random() % bad.size()] = static_cast<char>(random());
+    try {
+      decode_recipe(bad, "a.vdb");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "vdb-damaged");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim

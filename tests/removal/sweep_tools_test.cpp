@@ -1,0 +1,184 @@
+// Every tool on every move against brute force; gradients, Lipschitz constant, patches, bounds.
+#include "core/units.h"
+#include "sweep_support.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+Tool make(ToolType type, double d, double flute = 0) {
+  Tool t = endmill(d, 0, flute);
+  t.type = type;
+  return t;
+}
+
+std::vector<Tool> all_tools() {
+  std::vector<Tool> t = {endmill(6),       endmill(6, 1),    ballmill(6),
+                         endmill(6, 0, 9), endmill(6, 1, 9), ballmill(6, 9)};
+  t.push_back(make(ToolType::chamfer, 8));
+  t.back().tip_diameter = 1;
+  t.push_back(make(ToolType::chamfer, 8, 3));
+  t.push_back(make(ToolType::drill, 5));
+  t.push_back(make(ToolType::drill, 5, 12));
+  t.push_back(make(ToolType::taper, 9));
+  t.back().taper_angle = radians(10);
+  t.back().tip_diameter = 4;
+  t.back().corner_radius = 2;
+  t.push_back(make(ToolType::taper, 4, 14));
+  t.back().taper_angle = radians(10);
+  t.back().corner_radius = 0.5;
+  t.push_back(make(ToolType::tslot, 10, 3));
+  t.back().neck_diameter = 4;
+  t.push_back(make(ToolType::tslot, 10, 3));
+  t.back().corner_radius = 0.5;
+  t.push_back(make(ToolType::lollipop, 6));
+  t.back().neck_diameter = 3;
+  t.push_back(make(ToolType::barrel, 8));
+  t.back().profile_radius = 30;
+  t.back().corner_radius = 2;
+  t.push_back(make(ToolType::barrel, 8, 16));
+  t.back().profile_radius = 30;
+  t.back().corner_radius = 2;
+  t.push_back(make(ToolType::form, 0));
+  t.back().profile = {{0, 0, 0}, {2, 0, 0}, {5, 3, 0}};  // chamfer as a form, open
+  return t;
+}
+
+std::vector<Tool> form_tools() {
+  std::vector<Tool> t(2, make(ToolType::form, 0));
+  const double quarter = std::tan(kPi / 8);
+  t[0].profile = {{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}};  // corner rounding
+  t[0].flute_length = 6;
+  t[1].profile = {{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 3, 0}, {2, 5, 0}, {3.5, 6, 0}, {0, 6, 0}};
+  return t;
+}
+
+Motion any_move(Random& r, int kind) {
+  const Vec3 a = {r(-10, 10), r(-10, 10), r(-5, 5)};
+  Vec3 b = {r(-10, 10), r(-10, 10), r(-5, 5)};
+  switch (kind) {
+    case 0:
+      return line(a, {b.x, b.y, a.z});
+    case 1:
+      return line(a, {a.x, a.y, b.z});
+    case 2:
+      return line(a, b);
+    case 3:
+      return arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7));
+    case 4:  // helix
+      return arc(a, {a.x + r(-6, 6), a.y + r(-6, 6), a.z}, {0, 0, 1}, r(-20, 20), r(-9, 9));
+    case 5:  // G18
+      return arc(a, {b.x, a.y, b.z}, {0, 1, 0}, r(-6, 6));
+    default: {  // tilted plane, with some rise
+      const Vec3 n = normalized(Vec3{r(-1, 1), r(-1, 1), r(0.1, 1)});
+      const Vec3 w = b - a;
+      return arc(a, a + (w - dot(w, n) * n), n, r(-6, 6), r(-3, 3));
+    }
+  }
+}
+
+double brute(const Profile& tool, const Motion& m, const Vec3& p) {
+  return least(
+      [&](double t) {
+        const Vec3 q = p - at(m, t);
+        return tool.distance({std::hypot(q.x, q.y), q.z});
+      },
+      1000);
+}
+
+Vec3 near(Random& r, const Motion& m, double reach) {
+  const Vec3 c = at(m, r(0, 1));
+  return c + Vec3{r(-reach, reach), r(-reach, reach), r(-reach, 2 * reach)};
+}
+
+// The sign and, outside, the value are exact; inside any depth between the deepest single position
+// and the true one is allowed (closed forms give the true one).
+void expect_equals_brute(const Tool& tool, int kind, int rounds, double tolerance) {
+  Random r(100 + kind);
+  const Profile profile = make_cutter(tool);
+  for (int round = 0; round < rounds; ++round) {
+    const Motion m = any_move(r, kind);
+    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    ASSERT_EQ(s.size(), 1u);
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 p = near(r, m, 8);
+      const double want = brute(profile, m, p), got = s.distance(0, p);
+      if (want > 0) {
+        ASSERT_NEAR(got, want, tolerance) << "move " << kind << " round " << round;
+      } else {
+        ASSERT_LE(got, want + tolerance) << "move " << kind << " round " << round;
+      }
+      if (got < -1e-9) {
+        const Box3 b = s.bounds(0);
+        ASSERT_TRUE(p.x > b.lo.x - 1e-9 && p.y > b.lo.y - 1e-9 && p.z > b.lo.z - 1e-9 &&
+                    p.x < b.hi.x + 1e-9 && p.y < b.hi.y + 1e-9 && p.z < b.hi.z + 1e-9);
+      }
+    }
+  }
+}
+
+class EveryTool : public testing::TestWithParam<int> {};
+
+TEST_P(EveryTool, EqualsTheLeastDistanceOverAllPositions) {
+  for (int kind = 0; kind < 7; ++kind) expect_equals_brute(all_tools()[GetParam()], kind, 6, 1e-6);
+}
+
+TEST_P(EveryTool, IsOneLipschitz) {
+  const Tool tool = all_tools()[GetParam()];
+  for (int kind = 0; kind < 7; ++kind) {
+    Random r(50 + kind);
+    for (int round = 0; round < 5; ++round) {
+      const Motion m = any_move(r, kind);
+      const SweepTable s({&m, 1}, {&tool, 1}, 100);
+      for (int k = 0; k < 60; ++k) {
+        const Vec3 p = near(r, m, 6), q = p + Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
+        ASSERT_LE(std::fabs(s.distance(0, p) - s.distance(0, q)),
+                  distance(p, q) + 2 * s.max_error())
+            << "move " << kind;
+      }
+    }
+  }
+}
+
+// Walks to the surface from outside along the gradient, then compares with differences there.
+TEST_P(EveryTool, GradientIsTheDerivative) {
+  const Tool tool = all_tools()[GetParam()];
+  int creases = 0, points = 0;
+  for (int kind = 0; kind < 7; ++kind) {
+    Random r(70 + kind);
+    for (int round = 0; round < 6; ++round) {
+      const Motion m = any_move(r, kind);
+      const SweepTable s({&m, 1}, {&tool, 1}, 100);
+      for (int k = 0; k < 6; ++k) {
+        Vec3 p = near(r, m, 5);
+        for (int step = 0; step < 40; ++step)
+          p = p - s.distance(0, p) * s.gradient(0, p, s.sample(0, p).patch);
+        if (std::fabs(s.distance(0, p)) > 1e-9) continue;
+        const Vec3 g = s.gradient(0, p, s.sample(0, p).patch);
+        ASSERT_NEAR(length(g), 1, 1e-9);
+        const Vec3 n = numeric_gradient(s, 0, p);
+        ++points;
+        if (length(n) < 0.999) {  // on a crease
+          ++creases;
+          continue;
+        }
+        EXPECT_NEAR(distance(g, n), 0, 2e-3) << "move " << kind << " round " << round;
+      }
+    }
+  }
+  EXPECT_GT(points, 60);
+  EXPECT_LT(creases, points / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryTool, testing::Range(0, static_cast<int>(all_tools().size())));
+
+TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
+  for (const Tool& tool : form_tools())
+    for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace mrsim
