@@ -39,7 +39,7 @@ struct CompareOptions {
   /// Samples on each of the two surfaces where no density is given.
   std::size_t samples = 200000;
   /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the largest of 1e-4, a
-  /// hundredth of the tolerance and a hundredth of the distance. What was reached is in the result.
+  /// eighth of the tolerance's width and a hundredth of the distance. What was reached is in the result.
   double hausdorff_error = 0;
   /// Regions to describe; all are counted. Requires: >= 1.
   std::size_t max_regions = 50;
@@ -148,6 +148,9 @@ MRSIM_API Comparison compare(const TriMesh& part, const TriMesh& nominal,
                              const CompareOptions& options = {},
                              const std::vector<std::vector<std::string>>& texts = {});
 
+/// Throws what compare() would throw for this nominal, before a long run.
+MRSIM_API void require_nominal(const TriMesh& nominal, const std::string& name, int threads = 0);
+
 /// One JSON object, schema in docs/compare.md ("schema": 1). Without times and memory, so that
 /// equal inputs give equal bytes.
 MRSIM_API std::string comparison_json(const Comparison& comparison);
@@ -179,6 +182,20 @@ struct ReportFacts {
 MRSIM_API std::string report_html(const TriMesh& part, const TriMesh& nominal,
                                   const Comparison& comparison, const ReportFacts& facts = {},
                                   int threads = 0);
+
+/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb, which
+/// is meshed with its owners. `note` gets a sentence where something was decided.
+MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
+                             std::string* note = nullptr);
+
+/// The lines of the programs that `origin` names, found by their names as they are, beside `part`,
+/// or in `folders`; empty for those that are not found. As compare() takes them.
+MRSIM_API std::vector<std::vector<std::string>> read_program_lines(
+    const OwnerTable& origin, const std::string& part,
+    const std::vector<std::string>& folders = {});
+
+/// The deflection that suits a tolerance: a twentieth, in [0.0002, 0.005] mm; 0.001 without one.
+MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
 
 /// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
 /// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",

@@ -17,7 +17,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kHausdorffPieces = 1'000'000;
+constexpr std::size_t kHausdorffPieces = 300'000;
 constexpr std::size_t kIcpPoints = 20000;
 
 void validate(const CompareOptions& o) {
@@ -79,7 +79,7 @@ void fill_hausdorff(const TriMesh& part, const TriMesh& nominal, const Deviation
   const double largest = std::max({out.part.max, -out.part.min, out.nominal.max, -out.nominal.min});
   const double error = options.hausdorff_error > 0
                            ? options.hausdorff_error
-                           : std::max({1e-4, 0.01 * (out.band.hi - out.band.lo), 0.01 * largest});
+                           : std::max({1e-4, 0.125 * (out.band.hi - out.band.lo), 0.01 * largest});
   out.part_to_nominal =
       hausdorff_of(part, of_part, nominal, nominal_surface, error, options, out.memory);
   out.nominal_to_part =
@@ -161,6 +161,10 @@ Acceptance parse_acceptance(const std::string& text) {
       comma == std::string::npos ? Acceptance{-std::abs(*lo), std::abs(*lo)} : Acceptance{*lo, *hi};
   validate(options);
   return *options.accept;
+}
+
+void require_nominal(const TriMesh& nominal, const std::string& name, int threads) {
+  require_comparable(nominal, "nominal", name, threads);
 }
 
 Comparison compare(const TriMesh& part, const TriMesh& nominal, const CompareOptions& options,

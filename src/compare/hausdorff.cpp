@@ -72,15 +72,26 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
   return out;
 }
 
-void quarter(const Piece& s, double upper, std::uint32_t hint, std::vector<Piece>& out) {
-  const auto& [a, b, c] = s.corners;
-  const Vec3 ab = lerp(a, b, 0.5), bc = lerp(b, c, 0.5), ca = lerp(c, a, 0.5);
-  for (const auto& k : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}})
-    out.push_back({k, upper, hint});
+// Across its longest side, so that slivers become compact before they become many.
+void halve(const Piece& s, double upper, std::uint32_t hint, std::vector<Piece>& out) {
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = distance(s.corners[k], s.corners[(k + 1) % 3]);
+    if (side > most) {
+      most = side;
+      longest = k;
+    }
+  }
+  const Vec3 &a = s.corners[longest], &b = s.corners[(longest + 1) % 3],
+             &c = s.corners[(longest + 2) % 3], middle = lerp(a, b, 0.5);
+  out.push_back({{a, middle, c}, upper, hint});
+  out.push_back({{middle, b, c}, upper, hint});
 }
 
-// Level by level: all pieces of a level are judged against the lower bound of the level before, so
-// that the result does not depend on threads.
+// In rounds: the pieces with the largest bounds are judged against the lower bound of the round
+// before, so that the result does not depend on threads, and what the budget leaves undecided has
+// the smallest bounds.
 class Search {
  public:
   Search(const NominalSurface& to, const FlatPatches& patches, HausdorffBound known, double error,
@@ -88,39 +99,56 @@ class Search {
       : to_(to), patches_(patches), bound_(known), error_(error), threads_(threads) {}
 
   HausdorffBound run(std::vector<Piece> pieces, std::size_t budget) {
-    double undecided = 0;
     while (!pieces.empty()) {
-      if (pieces.size() > budget) {
-        for (const Piece& s : pieces) undecided = std::max(undecided, s.upper);
-        break;
-      }
-      budget -= pieces.size();
-      pieces = next_level(pieces);
+      const auto chosen = choose(pieces);
+      const auto count = static_cast<std::size_t>(pieces.end() - chosen);
+      if (count > budget) break;
+      budget -= count;
+      const std::vector<Piece> round(chosen, pieces.end());
+      pieces.erase(chosen, pieces.end());
+      judge_round(round, pieces);
+      drop_decided(pieces);
     }
-    bound_.upper = std::max({bound_.lower, decided_, undecided});
+    bound_.upper = std::max(bound_.lower, decided_);
+    for (const Piece& s : pieces) bound_.upper = std::max(bound_.upper, s.upper);
     return bound_;
   }
 
  private:
-  std::vector<Piece> next_level(const std::vector<Piece>& pieces) {
-    std::vector<Verdict> verdicts(pieces.size());
+  // Moves the pieces with at least half of the largest bound to the end.
+  static std::vector<Piece>::iterator choose(std::vector<Piece>& pieces) {
+    double most = 0;
+    for (const Piece& s : pieces) most = std::max(most, s.upper);
+    return std::stable_partition(pieces.begin(), pieces.end(),
+                                 [&](const Piece& s) { return s.upper < most / 2; });
+  }
+
+  void judge_round(const std::vector<Piece>& round, std::vector<Piece>& rest) {
+    std::vector<Verdict> verdicts(round.size());
     const double enough = bound_.lower + error_;
     parallel_for(
-        pieces.size(), threads_,
-        [&](std::size_t i) { verdicts[i] = judge(to_, patches_, pieces[i], enough); }, 256);
+        round.size(), threads_,
+        [&](std::size_t i) { verdicts[i] = judge(to_, patches_, round[i], enough); }, 256);
     for (const Verdict& v : verdicts)
       if (v.lower > bound_.lower) {
         bound_.lower = v.lower;
         bound_.place = v.place;
       }
-    std::vector<Piece> next;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t i = 0; i < round.size(); ++i) {
       if (verdicts[i].upper <= bound_.lower + error_)
         decided_ = std::max(decided_, verdicts[i].upper);
       else
-        quarter(pieces[i], verdicts[i].upper, verdicts[i].hint, next);
+        halve(round[i], verdicts[i].upper, verdicts[i].hint, rest);
     }
-    return next;
+  }
+
+  // A higher lower bound decides pieces that wait, too.
+  void drop_decided(std::vector<Piece>& pieces) {
+    std::erase_if(pieces, [&](const Piece& s) {
+      if (s.upper > bound_.lower + error_) return false;
+      decided_ = std::max(decided_, s.upper);
+      return true;
+    });
   }
 
   const NominalSurface& to_;

@@ -8,7 +8,7 @@
 //   (3) where the other surface is flat about S: the heights of S's corners above that plane. Flat
 //       means that no crease of the other surface comes nearer to the centre's foot than S's
 //       radius. Without (3), two flat faces with different triangles cost area / distance^2 pieces.
-// Pieces whose bound exceeds the largest distance found by more than the error are quartered.
+// Pieces whose bound exceeds the largest distance found by more than the error are halved.
 #pragma once
 
 #include "compare/nominal.h"

@@ -195,6 +195,7 @@ void blame_neighbours(const std::vector<std::uint32_t>& members, const Both& bot
     const auto [at, is_new] = found.emplace(near.line, near.distance);
     if (!is_new) at->second = std::min(at->second, near.distance);
   };
+  region.lines.clear();  // what borders the material is not what left it there
   look(region.place);
   for (std::size_t i = 0; i < members.size(); i += step) look(both.point(members[i]));
   std::vector<std::pair<double, LineKey>> ranked;
@@ -204,11 +205,7 @@ void blame_neighbours(const std::vector<std::uint32_t>& members, const Both& bot
     BlamedLine line = name_line(ranked[i].second, both.in.part_mesh.origin, both.in.texts);
     line.beside = true;
     line.distance = ranked[i].first;
-    const auto same = [&](const BlamedLine& l) {
-      return l.file == line.file && l.line == line.line && l.tool == line.tool;
-    };
-    if (std::none_of(region.lines.begin(), region.lines.end(), same))
-      region.lines.push_back(std::move(line));
+    region.lines.push_back(std::move(line));
   }
 }
 
