@@ -14,13 +14,13 @@ namespace {
 struct Piece {
   std::array<Vec3, 3> corners;
   double upper = 0;
-  std::uint32_t hint = 0;
+  std::uint32_t hint = 0, crease_hint = 0;  // where searches for its parent ended
 };
 
 struct Verdict {
   double upper = 0, lower = 0;
   Vec3 place;
-  std::uint32_t hint = 0;
+  std::uint32_t hint = 0, crease_hint = 0;
 };
 
 // Distances to a convex set are convex, so no point of the piece is farther from t.
@@ -34,9 +34,9 @@ double farthest_corner(const TriangleTree::Corners& t, const Piece& s) {
 Vec3 centre_of(const Piece& s) { return (1.0 / 3) * (s.corners[0] + s.corners[1] + s.corners[2]); }
 
 double flat_bound(const FlatPatches& patches, const Piece& s, const TriangleTree::Hit& hit,
-                  double radius) {
+                  double radius, std::uint32_t& crease_hint) {
   if (hit.feature != kTriangleFace || !patches.is_joined(hit.triangle) ||
-      patches.crease_distance(hit.point) <= radius)
+      patches.crease_distance(hit.point, crease_hint) <= radius)
     return std::numeric_limits<double>::infinity();
   double most = 0;
   for (const Vec3& p : s.corners) most = std::max(most, std::abs(patches.height(hit.triangle, p)));
@@ -50,12 +50,12 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
   double radius = 0;
   for (const Vec3& p : s.corners) radius = std::max(radius, distance(p, centre));
   const TriangleTree::Hit hit = tree.nearest(centre, s.hint);
-  Verdict out{0, std::sqrt(hit.distance2), centre, hit.triangle};
+  Verdict out{0, std::sqrt(hit.distance2), centre, hit.triangle, s.crease_hint};
   out.upper = std::min(s.upper, out.lower + radius);
   if (out.upper <= enough) return out;
   out.upper = std::min(out.upper, farthest_corner(tree.corners(hit.triangle), s));
   if (out.upper <= enough) return out;
-  out.upper = std::min(out.upper, flat_bound(patches, s, hit, radius));
+  out.upper = std::min(out.upper, flat_bound(patches, s, hit, radius, out.crease_hint));
   if (out.upper <= enough) return out;
   std::array<std::uint32_t, 3> candidates;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -73,7 +73,7 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
 }
 
 // Across its longest side, so that slivers become compact before they become many.
-void halve(const Piece& s, double upper, std::uint32_t hint, std::vector<Piece>& out) {
+void halve(const Piece& s, const Verdict& v, std::vector<Piece>& out) {
   std::size_t longest = 0;
   double most = -1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -85,8 +85,8 @@ void halve(const Piece& s, double upper, std::uint32_t hint, std::vector<Piece>&
   }
   const Vec3 &a = s.corners[longest], &b = s.corners[(longest + 1) % 3],
              &c = s.corners[(longest + 2) % 3], middle = lerp(a, b, 0.5);
-  out.push_back({{a, middle, c}, upper, hint});
-  out.push_back({{middle, b, c}, upper, hint});
+  out.push_back({{a, middle, c}, v.upper, v.hint, v.crease_hint});
+  out.push_back({{middle, b, c}, v.upper, v.hint, v.crease_hint});
 }
 
 // In rounds: the pieces with the largest bounds are judged against the lower bound of the round
@@ -138,7 +138,7 @@ class Search {
       if (verdicts[i].upper <= bound_.lower + error_)
         decided_ = std::max(decided_, verdicts[i].upper);
       else
-        halve(round[i], verdicts[i].upper, verdicts[i].hint, rest);
+        halve(round[i], verdicts[i], rest);
     }
   }
 
@@ -214,9 +214,11 @@ double FlatPatches::height(std::uint32_t triangle, const Vec3& p) const {
   return dot(normals_[seed], p - origins_[seed]);
 }
 
-double FlatPatches::crease_distance(const Vec3& p) const {
+double FlatPatches::crease_distance(const Vec3& p, std::uint32_t& hint) const {
   if (!creases_) return std::numeric_limits<double>::infinity();
-  return std::sqrt(creases_->nearest(p).distance2);
+  const TriangleTree::Hit hit = creases_->nearest(p, hint);
+  hint = hit.triangle;
+  return std::sqrt(hit.distance2);
 }
 
 std::size_t FlatPatches::memory() const {
@@ -231,6 +233,7 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
   for (std::size_t f = 0; f < pieces.size(); ++f)
     pieces[f] = {{corner(from, f, 0), corner(from, f, 1), corner(from, f, 2)},
                  std::numeric_limits<double>::infinity(),
+                 0,
                  0};
   return Search(to, patches, {known, known, place}, error, threads).run(std::move(pieces), budget);
 }

@@ -28,7 +28,8 @@ class FlatPatches {
   double height(std::uint32_t triangle, const Vec3& p) const;
   double flatness() const { return flatness_; }
   /// Distance of p from the nearest border of a joined patch; infinite when there is none.
-  double crease_distance(const Vec3& p) const;
+  /// `hint` is where the last search ended, and makes this one faster.
+  double crease_distance(const Vec3& p, std::uint32_t& hint) const;
   std::size_t memory() const;
 
  private:

@@ -33,7 +33,7 @@ function chip(list) {
 }
 
 const notes = new Map();
-for (const d of data.facts.diagnostics) if (d.line) notes.set(`${d.file.split("/").pop()}:${d.line}`, d.text);
+for (const d of data.facts.diagnostics) if (d.line && d.severity !== "note") notes.set(`${d.file.split("/").pop()}:${d.line}`, d.text);
 const noteOf = (file, line) => notes.get(`${file.split("/").pop()}:${line}`);
 
 // --- panes ---
@@ -195,6 +195,7 @@ $("safe").addEventListener("change", (e) => { state.safe = e.target.checked; rep
 $("edges").addEventListener("change", (e) => view.showEdges(e.target.checked));
 $("nominal").addEventListener("change", (e) => view.showNominal(e.target.checked));
 $("nominal-box").hidden = !data.nominal;
+$("figures").hidden = $("safe").parentElement.hidden = !data.compared;
 for (const b of $("views").children) b.addEventListener("click", () => view.look(b.dataset.view));
 
 function section() {
