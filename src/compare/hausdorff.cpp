@@ -11,16 +11,20 @@
 namespace mrsim {
 namespace {
 
+constexpr std::uint32_t kUnknown = ~0u;
+
 struct Piece {
   std::array<Vec3, 3> corners;
   double upper = 0;
   std::uint32_t hint = 0, crease_hint = 0;  // where searches for its parent ended
+  std::array<std::uint32_t, 3> nearest{kUnknown, kUnknown, kUnknown};  // to the corners
 };
 
 struct Verdict {
   double upper = 0, lower = 0;
   Vec3 place;
   std::uint32_t hint = 0, crease_hint = 0;
+  std::array<std::uint32_t, 3> nearest{};
 };
 
 // Distances to a convex set are convex, so no point of the piece is farther from t.
@@ -57,17 +61,18 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
   if (out.upper <= enough) return out;
   out.upper = std::min(out.upper, flat_bound(patches, s, hit, radius, out.crease_hint));
   if (out.upper <= enough) return out;
-  std::array<std::uint32_t, 3> candidates;
+  out.nearest = s.nearest;
   for (std::size_t k = 0; k < 3; ++k) {
+    if (out.nearest[k] != kUnknown) continue;  // counted when its parent was judged
     const TriangleTree::Hit at = tree.nearest(s.corners[k], hit.triangle);
-    candidates[k] = at.triangle;
+    out.nearest[k] = at.triangle;
     const double d = std::sqrt(at.distance2);
     if (d > out.lower) {
       out.lower = d;
       out.place = s.corners[k];
     }
   }
-  for (const std::uint32_t t : candidates)
+  for (const std::uint32_t t : out.nearest)
     out.upper = std::min(out.upper, farthest_corner(tree.corners(t), s));
   return out;
 }
@@ -83,10 +88,11 @@ void halve(const Piece& s, const Verdict& v, std::vector<Piece>& out) {
       longest = k;
     }
   }
-  const Vec3 &a = s.corners[longest], &b = s.corners[(longest + 1) % 3],
-             &c = s.corners[(longest + 2) % 3], middle = lerp(a, b, 0.5);
-  out.push_back({{a, middle, c}, v.upper, v.hint, v.crease_hint});
-  out.push_back({{middle, b, c}, v.upper, v.hint, v.crease_hint});
+  const std::size_t i = longest, j = (i + 1) % 3, k = (i + 2) % 3;
+  const Vec3 &a = s.corners[i], &b = s.corners[j], &c = s.corners[k], middle = lerp(a, b, 0.5);
+  const std::array<std::uint32_t, 3>& n = v.nearest;
+  out.push_back({{a, middle, c}, v.upper, v.hint, v.crease_hint, {n[i], kUnknown, n[k]}});
+  out.push_back({{middle, b, c}, v.upper, v.hint, v.crease_hint, {kUnknown, n[j], n[k]}});
 }
 
 // In rounds: the pieces with the largest bounds are judged against the lower bound of the round
@@ -231,10 +237,8 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
                                   double error, std::size_t budget, int threads) {
   std::vector<Piece> pieces(from.triangles.size());
   for (std::size_t f = 0; f < pieces.size(); ++f)
-    pieces[f] = {{corner(from, f, 0), corner(from, f, 1), corner(from, f, 2)},
-                 std::numeric_limits<double>::infinity(),
-                 0,
-                 0};
+    pieces[f] = {.corners = {corner(from, f, 0), corner(from, f, 1), corner(from, f, 2)},
+                 .upper = std::numeric_limits<double>::infinity()};
   return Search(to, patches, {known, known, place}, error, threads).run(std::move(pieces), budget);
 }
 
