@@ -227,8 +227,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options) {
 }
 
 void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {
-  write_file_atomically(png_path,
-                        [&](const ByteSink& out) { render_mesh(mesh, options, out); });
+  write_file_atomically(png_path, [&](const ByteSink& out) { render_mesh(mesh, options, out); });
 }
 
 MeshSummary summarize(const TriMesh& mesh) { return check_mesh(mesh); }

@@ -106,12 +106,12 @@ class Engine {
 
   // engine_modal.cpp: values that last, M words
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
-  bool apply_lasting_code(const Word& word, const CodeEntry& entry);
+  bool apply_mode(Code code, const Word& word);
+  bool apply_comp_code(Code code, const Word& word);
+  bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);
   bool select_normal(const Word& word);
   bool apply_values();
-  bool apply_sinumerik_values();
-  bool apply_rotary_words();
   bool apply_feed();
   bool apply_speed();
   bool apply_edge();
@@ -138,10 +138,10 @@ class Engine {
 
   // engine_frames.cpp
   bool run_frame();
+  bool frame_in_range();
   bool frame_arguments(Vec3& values, unsigned& named, bool lengths);
   bool rotation_arguments(Frame& frame);
   bool sinumerik_frame(Vec3 values, unsigned named);
-  void sinumerik_shift(const Vec3& values, unsigned named);
   bool fanuc_frame(const Word& word);
   bool fanuc_scaling(const Word& word, const Vec3& center);
   void set_mirror();
@@ -155,9 +155,7 @@ class Engine {
   // engine_axes.cpp
   bool target(Target& out, const Vec3& from);
   bool axis_word(Target& out, int axis, const Word& word, bool incremental_word);
-  bool check_lathe_y(const Word& word);
   bool polar_target(Target& out);
-  bool polar_words(const Word* ap, const Word* rp, const Basis& b, const Word& where);
   bool fanuc_polar_target(Target& out, const Vec3& from);
   bool angle_target(Target& out, const Vec3& from);
   double axis_value(int axis, const Word& word, bool incremental) const;
@@ -185,12 +183,9 @@ class Engine {
 
   // engine_arc.cpp, engine_arc_space.cpp
   bool arc_move(const Vec3& from, const Frame& frame);
-  bool choose_form(ArcBlock& arc, bool polar);
   bool arc_to_line(const char* code, const std::string& text, const ArcBlock& arc);
-  bool run_line(const ArcBlock& arc);
   bool center_words(const ArcBlock& arc, Vec2& center, bool& given);
   bool radius_arc(ArcBlock& arc, const Word& word);
-  bool radius_without_chord(ArcBlock& arc, const Word& word, double radius);
   bool near_half_circle(const PlaneArc& arc, const Word& word);
   bool center_arc(ArcBlock& arc, Vec2 center);
   void hint_sign(const ArcBlock& arc, Vec2 center);
@@ -201,7 +196,6 @@ class Engine {
   bool codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center);
   bool add_turns(PlaneArc& arc);
   bool finish_arc(PlaneArc solved, ArcBlock& arc);
-  bool check_scale(const Vec3& u, const Vec3& v, const Word& where);
   bool via_point(const ArcBlock& arc, Vec3& via);
   bool three_point_arc(ArcBlock& arc);
   bool emit_spatial_arc(ArcBlock& arc, const SpatialArc& solved, double sweep);
@@ -224,7 +218,7 @@ class Engine {
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
   void end_activation();
-  void stop() { stack_.clear(); }
+  void stop();
   int call_site(int line);
 
   const InterpOptions& options_;
@@ -235,7 +229,7 @@ class Engine {
   int leader_lines_;
   Parser parser_;
   SubprogramIndex subprograms_;
-  std::array<CodeEntry, 1000> codes_;
+  const CodeTable& codes_;
 
   std::vector<Activation> stack_;
   Block block_;

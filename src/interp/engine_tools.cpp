@@ -47,7 +47,7 @@ void Engine::read_comments() {
 
 bool Engine::apply_tool() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
-      (peek('I') || peek('J') || peek('K')))
+      (peek('I') || peek('J') || peek('K') || motion_code_))
     return true;  // the opening angle
   if (const Word* word = take('T')) {
     if (!word->string &&
@@ -165,6 +165,11 @@ void Engine::tool_missing(const Word& where) {
                   where.column, where.length);
     return;
   }
+  Tool unknown;  // so that traces can name it; the error stops everything else
+  unknown.id = current_tool_;
+  unknown.origin = "no data";
+  program_.tools.push_back(unknown);
+  tool_index_ = static_cast<int>(program_.tools.size()) - 1;
   const auto hint = hints_.find(current_tool_);
   const std::string known =
       hint == hints_.end() ? std::string("there are no data for it")

@@ -320,7 +320,8 @@ void weigh_name(const std::string& path, Evidence& e) {
   if (dot == std::string::npos) return;
   const std::string extension = upper_case(path.substr(dot));
   if (extension == ".MPF" || extension == ".SPF")
-    e.add(Dialect::sinumerik, 12, "the file name ends in " + extension, 0);
+    e.add(Dialect::sinumerik, 12, fmt::format("the file name ends in {}", extension), 0);
+  if (extension == ".CNC") e.add(Dialect::codesys, 2, "the file name ends in .CNC", 0);
 }
 
 }  // namespace

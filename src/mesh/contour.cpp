@@ -26,10 +26,11 @@ using detail::Crossing;
 using detail::LabelledMesh;
 using detail::Lattice;
 
-constexpr double kExact = 1e-4;        ///< mm: a vertex farther off its face has missed a crease
-constexpr double kBaseShare = 1.0;     ///< of the tolerance, for triangles before simplification
+constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
+constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr int kCrowdedRounds = 3;      ///< of splitting cells with two pieces of surface
+constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease may move
+constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
 
 class Timer {
@@ -61,8 +62,9 @@ class Contour {
         options_(options),
         report_(report),
         timer_(report),
-        tree_(field, lattice, options.tolerance > 0, options.threads),
-        surface_(field, tree_, options.threads) {
+        tree_(field, lattice, options.tolerance, options.threads),
+        surface_(field, tree_, options.tolerance > 0 ? options.tolerance / 8 : kShallow,
+                 options.threads) {
     timer_.step("tree");
   }
 
@@ -91,8 +93,7 @@ class Contour {
  private:
   // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
-    std::vector<std::int32_t> bad =
-        detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
+    std::vector<std::int32_t> bad = detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
     while (tree_.split(bad) > 0) {
       std::vector<char> nearby;
       const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
@@ -225,8 +226,8 @@ class Contour {
     std::vector<std::int32_t> cells;
     const auto& loops = surface_.loops();
     for (const std::uint32_t v : mesh.triangles[t])
-      if (v < loops.size() && std::abs(field_.patch_distance(
-                                  mesh.vertices[v], mesh.faces[mesh.labels[t]])) > kExact)
+      if (v < loops.size() &&
+          std::abs(field_.patch_distance(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > kExact)
         cells.push_back(loops[v].cell);
     if (!cells.empty()) return cells;
     const Crossing& c = surface_.crossings()[static_cast<std::size_t>(base.crossings[t])];

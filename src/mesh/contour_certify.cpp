@@ -8,7 +8,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kFlat = 2e-5;         ///< mm: deviations that rounding of coordinates explains
+constexpr double kFlat = 2e-5;  ///< mm: deviations that rounding of coordinates explains
 constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
 constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
@@ -56,8 +56,8 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
   static constexpr double kOrder[18][2] = {
-      {1, 1}, {2, 2}, {2, 0},   {0, 2},   {1, 2},   {2, 1},   {1, 0},     {3, 0},     {0, 1},
-      {0, 3}, {1, 3}, {.5, 0},  {0, .5},  {3.5, 0}, {0, 3.5}, {3.5, .5},  {.5, 3.5},  {3, 1}};
+      {1, 1}, {2, 2}, {2, 0},  {0, 2},  {1, 2},   {2, 1},   {1, 0},    {3, 0},    {0, 1},
+      {0, 3}, {1, 3}, {.5, 0}, {0, .5}, {3.5, 0}, {0, 3.5}, {3.5, .5}, {.5, 3.5}, {3, 1}};
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
   const double voxel = tree.lattice().voxel();
   const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 18;

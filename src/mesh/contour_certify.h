@@ -5,9 +5,9 @@
 
 namespace mrsim::detail {
 
-/// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the part:
-/// the largest value at 15 nodes (quarters of the sides), and what g can do between them by its
-/// second differences there. Stops early once it is above `limit`.
+/// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the
+/// part: the largest value at 15 nodes (quarters of the sides), and what g can do between them by
+/// its second differences there. Stops early once it is above `limit`.
 double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
                       const Vec3& b, const Vec3& c, double limit);
 

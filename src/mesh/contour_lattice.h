@@ -15,8 +15,8 @@ namespace mrsim::detail {
 inline constexpr double kQuantum = 1.0 / (1 << 20);  ///< mm
 inline constexpr double kLargestCoordinate = 4096;   ///< mm: 32 bits of quanta
 
-/// The nearest coordinate that a vertex may have. The rounding to the 24 bits of a float is Veltkamp's
-/// split: GCC 12 drops a cast to float and back when it vectorises three of them (-O2).
+/// The nearest coordinate that a vertex may have. The rounding to the 24 bits of a float is
+/// Veltkamp's split: GCC 12 drops a cast to float and back when it vectorises three of them (-O2).
 inline double snap(double x) {
   const double y = std::floor(x / kQuantum + 0.5) * kQuantum;
   const double c = y * ((1 << 29) + 1.0);
@@ -52,8 +52,8 @@ class Lattice {
   Lattice(const Box3& bounds, double voxel, int fine_levels)
       : voxel_(voxel), fine_(voxel / (1 << fine_levels)), per_voxel_(1 << fine_levels) {
     const Vec3 size = bounds.hi - bounds.lo;
-    const double longest = size.x > size.y ? (size.x > size.z ? size.x : size.z)
-                                           : (size.y > size.z ? size.y : size.z);
+    const double longest =
+        size.x > size.y ? (size.x > size.z ? size.x : size.z) : (size.y > size.z ? size.y : size.z);
     std::int64_t voxels = 8;
     while (static_cast<double>(voxels) < longest / voxel + 6) voxels *= 2;
     size_ = voxels * per_voxel_;
@@ -71,6 +71,15 @@ class Lattice {
   double coordinate(int axis, std::int32_t i) const {
     const double base = static_cast<double>(first_[axis]) + mrsim::component(kLatticeShift, axis);
     return snap(voxel_ * base + fine_ * static_cast<double>(i));
+  }
+  /// The last point of the lattice at or below p on each axis, up to the rounding of coordinates.
+  LatticePoint floor(const Vec3& p) const {
+    const auto index = [&](int axis) {
+      const double base =
+          voxel_ * (static_cast<double>(first_[axis]) + mrsim::component(kLatticeShift, axis));
+      return static_cast<std::int32_t>((mrsim::component(p, axis) - base) / fine_);
+    };
+    return {index(0), index(1), index(2)};
   }
   Vec3 position(const LatticePoint& p) const {
     return {coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)};

@@ -55,7 +55,7 @@ std::int32_t smaller_cell(const ContourOctree& tree, const CellFace& face) {
 // Faces by the smaller of their two cells and its side.
 class FaceTable {
  public:
-  explicit FaceTable(std::size_t edges) { ids_.reserve(3 * edges); }
+  explicit FaceTable(std::size_t edges) : ids_(3 * edges) {}
 
   void add(const ContourOctree& tree, const MinimalEdge& e, std::int32_t id, int place) {
     const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
@@ -65,16 +65,17 @@ class FaceTable {
     face.low = place < 2 ? from : to;
     face.high = place < 2 ? to : from;
     const std::int32_t owner = smaller_cell(tree, face);
-    const std::int64_t key = std::int64_t(owner) * 6 + 2 * face.axis + (owner == face.low);
-    const auto [it, is_new] = ids_.try_emplace(key, faces_.size());
+    const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
+                              static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
+    const auto [index, is_new] = ids_.insert(key, static_cast<std::int32_t>(faces_.size()));
     if (is_new) faces_.push_back(face);
-    faces_[it->second].crossings.push_back(id);
+    faces_[static_cast<std::size_t>(index)].crossings.push_back(id);
   }
   const std::vector<CellFace>& all() const { return faces_; }
   std::vector<CellFace> take() { return std::move(faces_); }
 
  private:
-  std::unordered_map<std::int64_t, std::size_t> ids_;
+  FlatMap ids_;
   std::vector<CellFace> faces_;
 };
 
@@ -92,7 +93,7 @@ Joining joining(const ContourOctree& tree, const CellFace& face,
         return Joining::none;
   if (n == 2) return Joining::two;
   return tree.node(smaller_cell(tree, face)).size <= tree.lattice().per_voxel() ? Joining::four
-                                                                               : Joining::none;
+                                                                                : Joining::none;
 }
 
 }  // namespace
@@ -106,8 +107,7 @@ std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
   std::vector<std::int32_t> bad;
   for (const CellFace& face : faces.all()) {
     if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
-    if (joining(tree, face, edges) == Joining::none)
-      bad.insert(bad.end(), {face.low, face.high});
+    if (joining(tree, face, edges) == Joining::none) bad.insert(bad.end(), {face.low, face.high});
   }
   return bad;
 }
@@ -122,27 +122,33 @@ void ContourSurface::find_loops() {
 void ContourSurface::find_crossings() {
   const std::vector<MinimalEdge> edges = tree_.crossing_edges();
   crossings_.assign(edges.size(), {});
+  std::vector<std::int32_t> ids(edges.size());
   std::vector<std::uint8_t> is_new(edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
     crossings_[k].edge = edges[k];
-    const auto it = known_.find(edge_key(edges[k]));
-    is_new[k] = it == known_.end();
-    if (!is_new[k]) {
-      crossings_[k].position = it->second.position;
-      crossings_[k].at = it->second.at;
-    }
+    const auto [id, fresh] =
+        known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
+    ids[k] = id;
+    is_new[k] = fresh;
+    if (fresh) found_.emplace_back();
   }
   parallel_for(
       edges.size(), threads_,
       [&](std::size_t k) {
-        if (!is_new[k]) return;
         Crossing& c = crossings_[k];
+        Found& found = found_[static_cast<std::size_t>(ids[k])];
+        if (!is_new[k]) {
+          c.position = found.position;
+          c.at = found.at;
+          return;
+        }
         std::int32_t cell = c.edge.cells[0];
         for (const std::int32_t other : c.edge.cells)
           if (tree_.node(other).size < tree_.node(cell).size) cell = other;
         LatticePoint end = c.edge.start;
         component(end, c.edge.axis) += c.edge.length;
-        const Vec3 low = tree_.lattice().position(c.edge.start), high = tree_.lattice().position(end);
+        const Vec3 low = tree_.lattice().position(c.edge.start),
+                   high = tree_.lattice().position(end);
         const Probe p = probe(cell);
         const bool low_inside = is_inside(tree_.sample(c.edge.low).distance);
         const Vec3 x = low_inside ? find_crossing(p, low, high) : find_crossing(p, high, low);
@@ -151,11 +157,9 @@ void ContourSurface::find_crossings() {
         const Vec3 clamped = snap_inside(x, {low, high});
         mrsim::component(on_edge, c.edge.axis) = mrsim::component(clamped, c.edge.axis);
         c.position = on_edge;
+        found = {c.position, c.at};
       },
       64);
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    if (is_new[k])
-      known_.emplace(edge_key(edges[k]), Found{crossings_[k].position, crossings_[k].at});
 }
 
 void ContourSurface::find_faces() {
@@ -213,8 +217,8 @@ void ContourSurface::add_segment(std::int32_t f, std::int32_t from, std::int32_t
   segments_.push_back(s);
 }
 
-// Crossings on all four sides: the side of the surface on which the face's centre lies is connected,
-// the two corners of the other are cut off.
+// Crossings on all four sides: the side of the surface on which the face's centre lies is
+// connected, the two corners of the other are cut off.
 void ContourSurface::pair_four(std::int32_t f) {
   const CellFace& face = at(faces_, f);
   const Box3 b = face_box(face);
@@ -229,9 +233,9 @@ void ContourSurface::pair_four(std::int32_t f) {
   // The corner between sides 3 and 0 is the low end of side 0's edge.
   const Crossing& first = at(crossings_, side[0]);
   const bool corner_inside = is_inside(tree_.sample(first.edge.low).distance);
-  const bool center_inside =
-      is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
-  const int shift = corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
+  const bool center_inside = is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
+  const int shift =
+      corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
   for (int k = 0; k < 2; ++k)
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }

@@ -40,7 +40,8 @@ class EdgeWalk {
       for (int s = 0; s < 2; ++s) {
         std::int32_t four[4];
         for (int q = 0; q < 4; ++q)
-          four[q] = node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
+          four[q] =
+              node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
         edge(four, axis);
       }
   }
@@ -50,9 +51,7 @@ class EdgeWalk {
     const OctreeNode& node = tree_.node(n);
     return node.child < 0 ? n : node.child + k;
   }
-  bool is_empty(std::int32_t n) const {
-    return tree_.node(n).region != ExactField::Region::mixed;
-  }
+  bool is_empty(std::int32_t n) const { return tree_.node(n).region != ExactField::Region::mixed; }
 
   bool is_marked(std::int32_t n) const {
     return !marked_ || (*marked_)[static_cast<std::size_t>(n)] != 0;
@@ -119,9 +118,10 @@ class EdgeWalk {
     if (e.low < 0 || e.high < 0) return;
     const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
     const bool crossed = is_inside(a.distance) != is_inside(b.distance);
-    if (doubtful_ ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
-                        std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
-                  : !crossed)
+    if (doubtful_
+            ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
+                  std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
+            : !crossed)
       return;
     e.start = node.origin;
     component(e.start, u) += k >> u & 1 ? node.size : 0;
@@ -140,9 +140,9 @@ class EdgeWalk {
 
 }  // namespace
 
-ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, bool adaptive,
+ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance,
                              int threads)
-    : field_(field), lattice_(lattice), adaptive_(adaptive), threads_(threads) {
+    : field_(field), lattice_(lattice), tolerance_(tolerance), threads_(threads) {
   OctreeNode root;
   root.size = static_cast<std::int32_t>(lattice.size());
   nodes_.push_back(root);
@@ -161,15 +161,13 @@ Box3 ContourOctree::box(std::int32_t n) const {
 }
 
 std::int32_t ContourOctree::locate(const Vec3& p) const {
+  const LatticePoint at = lattice_.floor(p);
   std::int32_t n = 0;
   while (node(n).child >= 0) {
     const OctreeNode& a = node(n);
-    int k = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      if (mrsim::component(p, axis) >=
-          lattice_.coordinate(axis, component(a.origin, axis) + a.size / 2))
-        k |= 1 << axis;
-    n = a.child + k;
+    const std::int32_t half = a.size / 2;
+    n = a.child + (at.x >= a.origin.x + half) + 2 * (at.y >= a.origin.y + half) +
+        4 * (at.z >= a.origin.z + half);
   }
   return n;
 }
@@ -213,7 +211,8 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
       if (node(n).region == ExactField::Region::mixed) mixed.push_back(n);
     sample_corners(mixed);
     std::vector<char> split(mixed.size());
-    parallel_for(mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
+    parallel_for(
+        mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
     for (std::size_t k = 0; k < mixed.size(); ++k)
       if (split[k])
         add_children(mixed[k], next);
@@ -245,14 +244,14 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::int32_t largest = kLargestCell * lattice_.per_voxel();
   for (const std::int32_t n : pending) {
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-    if (a.size > largest || (!adaptive_ && a.size > lattice_.per_voxel())) continue;
+    if (a.size > largest || (!(tolerance_ > 0) && a.size > lattice_.per_voxel())) continue;
     for (int k = 0; k < 8; ++k) {
       const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
                            a.origin.z + (k & 4 ? a.size : 0)};
-      const auto [it, is_new] =
-          sample_of_.try_emplace(key(p), static_cast<std::int32_t>(first + wanted.size()));
+      const auto [id, is_new] =
+          sample_of_.insert(key(p), static_cast<std::int32_t>(first + wanted.size()));
       if (is_new) wanted.emplace_back(p, n);
-      a.corners[k] = it->second;
+      a.corners[k] = id;
     }
   }
   samples_.resize(first + wanted.size());
@@ -277,7 +276,7 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
 // all seen.
 bool ContourOctree::must_split(std::int32_t n) {
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-  if (!adaptive_ || a.corners[0] < 0) return a.size > lattice_.per_voxel();
+  if (!(tolerance_ > 0) || a.corners[0] < 0) return a.size > lattice_.per_voxel();
   const Box3 b = box(n);
   const Vec3 center = 0.5 * (b.lo + b.hi);
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
@@ -298,12 +297,30 @@ bool ContourOctree::must_split(std::int32_t n) {
   }
   a.plain = one_face && list.size() + near_stock <= 1;
   a.face = middle;
+  if (a.signs_differ && can_split(n) && bends_too_much(n, b, middle)) return true;
   if (a.size <= lattice_.per_voxel()) return false;
   if (seen < list.size() || near_stock != stock_seen)
     if (a.size > kMixedCell * lattice_.per_voxel() || shows_more(n, {owners, seen}, stock_seen))
       return true;
   if (one_face) return false;
   return !a.signs_differ || a.size > kMixedCell * lattice_.per_voxel();
+}
+
+// A guess that saves rounds of splitting: the turn of the normals of the faces seen, from corner to
+// corner, as a curvature k; a chord across the cell then leaves the surface by about k s^2 / 4.
+bool ContourOctree::bends_too_much(std::int32_t n, const Box3& b, const FieldSample& middle) const {
+  constexpr double kShare = 0.15;
+  const OctreeNode& a = node(n);
+  const double limit = tolerance_ / (kShare * (b.hi.x - b.lo.x));  // turn over a cell's side
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 p{k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, b.lo.z};
+    const Vec3 q = b.lo + b.hi - p;
+    for (const FieldSample& face : {middle, sample(a.corners[k]), sample(a.corners[7 - k])}) {
+      const Vec3 turn = field_.gradient(q, face) - field_.gradient(p, face);
+      if (dot(turn, turn) > 3 * limit * limit) return true;
+    }
+  }
+  return false;
 }
 
 // True where a sample on the lattice of voxels within the cell has an owner that is not among those

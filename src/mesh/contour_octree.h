@@ -3,11 +3,11 @@
 #pragma once
 
 #include "mesh/contour_lattice.h"
+#include "mesh/flat_map.h"
 #include "removal/field.h"
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace mrsim::detail {
@@ -18,8 +18,8 @@ struct OctreeNode {
   std::int32_t child = -1;  ///< first of eight, by bits x, y, z; -1 = leaf
   std::int32_t parent = -1;
   ExactField::Region region = ExactField::Region::mixed;
-  bool signs_differ = false;       ///< of its corners
-  bool plain = false;              ///< nothing but `face` can decide d in it
+  bool signs_differ = false;  ///< of its corners
+  bool plain = false;         ///< nothing but `face` can decide d in it
   FieldSample face;
   std::int32_t corners[8] = {-1, -1, -1, -1, -1, -1, -1, -1};  ///< samples; mixed leaves only
 };
@@ -35,9 +35,9 @@ struct MinimalEdge {
 
 class ContourOctree {
  public:
-  /// `adaptive`: cells above a voxel may stay where one smooth face passes; else all cells that the
-  /// surface may pass are voxels.
-  ContourOctree(const ExactField& field, const Lattice& lattice, bool adaptive, int threads);
+  /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
+  /// cells that the surface may pass are voxels.
+  ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads);
 
   const Lattice& lattice() const { return lattice_; }
   const OctreeNode& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
@@ -46,7 +46,7 @@ class ContourOctree {
 
   /// The sweeps that can decide d in the cell.
   std::span<const std::uint32_t> candidates(std::int32_t node) const;
-  /// The leaf that holds p (on a plane of the grid: the one above).
+  /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two.
   std::int32_t locate(const Vec3& p) const;
   Box3 box(std::int32_t node) const;
 
@@ -56,8 +56,8 @@ class ContourOctree {
 
   /// All edges whose ends lie on different sides of the surface, in the order of the tree.
   std::vector<MinimalEdge> crossing_edges() const;
-  /// The same about the given leaves and those that share an edge with them; `nearby` is set for all
-  /// of these.
+  /// The same about the given leaves and those that share an edge with them; `nearby` is set for
+  /// all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
@@ -71,18 +71,19 @@ class ContourOctree {
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
   bool must_split(std::int32_t node);
+  bool bends_too_much(std::int32_t node, const Box3& box, const FieldSample& middle) const;
   bool shows_more(std::int32_t node, std::span<const std::int32_t> seen, bool stock_seen) const;
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 
   const ExactField& field_;
   Lattice lattice_;
-  bool adaptive_;
+  double tolerance_;
   int threads_;
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
   std::vector<FieldSample> samples_;
-  std::unordered_map<std::uint64_t, std::int32_t> sample_of_;
+  FlatMap sample_of_;
 };
 
 }  // namespace mrsim::detail

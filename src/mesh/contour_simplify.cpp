@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrsim::detail {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kGrowth = 1.6;        ///< of the length of new edges, from pass to pass
+constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
-constexpr double kLeastCosine = 0.3;   ///< between a new triangle and the exact surface
+constexpr double kLeastCosine = 0.3;     ///< between a new triangle and the exact surface
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
 struct Spoke {
@@ -31,7 +32,8 @@ class Simplifier {
         locked_(locked),
         alive_(mesh.triangles.size(), 1),
         around_(mesh.vertices.size()),
-        tried_(mesh.vertices.size(), 0) {
+        tried_(mesh.vertices.size(), 0),
+        wanted_(mesh.vertices.size(), 0) {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (const std::uint32_t v : mesh_.triangles[t]) around_[v].push_back(t);
   }
@@ -54,7 +56,8 @@ class Simplifier {
   // them has changed.
   void pass(double longest) {
     for (std::uint32_t v = 0; v < around_.size(); ++v)
-      if (!around_[v].empty() && !locked_[v] && !tried_[v]) try_remove(v, longest);
+      if (!around_[v].empty() && !locked_[v] && !tried_[v] && wanted_[v] <= longest)
+        try_remove(v, longest);
   }
 
   Spoke spoke(std::uint32_t v, std::uint32_t t) const {
@@ -78,7 +81,9 @@ class Simplifier {
     return ring_.back().last == ring_.front().next;
   }
 
-  std::uint32_t label(std::size_t k) const { return mesh_.labels[ring_[k % ring_.size()].triangle]; }
+  std::uint32_t label(std::size_t k) const {
+    return mesh_.labels[ring_[k % ring_.size()].triangle];
+  }
 
   void try_remove(std::uint32_t v, double longest) {
     tried_[v] = 1;
@@ -93,12 +98,16 @@ class Simplifier {
     else
       for (const std::size_t k : creases_) add_target(v, k);
     std::sort(targets_.begin(), targets_.end());
+    wanted_[v] = std::numeric_limits<double>::infinity();
     for (const auto& [size, k] : targets_) {
-      const Answer a = test(v, k, longest);
-      if (a == Answer::too_long) tried_[v] = 0;
-      if (a != Answer::yes) continue;
-      collapse(v, k);
-      return;
+      const double needed = longest_edge(k);
+      if (needed > longest) {
+        wanted_[v] = std::min(wanted_[v], needed);
+        tried_[v] = 0;
+      } else if (may_collapse(v, k)) {
+        collapse(v, k);
+        return;
+      }
     }
   }
 
@@ -106,18 +115,21 @@ class Simplifier {
     targets_.emplace_back(distance(mesh_.vertices[v], mesh_.vertices[ring_[k].next]), k);
   }
 
-  enum class Answer { yes, no, too_long };
+  // Of the edges that collapsing v along spoke k would make.
+  double longest_edge(std::size_t k) const {
+    const Vec3& target = mesh_.vertices[ring_[k].next];
+    double most = 0;
+    for (const Spoke& s : ring_) most = std::max(most, distance(target, mesh_.vertices[s.next]));
+    return most;
+  }
 
-  Answer test(std::uint32_t v, std::size_t k, double longest) {
+  bool may_collapse(std::uint32_t v, std::size_t k) const {
     const std::uint32_t to = ring_[k].next;
-    const Vec3& target = mesh_.vertices[to];
-    for (const Spoke& s : ring_)
-      if (s.next != to && distance(target, mesh_.vertices[s.next]) > longest) return Answer::too_long;
-    if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return Answer::no;
+    if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return false;
     const std::size_t n = ring_.size();
     for (std::size_t m = 1; m + 1 < n; ++m)
-      if (!good_triangle(ring_[(k + m) % n], target)) return Answer::no;
-    return Answer::yes;
+      if (!good_triangle(ring_[(k + m) % n], mesh_.vertices[to])) return false;
+    return true;
   }
 
   // Link condition: the ends of the edge have exactly the two opposite vertices as common
@@ -140,7 +152,7 @@ class Simplifier {
     const Vec3 &a = mesh_.vertices[ring_[k].next], &b = mesh_.vertices[ring_[other].next];
     const FieldSample &f = mesh_.faces[label(other)],
                       &g = mesh_.faces[label(other + ring_.size() - 1)];
-    if (join_smoothly(field_, mesh_.vertices[v], f, g)) {
+    if (join_smoothly({field_, {}, 0}, mesh_.vertices[v], f, g, 1)) {
       const Vec3 u = b - a;
       const double t = dot(mesh_.vertices[v] - a, u) / std::max(dot(u, u), 1e-30);
       if (distance(mesh_.vertices[v], lerp(a, b, t)) > limits_.lateral) return false;
@@ -176,6 +188,7 @@ class Simplifier {
     }
     for (const Spoke& s : ring_) {
       tried_[s.next] = 0;
+      wanted_[s.next] = 0;
       if (!alive_[s.triangle]) continue;
       for (std::uint32_t& w : mesh_.triangles[s.triangle])
         if (w == v) w = to;
@@ -210,6 +223,7 @@ class Simplifier {
   std::vector<char> alive_;
   std::vector<std::vector<std::uint32_t>> around_;
   std::vector<char> tried_;
+  std::vector<double> wanted_;  ///< length of edges without which a vertex can not be removed
   std::vector<Spoke> ring_;
   std::vector<std::size_t> creases_;
   std::vector<std::pair<double, std::size_t>> targets_;

@@ -1,7 +1,7 @@
-// From loops to triangles. A loop's vertex lies strictly inside its cell, a segment's strictly inside
-// its face, a crossing strictly inside its edge: cones from the loops' vertices over their segments
-// can not meet, and where face and edge vertices are left out, orientation tests see to it that each
-// polygon stays in the envelope of its edge [Ju and Udeshi 2006].
+// From loops to triangles. A loop's vertex lies strictly inside its cell, a segment's strictly
+// inside its face, a crossing strictly inside its edge: cones from the loops' vertices over their
+// segments can not meet, and where face and edge vertices are left out, orientation tests see to it
+// that each polygon stays in the envelope of its edge [Ju and Udeshi 2006].
 #include "mesh/contour_surface.h"
 
 #include "core/error.h"
@@ -29,7 +29,8 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
 const BaseMesh& ContourSurface::make_triangles() {
   mesh_ = {};
   place_creases();
-  parallel_for(loops_.size(), threads_, [&](std::size_t k) { place_loop(loops_[k]); }, 32);
+  parallel_for(
+      loops_.size(), threads_, [&](std::size_t k) { place_loop(loops_[k]); }, 32);
   for (const Loop& loop : loops_) {
     if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
     mesh_.vertices.push_back(loop.point.position);
@@ -49,11 +50,13 @@ void ContourSurface::place_creases() {
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (same_face(a.at, b.at)) return;
         const Vec3 middle = 0.5 * (a.position + b.position);
-        if (join_smoothly(field_, middle, a.at, b.at)) return;
-        s.is_crease = true;
         const CellFace& face = at(faces_, s.face);
-        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position, a.at,
-                                 b.position, b.at);
+        const Box3 box = face_box(face);
+        if (join_smoothly(probe(face_cell(face)), middle, a.at, b.at, length(box.hi - box.lo)))
+          return;
+        s.is_crease = true;
+        s.point = crease_in_face(probe(face_cell(face)), face_box(face), face.axis, a.position,
+                                 a.at, b.position, b.at);
       },
       64);
 }
@@ -66,10 +69,9 @@ void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
 }
 
 void ContourSurface::place_loop(Loop& loop) {
-  std::vector<Vec3> crossings, creases, ends;
+  std::vector<Vec3> crossings, creases;
   std::vector<FieldSample> faces;
   for (const std::int32_t k : loop.crossings) {
-    add_ends(at(crossings_, k), ends);
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
   }
@@ -77,7 +79,12 @@ void ContourSurface::place_loop(Loop& loop) {
     if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
       creases.push_back(at(segments_, k).point.position);
   const Box3 box = tree_.box(loop.cell);
-  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases, ends});
+  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
+  if (loop.point.count == 0) {
+    std::vector<Vec3> ends;
+    for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);
+    loop.point = point_towards_middle(probe(loop.cell), box, ends);
+  }
   loop.point.position = snap_inside(loop.point.position, box);
 }
 
@@ -101,8 +108,7 @@ bool ContourSurface::may_be_implicit(const Segment& s) const {
       loops_in_cell_[static_cast<std::size_t>(face.high)] > 1)
     return false;
   const Loop &low = loop_of(s.from, face.low), &high = loop_of(s.from, face.high);
-  if (s.is_crease && s.point.count == 2 &&
-      !(vertex_on_crease(low, s) && vertex_on_crease(high, s)))
+  if (s.is_crease && s.point.count == 2 && !(vertex_on_crease(low, s) && vertex_on_crease(high, s)))
     return false;
   const Box3 box = face_box(face);
   const Vec3 &p = low.point.position, &q = high.point.position;
@@ -131,7 +137,8 @@ void ContourSurface::choose_explicit() {
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (s.point.count == 0 && face.crossings.size() == 2) {
           const Probe p = probe(face_cell(face));
-          s.point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
+          s.point =
+              point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
           std::vector<Vec3> ends;
           add_ends(a, ends);
           if (s.point.count == 0) s.point = point_towards_middle(p, box, ends);

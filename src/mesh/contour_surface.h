@@ -4,9 +4,9 @@
 
 #include "mesh/contour_octree.h"
 #include "mesh/contour_vertex.h"
+#include "mesh/small_list.h"
 
 #include <array>
-#include <unordered_map>
 #include <vector>
 
 namespace mrsim::detail {
@@ -28,14 +28,14 @@ struct Crossing {
 struct CellFace {
   std::int32_t low = -1, high = -1;  ///< cells on both sides of it
   std::int32_t axis = 0;
-  std::vector<std::int32_t> crossings;
+  SmallList<4> crossings;
 };
 
 /// The curve of the surface in a face, from one crossing to another.
 struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
-  bool is_crease = false;   ///< its ends lie on faces of the part that meet in a crease
-  SurfacePoint point;       ///< where the crease passes; later also smooth points
+  bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
+  SurfacePoint point;        ///< where the crease passes; later also smooth points
   bool is_explicit = false;  ///< the point is a vertex of the mesh
   std::int32_t vertex = -1;
 };
@@ -43,8 +43,8 @@ struct Segment {
 /// A closed run of segments about a cell: one piece of surface in it, with one vertex.
 struct Loop {
   std::int32_t cell = -1;
-  std::vector<std::int32_t> crossings;
-  std::vector<std::int32_t> segments;
+  SmallList<8> crossings;
+  SmallList<8> segments;
   SurfacePoint point;
 };
 
@@ -54,17 +54,18 @@ struct BaseMesh {
   std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
 };
 
-/// Cells about faces on whose sides the crossings can not be joined in one way: more than two (four,
-/// in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby` count
-/// (null: all).
+/// Cells about faces on whose sides the crossings can not be joined in one way: more than two
+/// (four, in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby`
+/// count (null: all).
 std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
                                         const std::vector<MinimalEdge>& edges,
                                         const std::vector<char>* nearby);
 
 class ContourSurface {
  public:
-  ContourSurface(const ExactField& field, const ContourOctree& tree, int threads)
-      : field_(field), tree_(tree), threads_(threads) {}
+  /// `shallow`: creases that may be cut off by that many mm are.
+  ContourSurface(const ExactField& field, const ContourOctree& tree, double shallow, int threads)
+      : field_(field), tree_(tree), shallow_(shallow), threads_(threads) {}
 
   /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
   /// badly_crossed().
@@ -91,7 +92,7 @@ class ContourSurface {
   void pair_four(std::int32_t face);
   void join_loops();
   void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
-  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell)}; }
+  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell), shallow_}; }
   Box3 face_box(const CellFace& face) const;
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
@@ -110,6 +111,7 @@ class ContourSurface {
 
   const ExactField& field_;
   const ContourOctree& tree_;
+  double shallow_;
   int threads_;
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;
@@ -117,7 +119,8 @@ class ContourSurface {
   std::vector<Loop> loops_;
   std::vector<std::uint8_t> loops_in_cell_;
   std::vector<std::int32_t> crowded_;
-  std::unordered_map<std::uint64_t, Found> known_;  ///< crossings of former rounds
+  FlatMap known_;             ///< crossings of former rounds, by edge
+  std::vector<Found> found_;  ///< what is known of them
   BaseMesh mesh_;
 };
 

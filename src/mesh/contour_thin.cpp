@@ -22,7 +22,9 @@ bool find_between(const Probe& probe, const Vec3& a, const Vec3& b, bool ends_in
     const double d = probe.sample(out).distance;
     return ends_inside ? -d : d;
   };
-  const auto through = [&](double d) { return ends_inside ? d <= kInsideTolerance : d < -kInsideTolerance; };
+  const auto through = [&](double d) {
+    return ends_inside ? d <= kInsideTolerance : d < -kInsideTolerance;
+  };
   for (int k = 0; k < 2; ++k) {
     depth[k] = measure(t[k]);
     if (through(depth[k])) return true;
@@ -51,11 +53,12 @@ std::vector<ThinFeature> thin_features(const ExactField& field, const ContourOct
     LatticePoint end = e.start;
     component(end, e.axis) += e.length;
     const Vec3 a = tree.lattice().position(e.start), b = tree.lattice().position(end);
-    const Probe probe{field, tree.candidates(e.cells[0])};
+    const Probe probe{field, tree.candidates(e.cells[0]), 0};
     const bool inside = is_inside(low.distance);
     Vec3 middle;
     if (!find_between(probe, a, b, inside, middle)) continue;
-    const std::int32_t first = std::min(low.owner, high.owner), last = std::max(low.owner, high.owner);
+    const std::int32_t first = std::min(low.owner, high.owner),
+                       last = std::max(low.owner, high.owner);
     const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
     if (!known.emplace(first, last, key(place)).second) continue;
     const Vec3 from = inside ? find_crossing(probe, a, middle) : find_crossing(probe, middle, a);

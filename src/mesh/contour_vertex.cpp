@@ -7,9 +7,10 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kOnSurface = 5e-7;     ///< mm: |d| at which a point counts as exact
-constexpr double kSmoothJoin = 3e-3;    ///< sine of the angle below which two faces join smoothly
-constexpr double kMargin = 1e-6;        ///< share of a cell that its vertex keeps from its sides
+constexpr double kOnSurface = 5e-7;       ///< mm: |d| at which a point counts as exact
+constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
+constexpr double kLargestShallow = 0.05;  ///< sine
+constexpr double kMargin = 1e-6;          ///< share of a cell that its vertex keeps from its sides
 constexpr int kNewtonSteps = 24;
 
 bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
@@ -22,7 +23,8 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
 }
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
-  return strictly_inside(p, room, flat, kMargin) && std::abs(probe.sample(p).distance) <= kOnSurface;
+  return strictly_inside(p, room, flat, kMargin) &&
+         std::abs(probe.sample(p).distance) <= kOnSurface;
 }
 
 // The shortest step x with n_i . x = -g_i.
@@ -95,7 +97,7 @@ SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const V
   for (std::size_t a = 0; a < faces.size(); ++a)
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (const Vec3& start : starts) {
-        if (join_smoothly(probe.field, start, faces[a], faces[b])) continue;
+        if (join_smoothly(probe, start, faces[a], faces[b], length(room.hi - room.lo))) continue;
         const FieldSample pair[2] = {faces[a], faces[b]};
         if (SurfacePoint s = try_faces(probe, room, start, pair); s.count > 0) return s;
       }
@@ -156,7 +158,7 @@ SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, cons
     if (k < 4 || k % 4 != 0) continue;
     const FieldSample pair[2] = {a, b};
     Vec3 x = 0.5 * (low + high);
-    if (join_smoothly(probe.field, x, a, b) || !solve_faces(probe.field, pair, axis, room, x))
+    if (join_smoothly(probe, x, a, b, reach) || !solve_faces(probe.field, pair, axis, room, x))
       continue;
     if (axis >= 0) component(x, axis) = component(room.lo, axis);
     if (!accept(probe, x, room, axis)) continue;
@@ -212,12 +214,14 @@ Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) 
   return lerp(inside, outside, 0.5 * (a + b));
 }
 
-bool join_smoothly(const ExactField& field, const Vec3& p, const FieldSample& a,
-                   const FieldSample& b) {
+bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
+                   double size) {
   if (same_face(a, b)) return true;
-  const Vec3 n = field.gradient(p, a), m = field.gradient(p, b);
+  const Vec3 n = probe.field.gradient(p, a), m = probe.field.gradient(p, b);
   const Vec3 c = cross(n, m);
-  return dot(n, m) > 0 && dot(c, c) < kSmoothJoin * kSmoothJoin;
+  // A chord of length s across a crease of angle w leaves it by at most s w / 4.
+  const double limit = std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
+  return dot(n, m) > 0 && dot(c, c) < limit * limit;
 }
 
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
@@ -307,8 +311,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
     if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0) return s;
     if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
   }
-  if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
-  return point_towards_middle(probe, room, hints.ends);
+  return try_smooth(probe, room, mean);
 }
 
 Vec3 snap_inside(const Vec3& p, const Box3& room, int flat) {

@@ -17,6 +17,7 @@ inline bool same_face(const FieldSample& a, const FieldSample& b) {
 struct Probe {
   const ExactField& field;
   std::span<const std::uint32_t> candidates;
+  double shallow = 0;  ///< mm: creases that need not be found if cutting them off moves less
 
   FieldSample sample(const Vec3& p) const { return field.sample(p, candidates); }
   double offset(const Vec3& p) const { return sample(p).distance + kInsideTolerance; }
@@ -32,9 +33,10 @@ struct SurfacePoint {
 /// Where the surface crosses the segment from `inside` to `outside`. Requires d to differ in side.
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
 
-/// True where the two faces join smoothly (or nearly so) about p: no crease to look for.
-bool join_smoothly(const ExactField& field, const Vec3& p, const FieldSample& a,
-                   const FieldSample& b);
+/// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut
+/// off their crease: none is looked for.
+bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
+                   double size);
 
 /// Newton's iteration from p to the common zero of up to three faces of the part, within the plane
 /// where coordinate `plane_axis` is kept (-1: none). False where it does not settle near `room`.
@@ -46,8 +48,8 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& a, const FieldSample* b);
 
-/// Where a crease passes the rectangle between two points of the surface on its border, which lie on
-/// faces a and b of the part.
+/// Where a crease passes the rectangle between two points of the surface on its border, which lie
+/// on faces a and b of the part.
 SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
                             const FieldSample& a, const Vec3& to, const FieldSample& b);
 
@@ -62,7 +64,6 @@ struct CellHints {
   std::span<const Vec3> crossings;
   std::span<const FieldSample> faces;  ///< of the crossings
   std::span<const Vec3> creases;       ///< may be empty
-  std::span<const Vec3> ends;          ///< of the crossed edges
 };
 
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.

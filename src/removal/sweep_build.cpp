@@ -42,6 +42,11 @@ class Builder {
   bool add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   void add_path(SweepRef& ref, LocalMotion l, const Profile& tool);
   void add_turning(SweepRef ref, const Motion& m, const Tool& tool);
+  // A long program is mostly of one form: room for all of it at once (pages are not touched).
+  void append(std::vector<LineRecord>& column, const LineRecord& row) const {
+    if (column.empty()) column.reserve(columns_.refs.capacity());
+    column.push_back(row);
+  }
   void allow(double error) { columns_.max_error = std::max(columns_.max_error, error); }
 
   SweepColumns& columns_;
@@ -171,7 +176,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.c[7] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
-    columns_.plane_lines.push_back(row);
+    append(columns_.plane_lines, row);
   }
 }
 
@@ -248,7 +253,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     row.c[7] = tool.round();
     ref.kind = SweepKind::ball_line;
     ref.row = static_cast<std::uint32_t>(columns_.ball_lines.size());
-    columns_.ball_lines.push_back(row);
+    append(columns_.ball_lines, row);
     return;
   }
   ToolPath path;
@@ -302,11 +307,21 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
 void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
                          const SweepSelection& selection) {
   Builder builder(*this, tools, selection);
+  refs.reserve(motions.size());
+  bounds.reserve(motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
+  static_assert(static_cast<int>(SweepKind::ball_line) == 0 &&
+                static_cast<int>(SweepKind::plane_arc) == 2);
   uniform = !refs.empty();
-  for (std::size_t i = 0; i < refs.size(); ++i)
-    uniform = uniform && refs[i].kind == refs[0].kind && refs[i].frame == 0 && refs[i].row == i;
+  tags.reserve(refs.size());
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const SweepRef& ref = refs[i];
+    const auto form = static_cast<std::uint32_t>(ref.kind);
+    const bool listed = ref.frame == 0 && form < kOtherForm && ref.row <= kTagRow;
+    tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
+    uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
+  }
 }
 
 }  // namespace mrsim

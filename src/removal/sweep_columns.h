@@ -54,8 +54,12 @@ struct SweepRef {
   std::int32_t motion = 0;
 };
 
+/// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
+inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
+
 struct SweepColumns {
   std::vector<SweepRef> refs;
+  std::vector<std::uint32_t> tags;  ///< form and row of each sweep, all that lists have to read
   std::vector<Box3> bounds;
   std::vector<LineRecord> ball_lines, plane_lines;
   std::vector<ArcRecord> plane_arcs;

@@ -48,8 +48,11 @@ double deepest(const TurnSweep& s, Vec2 q) {
   double best = kInfinity;
   const auto probe = [&](Vec2 w) {
     double most = -kInfinity;
-    for (const Side& e : sides) most = std::max(most, side_of(e, at - w));
-    best = std::min(best, most);
+    for (const Side& e : sides) {
+      most = std::max(most, side_of(e, at - w));
+      if (most >= best) return;
+    }
+    best = most;
   };
   const auto probe_within = [&](Vec2 w) {
     if (in_sector(s.path, w)) probe(w);

@@ -142,7 +142,9 @@ class AnalyticField final : public ExactField {
     return s;
   }
 
-  Vec3 gradient(const Vec3& p, const FieldSample& at) const override { return face(p, at).gradient; }
+  Vec3 gradient(const Vec3& p, const FieldSample& at) const override {
+    return face(p, at).gradient;
+  }
   double patch_distance(const Vec3& p, const FieldSample& at) const override {
     return face(p, at).distance;
   }

@@ -1,0 +1,179 @@
+#include "mesh/contour.h"
+
+#include "mesh/check.h"
+#include "support/analytic_field.h"
+#include "support/mesh_asserts.h"
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+double largest_vertex_error(const ExactField& field, const TriMesh& mesh) {
+  const Candidates all = field.all();
+  double most = 0;
+  for (const auto& v : mesh.vertices)
+    most = std::max(most, std::abs(field.sample(vec(v), all).distance));
+  return most;
+}
+
+// Largest |d| over samples of every triangle, n to a side.
+double largest_mesh_error(const ExactField& field, const TriMesh& mesh, int n) {
+  const Candidates all = field.all();
+  double most = 0;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const double x = double(i) / n, y = double(j) / n;
+        const Vec3 p = (1 - x - y) * vec(mesh.vertices[t[0]]) + x * vec(mesh.vertices[t[1]]) +
+                       y * vec(mesh.vertices[t[2]]);
+        most = std::max(most, std::abs(field.sample(p, all).distance));
+      }
+  return most;
+}
+
+void expect_solid(const TriMesh& mesh) {
+  const MeshSummary s = check_mesh(mesh);
+  EXPECT_TRUE(s.closed && s.oriented && s.manifold) << s.first_fault;
+  EXPECT_EQ(s.degenerate, 0u);
+  EXPECT_EQ(mesh.owners.size(), mesh.triangles.size());
+}
+
+MeshOptions with_tolerance(double tolerance, int threads = 1) {
+  MeshOptions o;
+  o.tolerance = tolerance;
+  o.threads = threads;
+  return o;
+}
+
+bool same_bytes(const TriMesh& a, const TriMesh& b) {
+  return a.triangles == b.triangles && a.owners == b.owners &&
+         a.vertices.size() == b.vertices.size() &&
+         std::memcmp(a.vertices.data(), b.vertices.data(),
+                     a.vertices.size() * sizeof(a.vertices[0])) == 0;
+}
+
+TEST(Contour, BoxIsExactWithTwelveTriangles) {
+  const AnalyticField box({{0, 0, 0}, {20, 15, 10}}, false, {});
+  const TriMesh uniform = contour(box, 1);
+  expect_solid(uniform);
+  EXPECT_NEAR(check_mesh(uniform).volume, 3000, 1e-6);
+  const TriMesh small = contour(box, 1, with_tolerance(0.01));
+  expect_solid(small);
+  EXPECT_NEAR(check_mesh(small).volume, 3000, 1e-6);
+  EXPECT_EQ(small.triangles.size(), 12u);
+}
+
+TEST(Contour, VerticesAreExactAtAnyVoxel) {
+  const AnalyticField part = primer_2f();
+  for (const double voxel : {1.0, 0.5, 0.25}) {
+    const TriMesh mesh = contour(part, voxel);
+    expect_solid(mesh);
+    EXPECT_LE(largest_vertex_error(part, mesh), 2e-5) << voxel;
+  }
+}
+
+TEST(Contour, ErrorFallsWithTheSquareOfTheVoxel) {
+  const AnalyticField part = primer_2f();
+  double last = 0, last_volume = 0;
+  for (const double voxel : {1.0, 0.5, 0.25}) {
+    const TriMesh mesh = contour(part, voxel);
+    const double error = largest_mesh_error(part, mesh, 4);
+    const double volume = std::abs(check_mesh(mesh).volume - kPrimer2fVolume);
+    if (last > 0) {
+      EXPECT_LE(error, last / 3) << voxel;
+      EXPECT_LE(volume, last_volume / 3) << voxel;
+    }
+    last = error;
+    last_volume = volume;
+  }
+}
+
+TEST(Contour, ToleranceHoldsOnEverySampleOfTheMesh) {
+  const AnalyticField part = primer_2f();
+  for (const double tolerance : {0.05, 0.005, 0.0005}) {
+    ContourReport report;
+    const TriMesh mesh = contour(part, 0.25, with_tolerance(tolerance), &report);
+    expect_solid(mesh);
+    EXPECT_LE(largest_mesh_error(part, mesh, 12), tolerance);
+    EXPECT_LE(report.bound, tolerance);
+    EXPECT_GE(report.bound, largest_mesh_error(part, mesh, 12));
+    EXPECT_EQ(report.unresolved, 0u);
+    EXPECT_LE(largest_vertex_error(part, mesh), 2e-5);
+  }
+}
+
+TEST(Contour, Primer2fTakesFewTriangles) {
+  const AnalyticField part = primer_2f();
+  const TriMesh coarse = contour(part, 0.25, with_tolerance(0.005));
+  EXPECT_LE(coarse.triangles.size(), 4000u);
+  EXPECT_NEAR(check_mesh(coarse).volume, kPrimer2fVolume, 0.5);
+  EXPECT_LE(contour(part, 0.25, with_tolerance(0.001)).triangles.size(), 10000u);
+}
+
+TEST(Contour, Primer2sTakesFewTriangles) {
+  const AnalyticField part = primer_2s();
+  const TriMesh mesh = contour(part, 0.1, with_tolerance(0.005));
+  expect_solid(mesh);
+  EXPECT_LE(mesh.triangles.size(), 45000u);
+  EXPECT_NEAR(check_mesh(mesh).volume, kPrimer2sVolume, 25);
+  EXPECT_LE(largest_mesh_error(part, mesh, 6), 0.005);
+}
+
+TEST(Contour, SameBytesForAnyNumberOfThreads) {
+  const AnalyticField part = primer_2f();
+  for (const double tolerance : {0.0, 0.01}) {
+    const TriMesh one = contour(part, 0.5, with_tolerance(tolerance, 1));
+    for (const int threads : {2, 7})
+      EXPECT_TRUE(same_bytes(one, contour(part, 0.5, with_tolerance(tolerance, threads))))
+          << tolerance << " " << threads;
+  }
+}
+
+TEST(Contour, OwnersAreThoseOfTheExactPart) {
+  const AnalyticField part = primer_2f();
+  const TriMesh mesh = contour(part, 0.5);
+  const Candidates all = part.all();
+  std::size_t wrong = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& x = mesh.triangles[t];
+    const Vec3 p = (1.0 / 3) *
+                   (vec(mesh.vertices[x[0]]) + vec(mesh.vertices[x[1]]) + vec(mesh.vertices[x[2]]));
+    wrong += part.sample(p, all).owner != mesh.owners[t];
+  }
+  EXPECT_LE(wrong, mesh.triangles.size() / 500);  // where owners change on one smooth surface
+}
+
+TEST(Contour, ThinWallsAndGapsAreReported) {
+  // Two slots with 0.12 mm between them, and a slot that leaves 0.1 mm beside the stock's side.
+  const AnalyticField wall(
+      {{0, 0, 0}, {30, 20, 10}}, false,
+      {flat_line({5, 6}, {25, 6}, 2, 5), flat_line({5, 10.12}, {25, 10.12}, 2, 5)});
+  ContourReport report;
+  contour(wall, 0.5, {}, &report);
+  bool found = false;
+  for (const ThinFeature& f : report.thin)
+    found = found || (f.wall && f.owner[0] == 0 && f.owner[1] == 1 &&
+                      std::abs(f.thickness - 0.12) < 1e-3 && std::abs(f.place.y - 8.06) < 0.1);
+  EXPECT_TRUE(found);
+  ContourReport none;
+  contour(primer_2f(), 0.5, {}, &none);
+  EXPECT_TRUE(none.thin.empty());
+}
+
+TEST(Contour, RefusesWhatItCanNotMesh) {
+  const AnalyticField part = primer_2f();
+  EXPECT_EQ(error_code([&] { contour(part, 0); }), "voxel-invalid");
+  EXPECT_EQ(error_code([&] { contour(part, 1, with_tolerance(-1)); }), "tolerance-invalid");
+  const AnalyticField nothing({{0, 0, 0}, {5, 5, 5}}, false, {{Cut::Kind::half, {}, 0, -1, 0}});
+  EXPECT_EQ(error_code([&] { contour(nothing, 1); }), "part-empty");
+}
+
+}  // namespace
+}  // namespace mrsim
