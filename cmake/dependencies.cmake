@@ -22,3 +22,18 @@ target_compile_options(mrsim_openvdb INTERFACE -fvisibility=default)
 find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)
 target_link_libraries(mrsim_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)
+
+# STEP input. Open CASCADE is large, so a build may go without.
+add_library(mrsim_step INTERFACE)
+option(MRSIM_STEP "Read STEP files (needs Open CASCADE)" ON)
+if(MRSIM_STEP)
+  find_package(OpenCASCADE QUIET)
+  if(OpenCASCADE_FOUND)
+    target_include_directories(mrsim_step SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
+    target_link_libraries(mrsim_step INTERFACE TKSTEP TKXSBase TKMesh TKTopAlgo TKBRep TKPrim TKBO
+                                               TKShHealing TKG3d TKMath TKernel)
+    target_compile_definitions(mrsim_step INTERFACE MRSIM_HAS_STEP)
+  else()
+    message(STATUS "Open CASCADE was not found: STEP files will not be read")
+  endif()
+endif()

@@ -33,7 +33,7 @@ FACADE_PARTS = {"src/interp/motion_text.h", "src/interp/path_picture.h"}
 # Third-party header prefix -> files that may include it (regular expressions on the path).
 THIRD_PARTY = {
     "openvdb/": r"src/removal/[^/]*\.cpp|src/removal/stock_grid\.h|tests/(removal|mesh|reference)/.*",
-    "CGAL/": r"src/(removal|mesh|compare)/[^/]*\.cpp|tests/.*",
+    "CGAL/": r"src/(removal|mesh|compare)/[^/]*\.cpp|tests/.*|bench/compare_bench\.cpp",
     "OpenMesh/": r"src/mesh/[^/]*\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
@@ -42,7 +42,8 @@ THIRD_PARTY = {
     "CLI/": r"src/cli/[^/]*\.cpp",
     "toml++/": r"src/setup/[^/]*\.cpp",
 }
-PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "mrsim.h": {"types.h", "options.h"}}
+PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "mrsim.h": {"types.h", "options.h"},
+          "compare.h": {"types.h", "options.h"}}
 
 
 def files(*folders):

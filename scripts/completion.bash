@@ -14,13 +14,14 @@ _mrsim() {
     case $command in
       trace) common="$program $common --output --json --programmed" ;;
       check) common="$program $common --json" ;;
+      compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads" ;;
       render) common="$common --output --size --azimuth --elevation --edges --threads" ;;
       *) common="$program $common --output --stock --stock-exact --voxel --tolerance --threads --max-memory" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else
     local commands=""
-    [ "$COMP_CWORD" -eq 1 ] && commands="trace check render"
+    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render"
     mapfile -t COMPREPLY < <(compgen -W "$commands" -f -- "$current")
   fi
 }

@@ -14,6 +14,9 @@ namespace mrsim {
 /// Whether the name ends in .vdb: a stock with its recipe rather than a mesh.
 bool is_vdb(const std::string& path);
 
+/// Whether the name ends in .step or .stp.
+bool is_step(const std::string& path);
+
 /// Finds faults of output names before any work: an unknown format, a folder that is missing or
 /// read-only, a name given twice. Throws Error "mesh-format" (usage), "output-...".
 void check_outputs(const std::vector<std::string>& paths);

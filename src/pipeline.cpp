@@ -18,6 +18,7 @@
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
+#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
 
 #include <algorithm>
@@ -220,7 +221,7 @@ Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
   if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
-  TriMesh mesh = read_mesh(spec);
+  TriMesh mesh = is_step(spec) ? read_step(spec) : read_mesh(spec);
   require_solid(mesh, spec);
   return recognise_stock(std::move(mesh), options, spec);
 }

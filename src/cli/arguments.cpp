@@ -22,6 +22,7 @@ struct Typed {
   std::string size, azimuth, elevation, edges;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool help = false, version = false;
+  CompareTyped compare;
 };
 
 struct CommandLine {
@@ -38,6 +39,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "mrsim PROGRAM [--stock S] -o OUT [options]\n"
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
+     "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
      "       mrsim render PART       a picture of a mesh, without a display",
      "Examples:\n"
      "  mrsim PRIMER_2F.MPF --stock block.stl -o part.stl\n"
@@ -278,7 +280,10 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   app.formatter(std::make_shared<HelpFormatter>(line));
   app.footer("\n" + std::string(line.examples));
   app.add_option("INPUT", typed.inputs)->expected(0, -1)->group("");
-  if (line.command == Command::simulate) add_simulation_options(app, typed);
+  if (line.command == Command::simulate) {
+    add_simulation_options(app, typed);
+    add_compare_options(app, typed.compare, true);
+  }
   if (line.command != Command::render) add_program_options(app, typed);
   if (line.command == Command::render) add_picture_options(app, typed);
   add_output_options(app, typed, line.command);
@@ -299,6 +304,9 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   out.json = typed.json;
   read_simulation_options(out, typed);
   read_picture_options(out, typed);
+  out.compare = compare_request(typed.compare);
+  if (out.compare.options.accept && out.compare.nominal.empty())
+    fail_usage("--accept judges against a nominal: --nominal part.step");
   read_program_options(out, typed);
   return out;
 }

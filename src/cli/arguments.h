@@ -1,6 +1,7 @@
 // The command line as values.
 #pragma once
 
+#include "cli/compare_command.h"
 #include <mrsim/mrsim.h>
 
 #include <string>
@@ -22,6 +23,7 @@ struct Arguments {
   CarveOptions carve;
   MeshOptions mesh;
   RenderOptions render;
+  CompareRequest compare;  ///< of the part just cut, when it names a nominal
   bool quiet = false, verbose = false, strict = false, json = false;
 };
 

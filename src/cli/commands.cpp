@@ -1,11 +1,14 @@
 #include "cli/commands.h"
 
+#include "cli/compare_command.h"
 #include "cli/diagnostics.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "core/text_io.h"
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -62,6 +65,32 @@ int finish_output(int code) {
   return code;
 }
 
+// The part just cut against --nominal, while its owners are at hand.
+int compare_part(const Arguments& arguments, const JobResult& result, const NamedNominal& nominal) {
+  CompareRequest request = arguments.compare;
+  const ReportFacts facts = facts_of(result, arguments.input);
+  if (request.nominal.empty()) {
+    if (request.report.empty()) return kDone;
+    Comparison plain;
+    plain.origin = result.mesh.origin;
+    plain.part_name = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
+    plain.text = read_program_lines(result.mesh.origin, arguments.input);
+    const std::string page = report_html(result.mesh, {}, plain, facts, arguments.carve.threads);
+    write_file_atomically(request.report,
+                          [&](const ByteSink& out) { out(page.data(), page.size()); });
+    return kDone;
+  }
+  if (request.options.accept && arguments.mesh.tolerance > 0 &&
+      arguments.mesh.tolerance > (request.options.accept->hi - request.options.accept->lo) / 8)
+    fmt::print(stderr, "warning: --tolerance {:g} is coarse for --accept: use a quarter or less\n",
+               arguments.mesh.tolerance);
+  request.part = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
+  request.quiet = arguments.quiet;
+  request.options.threads = arguments.carve.threads;
+  request.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
+  return run_comparison(request, result.mesh, nominal, facts);
+}
+
 }  // namespace
 
 int run_simulate(const Arguments& arguments) {
@@ -74,6 +103,7 @@ int run_simulate(const Arguments& arguments) {
   job.mesh = arguments.mesh;
   job.outputs = arguments.outputs;
   job.strict = arguments.strict;
+  const NamedNominal nominal = prepare_comparison(arguments.compare);
   JobResult result;
   {
     ProgressBar bar(!arguments.quiet);
@@ -90,7 +120,7 @@ int run_simulate(const Arguments& arguments) {
   if (!arguments.quiet) print(format_report(arguments, result, has_colours(stdout)));
   if (!arguments.quiet && arguments.outputs.empty())
     print("  nothing was written: no output given (-o part.stl)\n");
-  return finish_output(kDone);
+  return finish_output(compare_part(arguments, result, nominal));
 }
 
 int run_trace(const Arguments& arguments) {

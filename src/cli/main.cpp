@@ -2,11 +2,13 @@
 // catches.
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/compare_command.h"
 #include "cli/diagnostics.h"
 #include "cli/terminal.h"
 
 #include <cstdio>
 #include <new>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -41,6 +43,7 @@ int fail(const std::string& text, const char* code, int exit_code) {
 
 int run_guarded(int argc, const char* const* argv) {
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "compare") return run_compare(argc - 1, argv + 1);
     return run(parse_arguments(argc, argv));
   } catch (const PlacedError& error) {
     std::fflush(stdout);

@@ -1,0 +1,211 @@
+#include "cli/compare_command.h"
+
+#include "cli/commands.h"
+#include "cli/option_values.h"
+#include "core/suggest.h"
+#include "core/text_io.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+constexpr const char* kUsageLine = "mrsim compare PART NOMINAL [options]";
+
+void write_text(const std::string& path, const std::string& text) {
+  write_file_atomically(path, [&](const ByteSink& out) { out(text.data(), text.size()); });
+}
+
+// Before any work, so that a long comparison is not lost to a missing folder.
+void check_compare_outputs(const CompareRequest& request) {
+  for (const std::string* path :
+       {&request.report, &request.json, &request.junit, &request.deviation})
+    if (!path->empty() && *path != "-") check_writable(*path);
+}
+
+void warn(const CompareRequest& request, const std::string& text) {
+  if (!request.quiet) fmt::print(stderr, "{}\n", text);
+}
+
+void write_results(const CompareRequest& request, const TriMesh& part, const TriMesh& nominal,
+                   const Comparison& comparison, const ReportFacts& facts) {
+  const int threads = request.options.threads;
+  if (!request.deviation.empty())
+    write_mesh(request.deviation,
+               deviation_mesh(part, nominal, comparison, request.scheme, threads));
+  if (!request.report.empty())
+    write_text(request.report, report_html(part, nominal, comparison, facts, threads));
+  if (!request.junit.empty()) write_text(request.junit, comparison_junit(comparison));
+  if (request.json == "-")
+    std::fputs(comparison_json(comparison).c_str(), stdout);
+  else if (!request.json.empty())
+    write_text(request.json, comparison_json(comparison));
+}
+
+Alignment alignment_value(const std::string& text) {
+  if (text.empty() || text == "none") return Alignment::none;
+  if (text == "bbox") return Alignment::bbox;
+  if (text == "icp") return Alignment::icp;
+  fail_usage(fmt::format("--align is none, bbox or icp, not \"{}\"", text));
+}
+
+void refuse_unknown(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& word : app.remaining()) {
+    const std::string option = word.substr(0, word.find('='));
+    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
+  }
+}
+
+const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
+
+}  // namespace
+
+void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal) {
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+    app.add_option(name, value, text)->type_name(type)->group("Comparison");
+  };
+  if (with_nominal)
+    add("--nominal", typed.nominal, "N", "compare the part with this mesh or STEP file");
+  add("--accept", typed.accept, "T",
+      "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
+  add("--align", typed.align, "A", "none, bbox or icp: move the part onto the nominal first");
+  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
+  add("--deflection", typed.deflection, "D",
+      "STEP: largest distance from the exact faces, mm; default: a twentieth of the tolerance");
+  add("--report", typed.report, "FILE", "self-contained HTML page");
+  add(with_nominal ? "--compare-json" : "--json", typed.json, "FILE",
+      "result as JSON, - for the standard output");
+  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
+  if (with_nominal)
+    add("--deviation", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
+  else
+    add("-o,--output", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
+  add("--colors", typed.colors, "C", "standard, or safe for every kind of colour vision");
+}
+
+CompareRequest compare_request(const CompareTyped& typed) {
+  CompareRequest out;
+  out.nominal = typed.nominal;
+  if (!typed.accept.empty()) out.options.accept = parse_acceptance(typed.accept);
+  out.options.align = alignment_value(typed.align);
+  if (!typed.density.empty()) out.options.density = positive_value("--density", typed.density);
+  if (!typed.deflection.empty()) out.deflection = positive_value("--deflection", typed.deflection);
+  if (!typed.colors.empty() && typed.colors != "standard" && typed.colors != "safe")
+    fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", typed.colors));
+  if (typed.colors == "safe") out.scheme = DeviationScheme::safe;
+  out.report = typed.report;
+  out.json = typed.json;
+  out.junit = typed.junit;
+  out.deviation = typed.deviation;
+  out.folders = typed.programs;
+  return out;
+}
+
+NamedNominal prepare_comparison(const CompareRequest& request) {
+  NamedNominal out;
+  check_compare_outputs(request);
+  if (request.nominal.empty()) return out;
+  const double deflection =
+      request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
+  out.mesh = read_solid(request.nominal, deflection, request.options.threads, &out.note);
+  require_nominal(out.mesh, request.nominal, request.options.threads);
+  return out;
+}
+
+int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
+                   const ReportFacts& facts) {
+  if (!nominal.note.empty()) warn(request, nominal.note);
+  if (part.owners.empty())
+    warn(request, request.part +
+                      ": this file does not say which line cut which face, so no lines are named; "
+                      ".ply, .glb, .3mf and .vdb do");
+  Comparison comparison = compare(part, nominal.mesh, request.options,
+                                  read_program_lines(part.origin, request.part, request.folders));
+  comparison.part_name = request.part;
+  comparison.nominal_name = request.nominal;
+  ReportFacts all = facts;
+  if (!nominal.note.empty()) all.facts.emplace_back("Nominal", nominal.note);
+  all.times.emplace_back("compare", comparison.seconds);
+  write_results(request, part, nominal.mesh, comparison, all);
+  if (!request.quiet && request.json != "-")
+    std::fputs(comparison_text(comparison).c_str(), stdout);
+  return comparison.accepted.value_or(true) ? kDone : kFailed;
+}
+
+int run_compare(int argc, const char* const* argv) {
+  CompareTyped typed;
+  std::vector<std::string> inputs;
+  std::string threads;
+  bool help = false, quiet = false;
+  CLI::App app(
+      "Says where a part differs from its drawing, by how much, and which line is to blame.");
+  app.set_help_flag("");
+  app.allow_extras();
+  app.footer(
+      "\nExamples:\n  mrsim compare part.ply nominal.step --accept 0.02 --report r.html\n"
+      "  mrsim compare part.3mf nominal.stl --accept -0.02,0.05 --json - | jq .verdict\n\n"
+      "Exit: 0 in tolerance, or no --accept; 1 out of tolerance or a bad file; 2 wrong usage.");
+  app.add_option("INPUT", inputs)->expected(0, -1)->group("");
+  add_compare_options(app, typed, false);
+  app.add_option("--path", typed.programs, "look for the programs here; may be repeated")
+      ->type_name("DIR")
+      ->group("Comparison")
+      ->allow_extra_args(false);
+  app.add_option("--threads", threads, "default: all cores; the result is the same for any number")
+      ->type_name("N");
+  app.add_flag("-q,--quiet", quiet, "print errors only");
+  app.add_flag("-h,--help", help, "print this and exit");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    fail_usage(error.what());
+  }
+  if (help) {
+    fmt::print("Usage: {}\n{}", kUsageLine, app.help());
+    return kDone;
+  }
+  refuse_unknown(app);
+  if (inputs.size() != 2)
+    fail_usage(fmt::format("compare takes a part and a nominal; usage: {}", kUsageLine));
+  CompareRequest request = compare_request(typed);
+  request.part = inputs[0];
+  request.nominal = inputs[1];
+  request.quiet = quiet;
+  if (!threads.empty()) request.options.threads = whole_value("--threads", threads, 1, 4096);
+  const NamedNominal nominal = prepare_comparison(request);
+  ReportFacts facts;
+  facts.title = std::filesystem::path(request.part).filename().string();
+  const TriMesh part = read_solid(request.part, 0.001, request.options.threads);
+  return run_comparison(request, part, nominal, facts);
+}
+
+ReportFacts facts_of(const JobResult& result, const std::string& program) {
+  ReportFacts out;
+  out.title = std::filesystem::path(program).filename().string();
+  out.facts = {{"Program", program},
+               {"Machine", tool_kind(result.program.machine)},
+               {"Stock", result.stock.description},
+               {"Voxel", fmt::format("{:.4g} mm, {}", result.voxel, result.voxel_reason)},
+               {"Moves", fmt::format("{} rapids, {} lines, {} arcs", result.rapid_motions,
+                                     result.line_motions, result.arc_motions)},
+               {"Volume", fmt::format("{:.3f} mm3, {:.3f} mm3 removed", result.volume,
+                                      result.removed_volume)},
+               {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
+  if (result.mesh_bound > 0)
+    out.facts.emplace_back("Mesh",
+                           fmt::format("within {:.4g} mm of the exact part", result.mesh_bound));
+  out.times = result.stage_seconds;
+  out.tools = result.program.tools;
+  out.diagnostics = result.program.diagnostics;
+  return out;
+}
+
+}  // namespace mrsim::cli

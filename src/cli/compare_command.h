@@ -1,0 +1,54 @@
+// `mrsim compare`, and the comparison at the end of a run (--nominal).
+#pragma once
+
+#include <mrsim/compare.h>
+#include <mrsim/mrsim.h>
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace mrsim::cli {
+
+/// The options of a comparison as they are typed.
+struct CompareTyped {
+  std::string nominal, accept, align, density, deflection, report, json, junit, deviation, colors;
+  std::vector<std::string> programs;
+};
+
+/// What a comparison is asked for.
+struct CompareRequest {
+  std::string part, nominal;
+  CompareOptions options;
+  double deflection = 0;  ///< mm, 0 = by the tolerance
+  std::string report, json, junit, deviation;
+  DeviationScheme scheme = DeviationScheme::standard;
+  std::vector<std::string> folders;  ///< where programs are looked for
+  bool quiet = false;
+};
+
+void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal);
+/// Throws Error of kind usage.
+CompareRequest compare_request(const CompareTyped& typed);
+
+struct NamedNominal {
+  TriMesh mesh;
+  std::string note;  ///< how a STEP file was tessellated
+};
+/// The nominal, read and checked, and the places of all outputs: before a long run.
+NamedNominal prepare_comparison(const CompareRequest& request);
+
+/// Compares, writes what was asked for and prints; kDone or, for a rejected part, kFailed.
+int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
+                   const ReportFacts& facts = {});
+
+/// The command: argv[0] is "compare".
+int run_compare(int argc, const char* const* argv);
+
+/// What a run tells the report.
+ReportFacts facts_of(const JobResult& result, const std::string& program);
+
+}  // namespace mrsim::cli

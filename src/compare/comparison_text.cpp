@@ -1,0 +1,142 @@
+// What people and CI dashboards read of a comparison.
+#include "compare/align.h"
+#include "core/text_io.h"
+#include "core/units.h"
+#include <mrsim/compare.h>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kShownRegions = 10;
+
+std::string place_text(const Vec3& p) {
+  return fmt::format("({:.3f}, {:.3f}, {:.3f})", p.x, p.y, p.z);
+}
+
+std::string line_text(const BlamedLine& l) {
+  std::string out = l.line > 0 ? fmt::format("{}:{}", l.file, l.line) : l.file;
+  if (!l.text.empty()) out += "  " + l.text;
+  if (!l.tool.empty()) out += fmt::format("  [tool {}]", l.tool);
+  return out;
+}
+
+std::string figures_text(const char* name, const DeviationFigures& f) {
+  return fmt::format(
+      "{:<17} min {:+.4f} at {}, max {:+.4f} at {} mm\n"
+      "                  mean {:+.4f}, median {:+.4f}, |mean| {:.4f}, RMS {:.4f}, sigma {:.4f} mm\n"
+      "                  1 % {:+.4f}, 5 % {:+.4f}, 95 % {:+.4f}, 99 % {:+.4f} mm; in tolerance "
+      "{:.2f} %\n"
+      "                  {} samples, {:.3g} a mm2, and {} vertices\n",
+      name, f.min, place_text(f.min_place), f.max, place_text(f.max_place), f.mean, f.median,
+      f.mean_absolute, f.rms, f.deviation, f.p1, f.p5, f.p95, f.p99, 100 * f.in_tolerance,
+      f.samples, f.density, f.vertices);
+}
+
+std::string region_text(const DeviationRegion& r, std::size_t number) {
+  std::string out = fmt::format("{:>3}. {} {:+.4f} mm at {}, {:.2f} mm2, {:.3f} mm3\n", number,
+                                r.gouge ? "gouge " : "excess", r.worst, place_text(r.place),
+                                r.area > 0 ? r.area : r.nominal_area, r.volume);
+  if (r.stock_share > 0.5) out += "       on the stock's own surface: no line cut here\n";
+  for (const BlamedLine& l : r.lines)
+    out += fmt::format("       {} {}\n",
+                       l.beside ? fmt::format("{:.2f} mm away:", l.distance)
+                                : fmt::format("{:>3.0f} % cut by:", 100 * l.share),
+                       line_text(l));
+  return out;
+}
+
+std::string transform_text(const Comparison& c) {
+  if (c.align == Alignment::none) return "";
+  const auto& r = c.transform.rotation;
+  return fmt::format(
+      "Aligned ({}): turned by {:.4f} degrees, moved by {} mm\n"
+      "                  [{:.9f} {:.9f} {:.9f}; {:.9f} {:.9f} {:.9f}; {:.9f} {:.9f} {:.9f}]\n",
+      c.align == Alignment::icp ? "icp" : "bbox", degrees(angle_of(c.transform)),
+      place_text(c.transform.shift), r[0].x, r[0].y, r[0].z, r[1].x, r[1].y, r[1].z, r[2].x, r[2].y,
+      r[2].z);
+}
+
+std::string verdict_text(const Comparison& c) {
+  if (!c.accepted)
+    return fmt::format("No tolerance was given (--accept): regions are beyond {:+g} .. {:+g} mm\n",
+                       c.band.lo, c.band.hi);
+  return fmt::format("{}: tolerance {:+g} .. {:+g} mm, found {:+.4f} .. {:+.4f} mm\n",
+                     *c.accepted ? "ACCEPTED" : "REJECTED", c.band.lo, c.band.hi,
+                     std::min(c.part.min, c.nominal.min), std::max(c.part.max, c.nominal.max));
+}
+
+std::string escape_xml(const std::string& text) {
+  std::string out;
+  for (const char c : to_utf8(text)) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t')
+      out += c;
+    else
+      out += '?';  // XML 1.0 has no other control characters
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& c) {
+  std::string out = transform_text(c);
+  out += figures_text("Part to nominal:", c.part);
+  out += figures_text("Nominal to part:", c.nominal);
+  out += fmt::format(
+      "Hausdorff:        {:.4f} .. {:.4f} mm (part to nominal {:.4f} .. {:.4f}, nominal to part "
+      "{:.4f} .. {:.4f})\n",
+      c.hausdorff.lower, c.hausdorff.upper, c.part_to_nominal.lower, c.part_to_nominal.upper,
+      c.nominal_to_part.lower, c.nominal_to_part.upper);
+  out += fmt::format(
+      "Volume:           part {:.3f}, nominal {:.3f}, material left {:.3f}, gouged {:.3f} mm3\n",
+      c.part_volume, c.nominal_volume, c.excess_volume, c.gouge_volume);
+  if (c.region_count > 0) out += fmt::format("Regions out of tolerance: {}\n", c.region_count);
+  for (std::size_t i = 0; i < std::min(c.regions.size(), kShownRegions); ++i)
+    out += region_text(c.regions[i], i + 1);
+  if (c.region_count > kShownRegions)
+    out += fmt::format("     ... and {} more\n", c.region_count - kShownRegions);
+  for (const ComparisonHint& h : c.hints) out += fmt::format("Hint: {} [{}]\n", h.text, h.code);
+  out += fmt::format("Compared in {:.2f} s, {:.0f} MB\n", c.seconds, double(c.memory) / 1e6);
+  return out + verdict_text(c);
+}
+
+std::string comparison_junit(const Comparison& c) {
+  const bool rejected = c.accepted && !*c.accepted;
+  const std::size_t failures = rejected ? 1 + c.regions.size() : 0;
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuites tests=\"{0}\" failures=\"{1}\">\n"
+      " <testsuite name=\"mrsim compare {2}\" tests=\"{0}\" failures=\"{1}\" skipped=\"{3}\">\n",
+      1 + c.regions.size(), failures, escape_xml(c.part_name),
+      c.accepted ? 0 : 1 + c.regions.size());
+  const auto add = [&](const std::string& name, const std::string& message) {
+    out += fmt::format("  <testcase classname=\"mrsim.compare\" name=\"{}\">", escape_xml(name));
+    if (!c.accepted)
+      out += "<skipped message=\"no tolerance was given\"/>";
+    else if (rejected)
+      out += fmt::format("<failure message=\"{}\"/>", escape_xml(message));
+    out += "</testcase>\n";
+  };
+  std::string verdict = verdict_text(c);
+  verdict.pop_back();
+  add(c.part_name + " against " + c.nominal_name, verdict);
+  for (std::size_t i = 0; i < c.regions.size(); ++i) {
+    const DeviationRegion& r = c.regions[i];
+    add(fmt::format("region {}: {} of {:.4f} mm", i + 1, r.gouge ? "gouge" : "excess",
+                    std::abs(r.worst)),
+        region_text(r, i + 1));
+  }
+  return out + " </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace mrsim

@@ -1,0 +1,256 @@
+// The HTML report: the built viewer (web/dist/report.html) with the data of one comparison inside.
+//
+// Safe with any text from programs and files: JSON in a script element, with every '<' written as
+// \u003c, so that nothing in it can end the element; the viewer sets text, never markup.
+#include "compare/align.h"
+#include "compare/blame.h"
+#include "compare/display_mesh.h"
+#include "compare/report_template.h"
+#include "core/error.h"
+#include "core/text_io.h"
+#include "core/units.h"
+#include "core/vec.h"
+#include "mesh/half_edges.h"
+#include <mrsim/compare.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostShown = 500000;    // triangles of the part
+constexpr std::size_t kMostRefined = 200000;  // ... after splitting long ones
+constexpr std::size_t kMostNominal = 150000;
+constexpr int kMostLines = 50000;        // of a program; beyond, only those around the cuts
+constexpr double kDeviationStep = 1e-4;  // mm
+
+// Differences as little-endian groups of seven bits, sign in the lowest: small numbers, few bytes.
+class Packer {
+ public:
+  void add(std::int64_t value, std::int64_t& last) {
+    const std::int64_t d = value - last;
+    last = value;
+    std::uint64_t z = (std::uint64_t(d) << 1) ^ std::uint64_t(d >> 63);
+    for (; z >= 128; z >>= 7) bytes_.push_back(char(z | 128));
+    bytes_.push_back(char(z));
+  }
+  std::string base64() const {
+    static constexpr char kDigits[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve(bytes_.size() * 4 / 3 + 4);
+    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      const auto at = [&](std::size_t k) {
+        return i + k < bytes_.size() ? std::uint32_t(static_cast<unsigned char>(bytes_[i + k])) : 0;
+      };
+      const std::uint32_t bits = at(0) << 16 | at(1) << 8 | at(2);
+      for (int k = 0; k < 4; ++k)
+        out += i + std::size_t(k) > bytes_.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+    }
+    return out;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+// Positions as 24-bit steps over the bounds: 6 nm on 100 mm.
+struct Grid {
+  Vec3 lo;
+  double step = 1;
+};
+
+Grid grid_of(const TriMesh& a, const TriMesh& b) {
+  Box3 box;
+  for (const TriMesh* mesh : {&a, &b})
+    for (const auto& v : mesh->vertices) extend(box, to_vec(v));
+  if (is_empty(box)) return {};
+  const Vec3 size = box.hi - box.lo;
+  return {box.lo, std::max({size.x, size.y, size.z, 1e-6}) / 16777215.0};
+}
+
+std::string pack_positions(const TriMesh& mesh, const Grid& grid) {
+  Packer out;
+  std::int64_t last[3] = {0, 0, 0};
+  for (const auto& v : mesh.vertices) {
+    const Vec3 p = (1 / grid.step) * (to_vec(v) - grid.lo);
+    for (int k = 0; k < 3; ++k) out.add(std::llround(component(p, k)), last[k]);
+  }
+  return out.base64();
+}
+
+template <std::size_t N>
+std::string pack_indices(const std::vector<std::array<std::uint32_t, N>>& items) {
+  Packer out;
+  std::int64_t last = 0;
+  for (const auto& item : items)
+    for (const std::uint32_t i : item) out.add(i, last);
+  return out.base64();
+}
+
+std::string pack_deviations(const std::vector<float>& values) {
+  Packer out;
+  std::int64_t last = 0;
+  for (const float v : values) out.add(std::llround(double(v) / kDeviationStep), last);
+  return out.base64();
+}
+
+Json mesh_json(const DisplayMesh& display, const Grid& grid, const FaceLines* lines) {
+  Json out{{"vertices", display.mesh.vertices.size()},
+           {"triangles", display.mesh.triangles.size()},
+           {"position", pack_positions(display.mesh, grid)},
+           {"index", pack_indices(display.mesh.triangles)}};
+  const auto creases = crease_lines(display.mesh, radians(28));
+  out["creases"] = creases.size();
+  out["crease"] = pack_indices(creases);
+  if (!display.deviation.empty()) out["deviation"] = pack_deviations(display.deviation);
+  if (lines == nullptr) return out;
+  Packer owners;
+  std::int64_t last = 0;
+  for (std::uint32_t f = 0; f < display.mesh.triangles.size(); ++f)
+    owners.add(lines->index(f), last);
+  out["owner"] = owners.base64();
+  return out;
+}
+
+// Lines to embed: all of a program of usual length, else those around what is shown.
+std::vector<bool> wanted_lines(const Comparison& c, std::size_t file,
+                               const std::vector<LineKey>& keys) {
+  const auto& text = c.text[file];
+  std::vector<bool> wanted(text.size(), text.size() <= std::size_t(kMostLines));
+  if (text.size() <= std::size_t(kMostLines)) return wanted;
+  int left = kMostLines;
+  for (const LineKey& key : keys) {
+    if (key.file != std::int32_t(file) || left <= 0) continue;
+    for (int l = std::max(0, key.line - 3); l < std::min(int(text.size()), key.line + 2); ++l)
+      if (!wanted[std::size_t(l)]) {
+        wanted[std::size_t(l)] = true;
+        --left;
+      }
+  }
+  return wanted;
+}
+
+Json programs_json(const Comparison& c, const std::vector<LineKey>& keys) {
+  Json out = Json::array();
+  for (std::size_t file = 0; file < c.origin.files.size(); ++file) {
+    Json numbers = Json::array(), lines = Json::array();
+    if (file < c.text.size()) {
+      const std::vector<bool> wanted = wanted_lines(c, file, keys);
+      for (std::size_t l = 0; l < wanted.size(); ++l)
+        if (wanted[l]) {
+          numbers.push_back(l + 1);
+          lines.push_back(to_utf8(c.text[file][l]));
+        }
+    }
+    out.push_back({{"file", to_utf8(c.origin.files[file])},
+                   {"numbers", std::move(numbers)},
+                   {"lines", std::move(lines)}});
+  }
+  return out;
+}
+
+Json keys_json(const std::vector<LineKey>& keys, const OwnerTable& table) {
+  Json out = Json::array();
+  for (const LineKey& key : keys) {
+    const BlamedLine name = name_line(key, table, {});
+    out.push_back({{"file", key.file},
+                   {"line", key.line},
+                   {"tool", key.is_stock() ? -1 : key.tool},
+                   {"name", to_utf8(name.file)},
+                   {"stock", key.is_stock()},
+                   {"toolName", to_utf8(name.tool)}});
+  }
+  return out;
+}
+
+const char* severity_name(Severity s) {
+  return s == Severity::error ? "error" : s == Severity::warning ? "warning" : "note";
+}
+
+Json tool_json(const Tool& t) {
+  static constexpr const char* kNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
+                                           "drill",   "tslot",    "lollipop", "barrel",   "form",
+                                           "turning", "grooving", "boring",   "threading"};
+  return {{"id", to_utf8(t.id)},          {"type", kNames[std::size_t(t.type)]},
+          {"diameter", t.diameter},       {"corner_radius", t.corner_radius},
+          {"nose_radius", t.nose_radius}, {"flute_length", t.flute_length},
+          {"origin", to_utf8(t.origin)}};
+}
+
+Json facts_json(const ReportFacts& facts) {
+  Json out{{"title", to_utf8(facts.title)}};
+  for (const char* key : {"facts", "times", "tools", "diagnostics"}) out[key] = Json::array();
+  for (const auto& [name, value] : facts.facts)
+    out["facts"].push_back({to_utf8(name), to_utf8(value)});
+  for (const auto& [name, seconds] : facts.times) out["times"].push_back({to_utf8(name), seconds});
+  for (const Tool& t : facts.tools) out["tools"].push_back(tool_json(t));
+  for (const Diagnostic& d : facts.diagnostics)
+    out["diagnostics"].push_back({{"severity", severity_name(d.severity)},
+                                  {"code", to_utf8(d.code)},
+                                  {"text", to_utf8(d.text)},
+                                  {"file", to_utf8(d.place.file)},
+                                  {"line", d.place.line},
+                                  {"column", d.place.column}});
+  return out;
+}
+
+// Nothing between the tags of a script element may look like its end.
+std::string script_safe(const std::string& json) {
+  std::string out;
+  out.reserve(json.size() + json.size() / 64);
+  for (const char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
+
+DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Comparison& c,
+                       int threads) {
+  const TriMesh moved = transformed(part, c.transform);
+  if (nominal.triangles.empty()) return {moved, std::vector<float>(moved.vertices.size(), 0.0f)};
+  const NominalSurface surface(nominal, threads);
+  return refine_for_display(moved, surface, (c.band.hi - c.band.lo) / 8, kMostRefined, threads);
+}
+
+}  // namespace
+
+std::string report_html(const TriMesh& part, const TriMesh& nominal, const Comparison& comparison,
+                        const ReportFacts& facts, int threads) {
+  const DisplayMesh shown =
+      cluster_for_display(shown_part(part, nominal, comparison, threads), kMostShown);
+  const DisplayMesh overlay = cluster_for_display(
+      {nominal, std::vector<float>(nominal.vertices.size(), 0.0f)}, kMostNominal);
+  const FaceLines lines(shown.mesh);
+  const Grid grid = grid_of(shown.mesh, overlay.mesh);
+  Json data{{"version", 1},
+            {"generator", std::string("mrsim ") + MRSIM_VERSION},
+            {"compared", !nominal.triangles.empty()},
+            {"reduced", shown.mesh.triangles.size() < part.triangles.size()},
+            {"comparison", Json::parse(comparison_json(comparison))},
+            {"facts", facts_json(facts)},
+            {"keys", keys_json(lines.lines(), part.origin)},
+            {"programs", programs_json(comparison, lines.lines())},
+            {"grid", {{"lo", {grid.lo.x, grid.lo.y, grid.lo.z}}, {"step", grid.step}}},
+            {"deviationStep", kDeviationStep},
+            {"part", mesh_json(shown, grid, &lines)}};
+  if (!overlay.mesh.triangles.empty())
+    data["nominal"] = mesh_json({overlay.mesh, {}}, grid, nullptr);
+  const std::string page(report_template());
+  const std::string mark = "\"MRSIM-DATA\"";
+  const std::size_t at = page.find(mark);
+  MRSIM_ASSERT(at != std::string::npos);
+  return page.substr(0, at) +
+         script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+         page.substr(at + mark.size());
+}
+
+}  // namespace mrsim

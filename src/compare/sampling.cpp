@@ -1,0 +1,149 @@
+#include "compare/sampling.h"
+
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "mesh/half_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kRatio1 = 0.7548776662466927, kRatio2 = 0.5698402909980532;  // 1/g, 1/g^2, g^3=g+1
+constexpr std::size_t kMostSamples = 50'000'000;
+
+double fraction(double x) { return x - std::floor(x); }
+
+Vec3 point_in_face(const TriMesh& mesh, std::size_t face, std::size_t index) {
+  double u = fraction(0.5 + kRatio1 * double(index)), v = fraction(0.5 + kRatio2 * double(index));
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  const Vec3 a = corner(mesh, face, 0);
+  return a + u * (corner(mesh, face, 1) - a) + v * (corner(mesh, face, 2) - a);
+}
+
+void add_vertices(const TriMesh& mesh, SurfaceSamples& out) {
+  std::vector<bool> seen(mesh.vertices.size(), false);
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
+    for (const std::uint32_t v : mesh.triangles[f]) {
+      if (seen[v]) continue;
+      seen[v] = true;
+      out.points.push_back(to_vec(mesh.vertices[v]));
+      out.faces.push_back(f);
+    }
+}
+
+double percentile(const std::vector<double>& sorted, double share) {
+  const double at = share * double(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const double above = sorted[std::min(below + 1, sorted.size() - 1)];
+  return sorted[below] + (at - double(below)) * (above - sorted[below]);
+}
+
+void find_extremes(const DeviationField& field, DeviationFigures& out) {
+  std::size_t least = 0, most = 0;
+  for (std::size_t i = 1; i < field.hits.size(); ++i) {
+    if (field.hits[i].distance < field.hits[least].distance) least = i;
+    if (field.hits[i].distance > field.hits[most].distance) most = i;
+  }
+  out.min = field.hits[least].distance;
+  out.max = field.hits[most].distance;
+  out.min_place = field.samples.points[least];
+  out.max_place = field.samples.points[most];
+}
+
+}  // namespace
+
+double surface_area(const TriMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_normal(mesh, f)) / 2;
+  return area;
+}
+
+std::size_t sample_count(const CompareOptions& options, double area) {
+  const double wanted = options.density > 0 ? options.density * area : double(options.samples);
+  return static_cast<std::size_t>(std::clamp(std::ceil(wanted), 100.0, double(kMostSamples)));
+}
+
+SurfaceSamples sample_surface(const TriMesh& mesh, std::size_t count) {
+  SurfaceSamples out;
+  out.area = surface_area(mesh);
+  out.weight = out.area / double(count);
+  out.points.reserve(count + mesh.vertices.size());
+  out.faces.reserve(count + mesh.vertices.size());
+  double summed = 0;
+  for (std::uint32_t f = 0; f < mesh.triangles.size() && out.weight > 0; ++f) {
+    summed += length(area_normal(mesh, f)) / 2;
+    while (out.points.size() < count && (double(out.points.size()) + 0.5) * out.weight <= summed) {
+      out.points.push_back(point_in_face(mesh, f, out.points.size()));
+      out.faces.push_back(f);
+    }
+  }
+  out.spread = out.points.size();
+  add_vertices(mesh, out);
+  return out;
+}
+
+DeviationField measure(SurfaceSamples samples, const NominalSurface& other, double sign,
+                       int threads) {
+  DeviationField field{std::move(samples), {}};
+  field.hits.resize(field.samples.points.size());
+  other.query(field.samples.points, field.hits, threads);
+  for (SurfaceHit& hit : field.hits) hit.distance *= sign;
+  return field;
+}
+
+DeviationFigures figures_of(const DeviationField& field, const Acceptance& band) {
+  const SurfaceSamples& s = field.samples;
+  DeviationFigures out;
+  out.samples = s.spread;
+  out.vertices = s.points.size() - s.spread;
+  out.area = s.area;
+  out.density = s.area > 0 ? double(s.spread) / s.area : 0;
+  find_extremes(field, out);
+  if (s.spread == 0) return out;
+  std::vector<double> sorted(s.spread);
+  std::size_t excess = 0, gouge = 0;
+  double sum = 0, absolute = 0, square = 0;
+  for (std::size_t i = 0; i < s.spread; ++i) {
+    const double d = sorted[i] = field.hits[i].distance;
+    sum += d;
+    absolute += std::abs(d);
+    square += d * d;
+    excess += d > band.hi;
+    gouge += d < band.lo;
+  }
+  const double n = double(s.spread);
+  out.mean = sum / n;
+  out.mean_absolute = absolute / n;
+  out.rms = std::sqrt(square / n);
+  for (const double d : sorted) out.deviation += (d - out.mean) * (d - out.mean);
+  out.deviation = std::sqrt(out.deviation / n);
+  std::sort(sorted.begin(), sorted.end());
+  out.p1 = percentile(sorted, 0.01);
+  out.p5 = percentile(sorted, 0.05);
+  out.median = out.p50 = percentile(sorted, 0.5);
+  out.p95 = percentile(sorted, 0.95);
+  out.p99 = percentile(sorted, 0.99);
+  out.excess_area = double(excess) * s.weight;
+  out.gouge_area = double(gouge) * s.weight;
+  out.in_tolerance = 1 - double(excess + gouge) / n;
+  return out;
+}
+
+Histogram histogram_of(const DeviationField& field, const Acceptance& band) {
+  constexpr int kBins = 60;  // the band takes the middle third
+  const double width = (band.hi - band.lo) / 20;
+  Histogram out{band.lo - 20 * width, band.hi + 20 * width, std::vector<double>(kBins, 0.0)};
+  for (std::size_t i = 0; i < field.samples.spread; ++i) {
+    const double at = (field.hits[i].distance - out.lo) / width;
+    const int bin = at < 0 ? 0 : at >= kBins ? kBins - 1 : int(at);
+    out.share[std::size_t(bin)] += 1.0 / double(field.samples.spread);
+  }
+  return out;
+}
+
+}  // namespace mrsim

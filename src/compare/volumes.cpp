@@ -1,0 +1,140 @@
+#include "compare/volumes.h"
+
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "mesh/half_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kRatio1 = 0.7548776662466927, kRatio2 = 0.5698402909980532;
+constexpr std::size_t kCells = 512;  // a side; about one ray a cell
+
+struct Crossing {
+  std::uint32_t ray;
+  double z;
+  std::int8_t first, second;  // steps of the winding numbers upwards
+};
+
+// The rays, sorted into cells of the outline so that a triangle finds those below it.
+class RayGrid {
+ public:
+  RayGrid(const Box3& box, std::size_t rays) : box_(box), begin_(kCells * kCells + 1, 0) {
+    std::vector<std::pair<std::uint32_t, Vec2>> keyed(rays);
+    for (std::size_t i = 0; i < rays; ++i) {
+      const double u = 0.5 + kRatio1 * double(i), v = 0.5 + kRatio2 * double(i);
+      const Vec2 p{box.lo.x + (u - std::floor(u)) * (box.hi.x - box.lo.x),
+                   box.lo.y + (v - std::floor(v)) * (box.hi.y - box.lo.y)};
+      keyed[i] = {cell(p.x, 0) + std::uint32_t(kCells) * cell(p.y, 1), p};
+    }
+    std::stable_sort(keyed.begin(), keyed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [key, point] : keyed) {
+      ++begin_[key + 1];
+      rays_.push_back(point);
+    }
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  }
+
+  std::uint32_t cell(double x, int axis) const {
+    const double lo = component(box_.lo, axis), size = component(box_.hi, axis) - lo;
+    const double at = size > 0 ? (x - lo) / size * double(kCells) : 0;
+    return std::uint32_t(std::clamp(at, 0.0, double(kCells - 1)));
+  }
+  template <class Visit>
+  void visit(const Vec3& lo, const Vec3& hi, Visit visit_ray) const {
+    const std::uint32_t x0 = cell(lo.x, 0), x1 = cell(hi.x, 0);
+    for (std::uint32_t y = cell(lo.y, 1); y <= cell(hi.y, 1); ++y)
+      for (std::uint32_t i = begin_[y * kCells + x0]; i < begin_[y * kCells + x1 + 1]; ++i)
+        visit_ray(i, rays_[i]);
+  }
+
+ private:
+  Box3 box_;
+  std::vector<std::uint32_t> begin_;
+  std::vector<Vec2> rays_;
+};
+
+double turn(Vec2 a, Vec2 b, Vec2 p) { return cross(b - a, p - a); }
+
+// Side of p to the directed edge, the same value with opposite sign for the neighbour's edge, so
+// that a ray through an edge crosses exactly one of two triangles.
+bool left_of(Vec2 a, Vec2 b, Vec2 p) {
+  const bool swap = b.x < a.x || (b.x == a.x && b.y < a.y);
+  const double t = swap ? -turn(b, a, p) : turn(a, b, p);
+  return swap ? t > 0 : t >= 0;
+}
+
+void cross_mesh(const TriMesh& mesh, bool is_first, const RayGrid& grid,
+                std::vector<Crossing>& out) {
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Vec3 n = area_normal(mesh, f);
+    if (n.z == 0) continue;
+    Vec3 a = corner(mesh, f, 0), b = corner(mesh, f, 1);
+    const Vec3 c = corner(mesh, f, 2);
+    if (n.z < 0) std::swap(a, b);
+    const Vec2 pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
+    const auto step = std::int8_t(n.z < 0 ? 1 : -1);  // upwards through a floor: into the solid
+    grid.visit(min(a, min(b, c)), max(a, max(b, c)), [&](std::uint32_t ray, Vec2 p) {
+      if (!left_of(pa, pb, p) || !left_of(pb, pc, p) || !left_of(pc, pa, p)) return;
+      const double z = c.z - (n.x * (p.x - c.x) + n.y * (p.y - c.y)) / n.z;
+      out.push_back({ray, z, is_first ? step : std::int8_t(0), is_first ? std::int8_t(0) : step});
+    });
+  }
+}
+
+struct Lengths {
+  double first = 0, second = 0;
+};
+
+Lengths lengths_along(const Crossing* begin, const Crossing* end) {
+  Lengths out;
+  int first = 0, second = 0;
+  for (const Crossing* c = begin; c != end; ++c) {
+    if (c != begin) {
+      const double dz = c->z - (c - 1)->z;
+      if (first > 0 && second <= 0) out.first += dz;
+      if (second > 0 && first <= 0) out.second += dz;
+    }
+    first += c->first;
+    second += c->second;
+  }
+  return out;
+}
+
+}  // namespace
+
+VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second, std::size_t rays,
+                                   int threads) {
+  Box3 box;
+  for (const TriMesh* mesh : {&first, &second})
+    for (const auto& v : mesh->vertices) extend(box, to_vec(v));
+  const RayGrid grid(box, rays);
+  std::array<std::vector<Crossing>, 2> parts;
+  parallel_for(2, threads,
+               [&](std::size_t i) { cross_mesh(i == 0 ? first : second, i == 0, grid, parts[i]); });
+  std::vector<Crossing> all = std::move(parts[0]);
+  all.insert(all.end(), parts[1].begin(), parts[1].end());
+  std::stable_sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) {
+    return a.ray != b.ray ? a.ray < b.ray : a.z < b.z;
+  });
+  Lengths sum, square;
+  for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+    while (end < all.size() && all[end].ray == all[i].ray) ++end;
+    const Lengths l = lengths_along(all.data() + i, all.data() + end);
+    sum.first += l.first;
+    sum.second += l.second;
+    square.first += l.first * l.first;
+    square.second += l.second * l.second;
+  }
+  const double outline = (box.hi.x - box.lo.x) * (box.hi.y - box.lo.y), n = double(rays);
+  const auto spread = [&](double s, double q) { return std::sqrt(std::max(0.0, q - s * s / n)); };
+  const double worst = std::max(spread(sum.first, square.first), spread(sum.second, square.second));
+  // Of independent rays; those of the sequence do better.
+  return {outline * sum.first / n, outline * sum.second / n, outline * worst / n};
+}
+
+}  // namespace mrsim

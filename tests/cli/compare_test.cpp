@@ -1,0 +1,132 @@
+// The comparison from outside, on real programs with planted faults.
+#include "run_program.h"
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::json;
+
+class Compare : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    for (const char* name : {"PRIMER_2F.nominal.stl", "PRIMER_2S.nominal.stl"})
+      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
+  }
+  /// PRIMER_2F with `from` replaced by `to`, cut and compared; the JSON.
+  Json spoiled(const std::string& from, const std::string& to, const std::string& options = "") {
+    std::string program = read("PRIMER_2F.MPF");
+    program.replace(program.find(from), from.size(), to);
+    write("BAD.MPF", program);
+    outcome_ =
+        run("BAD.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
+            "--compare-json r.json " +
+            options);
+    return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false);
+  }
+  static int first_line(const Json& region) { return region["lines"].at(0)["line"]; }
+  Outcome outcome_;
+};
+
+TEST_F(Compare, MillingPartIsAccepted) {
+  const Outcome o = run(
+      "PRIMER_2F.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
+      "--compare-json r.json");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_EQ(j["verdict"], "accepted");
+  EXPECT_LE(j["part_to_nominal"]["rms"], 0.003);
+  EXPECT_LE(j["hausdorff"]["symmetric"]["lower"], 0.02);
+  // The part alone, later: the same verdict, lines known from the file.
+  const Outcome later = run("compare part.ply PRIMER_2F.nominal.stl --accept 0.02 --report r.html");
+  EXPECT_EQ(later.code, 0) << later.err;
+  EXPECT_NE(read("r.html").find("N40 G2 X7.5 Y0 CR=7.5"), std::string::npos);
+}
+
+TEST_F(Compare, TurningPartIsAccepted) {
+  const Outcome o =
+      run("PRIMER_2S.MPF --stock bar.stl -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
+          "--compare-json r.json");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_LE(Json::parse(read("r.json"))["part_to_nominal"]["rms"], 0.003);
+}
+
+TEST_F(Compare, ArcOfTheWrongSignIsNamed) {
+  const Json j = spoiled("N40 G2", "N40 G3");
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(j["verdict"], "rejected");
+  bool named = false;
+  for (const Json& region : j["regions"])
+    named = named || (region["kind"] == "gouge" && first_line(region) == 8 &&
+                      region["lines"][0]["text"] == "N40 G3 X7.5 Y0 CR=7.5");
+  EXPECT_TRUE(named) << j["regions"].dump(1);
+}
+
+TEST_F(Compare, GougeByOneLine) {
+  const Json j = spoiled("N45 G3 X37.5 Y0 CR=15", "N45 G3 X37.5 Y0 Z-2.1 CR=15");
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(j["regions"][0]["kind"], "gouge");
+  EXPECT_EQ(first_line(j["regions"][0]), 9);
+  EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.005);
+}
+
+TEST_F(Compare, WrongToolDiameter) {
+  const Json j = spoiled("N05", "N05", "--tool 4=endmill:d=5.2");
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.0101);  // the mesh is within 0.01
+  ASSERT_FALSE(j["hints"].empty());
+  EXPECT_EQ(j["hints"][0]["code"], "tool-size");
+}
+
+TEST_F(Compare, MissingPassNamesItsNeighbours) {
+  const Json j = spoiled("N45 G3", "N45 G0 Z5\nN46 G0");
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(j["regions"][0]["kind"], "excess");
+  EXPECT_EQ(j["regions"][0]["lines"][0]["role"], "beside");
+  EXPECT_EQ(first_line(j["regions"][0]), 8);  // N40, which ends where the missing one began
+}
+
+TEST_F(Compare, ShiftedWorkOffset) {
+  const Json j = spoiled("TRANS X50 Y-30", "TRANS X50.3 Y-30");
+  EXPECT_EQ(outcome_.code, 1);
+  bool shifted = false;
+  for (const Json& hint : j["hints"])
+    shifted = shifted || (hint["code"] == "part-shifted" &&
+                          hint["text"].get<std::string>().find("-0.300") != std::string::npos);
+  EXPECT_TRUE(shifted) << j["hints"].dump(1);
+}
+
+TEST_F(Compare, BadInputLeavesNothing) {
+  write("open.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+  const std::string tail = " --report r.html --json r.json";
+  const auto fails = [&](const std::string& arguments, int code, const std::string& text) {
+    expect_failure(arguments, code, text);
+    EXPECT_FALSE(exists("r.html"));
+    EXPECT_FALSE(exists("r.json"));
+  };
+  fails("compare block.stl open.stl" + tail, 1, "compare-nominal-open");
+  fails("compare block.stl missing.stl" + tail, 1, "no such file");
+  fails("compare block.stl" + tail, 2, "a part and a nominal");
+  fails("compare block.stl block.stl --acept 1", 2, "--accept");
+  fails("compare block.stl block.stl --accept x" + tail, 2, "tolerance");
+  write("bad.step", "no step");
+  fails("compare block.stl bad.step" + tail, 1, "STEP");
+  fails("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal open.stl", 1, "open");
+  fails("PRIMER_2F.MPF --stock block.stl -o part.stl --accept 0.02", 2, "--nominal");
+}
+
+TEST_F(Compare, ABareMeshSaysOnceThatItKnowsNoLines) {
+  const Outcome o = run("compare block.stl block.stl --accept 0.01 --junit r.xml");
+  EXPECT_EQ(o.code, 0);
+  const std::string word = "no lines are named";
+  EXPECT_NE(o.err.find(word), std::string::npos);
+  EXPECT_EQ(o.err.find(word, o.err.find(word) + 1), std::string::npos);
+  EXPECT_NE(read("r.xml").find("failures=\"0\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrsim

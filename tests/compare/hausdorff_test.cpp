@@ -1,0 +1,100 @@
+// The bounds against CGAL's bounded-error Hausdorff distance.
+#include "compare/hausdorff.h"
+
+#include "compare/align.h"
+#include "compare/sampling.h"
+#include "core/trig.h"
+#include "mesh/half_edges.h"
+#include "support/shapes.h"
+
+#include <cmath>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel/global_functions_3.h>  // which distance.h of CGAL 5.5 uses and does not include
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Surface_mesh.h>
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+SurfaceMesh to_cgal(const TriMesh& mesh) {
+  SurfaceMesh out;
+  for (const auto& v : mesh.vertices) out.add_vertex({v[0], v[1], v[2]});
+  using V = SurfaceMesh::Vertex_index;
+  for (const auto& t : mesh.triangles) out.add_face(V(t[0]), V(t[1]), V(t[2]));
+  return out;
+}
+
+HausdorffBound ours(const TriMesh& from, const TriMesh& to, double error) {
+  const NominalSurface surface(to);
+  const Vec3 start = to_vec(from.vertices[from.triangles[0][0]]);
+  return directed_hausdorff(from, surface, FlatPatches(to), std::abs(surface.at(start).distance),
+                            start, error, 4'000'000, 0);
+}
+
+void expect_as_cgal(const TriMesh& from, const TriMesh& to) {
+  constexpr double kError = 1e-3;
+  const HausdorffBound bound = ours(from, to, kError);
+  const double oracle =
+      CGAL::Polygon_mesh_processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(
+          to_cgal(from), to_cgal(to), kError);
+  EXPECT_LE(bound.upper - bound.lower, 1.001 * kError);
+  EXPECT_GE(oracle, bound.lower - kError);
+  EXPECT_LE(oracle, bound.upper + kError);
+}
+
+TriMesh turned(const TriMesh& mesh, double degrees, const Vec3& shift) {
+  const SinCos a = sincos_deg(degrees);
+  RigidTransform t;
+  t.rotation = {{{a.cos, 0, a.sin}, {0, 1, 0}, {-a.sin, 0, a.cos}}};
+  t.shift = shift;
+  return transformed(mesh, t);
+}
+
+TEST(Hausdorff, AgreesWithCgal) {
+  const TriMesh box = testing::box_mesh({-5, -5, -5}, {5, 5, 5});
+  const TriMesh ball = testing::sphere_mesh(24, 6);
+  const TriMesh tube = testing::tube_mesh(30, 8, 5, -4, 4);
+  expect_as_cgal(box, ball);
+  expect_as_cgal(ball, box);
+  expect_as_cgal(tube, ball);
+  expect_as_cgal(box, turned(box, 7, {0.2, 0, 0.1}));
+  expect_as_cgal(tube, turned(tube, 3, {0, 0.1, 0}));
+}
+
+TEST(Hausdorff, FindsWhatSamplesMiss) {
+  // A pit of 0.02 mm in a large plate: one vertex among 10 000 mm2.
+  TriMesh plate = testing::box_mesh({0, 0, 0}, {100, 100, 5});
+  TriMesh pit = plate;
+  pit.vertices.push_back({50, 50, 4.8f});
+  pit.triangles[2] = {4, 5, 8};  // the top's two triangles become four about the pit
+  pit.triangles[3] = {5, 7, 8};
+  pit.triangles.push_back({7, 6, 8});
+  pit.triangles.push_back({6, 4, 8});
+  const HausdorffBound bound = ours(plate, pit, 1e-4);
+  // The nominal's centre over a pyramid of depth 0.2 and half width 50.
+  const double exact = 0.2 * 50 / std::hypot(50, 0.2);
+  EXPECT_GE(bound.upper, exact - 1e-6);
+  EXPECT_LE(bound.lower, exact + 1e-6);
+  EXPECT_LE(bound.upper - bound.lower, 1.01e-4);
+}
+
+TEST(Hausdorff, FlatFacesOfOtherTriangles) {
+  // Equal boxes, one with its top fanned into many: no piece may cost area / error^2.
+  const TriMesh box = testing::box_mesh({0, 0, 0}, {200, 100, 10});
+  TriMesh fan = box;
+  fan.vertices.push_back({61.803f, 38.197f, 10});
+  fan.triangles[2] = {4, 5, 8};
+  fan.triangles[3] = {5, 7, 8};
+  fan.triangles.push_back({7, 6, 8});
+  fan.triangles.push_back({6, 4, 8});
+  const HausdorffBound bound = ours(box, fan, 1e-4);
+  EXPECT_LE(bound.upper, 2e-4);
+}
+
+}  // namespace
+}  // namespace mrsim
