@@ -16,6 +16,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/mrsimConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/mrsimConfig.cmake ${PROJECT_BINARY_DIR}/mrsimConfigVersion.cmake
   DESTINATION ${mrsim_package_dir})
 
+# Relative to the file itself, so that an installed tree may be moved.
+file(RELATIVE_PATH mrsim_pc_up /p/${CMAKE_INSTALL_LIBDIR}/pkgconfig /p)
 configure_file(cmake/mrsim.pc.in ${PROJECT_BINARY_DIR}/mrsim.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/mrsim.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES docs/mrsim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -214,10 +214,6 @@ Program trace(const std::string& path, const InterpOptions& options, bool json,
   return interpret(path, options, adapter);
 }
 
-void draw_path(const Program&, const std::string& path) {
-  throw Error("path-picture", "cannot draw " + path + ": not built in yet", Error::Kind::usage);
-}
-
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
@@ -230,8 +226,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options) {
 }
 
 void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {
-  write_file_atomically(png_path,
-                        [&](const ByteSink& out) { render_mesh(mesh, options, out); });
+  write_file_atomically(png_path, [&](const ByteSink& out) { render_mesh(mesh, options, out); });
 }
 
 MeshSummary summarize(const TriMesh& mesh) { return check_mesh(mesh); }

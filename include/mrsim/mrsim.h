@@ -49,9 +49,6 @@ struct TraceSink {
 MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
                         const TraceSink& sink);
 
-/// Draws the tool path as .svg or .ply: rapids dashed, arcs as arcs, a lathe in ZX.
-MRSIM_API void draw_path(const Program& program, const std::string& path);
-
 /// Reads tools.toml. Throws Error naming line and key.
 MRSIM_API ToolTable load_tools(const std::string& path);
 /// One tool from "4=endmill:d=5" or "endmill:d=5". Throws Error of kind usage.

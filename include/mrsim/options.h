@@ -71,8 +71,8 @@ enum class ColorBy : std::uint8_t { none, line, tool };
 
 /// How a mesh is written to a file.
 struct MeshFileOptions {
-  /// Colours of the faces where the format has colours. The owners themselves (file, line, tool) are
-  /// written where the format has room for them, whatever this says.
+  /// Colours of the faces where the format has colours. The owners themselves (file, line, tool)
+  /// are written where the format has room for them, whatever this says.
   ColorBy color = ColorBy::none;
   /// Text instead of binary where a format has both (STL).
   bool ascii = false;

@@ -102,7 +102,7 @@ int run_trace(const Arguments& arguments) {
   options.require_tools = false;
   trace(arguments.input, options, arguments.json, sink);
   if (!findings.failed() && !arguments.outputs.empty())
-    draw_path(interpret(arguments.input, options), arguments.outputs[0]);
+    write_path_picture(interpret(arguments.input, options), arguments.outputs[0]);
   return finish_output(findings.failed() ? kFailed : kDone);
 }
 

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "interp/arc.h"
 #include "interp/contour.h"
-#include "interp/plane_piece.h"
+#include "interp/offset_contour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,71 +12,7 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-constexpr double kTouch = 1e-6;        // mm
-constexpr double kStraight = 1e-9;     // |t1 x t2| of a tangent transition
 constexpr std::size_t kLookAhead = 5;  // compensated moves seen at once
-
-double signed_radius(const PathMove& m) { return m.comp.side * m.comp.radius; }
-
-PlanePiece moved(const PathMove& m) {
-  return offset_piece(to_plane(m.motion, m.basis), signed_radius(m));
-}
-
-bool is_void(const PlanePiece& offset) { return offset.arc && offset.radius <= kTouch; }
-
-bool takes_part(const PathMove& m) {
-  return m.comp.side != 0 && !m.comp.suspended && !is_infeed(m) && !is_tilted(m);
-}
-
-double height(const PathMove& m, const Vec3& p) { return dot(p, m.basis.w); }
-
-bool collinear(const PlanePiece& a, const PlanePiece& b) {
-  const Vec2 t = start_tangent(a), u = start_tangent(b);
-  return std::abs(cross(t, u)) < kStraight && dot(t, u) > 0 &&
-         std::abs(cross(t, b.start - a.end)) < kTouch;
-}
-
-// Inside: where two moved elements meet, nearest to the corner. `from` is where the first begins.
-bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, Vec2& out) {
-  if (!a.arc && !b.arc && collinear(a, b)) {
-    out = a.end;
-    return progress(b, a.end, b.end) > kTouch;
-  }
-  std::array<Vec2, 2> hits;
-  const int n = intersect(a, b, hits);
-  double best = 1e300;
-  for (int i = 0; i < n; ++i) {
-    const Vec2 p = hits[static_cast<std::size_t>(i)];
-    const double scale = a.arc ? a.radius : 1, scale_b = b.arc ? b.radius : 1;
-    const double ahead = a.arc ? position_on(a, p) : progress(a, from, p);
-    const bool on_a =
-        a.arc ? (ahead <= extent(a) + kTouch / scale || ahead >= kTwoPi - kTouch / scale)
-              : ahead >= -kTouch && progress(a, p, a.end) >= -kTouch;
-    const double on = position_on(b, p);
-    const bool on_b = (on >= -kTouch / scale_b && on <= extent(b) + kTouch / scale_b) ||
-                      (b.arc && on >= kTwoPi - kTouch / scale_b);
-    const double far = length(p - corner);
-    if (!on_a || !on_b || far >= best) continue;
-    best = far;
-    out = p;
-  }
-  return best < 1e300;
-}
-
-enum class Corner { smooth, inside, outside };
-
-Corner corner_kind(const PathMove& a, const PathMove& b) {
-  const Vec2 t1 = end_tangent(to_plane(a.motion, a.basis)),
-             t2 = start_tangent(to_plane(b.motion, b.basis));
-  const double c = cross(t1, t2);
-  if (std::abs(c) < kStraight && dot(t1, t2) > 0) return Corner::smooth;
-  if (std::abs(c) < kStraight) return Corner::outside;  // straight back
-  return a.comp.side * c > 0 ? Corner::inside : Corner::outside;
-}
-
-}  // namespace
 
 void CompensationStage::push(const PathMove& move) {
   if (queue_.empty() && !active_ && move.comp.side == 0) {
@@ -339,7 +275,7 @@ void CompensationStage::choose_end(const PlanePiece& piece, Vec2& end, bool& cor
     return;
   }
   if (kind == Corner::smooth) return;
-  if (meet_inside(piece, 1, end, round)) return;
+  if (meet_inside(piece, 1, end, round) || nearly_tangent(first, queue_[j])) return;
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
                                first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),

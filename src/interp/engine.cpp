@@ -17,10 +17,9 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       leader_lines_(leader_lines),
       parser_(program.dialect, reporter_),
       subprograms_(program.files.front(), options.search_path, program.dialect),
+      codes_(code_table(program.dialect, program.machine)),
       corners_(reporter_, [this](const PathMove& m) { compensation_.push(m); }),
       compensation_(reporter_, [this](const PathMove& m) { output(m.motion); }) {
-  for (int g = 0; g < 1000; ++g)
-    codes_[static_cast<std::size_t>(g)] = find_g_code(dialect_, program.machine, g * 10);
   modal_ = start_modal(dialect_, program.machine);
   if (options.start) {
     position_.physical = *options.start;
@@ -94,6 +93,9 @@ void Engine::run() {
   }
   corners_.flush();
   compensation_.flush();
+  if (pending_angle_.active)
+    reporter_.add_at(Severity::error, "angle-incomplete",
+                     "the program ends after a block that gives only ANG=", pending_angle_.motion);
   if (cuts_ == 0 && reporter_.errors() == 0)
     reporter_.add_general(Severity::error, "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");

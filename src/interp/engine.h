@@ -3,17 +3,14 @@
 #pragma once
 
 #include "interp/arc.h"
-#include "interp/contour.h"
+#include "interp/engine_types.h"
 #include "interp/parser.h"
-#include "interp/source.h"
 #include "interp/start_modes.h"
-#include "interp/state.h"
 #include "interp/subprogram.h"
 #include "interp/tool_comment.h"
 
 #include <array>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,57 +23,6 @@ class Engine {
   void run();
 
  private:
-  /// A program being read: the main one, or a subprogram under way.
-  struct Activation {
-    std::unique_ptr<LineSource> source;
-    std::string_view line;
-    std::size_t position = 0;
-    bool has_line = false;
-    bool started = false;  ///< a block was executed
-    int file = 0;
-    int call = -1;
-    int repeats = 0;  ///< further runs after this one
-    std::uint64_t begin = 0;
-    int begin_line = 0;
-    std::string name;
-  };
-  /// Word of a block by address; epochs make clearing free.
-  struct Slot {
-    std::uint32_t epoch = 0;
-    std::uint16_t index = 0;
-    bool used = false;
-  };
-  /// Where a move goes, in the frame in force.
-  struct Target {
-    Vec3 programmed;
-    unsigned named = 0;     ///< axes with a word
-    unsigned absolute = 0;  ///< ... of which absolute
-    const Word* first = nullptr;
-  };
-  struct PendingAngle {
-    bool active = false;
-    double angle = 0;
-    Motion motion;
-    CornerSpec corner;
-  };
-  struct PendingTool {
-    bool active = false;
-    std::string id;
-    Motion at;  ///< only its place counts
-  };
-
-  /// A circular block while it is being worked out.
-  struct ArcBlock {
-    Target to;
-    Vec3 from;
-    Frame frame;
-    Basis basis;  ///< of the plane, in the frame in force
-    bool ccw = false;
-    Vec2 start, end;
-    const Word* where = nullptr;
-    bool closing = false;  ///< a line of a hair's breadth closes to the programmed end
-  };
-
   // engine.cpp: blocks
   bool read_block();
   void execute();
@@ -106,12 +52,12 @@ class Engine {
 
   // engine_modal.cpp: values that last, M words
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
-  bool apply_lasting_code(const Word& word, const CodeEntry& entry);
+  bool apply_mode(Code code, const Word& word);
+  bool apply_comp_code(Code code, const Word& word);
+  bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);
   bool select_normal(const Word& word);
   bool apply_values();
-  bool apply_sinumerik_values();
-  bool apply_rotary_words();
   bool apply_feed();
   bool apply_speed();
   bool apply_edge();
@@ -138,10 +84,10 @@ class Engine {
 
   // engine_frames.cpp
   bool run_frame();
+  bool frame_in_range();
   bool frame_arguments(Vec3& values, unsigned& named, bool lengths);
   bool rotation_arguments(Frame& frame);
   bool sinumerik_frame(Vec3 values, unsigned named);
-  void sinumerik_shift(const Vec3& values, unsigned named);
   bool fanuc_frame(const Word& word);
   bool fanuc_scaling(const Word& word, const Vec3& center);
   void set_mirror();
@@ -155,9 +101,7 @@ class Engine {
   // engine_axes.cpp
   bool target(Target& out, const Vec3& from);
   bool axis_word(Target& out, int axis, const Word& word, bool incremental_word);
-  bool check_lathe_y(const Word& word);
   bool polar_target(Target& out);
-  bool polar_words(const Word* ap, const Word* rp, const Basis& b, const Word& where);
   bool fanuc_polar_target(Target& out, const Vec3& from);
   bool angle_target(Target& out, const Vec3& from);
   double axis_value(int axis, const Word& word, bool incremental) const;
@@ -185,12 +129,9 @@ class Engine {
 
   // engine_arc.cpp, engine_arc_space.cpp
   bool arc_move(const Vec3& from, const Frame& frame);
-  bool choose_form(ArcBlock& arc, bool polar);
   bool arc_to_line(const char* code, const std::string& text, const ArcBlock& arc);
-  bool run_line(const ArcBlock& arc);
   bool center_words(const ArcBlock& arc, Vec2& center, bool& given);
   bool radius_arc(ArcBlock& arc, const Word& word);
-  bool radius_without_chord(ArcBlock& arc, const Word& word, double radius);
   bool near_half_circle(const PlaneArc& arc, const Word& word);
   bool center_arc(ArcBlock& arc, Vec2 center);
   void hint_sign(const ArcBlock& arc, Vec2 center);
@@ -201,7 +142,6 @@ class Engine {
   bool codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center);
   bool add_turns(PlaneArc& arc);
   bool finish_arc(PlaneArc solved, ArcBlock& arc);
-  bool check_scale(const Vec3& u, const Vec3& v, const Word& where);
   bool via_point(const ArcBlock& arc, Vec3& via);
   bool three_point_arc(ArcBlock& arc);
   bool emit_spatial_arc(ArcBlock& arc, const SpatialArc& solved, double sweep);
@@ -224,7 +164,7 @@ class Engine {
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
   void end_activation();
-  void stop() { stack_.clear(); }
+  void stop();
   int call_site(int line);
 
   const InterpOptions& options_;
@@ -235,7 +175,7 @@ class Engine {
   int leader_lines_;
   Parser parser_;
   SubprogramIndex subprograms_;
-  std::array<CodeEntry, 1000> codes_;
+  const CodeTable& codes_;
 
   std::vector<Activation> stack_;
   Block block_;
@@ -273,6 +213,7 @@ class Engine {
   Motion current_tool_place_;  ///< of its T word
   int tool_index_ = -1;        ///< into Program::tools, -1 = not used yet
   bool tool_chosen_ = false;
+  bool direct_change_ = false;  ///< a mill without M6: T changes at once
   bool tool_failed_ = false;
   std::map<std::string, ToolHint> hints_;
   ToolHint loose_hint_;  ///< of the comment before this block

@@ -52,7 +52,7 @@ bool Engine::has_move() const {
       find(Address::k1) || find(Address::turn))
     return true;
   if (peek('I') || peek('J') || peek('K')) return true;
-  if (is(Dialect::codesys) && peek('T')) return true;
+  if (is(Dialect::codesys) && peek('T') && !slots_['T'].used) return true;
   return peek('R') != nullptr;
 }
 
@@ -171,14 +171,15 @@ bool Engine::fanuc_polar_target(Target& out, const Vec3& from) {
   if (!radius && !angle) return true;
   const Word& where = radius ? *radius : *angle;
   Vec2 pole;
-  if (modal_.incremental) pole = in_plane(b, from);
+  if (modal_.incremental && radius) pole = in_plane(b, from);
   if (angle)
     position_.polar_angle = angle->value + (modal_.incremental ? last_polar_angle(b) : 0);
   else if (!position_.has_polar_angle)
     position_.polar_angle = last_polar_angle(b);
   position_.has_polar_angle = true;
-  double r = radius ? radius->value * length_unit(*radius) : length(in_plane(b, from) - pole);
-  if (!radius && modal_.incremental) r = position_.polar_radius;
+  double r = position_.has_polar_radius ? position_.polar_radius : length(in_plane(b, from));
+  if (radius) r = radius->value * length_unit(*radius);
+  position_.has_polar_radius = true;
   position_.polar_radius = r;
   const SinCos sc = sincos_deg(position_.polar_angle);
   out.programmed = from_plane(b, pole + r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));

@@ -172,7 +172,13 @@ void Engine::end_activation() {
     top.has_line = top.started = false;
     return;
   }
+  reporter_.forget_text();
   stack_.pop_back();
+}
+
+void Engine::stop() {
+  reporter_.forget_text();
+  stack_.clear();
 }
 
 }  // namespace mrsim

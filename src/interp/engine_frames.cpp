@@ -123,6 +123,13 @@ bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
   return true;
 }
 
+// Scales that compound beyond all measure would end in positions that are no numbers.
+bool Engine::frame_in_range() {
+  const double d = std::abs(determinant(frames_.total));
+  if (d >= 1e-9 && d <= 1e9 && length(frames_.total.shift) <= 1e10) return true;
+  return error("value-range", "the frame scales or shifts beyond all measure", *frame_code_);
+}
+
 bool Engine::run_frame() {
   if (frame_op_ == Code::pole_position || frame_op_ == Code::pole_zero ||
       frame_op_ == Code::pole_pole)
@@ -132,8 +139,8 @@ bool Engine::run_frame() {
     return true;
   }
   save_frames();
-  if (is(Dialect::codesys)) return codesys_frame();
-  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_);
+  if (is(Dialect::codesys)) return codesys_frame() && frame_in_range();
+  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_) && frame_in_range();
   if (motion_code_)
     return error("frame-own-block", "a frame word needs a block of its own", *frame_code_);
   const bool lengths = frame_op_ == Code::trans || frame_op_ == Code::atrans ||
@@ -155,7 +162,7 @@ bool Engine::run_frame() {
     return false;
   }
   rebuild_frame();
-  return true;
+  return frame_in_range();
 }
 
 // G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
@@ -175,18 +182,9 @@ bool Engine::fanuc_frame(const Word& word) {
     case Code::rotation_off:
       frames_.rotation = Frame{};
       break;
-    case Code::scaling_on: {
-      Vec3 factors{1, 1, 1};
-      // Without a decimal point a factor counts thousandths.
-      const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
-      if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
-      for (int i = 0; i < 3; ++i)
-        if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
-      if (factors.x == 0 || factors.y == 0 || factors.z == 0)
-        return error("value-range", "a scale factor must not be 0", word);
-      frames_.scaling = about(scale_frame(factors), values);
+    case Code::scaling_on:
+      if (!fanuc_scaling(word, values)) return false;
       break;
-    }
     case Code::scaling_off:
       frames_.scaling = Frame{};
       break;
@@ -208,6 +206,19 @@ bool Engine::fanuc_frame(const Word& word) {
       break;
   }
   rebuild_frame();
+  return true;
+}
+
+// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths.
+bool Engine::fanuc_scaling(const Word& word, const Vec3& center) {
+  Vec3 factors{1, 1, 1};
+  const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
+  if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
+  for (int i = 0; i < 3; ++i)
+    if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
+  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+    return error("value-range", "a scale factor must not be 0", word);
+  frames_.scaling = about(scale_frame(factors), center);
   return true;
 }
 

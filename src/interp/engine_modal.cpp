@@ -20,7 +20,7 @@ constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9, 
 }  // namespace
 
 bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
-  Modal& m = modal_;
+  if (apply_mode(entry.code, word) || apply_comp_code(entry.code, word)) return true;
   switch (entry.code) {
     case Code::plane_xy:
     case Code::plane_2d:
@@ -33,104 +33,11 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
       return select_normal(word);
     case Code::absolute:
     case Code::incremental:
-      if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
-        return error("not-supported",
-                     fmt::format("G{:g} with axes is a turning cycle of code system A, which is "
-                                 "not supported yet",
-                                 word.value),
-                     word);
-      m.incremental = entry.code == Code::incremental;
-      return true;
-    case Code::inch:
-      m.inch = true;
-      return true;
-    case Code::metric:
-      m.inch = false;
-      return true;
-    case Code::inch_feed:
-      m.inch = m.inch_feed = true;
-      return true;
-    case Code::metric_feed:
-      m.inch = m.inch_feed = false;
-      return true;
-    case Code::inverse_time:
-    case Code::per_minute:
-    case Code::per_revolution:
-      m.feed_unit = entry.code == Code::inverse_time ? FeedUnit::inverse_time
-                    : entry.code == Code::per_minute ? FeedUnit::mm_per_min
-                                                     : FeedUnit::mm_per_rev;
-      if (is(Dialect::sinumerik)) m.surface_speed = false;
-      return true;
-    case Code::surface_speed:
-      m.surface_speed = true;
-      if (is(Dialect::sinumerik)) m.feed_unit = FeedUnit::mm_per_rev;
-      return true;
-    case Code::surface_speed_off:
-      m.surface_speed = false;
-      return true;
-    case Code::comp_off:
-    case Code::comp_left:
-    case Code::comp_right:
-      comp_selected_ = entry.code != m.comp;
-      m.comp = entry.code;
-      comp_word_ = word;
-      return true;
-    case Code::comp_suspend:
-      m.comp_suspended = true;
-      return true;
-    case Code::comp_resume:
-      m.comp_suspended = false;
-      return true;
-    case Code::corner_arc:
-    case Code::corner_intersection:
-      m.corner = entry.code;
-      return true;
-    case Code::approach_normal:
-    case Code::approach_contour:
-      m.approach = entry.code;
-      return true;
-    case Code::length_plus:
-    case Code::length_minus:
-    case Code::length_off:
-      m.length = entry.code;
-      length_changed_ = true;
-      return true;
-    case Code::center_absolute:
-      m.center_absolute = true;
-      return true;
-    case Code::center_relative:
-      m.center_absolute = false;
-      return true;
-    case Code::polar_on:
-      m.polar = true;
-      return true;
-    case Code::polar_off:
-      m.polar = false;
-      return true;
-    case Code::diameter_on:
-    case Code::diameter_off:
-    case Code::diameter_absolute:
-      m.diameter = entry.code;
-      return true;
-    case Code::diameter_cycles_off:
-      return true;
-    case Code::path_smoothing:
-      if (word.value > 50)
-        warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
-      if (word.value > 50) take('D');
-      return true;
-    case Code::suppress_frames:
-      suppress_ = true;
-      return true;
+      return select_distance(entry.code, word);
     case Code::work_off:
     case Code::work_offset:
     case Code::work_extended:
       return select_work(entry, word);
-    case Code::program_return:
-      return_after_ = true;
-      return true;
-    case Code::header:
-      return true;
     case Code::tap_floating:
       motion_code_ = &word;
       block_motion_ = entry.code;
@@ -151,6 +58,84 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
       frame_op_ = entry.code;
       return true;
   }
+}
+
+// Units, feeds and other modes that cannot fail. False: not one of them.
+bool Engine::apply_mode(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::inch || code == Code::metric) {
+    m.inch = code == Code::inch;
+  } else if (code == Code::inch_feed || code == Code::metric_feed) {
+    m.inch = m.inch_feed = code == Code::inch_feed;
+  } else if (code == Code::inverse_time || code == Code::per_minute ||
+             code == Code::per_revolution) {
+    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
+                  : code == Code::per_minute ? FeedUnit::mm_per_min
+                                             : FeedUnit::mm_per_rev;
+    if (is(Dialect::sinumerik)) m.surface_speed = false;
+  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
+    m.surface_speed = code == Code::surface_speed;
+    if (m.surface_speed && is(Dialect::sinumerik)) m.feed_unit = FeedUnit::mm_per_rev;
+  } else if (code == Code::center_absolute || code == Code::center_relative) {
+    m.center_absolute = code == Code::center_absolute;
+  } else if (code == Code::polar_on || code == Code::polar_off) {
+    m.polar = code == Code::polar_on;
+  } else if (code == Code::diameter_on || code == Code::diameter_off ||
+             code == Code::diameter_absolute) {
+    m.diameter = code;
+  } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off) {
+    m.length = code;
+    length_changed_ = true;
+  } else if (code == Code::path_smoothing) {
+    if (word.value > 50)
+      warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
+    if (word.value > 50) take('D');
+  } else if (code == Code::suppress_frames) {
+    suppress_ = true;
+    if (options_.table.work.empty())
+      note_once("machine-coordinates",
+                "no machine zero is known: machine coordinates are read as those of the stock",
+                word, "g53");
+  } else if (code == Code::program_return) {
+    return_after_ = true;
+  } else if (code != Code::header && code != Code::diameter_cycles_off) {
+    return false;
+  }
+  return true;
+}
+
+// Words about radius compensation. False: not one of them.
+bool Engine::apply_comp_code(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::comp_off || code == Code::comp_left || code == Code::comp_right) {
+    comp_selected_ = code != m.comp;
+    m.comp = code;
+    comp_word_ = word;
+  } else if (code == Code::comp_suspend || code == Code::comp_resume) {
+    m.comp_suspended = code == Code::comp_suspend;
+  } else if (code == Code::corner_arc || code == Code::corner_intersection) {
+    m.corner = code;
+  } else if (code == Code::approach_normal || code == Code::approach_contour) {
+    m.approach = code;
+    if (code == Code::approach_contour)
+      reporter_.once(Severity::warning, "comp-approach",
+                     "KONT is read as NORM: straight to the point square to the contour", word,
+                     "kont");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Engine::select_distance(Code code, const Word& word) {
+  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
+    return error("not-supported",
+                 fmt::format("G{:g} with axes is a turning cycle of code system A, which is not "
+                             "supported yet",
+                             word.value),
+                 word);
+  modal_.incremental = code == Code::incremental;
+  return true;
 }
 
 bool Engine::select_plane(int plane, const Word& word) {
@@ -196,6 +181,14 @@ bool Engine::apply_values() {
   if (!apply_feed() || !apply_tool() || !apply_length()) return false;
   if (!is(Dialect::sinumerik)) return true;
   take('H');
+  const bool machine_axes =
+      oneshot_ && (oneshot_code_ == Code::reference_approach || oneshot_code_ == Code::fixed_point);
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
+      return error("not-supported",
+                   "a machine axis is named, which is supported only in G74 and G75", word);
+  }
   if (const Word* word = take(Address::rndm)) {
     if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
     modal_.rndm = word->value * scale();
@@ -292,8 +285,6 @@ bool Engine::apply_codesys_values() {
       if (++count > 1) return error("address-twice", "E is given twice with the same sign", word);
     }
   }
-  const bool arc = modal_.motion == Code::arc_cw || modal_.motion == Code::arc_ccw;
-  (void)arc;
   const Word* d = take('D');
   if (d) {
     if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);

@@ -47,7 +47,7 @@ void Engine::read_comments() {
 
 bool Engine::apply_tool() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
-      (peek('I') || peek('J') || peek('K')))
+      (peek('I') || peek('J') || peek('K') || motion_code_))
     return true;  // the opening angle
   if (const Word* word = take('T')) {
     if (!word->string &&
@@ -61,7 +61,8 @@ bool Engine::apply_tool() {
     pending_tool_.at.column = word->column + 1;
     pending_tool_.at.call = top.call;
     if (has_loose_hint_ && !hints_.count(pending_tool_.id)) hints_[pending_tool_.id] = loose_hint_;
-    if (lathe() || is(Dialect::codesys)) tool_change_ = true;
+    if (tool_change_) direct_change_ = false;  // M6
+    if (lathe() || is(Dialect::codesys) || direct_change_) tool_change_ = true;
   }
   if (tool_change_ && pending_tool_.active) change_tool();
   return true;
@@ -131,6 +132,7 @@ void Engine::require_tool(const Word& where, bool cuts) {
         fmt::format("T{} is used without M6: it is taken to be in the spindle", pending_tool_.id),
         pending_tool_.at, "m6");
     change_tool();
+    direct_change_ = true;  // and so are those after it, until an M6 comes
   }
   for (std::size_t i = 0; i < program_.tools.size(); ++i)
     if (program_.tools[i].id == current_tool_) {
@@ -165,6 +167,11 @@ void Engine::tool_missing(const Word& where) {
                   where.column, where.length);
     return;
   }
+  Tool unknown;  // so that traces can name it; the error stops everything else
+  unknown.id = current_tool_;
+  unknown.origin = "no data";
+  program_.tools.push_back(unknown);
+  tool_index_ = static_cast<int>(program_.tools.size()) - 1;
   const auto hint = hints_.find(current_tool_);
   const std::string known =
       hint == hints_.end() ? std::string("there are no data for it")

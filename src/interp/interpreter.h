@@ -13,8 +13,8 @@ namespace mrsim {
 class MotionSink {
  public:
   virtual ~MotionSink() = default;
-  /// Called once before all others. `program` stays valid while interpret runs; its files, calls and
-  /// tools grow before the motions that name them come.
+  /// Called once before all others. `program` stays valid while interpret runs; its files, calls
+  /// and tools grow before the motions that name them come.
   virtual void begin(const Program& program) { (void)program; }
   virtual void motion(const Motion& motion) = 0;
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;

@@ -156,6 +156,8 @@ constexpr Row kIso[] = {
     {50, C::ignored, G::path},
     {70, C::ignored, G::path},
     {90, C::ignored, G::exact},
+    {200, C::inch_feed, G::units},
+    {210, C::metric_feed, G::units},
     {280, C::reference, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {330, C::thread, G::motion},
@@ -195,139 +197,6 @@ constexpr Row kCodesys[] = {
     {750, C::ignored, G::oneshot},        {920, C::position_jump, G::oneshot},
     {980, C::center_absolute, G::center}, {990, C::center_relative, G::center},
 };
-
-struct NamedRow {
-  std::string_view name;
-  Code code;
-  Group group;
-};
-
-constexpr NamedRow kFunctions[] = {
-    {"CIP", C::arc_point, G::motion},
-    {"CT", C::arc_tangent, G::motion},
-    {"TRANS", C::trans, G::frame},
-    {"ATRANS", C::atrans, G::frame},
-    {"ROT", C::rot, G::frame},
-    {"AROT", C::arot, G::frame},
-    {"SCALE", C::scale, G::frame},
-    {"ASCALE", C::ascale, G::frame},
-    {"MIRROR", C::mirror, G::frame},
-    {"AMIRROR", C::amirror, G::frame},
-    {"SUPA", C::suppress_frames, G::suppress},
-    {"DIAMON", C::diameter_on, G::diameter},
-    {"DIAMOF", C::diameter_off, G::diameter},
-    {"DIAM90", C::diameter_absolute, G::diameter},
-    {"DIAMCYCOF", C::diameter_cycles_off, G::diameter},
-    {"NORM", C::approach_normal, G::approach},
-    {"KONT", C::approach_contour, G::approach},
-    {"KONTC", C::approach_normal, G::approach},
-    {"KONTT", C::approach_normal, G::approach},
-    {"CUTCONON", C::comp_suspend, G::suspend},
-    {"CUTCONOF", C::comp_resume, G::suspend},
-    {"RET", C::program_return, G::none},
-    {"PROC", C::header, G::none},
-    {"BRISK", C::ignored, G::other},
-    {"SOFT", C::ignored, G::other},
-    {"DRIVE", C::ignored, G::other},
-    {"FFWON", C::ignored, G::other},
-    {"FFWOF", C::ignored, G::other},
-    {"CFC", C::ignored, G::other},
-    {"CFTCP", C::ignored, G::other},
-    {"CFIN", C::ignored, G::other},
-    {"CDON", C::ignored, G::other},
-    {"CDOF", C::ignored, G::other},
-    {"CDOF2", C::ignored, G::other},
-    {"COMPOF", C::ignored, G::other},
-    {"COMPON", C::ignored, G::other},
-    {"COMPCURV", C::ignored, G::other},
-    {"COMPCAD", C::ignored, G::other},
-    {"CUT2D", C::ignored, G::other},
-    {"CUT2DF", C::ignored, G::other},
-    {"DIACYCOFA", C::ignored, G::other},
-    {"TRAFOOF", C::ignored, G::other},
-    {"STOPRE", C::ignored, G::other},
-    {"SPCON", C::ignored, G::other},
-    {"SPCOF", C::ignored, G::other},
-    {"FIFOCTRL", C::ignored, G::other},
-    {"STARTFIFO", C::ignored, G::other},
-    {"STOPFIFO", C::ignored, G::other},
-    {"SAVE", C::ignored, G::other},
-    {"SBLOF", C::ignored, G::other},
-    {"SBLON", C::ignored, G::other},
-    {"DISPLOF", C::ignored, G::other},
-    {"DISPLON", C::ignored, G::other},
-    {"UPATH", C::ignored, G::other},
-    {"SPATH", C::ignored, G::other},
-    {"FNORM", C::ignored, G::other},
-    {"FLIN", C::ignored, G::other},
-    {"RTLION", C::ignored, G::other},
-    {"RTLIOF", C::ignored, G::other},
-    {"ASPLINE", C::unsupported, G::motion},
-    {"BSPLINE", C::unsupported, G::motion},
-    {"CSPLINE", C::unsupported, G::motion},
-    {"POLY", C::unsupported, G::motion},
-    {"INVCW", C::unsupported, G::motion},
-    {"INVCCW", C::unsupported, G::motion},
-    {"ROTS", C::unsupported, G::frame},
-    {"AROTS", C::unsupported, G::frame},
-    {"CROTS", C::unsupported, G::frame},
-    {"TOROT", C::unsupported, G::frame},
-    {"TOFRAME", C::unsupported, G::frame},
-    {"CUT3DC", C::unsupported, G::other},
-    {"CUT3DF", C::unsupported, G::other},
-    {"TRAORI", C::unsupported, G::other},
-    {"TRANSMIT", C::unsupported, G::other},
-    {"TRACYL", C::unsupported, G::other},
-    {"REPOSL", C::unsupported, G::motion},
-};
-
-struct UnsupportedName {
-  std::string_view prefix;
-  bool whole;  // the name itself; else the name and a number
-  std::string_view what;
-};
-
-constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
-                                            {"ELSE", true, "a condition"},
-                                            {"ENDIF", true, "a condition"},
-                                            {"THEN", true, "a condition"},
-                                            {"CASE", true, "a condition"},
-                                            {"GOTO", true, "a jump"},
-                                            {"GOTOF", true, "a jump"},
-                                            {"GOTOB", true, "a jump"},
-                                            {"GOTOC", true, "a jump"},
-                                            {"GOTOS", true, "a jump"},
-                                            {"REPEATB", true, "a loop"},
-                                            {"WHILE", true, "a loop"},
-                                            {"ENDWHILE", true, "a loop"},
-                                            {"FOR", true, "a loop"},
-                                            {"ENDFOR", true, "a loop"},
-                                            {"TO", true, "a loop"},
-                                            {"DO", true, "a loop"},
-                                            {"END", true, "a loop"},
-                                            {"REPEAT", true, "a loop"},
-                                            {"UNTIL", true, "a loop"},
-                                            {"LOOP", true, "a loop"},
-                                            {"ENDLOOP", true, "a loop"},
-                                            {"DEF", true, "a variable"},
-                                            {"REDEF", true, "a variable"},
-                                            {"EXTERN", true, "a declaration"},
-                                            {"SETVN", true, "a variable"},
-                                            {"MCALL", true, "a modal call"},
-                                            {"CYCLE", false, "a canned cycle"},
-                                            {"HOLES", false, "a canned cycle"},
-                                            {"POCKET", false, "a canned cycle"},
-                                            {"SLOT", false, "a canned cycle"},
-                                            {"LONGHOLE", false, "a canned cycle"},
-                                            {"WHEN", true, "a synchronised action"},
-                                            {"EVERY", true, "a synchronised action"},
-                                            {"ID", true, "a synchronised action"},
-                                            {"IDS", true, "a synchronised action"},
-                                            {"CALLPATH", true, "a search path"},
-                                            {"POPEN", true, "an output command"},
-                                            {"DPRNT", true, "an output command"},
-                                            {"PCALL", true, "a call by path"},
-                                            {"ISOCALL", true, "a call in ISO mode"}};
 
 const Row* find_row(std::span<const Row> rows, int number) {
   const auto at =
@@ -372,21 +241,16 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
   return find_range(dialect, number_by_10);
 }
 
-CodeEntry find_function(std::string_view name) {
-  for (const NamedRow& row : kFunctions)
-    if (row.name == name) return {row.code, row.group, 0};
-  return {};
-}
-
-std::string_view unsupported_name(std::string_view name) {
-  for (const UnsupportedName& entry : kUnsupported) {
-    if (entry.whole && name == entry.prefix) return entry.what;
-    if (entry.whole || !name.starts_with(entry.prefix) || name.size() == entry.prefix.size())
-      continue;
-    if (name.find_first_not_of("0123456789", entry.prefix.size()) == std::string_view::npos)
-      return entry.what;
-  }
-  return {};
+const CodeTable& code_table(Dialect dialect, MachineKind machine) {
+  static const auto kTables = [] {
+    std::array<CodeTable, 10> tables;
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      for (int g = 0; g < 1000; ++g)
+        tables[t][static_cast<std::size_t>(g)] = find_g_code(
+            static_cast<Dialect>(t / 2), t % 2 ? MachineKind::lathe : MachineKind::mill, 10 * g);
+    return tables;
+  }();
+  return kTables[2 * static_cast<std::size_t>(dialect) + (machine == MachineKind::lathe ? 1 : 0)];
 }
 
 }  // namespace mrsim

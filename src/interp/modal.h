@@ -4,6 +4,7 @@
 
 #include <mrsim/types.h>
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -143,6 +144,10 @@ struct CodeEntry {
 
 /// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
 CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
+
+/// find_g_code for G0 to G999, made once per dialect and machine.
+using CodeTable = std::array<CodeEntry, 1000>;
+const CodeTable& code_table(Dialect dialect, MachineKind machine);
 
 /// The meaning of a name ("TRANS", "CIP"), upper case; SINUMERIK only.
 CodeEntry find_function(std::string_view name);

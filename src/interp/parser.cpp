@@ -84,36 +84,43 @@ Parser::Step Parser::step(Block& block) {
   }
   if (blank(c)) {
     ++p_;
+  } else if (c == ';' && dialect_ == Dialect::fanuc) {
+    ++p_;
+    return Step::end_of_block;
   } else if (c == ';') {
-    if (dialect_ == Dialect::fanuc) {
-      ++p_;
-      return Step::end_of_block;
-    }
     read_comment(block, '\0');
   } else if (c == '(' && dialect_ != Dialect::sinumerik) {
     read_comment(block, ')');
-  } else if (c == '%' && block.words.empty()) {
-    Word word;
-    word.address = Address::function;
-    word.code = Code::header;
-    word.text = line_.substr(p_);
-    const std::size_t from = p_;
-    p_ = line_.size();
-    push(block, word, from);
-  } else if (c == '/' && block.words.empty() && block.skip_level < 0) {
-    ++p_;
-    block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
   } else if (starts_number(c)) {
     bare_number(block);
-  } else if (c == ':' && is_digit(at(p_ + 1)) && block.words.empty()) {
-    const std::size_t from = p_++;
-    Word word;
-    word.address = letter('O');
-    if (number(block, word, false) && dialect_ != Dialect::sinumerik) push(block, word, from);
-  } else {
+  } else if (!block.words.empty() || !head_of_block(block)) {
     strange_character(block);
   }
   return Step::more;
+}
+
+// What stands only before the words: "%", "/2", ":1234".
+bool Parser::head_of_block(Block& block) {
+  const std::size_t from = p_;
+  const char c = line_[p_];
+  Word word;
+  if (c == '%') {
+    word.address = Address::function;
+    word.code = Code::header;
+    word.text = line_.substr(p_);
+    p_ = line_.size();
+    push(block, word, from);
+  } else if (c == '/' && block.skip_level < 0) {
+    ++p_;
+    block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
+  } else if (c == ':' && is_digit(at(p_ + 1))) {
+    ++p_;
+    word.address = letter('O');
+    if (number(block, word, false) && dialect_ != Dialect::sinumerik) push(block, word, from);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 void Parser::read_comment(Block& block, char close) {

@@ -23,6 +23,7 @@ class Parser {
   enum class Step { more, end_of_block };
 
   Step step(Block& block);
+  bool head_of_block(Block& block);
   void letter_word(Block& block);
   void sinumerik_word(Block& block);
   void sinumerik_name(Block& block);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,8 +20,11 @@ std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
 /// Points for each dialect, and the strongest sign of each.
 class Evidence {
  public:
+  /// Each sign counts once: a thousand comments say no more than one.
   void add(Dialect dialect, int points, std::string_view sign, int line) {
     Entry& e = entries_[slot(dialect)];
+    if (std::find(e.signs.begin(), e.signs.end(), sign) != e.signs.end()) return;
+    e.signs.emplace_back(sign);
     e.points += points;
     if (points <= e.strongest) return;
     e.strongest = points;
@@ -46,9 +50,22 @@ class Evidence {
   struct Entry {
     int points = 0, strongest = 0;
     std::string reason;
+    std::vector<std::string> signs;
   };
   std::array<Entry, 5> entries_;
 };
+
+/// "X2 Y5;": words of NC and nothing else, so that the ; before it ended a block.
+bool looks_like_block(std::string_view text) {
+  bool any = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ' || text[i] == ';' || text[i] == '\t') continue;
+    if (!is_letter(text[i]) || i + 1 >= text.size() || !starts_number(text[i + 1])) return false;
+    while (i + 1 < text.size() && starts_number(text[i + 1])) ++i;
+    any = true;
+  }
+  return any;
+}
 
 /// What one line says, comments taken out.
 struct LineScan {
@@ -71,6 +88,11 @@ void scan_line(std::string_view line, LineScan& out) {
       if (rest.find_first_not_of(" \t;") == std::string_view::npos) {
         out.ends_block = !out.code.empty();
         return;
+      }
+      if (looks_like_block(rest) && !out.code.empty()) {
+        out.ends_block = true;
+        out.code += ' ';
+        continue;
       }
       if (out.comment.empty()) out.comment = rest;
       out.comment_kind = ';';
@@ -154,7 +176,12 @@ void weigh_fanuc(const LineScan& s, std::string_view raw, int line, Evidence& e)
   for (const std::string_view g :
        {"G43", "G49", "G54.1", "G68", "G69", "G51.1", "G50.1", "G52", "G28"})
     if (has_word(c, g)) e.add(d, g == "G43" || g == "G28" || g == "G49" ? 3 : 6, g, line);
-  if (has_word(c, "G20") || has_word(c, "G21")) e.add(d, 3, "G20/G21", line);
+  if (has_word(c, "G20") || has_word(c, "G21")) {
+    e.add(d, 3, "G20/G21", line);
+    e.add(Dialect::iso, 3, "G20/G21", line);
+    e.add(Dialect::sinumerik, -6, "G20/G21", line);
+  }
+  if (s.comment_kind == ';') e.add(d, -6, "a comment after ;", line);
   if (has_word(c, "G16") && !has_axis(c, 'I') && !has_axis(c, 'J') && !has_axis(c, 'K'))
     e.add(d, 2, "G16 without a normal vector", line);
   if (c.find('#') != std::string::npos && c.find('=') != std::string::npos &&
@@ -320,7 +347,8 @@ void weigh_name(const std::string& path, Evidence& e) {
   if (dot == std::string::npos) return;
   const std::string extension = upper_case(path.substr(dot));
   if (extension == ".MPF" || extension == ".SPF")
-    e.add(Dialect::sinumerik, 12, "the file name ends in " + extension, 0);
+    e.add(Dialect::sinumerik, 12, fmt::format("the file name ends in {}", extension), 0);
+  if (extension == ".CNC") e.add(Dialect::codesys, 2, "the file name ends in .CNC", 0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "interp/reporter.h"
 
 #include "core/text_io.h"
+#include "interp/source.h"
 
 #include <algorithm>
 
@@ -12,6 +13,9 @@ namespace {
 // A line of a megabyte is no help on a terminal.
 constexpr std::size_t kLongestLine = 1000;
 constexpr std::size_t kMostRemembered = 65536;
+// Lines that were read long ago are looked up in the file, a few of them.
+constexpr int kMostLookups = 50;
+constexpr int kDeepestLookup = 200000;
 
 }  // namespace
 
@@ -46,6 +50,17 @@ void Reporter::add(Severity severity, const char* code, const std::string& text,
   emit(std::move(d), call_);
 }
 
+std::string Reporter::line_text(int file, int line) {
+  if (line == line_ && file == file_ && !text_.empty())
+    return to_utf8(text_.substr(0, kLongestLine));
+  if (line > kDeepestLookup || ++lookups_ > kMostLookups) return {};
+  LineSource source(program_.files[static_cast<std::size_t>(file)], std::size_t(1) << 16);
+  std::string_view text;
+  while (source.next(text))
+    if (source.line_number() == line) return to_utf8(text.substr(0, kLongestLine));
+  return {};
+}
+
 void Reporter::add_at(Severity severity, const char* code, const std::string& text,
                       const Motion& motion) {
   Diagnostic d;
@@ -53,8 +68,7 @@ void Reporter::add_at(Severity severity, const char* code, const std::string& te
   d.code = code;
   d.text = text;
   d.place = {program_.files[static_cast<std::size_t>(motion.file)], motion.line, motion.column};
-  if (motion.line == line_ && motion.file == file_)
-    d.source_line = to_utf8(text_.substr(0, kLongestLine));
+  d.source_line = line_text(motion.file, motion.line);
   emit(std::move(d), motion.call);
 }
 

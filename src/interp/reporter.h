@@ -22,6 +22,9 @@ class Reporter {
     text_ = text;
   }
 
+  /// The buffer of the line is gone.
+  void forget_text() { text_ = {}; }
+
   /// `column` is 0-based; `length` in bytes.
   void add(Severity severity, const char* code, const std::string& text, int column, int length);
   void add(Severity severity, const char* code, const std::string& text, const Word& word) {
@@ -42,12 +45,14 @@ class Reporter {
  private:
   void emit(Diagnostic diagnostic, int call);
   bool seen(const std::string& key);
+  std::string line_text(int file, int line);
 
   MotionSink& sink_;
   Program& program_;
   int file_ = 0, line_ = 0, call_ = -1;
   std::string_view text_;
   std::size_t errors_ = 0;
+  int lookups_ = 0;
   std::unordered_set<std::string> seen_;
 };
 

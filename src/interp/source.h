@@ -12,7 +12,7 @@ namespace mrsim {
 class LineSource {
  public:
   /// Throws Error "file-missing", "file-is-directory", "file-unreadable".
-  explicit LineSource(const std::string& path, std::size_t chunk = std::size_t(1) << 18);
+  explicit LineSource(const std::string& path, std::size_t chunk = std::size_t(1) << 17);
   LineSource(LineSource&& other) noexcept;
   LineSource& operator=(LineSource&&) = delete;
   ~LineSource();

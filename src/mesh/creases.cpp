@@ -10,6 +10,8 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+constexpr double kSliver = 1e-4;  // height of a sliver, of the part's diagonal
+constexpr int kSliverPasses = 16;
 constexpr float kUnset = 9;  // in place of a unit vector
 
 double angle_at(const TriMesh& mesh, std::uint32_t h) {
@@ -50,6 +52,47 @@ class Sectors {
   double cosine_;
 };
 
+double altitude(const TriMesh& mesh, std::size_t f, int& longest_side) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double side = distance(corner(mesh, f, k), corner(mesh, f, (k + 1) % 3));
+    if (side <= longest) continue;
+    longest = side;
+    longest_side = k;
+  }
+  return longest > 0 ? length(area_normal(mesh, f)) / longest : 0;
+}
+
+// The direction of a sliver is made of the rounding of its corners: it takes that of its neighbour
+// beyond its longest side, else it would be shaded, and its sides drawn, as an edge of the part.
+void straighten_slivers(const TriMesh& mesh, SurfaceShape& shape) {
+  Box3 box;
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  const double thin = kSliver * length(box.hi - box.lo);
+  std::vector<std::uint32_t> slivers, left;  // by their longest sides
+  std::vector<bool> is_open(mesh.triangles.size(), false);
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    int side = 0;
+    if (altitude(mesh, f, side) >= thin) continue;
+    slivers.push_back(3 * f + std::uint32_t(side));
+    is_open[f] = true;
+  }
+  for (int pass = 0; pass < kSliverPasses && !slivers.empty(); ++pass) {
+    left.clear();
+    std::vector<std::uint32_t> done;
+    for (const std::uint32_t h : slivers) {
+      const std::uint32_t o = shape.opposite[h];
+      const bool known = is_half_edge(o) && !is_open[o / 3];
+      (known ? done : left).push_back(h);
+      if (known) shape.face_normals[h / 3] = shape.face_normals[o / 3];
+    }
+    for (const std::uint32_t h : done) is_open[h / 3] = false;
+    if (done.empty()) return;
+    slivers.swap(left);
+  }
+}
+
 // A mean that leaves the face's own side would shade lies: then the face speaks for itself.
 void set_normals(const std::vector<std::uint32_t>& members, const Vec3& sum, SurfaceShape& shape) {
   const Vec3 mean = normalized(sum);
@@ -84,6 +127,7 @@ SurfaceShape find_surface_shape(const TriMesh& mesh, double degrees, int threads
   parallel_for(
       mesh.triangles.size(), threads,
       [&](std::size_t f) { shape.face_normals[f] = normalized(area_normal(mesh, f)); }, kGrain);
+  straighten_slivers(mesh, shape);
   shape.normals.assign(3 * mesh.triangles.size(), {kUnset, 0, 0});
   const Sectors sectors(mesh, shape, sincos_deg(degrees).cos);
   const VertexFans fans = half_edges_by_vertex(mesh);

@@ -85,7 +85,8 @@ void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptio
   const MeshFormat format = mesh_format_of(path);
   if (mesh.triangles.empty())
     throw Error("mesh-empty", fmt::format("{} is not written: nothing is left of the part", path));
-  write_file_atomically(path, [&](const ByteSink& out) { encode_mesh(mesh, format, options, out); });
+  write_file_atomically(path,
+                        [&](const ByteSink& out) { encode_mesh(mesh, format, options, out); });
 }
 
 }  // namespace mrsim

@@ -25,10 +25,20 @@ struct Seen {
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
+// Rows of the picture from `begin` to before `end`.
+struct Rows {
+  int begin = 0, end = 0;
+};
+
+// Pictures are drawn in bands, so that memory does not grow with their height. Light is smoothed
+// over up to 12 rows and borrowed over one: a band is worked out with so many more on both sides
+// that it is the same as in one piece.
+constexpr int kBandRows = 768, kMarginRows = 16;
+
 class RayImage {
  public:
-  RayImage(const RayImageInput& in, Picture& picture);
-  void draw();
+  RayImage(const RayImageInput& in, Rows held, Picture& picture);
+  void draw(Rows wanted);
 
  private:
   Surfel trace(Vec2 pixel) const;
@@ -41,11 +51,13 @@ class RayImage {
   Color color_of(const Surfel& s, const Seen& seen, Vec2 pixel) const;
   Color supersampled(int x, int y) const;
   Seen borrowed_light(const Surfel& s, int x, int y) const;
-  const Surfel& at(int x, int y) const { return surfels_[std::size_t(y) * width_ + x]; }
-  void each_pixel(const std::function<void(int, int)>& body) const;
+  std::size_t index(int x, int y) const { return std::size_t(y - rows_.begin) * width_ + x; }
+  const Surfel& at(int x, int y) const { return surfels_[index(x, y)]; }
+  void each_pixel(Rows rows, const std::function<void(int, int)>& body) const;
 
   const RayImageInput& in_;
   Picture& picture_;
+  Rows rows_;  // that are held
   int width_, height_;
   Studio studio_;
   Box3 box_;
@@ -57,9 +69,10 @@ class RayImage {
   Color top_ = to_linear({250, 251, 252}), bottom_ = to_linear({226, 230, 235});
 };
 
-RayImage::RayImage(const RayImageInput& in, Picture& picture)
+RayImage::RayImage(const RayImageInput& in, Rows held, Picture& picture)
     : in_(in),
       picture_(picture),
+      rows_(held),
       width_(picture.width()),
       height_(picture.height()),
       studio_(in.view) {
@@ -67,13 +80,13 @@ RayImage::RayImage(const RayImageInput& in, Picture& picture)
     for (const std::uint32_t v : t) extend(box_, to_vec(in.mesh.vertices[v]));
   size_ = std::max(length(box_.hi - box_.lo), 1e-3);
   offset_ = 4e-4 * size_;
-  surfels_.resize(std::size_t(width_) * std::size_t(height_));
+  surfels_.resize(std::size_t(width_) * std::size_t(held.end - held.begin));
   seen_.resize(surfels_.size());
 }
 
-void RayImage::each_pixel(const std::function<void(int, int)>& body) const {
-  parallel_for(std::size_t(height_), in_.options.threads, [&](std::size_t y) {
-    for (int x = 0; x < width_; ++x) body(x, int(y));
+void RayImage::each_pixel(Rows rows, const std::function<void(int, int)>& body) const {
+  parallel_for(std::size_t(rows.end - rows.begin), in_.options.threads, [&](std::size_t row) {
+    for (int x = 0; x < width_; ++x) body(x, rows.begin + int(row));
   });
 }
 
@@ -146,15 +159,15 @@ bool RayImage::same_surface(const Surfel& a, const Surfel& b) const {
 // Each of the 16 turns has weight one in the 5 x 5 window: the outer rows count half. Later passes
 // take the window wider.
 Seen RayImage::smoothed(const std::vector<Seen>& from, int x, int y, int stride) const {
-  const std::size_t middle = std::size_t(y) * width_ + x;
+  const std::size_t middle = index(x, y);
   const Surfel& surfel = surfels_[middle];
   if (surfel.kind == Kind::nothing) return {};
   float sky = 0, key = 0, sum = 0;
   for (int j = -2; j <= 2; ++j)
     for (int i = -2; i <= 2; ++i) {
       const int column = x + i * stride, row = y + j * stride;
-      if (column < 0 || row < 0 || column >= width_ || row >= height_) continue;
-      const std::size_t at = std::size_t(row) * width_ + column;
+      if (column < 0 || row < rows_.begin || column >= width_ || row >= rows_.end) continue;
+      const std::size_t at = index(column, row);
       if (from[at] == from[middle] ? surfels_[at].kind != surfel.kind
                                    : !same_surface(surfel, surfels_[at]))
         continue;
@@ -170,7 +183,7 @@ bool RayImage::is_border(int x, int y) const {
   const Surfel& s = at(x, y);
   const int next[4][2] = {{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}};
   for (const auto& [i, j] : next) {
-    if (i < 0 || j < 0 || i >= width_ || j >= height_) continue;
+    if (i < 0 || j < rows_.begin || i >= width_ || j >= rows_.end) continue;
     const Surfel& other = at(i, j);
     const bool both_behind = s.kind != Kind::part && other.kind != Kind::part;
     if (both_behind || (s.kind == other.kind && s.face == other.face)) continue;
@@ -197,7 +210,7 @@ Color RayImage::color_of(const Surfel& s, const Seen& seen, Vec2 pixel) const {
 Seen RayImage::borrowed_light(const Surfel& s, int x, int y) const {
   double least = 1e300;
   Seen best;
-  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j)
+  for (int j = std::max(y - 1, rows_.begin); j <= std::min(y + 1, rows_.end - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i) {
       const Surfel& other = at(i, j);
       if (other.kind != s.kind) continue;
@@ -206,7 +219,7 @@ Seen RayImage::borrowed_light(const Surfel& s, int x, int y) const {
                             (std::fabs(dot(s.normal, apart)) + 0.01 * length(apart)) / offset_;
       if (misfit >= least) continue;
       least = misfit;
-      best = seen_[std::size_t(j) * width_ + i];
+      best = seen_[index(i, j)];
     }
   return best;
 }
@@ -226,18 +239,17 @@ Color RayImage::supersampled(int x, int y) const {
   return {kShare * sum.r, kShare * sum.g, kShare * sum.b};
 }
 
-void RayImage::draw() {
-  const auto index = [&](int x, int y) { return std::size_t(y) * width_ + x; };
-  each_pixel([&](int x, int y) {
+void RayImage::draw(Rows wanted) {
+  each_pixel(rows_, [&](int x, int y) {
     Surfel& s = surfels_[index(x, y)];
     s = trace({x + 0.5, y + 0.5});
     seen_[index(x, y)] = light(s, x, y);
   });
   for (const int stride : {1, 2, 3}) {
     const std::vector<Seen> before = seen_;
-    each_pixel([&](int x, int y) { seen_[index(x, y)] = smoothed(before, x, y, stride); });
+    each_pixel(rows_, [&](int x, int y) { seen_[index(x, y)] = smoothed(before, x, y, stride); });
   }
-  each_pixel([&](int x, int y) {
+  each_pixel(wanted, [&](int x, int y) {
     picture_.at(x, y) = is_border(x, y)
                             ? supersampled(x, y)
                             : color_of(at(x, y), seen_[index(x, y)], {x + 0.5, y + 0.5});
@@ -246,6 +258,13 @@ void RayImage::draw() {
 
 }  // namespace
 
-void draw_surface(const RayImageInput& input, Picture& picture) { RayImage(input, picture).draw(); }
+void draw_surface(const RayImageInput& input, Picture& picture) {
+  for (int row = 0; row < picture.height(); row += kBandRows) {
+    const Rows band{row, std::min(row + kBandRows, picture.height())};
+    const Rows held{std::max(band.begin - kMarginRows, 0),
+                    std::min(band.end + kMarginRows, picture.height())};
+    RayImage(input, held, picture).draw(band);
+  }
+}
 
 }  // namespace mrsim

@@ -21,15 +21,13 @@ constexpr std::size_t kTrailingAllowed = kTriangle - 1;
 
 using Corners = std::array<std::array<float, 3>, 3>;
 
-void add_triangle(TriMesh& mesh, Welder& welder, const Corners& corners) {
-  std::array<std::uint32_t, 3> t;
-  for (int k = 0; k < 3; ++k) t[k] = welder.add(corners[k]);
-  if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
+void add_triangle(TriMesh& mesh, Welder& welder, const Corners& c) {
+  if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
+  mesh.triangles.push_back({welder.add(c[0]), welder.add(c[1]), welder.add(c[2])});
 }
 
 TriMesh finished(TriMesh&& mesh, Welder& welder, const std::string& name) {
   mesh.vertices = welder.take();
-  drop_unused_vertices(mesh);
   if (mesh.triangles.empty())
     throw Error("stl-empty",
                 fmt::format("{} holds no triangles; export the solid again from CAD", name));

@@ -12,6 +12,9 @@ namespace {
 // Rounding of coordinates up to 1e4 mm in a distance, with room to spare.
 constexpr double kRounding = 1e-9;
 
+// Shorter lists are not worth the nearest points of their skeletons.
+constexpr std::size_t kFewSweeps = 6;
+
 std::vector<double>& scratch(std::size_t size) {
   static thread_local std::vector<double> buffer;
   if (buffer.size() < size) buffer.resize(size);
@@ -23,6 +26,7 @@ std::vector<double>& scratch(std::size_t size) {
 PartField::PartField(StockSolid solid, SweepTable sweeps)
     : solid_(std::move(solid)),
       sweeps_(std::move(sweeps)),
+      dominance_(sweeps_),
       slack_(2 * sweeps_.max_error() + kRounding) {}
 
 Candidates PartField::all() const {
@@ -38,16 +42,26 @@ ExactField::Region PartField::restrict_to(const Vec3& center, double radius, dou
   const double reach = radius + band + slack_;
   const double stock = solid_.distance(center);
   if (stock > reach) return Region::air;
-  std::vector<double>& d = scratch(in.size());
-  sweeps_.distances(in, center, d.data());
+  static thread_local Dominance::Nearest nearest;
+  static thread_local std::vector<char> keep;
+  nearest.resize(in.size());
+  const bool many = in.size() >= kFewSweeps;
+  if (many)
+    sweeps_.nearest(in, center, nearest.columns());
+  else
+    sweeps_.distances(in, center, nearest.distance.data());
+  const std::vector<double>& d = nearest.distance;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < in.size(); ++k) least = d[k] < least ? d[k] : least;
   if (least < -reach) return Region::air;
   // A sweep farther than 2r beyond the nearest one loses to it everywhere in the ball (both are
   // 1-Lipschitz).
   const double limit = std::min(reach, least + 2 * radius + slack_);
+  keep.resize(in.size());
+  for (std::size_t k = 0; k < in.size(); ++k) keep[k] = d[k] <= limit;
+  if (many) dominance_.drop(center, radius, band, in, nearest, keep);
   for (std::size_t k = 0; k < in.size(); ++k)
-    if (d[k] <= limit) out.push_back(in[k]);
+    if (keep[k]) out.push_back(in[k]);
   return out.empty() && stock < -reach ? Region::material : Region::mixed;
 }
 

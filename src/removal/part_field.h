@@ -1,6 +1,7 @@
 // The exact part: stock less sweeps, as ExactField.
 #pragma once
 
+#include "removal/dominance.h"
 #include "removal/field.h"
 #include "removal/stock_solid.h"
 #include "removal/sweep.h"
@@ -27,6 +28,7 @@ class PartField final : public ExactField {
 
   StockSolid solid_;
   SweepTable sweeps_;
+  Dominance dominance_;
   double slack_;  ///< mm: what rounding may change in a difference of two distances
 };
 

@@ -60,7 +60,7 @@ std::optional<Candidate> make_candidate(const TriMesh& mesh) {
       if (v >= c.points.size()) return {};
       extend(c.bounds, c.points[v]);
     }
-  if (is_empty(c.bounds) || !is_closed(c.triangles)) return {};
+  if (is_empty(c.bounds)) return {};
   double largest = 0;
   for (int i = 0; i < 3; ++i)
     largest = std::max(
@@ -272,7 +272,8 @@ StockShape recognise_stock(TriMesh mesh, const StockOptions& options, const std:
     if (const std::optional<Candidate> candidate = make_candidate(mesh)) {
       std::optional<StockShape> exact = as_box(*candidate);
       if (!exact) exact = as_round(*candidate);
-      if (exact) {
+      // Last, because it sorts: most meshes have failed before.
+      if (exact && is_closed(candidate->triangles)) {
         exact->description = describe_shape(*exact) + ", exact" + from;
         return *std::move(exact);
       }

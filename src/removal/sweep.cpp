@@ -213,6 +213,8 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
       return lane::plane_line(plane_lines[ref.row].c, p.x, p.y, p.z);
     case SweepKind::plane_arc:
       return lane::plane_arc(plane_arcs[ref.row].c, p.x, p.y, p.z);
+    case SweepKind::ball_arc:
+      return ball_arc_distance(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
     case SweepKind::profile: {
       const ProfileRow& row = profiles[ref.row];
       const double rho = row.arc ? lane::arc_rho(row.c, p.x, p.y) : lane::line_rho(row.c, p.x, p.y);
@@ -237,6 +239,10 @@ SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
   switch (ref.kind) {
     case SweepKind::ball_line:
       return {columns_->distance(ref, p), 0};
+    case SweepKind::ball_arc: {
+      const int half = ref.split ? ball_arc_half(columns_->ball_arcs[ref.row], p) : 0;
+      return {columns_->distance(ref, p), half * kBranchPatch};
+    }
     case SweepKind::path: {
       const ToolPath& path = columns_->paths[ref.row];
       const PathSample s = path_distance(columns_->cutter(ref), path, p);
@@ -258,6 +264,9 @@ Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) 
     case SweepKind::ball_line:
       g = ball_gradient(columns_->ball_lines[ref.row].c, p);
       break;
+    case SweepKind::ball_arc:
+      g = ball_arc_gradient(columns_->ball_arcs[ref.row], columns_->ball_arc_face(ref, patch), p);
+      break;
     case SweepKind::path:
       g = path_face(*columns_, ref, p, patch).gradient;
       break;
@@ -276,6 +285,9 @@ double SweepTable::patch_distance(std::size_t i, const Vec3& point, std::int32_t
   switch (ref.kind) {
     case SweepKind::ball_line:
       return columns_->distance(ref, p);
+    case SweepKind::ball_arc:
+      return ball_arc_distance(columns_->ball_arcs[ref.row], columns_->ball_arc_face(ref, patch),
+                               p);
     case SweepKind::path:
       return path_face(*columns_, ref, p, patch).distance;
     case SweepKind::turn:

@@ -45,6 +45,7 @@ struct SweepSkeleton {
   double radius = 0;  ///< strip: of the ball; section: of the nose; plan: largest of the cutter
   double low = 0, high = 0;  ///< strip: heights of the ball's centre; plan: of the tip; mm
   double length = 0;         ///< of the path, mm
+  double flat = 0;           ///< plan: radius of the flat end, 0 = none, mm
 };
 
 /// Columns that SweepTable::nearest fills, each as long as the list of sweeps.

@@ -3,6 +3,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/sweep_columns.h"
+#include "removal/sweep_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,136 +13,12 @@
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLevel = 1e-11;  // mm: less rise than this is none
 constexpr double kClosedError =
     1e-10;  // mm: rounding of the closed forms within 10 m of the origin
 
 [[noreturn]] void unsupported(const Motion& m, const Tool& tool, const std::string& why) {
   throw Error("motion-unsupported",
               "line " + std::to_string(m.line) + ", tool " + tool.id + ": " + why);
-}
-
-// A motion in the frame of its tool.
-struct LocalMotion {
-  bool arc = false;
-  Vec3 start, end;
-  Vec3 center, u, v, rise;  // arc: rise per radian
-  double sweep = 0;         // radians, positive
-};
-
-LocalMotion localized(const Motion& m, const Frame* frame) {
-  const auto in = [frame](const Vec3& p) { return frame != nullptr ? frame->in(p) : p; };
-  LocalMotion l;
-  l.arc = m.kind == MotionKind::arc;
-  l.start = in(m.start);
-  l.end = in(m.end);
-  if (!l.arc) return l;
-  const double way = m.sweep < 0 ? -1 : 1;
-  l.sweep = way * m.sweep;
-  l.center = in(m.center);
-  const Vec3 axis = in(m.axis);
-  l.u = l.start - l.center;
-  l.u = l.u - dot(l.u, axis) * axis;
-  l.v = way * cross(axis, l.u);
-  l.rise = (m.rise / l.sweep) * axis;
-  return l;
-}
-
-// Extent of c + u cos t + v sin t + rise t for t in [0, sweep] along one axis.
-void arc_extent(double c, double u, double v, double rise, double sweep, double& lo, double& hi) {
-  const auto add = [&](double x) { lo = std::min(lo, x), hi = std::max(hi, x); };
-  const SinCos e = sincos(sweep);
-  add(c + u);
-  add(c + u * e.cos + v * e.sin + rise * sweep);
-  const double swing = std::sqrt(u * u + v * v);
-  if (swing == 0) return;
-  if (rise != 0 || sweep >= kTwoPi) {
-    add(c - swing + std::min(0.0, rise * sweep));
-    add(c + swing + std::max(0.0, rise * sweep));
-    return;
-  }
-  double t = mrsim::atan2(v, u);
-  if (t < 0) t += kTwoPi;
-  if (t <= sweep) add(c + swing);
-  t = t >= kPi ? t - kPi : t + kPi;
-  if (t <= sweep) add(c - swing);
-}
-
-Box3 path_bounds(const LocalMotion& l) {
-  Box3 b;
-  extend(b, l.start);
-  if (!l.arc) {
-    extend(b, l.end);
-    return b;
-  }
-  for (int i = 0; i < 3; ++i) {
-    double lo = component(b.lo, i), hi = component(b.hi, i);
-    arc_extent(component(l.center, i), component(l.u, i), component(l.v, i), component(l.rise, i),
-               l.sweep, lo, hi);
-    component(b.lo, i) = lo;
-    component(b.hi, i) = hi;
-  }
-  return b;
-}
-
-Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame) {
-  Box3 b = path_bounds(l);
-  const double r = tool.max_radius();
-  b.lo = b.lo + Vec3{-r, -r, tool.bottom()};
-  b.hi = b.hi + Vec3{r, r, tool.open_top() ? 0 : tool.top()};
-  if (frame == nullptr) {
-    if (tool.open_top()) b.hi.z = kInfinity;
-    return b;
-  }
-  if (tool.open_top()) b.hi.z = b.hi.z < b.lo.z ? b.lo.z : b.hi.z;
-  Box3 world;
-  for (int k = 0; k < 8; ++k)
-    extend(world,
-           frame->out({k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z}));
-  for (int i = 0; tool.open_top() && i < 3; ++i) {
-    const double way = component(frame->z, i);
-    if (way > 1e-12) component(world.hi, i) = kInfinity;
-    if (way < -1e-12) component(world.lo, i) = -kInfinity;
-  }
-  return world;
-}
-
-void line_in_plan(const Vec3& a, const Vec3& b, double* c) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const bool moves = dx * dx + dy * dy > kLevel * kLevel;
-  c[0] = a.x, c[1] = a.y;
-  c[2] = moves ? dx : 0, c[3] = moves ? dy : 0;
-}
-
-void arc_in_plan(const LocalMotion& l, double* c) {
-  const double r = std::sqrt(l.u.x * l.u.x + l.u.y * l.u.y);
-  c[0] = l.center.x, c[1] = l.center.y, c[2] = r;
-  const double turn = std::min(l.sweep, kTwoPi);
-  const SinCos mid = sincos(turn / 2);
-  const double inverse = r > 0 ? 1 / r : 0;
-  c[3] = inverse * (mid.cos * l.u.x + mid.sin * l.v.x);
-  c[4] = inverse * (mid.cos * l.u.y + mid.sin * l.v.y);
-  // Half the sweep is measured from the middle, so its sine and cosine are those of turn / 2.
-  c[5] = turn < kTwoPi ? mid.cos : -1;
-  c[6] = turn < kTwoPi ? mid.sin : 0;
-}
-
-// A cutter that reaches up removes nothing with the higher turns of a helix that the lowest does
-// not. Turns the path so that it falls, and keeps its last turn.
-void keep_lowest_turn(LocalMotion& l) {
-  const auto start_at = [&l](double t, double way) {
-    const SinCos sc = sincos(t);
-    const Vec3 u = l.u, v = l.v;
-    l.u = sc.cos * u + sc.sin * v;
-    l.v = way * (sc.cos * v - sc.sin * u);
-    l.center = l.center + t * l.rise;
-    l.rise = way * l.rise;
-  };
-  if (l.rise.z > 0) start_at(l.sweep, -1);
-  if (l.sweep <= kTwoPi) return;
-  start_at(l.sweep - kTwoPi, 1);
-  l.sweep = kTwoPi;
 }
 
 class Builder {
@@ -162,8 +39,14 @@ class Builder {
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);
   void add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   void add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool);
+  bool add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   void add_path(SweepRef& ref, LocalMotion l, const Profile& tool);
   void add_turning(SweepRef ref, const Motion& m, const Tool& tool);
+  // A long program is mostly of one form: room for all of it at once (pages are not touched).
+  void append(std::vector<LineRecord>& column, const LineRecord& row) const {
+    if (column.empty()) column.reserve(columns_.refs.capacity());
+    column.push_back(row);
+  }
   void allow(double error) { columns_.max_error = std::max(columns_.max_error, error); }
 
   SweepColumns& columns_;
@@ -293,7 +176,7 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.c[7] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
-    columns_.plane_lines.push_back(row);
+    append(columns_.plane_lines, row);
   }
 }
 
@@ -329,7 +212,35 @@ int Builder::drawn_out(int shape, double travel) {
   return at->second;
 }
 
+// A ball on an arc in an upright plane: false if it is none.
+bool Builder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
+  const Vec3 axis = cross(l.u, l.v);  // length: radius squared
+  const double size = length(axis), reach = std::sqrt(size);
+  if (!l.arc || !tool.is_ball_end() || dot(l.rise, l.rise) > 0 || size == 0) return false;
+  if (std::fabs(axis.z) * reach > kLevel * size) return false;
+  BallArc row;
+  row.center = l.center + Vec3{0, 0, tool.round()};
+  const double plan = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+  row.along_x = axis.y / plan, row.along_y = -axis.x / plan;
+  row.ball = tool.round();
+  row.length = reach * l.sweep;
+  const double turn = std::min(l.sweep, kTwoPi);
+  const double start = mrsim::atan2(l.u.z, l.u.x * row.along_x + l.u.y * row.along_y);
+  const double way = l.v.z * (l.u.x * row.along_x + l.u.y * row.along_y) -
+                     l.u.z * (l.v.x * row.along_x + l.v.y * row.along_y);
+  const double from = way < 0 ? start - turn : start;
+  row.whole = make_curtain(reach, from, turn);
+  row.halves[0] = make_curtain(reach, from, turn / 2);
+  row.halves[1] = make_curtain(reach, from + turn / 2, turn / 2);
+  ref.split = l.sweep < kTwoPi && (l.sweep > kPi || tool.round() > reach || overhangs(row.whole));
+  ref.kind = SweepKind::ball_arc;
+  ref.row = static_cast<std::uint32_t>(columns_.ball_arcs.size());
+  columns_.ball_arcs.push_back(row);
+  return true;
+}
+
 void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
+  if (add_curtain(ref, l, tool)) return;
   if (!l.arc && tool.is_ball_end()) {
     LineRecord row;
     const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
@@ -342,7 +253,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     row.c[7] = tool.round();
     ref.kind = SweepKind::ball_line;
     ref.row = static_cast<std::uint32_t>(columns_.ball_lines.size());
-    columns_.ball_lines.push_back(row);
+    append(columns_.ball_lines, row);
     return;
   }
   ToolPath path;
@@ -396,11 +307,21 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
 void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
                          const SweepSelection& selection) {
   Builder builder(*this, tools, selection);
+  refs.reserve(motions.size());
+  bounds.reserve(motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
+  static_assert(static_cast<int>(SweepKind::ball_line) == 0 &&
+                static_cast<int>(SweepKind::plane_arc) == 2);
   uniform = !refs.empty();
-  for (std::size_t i = 0; i < refs.size(); ++i)
-    uniform = uniform && refs[i].kind == refs[0].kind && refs[i].frame == 0 && refs[i].row == i;
+  tags.reserve(refs.size());
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const SweepRef& ref = refs[i];
+    const auto form = static_cast<std::uint32_t>(ref.kind);
+    const bool listed = ref.frame == 0 && form < kOtherForm && ref.row <= kTagRow;
+    tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
+    uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
+  }
 }
 
 }  // namespace mrsim

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "removal/sweep.h"
+#include "removal/sweep_curtain.h"
 #include "removal/sweep_kernels.h"
 #include "removal/sweep_path.h"
 #include "removal/sweep_turn.h"
@@ -14,10 +15,16 @@
 
 namespace mrsim {
 
+/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
+/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
+inline constexpr std::int32_t kCornerPatch = 1 << 12;
+inline constexpr std::int32_t kBranchPatch = 1 << 16;
+
 enum class SweepKind : std::uint8_t {
   ball_line,   ///< ball reaching up, any line: ball_line of sweep_lanes.inl
   plane_line,  ///< flat, bull-nose or ball reaching up, horizontal line: plane_line
   plane_arc,   ///< the same on a horizontal arc: plane_arc
+  ball_arc,    ///< ball reaching up, arc in an upright plane
   profile,     ///< any profile on a horizontal line or arc, or up and down
   path,        ///< any profile on any other path
   turn         ///< insert
@@ -47,11 +54,16 @@ struct SweepRef {
   std::int32_t motion = 0;
 };
 
+/// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
+inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
+
 struct SweepColumns {
   std::vector<SweepRef> refs;
+  std::vector<std::uint32_t> tags;  ///< form and row of each sweep, all that lists have to read
   std::vector<Box3> bounds;
   std::vector<LineRecord> ball_lines, plane_lines;
   std::vector<ArcRecord> plane_arcs;
+  std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
   std::vector<ToolPath> paths;
   std::vector<TurnSweep> turns;
@@ -68,13 +80,12 @@ struct SweepColumns {
   /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.
   void other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
                      double& z) const;
+  const Curtain& ball_arc_face(const SweepRef& ref, std::int32_t patch) const {
+    const BallArc& s = ball_arcs[ref.row];
+    return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
+  }
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};
-
-/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
-/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
-inline constexpr std::int32_t kCornerPatch = 1 << 12;
-inline constexpr std::int32_t kBranchPatch = 1 << 16;
 
 }  // namespace mrsim

@@ -23,29 +23,22 @@ struct Part {
 };
 
 struct Parts {
-  Part ball_line, plane_line, plane_arc;
+  Part forms[3];  // ball_line, plane_line, plane_arc
   /// False where the sweep has to be asked on its own.
-  bool add(const SweepRef& ref, std::size_t place) {
-    if (ref.frame != 0) return false;
-    switch (ref.kind) {
-      case SweepKind::ball_line:
-        ball_line.add(ref.row, place);
-        return true;
-      case SweepKind::plane_line:
-        plane_line.add(ref.row, place);
-        return true;
-      case SweepKind::plane_arc:
-        plane_arc.add(ref.row, place);
-        return true;
-      default:
-        return false;
-    }
+  bool add(std::uint32_t tag, std::size_t place) {
+    const std::uint32_t form = tag >> kTagShift;
+    if (form == kOtherForm) return false;
+    forms[form].add(tag & kTagRow, place);
+    return true;
   }
 };
 
+// A chunk of one form needs no scattering: its results go where they belong at once.
 template <class Record>
-void run(const FormKernels<Record>& kernels, const Record* records, const Part& part, const Vec3& p,
-         double* out) {
+void run(const FormKernels<Record>& kernels, const Record* records, const Part& part,
+         std::size_t whole, const Vec3& p, double* out) {
+  if (part.n == 0) return;
+  if (part.n == whole) return kernels.list(records, part.rows, part.n, p, out);
   double values[kChunk];
   kernels.list(records, part.rows, part.n, p, values);
   for (std::size_t k = 0; k < part.n; ++k) out[part.places[k]] = values[k];
@@ -53,11 +46,13 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 
 template <class Record>
 void run_nearest(const FormKernels<Record>& kernels, const Record* records, const Part& part,
-                 const Vec3& p, const NearestColumns& out, std::size_t from) {
+                 std::size_t whole, const Vec3& p, const NearestColumns& out) {
+  if (part.n == 0) return;
+  if (part.n == whole) return kernels.nearest(records, part.rows, part.n, p, out);
   double d[kChunk], s[kChunk], x[kChunk], y[kChunk], z[kChunk];
   kernels.nearest(records, part.rows, part.n, p, {d, s, x, y, z});
   for (std::size_t k = 0; k < part.n; ++k) {
-    const std::size_t to = from + part.places[k];
+    const std::size_t to = part.places[k];
     out.distance[to] = d[k], out.squared[to] = s[k];
     out.x[to] = x[k], out.y[to] = y[k], out.z[to] = z[k];
   }
@@ -84,13 +79,10 @@ void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, do
     const std::size_t n = ids.size() - from < kChunk ? ids.size() - from : kChunk;
     Parts parts;
     for (std::size_t k = 0; k < n; ++k)
-      if (!parts.add(c.refs[ids[from + k]], k)) out[from + k] = distance(ids[from + k], p);
-    if (parts.ball_line.n)
-      run(kernels.ball_line, c.ball_lines.data(), parts.ball_line, p, out + from);
-    if (parts.plane_line.n)
-      run(kernels.plane_line, c.plane_lines.data(), parts.plane_line, p, out + from);
-    if (parts.plane_arc.n)
-      run(kernels.plane_arc, c.plane_arcs.data(), parts.plane_arc, p, out + from);
+      if (!parts.add(c.tags[ids[from + k]], k)) out[from + k] = distance(ids[from + k], p);
+    run(kernels.ball_line, c.ball_lines.data(), parts.forms[0], n, p, out + from);
+    run(kernels.plane_line, c.plane_lines.data(), parts.forms[1], n, p, out + from);
+    run(kernels.plane_arc, c.plane_arcs.data(), parts.forms[2], n, p, out + from);
   }
 }
 
@@ -118,12 +110,20 @@ SweepSkeleton SweepTable::skeleton(std::size_t i) const {
   s.kind = SweepSkeleton::Kind::plan;
   s.rising = tool.is_rising();
   s.radius = tool.max_radius();
+  s.flat = tool.is_rounded() ? tool.core() : 0;
   // Two groups a tool: strips and plans are never compared.
   s.group = 2 * ref.shape + (ref.kind == SweepKind::ball_line ? 1 : 0);
   if (ref.kind == SweepKind::ball_line) {
     const double* r = c.ball_lines[ref.row].c;
     s.kind = SweepSkeleton::Kind::strip;
     measure(s, r[2], r[2] + r[6] * r[5], r[5]);
+  } else if (ref.kind == SweepKind::ball_arc) {
+    const BallArc& b = c.ball_arcs[ref.row];
+    s.kind = SweepSkeleton::Kind::strip;
+    s.group = 2 * ref.shape + 1;
+    s.convex = false;
+    measure(s, b.center.z - b.whole.radius, b.center.z + b.whole.radius, 0);
+    s.length = b.length;
   } else if (ref.kind == SweepKind::plane_line) {
     const double* r = c.plane_lines[ref.row].c;
     measure(s, r[4] - r[6], r[4] - r[6], std::sqrt(r[2] * r[2] + r[3] * r[3]));
@@ -152,13 +152,15 @@ void SweepTable::nearest(std::span<const std::uint32_t> ids, const Vec3& p,
     Parts parts;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t to = from + k;
-      if (parts.add(c.refs[ids[to]], k)) continue;
+      if (parts.add(c.tags[ids[to]], k)) continue;
       out.distance[to] = distance(ids[to], p);
       c.other_nearest(c.refs[ids[to]], p, out.squared[to], out.x[to], out.y[to], out.z[to]);
     }
-    run_nearest(kernels.ball_line, c.ball_lines.data(), parts.ball_line, p, out, from);
-    run_nearest(kernels.plane_line, c.plane_lines.data(), parts.plane_line, p, out, from);
-    run_nearest(kernels.plane_arc, c.plane_arcs.data(), parts.plane_arc, p, out, from);
+    const NearestColumns at = {out.distance + from, out.squared + from, out.x + from, out.y + from,
+                               out.z + from};
+    run_nearest(kernels.ball_line, c.ball_lines.data(), parts.forms[0], n, p, at);
+    run_nearest(kernels.plane_line, c.plane_lines.data(), parts.forms[1], n, p, at);
+    run_nearest(kernels.plane_arc, c.plane_arcs.data(), parts.forms[2], n, p, at);
   }
 }
 
@@ -176,6 +178,10 @@ SweepSkeleton SweepColumns::turn_skeleton(const SweepRef& ref) const {
 void SweepColumns::other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x,
                                  double& y, double& z) const {
   squared = kInfinity, x = p.x, y = p.y, z = p.z;
+  if (ref.kind == SweepKind::ball_arc && ref.frame == 0) {
+    const BallArcFoot f = ball_arc_foot(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
+    squared = f.squared, x = f.point.x, y = f.point.y, z = f.point.z;
+  }
   if (ref.kind == SweepKind::turn && !turns[ref.row].arc && turns[ref.row].one_sided) {
     const Vec2 q = {std::sqrt(p.x * p.x + p.y * p.y), p.z};
     const Vec2 foot = polygon_foot(turns[ref.row].polygon, q);

@@ -24,22 +24,6 @@ using Side = ConvexPolygon::Side;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTiny = 1e-12;  // mm
 
-Vec2 right_of(Vec2 d) { return {d.y, -d.x}; }
-
-double side_of(const Side& s, Vec2 q) { return dot(right_of(s.direction), q - s.a); }
-
-Vec2 foot_on(const Side& s, Vec2 q) {
-  const double t = dot(s.direction, q - s.a);
-  return s.a + (t < 0 ? 0 : t > s.length ? s.length : t) * s.direction;
-}
-
-// Distance along the normal and beyond the ends, so that points near the line keep all digits.
-double side_distance(const Side& s, Vec2 q) {
-  const double t = dot(s.direction, q - s.a), n = side_of(s, q);
-  const double over = t < 0 ? t : t > s.length ? t - s.length : 0;
-  return std::sqrt(n * n + over * over);
-}
-
 double arc_distance(const ArcPiece& a, Vec2 q) {
   const double c[] = {a.center.x, a.center.y, a.radius,  a.middle.x,
                       a.middle.y, a.cos_half, a.sin_half};
@@ -55,29 +39,6 @@ Vec2 arc_end(const ArcPiece& a, double side) {
   return a.radius * (a.cos_half * a.middle + side * a.sin_half * Vec2{-a.middle.y, a.middle.x});
 }
 
-// Convex hull, counter-clockwise (Andrew's monotone chain), points on its sides left out.
-std::vector<Vec2> hull(std::vector<Vec2> p) {
-  std::sort(p.begin(), p.end(),
-            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < kTiny; }),
-          p.end());
-  if (p.size() < 3) return p;
-  std::vector<Vec2> h;
-  const auto add = [&h](Vec2 q, std::size_t keep) {
-    while (h.size() > keep) {
-      const Vec2 in = h.back() - h[h.size() - 2], on = q - h.back();
-      if (cross(in, on) > kTiny * (length(in) + length(on))) break;
-      h.pop_back();
-    }
-    h.push_back(q);
-  };
-  for (Vec2 q : p) add(q, 1);
-  const std::size_t lower = h.size();
-  for (std::size_t i = p.size() - 1; i-- > 0;) add(p[i], lower);
-  h.pop_back();
-  return h;
-}
-
 // Depth of q in the insert at its deepest position along the arc: least over the path of the
 // greatest signed distance from a side. Its minima lie at the ends, where a side's distance is
 // least, or where two sides are equally far.
@@ -87,8 +48,11 @@ double deepest(const TurnSweep& s, Vec2 q) {
   double best = kInfinity;
   const auto probe = [&](Vec2 w) {
     double most = -kInfinity;
-    for (const Side& e : sides) most = std::max(most, side_of(e, at - w));
-    best = std::min(best, most);
+    for (const Side& e : sides) {
+      most = std::max(most, side_of(e, at - w));
+      if (most >= best) return;
+    }
+    best = most;
   };
   const auto probe_within = [&](Vec2 w) {
     if (in_sector(s.path, w)) probe(w);
@@ -240,72 +204,6 @@ void add_pieces(TurnSweep& s, double from, double turn) {
 }
 
 }  // namespace
-
-ConvexPolygon make_polygon(std::span<const Vec2> points) {
-  const std::vector<Vec2> h = hull({points.begin(), points.end()});
-  ConvexPolygon polygon;
-  polygon.point = h.front();
-  if (h.size() < 2) return polygon;
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    const Vec2 d = h[(i + 1) % h.size()] - h[i];
-    const double n = length(d);
-    polygon.sides.push_back({h[i], (1 / n) * d, n});
-  }
-  return polygon;
-}
-
-double polygon_distance(const ConvexPolygon& polygon, Vec2 q) {
-  if (polygon.sides.empty()) return length(q - polygon.point);
-  double most = -kInfinity, least = kInfinity;
-  for (const Side& s : polygon.sides) {
-    const double n = side_of(s, q);
-    if (n > most) most = n;
-    if (n <= 0) continue;
-    const double d = side_distance(s, q);
-    if (d < least) least = d;
-  }
-  return most > 0 ? least : most;
-}
-
-Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q) {
-  if (polygon.sides.empty()) return polygon.point;
-  Vec2 best = q;
-  double least = kInfinity;
-  for (const Side& s : polygon.sides) {
-    if (side_of(s, q) <= 0) continue;
-    const Vec2 foot = foot_on(s, q);
-    const double d = dot(q - foot, q - foot);
-    if (d < least) least = d, best = foot;
-  }
-  return best;
-}
-
-PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q) {
-  if (polygon.sides.empty()) {
-    const Vec2 off = q - polygon.point;
-    const double n = length(off);
-    return {n, n > 0 ? (1 / n) * off : Vec2{1, 0}, 0};
-  }
-  PlaneSample s{polygon_distance(polygon, q), {}, 0};
-  double most = -kInfinity;
-  for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
-    const double n = side_of(polygon.sides[i], q);
-    // The side itself; outside of a corner, the one that looks at the point more directly.
-    if (n > most) most = n, s.patch = static_cast<std::int32_t>(i);
-  }
-  const Side& nearest = polygon.sides[s.patch];
-  s.gradient = right_of(nearest.direction);
-  if (s.distance > kTiny) {
-    double least = kInfinity;
-    for (const Side& e : polygon.sides) {
-      if (side_of(e, q) <= 0) continue;
-      const Vec2 off = q - foot_on(e, q);
-      const double n = length(off);
-      if (n < least && n > 0) least = n, s.gradient = (1 / n) * off;
-    }
-  }
-  return s;
-}
 
 TurnSweep turn_line(const InsertOutline& insert, Vec2 start, Vec2 end) {
   TurnSweep s;

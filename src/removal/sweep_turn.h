@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/sweep_polygon.h"
 #include "removal/tool.h"
 
 #include <cstdint>
@@ -10,28 +11,6 @@
 #include <vector>
 
 namespace mrsim {
-
-/// Counter-clockwise convex polygon: one point, two points (a segment) or more.
-struct ConvexPolygon {
-  struct Side {
-    Vec2 a, direction;
-    double length = 0;
-  };
-  std::vector<Side> sides;  ///< empty for a point
-  Vec2 point;               ///< the point, or the first corner
-};
-ConvexPolygon make_polygon(std::span<const Vec2> points);
-
-/// Signed distance, nearest side and unit gradient; exact inside and outside.
-struct PlaneSample {
-  double distance = 0;
-  Vec2 gradient;
-  std::int32_t patch = 0;
-};
-double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
-PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
-/// Nearest point of the filled polygon; q itself inside.
-Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q);
 
 /// Part of a circle, folded about its middle as in sweep_lanes.inl.
 struct ArcPiece {

@@ -209,6 +209,11 @@ Profile form_mill(const Tool& tool) {
             "the profile holds a number that is not finite");
     require(to.r >= 0, tool, "the profile crosses the axis");
     require(to.z >= from.z, tool, "the profile goes down");
+    require(to.r > 0 || i + 1 == tool.profile.size(), tool,
+            "the profile touches the axis before its end");
+    const double back = i > 1 ? (to.r - from.r) * (from.r - tool.profile[i - 2].r) : 0;
+    require(i < 2 || to.z > from.z || from.z > tool.profile[i - 2].z || back >= 0, tool,
+            "the profile runs back along itself");
     require(from.bulge > -1.0001 && from.bulge < 1.0001, tool, "an arc beyond half a turn");
     if (from.bulge == 0)
       o.line({to.r, to.z});

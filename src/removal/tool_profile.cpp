@@ -234,7 +234,7 @@ Profile Profile::drawn_out(double travel) const {
     if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
       out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
       above = true;
-    } else if (!above && is_arc(e) && e.b.x != max_radius_ && e.center.y == widest_) {
+    } else if (!above && is_arc(e) && e.a.y < widest_ && widest_ < e.b.y) {
       // The arc passes the widest place: it is cut there.
       ProfileEdge low = e, high = e;
       low.b = high.a = {max_radius_, widest_};

@@ -322,6 +322,10 @@ TEST(ArcForms, FanucPolarCoordinates) {
   expect_near(p.motions[0].end, {10 * std::cos(kPi / 6), 5, 0});
   expect_near(p.motions[1].end, {-5, 10 * std::cos(kPi / 6), 0});
   expect_near(p.motions[1].center, {0, 0, 0}, 1e-6);
+  // G91: an angle adds to the last angle about the zero point, a radius counts from the position.
+  const Program inc = read_text("G16 G1 X10 Y0 F1\nG91 Y90\nY45 X5\n", at_origin(Dialect::fanuc));
+  expect_near(inc.motions[1].end, {0, 10, 0});
+  expect_near(inc.motions[2].end, {-5 / std::sqrt(2.0), 10 + 5 / std::sqrt(2.0), 0});
 }
 
 }  // namespace

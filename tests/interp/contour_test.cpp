@@ -84,6 +84,21 @@ TEST(Compensation, AnArcTooSmallInsideIsAnError) {
   EXPECT_EQ(codes(p, Severity::error), "comp-interference") << listing(p);
 }
 
+// A tangent arc whose last digits are rounded is no corner, inside or outside.
+TEST(Compensation, RoundedTangentsAreNoCorners) {
+  for (const char* y : {"9.9995", "10.0005", "10"})
+    for (const char* side : {"G41", "G42"}) {
+      SCOPED_TRACE(std::string(side) + " " + y);
+      const Program p =
+          read_text(fmt::format("G0 X-20 Y0\n{} G1 X0 Y0 F100\nX20\nG3 X30 Y{} I0 J10\n"
+                                "G1 Y30\nX20\nG40 Y50\n",
+                                side, y),
+                    at_origin(Dialect::sinumerik));
+      EXPECT_EQ(codes(p), "") << listing(p);
+      EXPECT_LE(p.motions.size(), 9U) << listing(p);
+    }
+}
+
 TEST(Compensation, SelectionAndEnd) {
   const InterpOptions s = at_origin(Dialect::sinumerik), f = at_origin(Dialect::fanuc);
   EXPECT_EQ(codes(read_text("F100\nG41\nG1 X10\n", s)), "comp-void");

@@ -32,6 +32,10 @@ TEST(Recognise, Dialects) {
       {"a.nc", "N10 G1 X100 Y100 F100 N20 G2 X200 Y100 R50", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100 F100\nN15 G99\nN20 G2 X200 Y100 I50 J0", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100\nN20 G2 I50 J0 T180", Dialect::codesys},
+      {"a.nc",
+       ";@MKR|TOOL|number=1|type=Flat End|diameter=3\n;pass 1\nG21\nG90\nT1 M6\nG1 X1 Y1 ; cut",
+       Dialect::iso},
+      {"a.nc", "O1;\nG1X1F1;X2Y5;", Dialect::fanuc},
       {"a.nc", "SUBPROGRAM Part\nG1 X1 Y1\nEND_SUBPROGRAM", Dialect::codesys},
   };
   const Scratch scratch;
@@ -132,6 +136,21 @@ TEST(Tools, UnknownOnlyWhenItCuts) {
   EXPECT_EQ(bad.diagnostics[0].place.column, 1);
   options.require_tools = false;
   EXPECT_EQ(codes(read_text("G1 X5 Y1 F1\n", options), Severity::error), "");
+}
+
+TEST(Tools, ChangeAtM6OrWithoutItAtT) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  const char* head = "(T1 D=6. - FLAT END MILL)\n(T2 D=8. - BALL END MILL)\n";
+  const auto ids = [&](const std::string& text) {
+    const Program p = read_text(head + text, options);
+    std::string out;
+    for (const Motion& m : p.motions)
+      out += m.tool < 0 ? std::string("-") : p.tools[static_cast<std::size_t>(m.tool)].id;
+    return out;
+  };
+  EXPECT_EQ(ids("T1 M6\nG1 X1 Y1 F1\nT2\nX2\nM6\nX3\n"), "112");
+  EXPECT_EQ(ids("T1\nG1 X1 Y1 F1\nT2\nX2\n"), "12");
 }
 
 TEST(Subprograms, FanucInOneFile) {

@@ -1,4 +1,4 @@
-#include "mesh/grid_mesh.h"
+#include "reference/grid_mesh.h"
 
 #include "support/mesh_asserts.h"
 

@@ -130,6 +130,19 @@ TEST(SurfaceShape, BoxHasTwelveEdgesAndFlatFaces) {
     EXPECT_NEAR(dot(to_vec(s.normals[h]), s.face_normals[h / 3]), 1, 1e-6);
 }
 
+TEST(SurfaceShape, SliversAreNoEdges) {
+  // The upper face of a box in four triangles, one of them a sliver that stands on end.
+  TriMesh m = box_mesh({0, 0, 0}, {10, 10, 4});
+  const std::size_t plain = find_surface_shape(m, 25).creases.size();
+  m.vertices.push_back({5, 5, 4.0005f});
+  m.triangles[2] = {4, 5, 8};
+  m.triangles.push_back({8, 5, 7});
+  m.triangles.push_back({4, 8, 7});
+  ASSERT_TRUE(check_mesh(m).manifold);
+  m.vertices[8] = {5.0001f, 5.0001f, 4.0005f};
+  EXPECT_EQ(find_surface_shape(m, 25).creases.size(), plain);
+}
+
 TEST(SurfaceShape, RoundWallsAreShadedRound) {
   const TriMesh m = cylinder_mesh(90, 10, 0, 20);
   const SurfaceShape s = find_surface_shape(m, 25);

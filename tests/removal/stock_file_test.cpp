@@ -1,13 +1,13 @@
 #include "removal/stock_file.h"
 
-#include <gtest/gtest.h>
-#include <openvdb/io/Stream.h>
+#include "removal/recipe_codec.h"
+#include "removal/stock_grid.h"
 
 #include <random>
 #include <sstream>
 
-#include "removal/recipe_codec.h"
-#include "removal/stock_grid.h"
+#include <gtest/gtest.h>
+#include <openvdb/io/Stream.h>
 
 namespace mrsim {
 namespace {
@@ -34,9 +34,12 @@ StockRecipe recipe_of_a_slot() {
 }
 
 std::string saved(const StockRecipe& recipe) {
-  const Stock stock = carve(recipe.shape, recipe.shape.history.motions, recipe.shape.history.tools, {.voxel = recipe.voxel});
+  const Stock stock = carve(recipe.shape, recipe.shape.history.motions, recipe.shape.history.tools,
+                            {.voxel = recipe.voxel});
   std::string bytes;
-  write_vdb(stock, recipe, [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
+  write_vdb(stock, recipe, [&](const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  });
   return bytes;
 }
 
@@ -53,7 +56,8 @@ TEST(StockFile, KeepsTheRecipe) {
   const StockRecipe recipe = recipe_of_a_slot();
   const std::string bytes = saved(recipe);
   EXPECT_EQ(encode_recipe(read_vdb(bytes, "a.vdb")), encode_recipe(recipe));
-  EXPECT_EQ(bytes, saved(read_vdb(bytes, "a.vdb")));  // and so the bytes, no random identifier among them
+  EXPECT_EQ(bytes,
+            saved(read_vdb(bytes, "a.vdb")));  // and so the bytes, no random identifier among them
 }
 
 TEST(StockFile, OpensInOpenVdb) {
@@ -66,12 +70,14 @@ TEST(StockFile, OpensInOpenVdb) {
   ASSERT_TRUE(distance);
   EXPECT_EQ(distance->getName(), "distance");
   EXPECT_GT(distance->activeVoxelCount(), 1000u);
-  EXPECT_EQ(openvdb::gridPtrCast<openvdb::Int32Grid>((*grids)[1])->activeVoxelCount(), distance->activeVoxelCount());
+  EXPECT_EQ(openvdb::gridPtrCast<openvdb::Int32Grid>((*grids)[1])->activeVoxelCount(),
+            distance->activeVoxelCount());
 }
 
 TEST(StockFile, RefusesWhatIsDamaged) {
   const std::string bytes = saved(recipe_of_a_slot());
-  for (std::size_t size = 0; size < bytes.size(); size += 97) EXPECT_NE(code_of(bytes.substr(0, size)), "") << size;
+  for (std::size_t size = 0; size < bytes.size(); size += 97)
+    EXPECT_NE(code_of(bytes.substr(0, size)), "") << size;
   std::mt19937_64 random(1);
   for (int i = 0; i < 300; ++i) {
     std::string bad = bytes;
@@ -85,9 +91,11 @@ TEST(StockFile, RefusesWhatIsDamaged) {
 TEST(RecipeCodec, ChecksEveryCount) {
   const std::string bytes = encode_recipe(recipe_of_a_slot());
   std::mt19937_64 random(2);
-  for (int i = 0; i < 20000; ++i) {  // whatever the bytes: a recipe or an Error, never more memory than there are bytes
+  for (int i = 0; i < 20000;
+       ++i) {  // whatever the bytes: a recipe or an Error, never more memory than there are bytes
     std::string bad = bytes.substr(0, random() % 2 ? bytes.size() : random() % bytes.size());
-    for (int k = 0; k < 4 && !bad.empty(); ++k) bad[random() % bad.size()] = static_cast<char>(random());
+    for (int k = 0; k < 4 && !bad.empty(); ++k)
+      bad[random() % bad.size()] = static_cast<char>(random());
     try {
       decode_recipe(bad, "a.vdb");
     } catch (const Error& error) {

@@ -77,6 +77,10 @@ std::vector<Tool> tools() {
   t.back().profile_radius = 30;
   t.back().corner_radius = 2;
   t.back().flute_length = 16;
+  t.push_back(make(ToolType::taper, 5));  // the tip's arc has its centre at the height of the lid
+  t.back().corner_radius = 2;
+  t.back().taper_angle = 1.45;
+  t.back().flute_length = 2;
   t.push_back(form({{0, 0, 0}, {2, 0, 0}, {2, 1, -0.4142}, {5, 4, 0}, {5, 6, 0}}));
   t.push_back(form({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 3, 0.2}, {3, 5, 0}, {0, 6, 0}}));
   return t;

@@ -1,4 +1,4 @@
-#include "mesh/repair.h"
+#include "reference/repair.h"
 
 #include "mesh/half_edges.h"
 #include "mesh/weld.h"

@@ -1,8 +1,8 @@
-#include "mesh/grid_mesh.h"
+#include "reference/grid_mesh.h"
 
 #include "core/parallel.h"
 #include "mesh/half_edges.h"
-#include "mesh/repair.h"
+#include "reference/repair.h"
 #include "removal/field.h"
 
 #include <cmath>

@@ -1,0 +1,28 @@
+// Elements of a contour moved aside by the tool radius: corners and meeting points.
+#pragma once
+
+#include "interp/plane_piece.h"
+
+namespace mrsim {
+
+inline constexpr double kTouch = 1e-6;  ///< mm
+
+/// The element as the tool's centre runs it; an arc whose radius is used up is void.
+PlanePiece moved(const PathMove& move);
+inline bool is_void(const PlanePiece& offset) { return offset.arc && offset.radius <= kTouch; }
+
+/// False for infeeds, tilted arcs, suspended and uncompensated moves.
+bool takes_part(const PathMove& move);
+
+inline double height(const PathMove& move, const Vec3& p) { return dot(p, move.basis.w); }
+
+/// Inside: where two moved elements meet, nearest to the corner. `from` is where the first begins.
+bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, Vec2& out);
+
+enum class Corner { smooth, inside, outside };
+Corner corner_kind(const PathMove& a, const PathMove& b);
+
+/// A tangent transition but for the last digits of the program: its moved elements need not meet.
+bool nearly_tangent(const PathMove& a, const PathMove& b);
+
+}  // namespace mrsim

@@ -1,0 +1,31 @@
+// A motion as seen by a milling tool: path, extent, and its coefficients in plan.
+#pragma once
+
+#include "removal/sweep_columns.h"
+
+namespace mrsim {
+
+inline constexpr double kLevel = 1e-11;  ///< mm: less rise or travel than this is none
+
+/// A motion in the frame of its tool.
+struct LocalMotion {
+  bool arc = false;
+  Vec3 start, end;
+  Vec3 center, u, v, rise;  ///< arc; rise per radian
+  double sweep = 0;         ///< radians, positive
+};
+
+LocalMotion localized(const Motion& m, const Frame* frame);
+
+/// A box around what the tool sweeps, in the stock's coordinates.
+Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame);
+
+/// Coefficients of line_rho and arc_rho (sweep_lanes.inl): c[0..3], c[0..6].
+void line_in_plan(const Vec3& a, const Vec3& b, double* c);
+void arc_in_plan(const LocalMotion& l, double* c);
+
+/// A cutter that reaches up removes nothing with the higher turns of a helix that the lowest does
+/// not. Turns the path so that it falls, and keeps its last turn.
+void keep_lowest_turn(LocalMotion& l);
+
+}  // namespace mrsim

@@ -1,0 +1,105 @@
+#include "removal/sweep_polygon.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+using Side = ConvexPolygon::Side;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTiny = 1e-12;  // mm
+
+// Convex hull, counter-clockwise (Andrew's monotone chain), points on its sides left out.
+std::vector<Vec2> hull(std::vector<Vec2> p) {
+  std::sort(p.begin(), p.end(),
+            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < kTiny; }),
+          p.end());
+  if (p.size() < 3) return p;
+  std::vector<Vec2> h;
+  const auto add = [&h](Vec2 q, std::size_t keep) {
+    while (h.size() > keep) {
+      const Vec2 in = h.back() - h[h.size() - 2], on = q - h.back();
+      if (cross(in, on) > kTiny * (length(in) + length(on))) break;
+      h.pop_back();
+    }
+    h.push_back(q);
+  };
+  for (Vec2 q : p) add(q, 1);
+  const std::size_t lower = h.size();
+  for (std::size_t i = p.size() - 1; i-- > 0;) add(p[i], lower);
+  h.pop_back();
+  return h;
+}
+
+}  // namespace
+
+ConvexPolygon make_polygon(std::span<const Vec2> points) {
+  const std::vector<Vec2> h = hull({points.begin(), points.end()});
+  ConvexPolygon polygon;
+  polygon.point = h.front();
+  if (h.size() < 2) return polygon;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    const Vec2 d = h[(i + 1) % h.size()] - h[i];
+    const double n = length(d);
+    polygon.sides.push_back({h[i], (1 / n) * d, n});
+  }
+  return polygon;
+}
+
+double polygon_distance(const ConvexPolygon& polygon, Vec2 q) {
+  if (polygon.sides.empty()) return length(q - polygon.point);
+  double most = -kInfinity, least = kInfinity;
+  for (const Side& s : polygon.sides) {
+    const double n = side_of(s, q);
+    if (n > most) most = n;
+    if (n <= 0) continue;
+    const double d = side_distance(s, q);
+    if (d < least) least = d;
+  }
+  return most > 0 ? least : most;
+}
+
+Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q) {
+  if (polygon.sides.empty()) return polygon.point;
+  Vec2 best = q;
+  double least = kInfinity;
+  for (const Side& s : polygon.sides) {
+    if (side_of(s, q) <= 0) continue;
+    const Vec2 foot = foot_on(s, q);
+    const double d = dot(q - foot, q - foot);
+    if (d < least) least = d, best = foot;
+  }
+  return best;
+}
+
+PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q) {
+  if (polygon.sides.empty()) {
+    const Vec2 off = q - polygon.point;
+    const double n = length(off);
+    return {n, n > 0 ? (1 / n) * off : Vec2{1, 0}, 0};
+  }
+  PlaneSample s{polygon_distance(polygon, q), {}, 0};
+  double most = -kInfinity;
+  for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
+    const double n = side_of(polygon.sides[i], q);
+    // The side itself; outside of a corner, the one that looks at the point more directly.
+    if (n > most) most = n, s.patch = static_cast<std::int32_t>(i);
+  }
+  const Side& nearest = polygon.sides[s.patch];
+  s.gradient = right_of(nearest.direction);
+  if (s.distance > kTiny) {
+    double least = kInfinity;
+    for (const Side& e : polygon.sides) {
+      if (side_of(e, q) <= 0) continue;
+      const Vec2 off = q - foot_on(e, q);
+      const double n = length(off);
+      if (n < least && n > 0) least = n, s.gradient = (1 / n) * off;
+    }
+  }
+  return s;
+}
+
+}  // namespace mrsim

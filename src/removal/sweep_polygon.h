@@ -1,0 +1,53 @@
+// Convex polygons in the plane with exact signed distances: what inserts are made of.
+#pragma once
+
+#include "core/vec.h"
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Counter-clockwise convex polygon: one point, two points (a segment) or more.
+struct ConvexPolygon {
+  struct Side {
+    Vec2 a, direction;
+    double length = 0;
+  };
+  std::vector<Side> sides;  ///< empty for a point
+  Vec2 point;               ///< the point, or the first corner
+};
+ConvexPolygon make_polygon(std::span<const Vec2> points);
+
+/// Signed distance, nearest side and unit gradient; exact inside and outside.
+struct PlaneSample {
+  double distance = 0;
+  Vec2 gradient;
+  std::int32_t patch = 0;
+};
+double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
+PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
+/// Nearest point of the filled polygon; q itself inside.
+Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q);
+
+inline Vec2 right_of(Vec2 d) { return {d.y, -d.x}; }
+
+inline double side_of(const ConvexPolygon::Side& s, Vec2 q) {
+  return dot(right_of(s.direction), q - s.a);
+}
+
+inline Vec2 foot_on(const ConvexPolygon::Side& s, Vec2 q) {
+  const double t = dot(s.direction, q - s.a);
+  return s.a + (t < 0 ? 0 : t > s.length ? s.length : t) * s.direction;
+}
+
+/// Distance along the normal and beyond the ends, so that points near the line keep all digits.
+inline double side_distance(const ConvexPolygon::Side& s, Vec2 q) {
+  const double t = dot(s.direction, q - s.a), n = side_of(s, q);
+  const double over = t < 0 ? t : t > s.length ? t - s.length : 0;
+  return std::sqrt(n * n + over * over);
+}
+
+}  // namespace mrsim
