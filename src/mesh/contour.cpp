@@ -70,7 +70,9 @@ class Contour {
 
   TriMesh run() {
     find_topology();
-    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
+    if (options_.tolerance > 0)
+      for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k)
+        find_topology();
     LabelledMesh mesh = triangles();
     if (options_.tolerance > 0) {
       while (split_failed()) {
@@ -91,13 +93,16 @@ class Contour {
   }
 
  private:
-  // Splits cells until the crossings on every face can be joined, then joins them.
+  // Splits cells until the crossings on every face can be joined, then joins them. Cells of one
+  // size need no look.
   void find_topology() {
-    std::vector<std::int32_t> bad = detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
-    while (tree_.split(bad) > 0) {
-      std::vector<char> nearby;
-      const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
-      bad = detail::badly_crossed(tree_, edges, &nearby);
+    if (options_.tolerance > 0 || report_.passes > 0) {
+      std::vector<std::int32_t> bad = detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
+      while (tree_.split(bad) > 0) {
+        std::vector<char> nearby;
+        const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
+        bad = detail::badly_crossed(tree_, edges, &nearby);
+      }
     }
     timer_.step("tree");
     surface_.find_loops();

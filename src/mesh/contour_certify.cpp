@@ -8,7 +8,8 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kFlat = 2e-5;  ///< mm: deviations that rounding of coordinates explains
+constexpr double kIntrusion = 1.5;  ///< factor on the distance of a face that is not the triangle's
+constexpr double kFlat = 2e-5;      ///< mm: deviations that rounding of coordinates explains
 constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
 constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
@@ -69,7 +70,12 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
     const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
     const std::int32_t cell = tree.locate(p);
     if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
-    most = std::max(most, std::abs(field.sample(p, tree.candidates(cell)).distance));
+    const FieldSample s = field.sample(p, tree.candidates(cell));
+    // Another face may reach farther in between the samples, unless it is the same surface here.
+    const bool same = same_face(s, face) || std::abs(s.distance - field.patch_distance(p, face)) <
+                                                0.25 * std::abs(s.distance);
+    const double room = same ? 1 : kIntrusion;
+    most = std::max(most, room * std::abs(s.distance));
     if (most > limit) return most;
   }
   return most;

@@ -5,10 +5,13 @@
 #include "mesh/exact_predicates.h"
 #include "mesh/self_intersection.h"
 
+#include <cmath>
+
 namespace mrsim::detail {
 namespace {
 
 constexpr int kRounds = 6;
+constexpr double kOnSurface = 5e-7;  ///< mm
 
 }  // namespace
 
@@ -18,6 +21,11 @@ void ContourSurface::sharpen() {
   bool any = false;
   const auto move = [&](std::size_t v, const SurfacePoint& to) {
     if (to.count == 0) return;
+    // Other sweeps may matter there than in the cell that it was found from.
+    const std::int32_t cell = tree_.locate(to.position);
+    if (tree_.node(cell).region != ExactField::Region::mixed ||
+        std::abs(probe(cell).sample(to.position).distance) > kOnSurface)
+      return;
     mesh_.vertices[v] = snap(to.position);
     moved[v] = 1;
     any = true;
