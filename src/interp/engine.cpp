@@ -22,7 +22,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       compensation_(reporter_, [this](const PathMove& m) { output(m.motion); }) {
   modal_ = start_modal(dialect_, program.machine);
   if (options.start) {
-    position_.physical = *options.start;
+    position_.physical = position_.programmed = *options.start;
     position_.known = 7;
   }
   if (lathe()) position_.known |= 2;  // a lathe has no Y to give
