@@ -126,7 +126,7 @@ const Word* Engine::motion_word(const Target& to) const {
 
 Motion Engine::motion_template(const Word& where, MotionKind kind) {
   if (kind == MotionKind::rapid)
-    require_tool(where, false);
+    require_tool(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where);
   Motion m;

@@ -64,7 +64,10 @@ bool Engine::apply_tool() {
     if (tool_change_) direct_change_ = false;  // M6
     if (lathe() || is(Dialect::codesys) || direct_change_) tool_change_ = true;
   }
-  if (tool_change_ && pending_tool_.active) change_tool();
+  if (tool_change_ && pending_tool_.active) {
+    change_tool();
+    if (is(Dialect::sinumerik) && !peek('D')) modal_.edge = 1;
+  }
   return true;
 }
 
@@ -75,7 +78,6 @@ void Engine::change_tool() {
   tool_chosen_ = true;
   tool_index_ = -1;
   tool_failed_ = false;
-  if (is(Dialect::sinumerik)) modal_.edge = 1;
 }
 
 // The data of a tool, and where they came from. False when there are none.

@@ -32,5 +32,21 @@ TEST(Start, IncrementsAndArcsCountFromIt) {
   }
 }
 
+// A mill that never sees M6 takes its first tool late; D and radius are those of the program.
+TEST(Tools, WithoutM6AsWithIt) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.table.offsets = {{"T1.D2", 3, 0, 0}};
+  const char* rows[] = {"G0 X-20 Y0 Z0 F100\nG41 D2 G1 X0 Y0\nY20\nG40 X-20\n",
+                        "G0 X-20 Y0 Z0 F100\nG41 D0 G1 X0 Y0\nY20\nG40 X-20\n",
+                        "G0 X-20 Y0 Z0 F100\nG41 G0 X0 Y0\nG1 Y20\nX20\nG40 X-20\n"};
+  for (const char* row : rows) {
+    SCOPED_TRACE(row);
+    EXPECT_EQ(ends(read_text(std::string("T1 D1\n") + row, options)),
+              ends(read_text(std::string("T1 D1 M6\n") + row, options)));
+  }
+  const Program same = read_text("T1 D2 M6\nG0 X-20\nG41 G1 X0 F1\nX20\nG40 Y20\n", options);
+  EXPECT_EQ(ends(same), "-20,0,0 0,3,0 20,3,0 20,20,0");
+}
+
 }  // namespace
 }  // namespace mrsim
