@@ -48,5 +48,18 @@ TEST(Tools, WithoutM6AsWithIt) {
   EXPECT_EQ(ends(same), "-20,0,0 0,3,0 20,3,0 20,20,0");
 }
 
+TEST(Subprograms, M30ReturnsOnSinumerik) {
+  for (const char* end : {"M30", "M2", "M17", "G1 X88 M30"}) {
+    SCOPED_TRACE(end);
+    const Scratch scratch;
+    scratch.write("SUB.SPF", std::string("G1 X88\n") + end + "\n");
+    const Program p =
+        read_program(scratch.write("main.MPF", "G0 X0 F100\nSUB P2\nG1 X1\nM30\nX2\n"),
+                     at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(p), "");
+    EXPECT_EQ(ends(p), "88,0,0 1,0,0");
+  }
+}
+
 }  // namespace
 }  // namespace mrsim
