@@ -184,15 +184,16 @@ void Engine::execute() {
   if (block_.bad) return;
   if (block_.words.empty() && block_.function_name.empty()) return;
   const Modal saved = modal_;
+  const Position saved_position = position_;
+  saved_tool_.reset();
   frames_changed_ = false;
   stop_after_ = return_after_ = false;
   call_word_ = m98_ = nullptr;
   if (!interpret_block()) {
     modal_ = saved;
-    if (frames_changed_) {
-      frames_ = saved_frames_;
-      position_ = saved_position_;
-    }
+    position_ = saved_position;
+    if (frames_changed_) frames_ = saved_frames_;
+    if (saved_tool_) tool_ = *saved_tool_;
     return;
   }
   has_loose_hint_ = false;

@@ -34,7 +34,6 @@ void Engine::rebuild_frame() {
 void Engine::save_frames() {
   if (frames_changed_) return;
   saved_frames_ = frames_;
-  saved_position_ = position_;
   frames_changed_ = true;
 }
 

@@ -61,5 +61,36 @@ TEST(Subprograms, M30ReturnsOnSinumerik) {
   }
 }
 
+TEST(RejectedBlocks, MoveNothingAndChangeNothing) {
+  struct Rejected {
+    Dialect dialect;
+    const char* text;
+    const char* codes;
+    const char* ends;
+  };
+  constexpr auto s = Dialect::sinumerik;
+  const Rejected rows[] = {
+      {s, "G41 G2 X10 Y10 CR=10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+      {s, "G41 G1 X0 Y20\nY30\nG40 G2 X10 CR=50\nG1 Y40\nG40 X9", "comp-end-arc",
+       "-5,20,0 -5,30,0 -5,40,0 9,40,0"},
+      {s, "G41 CIP X10 Y10 I1=0 J1=10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+      {s, "G1 X10\nG1 AP=0 RP=10\nG2 AP=90 RP=50\nG1 AP=90", "arc-radii-differ", "10,0,0 0,10,0"},
+      {Dialect::fanuc, "G41 D1 G2 X10 Y10 R10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+  };
+  for (const Rejected& row : rows) {
+    SCOPED_TRACE(row.text);
+    const Program p = read_text(std::string("F100\n") + row.text + "\n", at_origin(row.dialect));
+    EXPECT_EQ(codes(p), row.codes);
+    EXPECT_EQ(ends(p), row.ends);
+  }
+  InterpOptions options = at_origin(s);
+  options.table.tools.push_back(options.table.tools[0]);
+  options.table.tools[0].id = "1";
+  options.table.tools[1].id = "2";
+  const Program p = read_text("T1 M6\nG1 X1 F1\nT2 M6 G2 X5 CR=1\nG1 X2\n", options);
+  ASSERT_EQ(p.motions.size(), 2U) << listing(p);
+  EXPECT_EQ(p.motions[0].tool, p.motions[1].tool);
+}
+
 }  // namespace
 }  // namespace mrsim
