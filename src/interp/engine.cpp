@@ -26,6 +26,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
     position_.known = 7;
   }
   if (lathe()) position_.known |= 2;  // a lathe has no Y to give
+  if (is(Dialect::fanuc) || is(Dialect::iso)) set_work("G54");
   rebuild_frame();
 }
 

@@ -95,6 +95,7 @@ class Engine {
   bool codesys_frame();
   bool pole();
   bool select_work(const CodeEntry& entry, const Word& word);
+  void set_work(const std::string& name);
   void save_frames();
   void rebuild_frame();
   Frame frame_now() const;

@@ -92,5 +92,16 @@ TEST(RejectedBlocks, MoveNothingAndChangeNothing) {
   EXPECT_EQ(p.motions[0].tool, p.motions[1].tool);
 }
 
+TEST(Start, G54IsInForceOnFanucAndIso) {
+  for (const Dialect d : kAll) {
+    InterpOptions options = at_origin(d);
+    options.table.work = {{"G54", {10, 20, 30}}};
+    options.start.reset();
+    const bool in_force = d == Dialect::fanuc || d == Dialect::iso;
+    EXPECT_EQ(ends(read_text("G0 X0 Y0 Z0 F100\nG1 X1\n", options)),
+              in_force ? "10,20,30 11,20,30" : "1,0,0");
+  }
+}
+
 }  // namespace
 }  // namespace mrsim
