@@ -184,6 +184,7 @@ void Engine::execute() {
   if (!block_.comments.empty()) read_comments();
   if (block_.bad) return;
   if (block_.words.empty() && block_.function_name.empty()) return;
+  ++blocks_;
   const Modal saved = modal_;
   const Position saved_position = position_;
   saved_tool_.reset();

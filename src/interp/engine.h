@@ -185,6 +185,7 @@ class Engine {
   std::uint32_t epoch_ = 0;
   std::uint64_t groups_ = 0;
   std::size_t executed_ = 0;
+  std::size_t blocks_ = 0;  ///< those of them with words
 
   Modal modal_;
   Position position_;

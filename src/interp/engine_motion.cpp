@@ -204,6 +204,7 @@ void Engine::emit_with(Motion motion, const CornerSpec& corner) {
   path.basis = stock_basis();
   path.corner = corner;
   path.comp = compensation();
+  path.block = blocks_;
   corners_.push(path);
   contour_idle_ = corners_.idle() && compensation_.idle();
 }
