@@ -155,6 +155,21 @@ void CornerStage::flush() {
   held_.clear();
 }
 
+void CornerStage::nothing_inserted(const char* why) {
+  reporter_.add_at(Severity::warning, "corner-void",
+                   fmt::format("{}: no rounding or chamfer is inserted", why),
+                   held_.front().motion);
+}
+
+bool CornerStage::may_insert(const PathMove& after) {
+  const PathMove& before = held_.front();
+  if (after.block > before.block + kMostBetween + 1 || is_infeed(after)) {
+    nothing_inserted("more than three blocks without travel in the plane follow");
+    return false;
+  }
+  return !is_tilted(after) && length(before.basis.w - after.basis.w) < 1e-12;
+}
+
 void CornerStage::push(const PathMove& move) {
   if (held_.empty()) {
     if (move.corner.kind == CornerSpec::Kind::none || is_infeed(move) || is_tilted(move))
@@ -162,14 +177,12 @@ void CornerStage::push(const PathMove& move) {
     held_.push_back(move);
     return;
   }
-  if (is_infeed(move) && held_.size() <= kMostBetween) {
+  if (is_infeed(move) && move.block <= held_.front().block + kMostBetween) {
     held_.push_back(move);
     return;
   }
   PathMove before = held_.front(), after = move, inserted;
-  const bool same_plane = length(before.basis.w - move.basis.w) < 1e-12;
-  const bool fits =
-      !is_infeed(move) && !is_tilted(move) && same_plane && insert(before, after, inserted);
+  const bool fits = may_insert(move) && insert(before, after, inserted);
   if (distance(before.motion.start, before.motion.end) > 1e-9 ||
       before.motion.kind == MotionKind::arc)
     next_(before);

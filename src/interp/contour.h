@@ -34,6 +34,7 @@ struct PathMove {
   Basis basis;  ///< of the plane in force, orthonormal, may be left-handed under a mirror
   CornerSpec corner;
   Compensation comp;
+  std::size_t block = 0;  ///< running number of its block
 };
 
 struct PlanePiece;
@@ -49,6 +50,8 @@ class CornerStage {
   bool idle() const { return held_.empty(); }
 
  private:
+  bool may_insert(const PathMove& after);
+  void nothing_inserted(const char* why);
   bool insert(PathMove& before, PathMove& after, PathMove& inserted);
 
   Reporter& reporter_;

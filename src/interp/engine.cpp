@@ -22,10 +22,11 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       compensation_(reporter_, [this](const PathMove& m) { output(m.motion); }) {
   modal_ = start_modal(dialect_, program.machine);
   if (options.start) {
-    position_.physical = *options.start;
+    position_.physical = position_.programmed = *options.start;
     position_.known = 7;
   }
   if (lathe()) position_.known |= 2;  // a lathe has no Y to give
+  if (is(Dialect::fanuc) || is(Dialect::iso)) set_work("G54");
   rebuild_frame();
 }
 
@@ -183,16 +184,18 @@ void Engine::execute() {
   if (!block_.comments.empty()) read_comments();
   if (block_.bad) return;
   if (block_.words.empty() && block_.function_name.empty()) return;
+  ++blocks_;
   const Modal saved = modal_;
+  const Position saved_position = position_;
+  saved_tool_.reset();
   frames_changed_ = false;
   stop_after_ = return_after_ = false;
   call_word_ = m98_ = nullptr;
   if (!interpret_block()) {
     modal_ = saved;
-    if (frames_changed_) {
-      frames_ = saved_frames_;
-      position_ = saved_position_;
-    }
+    position_ = saved_position;
+    if (frames_changed_) frames_ = saved_frames_;
+    if (saved_tool_) tool_ = *saved_tool_;
     return;
   }
   has_loose_hint_ = false;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,7 @@ class Engine {
   bool codesys_frame();
   bool pole();
   bool select_work(const CodeEntry& entry, const Word& word);
+  void set_work(const std::string& name);
   void save_frames();
   void rebuild_frame();
   Frame frame_now() const;
@@ -183,11 +185,11 @@ class Engine {
   std::uint32_t epoch_ = 0;
   std::uint64_t groups_ = 0;
   std::size_t executed_ = 0;
+  std::size_t blocks_ = 0;  ///< those of them with words
 
   Modal modal_;
   Position position_;
   Frames frames_, saved_frames_;
-  Position saved_position_;
   bool frames_changed_ = false;
 
   // This block's own.
@@ -208,13 +210,8 @@ class Engine {
 
   PendingAngle pending_angle_;
 
-  PendingTool pending_tool_;
-  std::string current_tool_;   ///< id in the spindle
-  Motion current_tool_place_;  ///< of its T word
-  int tool_index_ = -1;        ///< into Program::tools, -1 = not used yet
-  bool tool_chosen_ = false;
-  bool direct_change_ = false;  ///< a mill without M6: T changes at once
-  bool tool_failed_ = false;
+  ToolState tool_;
+  std::optional<ToolState> saved_tool_;  ///< before the T or M6 of this block
   std::map<std::string, ToolHint> hints_;
   ToolHint loose_hint_;  ///< of the comment before this block
   bool has_loose_hint_ = false;

@@ -48,13 +48,13 @@ void Engine::check_comp_selection(Code before) {
 // The tool radius in force, from the register or the tool.
 void Engine::set_comp_radius() {
   const std::string edge = fmt::format("D{}", modal_.edge);
-  const std::string key = fmt::format("T{}.{}", current_tool_, edge);
-  if (comp_key_ == key && comp_tool_ == tool_index_) return;
+  const std::string key = fmt::format("T{}.{}", tool_.current, edge);
+  if (comp_key_ == key && comp_tool_ == tool_.index) return;
   comp_key_ = key;
-  comp_tool_ = tool_index_;
+  comp_tool_ = tool_.index;
   comp_tip_ = {};
   const Tool* tool =
-      tool_index_ >= 0 ? &program_.tools[static_cast<std::size_t>(tool_index_)] : nullptr;
+      tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
   if (is(Dialect::codesys)) {
     comp_radius_ = modal_.edge_radius;
     comp_key_.clear();

@@ -34,7 +34,6 @@ void Engine::rebuild_frame() {
 void Engine::save_frames() {
   if (frames_changed_) return;
   saved_frames_ = frames_;
-  saved_position_ = position_;
   frames_changed_ = true;
 }
 
@@ -49,6 +48,12 @@ bool Engine::select_work(const CodeEntry& entry, const Word& word) {
   } else if (entry.code == Code::work_offset) {
     name = fmt::format("G{}", entry.number);
   }
+  set_work(name);
+  rebuild_frame();
+  return true;
+}
+
+void Engine::set_work(const std::string& name) {
   frames_.work = {};
   for (const WorkOffset& offset : options_.table.work) {
     std::string key;
@@ -57,8 +62,6 @@ bool Engine::select_work(const CodeEntry& entry, const Word& word) {
     if (key != name) continue;
     frames_.work = offset.shift;
   }
-  rebuild_frame();
-  return true;
 }
 
 // X Y Z of a frame word. Lengths are converted; factors and angles are not.

@@ -299,7 +299,8 @@ bool Engine::apply_m_word(const Word& word) {
     return error("value-range", "an M number is a whole number", word);
   const int m = static_cast<int>(v);
   if (m == 6) tool_change_ = true;
-  if (m == 2 || m == 30) stop_after_ = true;
+  if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
+    (is(Dialect::sinumerik) && stack_.size() > 1 ? return_after_ : stop_after_) = true;
   if (m == 17 && !is(Dialect::fanuc)) return_after_ = true;
   if (m == 99 && !is(Dialect::sinumerik)) {
     if (peek('P'))

@@ -126,7 +126,7 @@ const Word* Engine::motion_word(const Target& to) const {
 
 Motion Engine::motion_template(const Word& where, MotionKind kind) {
   if (kind == MotionKind::rapid)
-    require_tool(where, false);
+    require_tool(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where);
   Motion m;
@@ -135,7 +135,7 @@ Motion Engine::motion_template(const Word& where, MotionKind kind) {
   m.constant_surface_speed = modal_.surface_speed;
   m.assumed_start = position_.known != 7U;
   m.start = position_.physical;
-  m.tool = tool_index_;
+  m.tool = tool_.index;
   m.feed = modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
   if (is_thread(current_motion())) m.lead = std::abs(modal_.lead);
@@ -190,7 +190,7 @@ void Engine::emit(const Motion& motion) {
 void Engine::emit_with(Motion motion, const CornerSpec& corner) {
   if (motion.kind != MotionKind::rapid) {
     ++cuts_;
-    motion.tool = tool_index_;
+    motion.tool = tool_.index;
   }
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;
@@ -204,6 +204,7 @@ void Engine::emit_with(Motion motion, const CornerSpec& corner) {
   path.basis = stock_basis();
   path.corner = corner;
   path.comp = compensation();
+  path.block = blocks_;
   corners_.push(path);
   contour_idle_ = corners_.idle() && compensation_.idle();
 }

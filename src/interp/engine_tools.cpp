@@ -39,8 +39,8 @@ void Engine::read_comments() {
     } else if (block_.words.empty()) {
       loose_hint_ = hint;
       has_loose_hint_ = true;
-    } else if (pending_tool_.active) {
-      hints_.insert_or_assign(pending_tool_.id, hint);
+    } else if (tool_.pending.active) {
+      hints_.insert_or_assign(tool_.pending.id, hint);
     }
   }
 }
@@ -49,33 +49,37 @@ bool Engine::apply_tool() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
       (peek('I') || peek('J') || peek('K') || motion_code_))
     return true;  // the opening angle
-  if (const Word* word = take('T')) {
+  const Word* word = take('T');
+  if (word || tool_change_) saved_tool_ = tool_;
+  if (word) {
     if (!word->string &&
         (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e8))
       return error("value-range", "T is a whole number or a name", *word);
-    pending_tool_.active = true;
-    pending_tool_.id = id_of(*word, lathe() && is(Dialect::fanuc));
+    tool_.pending.active = true;
+    tool_.pending.id = id_of(*word, lathe() && is(Dialect::fanuc));
     const Activation& top = stack_.back();
-    pending_tool_.at.file = top.file;
-    pending_tool_.at.line = block_.line_number;
-    pending_tool_.at.column = word->column + 1;
-    pending_tool_.at.call = top.call;
-    if (has_loose_hint_ && !hints_.count(pending_tool_.id)) hints_[pending_tool_.id] = loose_hint_;
-    if (tool_change_) direct_change_ = false;  // M6
-    if (lathe() || is(Dialect::codesys) || direct_change_) tool_change_ = true;
+    tool_.pending.at.file = top.file;
+    tool_.pending.at.line = block_.line_number;
+    tool_.pending.at.column = word->column + 1;
+    tool_.pending.at.call = top.call;
+    if (has_loose_hint_ && !hints_.count(tool_.pending.id)) hints_[tool_.pending.id] = loose_hint_;
+    if (tool_change_) tool_.direct_change = false;  // M6
+    if (lathe() || is(Dialect::codesys) || tool_.direct_change) tool_change_ = true;
   }
-  if (tool_change_ && pending_tool_.active) change_tool();
+  if (tool_change_ && tool_.pending.active) {
+    change_tool();
+    if (is(Dialect::sinumerik) && !peek('D')) modal_.edge = 1;
+  }
   return true;
 }
 
 void Engine::change_tool() {
-  current_tool_ = pending_tool_.id;
-  current_tool_place_ = pending_tool_.at;
-  pending_tool_.active = false;
-  tool_chosen_ = true;
-  tool_index_ = -1;
-  tool_failed_ = false;
-  if (is(Dialect::sinumerik)) modal_.edge = 1;
+  tool_.current = tool_.pending.id;
+  tool_.place = tool_.pending.at;
+  tool_.pending.active = false;
+  tool_.chosen = true;
+  tool_.index = -1;
+  tool_.failed = false;
 }
 
 // The data of a tool, and where they came from. False when there are none.
@@ -125,42 +129,42 @@ void Engine::fill_from_hint(const ToolHint& hint, Tool& out) const {
 // Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
 // when it cuts.
 void Engine::require_tool(const Word& where, bool cuts) {
-  if (tool_index_ >= 0 || tool_failed_) return;
-  if (!tool_chosen_ && pending_tool_.active && cuts) {
+  if (tool_.index >= 0 || tool_.failed) return;
+  if (!tool_.chosen && tool_.pending.active && cuts) {
     reporter_.once_at(
         Severity::note, "tool-not-changed",
-        fmt::format("T{} is used without M6: it is taken to be in the spindle", pending_tool_.id),
-        pending_tool_.at, "m6");
+        fmt::format("T{} is used without M6: it is taken to be in the spindle", tool_.pending.id),
+        tool_.pending.at, "m6");
     change_tool();
-    direct_change_ = true;  // and so are those after it, until an M6 comes
+    tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
   for (std::size_t i = 0; i < program_.tools.size(); ++i)
-    if (program_.tools[i].id == current_tool_) {
-      tool_index_ = static_cast<int>(i);
+    if (program_.tools[i].id == tool_.current) {
+      tool_.index = static_cast<int>(i);
       return;
     }
   Tool tool;
-  if (!tool_chosen_ && !cuts) return;
-  if (!resolve_tool(current_tool_, tool)) {
+  if (!tool_.chosen && !cuts) return;
+  if (!resolve_tool(tool_.current, tool)) {
     if (cuts) tool_missing(where);
     return;
   }
-  tool.id = current_tool_;
+  tool.id = tool_.current;
   program_.tools.push_back(tool);
-  tool_index_ = static_cast<int>(program_.tools.size()) - 1;
-  if (find_tool(options_.table, current_tool_)) return;
+  tool_.index = static_cast<int>(program_.tools.size()) - 1;
+  if (find_tool(options_.table, tool_.current)) return;
   const std::string text =
-      fmt::format("tool {}: {} ({})", current_tool_.empty() ? "(none named)" : current_tool_,
+      fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
                   tool_summary(tool), tool.origin);
-  if (tool_chosen_)
-    reporter_.add_at(Severity::note, "tool-inferred", text, current_tool_place_);
+  if (tool_.chosen)
+    reporter_.add_at(Severity::note, "tool-inferred", text, tool_.place);
   else
     reporter_.add(Severity::note, "tool-inferred", text, where);
 }
 
 void Engine::tool_missing(const Word& where) {
-  tool_failed_ = true;
-  if (!tool_chosen_) {
+  tool_.failed = true;
+  if (!tool_.chosen) {
     const Severity severity = options_.require_tools ? Severity::error : Severity::warning;
     reporter_.add(severity, "tool-unknown",
                   "the program names no tool: give one with --tool endmill:d=10, or --tools",
@@ -168,19 +172,19 @@ void Engine::tool_missing(const Word& where) {
     return;
   }
   Tool unknown;  // so that traces can name it; the error stops everything else
-  unknown.id = current_tool_;
+  unknown.id = tool_.current;
   unknown.origin = "no data";
   program_.tools.push_back(unknown);
-  tool_index_ = static_cast<int>(program_.tools.size()) - 1;
-  const auto hint = hints_.find(current_tool_);
+  tool_.index = static_cast<int>(program_.tools.size()) - 1;
+  const auto hint = hints_.find(tool_.current);
   const std::string known =
       hint == hints_.end() ? std::string("there are no data for it")
                            : fmt::format("the comment \"{}\" gives no diameter", hint->second.text);
   reporter_.add_at(
       Severity::error, "tool-unknown",
       fmt::format("tool {} cuts, but {}: give --tool {}=endmill:d=10 or --tools tools.toml",
-                  current_tool_, known, current_tool_),
-      current_tool_place_);
+                  tool_.current, known, tool_.current),
+      tool_.place);
 }
 
 const OffsetRegister* Engine::find_register(const std::string& name) const {

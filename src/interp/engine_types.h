@@ -55,6 +55,17 @@ struct PendingTool {
   Motion at;  ///< only its place counts
 };
 
+/// What T and M6 have done so far.
+struct ToolState {
+  PendingTool pending;
+  std::string current;  ///< id in the spindle
+  Motion place;         ///< of its T word
+  int index = -1;       ///< into Program::tools, -1 = not used yet
+  bool chosen = false;
+  bool direct_change = false;  ///< a mill without M6: T changes at once
+  bool failed = false;
+};
+
 /// A circular block while it is being worked out.
 struct ArcBlock {
   Target to;

@@ -211,5 +211,20 @@ TEST(Corners, AnglesOfTwoBlocks) {
             "angle-behind");
 }
 
+TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};
+  for (const char* row : rows) {
+    const Program p = read_text(fmt::format("G1 X50 RND=2 F1\n{}Y60\n", row), s);
+    EXPECT_EQ(codes(p), "") << listing(p);
+    EXPECT_EQ(p.motions.back().start.y, 2) << row;
+  }
+  for (const char* row : {"M8\nM9\nM8\nM9\nG4 F1\n", "Z1\nM9\nZ2\nZ0\n", "Z1\nM8\nM9\nM9\n"}) {
+    const Program p = read_text(fmt::format("G1 X50 RND=2 F1\n{}Y60\n", row), s);
+    EXPECT_EQ(codes(p), "corner-void") << row;
+    EXPECT_EQ(p.motions.back().start.y, 0) << row;
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -76,7 +76,7 @@ TEST(Frames, Points) {
   for (const Row& row : rows) {
     InterpOptions options = at_origin(row.dialect);
     options.table.work = {{"G54", {100, 0, 0}}, {"G505", {0, 50, 0}}, {"G54.1 P3", {300, 0, 0}}};
-    if (row.dialect == Dialect::fanuc) options.table.work[0].shift = {};
+    if (row.dialect != Dialect::sinumerik) options.table.work[0].shift = {};
     options.table.offsets.push_back({"H1", 0, 0, 12});
     expect_end(row, options);
   }

@@ -1,0 +1,107 @@
+// What is in force at the start, and what a block leaves behind.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr Dialect kAll[] = {Dialect::sinumerik, Dialect::iso, Dialect::codesys, Dialect::fanuc};
+
+std::string xyz(const Vec3& p) {
+  return fmt::format("{},{},{}", number_text(p.x), number_text(p.y), number_text(p.z));
+}
+
+// The ends of all motions, "a" before arcs.
+std::string ends(const Program& p) {
+  std::string out;
+  for (const Motion& m : p.motions)
+    out +=
+        (out.empty() ? "" : " ") + std::string(m.kind == MotionKind::arc ? "a" : "") + xyz(m.end);
+  return out;
+}
+
+TEST(Start, IncrementsAndArcsCountFromIt) {
+  for (const Dialect d : kAll) {
+    InterpOptions options = at_origin(d);
+    options.start = Vec3{10, 20, 30};
+    EXPECT_EQ(ends(read_text("G91 G1 X1 F5\n", options)), "11,20,30");
+    const Program arc = read_text("G2 X20 Y20 I5 F5\n", options);
+    ASSERT_EQ(codes(arc), "") << listing(arc);
+    expect_near(arc.motions[0].center, {15, 20, 30});
+  }
+}
+
+// A mill that never sees M6 takes its first tool late; D and radius are those of the program.
+TEST(Tools, WithoutM6AsWithIt) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.table.offsets = {{"T1.D2", 3, 0, 0}};
+  const char* rows[] = {"G0 X-20 Y0 Z0 F100\nG41 D2 G1 X0 Y0\nY20\nG40 X-20\n",
+                        "G0 X-20 Y0 Z0 F100\nG41 D0 G1 X0 Y0\nY20\nG40 X-20\n",
+                        "G0 X-20 Y0 Z0 F100\nG41 G0 X0 Y0\nG1 Y20\nX20\nG40 X-20\n"};
+  for (const char* row : rows) {
+    SCOPED_TRACE(row);
+    EXPECT_EQ(ends(read_text(std::string("T1 D1\n") + row, options)),
+              ends(read_text(std::string("T1 D1 M6\n") + row, options)));
+  }
+  const Program same = read_text("T1 D2 M6\nG0 X-20\nG41 G1 X0 F1\nX20\nG40 Y20\n", options);
+  EXPECT_EQ(ends(same), "-20,0,0 0,3,0 20,3,0 20,20,0");
+}
+
+TEST(Subprograms, M30ReturnsOnSinumerik) {
+  for (const char* end : {"M30", "M2", "M17", "G1 X88 M30"}) {
+    SCOPED_TRACE(end);
+    const Scratch scratch;
+    scratch.write("SUB.SPF", std::string("G1 X88\n") + end + "\n");
+    const Program p =
+        read_program(scratch.write("main.MPF", "G0 X0 F100\nSUB P2\nG1 X1\nM30\nX2\n"),
+                     at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(p), "");
+    EXPECT_EQ(ends(p), "88,0,0 1,0,0");
+  }
+}
+
+TEST(RejectedBlocks, MoveNothingAndChangeNothing) {
+  struct Rejected {
+    Dialect dialect;
+    const char* text;
+    const char* codes;
+    const char* ends;
+  };
+  constexpr auto s = Dialect::sinumerik;
+  const Rejected rows[] = {
+      {s, "G41 G2 X10 Y10 CR=10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+      {s, "G41 G1 X0 Y20\nY30\nG40 G2 X10 CR=50\nG1 Y40\nG40 X9", "comp-end-arc",
+       "-5,20,0 -5,30,0 -5,40,0 9,40,0"},
+      {s, "G41 CIP X10 Y10 I1=0 J1=10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+      {s, "G1 X10\nG1 AP=0 RP=10\nG2 AP=90 RP=50\nG1 AP=90", "arc-radii-differ", "10,0,0 0,10,0"},
+      {Dialect::fanuc, "G41 D1 G2 X10 Y10 R10\nG40 G1 X20", "comp-start-arc", "20,0,0"},
+  };
+  for (const Rejected& row : rows) {
+    SCOPED_TRACE(row.text);
+    const Program p = read_text(std::string("F100\n") + row.text + "\n", at_origin(row.dialect));
+    EXPECT_EQ(codes(p), row.codes);
+    EXPECT_EQ(ends(p), row.ends);
+  }
+  InterpOptions options = at_origin(s);
+  options.table.tools.push_back(options.table.tools[0]);
+  options.table.tools[0].id = "1";
+  options.table.tools[1].id = "2";
+  const Program p = read_text("T1 M6\nG1 X1 F1\nT2 M6 G2 X5 CR=1\nG1 X2\n", options);
+  ASSERT_EQ(p.motions.size(), 2U) << listing(p);
+  EXPECT_EQ(p.motions[0].tool, p.motions[1].tool);
+}
+
+TEST(Start, G54IsInForceOnFanucAndIso) {
+  for (const Dialect d : kAll) {
+    InterpOptions options = at_origin(d);
+    options.table.work = {{"G54", {10, 20, 30}}};
+    options.start.reset();
+    const bool in_force = d == Dialect::fanuc || d == Dialect::iso;
+    EXPECT_EQ(ends(read_text("G0 X0 Y0 Z0 F100\nG1 X1\n", options)),
+              in_force ? "10,20,30 11,20,30" : "1,0,0");
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
