@@ -39,7 +39,8 @@ struct CompareOptions {
   /// Samples on each of the two surfaces where no density is given.
   std::size_t samples = 200000;
   /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the largest of 1e-4, a
-  /// eighth of the tolerance's width and a hundredth of the distance. What was reached is in the result.
+  /// eighth of the tolerance's width and a hundredth of the distance. What was reached is in the
+  /// result.
   double hausdorff_error = 0;
   /// Regions to describe; all are counted. Requires: >= 1.
   std::size_t max_regions = 50;
@@ -183,8 +184,8 @@ MRSIM_API std::string report_html(const TriMesh& part, const TriMesh& nominal,
                                   const Comparison& comparison, const ReportFacts& facts = {},
                                   int threads = 0);
 
-/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb, which
-/// is meshed with its owners. `note` gets a sentence where something was decided.
+/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb,
+/// which is meshed with its owners. `note` gets a sentence where something was decided.
 MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
                              std::string* note = nullptr);
 
