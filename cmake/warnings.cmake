@@ -1,6 +1,7 @@
-# Flags of our own code: warnings, and the two that keep results equal on every machine (no contraction, no fast-math).
+# Flags of our own code: warnings; no contraction, so that results are equal on every machine (and no fast-math); and two that change no
+# value but let sqrt and comparisons be plain instructions: nobody reads errno or floating-point flags.
 add_library(mrsim_flags INTERFACE)
 target_compile_options(mrsim_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
-  -Wno-missing-field-initializers -Wold-style-cast -ffp-contract=off
+  -Wno-missing-field-initializers -Wold-style-cast -ffp-contract=off -fno-math-errno -fno-trapping-math
   # GCC 12 warns of overlap inside of its own std::string (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${MRSIM_WERROR}>:-Werror>)
