@@ -11,6 +11,20 @@
 namespace mrsim {
 namespace {
 
+// The largest of 1, 2, 2.5, 5 times a power of ten that is not above x, as the nearest double to
+// its decimal form.
+double round_down_125(double x) {
+  double scale = 1;  // x * scale or x / scale lies in [1, 10)
+  const bool below_one = x < 1;
+  while (below_one ? x * scale < 1 : x / scale >= 10) scale *= 10;
+  const double digits = below_one ? x * scale : x / scale;
+  double step = 1;
+  for (const double candidate : {2.0, 2.5, 5.0})
+    if (candidate <= digits * (1 + 1e-9))
+      step = candidate;  // 1e-9: the series itself stays, whatever its rounding
+  return below_one ? step / scale : step * scale;
+}
+
 // Sweeps that can decide d at p: those of its block, or all where there is none.
 Candidates candidates_at(const StockGrid& grid, const Vec3& p) {
   const std::size_t block = grid.index->find(p);
@@ -43,19 +57,6 @@ Vec3 Stock::gradient(const Vec3& p) const {
 
 std::int32_t Stock::owner(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).owner;
-}
-
-// The nearest double to the decimal form.
-double round_down_125(double x) {
-  double scale = 1;  // x * scale or x / scale lies in [1, 10)
-  const bool below_one = x < 1;
-  while (below_one ? x * scale < 1 : x / scale >= 10) scale *= 10;
-  const double digits = below_one ? x * scale : x / scale;
-  double step = 1;
-  for (const double candidate : {2.0, 2.5, 5.0})
-    if (candidate <= digits * (1 + 1e-9))
-      step = candidate;  // 1e-9: the series itself stays, whatever its rounding
-  return below_one ? step / scale : step * scale;
 }
 
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius) {

@@ -44,8 +44,6 @@ struct VoxelChoice {
   double voxel = 0;
   std::string reason;
 };
-/// The largest of 1, 2, 2.5, 5 times a power of ten that is not above `value`. Requires: > 0.
-double round_down_125(double value);
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 
 /// Subtracts every cutting motion from the stock. Cost grows with the surface, not with the volume,
