@@ -68,7 +68,7 @@ InterpOptions options_of(int i) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::FILE* file = std::fopen(program_path().c_str(), "wb");
   require(file != nullptr);
-  std::fwrite(data, 1, size, file);
+  if (size > 0) std::fwrite(data, 1, size, file);
   std::fclose(file);
   for (int i = -1; i < 8; ++i) {
     InterpOptions options;
