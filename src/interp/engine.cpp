@@ -140,7 +140,9 @@ bool Engine::legal_address(const Word& word) {
                  "R is a variable of SINUMERIK, which is not supported yet; "
                  "for a radius write CR=",
                  word);
-  return error("address-unknown", fmt::format("unknown address {}", c), word);
+  return error("address-unknown",
+               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
+               word);
 }
 
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.

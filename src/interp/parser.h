@@ -7,6 +7,7 @@
 #include "interp/reporter.h"
 
 #include <cstddef>
+#include <string>
 
 namespace mrsim {
 
@@ -39,6 +40,7 @@ class Parser {
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
   void strange_character(Block& block);
+  std::string alarm(const char* fanuc, const char* sinumerik = nullptr) const;
   void text_value(Block& block, Word& word);
   void skip_blanks();
   void fault(Block& block, const char* code, const std::string& text, std::size_t from,

@@ -152,7 +152,7 @@ bool Parser::sinumerik_form(Block& block, Word& word) {
       return true;
     }
     if (at(p_) == '\0' || at(p_) == ';')
-      fault(block, "bracket", "the ( here is not closed", inner - 1, inner);
+      fault(block, "bracket", "the ( here is not closed (alarm 12080)", inner - 1, inner);
     else
       unsupported(block, line_.substr(inner, p_ - inner + 1), "an expression", inner);
     return false;
@@ -257,7 +257,8 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
   }
   if (quoted)
     return fault(block, "string-unterminated", "a text is not closed with \"", open, open + 1);
-  if (depth != 0) return fault(block, "bracket", "the ( here is not closed", open, open + 1);
+  if (depth != 0)
+    return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
   const std::string_view argument = line_.substr(open + 1, p_ - open - 1);
   ++p_;
   const std::string name = upper_case(run.substr(0, 33));

@@ -1,6 +1,8 @@
 // DIALECTS section 7: what each control does with bad input, one row of the table per row here.
 #include "interp/support.h"
 
+#include <tuple>
+
 namespace mrsim {
 namespace {
 
@@ -164,6 +166,24 @@ TEST(Policy, LongLines) {
                 at_origin(Dialect::iso));
   EXPECT_EQ(p.motions.size(), 2U);
   EXPECT_EQ(codes(p), "number-too-large");
+}
+
+TEST(Policy, LexicalFaultsNameTheirAlarm) {
+  const std::tuple<Dialect, const char*, const char*> rows[] = {
+      {Dialect::fanuc, "G1 X5 95", "blank"},
+      {Dialect::fanuc, "95 X1", "(alarm 004)"},
+      {Dialect::fanuc, "G1 X", "(alarm 005)"},
+      {Dialect::fanuc, "G1 X--5", "(alarm 006)"},
+      {Dialect::fanuc, "G1 X1.2.3", "(alarm 007)"},
+      {Dialect::fanuc, "G1 E5", "(alarm 009)"},
+      {Dialect::sinumerik, "G1 X1.2.3", "(alarm 12080)"},
+      {Dialect::sinumerik, "G1 X=AC(5", "(alarm 12080)"}};
+  for (const auto& [dialect, text, part] : rows) {
+    SCOPED_TRACE(text);
+    const Program p = read_text(std::string(text) + "\nG1 X1 F1\n", at_origin(dialect));
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics[0].text.find(part), std::string::npos) << p.diagnostics[0].text;
+  }
 }
 
 }  // namespace
