@@ -103,5 +103,12 @@ TEST(Start, G54IsInForceOnFanucAndIso) {
   }
 }
 
+TEST(Codesys, TheVectorOfG16IsNoCentre) {
+  const Program p =
+      read_text("G0 X0 Y0 Z0 F100\nG2 X10 I5\nG16 I1 J0 K1\nG1 X5\n", at_origin(Dialect::codesys));
+  EXPECT_EQ(codes(p), "") << listing(p);
+  EXPECT_EQ(ends(p), "a10,0,0 5,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim
