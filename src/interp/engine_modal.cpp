@@ -288,7 +288,9 @@ bool Engine::apply_codesys_values() {
   const Word* d = take('D');
   if (d) {
     if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
-    if (comp_selected_ || modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
+    // Beside G41 and G42 the tool's radius, anywhere else that of smoothing.
+    const bool named = (groups_ >> static_cast<unsigned>(Group::comp) & 1U) != 0;
+    if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }
   return true;
 }

@@ -110,5 +110,11 @@ TEST(Codesys, TheVectorOfG16IsNoCentre) {
   EXPECT_EQ(ends(p), "a10,0,0 5,0,0");
 }
 
+TEST(Codesys, DAloneIsNoToolRadius) {
+  const Program p = read_text("G0 X-20 Y0 Z0 F100\nG41 D5 G1 X0 Y0\nY20\nD2 X20\nY0\nG40 X40\n",
+                              at_origin(Dialect::codesys));
+  EXPECT_EQ(ends(p), "-20,0,0 -5,0,0 -5,20,0 a0,25,0 20,25,0 a25,20,0 25,0,0 40,0,0") << listing(p);
+}
+
 }  // namespace
 }  // namespace mrsim
