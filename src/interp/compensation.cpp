@@ -142,6 +142,7 @@ void CompensationStage::leave_or_shift() {
   first.motion.center = first.motion.center + shift;
   at_ = first.motion.end;
   cursor_ = in_plane(first.basis, at_) + first.comp.tip;
+  resumes_ = true;
   next_(first);
 }
 
@@ -239,9 +240,11 @@ void CompensationStage::follow() {
         first.motion);
     return send_line(first, in_plane(first.basis, first.motion.end), h);
   }
-  if (piece.arc && length(cursor_ - piece.start) > kTouch &&
-      std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch)
+  const bool off_arc = piece.arc && length(cursor_ - piece.start) > kTouch &&
+                       std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch;
+  if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
     send_line(first, piece.start, dot(at_, first.basis.w));
+  resumes_ = false;
   Vec2 end = piece.end;
   bool corner = false, round = false;
   choose_end(piece, end, corner, round);

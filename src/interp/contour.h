@@ -94,8 +94,9 @@ class CompensationStage {
   NextStage next_;
   std::vector<PathMove> queue_;
   bool active_ = false;
-  Vec3 at_;      ///< where the last motion given on ended
-  Vec2 cursor_;  ///< the same in the plane, as tool centre
+  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON)
+  Vec3 at_;               ///< where the last motion given on ended
+  Vec2 cursor_;           ///< the same in the plane, as tool centre
 };
 
 }  // namespace mrsim

@@ -115,6 +115,13 @@ TEST(Compensation, SuspendedRunsShifted) {
   EXPECT_EQ(track(p), "0,5 20,5 30,10 40,10 40,30") << listing(p);
 }
 
+TEST(Compensation, ResumedOverABridge) {
+  const Program p =
+      read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nY20\nCUTCONON\nX20\nCUTCONOF\nY0\nX0\nG40 Y-20\n",
+                at_origin(Dialect::sinumerik));
+  EXPECT_EQ(track(p), "-5,0 -5,20 15,20 25,20 25,0 a20,-5 0,-5 0,-20") << listing(p);
+}
+
 TEST(Compensation, InfeedsStayAtThePoint) {
   const Program p = read_text("G0 X-20 Y-20 Z5\nG41 G1 X0 Y0 F100\nZ-2\nY40\nZ-4\nX40\nG40 X60\n",
                               at_origin(Dialect::sinumerik));
