@@ -25,7 +25,12 @@ bool Engine::arc_move(const Vec3& from, const Frame& frame) {
   const Word* ar = take(Address::ar);
   const Word* radius = is(Dialect::sinumerik) ? take(Address::cr) : take('R');
   const Word* t = is(Dialect::codesys) ? take('T') : nullptr;
+  if (ar && radius)
+    return error("arc-overdetermined", "opening angle and radius in one block: one too many",
+                 *radius);
   if (ar) return angle_arc(arc, *ar, centered, center);
+  if (t && radius)
+    warning("arc-overdetermined", "T and the centre give the arc: the radius is not used", *radius);
   if (t) return codesys_angle_arc(arc, *t, centered, center);
   if (radius && centered) {
     if (is(Dialect::sinumerik) || is(Dialect::iso))

@@ -107,6 +107,12 @@ TEST(Policy, BothRadiiAndASignAreNamed) {
   EXPECT_NE(d.text.find("J-30"), std::string::npos) << d.text;
 }
 
+TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
+  EXPECT_EQ(outcome("G91 G3 AR=90 R5 X3", Dialect::sinumerik), "none arc-overdetermined");
+  EXPECT_EQ(outcome("G3 AR=90 R5 I3", Dialect::sinumerik), "none arc-overdetermined");
+  EXPECT_EQ(outcome("G3 T90 I3 J0 R5", Dialect::codesys), "arc arc-overdetermined");
+}
+
 TEST(Policy, ThreePoints) {
   const auto run = [](const char* text) {
     return codes(
