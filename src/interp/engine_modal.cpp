@@ -127,13 +127,20 @@ bool Engine::apply_comp_code(Code code, const Word& word) {
   return true;
 }
 
+// On FANUC lathes G90 is a turning cycle in code system A. Beside a motion word of the same group
+// it cannot be one, and G91 exists only in systems B and C.
 bool Engine::select_distance(Code code, const Word& word) {
-  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
-    return error("not-supported",
-                 fmt::format("G{:g} with axes is a turning cycle of code system A, which is not "
-                             "supported yet",
-                             word.value),
-                 word);
+  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
+    const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
+      return w.address == letter('G') && lookup(w).group == Group::motion;
+    });
+    if (!moves && code == Code::absolute)
+      return error("not-supported",
+                   "G90 with axes is a turning cycle of code system A, which is not supported yet",
+                   word);
+    note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
+              word, "code-system");
+  }
   modal_.incremental = code == Code::incremental;
   return true;
 }

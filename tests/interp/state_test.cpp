@@ -116,5 +116,17 @@ TEST(Codesys, DAloneIsNoToolRadius) {
   EXPECT_EQ(ends(p), "-20,0,0 -5,0,0 -5,20,0 a0,25,0 20,25,0 a25,20,0 25,0,0 40,0,0") << listing(p);
 }
 
+TEST(FanucLathe, G90IsACycleOnlyWithoutAMotionWord) {
+  const InterpOptions lathe = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const std::pair<const char*, const char*> rows[] = {
+      {"G18 G90 G0 X20 Z0\nG91 G1 X-4 Z-5\nX2\nG91 Z-1\n", "10,0,0 8,0,-5 9,0,-5 9,0,-6"},
+      {"G90\nG0 X20 Z0\n", "10,0,0"}};
+  for (const auto& [text, expected] : rows) {
+    const Program p = read_text(std::string("F1\n") + text, lathe);
+    EXPECT_EQ(ends(p), expected) << listing(p);
+  }
+  EXPECT_EQ(codes(read_text("F1\nG1 X30 Z0\nG90 X20 Z-5\n", lathe)), "not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim
