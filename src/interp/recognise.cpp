@@ -189,7 +189,6 @@ void weigh_fanuc(const LineScan& s, std::string_view raw, int line, Evidence& e)
     e.add(d, 6, "a # variable", line);
   if (c.find("IF[") != std::string::npos || c.find("WHILE[") != std::string::npos)
     e.add(d, 8, "a macro statement", line);
-  if (s.comment_kind == '(') e.add(d, 1, "a comment in ( )", line);
   std::size_t run = 0;
   for (std::size_t i = 1; i < c.size(); ++i)
     if (c[i] == 'G' && is_digit(c[i - 1])) ++run;
@@ -206,8 +205,9 @@ std::size_t count_numbers(std::string_view c) {
 void weigh_codesys(const LineScan& s, int line, bool& arcs, Evidence& e) {
   constexpr auto d = Dialect::codesys;
   const std::string& c = s.code;
-  if (has_word(c, "G2") || has_word(c, "G3") || has_word(c, "G02") || has_word(c, "G03"))
-    arcs = true;
+  const bool named_arc =
+      has_word(c, "G2") || has_word(c, "G3") || has_word(c, "G02") || has_word(c, "G03");
+  if (named_arc) arcs = true;
   if (has_word(c, "G1") || has_word(c, "G0") || has_word(c, "G01") || has_word(c, "G00")) {
     if (count_numbers(c) < 2) arcs = false;
   }
@@ -222,8 +222,8 @@ void weigh_codesys(const LineScan& s, int line, bool& arcs, Evidence& e) {
     e.add(d, 6, "a variable in $ $", line);
   if (has_word(c, "G16") && center) e.add(d, 10, "G16 with a normal vector", line);
   const bool cycle = has_axis(c, 'R') || has_axis(c, 'Z') || has(c, "G8") || has(c, "G7");
-  if ((has_word(c, "G98") || has_word(c, "G99")) && !cycle && !has_axis(c, 'F') &&
-      !has_axis(c, 'S'))
+  const bool feeds = has_axis(c, 'F') || has_axis(c, 'S');
+  if ((has_word(c, "G98") || has_word(c, "G99")) && !cycle && (!feeds || (named_arc && center)))
     e.add(d, 5, "G98/G99 for the centre", line);
   if (has(c, "FF") || has(c, "EF")) e.add(d, 5, "FF/EF", line);
   const std::size_t first = c.find(" E"),
@@ -252,9 +252,11 @@ class Leader {
       lines_ = mark_ - 1;
       done_ = true;
     } else {
-      for (std::size_t i = 0; i + 1 < s.code.size(); ++i)
-        if ((s.code[i] == 'G' || s.code[i] == 'O' || s.code[i] == 'M') && is_digit(s.code[i + 1]))
-          done_ = true;
+      // A block begins with a word; text in which one occurs is still text.
+      const std::size_t at = s.code.find_first_not_of(" \t/");
+      if (at != std::string::npos && at + 1 < s.code.size() &&
+          std::string_view("GMNOTXYZ:").find(s.code[at]) < 9 && is_digit(s.code[at + 1]))
+        done_ = true;
     }
   }
   int lines() const { return lines_; }
