@@ -21,10 +21,12 @@ bool Engine::move() {
   const Frame frame = frame_now();
   const Vec3 from = suppress_ ? apply_inverse(frame, position_.physical) : position_.programmed;
   const Word* ang = find(Address::ang);
-  if (pending_angle_.active && !ang)
+  if (pending_angle_.active && !ang) {
+    pending_angle_.active = false;
     return error("angle-incomplete",
                  "the block before gives only ANG=, so this one needs ANG= and both coordinates",
                  block_.words.front());
+  }
   if (is_circular(current_motion())) {
     if (ang) return error("angle-line-only", "ANG= is for straight lines only", *ang);
     return arc_move(from, frame);

@@ -206,6 +206,14 @@ TEST(Corners, FeedOfTheInsertedElement) {
   EXPECT_EQ(p.motions[3].feed, 100);
 }
 
+TEST(Corners, ALoneAngleIsReportedOnce) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const Program p = read_text("F1\nG1 ANG=30\nX5\nG1 ANG=30 X5\n", s);
+  EXPECT_EQ(codes(p), "angle-incomplete");
+  EXPECT_EQ(p.motions.size(), 1U) << listing(p);
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 ANG=30\nM30\n", s)), "angle-incomplete");
+}
+
 TEST(Corners, AnglesOfTwoBlocks) {
   InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
   const Program p = read_text("DIAMOF\nG0 X10 Z100\nG1 ANG=140 F.1\nX80 Z70 ANG=95.824\n", options);
