@@ -198,7 +198,13 @@ void Engine::emit_with(Motion motion, const CornerSpec& corner) {
   motion.end.z += modal_.length_offset;
   motion.center.z += modal_.length_offset;
   last_length_ = modal_.length_offset;
-  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) return;
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
+    for (const Address a : {Address::rnd, Address::chr, Address::chf})
+      if (const Word* word = find(a))
+        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
+                *word);
+    return;
+  }
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
   if (plain && contour_idle_) return output(motion);
   PathMove path;
@@ -236,6 +242,9 @@ CornerSpec Engine::corner_spec() {
   } else if (modal_.rndm > 0) {
     spec = {Kind::round, modal_.rndm, 0};
   }
+  for (const Word* word : {round, leg, cut})
+    if (word && word->value < 0)
+      warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
   if (spec.size <= 0) spec.kind = Kind::none;
   spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
   return spec;

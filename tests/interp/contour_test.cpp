@@ -206,6 +206,14 @@ TEST(Corners, FeedOfTheInsertedElement) {
   EXPECT_EQ(p.motions[3].feed, 100);
 }
 
+TEST(Corners, WhatCannotBeInsertedIsReported) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* text : {"G1 X30 RND=2\nX29\nY5\n", "G1 X10 Y20\nY20 CHF=50\nX50\n",
+                           "G1 X20 RND=-2\nY20\n", "G1 X20 CHR=-2\nY20\n"})
+    EXPECT_EQ(codes(read_text(std::string("F1\n") + text, s)), "corner-void") << text;
+  EXPECT_EQ(codes(read_text("G112 X1 Y1 AP=3\nG1 X1 F1\n", s)), "polar-mixed");
+}
+
 TEST(Corners, ALoneAngleIsReportedOnce) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const Program p = read_text("F1\nG1 ANG=30\nX5\nG1 ANG=30 X5\n", s);
