@@ -75,7 +75,10 @@ bool Engine::apply_mode(Code code, const Word& word) {
     if (is(Dialect::sinumerik)) m.surface_speed = false;
   } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
     m.surface_speed = code == Code::surface_speed;
-    if (m.surface_speed && is(Dialect::sinumerik)) m.feed_unit = FeedUnit::mm_per_rev;
+    if (word.value == 961 || word.value == 971)
+      m.feed_unit = FeedUnit::mm_per_min;
+    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
+      m.feed_unit = FeedUnit::mm_per_rev;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
     m.center_absolute = code == Code::center_absolute;
   } else if (code == Code::polar_on || code == Code::polar_off) {

@@ -83,7 +83,7 @@ constexpr Row kSinumerik[] = {
     {7000, C::inch_feed, G::units},
     {7100, C::metric_feed, G::units},
     {9610, C::surface_speed, G::feed},
-    {9620, C::per_revolution, G::feed},
+    {9620, C::surface_speed, G::feed},
     {9710, C::surface_speed_off, G::feed},
 };
 
