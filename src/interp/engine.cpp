@@ -213,8 +213,9 @@ void Engine::execute() {
 
 // Two words of one modal group contradict each other; what happens then is the dialect's.
 bool Engine::claim_group(const Word& word, const CodeEntry& entry) {
-  if (entry.group == Group::none || entry.group == Group::other || entry.group == Group::exact ||
-      entry.group == Group::path)
+  const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
+  if (entry.group == Group::none || entry.group == Group::other ||
+      (dynamics && !is(Dialect::sinumerik)))
     return true;
   const std::uint64_t bit = std::uint64_t(1) << static_cast<unsigned>(entry.group);
   if ((groups_ & bit) == 0) {

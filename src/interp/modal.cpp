@@ -25,7 +25,7 @@ constexpr Row kShared[] = {{0, C::rapid, G::motion},          {10, C::line, G::m
                            {910, C::incremental, G::distance}};
 
 constexpr Row kSinumerik[] = {
-    {90, C::ignored, G::exact},
+    {90, C::ignored, G::other},
     {250, C::speed_limit, G::frame},
     {260, C::speed_limit, G::frame},
     {330, C::thread, G::motion},

@@ -113,6 +113,12 @@ TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
   EXPECT_EQ(outcome("G3 T90 I3 J0 R5", Dialect::codesys), "arc arc-overdetermined");
 }
 
+TEST(Policy, TwoWordsOfAGroup) {
+  for (const char* text : {"G60 G64 X1", "G601 G602 X1", "G17 G18 X1", "TRANS ROT X1"})
+    EXPECT_EQ(outcome(text, Dialect::sinumerik), "none group-twice program-without-cuts") << text;
+  EXPECT_EQ(outcome("G9 G60 G601 X1", Dialect::sinumerik), "line");
+}
+
 TEST(Policy, ThreePoints) {
   const auto run = [](const char* text) {
     return codes(
