@@ -42,6 +42,10 @@ bool Engine::run_flow() {
   if (const Word* call = take(Address::call)) call_word_ = call;
   if (const Word* l = is(Dialect::sinumerik) ? take('L') : nullptr) call_word_ = l;
   if (call_word_ && !alone(*call_word_)) return false;
+  for (const Word& word : block_.words)
+    if (is(Dialect::sinumerik) && word.code == Code::program_return && block_.words.size() > 1 &&
+        word.address == Address::function)
+      warning("call-not-alone", "RET stands alone in its block", word);
   if (call_word_ || find(letter('M'))) {  // repeats of a call
     take('P');
     if (!is(Dialect::codesys)) take('L');

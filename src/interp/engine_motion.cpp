@@ -107,12 +107,17 @@ bool Engine::thread_values(const Target& to, const Vec3& from) {
   } else {
     const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
     double longest = -1;
+    const Word* used = nullptr;
     for (int i = 0; i < 3; ++i) {
       const Word* lead = take("IJK"[i]);
       if (!lead || along[i] <= longest) continue;
       longest = along[i];
+      used = lead;
       modal_.lead = lead->value * scale();
     }
+    if (used && longest < *std::max_element(std::begin(along), std::end(along)))
+      warning("thread-lead", "the lead belongs to the axis of the longer path, and this is another",
+              *used);
   }
   if (modal_.lead == 0)
     return error("thread-lead", "a thread needs its lead",

@@ -48,7 +48,9 @@ class Parser {
   void unsupported(Block& block, std::string_view word, std::string_view what, std::size_t from);
   void push(Block& block, Word& word, std::size_t from);
   char at(std::size_t i) const { return i < line_.size() ? line_[i] : '\0'; }
-  bool blank(char c) const { return c == ' ' || c == '\t' || c == '\r'; }
+  bool blank(char c) const {  // SINUMERIK's & too
+    return c == ' ' || c == '\t' || c == '\r' || (c == '&' && dialect_ == Dialect::sinumerik);
+  }
 
   Dialect dialect_;
   Reporter& reporter_;

@@ -177,6 +177,12 @@ TEST(Frames, FeedsAndSpeeds) {
   EXPECT_EQ(p.motions[7].lead, 2);
 }
 
+TEST(Frames, TheLeadIsThatOfTheLongerPath) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(codes(read_text("S100\nG33 X60 Z-25 K2\n", s)), "thread-lead");
+  EXPECT_EQ(codes(read_text("S100\nG33 X60 Z-25 I2\nG33 Z-90 K2\n", s)), "");
+}
+
 TEST(Frames, SurfaceSpeedsAndTheirFeeds) {
   const std::pair<const char*, FeedUnit> rows[] = {
       {"G94 G96 S1", FeedUnit::mm_per_rev},      {"G95\nG961 S1", FeedUnit::mm_per_min},

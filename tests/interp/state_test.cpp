@@ -128,5 +128,12 @@ TEST(FanucLathe, G90IsACycleOnlyWithoutAMotionWord) {
   EXPECT_EQ(codes(read_text("F1\nG1 X30 Z0\nG90 X20 Z-5\n", lathe)), "not-supported");
 }
 
+TEST(Sinumerik, RetAloneAndAmpersands) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 X2 RET\n", s)), "call-not-alone");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nRET\n", s)), "");
+  EXPECT_EQ(ends(read_text("G1 X&5 F1 & Y2\n", s)), "5,2,0");
+}
+
 }  // namespace
 }  // namespace mrsim
