@@ -67,9 +67,9 @@ bool Engine::alone(const Word& call) {
   if (call.address == Address::call && !call.string)
     return error(
         "word-unknown",
-        fmt::format("{} is not a word of this control{}", text_of(call),
-                    is(Dialect::sinumerik) ? " (alarm 12550), and a call stands alone in its block"
-                                           : ", and a call stands alone in its block"),
+        fmt::format("{} is not a word of this control{}, and a call stands alone in its block{}",
+                    text_of(call), is(Dialect::sinumerik) ? " (alarm 12550)" : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(call.text) : ""),
         call);
   return known && error("call-not-alone", "a call stands alone in its block", call);
 }
@@ -104,12 +104,14 @@ bool Engine::call_subprogram(const SubprogramName& name, long repeats, const Wor
   if (!place) {
     std::string text =
         name.text.empty() ? fmt::format("O{:04}", name.number) : to_utf8(name.text.substr(0, 80));
-    return error("subprogram-missing",
-                 fmt::format("subprogram {} is neither in the program's file nor beside it{}", text,
-                             is(Dialect::fanuc)       ? " (alarm 076)"
-                             : is(Dialect::sinumerik) ? " (alarm 14011)"
-                                                      : ""),
-                 word);
+    return error(
+        "subprogram-missing",
+        fmt::format("subprogram {} is neither in the program's file nor beside it{}{}", text,
+                    is(Dialect::fanuc)       ? " (alarm 076)"
+                    : is(Dialect::sinumerik) ? " (alarm 14011)"
+                                             : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(name.text) : ""),
+        word);
   }
   if (repeats <= 0) return true;
   Activation next;

@@ -59,4 +59,7 @@ class Parser {
   std::size_t p_ = 0;
 };
 
+/// "; is CR=5 meant?" for a SINUMERIK name that is an address and digits, else empty.
+std::string missing_equal_sign(std::string_view name);
+
 }  // namespace mrsim

@@ -41,6 +41,16 @@ Address find_address(std::string_view name) {
 
 }  // namespace
 
+std::string missing_equal_sign(std::string_view name) {
+  std::size_t letters = 0;
+  while (letters < name.size() && is_letter(name[letters])) ++letters;
+  const std::string_view digits = name.substr(letters);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos ||
+      find_address(upper_case(name.substr(0, letters))) == Address::none)
+    return {};
+  return fmt::format("; is {}={} meant?", name.substr(0, letters), digits);
+}
+
 void Parser::sinumerik_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
@@ -120,6 +130,8 @@ bool Parser::sinumerik_value(Block& block, Word& word) {
     fault(block, "address-without-number", "no value after =", from > 0 ? from - 1 : 0, from);
     return false;
   }
+  if (starts_number(c) && (at(p_ + 1) == '\0' || at(p_ + 1) == ';' || blank(at(p_ + 1))))
+    return number(block, word, true);  // a lone sign or point
   p_ = from + 1;
   unsupported(block, line_.substr(from, 1), "an expression", from);
   return false;

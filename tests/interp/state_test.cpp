@@ -135,5 +135,16 @@ TEST(Sinumerik, RetAloneAndAmpersands) {
   EXPECT_EQ(ends(read_text("G1 X&5 F1 & Y2\n", s)), "5,2,0");
 }
 
+TEST(Sinumerik, WhatIsMeant) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* text : {"G1 X=. F1\n", "G1 X=-\n"})
+    EXPECT_EQ(codes(read_text(text, s), Severity::error).substr(0, 16), "number-malformed") << text;
+  for (const char* text : {"CR5\n", "G2 X5 CR5\n"}) {
+    const Program p = read_text(text, s);
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics[0].text.find("is CR=5 meant?"), std::string::npos) << listing(p);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim
