@@ -279,6 +279,16 @@ void note_first(std::string& where, std::string_view what, int line) {
   if (where.empty()) where = fmt::format("{} in line {}", what, line);
 }
 
+// Words of FANUC that are a lathe's unless something moves in Y: increments U W, cycles of system
+// A.
+bool turning_words(const std::string& c) {
+  const bool dwell = has_word(c, "G4") || has_word(c, "G04");
+  if (!dwell && (has_axis(c, 'U') || has_axis(c, 'W'))) return true;
+  if ((has_word(c, "G73") || has_word(c, "G76")) && has_axis(c, 'P') && has_axis(c, 'Q'))
+    return true;
+  return has_word(c, "G92") && has_axis(c, 'Z') && has_axis(c, 'F');
+}
+
 void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
   const std::string& c = s.code;
   if (c.find('G') != std::string::npos) {
@@ -288,6 +298,7 @@ void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
       for (const std::string_view g : {"G70", "G71", "G72", "G75"})
         if (has_word(c, g)) note_first(lathe, g, n);
   }
+  if (dialect == Dialect::fanuc && turning_words(c)) note_first(plane, "a turning word", n);
   if (c.find("LIMS") != std::string::npos) note_first(lathe, "LIMS", n);
   if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
     note_first(lathe, "DIAMON", n);

@@ -84,6 +84,18 @@ TEST(Recognise, Machines) {
   }
 }
 
+TEST(Recognise, FanucLathes) {
+  const std::pair<const char*, MachineKind> rows[] = {
+      {"O1\nG0 X20 Z2\nG1 U-2 W-5 F.1", MachineKind::lathe},
+      {"O1\nG92 X18 Z-20 F1.5", MachineKind::lathe},
+      {"O1\nG76 P011060 Q100 R50", MachineKind::lathe},
+      {"O1\nG0 X20 Y2\nG1 W-5 F.1", MachineKind::mill},
+      {"O1\nG92 X0 Z0\nG1 X5 F1", MachineKind::automatic}};
+  const Scratch scratch;
+  for (const auto& [text, machine] : rows)
+    EXPECT_EQ(recognise(scratch.write("a.nc", text), {}).machine, machine) << text;
+}
+
 TEST(ToolComment, InManyTongues) {
   struct Row {
     const char* text;
