@@ -73,6 +73,7 @@ class CompensationStage {
   bool ready(bool last) const;
   void settle(bool last);
   void enter();
+  void skip_void_entry();
   void follow();
   void leave_or_shift();
   bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;

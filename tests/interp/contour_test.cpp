@@ -115,6 +115,13 @@ TEST(Compensation, SuspendedRunsShifted) {
   EXPECT_EQ(track(p), "0,5 20,5 30,10 40,10 40,30") << listing(p);
 }
 
+TEST(Compensation, ARoundingBehindTheStartMayBeVoid) {
+  const Program p = read_text("G0 X-20 Y0\nG42 G1 X0 Y0 RND=2 F100\nY-20\nG40 X20\n",
+                              at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p), "comp-element-void") << listing(p);
+  EXPECT_EQ(track(p), "-5,-2 -5,-20 20,-20");
+}
+
 TEST(Compensation, ResumedOverABridge) {
   const Program p =
       read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nY20\nCUTCONON\nX20\nCUTCONOF\nY0\nX0\nG40 Y-20\n",
