@@ -81,6 +81,7 @@ void Engine::run() {
   for (int i = 0; i < leader_lines_; ++i) stack_.back().source->next(leader);
   while (!stack_.empty()) {
     if (!read_block()) {
+      missing_return();
       end_activation();
       continue;
     }

@@ -294,7 +294,7 @@ bool Engine::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2
         "arc-angle-range",
         fmt::format("T{:g}: the opening angle is above 0 and at most 1080 degrees", t.value), t);
   if (!centered)
-    return error("arc-no-center", "T is the opening angle and needs the centre I J K", t);
+    return arc_to_line("arc-no-center", "T is the opening angle and needs the centre I J K", arc);
   if (named_along(arc.to, arc.basis.u) || named_along(arc.to, arc.basis.v)) {
     warning("arc-overdetermined", "T gives the end point: the end in the plane is not used", t);
     const double height = dot(arc.to.programmed, arc.basis.w);

@@ -32,6 +32,8 @@ bool Engine::run_flow() {
                     fmt::format("the program before O{:g} has no {}: it is taken to end here",
                                 program->value, top.call < 0 ? "M30" : "M99"),
                     program->column, program->length);
+    else
+      missing_return();
     end_activation();
     block_.words.clear();
     ++epoch_;
@@ -160,6 +162,17 @@ bool Engine::named_call(const Word& word) {
   name.text = std::string(word.text);
   if (word.address == letter('L')) name.text = text_of(word);
   return call_subprogram(name, repeats, word);
+}
+
+// A FANUC subprogram whose text ends without M99.
+void Engine::missing_return() {
+  if (!is(Dialect::fanuc) || stack_.size() < 2) return;
+  reporter_.forget_text();
+  Word place;
+  place.length = 1;
+  reporter_.once(Severity::warning, "program-end-missing",
+                 "the subprogram ends without M99: it is taken to return here", place,
+                 fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin));
 }
 
 // The end of what is being read: the next run of a subprogram, or its caller.

@@ -111,6 +111,7 @@ TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
   EXPECT_EQ(outcome("G91 G3 AR=90 R5 X3", Dialect::sinumerik), "none arc-overdetermined");
   EXPECT_EQ(outcome("G3 AR=90 R5 I3", Dialect::sinumerik), "none arc-overdetermined");
   EXPECT_EQ(outcome("G3 T90 I3 J0 R5", Dialect::codesys), "arc arc-overdetermined");
+  EXPECT_EQ(outcome("G2 X5 T90", Dialect::codesys), "line arc-no-center");
 }
 
 TEST(Policy, TwoWordsOfAGroup) {

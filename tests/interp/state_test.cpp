@@ -146,5 +146,17 @@ TEST(Sinumerik, WhatIsMeant) {
   }
 }
 
+TEST(Subprograms, AFanucSubprogramEndsWithM99) {
+  const Scratch scratch;
+  const std::string path = scratch.write("f.nc", "O1\nG1 X1 F1\nM98 P7 L3\nG1 X3\nM30\n");
+  for (const auto& [end, expected] : {std::pair("M99\n", ""), std::pair("", "program-end-missing"),
+                                      std::pair("%\n", "program-end-missing")}) {
+    scratch.write("O0007.nc", std::string("O7\nG1 X2\n") + end);
+    const Program p = read_program(path, at_origin(Dialect::fanuc));
+    EXPECT_EQ(codes(p), expected) << listing(p);
+    EXPECT_EQ(ends(p), "1,0,0 2,0,0 3,0,0");
+  }
+}
+
 }  // namespace
 }  // namespace mrsim
