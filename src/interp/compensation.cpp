@@ -98,10 +98,11 @@ void CompensationStage::send_line(const PathMove& like, Vec2 to, double end_heig
   cursor_ = to;
 }
 
-// An arc too small for the tool right behind the first move: the element after it is approached.
+// The first move's own rounding, too small for the tool: the element after it is approached.
 void CompensationStage::skip_void_entry() {
   const std::size_t j = following(1), next = following(2);
-  if (next >= queue_.size() || !is_void(moved(queue_[j])) || is_void(moved(queue_[next]))) return;
+  if (next >= queue_.size() || queue_[j].block != queue_.front().block) return;
+  if (!is_void(moved(queue_[j])) || is_void(moved(queue_[next]))) return;
   reporter_.add_at(Severity::warning, "comp-element-void",
                    "the tool is too large to reach this element: it is skipped", queue_[j].motion);
   queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(j));
