@@ -55,11 +55,7 @@ bool Engine::arc_move(const Vec3& from, const Frame& frame) {
 // CODESYS and FANUC go straight where they cannot make a circle.
 bool Engine::arc_to_line(const char* code, const std::string& text, const ArcBlock& arc) {
   warning(code, text + ": a straight line is run instead", *arc.where);
-  Motion motion = motion_template(*arc.where, MotionKind::line);
-  commit(arc.to, arc.frame, motion);
-  if (!start_compensation(motion, *arc.where)) return false;
-  emit(motion);
-  return true;
+  return line_move(arc.to, arc.frame);
 }
 
 // I J K: offsets from the start, or absolute by AC() and CODESYS G98. `given`: at least one word in

@@ -84,6 +84,7 @@ bool Engine::two_angle_lines(const Target& to, const Vec3& from, const Frame& fr
   Motion first = pending_angle_.motion;
   first.start = position_.physical;
   commit(middle, frame, first);
+  if (!start_compensation(first, ang)) return false;
   emit_with(first, pending_angle_.corner);
   Motion second = motion_template(*motion_word(to), MotionKind::line);
   commit(to, frame, second);

@@ -317,11 +317,10 @@ void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
              fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
 }
 
-void judge_dialect(const Evidence& e, const std::string& path, Recognition& out) {
+void judge_dialect(const Evidence& e, Recognition& out) {
   out.dialect = e.best();
   out.dialect_reason = e.reason(out.dialect);
   if (out.dialect_reason.empty()) out.dialect_reason = "nothing points to another control";
-  (void)path;
 }
 
 void judge_machine(const MachineScan& m, const InterpOptions& options, Recognition& out) {
@@ -398,7 +397,7 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   }
   out.dialect = options.dialect;
   out.dialect_reason = "as told";
-  if (options.dialect == Dialect::automatic) judge_dialect(evidence, path, out);
+  if (options.dialect == Dialect::automatic) judge_dialect(evidence, out);
   if (out.dialect == Dialect::fanuc || out.dialect == Dialect::iso)
     out.leader_lines = leader.lines();
   out.machine = options.machine;

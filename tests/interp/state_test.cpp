@@ -158,5 +158,15 @@ TEST(Subprograms, AFanucSubprogramEndsWithM99) {
   }
 }
 
+// Straight lines that stand for arcs, or come from angles, select the compensation as others do.
+TEST(Compensation, StartsWithEveryStraightLine) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(ends(read_text("F1\nG42 CIP X20 I1=10\nG1 X40\nG40 Y20\n", s)),
+            "20,-5,0 40,-5,0 40,20,0");
+  EXPECT_EQ(ends(read_text("F1\nG1 X5\nG42 CT X20\nG1 X40\nG40 Y20\n", s)),
+            "5,0,0 20,-5,0 40,-5,0 40,20,0");
+  EXPECT_EQ(codes(read_text("F1\nG41 ANG=0\nG1 X20 Y10 ANG=90\nG40 X40\n", s)), "");
+}
+
 }  // namespace
 }  // namespace mrsim
