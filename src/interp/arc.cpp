@@ -40,7 +40,8 @@ std::optional<PlaneArc> arc_by_radius(Vec2 start, Vec2 end, double radius, bool 
   const double l = length(chord), r = std::abs(radius);
   if (l > 2 * r * (1 + 1e-6) && l - 2 * r > kSamePoint) return std::nullopt;
   const double used = std::max(r, l / 2);  // the chord wins over a radius that is rounded short
-  const double h = std::sqrt(std::max(0.0, used * used - l * l / 4));
+  const double square = used * used - l * l / 4;  // below its rounding: half a circle
+  const double h = square < 1e-12 * used * used ? 0 : std::sqrt(square);
   const double side = (radius > 0) == ccw ? 1 : -1;
   const Vec2 normal = (1 / l) * Vec2{-chord.y, chord.x};
   PlaneArc arc;

@@ -98,6 +98,16 @@ void CompensationStage::send_line(const PathMove& like, Vec2 to, double end_heig
   cursor_ = to;
 }
 
+// The first move's own rounding, too small for the tool: the element after it is approached.
+void CompensationStage::skip_void_entry() {
+  const std::size_t j = following(1), next = following(2);
+  if (next >= queue_.size() || queue_[j].block != queue_.front().block) return;
+  if (!is_void(moved(queue_[j])) || is_void(moved(queue_[next]))) return;
+  reporter_.add_at(Severity::warning, "comp-element-void",
+                   "the tool is too large to reach this element: it is skipped", queue_[j].motion);
+  queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(j));
+}
+
 // The first compensated move: straight to the point square to the contour at the next start.
 void CompensationStage::enter() {
   const PathMove& first = queue_.front();
@@ -107,6 +117,7 @@ void CompensationStage::enter() {
     return;
   }
   at_ = first.motion.start;
+  skip_void_entry();
   const std::size_t j = following(1);
   active_ = true;
   const double h = height(first, first.motion.end);
@@ -142,6 +153,7 @@ void CompensationStage::leave_or_shift() {
   first.motion.center = first.motion.center + shift;
   at_ = first.motion.end;
   cursor_ = in_plane(first.basis, at_) + first.comp.tip;
+  resumes_ = true;
   next_(first);
 }
 
@@ -239,9 +251,11 @@ void CompensationStage::follow() {
         first.motion);
     return send_line(first, in_plane(first.basis, first.motion.end), h);
   }
-  if (piece.arc && length(cursor_ - piece.start) > kTouch &&
-      std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch)
+  const bool off_arc = piece.arc && length(cursor_ - piece.start) > kTouch &&
+                       std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch;
+  if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
     send_line(first, piece.start, dot(at_, first.basis.w));
+  resumes_ = false;
   Vec2 end = piece.end;
   bool corner = false, round = false;
   choose_end(piece, end, corner, round);

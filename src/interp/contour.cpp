@@ -117,7 +117,10 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
   const PlanePiece a = to_plane(before.motion, before.basis),
                    b = to_plane(after.motion, before.basis);
   const double turn = cross(end_tangent(a), start_tangent(b));
-  if (std::abs(turn) < kTangent) return false;
+  if (std::abs(turn) < kTangent) {
+    if (dot(end_tangent(a), start_tangent(b)) < 0) nothing_inserted("the path turns straight back");
+    return false;
+  }
   const double side = turn > 0 ? 1 : -1;
   Contact c;
   if (!contacts(before.corner, a, b, side, before.corner.size, c)) {

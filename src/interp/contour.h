@@ -73,6 +73,7 @@ class CompensationStage {
   bool ready(bool last) const;
   void settle(bool last);
   void enter();
+  void skip_void_entry();
   void follow();
   void leave_or_shift();
   bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
@@ -94,8 +95,9 @@ class CompensationStage {
   NextStage next_;
   std::vector<PathMove> queue_;
   bool active_ = false;
-  Vec3 at_;      ///< where the last motion given on ended
-  Vec2 cursor_;  ///< the same in the plane, as tool centre
+  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON)
+  Vec3 at_;               ///< where the last motion given on ended
+  Vec2 cursor_;           ///< the same in the plane, as tool centre
 };
 
 }  // namespace mrsim

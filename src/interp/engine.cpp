@@ -81,6 +81,7 @@ void Engine::run() {
   for (int i = 0; i < leader_lines_; ++i) stack_.back().source->next(leader);
   while (!stack_.empty()) {
     if (!read_block()) {
+      missing_return();
       end_activation();
       continue;
     }
@@ -140,7 +141,9 @@ bool Engine::legal_address(const Word& word) {
                  "R is a variable of SINUMERIK, which is not supported yet; "
                  "for a radius write CR=",
                  word);
-  return error("address-unknown", fmt::format("unknown address {}", c), word);
+  return error("address-unknown",
+               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
+               word);
 }
 
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
@@ -211,8 +214,9 @@ void Engine::execute() {
 
 // Two words of one modal group contradict each other; what happens then is the dialect's.
 bool Engine::claim_group(const Word& word, const CodeEntry& entry) {
-  if (entry.group == Group::none || entry.group == Group::other || entry.group == Group::exact ||
-      entry.group == Group::path)
+  const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
+  if (entry.group == Group::none || entry.group == Group::other ||
+      (dynamics && !is(Dialect::sinumerik)))
     return true;
   const std::uint64_t bit = std::uint64_t(1) << static_cast<unsigned>(entry.group);
   if ((groups_ & bit) == 0) {

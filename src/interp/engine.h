@@ -165,6 +165,7 @@ class Engine {
   bool call_subprogram(const SubprogramName& name, long repeats, const Word& word);
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
+  void missing_return();
   void end_activation();
   void stop();
   int call_site(int line);

@@ -25,7 +25,12 @@ bool Engine::arc_move(const Vec3& from, const Frame& frame) {
   const Word* ar = take(Address::ar);
   const Word* radius = is(Dialect::sinumerik) ? take(Address::cr) : take('R');
   const Word* t = is(Dialect::codesys) ? take('T') : nullptr;
+  if (ar && radius)
+    return error("arc-overdetermined", "opening angle and radius in one block: one too many",
+                 *radius);
   if (ar) return angle_arc(arc, *ar, centered, center);
+  if (t && radius)
+    warning("arc-overdetermined", "T and the centre give the arc: the radius is not used", *radius);
   if (t) return codesys_angle_arc(arc, *t, centered, center);
   if (radius && centered) {
     if (is(Dialect::sinumerik) || is(Dialect::iso))
@@ -50,11 +55,7 @@ bool Engine::arc_move(const Vec3& from, const Frame& frame) {
 // CODESYS and FANUC go straight where they cannot make a circle.
 bool Engine::arc_to_line(const char* code, const std::string& text, const ArcBlock& arc) {
   warning(code, text + ": a straight line is run instead", *arc.where);
-  Motion motion = motion_template(*arc.where, MotionKind::line);
-  commit(arc.to, arc.frame, motion);
-  if (!start_compensation(motion, *arc.where)) return false;
-  emit(motion);
-  return true;
+  return line_move(arc.to, arc.frame);
 }
 
 // I J K: offsets from the start, or absolute by AC() and CODESYS G98. `given`: at least one word in
@@ -289,7 +290,7 @@ bool Engine::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2
         "arc-angle-range",
         fmt::format("T{:g}: the opening angle is above 0 and at most 1080 degrees", t.value), t);
   if (!centered)
-    return error("arc-no-center", "T is the opening angle and needs the centre I J K", t);
+    return arc_to_line("arc-no-center", "T is the opening angle and needs the centre I J K", arc);
   if (named_along(arc.to, arc.basis.u) || named_along(arc.to, arc.basis.v)) {
     warning("arc-overdetermined", "T gives the end point: the end in the plane is not used", t);
     const double height = dot(arc.to.programmed, arc.basis.w);

@@ -46,10 +46,7 @@ bool Engine::three_point_arc(ArcBlock& arc) {
                  *arc.where);
   if (fit == Fit::line) {
     take(Address::turn);
-    Motion line = motion_template(*arc.where, MotionKind::line);
-    commit(arc.to, arc.frame, line);
-    emit(line);
-    return true;
+    return line_move(arc.to, arc.frame);
   }
   PlaneArc sweep{{}, solved.radius, solved.sweep};
   return add_turns(sweep) && emit_spatial_arc(arc, solved, sweep.sweep);
@@ -100,10 +97,7 @@ bool Engine::tangent_arc(ArcBlock& arc) {
                  "the end lies straight behind: no circle reaches it (alarm 14045)", *arc.where);
   const std::optional<PlaneArc> solved = arc_by_tangent(arc.start, unit, arc.end);
   if (solved) return finish_arc(*solved, arc);
-  Motion line = motion_template(*arc.where, MotionKind::line);
-  commit(arc.to, arc.frame, line);
-  emit(line);
-  return true;
+  return line_move(arc.to, arc.frame);
 }
 
 }  // namespace mrsim

@@ -3,7 +3,9 @@
 #include "core/units.h"
 #include "interp/engine.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -39,21 +41,21 @@ double Engine::length_unit(const Word& word) const {
 }
 
 bool Engine::has_move() const {
-  static constexpr Address kMoves[] = {letter('X'), letter('Y'), letter('Z'),
-                                       Address::ap, Address::rp, Address::ang};
   if (frame_code_ || (oneshot_ && oneshot_code_ != Code::tap_floating)) return false;
-  for (const Address a : kMoves) {
+  const auto open = [&](Address a) {  // given, and not yet taken by a G word of the block
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
-    if (slot.epoch == epoch_ && !slot.used) return true;
-  }
-  if (lathe() && is(Dialect::fanuc) && (peek('U') || peek('V') || peek('W'))) return true;
-  if (!is_circular(current_motion())) return false;
-  if (find(Address::cr) || find(Address::ar) || find(Address::i1) || find(Address::j1) ||
-      find(Address::k1) || find(Address::turn))
+    return slot.epoch == epoch_ && !slot.used;
+  };
+  const auto any = [&](std::initializer_list<Address> list) {
+    return std::any_of(list.begin(), list.end(), open);
+  };
+  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, Address::ang}))
     return true;
-  if (peek('I') || peek('J') || peek('K')) return true;
-  if (is(Dialect::codesys) && peek('T') && !slots_['T'].used) return true;
-  return peek('R') != nullptr;
+  if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
+  if (!is_circular(current_motion())) return false;
+  if (is(Dialect::codesys) && open(letter('T'))) return true;
+  return any({letter('I'), letter('J'), letter('K'), letter('R'), Address::cr, Address::ar,
+              Address::i1, Address::j1, Address::k1, Address::turn});
 }
 
 bool Engine::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {

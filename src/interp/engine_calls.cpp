@@ -32,6 +32,8 @@ bool Engine::run_flow() {
                     fmt::format("the program before O{:g} has no {}: it is taken to end here",
                                 program->value, top.call < 0 ? "M30" : "M99"),
                     program->column, program->length);
+    else
+      missing_return();
     end_activation();
     block_.words.clear();
     ++epoch_;
@@ -42,6 +44,10 @@ bool Engine::run_flow() {
   if (const Word* call = take(Address::call)) call_word_ = call;
   if (const Word* l = is(Dialect::sinumerik) ? take('L') : nullptr) call_word_ = l;
   if (call_word_ && !alone(*call_word_)) return false;
+  for (const Word& word : block_.words)
+    if (is(Dialect::sinumerik) && word.code == Code::program_return && block_.words.size() > 1 &&
+        word.address == Address::function)
+      warning("call-not-alone", "RET stands alone in its block", word);
   if (call_word_ || find(letter('M'))) {  // repeats of a call
     take('P');
     if (!is(Dialect::codesys)) take('L');
@@ -63,9 +69,9 @@ bool Engine::alone(const Word& call) {
   if (call.address == Address::call && !call.string)
     return error(
         "word-unknown",
-        fmt::format("{} is not a word of this control{}", text_of(call),
-                    is(Dialect::sinumerik) ? " (alarm 12550), and a call stands alone in its block"
-                                           : ", and a call stands alone in its block"),
+        fmt::format("{} is not a word of this control{}, and a call stands alone in its block{}",
+                    text_of(call), is(Dialect::sinumerik) ? " (alarm 12550)" : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(call.text) : ""),
         call);
   return known && error("call-not-alone", "a call stands alone in its block", call);
 }
@@ -100,12 +106,14 @@ bool Engine::call_subprogram(const SubprogramName& name, long repeats, const Wor
   if (!place) {
     std::string text =
         name.text.empty() ? fmt::format("O{:04}", name.number) : to_utf8(name.text.substr(0, 80));
-    return error("subprogram-missing",
-                 fmt::format("subprogram {} is neither in the program's file nor beside it{}", text,
-                             is(Dialect::fanuc)       ? " (alarm 076)"
-                             : is(Dialect::sinumerik) ? " (alarm 14011)"
-                                                      : ""),
-                 word);
+    return error(
+        "subprogram-missing",
+        fmt::format("subprogram {} is neither in the program's file nor beside it{}{}", text,
+                    is(Dialect::fanuc)       ? " (alarm 076)"
+                    : is(Dialect::sinumerik) ? " (alarm 14011)"
+                                             : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(name.text) : ""),
+        word);
   }
   if (repeats <= 0) return true;
   Activation next;
@@ -154,6 +162,17 @@ bool Engine::named_call(const Word& word) {
   name.text = std::string(word.text);
   if (word.address == letter('L')) name.text = text_of(word);
   return call_subprogram(name, repeats, word);
+}
+
+// A FANUC subprogram whose text ends without M99.
+void Engine::missing_return() {
+  if (!is(Dialect::fanuc) || stack_.size() < 2) return;
+  reporter_.forget_text();
+  Word place;
+  place.length = 1;
+  reporter_.once(Severity::warning, "program-end-missing",
+                 "the subprogram ends without M99: it is taken to return here", place,
+                 fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin));
 }
 
 // The end of what is being read: the next run of a subprogram, or its caller.

@@ -37,7 +37,7 @@ bool Engine::start_compensation(const Motion& motion, const Word& where) {
 // SINUMERIK: G41 and G42 count only in a G0 or G1 block with travel in the plane.
 void Engine::check_comp_selection(Code before) {
   if (!comp_selected_ || comp_moved_ || !is(Dialect::sinumerik) || modal_.comp == Code::comp_off ||
-      comp_started_)
+      comp_started_ || pending_angle_.active)
     return;
   warning("comp-void",
           "G41/G42 counts only in a G0 or G1 block that moves in the plane: the selection is void",

@@ -270,6 +270,9 @@ bool Engine::pole() {
   const Word* rp = take(Address::rp);
   const Word* ap = take(Address::ap);
   if (ap || rp) {
+    if (peek('X') || peek('Y') || peek('Z'))
+      return error("polar-mixed", "a pole is given by axes or by AP= RP=, not both (alarm 14270)",
+                   ap ? *ap : *rp);
     const double angle = ap ? ap->value : 0, radius = rp ? rp->value * scale() : 0;
     if (radius < 0) return error("polar-radius", "RP must not be negative (alarm 14250)", *rp);
     const SinCos sc = sincos_deg(angle);

@@ -75,7 +75,10 @@ bool Engine::apply_mode(Code code, const Word& word) {
     if (is(Dialect::sinumerik)) m.surface_speed = false;
   } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
     m.surface_speed = code == Code::surface_speed;
-    if (m.surface_speed && is(Dialect::sinumerik)) m.feed_unit = FeedUnit::mm_per_rev;
+    if (word.value == 961 || word.value == 971)
+      m.feed_unit = FeedUnit::mm_per_min;
+    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
+      m.feed_unit = FeedUnit::mm_per_rev;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
     m.center_absolute = code == Code::center_absolute;
   } else if (code == Code::polar_on || code == Code::polar_off) {
@@ -127,13 +130,20 @@ bool Engine::apply_comp_code(Code code, const Word& word) {
   return true;
 }
 
+// On FANUC lathes G90 is a turning cycle in code system A. Beside a motion word of the same group
+// it cannot be one, and G91 exists only in systems B and C.
 bool Engine::select_distance(Code code, const Word& word) {
-  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W')))
-    return error("not-supported",
-                 fmt::format("G{:g} with axes is a turning cycle of code system A, which is not "
-                             "supported yet",
-                             word.value),
-                 word);
+  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
+    const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
+      return w.address == letter('G') && lookup(w).group == Group::motion;
+    });
+    if (!moves && code == Code::absolute)
+      return error("not-supported",
+                   "G90 with axes is a turning cycle of code system A, which is not supported yet",
+                   word);
+    note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
+              word, "code-system");
+  }
   modal_.incremental = code == Code::incremental;
   return true;
 }
@@ -288,7 +298,9 @@ bool Engine::apply_codesys_values() {
   const Word* d = take('D');
   if (d) {
     if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
-    if (comp_selected_ || modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
+    // Beside G41 and G42 the tool's radius, anywhere else that of smoothing.
+    const bool named = (groups_ >> static_cast<unsigned>(Group::comp) & 1U) != 0;
+    if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }
   return true;
 }

@@ -21,10 +21,12 @@ bool Engine::move() {
   const Frame frame = frame_now();
   const Vec3 from = suppress_ ? apply_inverse(frame, position_.physical) : position_.programmed;
   const Word* ang = find(Address::ang);
-  if (pending_angle_.active && !ang)
+  if (pending_angle_.active && !ang) {
+    pending_angle_.active = false;
     return error("angle-incomplete",
                  "the block before gives only ANG=, so this one needs ANG= and both coordinates",
                  block_.words.front());
+  }
   if (is_circular(current_motion())) {
     if (ang) return error("angle-line-only", "ANG= is for straight lines only", *ang);
     return arc_move(from, frame);
@@ -82,6 +84,7 @@ bool Engine::two_angle_lines(const Target& to, const Vec3& from, const Frame& fr
   Motion first = pending_angle_.motion;
   first.start = position_.physical;
   commit(middle, frame, first);
+  if (!start_compensation(first, ang)) return false;
   emit_with(first, pending_angle_.corner);
   Motion second = motion_template(*motion_word(to), MotionKind::line);
   commit(to, frame, second);
@@ -105,12 +108,17 @@ bool Engine::thread_values(const Target& to, const Vec3& from) {
   } else {
     const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
     double longest = -1;
+    const Word* used = nullptr;
     for (int i = 0; i < 3; ++i) {
       const Word* lead = take("IJK"[i]);
       if (!lead || along[i] <= longest) continue;
       longest = along[i];
+      used = lead;
       modal_.lead = lead->value * scale();
     }
+    if (used && longest < *std::max_element(std::begin(along), std::end(along)))
+      warning("thread-lead", "the lead belongs to the axis of the longer path, and this is another",
+              *used);
   }
   if (modal_.lead == 0)
     return error("thread-lead", "a thread needs its lead",
@@ -196,7 +204,13 @@ void Engine::emit_with(Motion motion, const CornerSpec& corner) {
   motion.end.z += modal_.length_offset;
   motion.center.z += modal_.length_offset;
   last_length_ = modal_.length_offset;
-  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) return;
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
+    for (const Address a : {Address::rnd, Address::chr, Address::chf})
+      if (const Word* word = find(a))
+        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
+                *word);
+    return;
+  }
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
   if (plain && contour_idle_) return output(motion);
   PathMove path;
@@ -234,6 +248,9 @@ CornerSpec Engine::corner_spec() {
   } else if (modal_.rndm > 0) {
     spec = {Kind::round, modal_.rndm, 0};
   }
+  for (const Word* word : {round, leg, cut})
+    if (word && word->value < 0)
+      warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
   if (spec.size <= 0) spec.kind = Kind::none;
   spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
   return spec;

@@ -25,7 +25,7 @@ constexpr Row kShared[] = {{0, C::rapid, G::motion},          {10, C::line, G::m
                            {910, C::incremental, G::distance}};
 
 constexpr Row kSinumerik[] = {
-    {90, C::ignored, G::exact},
+    {90, C::ignored, G::other},
     {250, C::speed_limit, G::frame},
     {260, C::speed_limit, G::frame},
     {330, C::thread, G::motion},
@@ -83,7 +83,7 @@ constexpr Row kSinumerik[] = {
     {7000, C::inch_feed, G::units},
     {7100, C::metric_feed, G::units},
     {9610, C::surface_speed, G::feed},
-    {9620, C::per_revolution, G::feed},
+    {9620, C::surface_speed, G::feed},
     {9710, C::surface_speed_off, G::feed},
 };
 

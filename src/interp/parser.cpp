@@ -32,6 +32,14 @@ void Parser::fault(Block& block, const char* code, const std::string& text, std:
   reporter_.add(Severity::error, code, text, static_cast<int>(from), static_cast<int>(to - from));
 }
 
+// " (alarm 004)" on a control that numbers this fault.
+std::string Parser::alarm(const char* fanuc, const char* sinumerik) const {
+  const char* number = dialect_ == Dialect::fanuc       ? fanuc
+                       : dialect_ == Dialect::sinumerik ? sinumerik
+                                                        : nullptr;
+  return number ? fmt::format(" (alarm {})", number) : std::string();
+}
+
 void Parser::unsupported(Block& block, std::string_view word, std::string_view what,
                          std::size_t from) {
   fault(block, "not-supported",
@@ -145,8 +153,10 @@ void Parser::bare_number(Block& block) {
   const std::size_t from = p_;
   while (p_ < line_.size() && (starts_number(line_[p_]))) ++p_;
   const std::string text(line_.substr(from, std::min<std::size_t>(p_ - from, 40)));
-  fault(block, "number-without-address",
-        fmt::format("{} has no address; missing axis letter before {}?", text, text), from, p_);
+  fault(
+      block, "number-without-address",
+      fmt::format("{} has no address; missing axis letter before {}?{}", text, text, alarm("004")),
+      from, p_);
 }
 
 void Parser::strange_character(Block& block) {
@@ -163,10 +173,6 @@ void Parser::strange_character(Block& block) {
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
-  if (c == '&' && dialect_ == Dialect::sinumerik) {
-    ++p_;
-    return;
-  }
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);
   ++p_;
@@ -241,7 +247,11 @@ bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool expone
   if (large && text.find('.') == text.rfind('.') && text.rfind('-') + 1 <= 1)
     fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
   else
-    fault(block, "number-malformed", fmt::format("\"{}\" is not a number", shown), from, p_);
+    fault(block, "number-malformed",
+          fmt::format(
+              "\"{}\" is not a number{}", shown,
+              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
+          from, p_);
   return false;
 }
 
@@ -288,7 +298,8 @@ void Parser::letter_word(Block& block) {
                  fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
                              assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
                  from, p_);
-  fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
+  fault(block, "address-without-number", fmt::format("no number after {}{}", c, alarm("005")), from,
+        p_);
 }
 
 // IF, WHILE, GOTO ... of the macro languages.

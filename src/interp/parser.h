@@ -7,6 +7,7 @@
 #include "interp/reporter.h"
 
 #include <cstddef>
+#include <string>
 
 namespace mrsim {
 
@@ -39,6 +40,7 @@ class Parser {
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
   void strange_character(Block& block);
+  std::string alarm(const char* fanuc, const char* sinumerik = nullptr) const;
   void text_value(Block& block, Word& word);
   void skip_blanks();
   void fault(Block& block, const char* code, const std::string& text, std::size_t from,
@@ -46,7 +48,9 @@ class Parser {
   void unsupported(Block& block, std::string_view word, std::string_view what, std::size_t from);
   void push(Block& block, Word& word, std::size_t from);
   char at(std::size_t i) const { return i < line_.size() ? line_[i] : '\0'; }
-  bool blank(char c) const { return c == ' ' || c == '\t' || c == '\r'; }
+  bool blank(char c) const {  // SINUMERIK's & too
+    return c == ' ' || c == '\t' || c == '\r' || (c == '&' && dialect_ == Dialect::sinumerik);
+  }
 
   Dialect dialect_;
   Reporter& reporter_;
@@ -54,5 +58,8 @@ class Parser {
   std::string_view line_;
   std::size_t p_ = 0;
 };
+
+/// "; is CR=5 meant?" for a SINUMERIK name that is an address and digits, else empty.
+std::string missing_equal_sign(std::string_view name);
 
 }  // namespace mrsim

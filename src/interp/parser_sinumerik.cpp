@@ -41,6 +41,16 @@ Address find_address(std::string_view name) {
 
 }  // namespace
 
+std::string missing_equal_sign(std::string_view name) {
+  std::size_t letters = 0;
+  while (letters < name.size() && is_letter(name[letters])) ++letters;
+  const std::string_view digits = name.substr(letters);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos ||
+      find_address(upper_case(name.substr(0, letters))) == Address::none)
+    return {};
+  return fmt::format("; is {}={} meant?", name.substr(0, letters), digits);
+}
+
 void Parser::sinumerik_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
@@ -120,6 +130,8 @@ bool Parser::sinumerik_value(Block& block, Word& word) {
     fault(block, "address-without-number", "no value after =", from > 0 ? from - 1 : 0, from);
     return false;
   }
+  if (starts_number(c) && (at(p_ + 1) == '\0' || at(p_ + 1) == ';' || blank(at(p_ + 1))))
+    return number(block, word, true);  // a lone sign or point
   p_ = from + 1;
   unsupported(block, line_.substr(from, 1), "an expression", from);
   return false;
@@ -152,7 +164,7 @@ bool Parser::sinumerik_form(Block& block, Word& word) {
       return true;
     }
     if (at(p_) == '\0' || at(p_) == ';')
-      fault(block, "bracket", "the ( here is not closed", inner - 1, inner);
+      fault(block, "bracket", "the ( here is not closed (alarm 12080)", inner - 1, inner);
     else
       unsupported(block, line_.substr(inner, p_ - inner + 1), "an expression", inner);
     return false;
@@ -257,7 +269,8 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
   }
   if (quoted)
     return fault(block, "string-unterminated", "a text is not closed with \"", open, open + 1);
-  if (depth != 0) return fault(block, "bracket", "the ( here is not closed", open, open + 1);
+  if (depth != 0)
+    return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
   const std::string_view argument = line_.substr(open + 1, p_ - open - 1);
   ++p_;
   const std::string name = upper_case(run.substr(0, 33));

@@ -189,7 +189,6 @@ void weigh_fanuc(const LineScan& s, std::string_view raw, int line, Evidence& e)
     e.add(d, 6, "a # variable", line);
   if (c.find("IF[") != std::string::npos || c.find("WHILE[") != std::string::npos)
     e.add(d, 8, "a macro statement", line);
-  if (s.comment_kind == '(') e.add(d, 1, "a comment in ( )", line);
   std::size_t run = 0;
   for (std::size_t i = 1; i < c.size(); ++i)
     if (c[i] == 'G' && is_digit(c[i - 1])) ++run;
@@ -206,8 +205,9 @@ std::size_t count_numbers(std::string_view c) {
 void weigh_codesys(const LineScan& s, int line, bool& arcs, Evidence& e) {
   constexpr auto d = Dialect::codesys;
   const std::string& c = s.code;
-  if (has_word(c, "G2") || has_word(c, "G3") || has_word(c, "G02") || has_word(c, "G03"))
-    arcs = true;
+  const bool named_arc =
+      has_word(c, "G2") || has_word(c, "G3") || has_word(c, "G02") || has_word(c, "G03");
+  if (named_arc) arcs = true;
   if (has_word(c, "G1") || has_word(c, "G0") || has_word(c, "G01") || has_word(c, "G00")) {
     if (count_numbers(c) < 2) arcs = false;
   }
@@ -222,8 +222,8 @@ void weigh_codesys(const LineScan& s, int line, bool& arcs, Evidence& e) {
     e.add(d, 6, "a variable in $ $", line);
   if (has_word(c, "G16") && center) e.add(d, 10, "G16 with a normal vector", line);
   const bool cycle = has_axis(c, 'R') || has_axis(c, 'Z') || has(c, "G8") || has(c, "G7");
-  if ((has_word(c, "G98") || has_word(c, "G99")) && !cycle && !has_axis(c, 'F') &&
-      !has_axis(c, 'S'))
+  const bool feeds = has_axis(c, 'F') || has_axis(c, 'S');
+  if ((has_word(c, "G98") || has_word(c, "G99")) && !cycle && (!feeds || (named_arc && center)))
     e.add(d, 5, "G98/G99 for the centre", line);
   if (has(c, "FF") || has(c, "EF")) e.add(d, 5, "FF/EF", line);
   const std::size_t first = c.find(" E"),
@@ -252,9 +252,11 @@ class Leader {
       lines_ = mark_ - 1;
       done_ = true;
     } else {
-      for (std::size_t i = 0; i + 1 < s.code.size(); ++i)
-        if ((s.code[i] == 'G' || s.code[i] == 'O' || s.code[i] == 'M') && is_digit(s.code[i + 1]))
-          done_ = true;
+      // A block begins with a word; text in which one occurs is still text.
+      const std::size_t at = s.code.find_first_not_of(" \t/");
+      if (at != std::string::npos && at + 1 < s.code.size() &&
+          std::string_view("GMNOTXYZ:").find(s.code[at]) < 9 && is_digit(s.code[at + 1]))
+        done_ = true;
     }
   }
   int lines() const { return lines_; }
@@ -277,6 +279,16 @@ void note_first(std::string& where, std::string_view what, int line) {
   if (where.empty()) where = fmt::format("{} in line {}", what, line);
 }
 
+// Words of FANUC that are a lathe's unless something moves in Y: increments U W, cycles of system
+// A.
+bool turning_words(const std::string& c) {
+  const bool dwell = has_word(c, "G4") || has_word(c, "G04");
+  if (!dwell && (has_axis(c, 'U') || has_axis(c, 'W'))) return true;
+  if ((has_word(c, "G73") || has_word(c, "G76")) && has_axis(c, 'P') && has_axis(c, 'Q'))
+    return true;
+  return has_word(c, "G92") && has_axis(c, 'Z') && has_axis(c, 'F');
+}
+
 void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
   const std::string& c = s.code;
   if (c.find('G') != std::string::npos) {
@@ -286,6 +298,7 @@ void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
       for (const std::string_view g : {"G70", "G71", "G72", "G75"})
         if (has_word(c, g)) note_first(lathe, g, n);
   }
+  if (dialect == Dialect::fanuc && turning_words(c)) note_first(plane, "a turning word", n);
   if (c.find("LIMS") != std::string::npos) note_first(lathe, "LIMS", n);
   if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
     note_first(lathe, "DIAMON", n);
@@ -304,11 +317,10 @@ void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
              fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
 }
 
-void judge_dialect(const Evidence& e, const std::string& path, Recognition& out) {
+void judge_dialect(const Evidence& e, Recognition& out) {
   out.dialect = e.best();
   out.dialect_reason = e.reason(out.dialect);
   if (out.dialect_reason.empty()) out.dialect_reason = "nothing points to another control";
-  (void)path;
 }
 
 void judge_machine(const MachineScan& m, const InterpOptions& options, Recognition& out) {
@@ -385,7 +397,7 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   }
   out.dialect = options.dialect;
   out.dialect_reason = "as told";
-  if (options.dialect == Dialect::automatic) judge_dialect(evidence, path, out);
+  if (options.dialect == Dialect::automatic) judge_dialect(evidence, out);
   if (out.dialect == Dialect::fanuc || out.dialect == Dialect::iso)
     out.leader_lines = leader.lines();
   out.machine = options.machine;

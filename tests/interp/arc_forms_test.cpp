@@ -328,5 +328,13 @@ TEST(ArcForms, FanucPolarCoordinates) {
   expect_near(inc.motions[2].end, {-5 / std::sqrt(2.0), 10 + 5 / std::sqrt(2.0), 0});
 }
 
+// The chord is the diameter but for rounding: the centre lies on it.
+TEST(ArcForms, HalfCirclesByRadiusAreExact) {
+  const Program p = read_text("G70 G0 X3 Y0\nG3 X1 CR=1 F1\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.motions.size(), 2U) << listing(p);
+  EXPECT_EQ(p.motions[1].center.y, 0);
+  EXPECT_NEAR(degrees(p.motions[1].sweep), 180, 1e-12);
+}
+
 }  // namespace
 }  // namespace mrsim

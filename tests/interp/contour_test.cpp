@@ -115,6 +115,20 @@ TEST(Compensation, SuspendedRunsShifted) {
   EXPECT_EQ(track(p), "0,5 20,5 30,10 40,10 40,30") << listing(p);
 }
 
+TEST(Compensation, ARoundingBehindTheStartMayBeVoid) {
+  const Program p = read_text("G0 X-20 Y0\nG42 G1 X0 Y0 RND=2 F100\nY-20\nG40 X20\n",
+                              at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p), "comp-element-void") << listing(p);
+  EXPECT_EQ(track(p), "-5,-2 -5,-20 20,-20");
+}
+
+TEST(Compensation, ResumedOverABridge) {
+  const Program p =
+      read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nY20\nCUTCONON\nX20\nCUTCONOF\nY0\nX0\nG40 Y-20\n",
+                at_origin(Dialect::sinumerik));
+  EXPECT_EQ(track(p), "-5,0 -5,20 15,20 25,20 25,0 a20,-5 0,-5 0,-20") << listing(p);
+}
+
 TEST(Compensation, InfeedsStayAtThePoint) {
   const Program p = read_text("G0 X-20 Y-20 Z5\nG41 G1 X0 Y0 F100\nZ-2\nY40\nZ-4\nX40\nG40 X60\n",
                               at_origin(Dialect::sinumerik));
@@ -197,6 +211,22 @@ TEST(Corners, FeedOfTheInsertedElement) {
   ASSERT_EQ(p.motions.size(), 5U) << listing(p);
   EXPECT_EQ(p.motions[1].feed, 50);
   EXPECT_EQ(p.motions[3].feed, 100);
+}
+
+TEST(Corners, WhatCannotBeInsertedIsReported) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* text : {"G1 X30 RND=2\nX29\nY5\n", "G1 X10 Y20\nY20 CHF=50\nX50\n",
+                           "G1 X20 RND=-2\nY20\n", "G1 X20 CHR=-2\nY20\n"})
+    EXPECT_EQ(codes(read_text(std::string("F1\n") + text, s)), "corner-void") << text;
+  EXPECT_EQ(codes(read_text("G112 X1 Y1 AP=3\nG1 X1 F1\n", s)), "polar-mixed");
+}
+
+TEST(Corners, ALoneAngleIsReportedOnce) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const Program p = read_text("F1\nG1 ANG=30\nX5\nG1 ANG=30 X5\n", s);
+  EXPECT_EQ(codes(p), "angle-incomplete");
+  EXPECT_EQ(p.motions.size(), 1U) << listing(p);
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 ANG=30\nM30\n", s)), "angle-incomplete");
 }
 
 TEST(Corners, AnglesOfTwoBlocks) {

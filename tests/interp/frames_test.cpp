@@ -177,5 +177,30 @@ TEST(Frames, FeedsAndSpeeds) {
   EXPECT_EQ(p.motions[7].lead, 2);
 }
 
+TEST(Frames, TheLeadIsThatOfTheLongerPath) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(codes(read_text("S100\nG33 X60 Z-25 K2\n", s)), "thread-lead");
+  EXPECT_EQ(codes(read_text("S100\nG33 X60 Z-25 I2\nG33 Z-90 K2\n", s)), "");
+}
+
+TEST(Frames, SurfaceSpeedsAndTheirFeeds) {
+  const std::pair<const char*, FeedUnit> rows[] = {
+      {"G94 G96 S1", FeedUnit::mm_per_rev},      {"G95\nG961 S1", FeedUnit::mm_per_min},
+      {"G94\nG962 S1", FeedUnit::mm_per_min},    {"G95\nG962 S1", FeedUnit::mm_per_rev},
+      {"G96 S1\nG971 S1", FeedUnit::mm_per_min}, {"G96 S1\nG97 S1", FeedUnit::mm_per_rev}};
+  for (const auto& [text, unit] : rows) {
+    SCOPED_TRACE(text);
+    const Program p = read_text(std::string(text) + "\nG1 X1 F1\n", at_origin(Dialect::sinumerik));
+    if (std::string(text) == "G94 G96 S1") {  // both are of group 15
+      EXPECT_EQ(codes(p), "group-twice");
+      continue;
+    }
+    ASSERT_EQ(p.motions.size(), 1U) << listing(p);
+    EXPECT_EQ(p.motions[0].feed_unit, unit);
+    EXPECT_EQ(p.motions[0].constant_surface_speed,
+              std::string(text).find("G97") == std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

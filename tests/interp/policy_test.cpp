@@ -1,6 +1,8 @@
 // DIALECTS section 7: what each control does with bad input, one row of the table per row here.
 #include "interp/support.h"
 
+#include <tuple>
+
 namespace mrsim {
 namespace {
 
@@ -105,6 +107,19 @@ TEST(Policy, BothRadiiAndASignAreNamed) {
   EXPECT_NE(d.text.find("J-30"), std::string::npos) << d.text;
 }
 
+TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
+  EXPECT_EQ(outcome("G91 G3 AR=90 R5 X3", Dialect::sinumerik), "none arc-overdetermined");
+  EXPECT_EQ(outcome("G3 AR=90 R5 I3", Dialect::sinumerik), "none arc-overdetermined");
+  EXPECT_EQ(outcome("G3 T90 I3 J0 R5", Dialect::codesys), "arc arc-overdetermined");
+  EXPECT_EQ(outcome("G2 X5 T90", Dialect::codesys), "line arc-no-center");
+}
+
+TEST(Policy, TwoWordsOfAGroup) {
+  for (const char* text : {"G60 G64 X1", "G601 G602 X1", "G17 G18 X1"})
+    EXPECT_EQ(outcome(text, Dialect::sinumerik), "none group-twice") << text;
+  EXPECT_EQ(outcome("G9 G60 G601 X1", Dialect::sinumerik), "line");
+}
+
 TEST(Policy, ThreePoints) {
   const auto run = [](const char* text) {
     return codes(
@@ -164,6 +179,24 @@ TEST(Policy, LongLines) {
                 at_origin(Dialect::iso));
   EXPECT_EQ(p.motions.size(), 2U);
   EXPECT_EQ(codes(p), "number-too-large");
+}
+
+TEST(Policy, LexicalFaultsNameTheirAlarm) {
+  const std::tuple<Dialect, const char*, const char*> rows[] = {
+      {Dialect::fanuc, "G1 X5 95", "blank"},
+      {Dialect::fanuc, "95 X1", "(alarm 004)"},
+      {Dialect::fanuc, "G1 X", "(alarm 005)"},
+      {Dialect::fanuc, "G1 X--5", "(alarm 006)"},
+      {Dialect::fanuc, "G1 X1.2.3", "(alarm 007)"},
+      {Dialect::fanuc, "G1 E5", "(alarm 009)"},
+      {Dialect::sinumerik, "G1 X1.2.3", "(alarm 12080)"},
+      {Dialect::sinumerik, "G1 X=AC(5", "(alarm 12080)"}};
+  for (const auto& [dialect, text, part] : rows) {
+    SCOPED_TRACE(text);
+    const Program p = read_text(std::string(text) + "\nG1 X1 F1\n", at_origin(dialect));
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics[0].text.find(part), std::string::npos) << p.diagnostics[0].text;
+  }
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ TEST(Recognise, Dialects) {
       {"a.nc", "%\nO1001\n(T1 D=6. CR=0. - FLAT END MILL)\nG90 G94\nG1 X1 Y1", Dialect::fanuc},
       {"a.nc", "N110 G1 X50 Y17 F250\nN120 G2 X21 Y34 i-20 j0\nN130 G1 X10 Y53", Dialect::iso},
       {"a.nc", "N120 G3 X21 Y30 R-13", Dialect::iso},
+      {"a.nc", "N10 G0 X10 Y5 (start)\nN20 G2 X5 R5\nM30", Dialect::iso},
+      {"a.nc", "N10 G98 G2 X5 Y5 I3 J3 F10", Dialect::codesys},
+      {"a.nc", "N10 G99 G3 X5 Y5 I3 J3 F10", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100 F100 N20 G2 X200 Y100 R50", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100 F100\nN15 G99\nN20 G2 X200 Y100 I50 J0", Dialect::codesys},
       {"a.nc", "N10 G1 X100 Y100\nN20 G2 I50 J0 T180", Dialect::codesys},
@@ -79,6 +82,18 @@ TEST(Recognise, Machines) {
       EXPECT_EQ(e.kind(), Error::Kind::usage);
     }
   }
+}
+
+TEST(Recognise, FanucLathes) {
+  const std::pair<const char*, MachineKind> rows[] = {
+      {"O1\nG0 X20 Z2\nG1 U-2 W-5 F.1", MachineKind::lathe},
+      {"O1\nG92 X18 Z-20 F1.5", MachineKind::lathe},
+      {"O1\nG76 P011060 Q100 R50", MachineKind::lathe},
+      {"O1\nG0 X20 Y2\nG1 W-5 F.1", MachineKind::mill},
+      {"O1\nG92 X0 Z0\nG1 X5 F1", MachineKind::automatic}};
+  const Scratch scratch;
+  for (const auto& [text, machine] : rows)
+    EXPECT_EQ(recognise(scratch.write("a.nc", text), {}).machine, machine) << text;
 }
 
 TEST(ToolComment, InManyTongues) {
@@ -226,6 +241,15 @@ TEST(Flow, FanucTape) {
                 at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(p), "") << listing(p);
   EXPECT_EQ(p.motions.size(), 3U);
+}
+
+TEST(Flow, TextBeforeTheTapeMarkMayHoldWords) {
+  const Program p = read_text("some text G1 X5 (M30)\n%\nO1\nG0 X1\nG1 X2 F1\nM30\n%\nG1 X9\n",
+                              at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(p), "") << listing(p);
+  EXPECT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(read_text("N1 G1 X5 F1\nM30\n%\nrubbish\n", at_origin(Dialect::fanuc)).motions.size(),
+            1U);
 }
 
 TEST(Flow, Workpiece) {

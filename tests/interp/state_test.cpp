@@ -103,5 +103,70 @@ TEST(Start, G54IsInForceOnFanucAndIso) {
   }
 }
 
+TEST(Codesys, TheVectorOfG16IsNoCentre) {
+  const Program p =
+      read_text("G0 X0 Y0 Z0 F100\nG2 X10 I5\nG16 I1 J0 K1\nG1 X5\n", at_origin(Dialect::codesys));
+  EXPECT_EQ(codes(p), "") << listing(p);
+  EXPECT_EQ(ends(p), "a10,0,0 5,0,0");
+}
+
+TEST(Codesys, DAloneIsNoToolRadius) {
+  const Program p = read_text("G0 X-20 Y0 Z0 F100\nG41 D5 G1 X0 Y0\nY20\nD2 X20\nY0\nG40 X40\n",
+                              at_origin(Dialect::codesys));
+  EXPECT_EQ(ends(p), "-20,0,0 -5,0,0 -5,20,0 a0,25,0 20,25,0 a25,20,0 25,0,0 40,0,0") << listing(p);
+}
+
+TEST(FanucLathe, G90IsACycleOnlyWithoutAMotionWord) {
+  const InterpOptions lathe = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const std::pair<const char*, const char*> rows[] = {
+      {"G18 G90 G0 X20 Z0\nG91 G1 X-4 Z-5\nX2\nG91 Z-1\n", "10,0,0 8,0,-5 9,0,-5 9,0,-6"},
+      {"G90\nG0 X20 Z0\n", "10,0,0"}};
+  for (const auto& [text, expected] : rows) {
+    const Program p = read_text(std::string("F1\n") + text, lathe);
+    EXPECT_EQ(ends(p), expected) << listing(p);
+  }
+  EXPECT_EQ(codes(read_text("F1\nG1 X30 Z0\nG90 X20 Z-5\n", lathe)), "not-supported");
+}
+
+TEST(Sinumerik, RetAloneAndAmpersands) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 X2 RET\n", s)), "call-not-alone");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nRET\n", s)), "");
+  EXPECT_EQ(ends(read_text("G1 X&5 F1 & Y2\n", s)), "5,2,0");
+}
+
+TEST(Sinumerik, WhatIsMeant) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* text : {"G1 X=. F1\n", "G1 X=-\n"})
+    EXPECT_EQ(codes(read_text(text, s), Severity::error).substr(0, 16), "number-malformed") << text;
+  for (const char* text : {"CR5\n", "G2 X5 CR5\n"}) {
+    const Program p = read_text(text, s);
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics[0].text.find("is CR=5 meant?"), std::string::npos) << listing(p);
+  }
+}
+
+TEST(Subprograms, AFanucSubprogramEndsWithM99) {
+  const Scratch scratch;
+  const std::string path = scratch.write("f.nc", "O1\nG1 X1 F1\nM98 P7 L3\nG1 X3\nM30\n");
+  for (const auto& [end, expected] : {std::pair("M99\n", ""), std::pair("", "program-end-missing"),
+                                      std::pair("%\n", "program-end-missing")}) {
+    scratch.write("O0007.nc", std::string("O7\nG1 X2\n") + end);
+    const Program p = read_program(path, at_origin(Dialect::fanuc));
+    EXPECT_EQ(codes(p), expected) << listing(p);
+    EXPECT_EQ(ends(p), "1,0,0 2,0,0 3,0,0");
+  }
+}
+
+// Straight lines that stand for arcs, or come from angles, select the compensation as others do.
+TEST(Compensation, StartsWithEveryStraightLine) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  EXPECT_EQ(ends(read_text("F1\nG42 CIP X20 I1=10\nG1 X40\nG40 Y20\n", s)),
+            "20,-5,0 40,-5,0 40,20,0");
+  EXPECT_EQ(ends(read_text("F1\nG1 X5\nG42 CT X20\nG1 X40\nG40 Y20\n", s)),
+            "5,0,0 20,-5,0 40,-5,0 40,20,0");
+  EXPECT_EQ(codes(read_text("F1\nG41 ANG=0\nG1 X20 Y10 ANG=90\nG40 X40\n", s)), "");
+}
+
 }  // namespace
 }  // namespace mrsim
