@@ -264,7 +264,7 @@ JobResult simulate(const Job& job) {
 
   StockRecipe recipe{result.stock, result.voxel};
   recipe.shape.history = cuts.all;
-  write_outputs(job.outputs, result.mesh, stock, recipe);
+  write_outputs(job.outputs, result.mesh, stock, recipe, job.files);
   clock.done("write");
   result.stock.mesh = {};
   result.peak_memory = peak_memory();

@@ -76,6 +76,7 @@ struct Job {
   CarveOptions carve;
   MeshOptions mesh;
   std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
+  MeshFileOptions files;             ///< colours and such of the mesh files among them
   bool strict = false;               ///< warnings are errors
 };
 

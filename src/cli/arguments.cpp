@@ -19,7 +19,7 @@ struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip;
   std::string stock, stock_exact, voxel, tolerance, threads, max_memory;
-  std::string size, azimuth, elevation, edges;
+  std::string size, azimuth, elevation, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool help = false, version = false;
   CompareTyped compare;
@@ -132,6 +132,11 @@ void add_output_options(CLI::App& app, Typed& typed, Command command) {
         ->type_name("FILE")
         ->group(group)
         ->allow_extra_args(false);
+  if (command == Command::simulate || command == Command::render)
+    app.add_option("--color", typed.color,
+                   "colour faces by what cut them: line, tool or none; default: none")
+        ->type_name("C")
+        ->group(group);
   if (command == Command::trace || command == Command::check)
     app.add_flag("--json", typed.json, "one JSON object a line")->group(group);
   if (command == Command::trace)
@@ -241,6 +246,7 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
     const int threads = whole_value("--threads", typed.threads, 1, 4096);
     out.carve.threads = out.mesh.threads = out.render.threads = threads;
   }
+  if (!typed.color.empty()) out.files.color = out.render.color = color_value(typed.color);
   if (!typed.max_memory.empty())
     out.carve.max_memory = size_value("--max-memory", typed.max_memory);
 }

@@ -22,6 +22,7 @@ struct Arguments {
   StockOptions stock_options;
   CarveOptions carve;
   MeshOptions mesh;
+  MeshFileOptions files;
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal
   bool quiet = false, verbose = false, strict = false, json = false;

@@ -102,6 +102,7 @@ int run_simulate(const Arguments& arguments) {
   job.carve = arguments.carve;
   job.mesh = arguments.mesh;
   job.outputs = arguments.outputs;
+  job.files = arguments.files;
   job.strict = arguments.strict;
   const NamedNominal nominal = prepare_comparison(arguments.compare);
   JobResult result;
