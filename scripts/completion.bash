@@ -6,6 +6,7 @@ _mrsim() {
   case $previous in
     --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys" -- "$current"); return ;;
     --machine) mapfile -t COMPREPLY < <(compgen -W "mill lathe" -- "$current"); return ;;
+    --keep) mapfile -t COMPREPLY < <(compgen -W "all largest" -- "$current"); return ;;
     --color) mapfile -t COMPREPLY < <(compgen -W "line tool none" -- "$current"); return ;;
     --stock-exact) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$current"); return ;;
     --path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
@@ -17,7 +18,7 @@ _mrsim() {
       check) common="$program $common --json" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads" ;;
       render) common="$common --output --size --azimuth --elevation --edges --color --threads" ;;
-      *) common="$program $common --output --color --stock --stock-exact --voxel --tolerance --threads --max-memory" ;;
+      *) common="$program $common --output --color --stock --stock-exact --keep --voxel --tolerance --threads --max-memory" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

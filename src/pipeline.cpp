@@ -8,6 +8,7 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
+#include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "outputs.h"
 #include "removal/default_stock.h"
@@ -171,10 +172,46 @@ void summarize_part(JobResult& result, const CutHistory& cuts, int threads) {
   result.mesh.origin = owner_table(result.mesh, cuts);
   result.volume = s.volume;
   result.removed_volume = result.stock_volume - result.volume;
+}
+
+void report_uncut(JobResult& result) {
   const auto& owners = result.mesh.owners;
   if (std::all_of(owners.begin(), owners.end(), [](std::int32_t owner) { return owner < 0; }))
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
+}
+
+// A few by name: a stock shot through may leave thousands of crumbs.
+std::string describe_detached(const std::vector<Piece>& pieces) {
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t i = 1; i < std::min(pieces.size(), kNamed); ++i)
+    text += (i > 1 ? "; " : "") + describe_piece(pieces[i]);
+  if (pieces.size() > kNamed) text += fmt::format("; and {} more", pieces.size() - kNamed);
+  return text;
+}
+
+// Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
+void keep_pieces(JobResult& result, const Job& job) {
+  const std::vector<Piece> pieces = find_pieces(result.mesh);
+  const bool drop = job.keep == KeepPieces::largest;
+  for (const Piece& piece : pieces)
+    result.pieces.push_back({piece.volume, piece.center, piece.bounds, piece.triangles,
+                             !drop || result.pieces.empty()});
+  if (pieces.size() < 2) return;
+  const std::string found = describe_detached(pieces);
+  if (!drop)
+    return report(result, Severity::warning, "detached-pieces",
+                  fmt::format("the part is in {} pieces: {}; --keep largest drops all but the "
+                              "largest",
+                              pieces.size(), found));
+  result.mesh = extract_piece(result.mesh, pieces[0]);
+  report(result, Severity::note, "pieces-dropped",
+         fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
+                     found));
+  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb))
+    report(result, Severity::note, "pieces-in-vdb",
+           "the .vdb holds all pieces: it is the stock and its cuts");
 }
 
 void report_mesh(JobResult& result, const ContourReport& found) {
@@ -256,8 +293,10 @@ JobResult simulate(const Job& job) {
   ContourReport contour_report;
   result.mesh = extract_mesh(stock, mesh_options, &contour_report);
   report_mesh(result, contour_report);
+  report_uncut(result);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
+  keep_pieces(result, job);
   summarize_part(result, cuts.all, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;

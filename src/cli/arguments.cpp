@@ -18,7 +18,7 @@ namespace {
 struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip;
-  std::string stock, stock_exact, voxel, tolerance, threads, max_memory;
+  std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
   std::string size, azimuth, elevation, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool help = false, version = false;
@@ -104,6 +104,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
   add("Cutting", "--voxel", typed.voxel, "H", "voxel edge, mm; default: from stock and tools");
   add("Cutting", "--tolerance", typed.tolerance, "T",
       "largest distance between mesh and exact part, mm");
+  add("Cutting", "--keep", typed.keep, "K",
+      "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -242,6 +244,7 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
     out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
+  if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.threads.empty()) {
     const int threads = whole_value("--threads", typed.threads, 1, 4096);
     out.carve.threads = out.mesh.threads = out.render.threads = threads;
