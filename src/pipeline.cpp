@@ -16,6 +16,7 @@
 #include "removal/stock_file.h"
 #include "removal/stock_shape.h"
 #include "removal/sweep.h"
+#include "setup/job_file.h"
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
@@ -215,6 +216,7 @@ void keep_pieces(JobResult& result, const Job& job) {
 }
 
 void report_mesh(JobResult& result, const ContourReport& found) {
+  report_uncut(result);
   result.mesh_bound = found.bound;
   if (found.unresolved > 0)
     report(result, Severity::warning, "tolerance-missed",
@@ -253,6 +255,7 @@ Program trace(const std::string& path, const InterpOptions& options, bool json,
 }
 
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
+JobFile load_job(const std::string& path) { return load_job_file(path); }
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
@@ -293,7 +296,6 @@ JobResult simulate(const Job& job) {
   ContourReport contour_report;
   result.mesh = extract_mesh(stock, mesh_options, &contour_report);
   report_mesh(result, contour_report);
-  report_uncut(result);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, job);

@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 
+#include "cli/job_words.h"
 #include "cli/option_values.h"
 #include "core/suggest.h"
 
@@ -37,6 +38,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
     {Command::simulate, "",
      "Cuts a part out of a stock the way an NC program would, and writes its mesh.",
      "mrsim PROGRAM [--stock S] -o OUT [options]\n"
+     "       mrsim job.toml          all options of a run from one file\n"
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
      "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
@@ -281,6 +283,30 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
     fail_usage("trace draws one picture: -o path.svg");
 }
 
+void read_values(Arguments& out, const Typed& typed) {
+  out.quiet = typed.quiet;
+  out.verbose = typed.verbose;
+  out.strict = typed.strict;
+  out.json = typed.json;
+  read_simulation_options(out, typed);
+  read_picture_options(out, typed);
+  out.compare = compare_request(typed.compare);
+  if (out.compare.options.accept && out.compare.nominal.empty())
+    fail_usage("--accept judges against a nominal: --nominal part.step");
+  read_program_options(out, typed);
+}
+
+Arguments parse_command(const CommandLine& line, int argc, const char* const* argv);
+
+// The words of the file are read like typed ones; it names a program, so this goes one deep.
+Arguments parse_job_command(const CommandLine& line, const std::string& path, int argc,
+                            const char* const* argv) {
+  const std::vector<std::string> words = job_words(path, argc, argv);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return parse_command(line, static_cast<int>(pointers.size()), pointers.data());
+}
+
 Arguments parse_command(const CommandLine& line, int argc, const char* const* argv) {
   Typed typed;
   CLI::App app(line.summary);
@@ -306,17 +332,10 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
   check_words(app);
+  if (line.command == Command::simulate && is_job(typed.inputs))
+    return parse_job_command(line, typed.inputs[0], argc, argv);
   read_input(out, typed, line);
-  out.quiet = typed.quiet;
-  out.verbose = typed.verbose;
-  out.strict = typed.strict;
-  out.json = typed.json;
-  read_simulation_options(out, typed);
-  read_picture_options(out, typed);
-  out.compare = compare_request(typed.compare);
-  if (out.compare.options.accept && out.compare.nominal.empty())
-    fail_usage("--accept judges against a nominal: --nominal part.step");
-  read_program_options(out, typed);
+  read_values(out, typed);
   return out;
 }
 
