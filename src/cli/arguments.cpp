@@ -276,6 +276,9 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
         std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
   if (typed.inputs.size() > 1)
     fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
+  if (is_job(typed.inputs) && !render)
+    fail_usage(
+        fmt::format("{} takes a program; a job is run with: mrsim {}", line.word, typed.inputs[0]));
   out.input = typed.inputs[0];
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");

@@ -47,6 +47,7 @@ TEST_F(JobRun, FaultsAreShownInTheFile) {
   expect_failure("bad.toml", 1, "bad.toml:2:1");
   expect_failure("bad.toml", 1, "did you mean \"voxel\"");
   expect_failure("missing.toml", 1, "missing.toml");
+  expect_failure("check jobs/job.toml", 2, "check takes a program");
   expect_failure("jobs/job.toml PRIMER_2S.MPF", 2, "not expected");
   expect_failure("jobs/job.toml --voxle 1", 2, "did you mean \"--voxel\"");
 }
