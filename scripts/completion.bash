@@ -6,6 +6,8 @@ _mrsim() {
   case $previous in
     --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys" -- "$current"); return ;;
     --machine) mapfile -t COMPREPLY < <(compgen -W "mill lathe" -- "$current"); return ;;
+    --keep) mapfile -t COMPREPLY < <(compgen -W "all largest" -- "$current"); return ;;
+    --color) mapfile -t COMPREPLY < <(compgen -W "line tool none" -- "$current"); return ;;
     --stock-exact) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$current"); return ;;
     --path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
     --stock) mapfile -t COMPREPLY < <(compgen -W "box: cylinder: tube:" -f -- "$current"); return ;;
@@ -15,8 +17,8 @@ _mrsim() {
       trace) common="$program $common --output --json --programmed" ;;
       check) common="$program $common --json" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads" ;;
-      render) common="$common --output --size --azimuth --elevation --edges --threads" ;;
-      *) common="$program $common --output --stock --stock-exact --voxel --tolerance --threads --max-memory" ;;
+      render) common="$common --output --size --azimuth --elevation --edges --color --threads" ;;
+      *) common="$program $common --output --color --stock --stock-exact --keep --voxel --tolerance --threads --max-memory" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

@@ -8,6 +8,7 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
+#include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "outputs.h"
 #include "removal/default_stock.h"
@@ -15,6 +16,7 @@
 #include "removal/stock_file.h"
 #include "removal/stock_shape.h"
 #include "removal/sweep.h"
+#include "setup/job_file.h"
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
@@ -175,13 +177,50 @@ void summarize_part(JobResult& result, const CutHistory& cuts, int threads) {
   result.mesh.origin = owner_table(result.mesh, cuts);
   result.volume = s.volume;
   result.removed_volume = result.stock_volume - result.volume;
+}
+
+void report_uncut(JobResult& result) {
   const auto& owners = result.mesh.owners;
   if (std::all_of(owners.begin(), owners.end(), [](std::int32_t owner) { return owner < 0; }))
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
 }
 
+// A few by name: a stock shot through may leave thousands of crumbs.
+std::string describe_detached(const std::vector<Piece>& pieces) {
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t i = 1; i < std::min(pieces.size(), kNamed); ++i)
+    text += (i > 1 ? "; " : "") + describe_piece(pieces[i]);
+  if (pieces.size() > kNamed) text += fmt::format("; and {} more", pieces.size() - kNamed);
+  return text;
+}
+
+// Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
+void keep_pieces(JobResult& result, const Job& job) {
+  const std::vector<Piece> pieces = find_pieces(result.mesh);
+  const bool drop = job.keep == KeepPieces::largest;
+  for (const Piece& piece : pieces)
+    result.pieces.push_back({piece.volume, piece.center, piece.bounds, piece.triangles,
+                             !drop || result.pieces.empty()});
+  if (pieces.size() < 2) return;
+  const std::string found = describe_detached(pieces);
+  if (!drop)
+    return report(result, Severity::warning, "detached-pieces",
+                  fmt::format("the part is in {} pieces: {}; --keep largest drops all but the "
+                              "largest",
+                              pieces.size(), found));
+  result.mesh = extract_piece(result.mesh, pieces[0]);
+  report(result, Severity::note, "pieces-dropped",
+         fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
+                     found));
+  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb))
+    report(result, Severity::note, "pieces-in-vdb",
+           "the .vdb holds all pieces: it is the stock and its cuts");
+}
+
 void report_mesh(JobResult& result, const ContourReport& found) {
+  report_uncut(result);
   result.mesh_bound = found.bound;
   if (found.unresolved > 0)
     report(result, Severity::warning, "tolerance-missed",
@@ -220,6 +259,7 @@ Program trace(const std::string& path, const InterpOptions& options, bool json,
 }
 
 ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
+JobFile load_job(const std::string& path) { return load_job_file(path); }
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
@@ -262,13 +302,14 @@ JobResult simulate(const Job& job) {
   report_mesh(result, contour_report);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
+  keep_pieces(result, job);
   summarize_part(result, cuts.all, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
 
   StockRecipe recipe{result.stock, result.voxel};
   recipe.shape.history = cuts.all;
-  write_outputs(job.outputs, result.mesh, stock, recipe);
+  write_outputs(job.outputs, result.mesh, stock, recipe, job.files);
   clock.done("write");
   result.stock.mesh = {};
   result.peak_memory = peak_memory();

@@ -76,7 +76,20 @@ struct Job {
   CarveOptions carve;
   MeshOptions mesh;
   std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
-  bool strict = false;               ///< warnings are errors
+  MeshFileOptions files;             ///< colours and such of the mesh files among them
+  /// Pieces that the program cuts loose: kept, with a warning, or dropped but for the largest, with
+  /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
+  KeepPieces keep = KeepPieces::all;
+  bool strict = false;  ///< warnings are errors
+};
+
+/// One of the pieces that no material joins.
+struct PartPiece {
+  double volume = 0;  ///< mm^3, cavities subtracted
+  Vec3 center;        ///< centre of volume, mm
+  Box3 bounds;        ///< mm
+  std::size_t triangles = 0;
+  bool kept = true;  ///< false: dropped by Job::keep, and not in JobResult::mesh
 };
 
 struct JobResult {
@@ -92,7 +105,9 @@ struct JobResult {
   std::size_t active_voxels = 0;
   TriMesh mesh;
   MeshSummary summary;
-  double volume = 0, stock_volume = 0, removed_volume = 0;    ///< mm^3
+  std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
+  /// mm^3; pieces that were dropped count as removed.
+  double volume = 0, stock_volume = 0, removed_volume = 0;
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes
   bool ok = false;  ///< false: the program has errors, nothing was written

@@ -66,6 +66,9 @@ struct MeshOptions {
   Progress progress;
 };
 
+/// Which of the pieces that no material joins stay in the part.
+enum class KeepPieces : std::uint8_t { all, largest };
+
 /// What the colour of a face tells.
 enum class ColorBy : std::uint8_t { none, line, tool };
 

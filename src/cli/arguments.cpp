@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 
+#include "cli/job_words.h"
 #include "cli/option_values.h"
 #include "core/suggest.h"
 
@@ -18,8 +19,8 @@ namespace {
 struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip;
-  std::string stock, stock_exact, voxel, tolerance, threads, max_memory;
-  std::string size, azimuth, elevation, edges;
+  std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
+  std::string size, azimuth, elevation, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool help = false, version = false;
   CompareTyped compare;
@@ -37,6 +38,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
     {Command::simulate, "",
      "Cuts a part out of a stock the way an NC program would, and writes its mesh.",
      "mrsim PROGRAM [--stock S] -o OUT [options]\n"
+     "       mrsim job.toml          all options of a run from one file\n"
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
      "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
@@ -104,6 +106,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
   add("Cutting", "--voxel", typed.voxel, "H", "voxel edge, mm; default: from stock and tools");
   add("Cutting", "--tolerance", typed.tolerance, "T",
       "largest distance between mesh and exact part, mm");
+  add("Cutting", "--keep", typed.keep, "K",
+      "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -132,6 +136,11 @@ void add_output_options(CLI::App& app, Typed& typed, Command command) {
         ->type_name("FILE")
         ->group(group)
         ->allow_extra_args(false);
+  if (command == Command::simulate || command == Command::render)
+    app.add_option("--color", typed.color,
+                   "colour faces by what cut them: line, tool or none; default: none")
+        ->type_name("C")
+        ->group(group);
   if (command == Command::trace || command == Command::check)
     app.add_flag("--json", typed.json, "one JSON object a line")->group(group);
   if (command == Command::trace)
@@ -237,10 +246,12 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
     out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
+  if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.threads.empty()) {
     const int threads = whole_value("--threads", typed.threads, 1, 4096);
     out.carve.threads = out.mesh.threads = out.render.threads = threads;
   }
+  if (!typed.color.empty()) out.files.color = out.render.color = color_value(typed.color);
   if (!typed.max_memory.empty())
     out.carve.max_memory = size_value("--max-memory", typed.max_memory);
 }
@@ -265,11 +276,38 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
         std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
   if (typed.inputs.size() > 1)
     fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
+  if (is_job(typed.inputs) && !render)
+    fail_usage(
+        fmt::format("{} takes a program; a job is run with: mrsim {}", line.word, typed.inputs[0]));
   out.input = typed.inputs[0];
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
   if (line.command == Command::trace && out.outputs.size() > 1)
     fail_usage("trace draws one picture: -o path.svg");
+}
+
+void read_values(Arguments& out, const Typed& typed) {
+  out.quiet = typed.quiet;
+  out.verbose = typed.verbose;
+  out.strict = typed.strict;
+  out.json = typed.json;
+  read_simulation_options(out, typed);
+  read_picture_options(out, typed);
+  out.compare = compare_request(typed.compare);
+  if (out.compare.options.accept && out.compare.nominal.empty())
+    fail_usage("--accept judges against a nominal: --nominal part.step");
+  read_program_options(out, typed);
+}
+
+Arguments parse_command(const CommandLine& line, int argc, const char* const* argv);
+
+// The words of the file are read like typed ones; it names a program, so this goes one deep.
+Arguments parse_job_command(const CommandLine& line, const std::string& path, int argc,
+                            const char* const* argv) {
+  const std::vector<std::string> words = job_words(path, argc, argv);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return parse_command(line, static_cast<int>(pointers.size()), pointers.data());
 }
 
 Arguments parse_command(const CommandLine& line, int argc, const char* const* argv) {
@@ -297,17 +335,10 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
   check_words(app);
+  if (line.command == Command::simulate && is_job(typed.inputs))
+    return parse_job_command(line, typed.inputs[0], argc, argv);
   read_input(out, typed, line);
-  out.quiet = typed.quiet;
-  out.verbose = typed.verbose;
-  out.strict = typed.strict;
-  out.json = typed.json;
-  read_simulation_options(out, typed);
-  read_picture_options(out, typed);
-  out.compare = compare_request(typed.compare);
-  if (out.compare.options.accept && out.compare.nominal.empty())
-    fail_usage("--accept judges against a nominal: --nominal part.step");
-  read_program_options(out, typed);
+  read_values(out, typed);
   return out;
 }
 

@@ -22,6 +22,8 @@ struct Arguments {
   StockOptions stock_options;
   CarveOptions carve;
   MeshOptions mesh;
+  MeshFileOptions files;
+  KeepPieces keep = KeepPieces::all;
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal
   bool quiet = false, verbose = false, strict = false, json = false;

@@ -102,6 +102,8 @@ int run_simulate(const Arguments& arguments) {
   job.carve = arguments.carve;
   job.mesh = arguments.mesh;
   job.outputs = arguments.outputs;
+  job.files = arguments.files;
+  job.keep = arguments.keep;
   job.strict = arguments.strict;
   const NamedNominal nominal = prepare_comparison(arguments.compare);
   JobResult result;

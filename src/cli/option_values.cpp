@@ -102,6 +102,16 @@ MachineKind machine_value(const std::string& text) {
                                 {MachineKind::mill, MachineKind::lathe, MachineKind::automatic});
 }
 
+ColorBy color_value(const std::string& text) {
+  return choice<ColorBy, 3>("--color", text, {"line", "tool", "none"},
+                            {ColorBy::line, ColorBy::tool, ColorBy::none});
+}
+
+KeepPieces keep_value(const std::string& text) {
+  return choice<KeepPieces, 2>("--keep", text, {"all", "largest"},
+                               {KeepPieces::all, KeepPieces::largest});
+}
+
 unsigned skip_value(const std::string& option, const std::string& text) {
   unsigned bits = 0;
   for (const std::string& part : split(text)) bits |= 1u << whole_value(option, part, 0, 9);

@@ -1,6 +1,7 @@
 // Values of options: text to numbers, with errors that name the option.
 #pragma once
 
+#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -23,6 +24,8 @@ std::size_t size_value(const std::string& option, const std::string& text);
 bool on_off_value(const std::string& option, const std::string& text);
 Dialect dialect_value(const std::string& text);
 MachineKind machine_value(const std::string& text);
+ColorBy color_value(const std::string& text);
+KeepPieces keep_value(const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.
 unsigned skip_value(const std::string& option, const std::string& text);
 

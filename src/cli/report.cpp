@@ -104,9 +104,12 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
                 (result.mesh_bound > 0
                      ? fmt::format(", within {:.2g} mm of the exact part", result.mesh_bound)
                      : std::string()));
+  if (result.pieces.size() > 1)
+    sheet.row("pieces", grouped(static_cast<double>(result.pieces.size()), 0),
+              result.pieces[1].kept ? "all kept" : "the largest kept");
   if (arguments.verbose) {
     sheet.row("area", grouped(summary.area, 3) + " mm²");
-    sheet.row("pieces",
+    sheet.row("surfaces",
               fmt::format("{}, Euler characteristic {}", summary.components, summary.euler));
     sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
   }

@@ -15,8 +15,8 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_F(Cli, HelpAndVersion) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.code, 0);
-  for (const char* word :
-       {"Usage:", "--stock", "--voxel", "--tool", "trace", "check", "render", "Exit:", "Examples:"})
+  for (const char* word : {"Usage:", "--stock", "--voxel", "--tool", "--color", "trace", "check",
+                           "render", "Exit:", "Examples:"})
     EXPECT_TRUE(contains(help.out, word)) << word;
   EXPECT_EQ(run("").out, help.out);
   EXPECT_EQ(run("help").out, help.out);
@@ -98,6 +98,32 @@ TEST_F(Cli, TraceDrawsThePath) {
 TEST_F(Cli, RenderMakesAPicture) {
   ASSERT_EQ(run("render block.stl -o block.png --size 320x240").code, 0);
   EXPECT_TRUE(read("block.png").starts_with("\x89PNG"));
+}
+
+TEST_F(Cli, ColorPaintsFacesByWhatCutThem) {
+  const std::string cut = "PRIMER_2F.MPF --stock block.stl --voxel 1 -q ";
+  ASSERT_EQ(run(cut + "-o plain.ply").code, 0);
+  ASSERT_EQ(run(cut + "--color none -o none.ply").code, 0);
+  ASSERT_EQ(run(cut + "--color line -o line.ply").code, 0);
+  ASSERT_EQ(run(cut + "--color tool -o tool.ply").code, 0);
+  const std::string line = read("line.ply"), tool = read("tool.ply");
+  EXPECT_EQ(read("none.ply"), read("plain.ply"));
+  EXPECT_FALSE(contains(read("plain.ply"), "property uchar red"));
+  EXPECT_TRUE(contains(line, "property uchar red"));
+  EXPECT_TRUE(contains(tool, "property uchar red"));
+  EXPECT_NE(line, tool);
+}
+
+TEST_F(Cli, RenderColorsByWhatCutThePart) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 1 -q -o part.ply").code, 0);
+  for (const char* color : {"none", "line", "tool"})
+    ASSERT_EQ(run(std::string("render part.ply --size 320x240 --color ") + color + " -o " + color +
+                  ".png")
+                  .code,
+              0);
+  EXPECT_NE(read("none.png"), read("line.png"));
+  EXPECT_NE(read("none.png"), read("tool.png"));
+  EXPECT_NE(read("line.png"), read("tool.png"));
 }
 
 TEST_F(Cli, ToolsComeFromCommentFileOrCommandLine) {

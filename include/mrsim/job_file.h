@@ -1,0 +1,26 @@
+/// job.toml: all options of a run in one file (docs/job.md).
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// One key of the file, as the option of the command line that it stands for.
+struct JobOption {
+  std::string option;               ///< "--voxel"
+  std::vector<std::string> values;  ///< one for each time it would be typed; none: a flag
+};
+
+struct JobFile {
+  std::string program;
+  std::vector<JobOption> options;  ///< in the order of docs/job.md
+};
+
+/// Reads a job; relative paths become relative to its folder. Throws Error for a file that cannot
+/// be read, and PlacedError "job-syntax", "job-key", "job-value" with line and column.
+MRSIM_API JobFile load_job(const std::string& path);
+
+}  // namespace mrsim

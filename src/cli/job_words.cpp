@@ -1,0 +1,44 @@
+#include "cli/job_words.h"
+
+#include <mrsim/job_file.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace mrsim::cli {
+namespace {
+
+// Before parsing: "--voxel 1" and "--voxel=1", "-o x" and "-ox".
+bool is_typed(const std::string& option, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word == option || word.starts_with(option + "=")) return true;
+    if (option == "--output" && word.starts_with("-o")) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_job(const std::vector<std::string>& inputs) {
+  return inputs.size() == 1 && std::filesystem::path(inputs[0]).extension() == ".toml";
+}
+
+std::vector<std::string> job_words(const std::string& path, int argc, const char* const* argv) {
+  const JobFile job = load_job(path);
+  const std::vector<std::string> typed(argv + 1, argv + argc);
+  std::vector<std::string> words = {argv[0], job.program};
+  for (const JobOption& option : job.options) {
+    if (is_typed(option.option, typed)) continue;
+    if (option.values.empty()) words.push_back(option.option);
+    for (const std::string& value : option.values) words.push_back(option.option + "=" + value);
+  }
+  bool dropped = false;  // the job itself gives way to its program
+  for (const std::string& word : typed)
+    if (dropped || word != path)
+      words.push_back(word);
+    else
+      dropped = true;
+  return words;
+}
+
+}  // namespace mrsim::cli

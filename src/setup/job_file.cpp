@@ -1,0 +1,280 @@
+#include "setup/job_file.h"
+
+#include "core/suggest.h"
+#include "core/text_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kFileLimit = std::size_t(1) << 20;
+constexpr double kLargest = 1e6;
+
+enum class Value : std::uint8_t {
+  text,     // as it is
+  texts,    // one or a list
+  choice,   // one of a few words
+  path,     // relative to the file
+  paths,    // one or a list
+  stock,    // a path, or a primitive such as "box:..."
+  number,   // above 0
+  whole,    // 1 or more
+  numbers,  // one number, or a list typed with commas
+  flag,     // the option is there or not
+  on_off,   // a switch that is typed as on or off
+};
+
+struct JobKey {
+  std::string_view name, option;
+  Value value;
+  std::string_view words = {};  // of a choice, apart by spaces
+};
+
+// The option's own check follows when the command line is read; here stands what can be told with
+// line and column.
+constexpr std::array kKeys = {
+    JobKey{"program", "", Value::path},
+    JobKey{"stock", "--stock", Value::stock},
+    JobKey{"stock_exact", "--stock-exact", Value::on_off},
+    JobKey{"outputs", "--output", Value::paths},
+    JobKey{"color", "--color", Value::choice, "line tool none"},
+    JobKey{"keep", "--keep", Value::choice, "all largest"},
+    JobKey{"tools", "--tools", Value::paths},
+    JobKey{"tool", "--tool", Value::texts},
+    JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys auto"},
+    JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
+    JobKey{"start", "--start", Value::numbers},
+    JobKey{"block_skip", "--block-skip", Value::numbers},
+    JobKey{"path", "--path", Value::paths},
+    JobKey{"voxel", "--voxel", Value::number},
+    JobKey{"tolerance", "--tolerance", Value::number},
+    JobKey{"threads", "--threads", Value::whole},
+    JobKey{"max_memory", "--max-memory", Value::text},
+    JobKey{"strict", "--strict", Value::flag},
+    JobKey{"nominal", "--nominal", Value::path},
+    JobKey{"accept", "--accept", Value::numbers},
+    JobKey{"align", "--align", Value::choice, "none bbox icp"},
+    JobKey{"density", "--density", Value::number},
+    JobKey{"deflection", "--deflection", Value::number},
+    JobKey{"report", "--report", Value::path},
+    JobKey{"compare_json", "--compare-json", Value::path},
+    JobKey{"junit", "--junit", Value::path},
+    JobKey{"deviation", "--deviation", Value::path},
+    JobKey{"colors", "--colors", Value::choice, "standard safe"},
+};
+
+std::vector<std::string_view> split_words(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+class JobReader {
+ public:
+  JobReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  JobFile read() const;
+
+ private:
+  [[noreturn]] void fail(const toml::source_position& at, const char* code,
+                         const std::string& what) const;
+  [[noreturn]] void fail_value(const JobKey& key, const toml::node& node,
+                               const std::string& what) const {
+    fail(node.source().begin, "job-value", fmt::format("{} {}", key.name, what));
+  }
+  void check_keys(const toml::table& root) const;
+  std::string text(const JobKey& key, const toml::node& node) const;
+  std::string path(const JobKey& key, const toml::node& node) const;
+  std::string stock(const JobKey& key, const toml::node& node) const;
+  std::string choice(const JobKey& key, const toml::node& node) const;
+  double number(const JobKey& key, const toml::node& node) const;
+  std::string positive(const JobKey& key, const toml::node& node) const;
+  std::string whole(const JobKey& key, const toml::node& node) const;
+  std::string numbers(const JobKey& key, const toml::node& node) const;
+  bool flag(const JobKey& key, const toml::node& node) const;
+  std::string single(const JobKey& key, const toml::node& node) const;
+  std::vector<std::string> list(const JobKey& key, const toml::node& node) const;
+
+  std::string_view text_;
+  const std::string& name_;
+};
+
+void JobReader::fail(const toml::source_position& at, const char* code,
+                     const std::string& what) const {
+  std::string_view rest = text_;
+  for (std::size_t i = 1; i < at.line && rest.find('\n') != rest.npos; ++i)
+    rest.remove_prefix(rest.find('\n') + 1);
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.text = what;
+  diagnostic.place = {name_, static_cast<int>(at.line), static_cast<int>(at.column)};
+  diagnostic.source_line = to_utf8(rest.substr(0, 500));
+  throw PlacedError(diagnostic);
+}
+
+void JobReader::check_keys(const toml::table& root) const {
+  std::vector<std::string_view> known;
+  for (const JobKey& key : kKeys) known.push_back(key.name);
+  for (const auto& [key, node] : root) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    std::string hint = suggestion(key.str(), known);
+    if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(known, " "));
+    fail(key.source().begin, "job-key", fmt::format("unknown key \"{}\"{}", key.str(), hint));
+  }
+}
+
+std::string JobReader::text(const JobKey& key, const toml::node& node) const {
+  const auto* value = node.as_string();
+  if (value == nullptr || value->get().empty()) fail_value(key, node, "must be a text");
+  return value->get();
+}
+
+std::string JobReader::path(const JobKey& key, const toml::node& node) const {
+  const std::filesystem::path value = text(key, node);
+  const std::filesystem::path folder = std::filesystem::path(name_).parent_path();
+  return folder.empty() || value == "-" ? value.string()
+                                        : (folder / value).lexically_normal().string();
+}
+
+std::string JobReader::stock(const JobKey& key, const toml::node& node) const {
+  const std::string value = text(key, node);
+  for (const std::string_view kind : {"box:", "cylinder:", "tube:"})
+    if (value.starts_with(kind)) return value;
+  return path(key, node);
+}
+
+std::string JobReader::choice(const JobKey& key, const toml::node& node) const {
+  const std::string value = text(key, node);
+  const std::vector<std::string_view> words = split_words(key.words);
+  if (std::find(words.begin(), words.end(), value) == words.end())
+    fail_value(key, node,
+               fmt::format("\"{}\" is unknown{} (known: {})", value, suggestion(value, words),
+                           fmt::join(words, " ")));
+  return value;
+}
+
+double JobReader::number(const JobKey& key, const toml::node& node) const {
+  const std::optional<double> value = node.value<double>();
+  if (!node.is_number() || !value || !(std::fabs(*value) <= kLargest))
+    fail_value(key, node, "must be a number");
+  return *value;
+}
+
+std::string JobReader::positive(const JobKey& key, const toml::node& node) const {
+  const double value = number(key, node);
+  if (!(value > 0)) fail_value(key, node, "must be above 0");
+  return fmt::format("{}", value);
+}
+
+std::string JobReader::whole(const JobKey& key, const toml::node& node) const {
+  const auto* value = node.as_integer();
+  if (value == nullptr || value->get() < 1 || value->get() > 4096)
+    fail_value(key, node, "must be a whole number from 1 to 4096");
+  return std::to_string(value->get());
+}
+
+std::string JobReader::numbers(const JobKey& key, const toml::node& node) const {
+  std::string out;
+  if (const toml::array* row = node.as_array()) {
+    for (const toml::node& item : *row)
+      out += fmt::format("{}{}", out.empty() ? "" : ",", number(key, item));
+    if (out.empty()) fail_value(key, node, "is an empty list");
+    return out;
+  }
+  return fmt::format("{}", number(key, node));
+}
+
+bool JobReader::flag(const JobKey& key, const toml::node& node) const {
+  const auto* value = node.as_boolean();
+  if (value == nullptr) fail_value(key, node, "must be true or false");
+  return value->get();
+}
+
+std::string JobReader::single(const JobKey& key, const toml::node& node) const {
+  switch (key.value) {
+    case Value::text:
+    case Value::texts:
+      return text(key, node);
+    case Value::path:
+    case Value::paths:
+      return path(key, node);
+    case Value::stock:
+      return stock(key, node);
+    case Value::choice:
+      return choice(key, node);
+    case Value::number:
+      return positive(key, node);
+    case Value::whole:
+      return whole(key, node);
+    case Value::numbers:
+      return numbers(key, node);
+    case Value::flag:
+    case Value::on_off:
+      break;
+  }
+  return flag(key, node) ? "on" : "off";
+}
+
+std::vector<std::string> JobReader::list(const JobKey& key, const toml::node& node) const {
+  const toml::array* items = node.as_array();
+  if (items == nullptr || (key.value != Value::paths && key.value != Value::texts))
+    return {single(key, node)};
+  std::vector<std::string> out;
+  for (const toml::node& item : *items) out.push_back(single(key, item));
+  return out;
+}
+
+JobFile JobReader::read() const {
+  toml::table root;
+  try {
+    root = toml::parse(text_);
+  } catch (const toml::parse_error& error) {
+    fail(error.source().begin, "job-syntax", std::string(error.description()));
+  }
+  check_keys(root);
+  JobFile job;
+  for (const JobKey& key : kKeys) {
+    const toml::node* node = root.get(key.name);
+    if (node == nullptr) continue;
+    if (key.value == Value::flag) {
+      if (flag(key, *node)) job.options.push_back({std::string(key.option), {}});
+      continue;
+    }
+    std::vector<std::string> values = list(key, *node);
+    if (!key.option.empty()) {
+      if (!values.empty()) job.options.push_back({std::string(key.option), std::move(values)});
+      continue;
+    }
+    job.program = values[0];
+    if (std::filesystem::path(job.program).extension() == ".toml")
+      fail_value(key, *node, "must be an NC program, not another job");
+  }
+  if (job.program.empty()) fail({1, 1}, "job-value", "the job names no program");
+  return job;
+}
+
+}  // namespace
+
+JobFile parse_job(std::string_view text, const std::string& name) {
+  return JobReader(text, name).read();
+}
+
+JobFile load_job_file(const std::string& path) {
+  return parse_job(read_file(path, kFileLimit), path);
+}
+
+}  // namespace mrsim

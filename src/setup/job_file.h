@@ -1,0 +1,18 @@
+// job.toml: all options of a run from one file (docs/job.md).
+#pragma once
+
+#include <mrsim/job_file.h>
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// Reads a job from TOML. `name` stands in errors; relative paths become relative to its folder.
+/// Throws PlacedError "job-syntax", "job-key", "job-value"; unknown keys are errors.
+JobFile parse_job(std::string_view text, const std::string& name);
+
+/// The same from a file; what read_file throws, too.
+JobFile load_job_file(const std::string& path);
+
+}  // namespace mrsim

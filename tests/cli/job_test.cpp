@@ -1,0 +1,56 @@
+// A run from job.toml, alone and with options beside it.
+#include "run_program.h"
+
+namespace mrsim {
+namespace {
+
+class JobRun : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    std::filesystem::create_directory(folder_ / "jobs");
+    write("jobs/job.toml",
+          "program = \"../PRIMER_2F.MPF\"\nstock = \"../block.stl\"\noutputs = [\"part.ply\"]\n"
+          "voxel = 1\ncolor = \"line\"\n");
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(JobRun, IsTheSameAsTypingItsOptions) {
+  const Outcome job = run("jobs/job.toml");
+  ASSERT_EQ(job.code, 0) << job.err;
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 1 --color line -o typed.ply").code, 0);
+  EXPECT_EQ(read("jobs/part.ply"), read("typed.ply"));
+}
+
+TEST_F(JobRun, TypedOptionsReplaceTheFiles) {
+  const Outcome outcome = run("--voxel=2 jobs/job.toml --color none -o other.ply");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "2 mm")) << outcome.out;
+  EXPECT_FALSE(exists("jobs/part.ply"));
+  EXPECT_FALSE(contains(read("other.ply"), "property uchar red"));
+}
+
+TEST_F(JobRun, HoldsTheComparison) {
+  write("same.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 1\nnominal = \"block.stl\"\n"
+        "accept = [-0.02, 0.05]\ncompare_json = \"r.json\"\n");
+  EXPECT_EQ(run("same.toml").code, 1) << "the block is not the part";
+  EXPECT_TRUE(contains(read("r.json"), "verdict"));
+}
+
+TEST_F(JobRun, FaultsAreShownInTheFile) {
+  write("bad.toml", "program = \"PRIMER_2F.MPF\"\nvoxle = 1\n");
+  expect_failure("bad.toml", 1, "bad.toml:2:1");
+  expect_failure("bad.toml", 1, "did you mean \"voxel\"");
+  expect_failure("missing.toml", 1, "missing.toml");
+  expect_failure("check jobs/job.toml", 2, "check takes a program");
+  expect_failure("jobs/job.toml PRIMER_2S.MPF", 2, "not expected");
+  expect_failure("jobs/job.toml --voxle 1", 2, "did you mean \"--voxel\"");
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,93 @@
+#include "setup/job_file.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+// "line:column code text" of the fault in a job.
+std::string fault(std::string_view text) {
+  try {
+    parse_job(text, "jobs/j.toml");
+  } catch (const PlacedError& error) {
+    const Diagnostic& d = error.diagnostic();
+    EXPECT_EQ(d.place.file, "jobs/j.toml");
+    return std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.code +
+           " " + d.text;
+  }
+  return "";
+}
+
+// All options as they would be typed.
+std::string typed(std::string_view text, const std::string& name = "jobs/j.toml") {
+  const JobFile job = parse_job(text, name);
+  std::string out = job.program;
+  for (const JobOption& option : job.options) {
+    if (option.values.empty()) out += " " + option.option;
+    for (const std::string& value : option.values) out += " " + option.option + "=" + value;
+  }
+  return out;
+}
+
+TEST(JobFile, KeysBecomeOptions) {
+  EXPECT_EQ(typed(R"(
+program = "p.mpf"
+stock = "box:0,0,0,1,2,3"
+stock_exact = false
+outputs = ["a.stl", "../b.ply"]
+color = "line"
+keep = "largest"
+tools = "tools.toml"
+tool = ["1=endmill:d=5", "2=drill:d=3"]
+start = [0, -1.5, 20]
+block_skip = [0, 2]
+voxel = 0.25
+tolerance = 1
+threads = 2
+strict = true
+nominal = "n.step"
+accept = [-0.02, 0.05]
+compare_json = "-"
+)"),
+            "jobs/p.mpf --stock=box:0,0,0,1,2,3 --stock-exact=off --output=jobs/a.stl "
+            "--output=b.ply --color=line --keep=largest --tools=jobs/tools.toml "
+            "--tool=1=endmill:d=5 --tool=2=drill:d=3 --start=0,-1.5,20 --block-skip=0,2 "
+            "--voxel=0.25 --tolerance=1 --threads=2 --strict --nominal=jobs/n.step "
+            "--accept=-0.02,0.05 --compare-json=-");
+}
+
+TEST(JobFile, PathsAreRelativeToTheFile) {
+  EXPECT_EQ(typed("program = \"p.mpf\"\nstock = \"s.stl\"", "j.toml"), "p.mpf --stock=s.stl");
+  EXPECT_EQ(typed("program = \"/x/p.mpf\"\nstock = \"s.stl\"", "/a/j.toml"),
+            "/x/p.mpf --stock=/a/s.stl");
+}
+
+TEST(JobFile, FlagsThatAreFalseAreNotTyped) {
+  EXPECT_EQ(typed("program = \"p.mpf\"\nstrict = false", "j.toml"), "p.mpf");
+}
+
+TEST(JobFile, UnknownKeysAreErrorsWithASuggestion) {
+  EXPECT_EQ(fault("program = \"p\"\nvoxle = 1\n"),
+            "2:1 job-key unknown key \"voxle\"; did you mean \"voxel\"?");
+  EXPECT_TRUE(fault("quux = 1").starts_with("1:1 job-key unknown key \"quux\"; known here: "));
+}
+
+TEST(JobFile, ValuesAreChecked) {
+  EXPECT_EQ(fault("voxel = \"x\"\n"), "1:9 job-value voxel must be a number");
+  EXPECT_EQ(fault("voxel = 0\n"), "1:9 job-value voxel must be above 0");
+  EXPECT_EQ(fault("voxel = nan\n"), "1:9 job-value voxel must be a number");
+  EXPECT_EQ(fault("threads = 1.5\n"),
+            "1:11 job-value threads must be a whole number from 1 to 4096");
+  EXPECT_EQ(fault("strict = 1\n"), "1:10 job-value strict must be true or false");
+  EXPECT_EQ(fault("align = \"ipc\"\n"),
+            "1:9 job-value align \"ipc\" is unknown; did you mean \"icp\"? (known: none bbox icp)");
+  EXPECT_EQ(fault("outputs = [\"a.stl\", 1]\n"), "1:21 job-value outputs must be a text");
+  EXPECT_EQ(fault("start = []\n"), "1:9 job-value start is an empty list");
+  EXPECT_EQ(fault("program = \"other.toml\"\n"),
+            "1:11 job-value program must be an NC program, not another job");
+  EXPECT_EQ(fault("voxel = 1\n"), "1:1 job-value the job names no program");
+  EXPECT_TRUE(fault("voxel = = 1\n").starts_with("1:"));
+}
+
+}  // namespace
+}  // namespace mrsim
