@@ -140,9 +140,9 @@ void choose_voxel(CarveOptions& options, const CutHistory& cuts, JobResult& resu
   result.voxel = options.voxel;
 }
 
-// Default tolerance of the mesh: as a share of the longest side. Half the volume error that a
-// turned part of the usual shape may have (0.03 %), and a run of a second.
-constexpr double kToleranceShare = 1.5e-4;
+// Default tolerance of the mesh, as a share of the longest side: a turned part of the usual shape
+// keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
+constexpr double kToleranceShare = 1.7e-4;
 
 // Who sets the voxel wants its grid; else the mesh has a tolerance that goes with the part's size.
 void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
@@ -151,7 +151,7 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
     const Vec3 size = result.stock.box.hi - result.stock.box.lo;
     const double longest = std::max({size.x, size.y, size.z});
     options.tolerance = longest * kToleranceShare;
-    result.tolerance_reason = fmt::format("0.015 % of the longest side, {:.6g} mm", longest);
+    result.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
   }
   result.tolerance = options.tolerance;
 }

@@ -60,7 +60,7 @@ struct CarveOptions {
 
 struct MeshOptions {
   /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives;
-  /// simulate() then takes 0.015 % of the longest side unless the voxel is given.
+  /// simulate() then takes 0.017 % of the longest side unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
   Progress progress;
