@@ -33,10 +33,15 @@ constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease ma
 constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
 
+// Seconds by step, and a sign of life after each. How many rounds there will be is not known: the
+// share done approaches 1.
 class Timer {
  public:
-  explicit Timer(ContourReport& report) : report_(report), start_(Clock::now()) {}
+  Timer(ContourReport& report, const Progress& progress)
+      : report_(report), progress_(progress), start_(Clock::now()) {}
   void step(const char* name) {
+    done_ += kStepShare * (1 - done_);
+    if (progress_ && !progress_("meshing", done_)) throw Error("cancelled", "the run was stopped");
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
     start_ = now;
@@ -50,7 +55,10 @@ class Timer {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr double kStepShare = 0.15;
   ContourReport& report_;
+  const Progress& progress_;
+  double done_ = 0;
   Clock::time_point start_;
 };
 
@@ -61,7 +69,7 @@ class Contour {
       : field_(field),
         options_(options),
         report_(report),
-        timer_(report),
+        timer_(report, options.progress),
         tree_(field, lattice, options.tolerance, options.threads),
         surface_(field, tree_, options.tolerance > 0 ? options.tolerance / 8 : kShallow,
                  options.threads) {
