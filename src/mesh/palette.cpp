@@ -118,18 +118,4 @@ FacePalette make_palette(const TriMesh& mesh, ColorBy by) {
   return out;
 }
 
-OwnerTable make_owner_table(const TriMesh& mesh, const Program& program) {
-  OwnerTable table;
-  table.files = program.files;
-  for (const Tool& tool : program.tools) table.tools.push_back(tool.id);
-  std::vector<bool> used(program.motions.size(), false);
-  for (const std::int32_t owner : mesh.owners)
-    if (owner >= 0 && std::size_t(owner) < used.size()) used[owner] = true;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const Motion& m = program.motions[i];
-    if (used[i]) table.origins.push_back({std::int32_t(i), m.file, m.line, m.tool});
-  }
-  return table;
-}
-
 }  // namespace mrsim

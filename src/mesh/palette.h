@@ -38,7 +38,4 @@ const FaceOrigin* find_origin(const OwnerTable& table, std::int32_t owner);
 /// "PRIMER_2F.MPF:12, tool 4", "stock", "motion 7" (nothing known but the index).
 std::string owner_label(const OwnerTable& table, std::int32_t owner);
 
-/// Fills TriMesh::origin with the owners that the faces name.
-OwnerTable make_owner_table(const TriMesh& mesh, const Program& program);
-
 }  // namespace mrsim

@@ -56,21 +56,5 @@ TEST(Palette, LabelsOwners) {
   EXPECT_EQ(owner_label(m.origin, -1), "stock");
 }
 
-TEST(OwnerTable, HoldsTheMotionsThatFacesName) {
-  TriMesh m = part();
-  Program program;
-  program.files = {"a.mpf"};
-  program.tools.resize(2);
-  program.tools[1].id = "7";
-  program.motions.resize(10);
-  for (int i = 0; i < 10; ++i) {
-    program.motions[i].line = 100 + i;
-    program.motions[i].tool = i % 2;
-  }
-  m.origin = make_owner_table(m, program);
-  EXPECT_EQ(m.origin.origins.size(), 3u);  // 12 is no motion of this program
-  EXPECT_EQ(owner_label(m.origin, 9), "a.mpf:109, tool 7");
-}
-
 }  // namespace
 }  // namespace mrsim
