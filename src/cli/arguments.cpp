@@ -198,17 +198,6 @@ std::string single_spaced(std::string text) {
   return text;
 }
 
-void check_words(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  for (const std::string& word : app.remaining()) {
-    const std::string option = word.substr(0, word.find('='));
-    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
-  }
-}
-
 void read_program_options(Arguments& out, const Typed& typed) {
   if (!typed.dialect.empty()) out.interp.dialect = dialect_value(typed.dialect);
   if (!typed.machine.empty()) out.interp.machine = machine_value(typed.machine);
@@ -334,7 +323,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   out.command = typed.help ? Command::help : typed.version ? Command::version : line.command;
   if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
-  check_words(app);
+  refuse_unknown(app);
   if (line.command == Command::simulate && is_job(typed.inputs))
     return parse_job_command(line, typed.inputs[0], argc, argv);
   read_input(out, typed, line);

@@ -53,17 +53,6 @@ Alignment alignment_value(const std::string& text) {
   fail_usage(fmt::format("--align is none, bbox or icp, not \"{}\"", text));
 }
 
-void refuse_unknown(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  for (const std::string& word : app.remaining()) {
-    const std::string option = word.substr(0, word.find('='));
-    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
-  }
-}
-
 const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
 
 }  // namespace

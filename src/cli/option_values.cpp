@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace mrsim::cli {
@@ -116,6 +117,17 @@ unsigned skip_value(const std::string& option, const std::string& text) {
   unsigned bits = 0;
   for (const std::string& part : split(text)) bits |= 1u << whole_value(option, part, 0, 9);
   return bits;
+}
+
+void refuse_unknown(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const std::string& word : app.remaining()) {
+    const std::string option = word.substr(0, word.find('='));
+    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
+  }
 }
 
 }  // namespace mrsim::cli

@@ -8,6 +8,10 @@
 #include <optional>
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace mrsim::cli {
 
 /// Error "usage" of kind usage.
@@ -28,5 +32,8 @@ ColorBy color_value(const std::string& text);
 KeepPieces keep_value(const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.
 unsigned skip_value(const std::string& option, const std::string& text);
+
+/// Usage error for the first word that `app` did not take, with the option that it may have meant.
+void refuse_unknown(const CLI::App& app);
 
 }  // namespace mrsim::cli
