@@ -6,10 +6,11 @@
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
 #include "mesh/contour_thin.h"
+#include "mesh/contour_timer.h"
+#include "mesh/contour_uniform.h"
 #include "mesh/self_intersection.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <unordered_set>
@@ -22,6 +23,7 @@ namespace {
 using detail::BaseMesh;
 using detail::ContourOctree;
 using detail::ContourSurface;
+using detail::ContourTimer;
 using detail::Crossing;
 using detail::LabelledMesh;
 using detail::Lattice;
@@ -29,38 +31,8 @@ using detail::Lattice;
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease may move
 constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
-
-// Seconds by step, and a sign of life after each. How many rounds there will be is not known: the
-// share done approaches 1.
-class Timer {
- public:
-  Timer(ContourReport& report, const Progress& progress)
-      : report_(report), progress_(progress), start_(Clock::now()) {}
-  void step(const char* name) {
-    done_ += kStepShare * (1 - done_);
-    if (progress_ && !progress_("meshing", done_)) throw Error("cancelled", "the run was stopped");
-    const auto now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    for (auto& [known, sum] : report_.seconds)
-      if (known == name) {
-        sum += seconds;
-        return;
-      }
-    report_.seconds.emplace_back(name, seconds);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr double kStepShare = 0.15;
-  ContourReport& report_;
-  const Progress& progress_;
-  double done_ = 0;
-  Clock::time_point start_;
-};
 
 class Contour {
  public:
@@ -71,47 +43,36 @@ class Contour {
         report_(report),
         timer_(report, options.progress),
         tree_(field, lattice, options.tolerance, options.threads),
-        surface_(field, tree_, options.tolerance > 0 ? options.tolerance / 8 : kShallow,
-                 options.threads) {
+        surface_(field, tree_,
+                 {.shallow = options.tolerance / 8,
+                  .sharpen = true,
+                  .remember = true,
+                  .threads = options.threads}) {
     timer_.step("tree");
   }
 
   TriMesh run() {
     find_topology();
-    if (options_.tolerance > 0)
-      for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k)
-        find_topology();
+    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
     LabelledMesh mesh = triangles();
-    if (options_.tolerance > 0) {
-      while (split_failed()) {
-        find_topology();
-        mesh = triangles();
-      }
-      report_.triangles_before = mesh.triangles.size();
-      mesh = simplified(mesh);
-      report_.bound = largest_bound(mesh);
-      timer_.step("certify");
-    } else {
-      report_.triangles_before = mesh.triangles.size();
+    while (split_failed()) {
+      find_topology();
+      mesh = triangles();
     }
+    report_.triangles_before = mesh.triangles.size();
+    mesh = simplified(mesh);
+    report_.bound = largest_bound(mesh);
+    timer_.step("certify");
     report_.cells = surface_.loops().size();
-    report_.thin = detail::thin_features(field_, tree_);
+    report_.thin = detail::distinct(detail::thin_features(field_, tree_, tree_.doubtful_edges()));
     timer_.step("thin");
     return to_mesh(mesh);
   }
 
  private:
-  // Splits cells until the crossings on every face can be joined, then joins them. Cells of one
-  // size need no look.
+  // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
-    if (options_.tolerance > 0 || report_.passes > 0) {
-      std::vector<std::int32_t> bad = detail::badly_crossed(tree_, tree_.crossing_edges(), nullptr);
-      while (tree_.split(bad) > 0) {
-        std::vector<char> nearby;
-        const auto edges = tree_.crossing_edges_near(tree_.new_leaves(), nearby);
-        bad = detail::badly_crossed(tree_, edges, &nearby);
-      }
-    }
+    detail::split_badly_crossed(tree_);
     timer_.step("tree");
     surface_.find_loops();
     ++report_.passes;
@@ -158,7 +119,7 @@ class Contour {
       const std::vector<std::int32_t> bad = crossed_cells();
       timer_.step("check");
       if (bad.empty()) {
-        if (options_.tolerance > 0) surface_.sharpen();
+        surface_.sharpen(tree_);
         timer_.step("sharpen");
         return label(surface_.mesh());
       }
@@ -319,7 +280,7 @@ class Contour {
   const ExactField& field_;
   const MeshOptions& options_;
   ContourReport& report_;
-  Timer timer_;
+  ContourTimer timer_;
   ContourOctree tree_;
   ContourSurface surface_;
   std::unordered_set<std::uint64_t> passed_;  ///< hashes of triangles within the tolerance
@@ -355,11 +316,10 @@ TriMesh contour(const ExactField& field, double voxel, const MeshOptions& option
   ContourReport ignored;
   ContourReport& out = report ? *report : ignored;
   out = {};
-  TriMesh mesh =
-      Contour(field,
-              Lattice(field.bounds(), voxel, fine_levels(field.bounds(), voxel, options.tolerance)),
-              options, out)
-          .run();
+  const int levels = fine_levels(field.bounds(), voxel, options.tolerance);
+  TriMesh mesh = options.tolerance > 0
+                     ? Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()
+                     : detail::contour_uniform(field, voxel, levels, options, out);
   if (mesh.triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
   return mesh;
 }

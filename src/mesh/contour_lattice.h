@@ -49,7 +49,8 @@ inline std::uint64_t key(const LatticePoint& p) {
 class Lattice {
  public:
   Lattice() = default;
-  Lattice(const Box3& bounds, double voxel, int fine_levels)
+  /// Begins `margin` voxels before the bounds.
+  Lattice(const Box3& bounds, double voxel, int fine_levels, int margin = 2)
       : voxel_(voxel), fine_(voxel / (1 << fine_levels)), per_voxel_(1 << fine_levels) {
     const Vec3 size = bounds.hi - bounds.lo;
     const double longest =
@@ -60,7 +61,7 @@ class Lattice {
     for (int a = 0; a < 3; ++a)
       first_[a] =
           lattice_floor(voxel, mrsim::component(bounds.lo, a), mrsim::component(kLatticeShift, a)) -
-          2;
+          margin;
   }
 
   double voxel() const { return voxel_; }
@@ -80,6 +81,11 @@ class Lattice {
       return static_cast<std::int32_t>((mrsim::component(p, axis) - base) / fine_);
     };
     return {index(0), index(1), index(2)};
+  }
+  /// The point of the lattice at p, up to the rounding of coordinates.
+  LatticePoint nearest(const Vec3& p) const {
+    const double half = 0.5 * fine_;
+    return floor(p + Vec3{half, half, half});
   }
   Vec3 position(const LatticePoint& p) const {
     return {coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)};

@@ -4,6 +4,7 @@
 #include "mesh/contour_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace mrsim::detail {
@@ -44,56 +45,29 @@ bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
   return component(a.start, across) == component(b.start, across);
 }
 
-std::int32_t ring_cell(const MinimalEdge& e, int place) {
-  return e.cells[(place ^ (place >> 1)) & 3];
+std::int32_t smaller_cell(const ContourCells& cells, const CellFace& face) {
+  return cells.size_of(face.high) < cells.size_of(face.low) ? face.high : face.low;
 }
 
-std::int32_t smaller_cell(const ContourOctree& tree, const CellFace& face) {
-  return tree.node(face.high).size < tree.node(face.low).size ? face.high : face.low;
+bool has_all_edges(const ContourCells& cells, const CellFace& face) {
+  return cells.is_complete(face.low) || cells.is_complete(face.high);
 }
-
-// Faces by the smaller of their two cells and its side.
-class FaceTable {
- public:
-  explicit FaceTable(std::size_t edges) : ids_(3 * edges) {}
-
-  void add(const ContourOctree& tree, const MinimalEdge& e, std::int32_t id, int place) {
-    const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
-    if (from == to) return;
-    CellFace face;
-    face.axis = (e.axis + 1 + (place & 1)) % 3;
-    face.low = place < 2 ? from : to;
-    face.high = place < 2 ? to : from;
-    const std::int32_t owner = smaller_cell(tree, face);
-    const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
-                              static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
-    const auto [index, is_new] = ids_.insert(key, static_cast<std::int32_t>(faces_.size()));
-    if (is_new) faces_.push_back(face);
-    faces_[static_cast<std::size_t>(index)].crossings.push_back(id);
-  }
-  const std::vector<CellFace>& all() const { return faces_; }
-  std::vector<CellFace> take() { return std::move(faces_); }
-
- private:
-  FlatMap ids_;
-  std::vector<CellFace> faces_;
-};
 
 enum class Joining { none, two, four };
 
 // Every face should have two crossings, on two of its sides; four on all sides are paired where the
 // face is small.
-Joining joining(const ContourOctree& tree, const CellFace& face,
-                const std::vector<MinimalEdge>& edges) {
+template <class EdgeOf>
+Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& edge_of) {
   const std::size_t n = face.crossings.size();
   if (n != 2 && n != 4) return Joining::none;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (on_one_side(at(edges, face.crossings[i]), at(edges, face.crossings[j]), face.axis))
+      if (on_one_side(edge_of(face.crossings[i]), edge_of(face.crossings[j]), face.axis))
         return Joining::none;
   if (n == 2) return Joining::two;
-  return tree.node(smaller_cell(tree, face)).size <= tree.lattice().per_voxel() ? Joining::four
-                                                                                : Joining::none;
+  return cells.size_of(smaller_cell(cells, face)) <= cells.lattice().per_voxel() ? Joining::four
+                                                                                 : Joining::none;
 }
 
 }  // namespace
@@ -101,31 +75,45 @@ Joining joining(const ContourOctree& tree, const CellFace& face,
 std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
                                         const std::vector<MinimalEdge>& edges,
                                         const std::vector<char>* nearby) {
-  FaceTable faces(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (int i = 0; i < 4; ++i) faces.add(tree, edges[k], static_cast<std::int32_t>(k), i);
+  const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(edges, k); };
   std::vector<std::int32_t> bad;
-  for (const CellFace& face : faces.all()) {
+  for (const CellFace& face : tree.faces(edges)) {
     if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
-    if (joining(tree, face, edges) == Joining::none) bad.insert(bad.end(), {face.low, face.high});
+    if (!has_all_edges(tree, face)) continue;
+    if (joining(tree, face, edge_of) == Joining::none) bad.insert(bad.end(), {face.low, face.high});
   }
   return bad;
 }
 
+void split_badly_crossed(ContourOctree& tree) {
+  std::vector<std::int32_t> bad = badly_crossed(tree, tree.crossing_edges(), nullptr);
+  while (tree.split(bad) > 0) {
+    std::vector<char> nearby;
+    const auto edges = tree.crossing_edges_near(tree.new_leaves(), nearby);
+    bad = badly_crossed(tree, edges, &nearby);
+  }
+}
+
 void ContourSurface::find_loops() {
   find_crossings();
-  find_faces();
   find_segments();
   join_loops();
 }
 
 void ContourSurface::find_crossings() {
-  const std::vector<MinimalEdge> edges = tree_.crossing_edges();
+  std::vector<MinimalEdge> edges = cells_.crossing_edges();
+  faces_ = cells_.faces(edges);
   crossings_.assign(edges.size(), {});
+  for (std::size_t k = 0; k < edges.size(); ++k) crossings_[k].edge = edges[k];
+  if (!options_.remember) {
+    parallel_for(
+        crossings_.size(), options_.threads,
+        [&](std::size_t k) { find_crossing_of(crossings_[k]); }, 64);
+    return;
+  }
   std::vector<std::int32_t> ids(edges.size());
   std::vector<std::uint8_t> is_new(edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    crossings_[k].edge = edges[k];
     const auto [id, fresh] =
         known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
     ids[k] = id;
@@ -133,7 +121,7 @@ void ContourSurface::find_crossings() {
     if (fresh) found_.emplace_back();
   }
   parallel_for(
-      edges.size(), threads_,
+      crossings_.size(), options_.threads,
       [&](std::size_t k) {
         Crossing& c = crossings_[k];
         Found& found = found_[static_cast<std::size_t>(ids[k])];
@@ -142,43 +130,36 @@ void ContourSurface::find_crossings() {
           c.at = found.at;
           return;
         }
-        std::int32_t cell = c.edge.cells[0];
-        for (const std::int32_t other : c.edge.cells)
-          if (tree_.node(other).size < tree_.node(cell).size) cell = other;
-        LatticePoint end = c.edge.start;
-        component(end, c.edge.axis) += c.edge.length;
-        const Vec3 low = tree_.lattice().position(c.edge.start),
-                   high = tree_.lattice().position(end);
-        const Probe p = probe(cell);
-        const bool low_inside = is_inside(tree_.sample(c.edge.low).distance);
-        const Vec3 x = low_inside ? find_crossing(p, low, high) : find_crossing(p, high, low);
-        c.at = p.sample(x);
-        Vec3 on_edge = low;
-        const Vec3 clamped = snap_inside(x, {low, high});
-        mrsim::component(on_edge, c.edge.axis) = mrsim::component(clamped, c.edge.axis);
-        c.position = on_edge;
+        find_crossing_of(c);
         found = {c.position, c.at};
       },
       64);
 }
 
-void ContourSurface::find_faces() {
-  FaceTable table(crossings_.size());
-  for (std::size_t k = 0; k < crossings_.size(); ++k)
-    for (int i = 0; i < 4; ++i) {
-      crossings_[k].segments[i] = -1;
-      table.add(tree_, crossings_[k].edge, static_cast<std::int32_t>(k), i);
-    }
-  faces_ = table.take();
+void ContourSurface::find_crossing_of(Crossing& c) const {
+  std::int32_t cell = c.edge.cells[0];
+  for (const std::int32_t other : c.edge.cells)
+    if (cells_.size_of(other) < cells_.size_of(cell)) cell = other;
+  const Vec3 low = low_end(cells_.lattice(), c.edge), high = high_end(cells_.lattice(), c.edge);
+  const Probe p = probe(cell);
+  auto [f, g] = cells_.offsets(c.edge);
+  if (std::isinf(f)) f = p.offset(low);
+  if (std::isinf(g)) g = p.offset(high);
+  const FoundCrossing x = c.edge.low_inside ? find_crossing(p, {low, f}, {high, g})
+                                            : find_crossing(p, {high, g}, {low, f});
+  c.at = x.at;
+  c.position = low;
+  mrsim::component(c.position, c.edge.axis) =
+      mrsim::component(snap_inside(x.position, {low, high}), c.edge.axis);
 }
 
 std::int32_t ContourSurface::face_cell(const CellFace& face) const {
-  return smaller_cell(tree_, face);
+  return smaller_cell(cells_, face);
 }
 
 Box3 ContourSurface::face_box(const CellFace& face) const {
   const std::int32_t cell = face_cell(face);
-  Box3 b = tree_.box(cell);
+  Box3 b = cells_.box(cell);
   const double plane =
       mrsim::component(cell == face.low ? b.hi : b.lo, static_cast<int>(face.axis));
   mrsim::component(b.lo, face.axis) = mrsim::component(b.hi, face.axis) = plane;
@@ -187,11 +168,12 @@ Box3 ContourSurface::face_box(const CellFace& face) const {
 
 void ContourSurface::find_segments() {
   segments_.clear();
-  std::vector<MinimalEdge> edges;
-  for (const Crossing& c : crossings_) edges.push_back(c.edge);
+  segments_.reserve(faces_.size());
+  const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(crossings_, k).edge; };
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const CellFace& face = faces_[f];
-    const Joining j = joining(tree_, face, edges);
+    if (!has_all_edges(cells_, face)) continue;
+    const Joining j = joining(cells_, face, edge_of);
     MRSIM_ASSERT(j != Joining::none);
     if (j == Joining::two)
       add_segment(static_cast<std::int32_t>(f), face.crossings[0], face.crossings[1]);
@@ -232,7 +214,7 @@ void ContourSurface::pair_four(std::int32_t f) {
   }
   // The corner between sides 3 and 0 is the low end of side 0's edge.
   const Crossing& first = at(crossings_, side[0]);
-  const bool corner_inside = is_inside(tree_.sample(first.edge.low).distance);
+  const bool corner_inside = first.edge.low_inside;
   const bool center_inside = is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
   const int shift =
       corner_inside != center_inside ? 3 : 0;  // cut off corners 3-0 and 1-2, or others
@@ -260,7 +242,7 @@ void ContourSurface::join_loops() {
     join(parent, slot(s.from, face.high), slot(s.to, face.high));
   }
   loops_.clear();
-  loops_in_cell_.assign(tree_.size(), 0);
+  loops_in_cell_.assign(cells_.size(), 0);
   std::vector<std::int32_t> loop_of_root(parent.size(), -1);
   crowded_.clear();
   for (std::size_t k = 0; k < crossings_.size(); ++k)
@@ -271,7 +253,8 @@ void ContourSurface::join_loops() {
         id = static_cast<std::int32_t>(loops_.size());
         loops_.emplace_back();
         loops_.back().cell = crossings_[k].cell(i);
-        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] == 2)
+        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] == 2 &&
+            cells_.is_complete(loops_.back().cell))
           crowded_.push_back(loops_.back().cell);
       }
       crossings_[k].loops[i] = id;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace mrsim::detail {
 namespace {
@@ -128,6 +129,8 @@ class EdgeWalk {
     component(e.start, v) += k >> v & 1 ? node.size : 0;
     e.axis = axis;
     e.length = node.size;
+    e.low_inside = is_inside(a.distance);
+    e.owned = tree_.is_owned(e.start);
     out_.push_back(e);
   }
 
@@ -142,11 +145,24 @@ class EdgeWalk {
 
 ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance,
                              int threads)
-    : field_(field), lattice_(lattice), tolerance_(tolerance), threads_(threads) {
+    : ContourCells(lattice), field_(field), tolerance_(tolerance), threads_(threads) {
+  part_.size = static_cast<std::int32_t>(lattice.size());
+  part_.complete[1] = part_.owned[1] = part_.size;
   OctreeNode root;
-  root.size = static_cast<std::int32_t>(lattice.size());
+  root.size = part_.size;
   nodes_.push_back(root);
-  lists_.emplace_back();
+  lists_.push_back(field.all());
+  refine({0});
+}
+
+ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice,
+                             const OctreePart& part)
+    : ContourCells(lattice), field_(field), part_(part), tolerance_(0), threads_(1) {
+  OctreeNode root;
+  root.origin = part.origin;
+  root.size = part.size;
+  nodes_.push_back(root);
+  lists_.emplace_back(part.candidates.begin(), part.candidates.end());
   refine({0});
 }
 
@@ -156,12 +172,12 @@ std::span<const std::uint32_t> ContourOctree::candidates(std::int32_t n) const {
 
 Box3 ContourOctree::box(std::int32_t n) const {
   const OctreeNode& a = node(n);
-  return {lattice_.position(a.origin),
-          lattice_.position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
+  return {lattice().position(a.origin),
+          lattice().position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
 }
 
 std::int32_t ContourOctree::locate(const Vec3& p) const {
-  const LatticePoint at = lattice_.floor(p);
+  const LatticePoint at = lattice().floor(p);
   std::int32_t n = 0;
   while (node(n).child >= 0) {
     const OctreeNode& a = node(n);
@@ -223,7 +239,6 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
 }
 
 void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
-  const Candidates everything = pending.size() == 1 ? field_.all() : Candidates{};
   parallel_for(
       pending.size(), threads_,
       [&](std::size_t k) {
@@ -231,8 +246,9 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
         OctreeNode& a = nodes_[n];
         const Box3 b = box(pending[k]);
         const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
+        const Candidates whole = a.parent < 0 ? std::move(lists_[n]) : Candidates{};
         const std::span<const std::uint32_t> in =
-            a.parent < 0 ? std::span<const std::uint32_t>(everything) : candidates(a.parent);
+            a.parent < 0 ? std::span<const std::uint32_t>(whole) : candidates(a.parent);
         a.region = field_.restrict_to(0.5 * (b.lo + b.hi), radius, kBand, in, lists_[n]);
       },
       64);
@@ -241,10 +257,10 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
 void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::size_t first = samples_.size();
   std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
-  const std::int32_t largest = kLargestCell * lattice_.per_voxel();
+  const std::int32_t largest = kLargestCell * lattice().per_voxel();
   for (const std::int32_t n : pending) {
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-    if (a.size > largest || (!(tolerance_ > 0) && a.size > lattice_.per_voxel())) continue;
+    if (a.size > largest || (!(tolerance_ > 0) && a.size > lattice().per_voxel())) continue;
     for (int k = 0; k < 8; ++k) {
       const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
                            a.origin.z + (k & 4 ? a.size : 0)};
@@ -259,7 +275,7 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
       wanted.size(), threads_,
       [&](std::size_t k) {
         samples_[first + k] =
-            field_.sample(lattice_.position(wanted[k].first), candidates(wanted[k].second));
+            field_.sample(lattice().position(wanted[k].first), candidates(wanted[k].second));
       },
       256);
   for (const std::int32_t n : pending) {
@@ -276,7 +292,7 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
 // all seen.
 bool ContourOctree::must_split(std::int32_t n) {
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-  if (!(tolerance_ > 0) || a.corners[0] < 0) return a.size > lattice_.per_voxel();
+  if (!(tolerance_ > 0) || a.corners[0] < 0) return a.size > lattice().per_voxel();
   const Box3 b = box(n);
   const Vec3 center = 0.5 * (b.lo + b.hi);
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
@@ -298,12 +314,12 @@ bool ContourOctree::must_split(std::int32_t n) {
   a.plain = one_face && list.size() + near_stock <= 1;
   a.face = middle;
   if (a.signs_differ && can_split(n) && bends_too_much(n, b, middle)) return true;
-  if (a.size <= lattice_.per_voxel()) return false;
+  if (a.size <= lattice().per_voxel()) return false;
   if (seen < list.size() || near_stock != stock_seen)
-    if (a.size > kMixedCell * lattice_.per_voxel() || shows_more(n, {owners, seen}, stock_seen))
+    if (a.size > kMixedCell * lattice().per_voxel() || shows_more(n, {owners, seen}, stock_seen))
       return true;
   if (one_face) return false;
-  return !a.signs_differ || a.size > kMixedCell * lattice_.per_voxel();
+  return !a.signs_differ || a.size > kMixedCell * lattice().per_voxel();
 }
 
 // A guess that saves rounds of splitting: the turn of the normals of the faces seen, from corner to
@@ -328,14 +344,14 @@ bool ContourOctree::bends_too_much(std::int32_t n, const Box3& b, const FieldSam
 bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> seen,
                                bool stock_seen) const {
   const OctreeNode& a = node(n);
-  const std::int32_t step = lattice_.per_voxel(), count = a.size / step;
+  const std::int32_t step = lattice().per_voxel(), count = a.size / step;
   const std::span<const std::uint32_t> list = candidates(n);
   for (std::int32_t x = 0; x <= count; ++x)
     for (std::int32_t y = 0; y <= count; ++y)
       for (std::int32_t z = 0; z <= count; ++z) {
         if ((x % count == 0) && (y % count == 0) && (z % count == 0)) continue;
         const LatticePoint p{a.origin.x + x * step, a.origin.y + y * step, a.origin.z + z * step};
-        const FieldSample s = field_.sample(lattice_.position(p), list);
+        const FieldSample s = field_.sample(lattice().position(p), list);
         if (s.owner == kStockOwner ? !stock_seen
                                    : std::find(seen.begin(), seen.end(), s.owner) == seen.end())
           return true;
@@ -343,10 +359,48 @@ bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> see
   return false;
 }
 
+bool ContourOctree::is_complete(std::int32_t cell) const {
+  return in_range(node(cell).origin, part_.complete);
+}
+
+bool ContourOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t i = component(p, a) - component(part_.origin, a);
+    if (i < range[0] || i >= range[1]) return false;
+  }
+  return true;
+}
+
 std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
   std::vector<MinimalEdge> out;
   EdgeWalk(*this, nullptr, nullptr, out).cell(0);
+  if (part_.size == lattice().size()) return out;
+  std::sort(out.begin(), out.end(), [](const MinimalEdge& a, const MinimalEdge& b) {
+    return std::tie(a.start.x, a.start.y, a.start.z, a.axis) <
+           std::tie(b.start.x, b.start.y, b.start.z, b.axis);
+  });
   return out;
+}
+
+std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) const {
+  FlatMap ids(3 * edges.size());  // by the smaller of the two cells and its side
+  std::vector<CellFace> out;
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int place = 0; place < 4; ++place) {
+      const CellFace face = face_of(edges[k], place);
+      if (face.low == face.high) continue;
+      const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
+      const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
+                                static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
+      const auto [index, is_new] = ids.insert(key, static_cast<std::int32_t>(out.size()));
+      if (is_new) out.push_back(face);
+      out[static_cast<std::size_t>(index)].crossings.push_back(static_cast<std::int32_t>(k));
+    }
+  return out;
+}
+
+std::pair<double, double> ContourOctree::offsets(const MinimalEdge& e) const {
+  return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
 }
 
 std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {

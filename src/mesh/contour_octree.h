@@ -2,7 +2,7 @@
 // them and the exact samples at their corners (docs/mesh.md, Cells).
 #pragma once
 
-#include "mesh/contour_lattice.h"
+#include "mesh/contour_cells.h"
 #include "mesh/flat_map.h"
 #include "removal/field.h"
 
@@ -24,38 +24,44 @@ struct OctreeNode {
   std::int32_t corners[8] = {-1, -1, -1, -1, -1, -1, -1, -1};  ///< samples; mixed leaves only
 };
 
-/// One edge of the grid that no smaller cell divides, and the four cells about it (equal where one
-/// cell spans two quadrants).
-struct MinimalEdge {
-  std::int32_t cells[4];  ///< by bits: side on axis + 1, side on axis + 2
-  LatticePoint start;
-  std::int32_t axis = 0, length = 0;
-  std::int32_t low = -1, high = -1;  ///< samples at its ends
+/// A cube of the grid that is worked on by itself: a tile of the uniform mesher whose cells must be
+/// split (contour_tile.h). `complete` is where is_complete() holds, `owned` where edges start.
+struct OctreePart {
+  LatticePoint origin;    ///< of the root, fine units
+  std::int32_t size = 0;  ///< of the root, fine units
+  std::span<const std::uint32_t> candidates;
+  std::int32_t complete[2] = {}, owned[2] = {};  ///< ranges from the origin, fine units
 };
 
-class ContourOctree {
+class ContourOctree final : public ContourCells {
  public:
   /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
   /// cells that the surface may pass are voxels.
   ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads);
+  /// One part of it, without a tolerance.
+  ContourOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
 
-  const Lattice& lattice() const { return lattice_; }
   const OctreeNode& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
-  std::size_t size() const { return nodes_.size(); }
+  std::size_t size() const override { return nodes_.size(); }
+  std::int32_t size_of(std::int32_t cell) const override { return node(cell).size; }
   const FieldSample& sample(std::int32_t i) const { return samples_[static_cast<std::size_t>(i)]; }
 
   /// The sweeps that can decide d in the cell.
-  std::span<const std::uint32_t> candidates(std::int32_t node) const;
+  std::span<const std::uint32_t> candidates(std::int32_t node) const override;
   /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two.
   std::int32_t locate(const Vec3& p) const;
-  Box3 box(std::int32_t node) const;
+  Box3 box(std::int32_t node) const override;
+  bool is_complete(std::int32_t cell) const override;
+  bool is_owned(const LatticePoint& edge_start) const { return in_range(edge_start, part_.owned); }
 
   bool can_split(std::int32_t node) const { return this->node(node).size >= 2; }
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
   std::size_t split(std::vector<std::int32_t> leaves);
 
-  /// All edges whose ends lie on different sides of the surface, in the order of the tree.
-  std::vector<MinimalEdge> crossing_edges() const;
+  /// In the order of the tree; of a part: in the order of their places.
+  std::vector<MinimalEdge> crossing_edges() const override;
+  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
+  std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   /// The same about the given leaves and those that share an edge with them; `nearby` is set for
   /// all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
@@ -67,6 +73,7 @@ class ContourOctree {
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
 
  private:
+  bool in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const;
   void refine(std::vector<std::int32_t> pending);
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
@@ -76,7 +83,7 @@ class ContourOctree {
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 
   const ExactField& field_;
-  Lattice lattice_;
+  OctreePart part_;
   double tolerance_;
   int threads_;
   std::vector<OctreeNode> nodes_;

@@ -15,15 +15,15 @@ constexpr double kOnSurface = 5e-7;  ///< mm
 
 }  // namespace
 
-void ContourSurface::sharpen() {
+void ContourSurface::sharpen(const ContourOctree& tree) {
   std::vector<char> moved(mesh_.vertices.size(), 0);
   const std::vector<Vec3> before = mesh_.vertices;
   bool any = false;
   const auto move = [&](std::size_t v, const SurfacePoint& to) {
     if (to.count == 0) return;
     // Other sweeps may matter there than in the cell that it was found from.
-    const std::int32_t cell = tree_.locate(to.position);
-    if (tree_.node(cell).region != ExactField::Region::mixed ||
+    const std::int32_t cell = tree.locate(to.position);
+    if (tree.node(cell).region != ExactField::Region::mixed ||
         std::abs(probe(cell).sample(to.position).distance) > kOnSurface)
       return;
     mesh_.vertices[v] = snap(to.position);
@@ -57,7 +57,7 @@ void ContourSurface::sharpen() {
     }
     if (round == kRounds) return;
     for (const auto& [i, j] :
-         self_intersections(mesh_.vertices, mesh_.triangles, threads_, chosen)) {
+         self_intersections(mesh_.vertices, mesh_.triangles, options_.threads, chosen)) {
       put_back(i);
       put_back(j);
     }

@@ -30,13 +30,18 @@ const BaseMesh& ContourSurface::make_triangles() {
   mesh_ = {};
   place_creases();
   parallel_for(
-      loops_.size(), threads_, [&](std::size_t k) { place_loop(loops_[k]); }, 32);
-  for (const Loop& loop : loops_) {
-    if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
-    mesh_.vertices.push_back(loop.point.position);
-  }
+      loops_.size(), options_.threads,
+      [&](std::size_t k) {
+        if (cells_.is_complete(loops_[k].cell)) place_loop(loops_[k]);
+      },
+      32);
+  mesh_.vertices.reserve(2 * loops_.size());
+  mesh_.triangles.reserve(4 * loops_.size());
+  mesh_.crossings.reserve(4 * loops_.size());
+  for (const Loop& loop : loops_) mesh_.vertices.push_back(loop.point.position);
   choose_explicit();
-  for (std::size_t k = 0; k < crossings_.size(); ++k) add_polygon(static_cast<std::int32_t>(k));
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+    if (crossings_[k].edge.owned) add_polygon(static_cast<std::int32_t>(k));
   return mesh_;
 }
 
@@ -44,35 +49,32 @@ const BaseMesh& ContourSurface::make_triangles() {
 // of the cell.
 void ContourSurface::place_creases() {
   parallel_for(
-      segments_.size(), threads_,
+      segments_.size(), options_.threads,
       [&](std::size_t k) {
         Segment& s = segments_[k];
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (same_face(a.at, b.at)) return;
         const Vec3 middle = 0.5 * (a.position + b.position);
         const CellFace& face = at(faces_, s.face);
+        if (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)) return;
         const Box3 box = face_box(face);
-        if (join_smoothly(probe(face_cell(face)), middle, a.at, b.at, length(box.hi - box.lo)))
-          return;
-        s.is_crease = true;
         const Probe p = probe(face_cell(face));
+        if (join_smoothly(p, middle, a.at, b.at, length(box.hi - box.lo))) return;
+        s.is_crease = true;
         s.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
         const FieldSample ends[2] = {a.at, b.at};
-        if (s.point.count == 0) s.outside = crease_near(p, box, face.axis, middle, ends);
+        if (options_.sharpen && s.point.count == 0)
+          s.outside = crease_near(p, box, face.axis, middle, ends);
       },
       64);
 }
 
-void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
-  LatticePoint end = c.edge.start;
-  component(end, c.edge.axis) += c.edge.length;
-  out.push_back(tree_.lattice().position(c.edge.start));
-  out.push_back(tree_.lattice().position(end));
-}
-
-void ContourSurface::place_loop(Loop& loop) {
-  std::vector<Vec3> crossings, creases;
-  std::vector<FieldSample> faces;
+void ContourSurface::place_loop(Loop& loop) const {
+  static thread_local std::vector<Vec3> crossings, creases;
+  static thread_local std::vector<FieldSample> faces;
+  crossings.clear();
+  creases.clear();
+  faces.clear();
   for (const std::int32_t k : loop.crossings) {
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
@@ -80,19 +82,26 @@ void ContourSurface::place_loop(Loop& loop) {
   for (const std::int32_t k : loop.segments)
     if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
       creases.push_back(at(segments_, k).point.position);
-  const Box3 box = tree_.box(loop.cell);
-  loop.point = point_in_cell(probe(loop.cell), box, {crossings, faces, creases});
-  if (loop.point.count < 2 && creases.empty()) {
+  const Box3 box = cells_.box(loop.cell);
+  const Probe p = probe(loop.cell);
+  loop.point = point_in_cell(p, box, {crossings, faces, creases});
+  if (options_.sharpen && loop.point.count < 2 && creases.empty()) {
     Vec3 mean;
-    for (const Vec3& p : crossings) mean += (1.0 / static_cast<double>(crossings.size())) * p;
-    loop.outside = crease_near(probe(loop.cell), box, -1, mean, faces);
+    for (const Vec3& x : crossings) mean += (1.0 / static_cast<double>(crossings.size())) * x;
+    loop.outside = crease_near(p, box, -1, mean, faces);
   }
   if (loop.point.count == 0) {
     std::vector<Vec3> ends;
     for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);
-    loop.point = point_towards_middle(probe(loop.cell), box, ends);
+    loop.point = point_towards_middle(p, box, ends);
   }
+  if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
   loop.point.position = snap_inside(loop.point.position, box);
+}
+
+void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
+  out.push_back(low_end(cells_.lattice(), c.edge));
+  out.push_back(high_end(cells_.lattice(), c.edge));
 }
 
 const Loop& ContourSurface::loop_of(std::int32_t crossing, std::int32_t cell) const {
@@ -134,12 +143,13 @@ bool ContourSurface::may_be_implicit(const Segment& s) const {
 
 void ContourSurface::choose_explicit() {
   parallel_for(
-      segments_.size(), threads_,
+      segments_.size(), options_.threads,
       [&](std::size_t k) {
         Segment& s = segments_[k];
-        s.is_explicit = !may_be_implicit(s);
-        if (!s.is_explicit) return;
         const CellFace& face = at(faces_, s.face);
+        s.is_explicit =
+            cells_.is_complete(face.low) && cells_.is_complete(face.high) && !may_be_implicit(s);
+        if (!s.is_explicit) return;
         const Box3 box = face_box(face);
         const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
         if (s.point.count == 0 && face.crossings.size() == 2) {
@@ -191,10 +201,8 @@ void ContourSurface::add_triangle(std::int32_t crossing, std::uint32_t a, std::u
 // Two triangles (or one) without a vertex on the edge itself, if both separate the edge's ends.
 bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring,
                                       std::int32_t id) {
-  LatticePoint end = c.edge.start;
-  component(end, c.edge.axis) += c.edge.length;
-  Vec3 from = tree_.lattice().position(c.edge.start), to = tree_.lattice().position(end);
-  if (!is_inside(tree_.sample(c.edge.low).distance)) std::swap(from, to);
+  Vec3 from = low_end(cells_.lattice(), c.edge), to = high_end(cells_.lattice(), c.edge);
+  if (!c.edge.low_inside) std::swap(from, to);
   const auto separates = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const Vec3 &p = mesh_.vertices[i], &q = mesh_.vertices[j], &r = mesh_.vertices[k];
     return orientation(p, q, r, to) > 0 && orientation(p, q, r, from) < 0;
@@ -221,8 +229,9 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::
 
 void ContourSurface::add_polygon(std::int32_t id) {
   const Crossing& c = at(crossings_, id);
-  const bool up = is_inside(tree_.sample(c.edge.low).distance);
-  std::vector<std::uint32_t> ring;
+  const bool up = c.edge.low_inside;
+  static thread_local std::vector<std::uint32_t> ring;
+  ring.clear();
   bool plain = true;
   for (int k = 0; k < 4; ++k) {
     const int i = up ? k : 3 - k;

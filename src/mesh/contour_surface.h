@@ -4,7 +4,6 @@
 
 #include "mesh/contour_octree.h"
 #include "mesh/contour_vertex.h"
-#include "mesh/small_list.h"
 
 #include <array>
 #include <vector>
@@ -21,14 +20,7 @@ struct Crossing {
   std::int32_t segments[4] = {-1, -1, -1, -1};
   std::int32_t loops[4] = {-1, -1, -1, -1};
 
-  std::int32_t cell(int place) const { return edge.cells[place ^ (place >> 1)]; }
-};
-
-/// A face of a cell that no smaller cell divides, with the crossings on its sides.
-struct CellFace {
-  std::int32_t low = -1, high = -1;  ///< cells on both sides of it
-  std::int32_t axis = 0;
-  SmallList<4> crossings;
+  std::int32_t cell(int place) const { return ring_cell(edge, place); }
 };
 
 /// The curve of the surface in a face, from one crossing to another.
@@ -63,11 +55,19 @@ std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
                                         const std::vector<MinimalEdge>& edges,
                                         const std::vector<char>* nearby);
 
+/// Splits cells until no face is badly crossed.
+void split_badly_crossed(ContourOctree& tree);
+
 class ContourSurface {
  public:
-  /// `shallow`: creases that may be cut off by that many mm are.
-  ContourSurface(const ExactField& field, const ContourOctree& tree, double shallow, int threads)
-      : field_(field), tree_(tree), shallow_(shallow), threads_(threads) {}
+  struct Options {
+    double shallow = 0;     ///< mm: creases that may be cut off by that much are
+    bool sharpen = false;   ///< look for creases just outside of their cells, for sharpen()
+    bool remember = false;  ///< keep crossings for the next find_loops()
+    int threads = 0;
+  };
+  ContourSurface(const ExactField& field, const ContourCells& cells, const Options& options)
+      : field_(field), cells_(cells), options_(options) {}
 
   /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
   /// badly_crossed().
@@ -79,7 +79,7 @@ class ContourSurface {
 
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet.
   /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
-  void sharpen();
+  void sharpen(const ContourOctree& tree);
 
   const BaseMesh& mesh() const { return mesh_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
@@ -93,17 +93,19 @@ class ContourSurface {
   };
 
   void find_crossings();
-  void find_faces();
+  void find_crossing_of(Crossing& c) const;
   void find_segments();
   void pair_four(std::int32_t face);
   void join_loops();
   void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
-  Probe probe(std::int32_t cell) const { return {field_, tree_.candidates(cell), shallow_}; }
+  Probe probe(std::int32_t cell) const {
+    return {field_, cells_.candidates(cell), options_.shallow};
+  }
   Box3 face_box(const CellFace& face) const;
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
   void place_creases();
-  void place_loop(Loop& loop);
+  void place_loop(Loop& loop) const;
   void add_ends(const Crossing& c, std::vector<Vec3>& out) const;
   void choose_explicit();
   bool may_be_implicit(const Segment& s) const;
@@ -116,9 +118,8 @@ class ContourSurface {
   const Loop& loop_of(std::int32_t crossing, std::int32_t cell) const;
 
   const ExactField& field_;
-  const ContourOctree& tree_;
-  double shallow_;
-  int threads_;
+  const ContourCells& cells_;
+  Options options_;
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;
   std::vector<Segment> segments_;

@@ -44,27 +44,34 @@ bool find_between(const Probe& probe, const Vec3& a, const Vec3& b, bool ends_in
 
 }  // namespace
 
-std::vector<ThinFeature> thin_features(const ExactField& field, const ContourOctree& tree) {
+std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
+                                     std::span<const MinimalEdge> doubtful) {
+  std::vector<FoundThin> out;
+  const std::int32_t block = kBlock * cells.lattice().per_voxel();
+  for (const MinimalEdge& e : doubtful) {
+    const Vec3 a = low_end(cells.lattice(), e), b = high_end(cells.lattice(), e);
+    const Probe probe{field, cells.candidates(e.cells[0]), 0};
+    const std::int32_t low = probe.sample(a).owner, high = probe.sample(b).owner;
+    Vec3 middle;
+    if (low == high || !find_between(probe, a, b, e.low_inside, middle)) continue;
+    const Vec3 from =
+        e.low_inside ? find_crossing(probe, a, middle) : find_crossing(probe, middle, a);
+    const Vec3 to =
+        e.low_inside ? find_crossing(probe, b, middle) : find_crossing(probe, middle, b);
+    const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
+    out.push_back(
+        {{middle, !e.low_inside, distance(from, to), {std::min(low, high), std::max(low, high)}},
+         key(place)});
+  }
+  return out;
+}
+
+std::vector<ThinFeature> distinct(std::span<const FoundThin> found) {
   std::vector<ThinFeature> out;
   std::set<std::tuple<std::int32_t, std::int32_t, std::uint64_t>> known;
-  const std::int32_t block = kBlock * tree.lattice().per_voxel();
-  for (const MinimalEdge& e : tree.doubtful_edges()) {
-    const FieldSample &low = tree.sample(e.low), &high = tree.sample(e.high);
-    LatticePoint end = e.start;
-    component(end, e.axis) += e.length;
-    const Vec3 a = tree.lattice().position(e.start), b = tree.lattice().position(end);
-    const Probe probe{field, tree.candidates(e.cells[0]), 0};
-    const bool inside = is_inside(low.distance);
-    Vec3 middle;
-    if (!find_between(probe, a, b, inside, middle)) continue;
-    const std::int32_t first = std::min(low.owner, high.owner),
-                       last = std::max(low.owner, high.owner);
-    const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
-    if (!known.emplace(first, last, key(place)).second) continue;
-    const Vec3 from = inside ? find_crossing(probe, a, middle) : find_crossing(probe, middle, a);
-    const Vec3 to = inside ? find_crossing(probe, b, middle) : find_crossing(probe, middle, b);
-    out.push_back({middle, !inside, distance(from, to), {first, last}});
-  }
+  for (const FoundThin& f : found)
+    if (known.emplace(f.feature.owner[0], f.feature.owner[1], f.block).second)
+      out.push_back(f.feature);
   return out;
 }
 

@@ -2,14 +2,24 @@
 #pragma once
 
 #include "mesh/contour.h"
-#include "mesh/contour_octree.h"
+#include "mesh/contour_cells.h"
 
+#include <span>
 #include <vector>
 
 namespace mrsim::detail {
 
-/// Thin walls and gaps on the doubtful edges of the tree, one for each pair of owners in each block
-/// of 8 voxels, in the order of the tree.
-std::vector<ThinFeature> thin_features(const ExactField& field, const ContourOctree& tree);
+/// A thin feature and what tells it from others: its owners and its block of 8 voxels.
+struct FoundThin {
+  ThinFeature feature;
+  std::uint64_t block = 0;
+};
+
+/// Thin walls and gaps on the doubtful edges, in their order.
+std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
+                                     std::span<const MinimalEdge> doubtful);
+
+/// One for each pair of owners in each block.
+std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 
 }  // namespace mrsim::detail

@@ -11,6 +11,7 @@ constexpr double kOnSurface = 5e-7;       ///< mm: |d| at which a point counts a
 constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
 constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kMargin = 1e-6;          ///< share of a cell that its vertex keeps from its sides
+constexpr double kCrossing = 1e-10;       ///< mm: what crossings are found to
 constexpr int kNewtonSteps = 24;
 
 bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
@@ -20,6 +21,12 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
     if (!(component(p, a) > lo + m && component(p, a) < hi - m)) return false;
   }
   return true;
+}
+
+// Sine of the angle below which a cell of `size` mm may cut off a crease: a chord of length s
+// across a crease of angle w leaves it by at most s w / 4.
+double smooth_limit(const Probe& probe, double size) {
+  return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
 }
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
@@ -106,14 +113,18 @@ SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const V
 
 // Follows whatever face decides d; creases are met only by chance.
 SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
+  SurfacePoint result;
   Vec3 p = start;
   FieldSample s = probe.sample(p);
   for (int k = 0; k < kNewtonSteps && std::abs(s.distance) > 1e-9; ++k) {
-    p = p - s.distance * probe.field.gradient(p, s);
+    double g = s.distance;
+    for (int i = 0; i < 3 && std::abs(g) > 1e-10; ++i) {
+      p = p - g * probe.field.gradient(p, s);
+      g = probe.field.patch_distance(p, s);
+    }
     s = probe.sample(p);
   }
-  SurfacePoint result;
-  if (!accept(probe, p, room, -1)) return result;
+  if (!strictly_inside(p, room, -1, kMargin) || std::abs(s.distance) > kOnSurface) return result;
   result.position = p;
   result.faces[0] = s;
   result.count = 1;
@@ -181,6 +192,33 @@ SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const Cel
   return {};
 }
 
+// All faces turn so little against the first one that any two of them join smoothly.
+bool all_join_smoothly(const Probe& probe, const Vec3& p, std::span<const FieldSample> faces,
+                       double size) {
+  const double limit = 0.5 * smooth_limit(probe, size);
+  const Vec3 first = probe.field.gradient(p, faces[0]);
+  for (const FieldSample& face : faces.subspan(1)) {
+    const Vec3 n = probe.field.gradient(p, face), c = cross(first, n);
+    if (dot(first, n) <= 0 || dot(c, c) >= limit * limit) return false;
+  }
+  return true;
+}
+
+// Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance at
+// t.
+double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Vec3& from,
+                    const Vec3& along, double t) {
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 p = from + t * along;
+    if (k > 0) f = field.patch_distance(p, face) + kInsideTolerance;
+    if (std::abs(f) < 0.2 * kCrossing) return t;
+    const double slope = dot(field.gradient(p, face), along);
+    if (!(slope > 0)) return t;
+    t -= f / slope;
+  }
+  return t;
+}
+
 Vec3 mean_of(std::span<const Vec3> points) {
   Vec3 sum;
   for (const Vec3& p : points) sum += p;
@@ -189,16 +227,20 @@ Vec3 mean_of(std::span<const Vec3> points) {
 
 }  // namespace
 
-Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
-  double a = 0, b = 1, fa = probe.offset(inside), fb = probe.offset(outside);
-  const double length = distance(inside, outside);
+FoundCrossing find_crossing(const Probe& probe, const SegmentEnd& inside,
+                            const SegmentEnd& outside) {
+  const Vec3 along = outside.position - inside.position;
+  const double size = length(along);
+  double a = 0, b = 1, fa = inside.offset, fb = outside.offset;
   int side = 0;
-  for (int k = 0; k < 80 && (b - a) * length > 1e-10; ++k) {
-    // Illinois; plain halving when it is slow.
-    double t = k < 20 && fb > fa ? a + (b - a) * (-fa / (fb - fa)) : 0.5 * (a + b);
+  FoundCrossing found;
+  double t = fb > fa ? -fa / (fb - fa) : 0.5;
+  for (int k = 0; k < 80; ++k) {
     if (!(t > a && t < b)) t = 0.5 * (a + b);
-    const double f = probe.offset(lerp(inside, outside, t));
-    if (std::abs(f) < 1e-10) return lerp(inside, outside, t);
+    found.position = inside.position + t * along;
+    found.at = probe.sample(found.position);
+    const double f = found.at.distance + kInsideTolerance;
+    if (std::abs(f) < kCrossing || (b - a) * size <= kCrossing) return found;
     if (f < 0) {
       a = t;
       fa = f;
@@ -210,8 +252,19 @@ Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) 
       if (side > 0) fa *= 0.5;
       side = 1;
     }
+    // The zero of the face that decides here; then Illinois; plain halving when that is slow.
+    if (k < 4)
+      t = zero_on_line(probe.field, found.at, f, inside.position, along, t);
+    else
+      t = k < 24 && fb > fa ? a + (b - a) * (-fa / (fb - fa)) : 0.5 * (a + b);
   }
-  return lerp(inside, outside, 0.5 * (a + b));
+  return found;
+}
+
+Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+  return find_crossing(probe, SegmentEnd{inside, probe.offset(inside)},
+                       SegmentEnd{outside, probe.offset(outside)})
+      .position;
 }
 
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
@@ -219,8 +272,7 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
   if (same_face(a, b)) return true;
   const Vec3 n = probe.field.gradient(p, a), m = probe.field.gradient(p, b);
   const Vec3 c = cross(n, m);
-  // A chord of length s across a crease of angle w leaves it by at most s w / 4.
-  const double limit = std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
+  const double limit = smooth_limit(probe, size);
   return dot(n, m) > 0 && dot(c, c) < limit * limit;
 }
 
@@ -235,10 +287,10 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
     for (int i = 0; i < rows; ++i) {
       const auto f = static_cast<std::size_t>(i);
       g[i] = field.patch_distance(p, faces[f]);
-      n[i] = field.gradient(p, faces[f]);
       worst = std::max(worst, std::abs(g[i]));
     }
     if (worst < 1e-9) return true;
+    for (int i = 0; i < rows; ++i) n[i] = field.gradient(p, faces[static_cast<std::size_t>(i)]);
     int all = rows;
     if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
     if (!newton_step(n, g, all, step)) return worst < kOnSurface;
@@ -323,6 +375,9 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   const Vec3 mean = mean_of(hints.crossings);
   if (n == 1)
     if (SurfacePoint s = try_faces(probe, room, mean, {faces, 1}); s.count > 0) return s;
+  if (n > 1 && hints.creases.empty() &&
+      all_join_smoothly(probe, mean, {faces, n}, length(room.hi - room.lo)))
+    return try_smooth(probe, room, mean);
   const Vec3 start = hints.creases.empty() ? mean : mean_of(hints.creases);
   if (n >= 3)
     if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;

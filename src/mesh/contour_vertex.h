@@ -30,7 +30,20 @@ struct SurfacePoint {
   int count = 0;  ///< 1 smooth, 2 crease, 3 corner; 0 = none found
 };
 
-/// Where the surface crosses the segment from `inside` to `outside`. Requires d to differ in side.
+/// One end of a segment that the surface crosses, with d + kInsideTolerance there, which may be
+/// rounded.
+struct SegmentEnd {
+  Vec3 position;
+  double offset = 0;
+};
+struct FoundCrossing {
+  Vec3 position;
+  FieldSample at;
+};
+/// Where the surface crosses the segment from `inside` to `outside`, to 1e-10 mm. Requires d to
+/// differ in side. Follows the face that decides d: two samples in most cases.
+FoundCrossing find_crossing(const Probe& probe, const SegmentEnd& inside,
+                            const SegmentEnd& outside);
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
 
 /// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut

@@ -54,6 +54,12 @@ class ExactField {
   /// d, its owner and the owner's face at p. Ties: stock before sweep, then the least index.
   virtual FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const = 0;
 
+  /// out[k] = sample(points[k], candidates).distance, the same bits.
+  virtual void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                         double* out) const {
+    for (std::size_t k = 0; k < points.size(); ++k) out[k] = sample(points[k], candidates).distance;
+  }
+
   /// Gradient of d at p for the owner and patch that sample(p) gave: unit length, out of the
   /// material.
   virtual Vec3 gradient(const Vec3& p, const FieldSample& at) const = 0;

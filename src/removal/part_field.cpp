@@ -1,6 +1,5 @@
 #include "removal/part_field.h"
 
-#include "core/error.h"
 #include "core/vec.h"
 
 #include <algorithm>
@@ -27,7 +26,12 @@ PartField::PartField(StockSolid solid, SweepTable sweeps)
     : solid_(std::move(solid)),
       sweeps_(std::move(sweeps)),
       dominance_(sweeps_),
-      slack_(2 * sweeps_.max_error() + kRounding) {}
+      slack_(2 * sweeps_.max_error() + kRounding) {
+  for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
+    sweep_of_.resize(static_cast<std::size_t>(sweeps_.motion(i)) + 1);
+    sweep_of_.back() = i;
+  }
+}
 
 Candidates PartField::all() const {
   Candidates ids(sweeps_.size());
@@ -78,15 +82,19 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
   return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
 }
 
-// Motions ascend with the sweeps: bisection.
-std::size_t PartField::sweep_of(std::int32_t motion) const {
-  std::size_t low = 0, high = sweeps_.size();
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (sweeps_.motion(middle) <= motion ? low : high) = middle;
+void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                          double* out) const {
+  static thread_local std::vector<double> least;
+  least.assign(points.size(), std::numeric_limits<double>::infinity());
+  std::vector<double>& d = scratch(points.size());
+  for (const std::uint32_t i : candidates) {
+    sweeps_.distances(i, points, d.data());
+    for (std::size_t k = 0; k < points.size(); ++k) least[k] = d[k] < least[k] ? d[k] : least[k];
   }
-  MRSIM_ASSERT(low < sweeps_.size() && sweeps_.motion(low) == motion);
-  return low;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double stock = solid_.distance(points[k]);
+    out[k] = stock >= -least[k] ? stock : -least[k];
+  }
 }
 
 Vec3 PartField::gradient(const Vec3& p, const FieldSample& at) const {

@@ -16,6 +16,8 @@ class PartField final : public ExactField {
   Region restrict_to(const Vec3& center, double radius, double band,
                      std::span<const std::uint32_t> in, Candidates& out) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
+  void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                 double* out) const override;
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
   double patch_distance(const Vec3& p, const FieldSample& at) const override;
   Box3 bounds() const override { return solid_.bounds(); }
@@ -24,11 +26,14 @@ class PartField final : public ExactField {
   const SweepTable& sweeps() const { return sweeps_; }
 
  private:
-  std::size_t sweep_of(std::int32_t motion) const;
+  std::size_t sweep_of(std::int32_t motion) const {
+    return sweep_of_[static_cast<std::size_t>(motion)];
+  }
 
   StockSolid solid_;
   SweepTable sweeps_;
   Dominance dominance_;
+  std::vector<std::uint32_t> sweep_of_;  ///< by motion
   double slack_;  ///< mm: what rounding may change in a difference of two distances
 };
 

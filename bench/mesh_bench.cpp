@@ -1,0 +1,85 @@
+// Meshing alone: the exact mesher on the uniform grid, and OpenVDB's VolumeToMesh on the same stock
+// in the same run. Milliseconds of each step are printed.
+//   mesh_bench --benchmark_filter=raster-1000000 --benchmark_repetitions=3
+#include "mesh/contour.h"
+#include "programs.h"
+#include "removal/stock.h"
+#include "removal/stock_grid.h"
+
+#include <memory>
+
+#include <benchmark/benchmark.h>
+#include <openvdb/tools/VolumeToMesh.h>
+#include <tbb/global_control.h>
+
+namespace mrsim::bench {
+namespace {
+
+struct Case {
+  const char* program;
+  double voxel, tolerance;
+};
+
+constexpr Case kCases[] = {{"raster-10000", 0.25, 0},    {"raster-100000", 0.25, 0},
+                           {"raster-1000000", 0.1, 0},   {"arcs-5000", 0.25, 0},
+                           {"raster-10000", 0.25, 0.02}, {"arcs-5000", 0.25, 0.02}};
+
+// The stock of the last case, carved once.
+const Stock& stock_of(const Case& c) {
+  static std::string known;
+  static std::unique_ptr<Stock> stock;
+  const std::string wanted = std::string(c.program) + std::to_string(c.voxel);
+  if (known == wanted) return *stock;
+  const BenchProgram program = by_name(c.program);
+  stock = std::make_unique<Stock>(
+      carve(program.stock, program.motions, std::span(&program.tool, 1), {.voxel = c.voxel}));
+  known = wanted;
+  return *stock;
+}
+
+void mesh(benchmark::State& state, const Case& c, int threads) {
+  const Stock& stock = stock_of(c);
+  ContourReport report;
+  std::size_t triangles = 0;
+  for (auto _ : state)
+    triangles = contour(stock.field(), stock.voxel(),
+                        {.tolerance = c.tolerance, .threads = threads, .progress = {}}, &report)
+                    .triangles.size();
+  state.counters["triangles"] = static_cast<double>(triangles);
+  for (const auto& [step, seconds] : report.seconds) state.counters[step] = 1e3 * seconds;
+}
+
+void volume_to_mesh(benchmark::State& state, const Case& c, int threads) {
+  const Stock& stock = stock_of(c);
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  for (auto _ : state) {
+    openvdb::tools::VolumeToMesh mesher(0);
+    mesher(*stock.grid().distance);
+    benchmark::DoNotOptimize(mesher.pointListSize());
+  }
+}
+
+}  // namespace
+}  // namespace mrsim::bench
+
+int main(int argc, char** argv) {
+  using namespace mrsim::bench;
+  for (const Case& c : kCases)
+    for (const int threads : {1, 2}) {
+      const std::string name =
+          std::string(c.program) + "/voxel:" + std::to_string(c.voxel).substr(0, 4) +
+          "/T:" + std::to_string(c.tolerance).substr(0, 5) + "/threads:" + std::to_string(threads);
+      const auto add = [&](const std::string& what, auto body) {
+        benchmark::RegisterBenchmark((name + "/" + what).c_str(),
+                                     [=](benchmark::State& state) { body(state, c, threads); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime();
+      };
+      add("contour", mesh);
+      if (c.tolerance == 0) add("VolumeToMesh", volume_to_mesh);
+    }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

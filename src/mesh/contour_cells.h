@@ -1,0 +1,90 @@
+// The cells of the mesher as the surface over them sees them: the leaves of an octree, or one tile
+// of the uniform grid.
+#pragma once
+
+#include "mesh/contour_lattice.h"
+#include "mesh/small_list.h"
+#include "removal/field.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// One edge of the grid that no smaller cell divides, and the four cells about it (equal where one
+/// cell spans two quadrants).
+struct MinimalEdge {
+  std::int32_t cells[4];  ///< by bits: side on axis + 1, side on axis + 2
+  LatticePoint start;
+  std::int32_t axis = 0, length = 0;
+  std::int32_t low = -1, high = -1;  ///< samples at its ends
+  bool low_inside = false;           ///< the end at `start` is in the material
+  bool owned = true;                 ///< its triangles are made here, not by another tile
+};
+
+/// A face of a cell that no smaller cell divides, with the crossings on its sides.
+struct CellFace {
+  std::int32_t low = -1, high = -1;  ///< cells on both sides of it
+  std::int32_t axis = 0;
+  SmallList<4> crossings;
+};
+
+class ContourCells {
+ public:
+  explicit ContourCells(const Lattice& lattice) : lattice_(lattice) {}
+  ContourCells(const ContourCells&) = delete;
+  ContourCells& operator=(const ContourCells&) = delete;
+  virtual ~ContourCells() = default;
+
+  const Lattice& lattice() const { return lattice_; }
+
+  /// Ids of cells are below it.
+  virtual std::size_t size() const = 0;
+  /// Edge of the cell in fine units.
+  virtual std::int32_t size_of(std::int32_t cell) const = 0;
+  virtual Box3 box(std::int32_t cell) const = 0;
+  /// The sweeps that can decide d in the cell.
+  virtual std::span<const std::uint32_t> candidates(std::int32_t cell) const = 0;
+  /// False for cells at the border, of which only a part of the surroundings is there.
+  virtual bool is_complete(std::int32_t cell) const = 0;
+
+  /// All edges whose ends lie on different sides of the surface, in an order that depends on their
+  /// places alone.
+  virtual std::vector<MinimalEdge> crossing_edges() const = 0;
+  /// The faces about these edges, each with the numbers of its edges, in the order of the edges.
+  virtual std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const = 0;
+  /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite).
+  virtual std::pair<double, double> offsets(const MinimalEdge& edge) const = 0;
+
+ private:
+  Lattice lattice_;
+};
+
+/// Ring places 0..3 run counter-clockwise about the edge's axis.
+inline std::int32_t ring_cell(const MinimalEdge& e, int place) {
+  return e.cells[(place ^ (place >> 1)) & 3];
+}
+
+/// The face between ring places `place` and `place + 1` of an edge; low = high where one cell spans
+/// both.
+inline CellFace face_of(const MinimalEdge& e, int place) {
+  const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
+  CellFace face;
+  face.axis = (e.axis + 1 + (place & 1)) % 3;
+  face.low = place < 2 ? from : to;
+  face.high = place < 2 ? to : from;
+  return face;
+}
+
+/// A point at one end of the edge, and at the other.
+inline Vec3 low_end(const Lattice& lattice, const MinimalEdge& e) {
+  return lattice.position(e.start);
+}
+inline Vec3 high_end(const Lattice& lattice, const MinimalEdge& e) {
+  LatticePoint end = e.start;
+  component(end, e.axis) += e.length;
+  return lattice.position(end);
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,217 @@
+#include "mesh/contour_tile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr double kBand = 4 * kInsideTolerance;
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
+
+}  // namespace
+
+ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
+    : ContourCells(lattice), field_(field), offset_(kCount), lists_(kNodes * kNodes * kNodes) {
+  for (int a = 0; a < 3; ++a) {
+    planes_[a].resize(kCells + 1);
+    face_of_[a].assign(kCount, -1);
+  }
+}
+
+void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates) {
+  first_ = first;
+  for (int a = 0; a < 3; ++a)
+    for (std::int32_t i = 0; i <= kCells; ++i)
+      planes_[a][static_cast<std::size_t>(i)] =
+          lattice().coordinate(a, (component(first, a) + i) * lattice().per_voxel());
+  ids_.clear();
+  std::fill(lists_.begin(), lists_.end(), List{});
+  visit({0, 0, 0}, kCells, 0, candidates);
+}
+
+void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t depth,
+                        std::span<const std::uint32_t> in) {
+  const auto plane = [&](int axis, std::int32_t i) {
+    return planes_[axis][static_cast<std::size_t>(i)];
+  };
+  const Vec3 lo{plane(0, origin.x), plane(1, origin.y), plane(2, origin.z)};
+  const Vec3 hi{plane(0, origin.x + size), plane(1, origin.y + size), plane(2, origin.z + size)};
+  Candidates& list = work_[depth];
+  const auto region =
+      field_.restrict_to(0.5 * (lo + hi), 0.5 * length(hi - lo) + kQuantum, kBand, in, list);
+  if (region != ExactField::Region::mixed)
+    return fill(origin, size, region == ExactField::Region::material);
+  if (size == kNode) return sample_node(origin, list);
+  const std::int32_t half = size / 2;
+  for (int k = 0; k < 8; ++k)
+    visit({origin.x + (k & 1 ? half : 0), origin.y + (k & 2 ? half : 0),
+           origin.z + (k & 4 ? half : 0)},
+          half, depth + 1, list);
+}
+
+void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {
+  for (std::int32_t x = origin.x; x < origin.x + size; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + size; ++y) {
+      const auto begin = offset_.begin() + id(x, y, origin.z);
+      std::fill(begin, begin + size, inside ? -kUnknown : kUnknown);
+    }
+}
+
+void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
+  List& own = lists_[static_cast<std::size_t>(
+      node_id(origin.x / kNode, origin.y / kNode, origin.z / kNode))];
+  own = {static_cast<std::uint32_t>(ids_.size()),
+         static_cast<std::uint32_t>(ids_.size() + list.size()), true};
+  ids_.insert(ids_.end(), list.begin(), list.end());
+  points_.clear();
+  for (std::int32_t x = origin.x; x < origin.x + kNode; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + kNode; ++y)
+      for (std::int32_t z = origin.z; z < origin.z + kNode; ++z)
+        points_.push_back({planes_[0][static_cast<std::size_t>(x)],
+                           planes_[1][static_cast<std::size_t>(y)],
+                           planes_[2][static_cast<std::size_t>(z)]});
+  distance_.resize(points_.size());
+  field_.distances(points_, list, distance_.data());
+  const double* d = distance_.data();
+  for (std::int32_t x = origin.x; x < origin.x + kNode; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + kNode; ++y)
+      for (std::int32_t z = 0; z < kNode; ++z)
+        offset_[static_cast<std::size_t>(id(x, y, origin.z + z))] =
+            static_cast<float>(*d++ + kInsideTolerance);
+}
+
+Box3 ContourTile::box(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  const auto x = static_cast<std::size_t>(p.x), y = static_cast<std::size_t>(p.y),
+             z = static_cast<std::size_t>(p.z);
+  return {{planes_[0][x], planes_[1][y], planes_[2][z]},
+          {planes_[0][x + 1], planes_[1][y + 1], planes_[2][z + 1]}};
+}
+
+std::span<const std::uint32_t> ContourTile::candidates(std::int32_t cell) const {
+  const List& list = list_of(place(cell));
+  return {ids_.data() + list.begin, list.end - list.begin};
+}
+
+bool ContourTile::is_complete(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  const auto in = [](std::int32_t i) { return i > 0 && i < kCells - 1; };
+  return in(p.x) && in(p.y) && in(p.z);
+}
+
+MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  MinimalEdge e;
+  for (int q = 0; q < 4; ++q) {
+    LatticePoint cell = p;
+    component(cell, u) -= (q & 1) ^ 1;
+    component(cell, v) -= (q >> 1) ^ 1;
+    e.cells[q] = id(cell.x, cell.y, cell.z);
+  }
+  const std::int32_t unit = lattice().per_voxel();
+  e.start = {(first_.x + p.x) * unit, (first_.y + p.y) * unit, (first_.z + p.z) * unit};
+  e.axis = axis;
+  e.length = unit;
+  e.low = id(p.x, p.y, p.z);
+  LatticePoint end = p;
+  ++component(end, axis);
+  e.high = id(end.x, end.y, end.z);
+  e.low_inside = std::signbit(offset_[static_cast<std::size_t>(e.low)]);
+  const auto owned = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
+  e.owned = owned(p.x) && owned(p.y) && owned(p.z);
+  return e;
+}
+
+// The corners of nodes that the surface may pass, in the order of their places. An edge that starts
+// elsewhere is not crossed: it lies in its corner's node.
+template <class Body>
+void ContourTile::for_each_corner(Body body) const {
+  for (std::int32_t x = 0; x < kCells; ++x)
+    for (std::int32_t ny = 0; ny < kNodes; ++ny) {
+      std::int32_t mixed[kNodes], count = 0;
+      for (std::int32_t nz = 0; nz < kNodes; ++nz)
+        if (lists_[static_cast<std::size_t>(node_id(x / kNode, ny, nz))].mixed) mixed[count++] = nz;
+      if (count == 0) continue;
+      for (std::int32_t y = ny * kNode; y < (ny + 1) * kNode; ++y)
+        for (std::int32_t k = 0; k < count; ++k)
+          for (std::int32_t z = mixed[k] * kNode; z < (mixed[k] + 1) * kNode; ++z)
+            body(LatticePoint{x, y, z});
+    }
+}
+
+std::vector<MinimalEdge> ContourTile::crossing_edges() const {
+  std::vector<MinimalEdge> out;
+  for_each_corner([&](const LatticePoint& p) {
+    const std::int32_t n = id(p.x, p.y, p.z);
+    const bool inside = std::signbit(offset_[static_cast<std::size_t>(n)]);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (component(p, axis) == kCells - 1) continue;
+      const auto end = static_cast<std::size_t>(n + kStep[axis]);
+      if (std::signbit(offset_[end]) == inside) continue;
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      if (component(p, u) > 0 && component(p, v) > 0) out.push_back(edge_at(p, axis));
+    }
+  });
+  return out;
+}
+
+// A surface that passes along an edge shows itself by offsets that rise or fall evenly over the
+// edge and its two neighbours on the line; a wall or gap across it does not.
+bool ContourTile::runs_along(std::int32_t low, std::int32_t step) const {
+  float f[4];
+  for (int k = 0; k < 4; ++k) f[k] = offset_[static_cast<std::size_t>(low + (k - 1) * step)];
+  if (std::signbit(f[0]) != std::signbit(f[1]) || std::signbit(f[3]) != std::signbit(f[1]))
+    return false;
+  const float rise = f[2] - f[1];
+  for (const int k : {0, 2}) {
+    const float next = f[k + 1] - f[k];
+    if (std::isinf(next)) continue;
+    if (next * rise < 0 || std::abs(next - rise) > kEven * static_cast<float>(lattice().voxel()))
+      return false;
+  }
+  return true;
+}
+
+std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
+  std::vector<MinimalEdge> out;
+  const auto voxel = static_cast<float>(lattice().voxel());
+  for_each_corner([&](const LatticePoint& p) {
+    if (std::min({p.x, p.y, p.z}) < kFirstOwned) return;
+    const std::int32_t n = id(p.x, p.y, p.z);
+    const float a = offset_[static_cast<std::size_t>(n)];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (component(p, axis) >= kCells - 2) continue;
+      const float b = offset_[static_cast<std::size_t>(n + kStep[axis])];
+      if (std::signbit(a) == std::signbit(b) && std::abs(a) + std::abs(b) <= voxel &&
+          !runs_along(n, kStep[axis]))
+        out.push_back(edge_at(p, axis));
+    }
+  });
+  return out;
+}
+
+std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) const {
+  std::vector<CellFace> out;
+  out.reserve(2 * edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int place = 0; place < 4; ++place) {
+      const CellFace face = face_of(edges[k], place);
+      std::int32_t& known = face_of_[face.axis][static_cast<std::size_t>(face.high)];
+      if (known < 0) {
+        known = static_cast<std::int32_t>(out.size());
+        out.push_back(face);
+      }
+      out[static_cast<std::size_t>(known)].crossings.push_back(static_cast<std::int32_t>(k));
+    }
+  for (const CellFace& face : out) face_of_[face.axis][static_cast<std::size_t>(face.high)] = -1;
+  return out;
+}
+
+std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
+  return {offset_[static_cast<std::size_t>(e.low)], offset_[static_cast<std::size_t>(e.high)]};
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,86 @@
+// One cube of the uniform grid: the same cells as an octree without larger or smaller ones would
+// have, in dense arrays that are used again for the next tile (docs/mesh.md, Tiles).
+//
+// A tile owns the edges that start in kOwned^3 of its cells. The rings about them, two cells below
+// and one above, are there so that every cell which an owned edge touches has all its crossings:
+// what is computed of it is what its own tile computes, to the last bit.
+#pragma once
+
+#include "mesh/contour_cells.h"
+
+#include <vector>
+
+namespace mrsim::detail {
+
+class ContourTile final : public ContourCells {
+ public:
+  static constexpr std::int32_t kCells = 64;  ///< on a side, with the rings
+  static constexpr std::int32_t kOwned = 61;  ///< from the third on
+  static constexpr std::int32_t kFirstOwned = 2;
+
+  ContourTile(const ExactField& field, const Lattice& lattice);
+
+  /// Moves to the cube whose first cell is `first` (in voxels, counted by the lattice).
+  /// `candidates`: what can matter in it.
+  void build(const LatticePoint& first, std::span<const std::uint32_t> candidates);
+
+  std::size_t size() const override { return kCount; }
+  std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
+  Box3 box(std::int32_t cell) const override;
+  std::span<const std::uint32_t> candidates(std::int32_t cell) const override;
+  bool is_complete(std::int32_t cell) const override;
+  std::vector<MinimalEdge> crossing_edges() const override;
+  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
+  std::pair<double, double> offsets(const MinimalEdge& edge) const override;
+
+  /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
+  /// leaves room. Owned ones only.
+  std::vector<MinimalEdge> doubtful_edges() const;
+
+ private:
+  static constexpr std::int32_t kNode = 4;  ///< cells on a side that share a list of candidates
+  static constexpr std::int32_t kNodes = kCells / kNode;
+  static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
+  static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
+
+  struct List {
+    std::uint32_t begin = 0, end = 0;
+    bool mixed = false;
+  };
+  static std::int32_t id(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return (x * kCells + y) * kCells + z;
+  }
+  static std::int32_t node_id(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return (x * kNodes + y) * kNodes + z;
+  }
+  static LatticePoint place(std::int32_t id) {
+    return {id / (kCells * kCells), id / kCells % kCells, id % kCells};
+  }
+  const List& list_of(const LatticePoint& cell) const {
+    return lists_[static_cast<std::size_t>(
+        node_id(cell.x / kNode, cell.y / kNode, cell.z / kNode))];
+  }
+
+  void visit(const LatticePoint& origin, std::int32_t size, std::size_t depth,
+             std::span<const std::uint32_t> in);
+  void fill(const LatticePoint& origin, std::int32_t size, bool inside);
+  void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
+  template <class Body>
+  void for_each_corner(Body body) const;
+  bool runs_along(std::int32_t low, std::int32_t step) const;
+  MinimalEdge edge_at(const LatticePoint& p, int axis) const;
+
+  const ExactField& field_;
+  LatticePoint first_;
+  std::vector<double> planes_[3];  ///< coordinates of the planes, mm
+  std::vector<float> offset_;      ///< d + kInsideTolerance at corners, infinite where not sampled
+  std::vector<List> lists_;        ///< by node
+  std::vector<std::uint32_t> ids_;
+  Candidates work_[8];
+  std::vector<Vec3> points_;
+  std::vector<double> distance_;
+  mutable std::vector<std::int32_t>
+      face_of_[3];  ///< by axis and higher cell, -1 outside of faces()
+};
+
+}  // namespace mrsim::detail
