@@ -38,7 +38,7 @@ class ContourTile final : public ContourCells {
   std::vector<MinimalEdge> doubtful_edges() const;
 
  private:
-  static constexpr std::int32_t kNode = 4;  ///< cells on a side that share a list of candidates
+  static constexpr std::int32_t kNode = 2;  ///< cells on a side that share a list of candidates
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
