@@ -79,12 +79,15 @@ void ContourSurface::place_loop(Loop& loop) const {
     crossings.push_back(at(crossings_, k).position);
     faces.push_back(at(crossings_, k).at);
   }
-  for (const std::int32_t k : loop.segments)
-    if (at(segments_, k).is_crease && at(segments_, k).point.count == 2)
-      creases.push_back(at(segments_, k).point.position);
+  bool is_smooth = true;
+  for (const std::int32_t k : loop.segments) {
+    const Segment& s = at(segments_, k);
+    is_smooth = is_smooth && !s.is_crease;
+    if (s.is_crease && s.point.count == 2) creases.push_back(s.point.position);
+  }
   const Box3 box = cells_.box(loop.cell);
   const Probe p = probe(loop.cell);
-  loop.point = point_in_cell(p, box, {crossings, faces, creases});
+  loop.point = point_in_cell(p, box, {crossings, faces, creases, is_smooth});
   if (options_.sharpen && loop.point.count < 2 && creases.empty()) {
     Vec3 mean;
     for (const Vec3& x : crossings) mean += (1.0 / static_cast<double>(crossings.size())) * x;

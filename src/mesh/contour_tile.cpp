@@ -158,20 +158,14 @@ std::vector<MinimalEdge> ContourTile::crossing_edges() const {
   return out;
 }
 
-// A surface that passes along an edge shows itself by offsets that rise or fall evenly over the
+// A surface that passes beside an edge shows itself by offsets that rise or fall evenly over the
 // edge and its two neighbours on the line; a wall or gap across it does not.
-bool ContourTile::runs_along(std::int32_t low, std::int32_t step) const {
-  float f[4];
-  for (int k = 0; k < 4; ++k) f[k] = offset_[static_cast<std::size_t>(low + (k - 1) * step)];
-  if (std::signbit(f[0]) != std::signbit(f[1]) || std::signbit(f[3]) != std::signbit(f[1]))
-    return false;
-  const float rise = f[2] - f[1];
-  for (const int k : {0, 2}) {
-    const float next = f[k + 1] - f[k];
-    if (std::isinf(next)) continue;
-    if (next * rise < 0 || std::abs(next - rise) > kEven * static_cast<float>(lattice().voxel()))
-      return false;
-  }
+bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
+  const float* f = &offset_[static_cast<std::size_t>(low)];
+  const float rise = f[step] - f[0];
+  const float even = kEven * static_cast<float>(lattice().voxel());
+  for (const float next : {f[0] - f[-step], f[2 * step] - f[step]})
+    if (!std::isinf(next) && (next * rise < 0 || std::abs(next - rise) > even)) return false;
   return true;
 }
 
@@ -186,7 +180,7 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
       if (component(p, axis) >= kCells - 2) continue;
       const float b = offset_[static_cast<std::size_t>(n + kStep[axis])];
       if (std::signbit(a) == std::signbit(b) && std::abs(a) + std::abs(b) <= voxel &&
-          !runs_along(n, kStep[axis]))
+          !runs_evenly(n, kStep[axis]))
         out.push_back(edge_at(p, axis));
     }
   });

@@ -67,7 +67,7 @@ class ContourTile final : public ContourCells {
   void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
   template <class Body>
   void for_each_corner(Body body) const;
-  bool runs_along(std::int32_t low, std::int32_t step) const;
+  bool runs_evenly(std::int32_t low, std::int32_t step) const;
   MinimalEdge edge_at(const LatticePoint& p, int axis) const;
 
   const ExactField& field_;

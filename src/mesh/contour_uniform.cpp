@@ -20,8 +20,8 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kBand = 4 * kInsideTolerance;
-constexpr double kShallow = 2e-4;  ///< mm: what cutting off a shallow crease may move
-constexpr int kMargin = 4;         ///< voxels before the part, which no owned edge is missed in
+constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
+constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
 constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
                        kFirstOwned = ContourTile::kFirstOwned;
 
@@ -154,7 +154,7 @@ class UniformContour {
     const auto threads = static_cast<std::size_t>(resolve_threads(options_.threads));
     parallel_for(std::min(threads, wanted.size()), options_.threads, [&](std::size_t) {
       ContourTile cells(field_, lattice_);
-      ContourSurface surface(field_, cells, {.shallow = kShallow, .threads = 1});
+      ContourSurface surface(field_, cells, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
       for (std::size_t k = next++; k < wanted.size(); k = next++) {
         const std::size_t i = wanted[k];
         if (forced_in(tiles_[i]).empty()) {
@@ -211,7 +211,7 @@ class UniformContour {
       count = tree.split(std::move(leaves));
     }
     split_badly_crossed(tree);
-    ContourSurface surface(field_, tree, {.shallow = kShallow, .threads = 1});
+    ContourSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
     surface.find_loops();
     surface.make_triangles();
     TileMesh mesh = collect(surface, tree, tile);

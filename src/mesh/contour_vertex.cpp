@@ -23,12 +23,6 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
   return true;
 }
 
-// Sine of the angle below which a cell of `size` mm may cut off a crease: a chord of length s
-// across a crease of angle w leaves it by at most s w / 4.
-double smooth_limit(const Probe& probe, double size) {
-  return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
-}
-
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
   return strictly_inside(p, room, flat, kMargin) &&
          std::abs(probe.sample(p).distance) <= kOnSurface;
@@ -192,18 +186,6 @@ SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const Cel
   return {};
 }
 
-// All faces turn so little against the first one that any two of them join smoothly.
-bool all_join_smoothly(const Probe& probe, const Vec3& p, std::span<const FieldSample> faces,
-                       double size) {
-  const double limit = 0.5 * smooth_limit(probe, size);
-  const Vec3 first = probe.field.gradient(p, faces[0]);
-  for (const FieldSample& face : faces.subspan(1)) {
-    const Vec3 n = probe.field.gradient(p, face), c = cross(first, n);
-    if (dot(first, n) <= 0 || dot(c, c) >= limit * limit) return false;
-  }
-  return true;
-}
-
 // Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance at
 // t.
 double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Vec3& from,
@@ -272,7 +254,8 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
   if (same_face(a, b)) return true;
   const Vec3 n = probe.field.gradient(p, a), m = probe.field.gradient(p, b);
   const Vec3 c = cross(n, m);
-  const double limit = smooth_limit(probe, size);
+  // A chord of length s across a crease of angle w leaves it by at most s w / 4.
+  const double limit = std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
   return dot(n, m) > 0 && dot(c, c) < limit * limit;
 }
 
@@ -375,9 +358,8 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   const Vec3 mean = mean_of(hints.crossings);
   if (n == 1)
     if (SurfacePoint s = try_faces(probe, room, mean, {faces, 1}); s.count > 0) return s;
-  if (n > 1 && hints.creases.empty() &&
-      all_join_smoothly(probe, mean, {faces, n}, length(room.hi - room.lo)))
-    return try_smooth(probe, room, mean);
+  if (n > 1 && hints.is_smooth)
+    if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
   const Vec3 start = hints.creases.empty() ? mean : mean_of(hints.creases);
   if (n >= 3)
     if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;

@@ -77,6 +77,7 @@ struct CellHints {
   std::span<const Vec3> crossings;
   std::span<const FieldSample> faces;  ///< of the crossings
   std::span<const Vec3> creases;       ///< may be empty
+  bool is_smooth = false;              ///< neighbouring crossings lie on faces that join smoothly
 };
 
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.
