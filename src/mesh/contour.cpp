@@ -72,9 +72,9 @@ class Contour {
  private:
   // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
-    detail::split_badly_crossed(tree_);
+    detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
     timer_.step("tree");
-    surface_.find_loops();
+    surface_.find_loops(std::move(grid));
     ++report_.passes;
     timer_.step("loops");
   }

@@ -66,9 +66,10 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
   const double voxel = tree.lattice().voxel();
   const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 19;
   double most = 0;
+  std::int32_t cell = 0;
   for (int k = 0; k < count; ++k) {
     const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
-    const std::int32_t cell = tree.locate(p);
+    cell = tree.locate(p, cell);
     if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
     const FieldSample s = field.sample(p, tree.candidates(cell));
     // Another face may reach farther in between the samples, unless it is the same surface here.

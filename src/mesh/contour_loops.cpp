@@ -70,39 +70,43 @@ Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& e
                                                                                  : Joining::none;
 }
 
-}  // namespace
-
-std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
-                                        const std::vector<MinimalEdge>& edges,
+// Cells about faces whose crossings can not be joined; only faces with a cell that is `nearby`
+// count (null: all).
+std::vector<std::int32_t> badly_crossed(const ContourCells& cells, const CrossedGrid& grid,
                                         const std::vector<char>* nearby) {
-  const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(edges, k); };
+  const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(grid.edges, k); };
   std::vector<std::int32_t> bad;
-  for (const CellFace& face : tree.faces(edges)) {
+  for (const CellFace& face : grid.faces) {
     if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
-    if (!has_all_edges(tree, face)) continue;
-    if (joining(tree, face, edge_of) == Joining::none) bad.insert(bad.end(), {face.low, face.high});
+    if (has_all_edges(cells, face) && joining(cells, face, edge_of) == Joining::none)
+      bad.insert(bad.end(), {face.low, face.high});
   }
   return bad;
 }
 
-void split_badly_crossed(ContourOctree& tree) {
-  std::vector<std::int32_t> bad = badly_crossed(tree, tree.crossing_edges(), nullptr);
-  while (tree.split(bad) > 0) {
+}  // namespace
+
+CrossedGrid split_badly_crossed(ContourOctree& tree) {
+  CrossedGrid grid = crossed_grid(tree);
+  std::size_t count = tree.split(badly_crossed(tree, grid, nullptr));
+  if (count == 0) return grid;
+  while (count > 0) {
     std::vector<char> nearby;
-    const auto edges = tree.crossing_edges_near(tree.new_leaves(), nearby);
-    bad = badly_crossed(tree, edges, &nearby);
+    grid.edges = tree.crossing_edges_near(tree.new_leaves(), nearby);
+    grid.faces = tree.faces(grid.edges);
+    count = tree.split(badly_crossed(tree, grid, &nearby));
   }
+  return crossed_grid(tree);
 }
 
-void ContourSurface::find_loops() {
-  find_crossings();
+void ContourSurface::find_loops(CrossedGrid grid) {
+  faces_ = std::move(grid.faces);
+  find_crossings(grid.edges);
   find_segments();
   join_loops();
 }
 
-void ContourSurface::find_crossings() {
-  std::vector<MinimalEdge> edges = cells_.crossing_edges();
-  faces_ = cells_.faces(edges);
+void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   crossings_.assign(edges.size(), {});
   for (std::size_t k = 0; k < edges.size(); ++k) crossings_[k].edge = edges[k];
   if (!options_.remember) {

@@ -176,9 +176,14 @@ Box3 ContourOctree::box(std::int32_t n) const {
           lattice().position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
 }
 
-std::int32_t ContourOctree::locate(const Vec3& p) const {
+std::int32_t ContourOctree::locate(const Vec3& p, std::int32_t near) const {
   const LatticePoint at = lattice().floor(p);
-  std::int32_t n = 0;
+  const auto holds = [&](const OctreeNode& a) {
+    return at.x >= a.origin.x && at.y >= a.origin.y && at.z >= a.origin.z &&
+           at.x < a.origin.x + a.size && at.y < a.origin.y + a.size && at.z < a.origin.z + a.size;
+  };
+  std::int32_t n = near;
+  while (n > 0 && !holds(node(n))) n = node(n).parent;
   while (node(n).child >= 0) {
     const OctreeNode& a = node(n);
     const std::int32_t half = a.size / 2;
@@ -360,7 +365,7 @@ bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> see
 }
 
 bool ContourOctree::is_complete(std::int32_t cell) const {
-  return in_range(node(cell).origin, part_.complete);
+  return is_whole() || in_range(node(cell).origin, part_.complete);
 }
 
 bool ContourOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {
@@ -374,7 +379,7 @@ bool ContourOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[
 std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
   std::vector<MinimalEdge> out;
   EdgeWalk(*this, nullptr, nullptr, out).cell(0);
-  if (part_.size == lattice().size()) return out;
+  if (is_whole()) return out;
   std::sort(out.begin(), out.end(), [](const MinimalEdge& a, const MinimalEdge& b) {
     return std::tie(a.start.x, a.start.y, a.start.z, a.axis) <
            std::tie(b.start.x, b.start.y, b.start.z, b.axis);

@@ -48,11 +48,14 @@ class ContourOctree final : public ContourCells {
 
   /// The sweeps that can decide d in the cell.
   std::span<const std::uint32_t> candidates(std::int32_t node) const override;
-  /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two.
-  std::int32_t locate(const Vec3& p) const;
+  /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two. Faster where
+  /// `near` is a cell close to it.
+  std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
-  bool is_owned(const LatticePoint& edge_start) const { return in_range(edge_start, part_.owned); }
+  bool is_owned(const LatticePoint& edge_start) const {
+    return is_whole() || in_range(edge_start, part_.owned);
+  }
 
   bool can_split(std::int32_t node) const { return this->node(node).size >= 2; }
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
@@ -73,6 +76,7 @@ class ContourOctree final : public ContourCells {
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
 
  private:
+  bool is_whole() const { return part_.size == lattice().size(); }
   bool in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const;
   void refine(std::vector<std::int32_t> pending);
   void find_regions(const std::vector<std::int32_t>& pending);

@@ -48,15 +48,22 @@ struct BaseMesh {
   std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
 };
 
-/// Cells about faces on whose sides the crossings can not be joined in one way: more than two
-/// (four, in cells up to a voxel), or two on one side. Only faces with a cell that is `nearby`
-/// count (null: all).
-std::vector<std::int32_t> badly_crossed(const ContourOctree& tree,
-                                        const std::vector<MinimalEdge>& edges,
-                                        const std::vector<char>* nearby);
+/// The edges that the surface crosses, and the faces about them.
+struct CrossedGrid {
+  std::vector<MinimalEdge> edges;
+  std::vector<CellFace> faces;
+};
 
-/// Splits cells until no face is badly crossed.
-void split_badly_crossed(ContourOctree& tree);
+inline CrossedGrid crossed_grid(const ContourCells& cells) {
+  CrossedGrid grid;
+  grid.edges = cells.crossing_edges();
+  grid.faces = cells.faces(grid.edges);
+  return grid;
+}
+
+/// Splits cells about faces on whose sides the crossings can not be joined in one way: more than
+/// two (four, in cells up to a voxel), or two on one side; until there are none.
+CrossedGrid split_badly_crossed(ContourOctree& tree);
 
 class ContourSurface {
  public:
@@ -69,9 +76,8 @@ class ContourSurface {
   ContourSurface(const ExactField& field, const ContourCells& cells, const Options& options)
       : field_(field), cells_(cells), options_(options) {}
 
-  /// Finds crossings, faces, segments and loops on the tree as it is now. Requires: no cell is
-  /// badly_crossed().
-  void find_loops();
+  /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
+  void find_loops(CrossedGrid grid);
   /// Cells that hold more than one loop.
   const std::vector<std::int32_t>& crowded() const { return crowded_; }
   /// Places vertices and makes triangles.
@@ -92,7 +98,7 @@ class ContourSurface {
     FieldSample at;
   };
 
-  void find_crossings();
+  void find_crossings(const std::vector<MinimalEdge>& edges);
   void find_crossing_of(Crossing& c) const;
   void find_segments();
   void pair_four(std::int32_t face);

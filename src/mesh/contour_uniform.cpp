@@ -159,7 +159,7 @@ class UniformContour {
         const std::size_t i = wanted[k];
         if (forced_in(tiles_[i]).empty()) {
           cells.build(tiles_[i].first, tiles_[i].candidates);
-          surface.find_loops();
+          surface.find_loops(crossed_grid(cells));
           surface.make_triangles();
           meshes_[i] = collect(surface, cells, tiles_[i]);
           meshes_[i].thin = thin_features(field_, cells, cells.doubtful_edges());
@@ -210,9 +210,9 @@ class UniformContour {
           leaves.push_back(n);
       count = tree.split(std::move(leaves));
     }
-    split_badly_crossed(tree);
+    CrossedGrid grid = split_badly_crossed(tree);
     ContourSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
-    surface.find_loops();
+    surface.find_loops(std::move(grid));
     surface.make_triangles();
     TileMesh mesh = collect(surface, tree, tile);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(tree.size()); ++n) {

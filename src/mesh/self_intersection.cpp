@@ -4,7 +4,6 @@
 #include "mesh/exact_predicates.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mrsim::detail {
 namespace {
@@ -110,22 +109,25 @@ class PairTest {
   std::span<const Triangle> triangles_;
 };
 
-// A tree of boxes over the triangles, halved at the median of the longest side.
+// A tree of boxes over the chosen triangles (none chosen: all), halved at the median of the longest
+// side.
 class BoxTree {
  public:
-  BoxTree(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+  BoxTree(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+          std::span<const char> chosen) {
     boxes_.resize(triangles.size());
     for (std::size_t k = 0; k < triangles.size(); ++k)
       for (const std::uint32_t v : triangles[k]) extend(boxes_[k], vertices[v]);
-    order_.resize(triangles.size());
-    std::iota(order_.begin(), order_.end(), 0u);
+    for (std::uint32_t k = 0; k < triangles.size(); ++k)
+      if (chosen.empty() || chosen[k]) order_.push_back(k);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
   }
 
   template <class F>
   void visit(std::uint32_t triangle, F&& f) const {
-    std::vector<std::uint32_t> stack{0};
     const Box3& b = boxes_[triangle];
+    static thread_local std::vector<std::uint32_t> stack;
+    stack.assign(nodes_.empty() ? 0 : 1, 0);
     while (!stack.empty()) {
       const Node& n = nodes_[stack.back()];
       stack.pop_back();
@@ -186,16 +188,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
     std::span<const char> chosen) {
   const PairTest test(vertices, triangles);
-  const BoxTree tree(vertices, triangles);
+  const BoxTree tree(vertices, triangles, chosen);
   std::vector<std::vector<std::uint32_t>> found(triangles.size());
+  // Every triangle looks for the chosen ones; two chosen ones meet once.
   parallel_for(
       triangles.size(), threads,
       [&](std::size_t i) {
         const auto id = static_cast<std::uint32_t>(i);
-        if (!chosen.empty() && !chosen[i]) return;
+        const bool is_chosen = chosen.empty() || chosen[i];
         tree.visit(id, [&](std::uint32_t j) {
-          const bool other_looks = chosen.empty() || chosen[j];
-          if ((j > id || !other_looks) && test.meet(id, j)) found[i].push_back(j);
+          if ((j > id || !is_chosen) && test.meet(id, j)) found[i].push_back(j);
         });
         std::sort(found[i].begin(), found[i].end());
       },

@@ -12,7 +12,8 @@
 namespace mrsim::detail {
 
 /// All pairs of triangles that touch or cross outside of the vertex or edge they share, ascending;
-/// where `chosen` is not empty, only pairs with a triangle that has a mark there.
+/// where `chosen` is not empty, only pairs whose second triangle has a mark there (then, of two
+/// marked ones, the pair is ascending).
 /// Requires: coordinates as contour_lattice.h says, no degenerate triangle. O(n log n) on meshes
 /// whose triangles are spread out.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
