@@ -159,9 +159,12 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
 double volume_before(const StockShape& shape, const CarveOptions& options,
                      const MeshOptions& mesh) {
-  if (!shape.history.motions.empty())
-    return signed_volume(
-        extract_mesh(carve(shape, shape.history.motions, shape.history.tools, options), mesh));
+  if (!shape.history.motions.empty()) {
+    ContourReport found;
+    const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
+    const double volume = signed_volume(extract_mesh(stock, mesh, &found));
+    return volume - found.volume_excess;
+  }
   const Vec3 size = shape.box.hi - shape.box.lo;
   if (shape.kind == StockShape::Kind::box) return size.x * size.y * size.z;
   if (shape.kind == StockShape::Kind::mesh) return signed_volume(shape.mesh);
@@ -169,13 +172,14 @@ double volume_before(const StockShape& shape, const CarveOptions& options,
   return kPi * (outer * outer - inner * inner) * size.z;
 }
 
-void summarize_part(JobResult& result, const CutHistory& cuts, int threads) {
+// `excess`: what the mesh holds more than the exact part, mm^3.
+void summarize_part(JobResult& result, const CutHistory& cuts, double excess, int threads) {
   result.summary = check_mesh(result.mesh, threads);
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
   result.mesh.origin = owner_table(result.mesh, cuts);
-  result.volume = s.volume;
+  result.volume = s.volume - excess;
   result.removed_volume = result.stock_volume - result.volume;
 }
 
@@ -303,7 +307,9 @@ JobResult simulate(const Job& job) {
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, job);
-  summarize_part(result, cuts.all, job.mesh.threads);
+  const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
+                                    [](const PartPiece& piece) { return piece.kept; });
+  summarize_part(result, cuts.all, is_whole ? contour_report.volume_excess : 0, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
 

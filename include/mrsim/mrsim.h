@@ -106,7 +106,8 @@ struct JobResult {
   TriMesh mesh;
   MeshSummary summary;
   std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
-  /// mm^3; pieces that were dropped count as removed.
+  /// mm^3, of the exact part where the mesh has a tolerance and no piece was dropped (docs/mesh.md,
+  /// Volume), else of the mesh (summary.volume); pieces that were dropped count as removed.
   double volume = 0, stock_volume = 0, removed_volume = 0;
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes

@@ -96,7 +96,9 @@ void add_program(Sheet& sheet, const Program& program) {
 
 void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const MeshSummary& summary = result.summary;
-  sheet.row("volume", grouped(result.volume, 3) + " mm³");
+  const bool from_field = std::abs(result.volume - summary.volume) >= 5e-4;
+  sheet.row("volume", grouped(result.volume, 3) + " mm³",
+            from_field ? "the mesh " + grouped(summary.volume, 3) + " mm³" : "");
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.mesh.triangles.size()), 0),

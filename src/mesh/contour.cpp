@@ -62,6 +62,7 @@ class Contour {
     report_.triangles_before = mesh.triangles.size();
     mesh = simplified(mesh);
     report_.bound = largest_bound(mesh);
+    report_.volume_excess = volume_excess(mesh);
     timer_.step("certify");
     report_.cells = surface_.loops().size();
     report_.thin = detail::distinct(detail::thin_features(field_, tree_, tree_.doubtful_edges()));
@@ -263,6 +264,23 @@ class Contour {
     double most = 0;
     for (const double b : bounds) most = std::max(most, b);
     return most;
+  }
+
+  // The integral of d over the mesh.
+  double volume_excess(const LabelledMesh& mesh) const {
+    std::vector<double> parts(mesh.triangles.size());
+    parallel_for(
+        parts.size(), options_.threads,
+        [&](std::size_t t) {
+          const auto& x = mesh.triangles[t];
+          parts[t] =
+              detail::excess_over(field_, tree_, mesh.faces[mesh.labels[t]], mesh.vertices[x[0]],
+                                  mesh.vertices[x[1]], mesh.vertices[x[2]], options_.tolerance);
+        },
+        64);
+    double sum = 0;
+    for (const double part : parts) sum += part;
+    return sum;
   }
 
   static TriMesh to_mesh(const LabelledMesh& mesh) {

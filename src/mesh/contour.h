@@ -29,10 +29,12 @@ struct ThinFeature {
 };
 
 struct ContourReport {
-  double bound = 0;        ///< mm: largest certified distance of the mesh from the part; 0 without
-                           ///< tolerance
-  std::size_t cells = 0;   ///< cells that the surface passes
-  std::size_t passes = 0;  ///< rounds of splitting
+  double bound = 0;  ///< mm: largest certified distance of the mesh from the part; 0 without
+                     ///< tolerance
+  double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
+                             ///< (docs/mesh.md, Volume); 0 without tolerance
+  std::size_t cells = 0;     ///< cells that the surface passes
+  std::size_t passes = 0;    ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification
   std::size_t unresolved = 0;     ///< places that stayed above the tolerance at the smallest cell
   std::vector<ThinFeature> thin;  ///< in the order of their places on the lattice

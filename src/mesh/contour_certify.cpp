@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace mrsim::detail {
 namespace {
@@ -99,6 +100,28 @@ double triangle_bound(const ExactField& field, const FieldSample& face, const Ve
     for (int j = 0; i + j <= kSides; ++j)
       if ((i % 2 || j % 2) && !(i == 1 && j == 1)) measure(i, j);
   return nodes.largest() + nodes.remainder();
+}
+
+double excess_over(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                   const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
+  struct Orbit {
+    double weight, corner, others;
+  };
+  static constexpr Orbit kOrbits[2] = {{0.223381589678011, 0.108103018168070, 0.445948490915965},
+                                       {0.109951743655322, 0.816847572980459, 0.091576213509771}};
+  double mean = 0;
+  std::int32_t cell = 0;
+  for (const Orbit& orbit : kOrbits)
+    for (const auto& [p, q, r] : {std::tie(a, b, c), std::tie(b, c, a), std::tie(c, a, b)}) {
+      const Vec3 x = orbit.corner * p + orbit.others * (q + r);
+      double d = field.patch_distance(x, face);
+      if (std::abs(d) > limit) {
+        cell = tree.locate(x, cell);
+        d = field.sample(x, tree.candidates(cell)).distance;
+      }
+      mean += orbit.weight * d;
+    }
+  return mean * 0.5 * length(cross(b - a, c - a));
 }
 
 double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,

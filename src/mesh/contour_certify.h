@@ -21,4 +21,10 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
 double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
                     const Vec3& a, const Vec3& b);
 
+/// Volume in mm^3 between the triangle and the part's surface, positive where the triangle lies in
+/// the air: the integral of d over it, exact where d is a polynomial of degree 4 on the triangle
+/// [Dunavant 1985]. d is that of `face` where it is below `limit`.
+double excess_over(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+                   const Vec3& a, const Vec3& b, const Vec3& c, double limit);
+
 }  // namespace mrsim::detail

@@ -149,6 +149,9 @@ void ContourSurface::find_crossing_of(Crossing& c) const {
   auto [f, g] = cells_.offsets(c.edge);
   if (std::isinf(f)) f = p.offset(low);
   if (std::isinf(g)) g = p.offset(high);
+  // Tiles know rounded offsets or none: the result may not depend on which.
+  f = static_cast<float>(f);
+  g = static_cast<float>(g);
   const FoundCrossing x = c.edge.low_inside ? find_crossing(p, {low, f}, {high, g})
                                             : find_crossing(p, {high, g}, {low, f});
   c.at = x.at;

@@ -23,6 +23,12 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
   return true;
 }
 
+// In the ball about the room, beyond which other sweeps may matter than the probe's.
+bool in_reach(const Vec3& p, const Box3& room) {
+  const Vec3 half = 0.5 * (room.hi - room.lo), off = p - 0.5 * (room.lo + room.hi);
+  return dot(off, off) <= dot(half, half);
+}
+
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
   return strictly_inside(p, room, flat, kMargin) &&
          std::abs(probe.sample(p).distance) <= kOnSurface;
@@ -116,6 +122,7 @@ SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start)
       p = p - g * probe.field.gradient(p, s);
       g = probe.field.patch_distance(p, s);
     }
+    if (!in_reach(p, room)) return result;
     s = probe.sample(p);
   }
   if (!strictly_inside(p, room, -1, kMargin) || std::abs(s.distance) > kOnSurface) return result;
@@ -126,8 +133,7 @@ SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start)
 }
 
 // Moves p onto the surface, in the plane of the given axis (-1: freely).
-bool project(const Probe& probe, int axis, double reach, Vec3& p) {
-  const Vec3 from = p;
+bool project(const Probe& probe, const Box3& room, int axis, Vec3& p) {
   for (int k = 0; k < 12; ++k) {
     const FieldSample s = probe.sample(p);
     if (std::abs(s.distance) < 1e-8) return true;
@@ -136,7 +142,7 @@ bool project(const Probe& probe, int axis, double reach, Vec3& p) {
     const double nn = dot(n, n);
     if (!(nn > 1e-4)) return false;
     p = p - s.distance / nn * n;
-    if (distance(p, from) > reach) return false;
+    if (!in_reach(p, room)) return false;
   }
   return false;
 }
@@ -152,7 +158,7 @@ SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, cons
   const double reach = length(room.hi - room.lo);
   for (int k = 0; k < 20; ++k) {
     Vec3 m = 0.5 * (low + high);
-    if (!project(probe, axis, reach, m)) return result;
+    if (!project(probe, room, axis, m)) return result;
     const FieldSample s = probe.sample(m);
     if (same_face(s, a)) {
       low = m;

@@ -5,41 +5,21 @@
 #include "mesh/check.h"
 #include "mesh/contour.h"
 #include "support/analytic_field.h"
+#include "support/cgal_mesh.h"
 
 #include <cstdint>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-SurfaceMesh to_cgal(const TriMesh& mesh) {
-  SurfaceMesh out;
-  std::vector<SurfaceMesh::Vertex_index> ids;
-  for (const auto& v : mesh.vertices) ids.push_back(out.add_vertex({v[0], v[1], v[2]}));
-  for (const auto& t : mesh.triangles) out.add_face(ids[t[0]], ids[t[1]], ids[t[2]]);
-  EXPECT_EQ(out.number_of_faces(), mesh.triangles.size());
-  return out;
-}
-
-std::size_t self_intersections(const TriMesh& mesh) {
-  const SurfaceMesh m = to_cgal(mesh);
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  CGAL::Polygon_mesh_processing::self_intersections(m, std::back_inserter(pairs));
-  return pairs.size();
-}
 
 class MeshDistance {
  public:
@@ -189,6 +169,11 @@ void expect_sound(const AnalyticField& part, double voxel, double tolerance, std
 
 TEST(ContourCgal, RandomPartsAreSoundAtTheVoxel) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) expect_sound(random_part(seed), 1, 0, seed);
+}
+
+// Several tiles of the uniform grid, with split cells at their borders.
+TEST(ContourCgal, RandomPartsAreSoundAcrossTiles) {
+  for (std::uint64_t seed = 100; seed < 130; ++seed) expect_sound(random_part(seed), 0.35, 0, seed);
 }
 
 TEST(ContourCgal, RandomPartsAreSoundWithinTolerance) {
