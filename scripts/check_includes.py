@@ -59,7 +59,7 @@ def own_headers_allowed(path):
     if parts[0] == "src":
         return STAGES.get(parts[1] if len(parts) > 2 else "", ())
     if parts[0] == "tests" and parts[1] in STAGES:
-        return STAGES[parts[1]] + ("support/", parts[1] + "/", "removal/stock_grid.h")
+        return STAGES[parts[1]] + ("support/", parts[1] + "/", "removal/stock_grid.h", "removal/part_field.h")
     return None  # benches, fuzz targets and helpers of tests may see all
 
 

@@ -221,7 +221,7 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
       return tool_distance(cutter(ref), rho, p.z - row.z);
     }
     case SweepKind::path:
-      return path_distance(cutter(ref), paths[ref.row], p).distance;
+      return path_value(cutter(ref), paths[ref.row], p);
     case SweepKind::turn:
       return turn_distance(turns[ref.row], p);
   }

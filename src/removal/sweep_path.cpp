@@ -193,6 +193,16 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
   return polished.distance < best.distance ? polished : best;
 }
 
+// Over a whole lowest turn some position looks at p, and no other is nearer in plan. Where the tool
+// is as far from p at the highest tip as at the lowest one, that position is the best, whatever its
+// height: the tool's wall decides.
+bool wall_decides(const Objective& F, const ToolPath& path, double& value) {
+  if (!path.lowest_turn || path.sweep < kTwoPi) return false;
+  const double near = F.to_circle();
+  value = F.at_rest(near, F.height(path.sweep));
+  return value == F.at_rest(near, F.height(0));
+}
+
 }  // namespace
 
 ProfileSample tool_sample(const Profile& tool, double rho, double z) {
@@ -249,9 +259,17 @@ Vec3 direction(const ToolPath& path, double t) {
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   const Objective F(tool, path, p);
+  double wall = 0;
+  if (wall_decides(F, path, wall)) return {wall, F.towards()};
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
+}
+
+double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  double wall = 0;
+  if (wall_decides(Objective(tool, path, p), path, wall)) return wall;
+  return path_distance(tool, path, p).distance;
 }
 
 int path_branch(const ToolPath& path, double t) {

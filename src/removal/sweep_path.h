@@ -42,6 +42,9 @@ struct PathSample {
 inline constexpr double kPathError = 2e-7;
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
 
+/// The distance alone, the same bits: beside the wall of a bore at the cost of a line.
+double path_value(const Profile& tool, const ToolPath& path, const Vec3& p);
+
 /// Quarter turns of an arc, counted from its start; the same least distance over one of them.
 int path_branch(const ToolPath& path, double t);
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
