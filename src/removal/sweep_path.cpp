@@ -9,6 +9,7 @@
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/sweep_helix.h"
 #include "removal/sweep_lane_scalar.h"
 
 #include <algorithm>
@@ -262,6 +263,7 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
   double wall = 0;
   if (wall_decides(F, path, wall)) return {wall, F.towards()};
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
+  if (const auto found = helix_minimum(tool, path, p, 0, path.sweep)) return *found;
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
@@ -279,8 +281,10 @@ int path_branch(const ToolPath& path, double t) {
 }
 
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch) {
-  const double begin = branch * (kPi / 2), end = std::min(begin + kPi / 2, path.sweep);
-  return search(Objective(tool, path, p), tool, path, std::min(begin, end), end);
+  const double end = std::min((branch + 1) * (kPi / 2), path.sweep);
+  const double begin = std::min(branch * (kPi / 2), end);
+  if (const auto found = helix_minimum(tool, path, p, begin, end)) return *found;
+  return search(Objective(tool, path, p), tool, path, begin, end);
 }
 
 }  // namespace mrsim
