@@ -1,18 +1,52 @@
 // G41 and G42: the contour moved aside by the tool radius. Each move needs to see the next ones: an
 // inside corner ends where the moved elements meet, and an element that has no room left is void.
-#include "core/trig.h"
+#include "interp/compensation.h"
+
 #include "core/units.h"
 #include "interp/arc.h"
-#include "interp/contour.h"
 #include "interp/offset_contour.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
 constexpr std::size_t kLookAhead = 5;  // compensated moves seen at once
+
+Vec2 corner_of(const PathMove& move) { return in_plane(move.basis, move.motion.end); }
+
+// An arc's sweep follows from its new ends.
+void cut_to(PlanePiece& piece, Vec2 start, Vec2 end) {
+  piece.start = start;
+  piece.end = end;
+  if (piece.arc)
+    piece.sweep = fold_sweep(start - piece.center, end - piece.center, piece.sweep > 0);
+}
+
+void run_on_to(PlanePiece& piece, Vec2 end) {
+  if (piece.arc) {
+    const double more = progress(piece, piece.end, end);
+    piece.sweep += piece.sweep < 0 ? -more : more;
+  }
+  piece.end = end;
+}
+
+// An arc that the corner before it begins earlier on its circle.
+void begin_at(PlanePiece& piece, Vec2 cursor) {
+  if (!piece.arc || std::abs(length(cursor - piece.center) - piece.radius) > kTouch) return;
+  const double late = progress(piece, piece.start, cursor);
+  if (late >= 0) return;
+  piece.sweep += piece.sweep < 0 ? late : -late;
+  piece.start = cursor;
+}
+
+bool behind(const Compensation& comp, Vec2 tangent, Vec2 corner, Vec2 outer) {
+  return comp.side * cross(tangent, outer - corner) < -kTouch;
+}
+
+}  // namespace
 
 void CompensationStage::push(const PathMove& move) {
   if (queue_.empty() && !active_ && move.comp.side == 0) {
@@ -121,11 +155,18 @@ void CompensationStage::enter() {
   const std::size_t j = following(1);
   active_ = true;
   const double h = height(first, first.motion.end);
-  if (j < queue_.size()) {
-    const PlanePiece next = moved(queue_[j]);
-    if (!is_void(next)) return send_line(first, next.start, h);
-  }
-  send_line(first, moved(first).end, h);
+  if (j >= queue_.size()) return send_line(first, moved(first).end, h);
+  const PlanePiece next = moved(queue_[j]);
+  if (is_void(next)) return send_line(first, moved(first).end, h);
+  const Vec2 corner = corner_of(first), outer = in_plane(first.basis, at_) + first.comp.tip;
+  PlanePiece line;
+  if (!first.comp.around || !behind(first.comp, start_tangent(next), corner, outer) ||
+      !touching_line(first.comp, corner, outer, false, line))
+    return send_line(first, next.start, h);
+  const PathMove before = first;
+  const CornerWay way = outside_corner(before.comp, corner, line, next);
+  send_line(before, way.end, h);
+  run_corner(before, way);
 }
 
 // A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.
@@ -160,10 +201,10 @@ void CompensationStage::leave_or_shift() {
 // The moved element, run on to the intersection where its end is such an outside corner.
 PlanePiece CompensationStage::reach(std::size_t i, std::size_t next) const {
   PlanePiece piece = moved(queue_[i]);
-  if (piece.arc || next >= queue_.size()) return piece;
+  if (is_void(piece) || next >= queue_.size()) return piece;
   const PlanePiece after = moved(queue_[next]);
   if (is_void(after) || corner_kind(queue_[i], queue_[next]) != Corner::outside) return piece;
-  piece.end = extended_end(piece, after);
+  run_on_to(piece, outside_corner(queue_[i].comp, corner_of(queue_[i]), piece, after).end);
   return piece;
 }
 
@@ -183,51 +224,73 @@ bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) 
   return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
 }
 
-// The first of the following elements with room that `piece` meets, or the arc round the corner
-// behind one (then `round` is set). What lies between is void and leaves the queue. False: the tool
-// does not fit.
-bool CompensationStage::meet_inside(const PlanePiece& piece, std::size_t nearest, Vec2& end,
-                                    bool& round) {
-  for (std::size_t n = nearest; n < kLookAhead; ++n) {
-    const std::size_t j = following(n), next = following(n + 1);
-    if (j >= queue_.size()) return false;
-    const PlanePiece other = reach(j, next);
-    Vec2 p;
-    std::size_t keep = 0;
-    round = false;
-    if (!is_void(other) && meeting(piece, other, cursor_, piece.end, p) && !squeezed(j, next, p))
-      keep = j;
-    if (keep == 0 && next < queue_.size() &&
-        corner_kind(queue_[j], queue_[next]) == Corner::outside && queue_[j].comp.arcs &&
-        !is_void(other) && !is_void(moved(queue_[next]))) {
-      round =
-          meeting(piece, corner_arc(queue_[j], other, moved(queue_[next])), cursor_, piece.end, p);
-      if (round) keep = next;
+// Whether `piece`, run from `from`, meets the n-th following element, or the way round the corner
+// behind that one: then `way` has the rest of it. `keep`: the element that comes next.
+bool CompensationStage::meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
+                              std::size_t& keep) const {
+  const std::size_t j = following(n), next = following(n + 1);
+  if (j >= queue_.size()) return false;
+  const PlanePiece other = reach(j, next);
+  if (is_void(other)) return false;
+  way.count = 0;
+  keep = j;
+  if (meeting(piece, other, from, piece.end, way.end) && !squeezed(j, next, way.end)) return true;
+  if (next >= queue_.size() || is_void(moved(queue_[next])) ||
+      corner_kind(queue_[j], queue_[next]) != Corner::outside)
+    return false;
+  keep = next;
+  const CornerWay later =
+      outside_corner(queue_[j].comp, corner_of(queue_[j]), moved(queue_[j]), moved(queue_[next]));
+  for (std::size_t i = 0; i < later.count; ++i) {
+    PlanePiece part = later.between[i];
+    if (way.count == 0) {
+      if (!meeting(piece, part, from, piece.end, way.end)) continue;
+      cut_to(part, way.end, part.end);
     }
-    if (keep == 0) continue;
-    end = p;
-    for (std::size_t k = keep; k-- > 1;)
-      if (!is_infeed(queue_[k])) {
-        reporter_.add_at(Severity::warning, "comp-element-void",
-                         "the tool is too large to reach this element: it is skipped",
-                         queue_[k].motion);
-        queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
-      }
+    way.add(part);
+  }
+  return way.count > 0;
+}
+
+// The elements before `keep` have no room and leave the queue.
+void CompensationStage::skip_before(std::size_t keep) {
+  for (std::size_t k = keep; k-- > 1;) {
+    if (is_infeed(queue_[k])) continue;
+    reporter_.add_at(Severity::warning, "comp-element-void",
+                     "the tool is too large to reach this element: it is skipped",
+                     queue_[k].motion);
+    queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+// The first of the following elements with room that `piece` meets. What lies between is void.
+// False, and `way` untouched: the tool does not fit.
+bool CompensationStage::meet_inside(const PlanePiece& piece, std::size_t nearest, CornerWay& way) {
+  for (std::size_t n = nearest; n < kLookAhead; ++n) {
+    CornerWay found;
+    std::size_t keep = 0;
+    if (!meets(piece, cursor_, n, found, keep)) continue;
+    way = found;
+    skip_before(keep);
     return true;
   }
   return false;
 }
 
-PlanePiece CompensationStage::corner_arc(const PathMove& first, const PlanePiece& piece,
-                                         const PlanePiece& next) const {
-  PlanePiece arc;
-  arc.arc = true;
-  arc.center = in_plane(first.basis, first.motion.end);
-  arc.radius = first.comp.radius;
-  arc.start = piece.end;
-  arc.end = next.start;
-  arc.sweep = fold_sweep(piece.end - arc.center, next.start - arc.center, first.comp.side < 0);
-  return arc;
+// The element behind an outside corner has no room: `piece`, or what is run round the corner, goes
+// to where it meets a later one.
+void CompensationStage::close_over(const PlanePiece& piece, CornerWay& way) {
+  if (meet_inside(piece, 2, way)) return;
+  for (std::size_t i = 0; i < way.count; ++i) {
+    CornerWay rest;
+    std::size_t keep = 0;
+    PlanePiece& part = way.between[i];
+    if (!meets(part, part.start, 2, rest, keep)) continue;
+    cut_to(part, part.start, rest.end);
+    way.count = i + 1;
+    for (std::size_t k = 0; k < rest.count; ++k) way.add(rest.between[k]);
+    return skip_before(keep);
+  }
 }
 
 // Infeeds between the first of the queue and the next contour element happen before its corner.
@@ -256,44 +319,52 @@ void CompensationStage::follow() {
   if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
     send_line(first, piece.start, dot(at_, first.basis.w));
   resumes_ = false;
-  Vec2 end = piece.end;
-  bool corner = false, round = false;
-  choose_end(piece, end, corner, round);
-  const PathMove before = queue_.front();
-  run_piece(before, piece, end, h);
-  if (!corner && !round) return;
-  run_infeeds();
-  const std::size_t j = following(1);
-  if (j >= queue_.size()) return;
-  if (corner) return round_outside(before, queue_[j], piece);
-  PlanePiece arc = corner_arc(before, piece, moved(queue_[j]));
-  arc.center = in_plane(queue_[j].basis, queue_[j].motion.start);
-  arc.start = end;
-  arc.sweep = fold_sweep(end - arc.center, arc.end - arc.center, before.comp.side < 0);
-  send_corner(queue_[j], arc);
+  begin_at(piece, cursor_);
+  const CornerWay way = choose_end(piece);
+  run_piece(first, piece, way.end, h);
+  run_corner(first, way);
 }
 
-// Where the first element of the queue ends: inside corners and void elements; `corner`: a way
-// round an outside corner follows; `round`: the rest of a later corner's arc follows.
-void CompensationStage::choose_end(const PlanePiece& piece, Vec2& end, bool& corner, bool& round) {
+// Where the first element of the queue ends and what follows it up to the next one.
+CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
+  CornerWay way;
+  way.end = piece.end;
   const std::size_t j = following(1);
-  if (j >= queue_.size()) return;
+  if (j >= queue_.size()) return leaving(piece);
   const PathMove& first = queue_.front();
   const PlanePiece next = moved(queue_[j]);
   const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
   if (kind == Corner::outside) {
-    // An element that the corner after it leaves no room for is skipped, if that closes the path.
-    if (squeezed(j, following(2), next.start) && meet_inside(piece, 2, end, round)) return;
-    corner = true;
-    if (!piece.arc) end = extended_end(piece, next);
-    return;
+    way = outside_corner(first.comp, corner_of(first), piece, next);
+    if (squeezed(j, following(2), way.entry)) close_over(piece, way);
+    return way;
   }
-  if (kind == Corner::smooth) return;
-  if (meet_inside(piece, 1, end, round) || nearly_tangent(first, queue_[j])) return;
+  if (kind == Corner::smooth || meet_inside(piece, 1, way) || nearly_tangent(first, queue_[j]))
+    return way;
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
                                first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
                    queue_[j].motion);
+  return way;
+}
+
+// The last element: square to its end, or with KONT round it to a point behind the contour.
+CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
+  CornerWay way;
+  way.end = piece.end;
+  std::size_t k = 1;
+  while (k < queue_.size() && is_infeed(queue_[k])) ++k;
+  if (k >= queue_.size() || queue_[k].comp.side != 0 || !queue_[k].comp.around) return way;
+  const PathMove& first = queue_.front();
+  Compensation comp = queue_[k].comp;  // the corner's form is that of the leaving block
+  comp.side = first.comp.side;
+  comp.radius = first.comp.radius;
+  const Vec2 outer = corner_of(queue_[k]) + first.comp.tip;
+  PlanePiece line;
+  if (!behind(comp, end_tangent(piece), corner_of(first), outer) ||
+      !touching_line(comp, corner_of(first), outer, true, line))
+    return way;
+  return outside_corner(comp, corner_of(first), piece, line);
 }
 
 // The piece from where the tool is to `end`.
@@ -322,49 +393,19 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
   cursor_ = end;
 }
 
-// Outside, straight element: how far it runs on.
-Vec2 CompensationStage::extended_end(const PlanePiece& piece, const PlanePiece& next) const {
-  const PathMove& first = queue_.front();
-  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(next);
-  const double turn = std::abs(fold_sweep(t1, t2, cross(t1, t2) >= 0));
-  if (turn <= first.comp.sharpest + 1e-9 && !first.comp.arcs)
-    return piece.end + (first.comp.radius * half_tangent(turn)) * t1;
-  if (first.comp.two_points && !first.comp.arcs) return piece.end + first.comp.radius * t1;
-  return piece.end;
-}
-
-double CompensationStage::half_tangent(double turn) {
-  const SinCos half = sincos(turn / 2);
-  return half.sin / half.cos;
-}
-
-// The way round an outside corner; it belongs to the next block.
-void CompensationStage::round_outside(const PathMove& first, const PathMove& after,
-                                      const PlanePiece& piece) {
-  const PlanePiece next = moved(after);
-  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(next);
-  const double r = first.comp.radius, h = dot(at_, first.basis.w);
-  const double turn = std::abs(fold_sweep(t1, t2, cross(t1, t2) >= 0));
-  PathMove between = after;
+// Round a corner; that belongs to the next block.
+void CompensationStage::run_corner(const PathMove& before, const CornerWay& way) {
+  if (way.count == 0) return;
+  run_infeeds();
+  if (queue_.size() < 2) return;
+  PathMove between = queue_[1];
   between.corner = {};
-  if (between.motion.kind == MotionKind::arc) between.motion.kind = MotionKind::line;
-  if (!first.comp.arcs && (turn <= first.comp.sharpest + 1e-9 || first.comp.two_points)) {
-    const bool meets = turn <= first.comp.sharpest + 1e-9;
-    const double out = meets ? r * half_tangent(turn) : r;
-    if (piece.arc) send_line(between, piece.end + out * t1, h);
-    if (!meets) send_line(between, next.start - out * t2, h);
-    if (next.arc) send_line(between, next.start, h);
-    return;
+  between.comp = before.comp;
+  const double h = dot(at_, between.basis.w);
+  for (std::size_t i = 0; i < way.count; ++i) {
+    send(between, way.between[i], h);
+    cursor_ = way.between[i].end;
   }
-  send_corner(after, corner_arc(first, piece, next));
-}
-
-void CompensationStage::send_corner(const PathMove& after, const PlanePiece& arc) {
-  PathMove between = after;
-  between.corner = {};
-  const double h = dot(at_, after.basis.w);
-  send(between, arc, h);
-  cursor_ = arc.end;
 }
 
 }  // namespace mrsim

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/arc.h"
+#include "interp/compensation.h"
 #include "interp/engine_types.h"
 #include "interp/parser.h"
 #include "interp/start_modes.h"

@@ -120,10 +120,6 @@ bool Engine::apply_comp_code(Code code, const Word& word) {
     m.corner = code;
   } else if (code == Code::approach_normal || code == Code::approach_contour) {
     m.approach = code;
-    if (code == Code::approach_contour)
-      reporter_.once(Severity::warning, "comp-approach",
-                     "KONT is read as NORM: straight to the point square to the contour", word,
-                     "kont");
   } else {
     return false;
   }
@@ -208,8 +204,6 @@ bool Engine::apply_values() {
     if (word->value < 0 || word->value > 100)
       return error("value-range", "DISC is 0 to 100", *word);
     modal_.disc = word->value;
-    if (word->value > 0 && word->value < 100)
-      warning("disc", "DISC between 0 and 100 is read as 0: corners are arcs", *word);
   }
   return true;
 }
