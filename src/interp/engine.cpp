@@ -289,9 +289,7 @@ bool Engine::interpret_block() {
   if (!block_.function_name.empty() && !workpiece()) return false;
   if (!run_flow()) return false;
   if (stack_.empty()) return true;
-  for (const Word& word : block_.words)
-    if (word.address == letter('M') && !apply_m_word(word)) ok = false;
-  if (!ok) return false;
+  if (!apply_m_words()) return false;
   if (oneshot_code_ == Code::dwell && oneshot_) return dwell() && report_unused();
   if (!apply_values()) return false;
   if (oneshot_ && !run_oneshot()) return false;

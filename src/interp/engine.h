@@ -65,6 +65,7 @@ class Engine {
   bool apply_edge();
   bool apply_length();
   bool apply_codesys_values();
+  bool apply_m_words();
   bool apply_m_word(const Word& word);
 
   // engine_oneshot.cpp

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
                                          13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
                                          43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
+constexpr int kMostM = 5;  // in a block of SINUMERIK
 
 }  // namespace
 
@@ -297,6 +298,18 @@ bool Engine::apply_codesys_values() {
     if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }
   return true;
+}
+
+bool Engine::apply_m_words() {
+  bool ok = true;
+  int count = 0;
+  for (const Word& word : block_.words) {
+    if (word.address != letter('M')) continue;
+    if (is(Dialect::sinumerik) && ++count == kMostM + 1)
+      ok = error("m-words", fmt::format("at most {} M words in a block", kMostM), word);
+    if (!apply_m_word(word)) ok = false;
+  }
+  return ok;
 }
 
 bool Engine::apply_m_word(const Word& word) {

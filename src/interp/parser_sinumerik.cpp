@@ -195,8 +195,8 @@ bool Parser::sinumerik_radix(Word& word) {
 void Parser::text_value(Block& block, Word& word) {
   const std::size_t end = line_.find('"', p_ + 1);
   if (end == std::string_view::npos) {
-    fault(block, "string-unterminated", "the text that starts here is not closed with \"", p_,
-          p_ + 1);
+    fault(block, "string-unterminated",
+          "the text that starts here is not closed with \" (alarm 12080)", p_, p_ + 1);
     p_ = line_.size();
     return;
   }
@@ -268,7 +268,8 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
     if (c == ')' && --depth == 0) break;
   }
   if (quoted)
-    return fault(block, "string-unterminated", "a text is not closed with \"", open, open + 1);
+    return fault(block, "string-unterminated", "a text is not closed with \" (alarm 12080)", open,
+                 open + 1);
   if (depth != 0)
     return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
   const std::string_view argument = line_.substr(open + 1, p_ - open - 1);

@@ -117,7 +117,43 @@ TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
 TEST(Policy, TwoWordsOfAGroup) {
   for (const char* text : {"G60 G64 X1", "G601 G602 X1", "G17 G18 X1"})
     EXPECT_EQ(outcome(text, Dialect::sinumerik), "none group-twice") << text;
+  for (const char* text : {"BRISK SOFT", "FFWON FFWOF", "CFC CFIN", "CDON CDOF", "CUT2D CUT2DF",
+                           "COMPON COMPOF", "KONT NORM", "DIAMON DIAM90", "CUTCONON CUTCONOF",
+                           "G140 G141", "G340 G341", "G460 G461", "G4 F1 G74", "TRANS MIRROR"})
+    EXPECT_EQ(outcome((std::string(text) + " X1").c_str(), Dialect::sinumerik), "none group-twice")
+        << text;
   EXPECT_EQ(outcome("G9 G60 G601 X1", Dialect::sinumerik), "line");
+  EXPECT_EQ(outcome("G1 G17 G40 G54 G60 G64 G90 G94 G450 X1", Dialect::sinumerik),
+            "none group-twice");
+  EXPECT_EQ(
+      outcome("G1 G17 G40 G54 G601 G64 G71 G90 G94 G450 CFC BRISK FFWON X1", Dialect::sinumerik),
+      "line");
+}
+
+// SINUMERIK: 512 characters, 5 M words, texts that close on their line.
+TEST(Policy, LimitsOfABlock) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const auto line = [](std::size_t n) { return "G1 X1 F1" + std::string(n - 8, ' '); };
+  EXPECT_EQ(codes(read_text(line(512) + "\r\n", s)), "");
+  const Program p = read_text("G1 X2 F1\n" + line(513) + "\n", s);
+  EXPECT_EQ(codes(p), "block-too-long");
+  ASSERT_EQ(p.diagnostics.size(), 1U);
+  EXPECT_EQ(p.diagnostics[0].place.line, 2);
+  EXPECT_EQ(p.diagnostics[0].place.column, 513);
+  EXPECT_EQ(p.motions.size(), 1U);
+  EXPECT_EQ(codes(read_text(line(513) + "\n", at_origin(Dialect::iso))), "");
+
+  EXPECT_EQ(codes(read_text("M3 M8 M7 M41 M10 G1 X1 F1\n", s)), "");
+  const Program m = read_text("M3 M8 M7 M41 M10 M11 G1 X1 F1\nG1 X1 F1\n", s);
+  EXPECT_EQ(codes(m), "m-words");
+  EXPECT_EQ(m.diagnostics[0].place.column, 18);
+  EXPECT_EQ(m.motions.size(), 1U);
+
+  for (const char* text : {"MSG(\"open)", "T=\"MILL", "CALL \"A", "G1 X1 F1 MSG(\"a"}) {
+    const Program open = read_text(std::string(text) + "\nG1 X1 F1\n", s);
+    EXPECT_EQ(codes(open), "string-unterminated") << text;
+    EXPECT_NE(open.diagnostics[0].text.find("(alarm 12080)"), std::string::npos);
+  }
 }
 
 TEST(Policy, ThreePoints) {
@@ -179,6 +215,23 @@ TEST(Policy, LongLines) {
                 at_origin(Dialect::iso));
   EXPECT_EQ(p.motions.size(), 2U);
   EXPECT_EQ(codes(p), "number-too-large");
+}
+
+// Lines end with LF, CR LF or CR; a byte order mark is no word.
+TEST(Policy, LineEnds) {
+  const InterpOptions options = at_origin(Dialect::iso);
+  for (const char* text :
+       {"G1 X1 F1\nX2\nX3\n", "G1 X1 F1\r\nX2\r\nX3\r\n", "G1 X1 F1\rX2\rX3\r", "G1 X1 F1\rX2\rX3",
+        "G1 X1 F1\r\r\nX2\r\r\nX3\r\r\n", "\xEF\xBB\xBFG1 X1 F1\nX2\nX3"}) {
+    const Program p = read_text(text, options);
+    ASSERT_EQ(p.motions.size(), 3U) << listing(p);
+    EXPECT_EQ(p.motions[2].line, 3);
+    EXPECT_EQ(p.motions[1].column, 1);
+    EXPECT_EQ(codes(p), "");
+  }
+  const Program gap = read_text("G1 X1 F1\r\rX2\r", options);
+  ASSERT_EQ(gap.motions.size(), 2U);
+  EXPECT_EQ(gap.motions[1].line, 3);
 }
 
 TEST(Policy, LexicalFaultsNameTheirAlarm) {
