@@ -32,6 +32,7 @@ class Engine {
   bool legal_address(const Word& word);
   bool interpret_block();
   bool apply_code(const Word& word, const CodeEntry& entry);
+  bool refuse_cycle(const Word& word, const CodeEntry& entry);
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool report_unused();
@@ -168,6 +169,7 @@ class Engine {
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
   void missing_return();
+  void end_of_tape();
   void end_activation();
   void stop();
   int call_site(int line);
@@ -212,6 +214,7 @@ class Engine {
   Word comp_word_, edge_word_;
 
   PendingAngle pending_angle_;
+  bool in_cycle_ = false;  ///< of a modal cycle that is not read: points belong to it
 
   ToolState tool_;
   std::optional<ToolState> saved_tool_;  ///< before the T or M6 of this block

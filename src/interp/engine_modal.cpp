@@ -134,10 +134,13 @@ bool Engine::select_distance(Code code, const Word& word) {
     const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
       return w.address == letter('G') && lookup(w).group == Group::motion;
     });
-    if (!moves && code == Code::absolute)
+    if (!moves && code == Code::absolute) {
+      in_cycle_ = true;
       return error("not-supported",
-                   "G90 with axes is a turning cycle of code system A, which is not supported yet",
+                   "G90 with axes is a turning cycle of code system A, which is not supported yet; "
+                   "neither are its points in the blocks behind it",
                    word);
+    }
     note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
               word, "code-system");
   }

@@ -180,6 +180,10 @@ void Parser::strange_character(Block& block) {
   if (c == '[') return unsupported(block, "[", "an expression", from);
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);
+  if (c == '(' && dialect_ == Dialect::sinumerik) {
+    p_ = std::min(line_.find(')', p_), line_.size() - 1) + 1;
+    return fault(block, "character", "( has no meaning here; a comment begins with ;", from, p_);
+  }
   ++p_;
   if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
   if (byte >= 0x80) {

@@ -198,6 +198,36 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
   }
 }
 
+// A cycle that is not read takes its points with it, up to G80 or a word of motion.
+TEST(Policy, PointsOfACycleAreNoMoves) {
+  const InterpOptions mill = at_origin(Dialect::fanuc),
+                      lathe = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const Program drill = read_text(
+      "G1 X1 F100\nG81 X5 Z-5 R2\nX9\nX10 Y5\nG80\nX20\nG83 Z-1 R1 Q1\nX3\nG0 X4\nX5\n", mill);
+  EXPECT_EQ(codes(drill), "not-supported not-supported");
+  ASSERT_EQ(drill.motions.size(), 4U) << listing(drill);
+  EXPECT_EQ(drill.motions[1].end.x, 20);
+  EXPECT_EQ(drill.motions[2].end.x, 4);
+  const Program turn = read_text("G0 X50 Z2\nG90 X40 Z-10 F.2\nX35\nX30\nG1 X60 F1\n", lathe);
+  EXPECT_EQ(codes(turn), "not-supported");
+  ASSERT_EQ(turn.motions.size(), 2U) << listing(turn);
+  EXPECT_EQ(turn.motions[1].end.x, 30);
+}
+
+TEST(Policy, TextBehindTheTapeIsNamed) {
+  const auto notes = [](const char* text) {
+    return codes(read_text(text, at_origin(Dialect::fanuc)), Severity::note);
+  };
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\nG1 X2.\n"), "tape-end");
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\n\n%\n"), "");
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\nM30\n%\nlisting\n"), "");
+}
+
+TEST(Policy, ACommentInBracketsIsOneFault) {
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nX2 (c 5)\nX3 (open\n", at_origin(Dialect::sinumerik))),
+            "character character");
+}
+
 TEST(Policy, Programs) {
   const Scratch scratch;
   const InterpOptions options = at_origin(Dialect::iso);
