@@ -379,7 +379,7 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
                        "nothing is left of the arc: its inside corners overlap", first.motion);
       return send_line(first, end, h);
     }
-    if (full > kTwoPi - 1e-6 && left < full - 1e-4)
+    if (std::abs(full - kTwoPi) < 1e-6 && left < full - 1e-4)
       reporter_.add_at(
           Severity::warning, "comp-circle-open",
           fmt::format("{:.1f}\u00B0 of the circle are not cut: the compensated path enters "

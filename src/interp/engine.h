@@ -56,6 +56,7 @@ class Engine {
   // engine_modal.cpp: values that last, M words
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_mode(Code code, const Word& word);
+  bool apply_feed_mode(Code code, const Word& word);
   bool apply_comp_code(Code code, const Word& word);
   bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);

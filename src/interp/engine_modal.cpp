@@ -63,23 +63,12 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
 
 // Units, feeds and other modes that cannot fail. False: not one of them.
 bool Engine::apply_mode(Code code, const Word& word) {
+  if (apply_feed_mode(code, word)) return true;
   Modal& m = modal_;
   if (code == Code::inch || code == Code::metric) {
     m.inch = code == Code::inch;
   } else if (code == Code::inch_feed || code == Code::metric_feed) {
     m.inch = m.inch_feed = code == Code::inch_feed;
-  } else if (code == Code::inverse_time || code == Code::per_minute ||
-             code == Code::per_revolution) {
-    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
-                  : code == Code::per_minute ? FeedUnit::mm_per_min
-                                             : FeedUnit::mm_per_rev;
-    if (is(Dialect::sinumerik)) m.surface_speed = false;
-  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
-    m.surface_speed = code == Code::surface_speed;
-    if (word.value == 961 || word.value == 971)
-      m.feed_unit = FeedUnit::mm_per_min;
-    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
-      m.feed_unit = FeedUnit::mm_per_rev;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
     m.center_absolute = code == Code::center_absolute;
   } else if (code == Code::polar_on || code == Code::polar_off) {
@@ -103,6 +92,26 @@ bool Engine::apply_mode(Code code, const Word& word) {
   } else if (code == Code::program_return) {
     return_after_ = true;
   } else if (code != Code::header && code != Code::diameter_cycles_off) {
+    return false;
+  }
+  return true;
+}
+
+// What F and S mean. False: another word.
+bool Engine::apply_feed_mode(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::inverse_time || code == Code::per_minute || code == Code::per_revolution) {
+    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
+                  : code == Code::per_minute ? FeedUnit::mm_per_min
+                                             : FeedUnit::mm_per_rev;
+    if (is(Dialect::sinumerik)) m.surface_speed = false;
+  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
+    m.surface_speed = code == Code::surface_speed;
+    if (word.value == 961 || word.value == 971)
+      m.feed_unit = FeedUnit::mm_per_min;
+    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
+      m.feed_unit = FeedUnit::mm_per_rev;
+  } else {
     return false;
   }
   return true;

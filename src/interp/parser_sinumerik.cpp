@@ -239,6 +239,13 @@ void Parser::sinumerik_name(Block& block) {
     word.text = run;
     return push(block, word, from);
   }
+  program_name(block, from, run);
+}
+
+// A name that is no function: a subprogram's, alone or behind CALL.
+void Parser::program_name(Block& block, std::size_t from, std::string_view run) {
+  const std::string name = upper_case(run.substr(0, 33));
+  Word word;
   word.address = Address::call;
   if (name == "CALL" || name == "EXTCALL") {
     skip_blanks();

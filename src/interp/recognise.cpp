@@ -1,5 +1,6 @@
 #include "interp/recognise.h"
 
+#include "core/error.h"
 #include "interp/characters.h"
 #include "interp/line_scan.h"
 #include "interp/machine_signs.h"
@@ -208,6 +209,9 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   const bool wants_machine = options.machine == MachineKind::automatic;
   while (source.next(raw)) {
     const int n = source.line_number();
+    if (n == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF")))
+      throw Error("file-encoding",
+                  fmt::format("{} is UTF-16 text: save it as UTF-8 or plain ASCII", path));
     const bool wants_dialect =
         options.dialect == Dialect::automatic && n <= kDialectLines && !evidence.certain();
     if (!out.empty && !wants_dialect && n > 200 && (!wants_machine || machine.settled())) break;

@@ -118,6 +118,13 @@ TEST(Intersection, BetweenOutsideAndInsideCorners) {
   expect_near(p.motions[4].end, {57, 24, 0});
 }
 
+// The turns of a helix between two inside corners leave nothing of the circle uncut.
+TEST(Intersection, AHelixIsNoOpenCircle) {
+  const Program p =
+      run("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nG2 X40 Y0 Z-5 I10 J0 TURN=2\nG1 X80\nG40 Y50\n");
+  EXPECT_EQ(codes(p), "") << listing(p);
+}
+
 // Down a step lower than the tool's radius: the corner's arc, or its intersection, runs into the
 // next line.
 TEST(Intersection, AStepLowerThanTheRadius) {

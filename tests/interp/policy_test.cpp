@@ -235,6 +235,14 @@ TEST(Policy, Programs) {
   EXPECT_THROW(read_program(scratch.write("blank.nc", " \n\r\n"), options), Error);
   EXPECT_THROW(read_program("/nowhere/x.nc", options), Error);
   EXPECT_THROW(read_program("/tmp", options), Error);
+  for (const std::string text :
+       {std::string("\xFF\xFEG\0001\0\n\0", 8), std::string("\xFE\xFF\0G\0001", 6)})
+    try {
+      read_program(scratch.write("wide.nc", text), options);
+      FAIL();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), "file-encoding");
+    }
   EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
 }
 
