@@ -235,7 +235,7 @@ TEST(Policy, Programs) {
   EXPECT_THROW(read_program(scratch.write("blank.nc", " \n\r\n"), options), Error);
   EXPECT_THROW(read_program("/nowhere/x.nc", options), Error);
   EXPECT_THROW(read_program("/tmp", options), Error);
-  for (const std::string text :
+  for (const std::string& text :
        {std::string("\xFF\xFEG\0001\0\n\0", 8), std::string("\xFE\xFF\0G\0001", 6)})
     try {
       read_program(scratch.write("wide.nc", text), options);
