@@ -34,7 +34,7 @@ bool Engine::run_flow() {
                     program->column, program->length);
     else
       missing_return();
-    if (!program && !is(Dialect::sinumerik)) end_of_tape();
+    if (!program && (is(Dialect::fanuc) || is(Dialect::iso))) end_of_tape();
     end_activation();
     block_.words.clear();
     ++epoch_;

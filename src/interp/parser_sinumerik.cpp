@@ -13,6 +13,8 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kLongestName = 32;
+
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"CR", Address::cr},       {"AR", Address::ar},        {"AP", Address::ap},
     {"RP", Address::rp},       {"TURN", Address::turn},    {"RND", Address::rnd},
@@ -65,6 +67,7 @@ void Parser::sinumerik_word(Block& block) {
     if (sinumerik_value(block, word)) push(block, word, from);
     return;
   }
+  if (n == ':' && block.words.empty()) return label(block, from, from + 1);
   if (n == '[') return unsupported(block, line_.substr(from, p_ - from), "an array", from);
   if (n == '$' || n == '(')
     return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
@@ -91,6 +94,14 @@ void Parser::sinumerik_word(Block& block) {
     return;
   }
   push(block, word, from);
+}
+
+// "NAME:", p_ on the colon.
+void Parser::label(Block& block, std::size_t from, std::size_t end) {
+  ++p_;
+  if (end - from < 2 || end - from > kLongestName)
+    fault(block, "label-length", fmt::format("a label has 2 to {} characters", kLongestName), from,
+          end);
 }
 
 // The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
@@ -213,10 +224,7 @@ void Parser::sinumerik_name(Block& block) {
   const std::size_t after_name = p_;
   skip_blanks();
   const char c = at(p_);
-  if (c == ':' && block.words.empty()) {  // a label
-    ++p_;
-    return;
-  }
+  if (c == ':' && block.words.empty()) return label(block, from, after_name);
   if (c == '=' && at(p_ + 1) != '=') {
     Word word;
     word.address = find_address(name);
@@ -256,8 +264,9 @@ void Parser::program_name(Block& block, std::size_t from, std::string_view run) 
   }
   const std::string_view what = unsupported_name(name);
   if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() > 32)
-    return fault(block, "name-too-long", "a name has at most 32 characters", from, p_);
+  if (run.size() > kLongestName)
+    return fault(block, "name-too-long",
+                 fmt::format("a name has at most {} characters", kLongestName), from, p_);
   word.text = run;
   push(block, word, from);
 }

@@ -221,6 +221,21 @@ TEST(Policy, TextBehindTheTapeIsNamed) {
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\nG1 X2.\n"), "tape-end");
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\n\n%\n"), "");
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\nM30\n%\nlisting\n"), "");
+  EXPECT_EQ(codes(read_text("% A\nG1 X1 F1\nSUBPROGRAM B{}\nG1 X2\nEND_SUBPROGRAM\n",
+                            at_origin(Dialect::codesys)),
+                  Severity::note),
+            "");
+}
+
+TEST(Policy, Labels) {
+  const auto run = [](const std::string& label) {
+    return codes(read_text("G1 X1 F1\n" + label + ": X2\n", at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(run("AB"), "");
+  EXPECT_EQ(run("N10 _B1"), "");
+  EXPECT_EQ(run(std::string(32, 'A')), "");
+  EXPECT_EQ(run(std::string(33, 'A')), "label-length");
+  EXPECT_EQ(run("A"), "label-length");
 }
 
 TEST(Policy, ACommentInBracketsIsOneFault) {
