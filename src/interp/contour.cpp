@@ -147,8 +147,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
     piece.radius = length(c.first - c.center);
     piece.sweep = fold_sweep(c.first - c.center, c.second - c.center, side > 0);
   }
-  from_piece(piece, before.basis, dot(before.motion.end, before.basis.w),
-             dot(after.motion.start, before.basis.w), inserted.motion);
+  const double height = dot(before.motion.end, before.basis.w);  // infeeds come behind it
+  from_piece(piece, before.basis, height, height, inserted.motion);
   inserted.motion.assumed_start = false;
   return true;
 }

@@ -162,7 +162,9 @@ bool Parser::sinumerik_form(Block& block, Word& word) {
     const std::size_t inner = p_;
     if (!starts_number(at(p_)) ||
         !(is_digit(at(p_ + 1)) || is_digit(at(p_)) || at(p_ + 1) == '.')) {
-      if (at(p_) == ')' || at(p_) == '\0' || at(p_) == ';')
+      const bool empty = at(p_) == ')';
+      if (empty) ++p_;
+      if (empty || at(p_) == '\0' || at(p_) == ';')
         fault(block, "address-without-number", fmt::format("no number in {}()", name), from, p_);
       else
         unsupported(block, line_.substr(inner, 1), "an expression", inner);

@@ -241,6 +241,17 @@ TEST(Corners, AnglesOfTwoBlocks) {
             "angle-behind");
 }
 
+TEST(Corners, AnInfeedComesBehindTheRounding) {
+  const Program p = read_text("G1 X50 RND=2 F1\nZ-5\nY60\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.motions.size(), 4U) << listing(p);
+  expect_near(p.motions[1].end, {50, 2, 0});
+  EXPECT_EQ(p.motions[1].rise, 0);
+  expect_near(p.motions[2].start, {50, 2, 0});
+  expect_near(p.motions[2].end, {50, 2, -5});
+  expect_near(p.motions[3].start, {50, 2, -5});
+  expect_near(p.motions[3].end, {50, 60, -5});
+}
+
 TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};

@@ -241,6 +241,8 @@ TEST(Policy, Labels) {
 TEST(Policy, ACommentInBracketsIsOneFault) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nX2 (c 5)\nX3 (open\n", at_origin(Dialect::sinumerik))),
             "character character");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nX=AC()\nX=AC(\n", at_origin(Dialect::sinumerik))),
+            "address-without-number address-without-number");
 }
 
 TEST(Policy, Programs) {
