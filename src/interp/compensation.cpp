@@ -54,8 +54,18 @@ void CompensationStage::push(const PathMove& move) {
     next_(move);
     return;
   }
+  if (queue_.empty() && !active_) basis_ = move.basis;
   queue_.push_back(move);
+  same_axes(queue_.back());
   settle(false);
+}
+
+// A frame may turn or mirror the plane's axes on the way; corners need both elements in the same.
+void CompensationStage::same_axes(PathMove& move) const {
+  const Basis& b = move.basis;
+  if (length(b.w - basis_.w) > 1e-9) return;
+  if (dot(cross(b.u, b.v), cross(basis_.u, basis_.v)) < 0) move.comp.side = -move.comp.side;
+  move.basis = basis_;
 }
 
 void CompensationStage::flush() {
@@ -183,9 +193,11 @@ void CompensationStage::leave_or_shift() {
   }
   if (first.comp.side == 0) {
     active_ = false;
+    const bool arc = first.motion.kind == MotionKind::arc;  // a rounding that took the whole line
+    if (arc) send_line(first, in_plane(first.basis, first.motion.start), dot(at_, w));
     first.motion.start = at_;
     at_ = first.motion.end;
-    if (distance(first.motion.start, at_) > 1e-9) next_(first);
+    if (arc || distance(first.motion.start, at_) > 1e-9) next_(first);
     return;
   }
   const Vec3 shift = at_ - first.motion.start;

@@ -15,6 +15,7 @@ class CompensationStage {
   bool idle() const { return queue_.empty() && !active_; }
 
  private:
+  void same_axes(PathMove& move) const;
   std::size_t following(std::size_t n) const;
   bool ready(bool last) const;
   void settle(bool last);
@@ -40,6 +41,7 @@ class CompensationStage {
   Reporter& reporter_;
   NextStage next_;
   std::vector<PathMove> queue_;
+  Basis basis_;  ///< of the contour under way
   bool active_ = false;
   bool resumes_ = false;  ///< the last one ran suspended (CUTCONON)
   Vec3 at_;               ///< where the last motion given on ended
