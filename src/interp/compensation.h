@@ -15,6 +15,8 @@ class CompensationStage {
   bool idle() const { return queue_.empty() && !active_; }
 
  private:
+  static constexpr std::size_t kLookAhead = 5;  ///< compensated moves seen at once
+
   void same_axes(PathMove& move) const;
   std::size_t following(std::size_t n) const;
   bool ready(bool last) const;
