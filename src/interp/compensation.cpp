@@ -1,18 +1,31 @@
 // G41 and G42: the contour moved aside by the tool radius. Each move needs to see the next ones: an
 // inside corner ends where the moved elements meet, and an element that has no room left is void.
-#include "core/trig.h"
+#include "interp/compensation.h"
+
 #include "core/units.h"
-#include "interp/arc.h"
-#include "interp/contour.h"
 #include "interp/offset_contour.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace mrsim {
-constexpr std::size_t kLookAhead = 5;  // compensated moves seen at once
+namespace {
+
+// An arc that the corner before it begins earlier on its circle.
+void begin_at(PlanePiece& piece, Vec2 cursor) {
+  if (!piece.arc || std::abs(length(cursor - piece.center) - piece.radius) > kTouch) return;
+  const double late = progress(piece, piece.start, cursor);
+  if (late >= 0) return;
+  piece.sweep += piece.sweep < 0 ? late : -late;
+  piece.start = cursor;
+}
+
+bool behind(const Compensation& comp, Vec2 tangent, Vec2 corner, Vec2 outer) {
+  return comp.side * cross(tangent, outer - corner) < -kTouch;
+}
+
+}  // namespace
 
 void CompensationStage::push(const PathMove& move) {
   if (queue_.empty() && !active_ && move.comp.side == 0) {
@@ -20,8 +33,18 @@ void CompensationStage::push(const PathMove& move) {
     next_(move);
     return;
   }
+  if (queue_.empty() && !active_) basis_ = move.basis;
   queue_.push_back(move);
+  same_axes(queue_.back());
   settle(false);
+}
+
+// A frame may turn or mirror the plane's axes on the way; corners need both elements in the same.
+void CompensationStage::same_axes(PathMove& move) const {
+  const Basis& b = move.basis;
+  if (length(b.w - basis_.w) > 1e-9) return;
+  if (dot(cross(b.u, b.v), cross(basis_.u, basis_.v)) < 0) move.comp.side = -move.comp.side;
+  move.basis = basis_;
 }
 
 void CompensationStage::flush() {
@@ -121,11 +144,18 @@ void CompensationStage::enter() {
   const std::size_t j = following(1);
   active_ = true;
   const double h = height(first, first.motion.end);
-  if (j < queue_.size()) {
-    const PlanePiece next = moved(queue_[j]);
-    if (!is_void(next)) return send_line(first, next.start, h);
-  }
-  send_line(first, moved(first).end, h);
+  if (j >= queue_.size()) return send_line(first, moved(first).end, h);
+  const PlanePiece next = moved(queue_[j]);
+  if (is_void(next)) return send_line(first, moved(first).end, h);
+  const Vec2 corner = corner_of(first), outer = in_plane(first.basis, at_) + first.comp.tip;
+  PlanePiece line;
+  if (!first.comp.around || !behind(first.comp, start_tangent(next), corner, outer) ||
+      !touching_line(first.comp, corner, outer, false, line))
+    return send_line(first, next.start, h);
+  const PathMove before = first;
+  const CornerWay way = outside_corner(before.comp, corner, line, next);
+  send_line(before, way.end, h);
+  run_corner(before, way);
 }
 
 // A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.
@@ -142,9 +172,11 @@ void CompensationStage::leave_or_shift() {
   }
   if (first.comp.side == 0) {
     active_ = false;
+    const bool arc = first.motion.kind == MotionKind::arc;  // a rounding that took the whole line
+    if (arc) send_line(first, in_plane(first.basis, first.motion.start), dot(at_, w));
     first.motion.start = at_;
     at_ = first.motion.end;
-    if (distance(first.motion.start, at_) > 1e-9) next_(first);
+    if (arc || distance(first.motion.start, at_) > 1e-9) next_(first);
     return;
   }
   const Vec3 shift = at_ - first.motion.start;
@@ -155,79 +187,6 @@ void CompensationStage::leave_or_shift() {
   cursor_ = in_plane(first.basis, at_) + first.comp.tip;
   resumes_ = true;
   next_(first);
-}
-
-// The moved element, run on to the intersection where its end is such an outside corner.
-PlanePiece CompensationStage::reach(std::size_t i, std::size_t next) const {
-  PlanePiece piece = moved(queue_[i]);
-  if (piece.arc || next >= queue_.size()) return piece;
-  const PlanePiece after = moved(queue_[next]);
-  if (is_void(after) || corner_kind(queue_[i], queue_[next]) != Corner::outside) return piece;
-  piece.end = extended_end(piece, after);
-  return piece;
-}
-
-// A void element: between the meeting points with its neighbours nothing of it is left.
-bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
-  const PlanePiece piece = moved(queue_[i]);
-  if (is_void(piece)) return true;
-  if (next >= queue_.size() || corner_kind(queue_[i], queue_[next]) != Corner::inside) return false;
-  const PlanePiece after = moved(queue_[next]);
-  if (is_void(after)) return false;
-  std::array<Vec2, 2> hits;
-  const int n = intersect(piece, after, hits);
-  if (n == 0) return false;
-  Vec2 out = hits[0];
-  if (n == 2 && length(hits[1] - piece.end) < length(hits[0] - piece.end)) out = hits[1];
-  if (piece.arc && std::abs(piece.sweep) > kPi) return false;
-  return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
-}
-
-// The first of the following elements with room that `piece` meets, or the arc round the corner
-// behind one (then `round` is set). What lies between is void and leaves the queue. False: the tool
-// does not fit.
-bool CompensationStage::meet_inside(const PlanePiece& piece, std::size_t nearest, Vec2& end,
-                                    bool& round) {
-  for (std::size_t n = nearest; n < kLookAhead; ++n) {
-    const std::size_t j = following(n), next = following(n + 1);
-    if (j >= queue_.size()) return false;
-    const PlanePiece other = reach(j, next);
-    Vec2 p;
-    std::size_t keep = 0;
-    round = false;
-    if (!is_void(other) && meeting(piece, other, cursor_, piece.end, p) && !squeezed(j, next, p))
-      keep = j;
-    if (keep == 0 && next < queue_.size() &&
-        corner_kind(queue_[j], queue_[next]) == Corner::outside && queue_[j].comp.arcs &&
-        !is_void(other) && !is_void(moved(queue_[next]))) {
-      round =
-          meeting(piece, corner_arc(queue_[j], other, moved(queue_[next])), cursor_, piece.end, p);
-      if (round) keep = next;
-    }
-    if (keep == 0) continue;
-    end = p;
-    for (std::size_t k = keep; k-- > 1;)
-      if (!is_infeed(queue_[k])) {
-        reporter_.add_at(Severity::warning, "comp-element-void",
-                         "the tool is too large to reach this element: it is skipped",
-                         queue_[k].motion);
-        queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
-      }
-    return true;
-  }
-  return false;
-}
-
-PlanePiece CompensationStage::corner_arc(const PathMove& first, const PlanePiece& piece,
-                                         const PlanePiece& next) const {
-  PlanePiece arc;
-  arc.arc = true;
-  arc.center = in_plane(first.basis, first.motion.end);
-  arc.radius = first.comp.radius;
-  arc.start = piece.end;
-  arc.end = next.start;
-  arc.sweep = fold_sweep(piece.end - arc.center, next.start - arc.center, first.comp.side < 0);
-  return arc;
 }
 
 // Infeeds between the first of the queue and the next contour element happen before its corner.
@@ -256,44 +215,52 @@ void CompensationStage::follow() {
   if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
     send_line(first, piece.start, dot(at_, first.basis.w));
   resumes_ = false;
-  Vec2 end = piece.end;
-  bool corner = false, round = false;
-  choose_end(piece, end, corner, round);
-  const PathMove before = queue_.front();
-  run_piece(before, piece, end, h);
-  if (!corner && !round) return;
-  run_infeeds();
-  const std::size_t j = following(1);
-  if (j >= queue_.size()) return;
-  if (corner) return round_outside(before, queue_[j], piece);
-  PlanePiece arc = corner_arc(before, piece, moved(queue_[j]));
-  arc.center = in_plane(queue_[j].basis, queue_[j].motion.start);
-  arc.start = end;
-  arc.sweep = fold_sweep(end - arc.center, arc.end - arc.center, before.comp.side < 0);
-  send_corner(queue_[j], arc);
+  begin_at(piece, cursor_);
+  const CornerWay way = choose_end(piece);
+  run_piece(first, piece, way.end, h);
+  run_corner(first, way);
 }
 
-// Where the first element of the queue ends: inside corners and void elements; `corner`: a way
-// round an outside corner follows; `round`: the rest of a later corner's arc follows.
-void CompensationStage::choose_end(const PlanePiece& piece, Vec2& end, bool& corner, bool& round) {
+// Where the first element of the queue ends and what follows it up to the next one.
+CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
+  CornerWay way;
+  way.end = piece.end;
   const std::size_t j = following(1);
-  if (j >= queue_.size()) return;
+  if (j >= queue_.size()) return leaving(piece);
   const PathMove& first = queue_.front();
   const PlanePiece next = moved(queue_[j]);
   const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
   if (kind == Corner::outside) {
-    // An element that the corner after it leaves no room for is skipped, if that closes the path.
-    if (squeezed(j, following(2), next.start) && meet_inside(piece, 2, end, round)) return;
-    corner = true;
-    if (!piece.arc) end = extended_end(piece, next);
-    return;
+    way = outside_corner(first.comp, corner_of(first), piece, next);
+    if (squeezed(j, following(2), way.entry)) close_over(piece, way);
+    return way;
   }
-  if (kind == Corner::smooth) return;
-  if (meet_inside(piece, 1, end, round) || nearly_tangent(first, queue_[j])) return;
+  if (kind == Corner::smooth || meet_inside(piece, 1, way) || nearly_tangent(first, queue_[j]))
+    return way;
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
                                first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
                    queue_[j].motion);
+  return way;
+}
+
+// The last element: square to its end, or with KONT round it to a point behind the contour.
+CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
+  CornerWay way;
+  way.end = piece.end;
+  std::size_t k = 1;
+  while (k < queue_.size() && is_infeed(queue_[k])) ++k;
+  if (k >= queue_.size() || queue_[k].comp.side != 0 || !queue_[k].comp.around) return way;
+  const PathMove& first = queue_.front();
+  Compensation comp = queue_[k].comp;  // the corner's form is that of the leaving block
+  comp.side = first.comp.side;
+  comp.radius = first.comp.radius;
+  const Vec2 outer = corner_of(queue_[k]) + first.comp.tip;
+  PlanePiece line;
+  if (!behind(comp, end_tangent(piece), corner_of(first), outer) ||
+      !touching_line(comp, corner_of(first), outer, true, line))
+    return way;
+  return outside_corner(comp, corner_of(first), piece, line);
 }
 
 // The piece from where the tool is to `end`.
@@ -308,7 +275,7 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
                        "nothing is left of the arc: its inside corners overlap", first.motion);
       return send_line(first, end, h);
     }
-    if (full > kTwoPi - 1e-6 && left < full - 1e-4)
+    if (std::abs(full - kTwoPi) < 1e-6 && left < full - 1e-4)
       reporter_.add_at(
           Severity::warning, "comp-circle-open",
           fmt::format("{:.1f}\u00B0 of the circle are not cut: the compensated path enters "
@@ -322,49 +289,19 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
   cursor_ = end;
 }
 
-// Outside, straight element: how far it runs on.
-Vec2 CompensationStage::extended_end(const PlanePiece& piece, const PlanePiece& next) const {
-  const PathMove& first = queue_.front();
-  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(next);
-  const double turn = std::abs(fold_sweep(t1, t2, cross(t1, t2) >= 0));
-  if (turn <= first.comp.sharpest + 1e-9 && !first.comp.arcs)
-    return piece.end + (first.comp.radius * half_tangent(turn)) * t1;
-  if (first.comp.two_points && !first.comp.arcs) return piece.end + first.comp.radius * t1;
-  return piece.end;
-}
-
-double CompensationStage::half_tangent(double turn) {
-  const SinCos half = sincos(turn / 2);
-  return half.sin / half.cos;
-}
-
-// The way round an outside corner; it belongs to the next block.
-void CompensationStage::round_outside(const PathMove& first, const PathMove& after,
-                                      const PlanePiece& piece) {
-  const PlanePiece next = moved(after);
-  const Vec2 t1 = end_tangent(piece), t2 = start_tangent(next);
-  const double r = first.comp.radius, h = dot(at_, first.basis.w);
-  const double turn = std::abs(fold_sweep(t1, t2, cross(t1, t2) >= 0));
-  PathMove between = after;
+// Round a corner; that belongs to the next block.
+void CompensationStage::run_corner(const PathMove& before, const CornerWay& way) {
+  if (way.count == 0) return;
+  run_infeeds();
+  if (queue_.size() < 2) return;
+  PathMove between = queue_[1];
   between.corner = {};
-  if (between.motion.kind == MotionKind::arc) between.motion.kind = MotionKind::line;
-  if (!first.comp.arcs && (turn <= first.comp.sharpest + 1e-9 || first.comp.two_points)) {
-    const bool meets = turn <= first.comp.sharpest + 1e-9;
-    const double out = meets ? r * half_tangent(turn) : r;
-    if (piece.arc) send_line(between, piece.end + out * t1, h);
-    if (!meets) send_line(between, next.start - out * t2, h);
-    if (next.arc) send_line(between, next.start, h);
-    return;
+  between.comp = before.comp;
+  const double h = dot(at_, between.basis.w);
+  for (std::size_t i = 0; i < way.count; ++i) {
+    send(between, way.between[i], h);
+    cursor_ = way.between[i].end;
   }
-  send_corner(after, corner_arc(first, piece, next));
-}
-
-void CompensationStage::send_corner(const PathMove& after, const PlanePiece& arc) {
-  PathMove between = after;
-  between.corner = {};
-  const double h = dot(at_, after.basis.w);
-  send(between, arc, h);
-  cursor_ = arc.end;
 }
 
 }  // namespace mrsim

@@ -100,14 +100,15 @@ double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece
   return low > 0 && contacts(spec, a, b, side, low, out) ? low : 0;
 }
 
-void shorten(PathMove& move, PlanePiece piece, bool at_end, Vec2 to) {
-  const double start = dot(move.motion.start, move.basis.w);
-  const double end = dot(move.motion.end, move.basis.w);
+// The piece is in coordinates of `basis`; that of the move may be turned against it.
+void shorten(PathMove& move, const Basis& basis, PlanePiece piece, bool at_end, Vec2 to) {
+  const double start = dot(move.motion.start, basis.w);
+  const double end = dot(move.motion.end, basis.w);
   const double share = position_on(piece, to) / extent(piece);
   if (piece.arc) piece.sweep *= at_end ? share : 1 - share;
   const double height = start + (end - start) * share;
   (at_end ? piece.end : piece.start) = to;
-  from_piece(piece, move.basis, at_end ? start : height, at_end ? height : end, move.motion);
+  from_piece(piece, basis, at_end ? start : height, at_end ? height : end, move.motion);
 }
 
 }  // namespace
@@ -122,6 +123,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
     return false;
   }
   const double side = turn > 0 ? 1 : -1;
+  // Along the normal between the two, in blocks of its own: that comes behind the inserted element.
+  const double infeed = dot(after.motion.start - before.motion.end, before.basis.w);
   Contact c;
   if (!contacts(before.corner, a, b, side, before.corner.size, c)) {
     const double size = largest_fit(before.corner, a, b, side, c);
@@ -136,8 +139,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
   inserted = before;
   inserted.corner = {};
   if (before.corner.feed > 0) inserted.motion.feed = before.corner.feed;
-  shorten(before, a, true, c.first);
-  shorten(after, b, false, c.second);
+  shorten(before, before.basis, a, true, c.first);
+  shorten(after, before.basis, b, false, c.second);
   PlanePiece piece;
   piece.start = c.first;
   piece.end = c.second;
@@ -148,7 +151,7 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
     piece.sweep = fold_sweep(c.first - c.center, c.second - c.center, side > 0);
   }
   from_piece(piece, before.basis, dot(before.motion.end, before.basis.w),
-             dot(after.motion.start, before.basis.w), inserted.motion);
+             dot(after.motion.start, before.basis.w) - infeed, inserted.motion);
   inserted.motion.assumed_start = false;
   return true;
 }

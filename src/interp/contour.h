@@ -24,9 +24,10 @@ struct Compensation {
   double radius = 0;        ///< mm
   Vec2 tip;                 ///< lathe: from the programmed point to the nose centre, in the plane
   bool arcs = false;        ///< outside corners are arcs about the corner, else intersections
-  bool two_points = false;  ///< where an intersection is too far: two points, else an arc
+  double disc = 0;          ///< DISC / 100: how far such arcs are sharpened
+  bool two_points = false;  ///< intersections of tangents; where they are too far, two points
   double sharpest = 0;      ///< turns above this angle, radians, have no intersection
-  friend bool operator==(const Compensation&, const Compensation&) = default;
+  bool around = false;      ///< KONT: from and to points behind the contour round its end
 };
 
 struct PathMove {
@@ -37,7 +38,6 @@ struct PathMove {
   std::size_t block = 0;  ///< running number of its block
 };
 
-struct PlanePiece;
 using NextStage = std::function<void(const PathMove&)>;
 
 /// Inserts roundings and chamfers (RND, CHF, CHR). Holds back one move, and the pure infeeds behind
@@ -57,47 +57,6 @@ class CornerStage {
   Reporter& reporter_;
   NextStage next_;
   std::vector<PathMove> held_;  ///< the move with the corner, then moves without plane travel
-};
-
-/// Offsets the contour by the tool radius (G40 G41 G42).
-class CompensationStage {
- public:
-  CompensationStage(Reporter& reporter, NextStage next)
-      : reporter_(reporter), next_(std::move(next)) {}
-  void push(const PathMove& move);
-  void flush();
-  bool idle() const { return queue_.empty() && !active_; }
-
- private:
-  std::size_t following(std::size_t n) const;
-  bool ready(bool last) const;
-  void settle(bool last);
-  void enter();
-  void skip_void_entry();
-  void follow();
-  void leave_or_shift();
-  bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
-  bool meet_inside(const PlanePiece& piece, std::size_t nearest, Vec2& end, bool& round);
-  void choose_end(const PlanePiece& piece, Vec2& end, bool& corner, bool& round);
-  PlanePiece reach(std::size_t i, std::size_t next) const;
-  PlanePiece corner_arc(const PathMove& first, const PlanePiece& piece,
-                        const PlanePiece& next) const;
-  void send_corner(const PathMove& after, const PlanePiece& arc);
-  void run_infeeds();
-  void run_piece(const PathMove& first, PlanePiece piece, Vec2 end, double height);
-  Vec2 extended_end(const PlanePiece& piece, const PlanePiece& next) const;
-  void round_outside(const PathMove& first, const PathMove& after, const PlanePiece& piece);
-  void send(PathMove move, const PlanePiece& piece, double end_height);
-  void send_line(const PathMove& like, Vec2 to, double end_height);
-  static double half_tangent(double turn);
-
-  Reporter& reporter_;
-  NextStage next_;
-  std::vector<PathMove> queue_;
-  bool active_ = false;
-  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON)
-  Vec3 at_;               ///< where the last motion given on ended
-  Vec2 cursor_;           ///< the same in the plane, as tool centre
 };
 
 }  // namespace mrsim

@@ -234,6 +234,15 @@ bool Engine::claim_group(const Word& word, const CodeEntry& entry) {
   return true;
 }
 
+// A modal cycle is run at every point up to G80 or a word of motion: those go with it.
+bool Engine::refuse_cycle(const Word& word, const CodeEntry& entry) {
+  in_cycle_ = entry.group != Group::oneshot;
+  return error("not-supported",
+               fmt::format("{} is a canned cycle, which is not supported yet{}", text_of(word),
+                           in_cycle_ ? "; neither are its points in the blocks behind it" : ""),
+               word);
+}
+
 bool Engine::apply_code(const Word& word, const CodeEntry& entry) {
   switch (entry.code) {
     case Code::unknown:
@@ -243,16 +252,12 @@ bool Engine::apply_code(const Word& word, const CodeEntry& entry) {
                                : is(Dialect::fanuc)   ? " (alarm 010)"
                                                       : ""),
                    word);
-    case Code::unsupported:
     case Code::cycle:
-      return error(
-          "not-supported",
-          fmt::format("{} is {}not supported yet",
-                      block_.line.substr(static_cast<std::size_t>(word.column),
-                                         static_cast<std::size_t>(std::min(word.length, 40))),
-                      entry.code == Code::cycle ? "a canned cycle, which is " : ""),
-          word);
+      return refuse_cycle(word, entry);
+    case Code::unsupported:
+      return error("not-supported", fmt::format("{} is not supported yet", text_of(word)), word);
     case Code::ignored:
+      if (entry.number == 80) in_cycle_ = false;
       return true;
     case Code::rapid:
     case Code::line:
@@ -265,6 +270,7 @@ bool Engine::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::thread_shrinking:
     case Code::tap_in:
     case Code::tap_out:
+      in_cycle_ = false;
       motion_code_ = &word;
       modal_.motion = entry.code;
       return true;
@@ -289,13 +295,12 @@ bool Engine::interpret_block() {
   if (!block_.function_name.empty() && !workpiece()) return false;
   if (!run_flow()) return false;
   if (stack_.empty()) return true;
-  for (const Word& word : block_.words)
-    if (word.address == letter('M') && !apply_m_word(word)) ok = false;
-  if (!ok) return false;
+  if (!apply_m_words()) return false;
   if (oneshot_code_ == Code::dwell && oneshot_) return dwell() && report_unused();
   if (!apply_values()) return false;
   if (oneshot_ && !run_oneshot()) return false;
   if (frame_code_ && !run_frame()) return false;
+  if (in_cycle_ && has_move()) return false;  // said with the cycle
   if (has_move() && !move()) return false;
   check_comp_selection(comp_before);
   return report_unused();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/arc.h"
+#include "interp/compensation.h"
 #include "interp/engine_types.h"
 #include "interp/parser.h"
 #include "interp/start_modes.h"
@@ -31,6 +32,7 @@ class Engine {
   bool legal_address(const Word& word);
   bool interpret_block();
   bool apply_code(const Word& word, const CodeEntry& entry);
+  bool refuse_cycle(const Word& word, const CodeEntry& entry);
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool report_unused();
@@ -54,6 +56,7 @@ class Engine {
   // engine_modal.cpp: values that last, M words
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_mode(Code code, const Word& word);
+  bool apply_feed_mode(Code code, const Word& word);
   bool apply_comp_code(Code code, const Word& word);
   bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);
@@ -64,6 +67,7 @@ class Engine {
   bool apply_edge();
   bool apply_length();
   bool apply_codesys_values();
+  bool apply_m_words();
   bool apply_m_word(const Word& word);
 
   // engine_oneshot.cpp
@@ -166,6 +170,7 @@ class Engine {
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
   void missing_return();
+  void end_of_tape();
   void end_activation();
   void stop();
   int call_site(int line);
@@ -210,6 +215,7 @@ class Engine {
   Word comp_word_, edge_word_;
 
   PendingAngle pending_angle_;
+  bool in_cycle_ = false;  ///< of a modal cycle that is not read: points belong to it
 
   ToolState tool_;
   std::optional<ToolState> saved_tool_;  ///< before the T or M6 of this block

@@ -34,6 +34,7 @@ bool Engine::run_flow() {
                     program->column, program->length);
     else
       missing_return();
+    if (!program && (is(Dialect::fanuc) || is(Dialect::iso))) end_of_tape();
     end_activation();
     block_.words.clear();
     ++epoch_;
@@ -173,6 +174,20 @@ void Engine::missing_return() {
   reporter_.once(Severity::warning, "program-end-missing",
                  "the subprogram ends without M99: it is taken to return here", place,
                  fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin));
+}
+
+// Behind the second % nothing is read.
+void Engine::end_of_tape() {
+  Activation& top = stack_.back();
+  if (stack_.size() > 1) return;
+  std::string_view line;
+  while (top.source->next(line))
+    if (line.find_first_not_of(" \t\r%") != std::string_view::npos) {
+      reporter_.forget_text();
+      reporter_.add(Severity::note, "tape-end",
+                    "the % here ends the tape: the text behind it is not read", 0, 1);
+      return;
+    }
 }
 
 // The end of what is being read: the next run of a subprogram, or its caller.

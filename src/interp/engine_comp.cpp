@@ -89,13 +89,18 @@ Vec2 Engine::tip_vector(const Tool& tool) const {
 // What radius compensation needs to know about this move.
 Compensation Engine::compensation() const {
   Compensation c;
-  if (modal_.comp == Code::comp_off || options_.programmed_contour) return c;
+  if (options_.programmed_contour) return c;
+  c.arcs = modal_.corner == Code::corner_arc && modal_.disc < 100;
+  c.disc = modal_.disc / 100;
+  c.two_points = is(Dialect::fanuc);
+  c.sharpest = is(Dialect::fanuc)                  ? kPi / 2
+               : modal_.corner == Code::corner_arc ? kSharpestDisc
+                                                   : radians(100);
+  c.around = modal_.approach == Code::approach_contour;
+  if (modal_.comp == Code::comp_off) return c;
   c.side = modal_.comp == Code::comp_left ? 1 : -1;
   c.suspended = modal_.comp_suspended;
   c.radius = comp_radius_;
-  c.arcs = modal_.corner == Code::corner_arc && modal_.disc < 100;
-  c.two_points = is(Dialect::fanuc);
-  c.sharpest = is(Dialect::fanuc) ? kPi / 2 : radians(100);
   if (c.radius < 0) {  // a negative radius is the other side
     c.side = -c.side;
     c.radius = -c.radius;

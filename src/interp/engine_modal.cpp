@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
                                          13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
                                          43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
+constexpr int kMostM = 5;  // in a block of SINUMERIK
 
 }  // namespace
 
@@ -62,23 +63,12 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
 
 // Units, feeds and other modes that cannot fail. False: not one of them.
 bool Engine::apply_mode(Code code, const Word& word) {
+  if (apply_feed_mode(code, word)) return true;
   Modal& m = modal_;
   if (code == Code::inch || code == Code::metric) {
     m.inch = code == Code::inch;
   } else if (code == Code::inch_feed || code == Code::metric_feed) {
     m.inch = m.inch_feed = code == Code::inch_feed;
-  } else if (code == Code::inverse_time || code == Code::per_minute ||
-             code == Code::per_revolution) {
-    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
-                  : code == Code::per_minute ? FeedUnit::mm_per_min
-                                             : FeedUnit::mm_per_rev;
-    if (is(Dialect::sinumerik)) m.surface_speed = false;
-  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
-    m.surface_speed = code == Code::surface_speed;
-    if (word.value == 961 || word.value == 971)
-      m.feed_unit = FeedUnit::mm_per_min;
-    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
-      m.feed_unit = FeedUnit::mm_per_rev;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
     m.center_absolute = code == Code::center_absolute;
   } else if (code == Code::polar_on || code == Code::polar_off) {
@@ -107,6 +97,26 @@ bool Engine::apply_mode(Code code, const Word& word) {
   return true;
 }
 
+// What F and S mean. False: another word.
+bool Engine::apply_feed_mode(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::inverse_time || code == Code::per_minute || code == Code::per_revolution) {
+    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
+                  : code == Code::per_minute ? FeedUnit::mm_per_min
+                                             : FeedUnit::mm_per_rev;
+    if (is(Dialect::sinumerik)) m.surface_speed = false;
+  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
+    m.surface_speed = code == Code::surface_speed;
+    if (word.value == 961 || word.value == 971)
+      m.feed_unit = FeedUnit::mm_per_min;
+    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
+      m.feed_unit = FeedUnit::mm_per_rev;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 // Words about radius compensation. False: not one of them.
 bool Engine::apply_comp_code(Code code, const Word& word) {
   Modal& m = modal_;
@@ -120,10 +130,6 @@ bool Engine::apply_comp_code(Code code, const Word& word) {
     m.corner = code;
   } else if (code == Code::approach_normal || code == Code::approach_contour) {
     m.approach = code;
-    if (code == Code::approach_contour)
-      reporter_.once(Severity::warning, "comp-approach",
-                     "KONT is read as NORM: straight to the point square to the contour", word,
-                     "kont");
   } else {
     return false;
   }
@@ -137,10 +143,13 @@ bool Engine::select_distance(Code code, const Word& word) {
     const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
       return w.address == letter('G') && lookup(w).group == Group::motion;
     });
-    if (!moves && code == Code::absolute)
+    if (!moves && code == Code::absolute) {
+      in_cycle_ = true;
       return error("not-supported",
-                   "G90 with axes is a turning cycle of code system A, which is not supported yet",
+                   "G90 with axes is a turning cycle of code system A, which is not supported yet; "
+                   "neither are its points in the blocks behind it",
                    word);
+    }
     note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
               word, "code-system");
   }
@@ -208,8 +217,6 @@ bool Engine::apply_values() {
     if (word->value < 0 || word->value > 100)
       return error("value-range", "DISC is 0 to 100", *word);
     modal_.disc = word->value;
-    if (word->value > 0 && word->value < 100)
-      warning("disc", "DISC between 0 and 100 is read as 0: corners are arcs", *word);
   }
   return true;
 }
@@ -303,6 +310,18 @@ bool Engine::apply_codesys_values() {
     if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }
   return true;
+}
+
+bool Engine::apply_m_words() {
+  bool ok = true;
+  int count = 0;
+  for (const Word& word : block_.words) {
+    if (word.address != letter('M')) continue;
+    if (is(Dialect::sinumerik) && ++count == kMostM + 1)
+      ok = error("m-words", fmt::format("at most {} M words in a block", kMostM), word);
+    if (!apply_m_word(word)) ok = false;
+  }
+  return ok;
 }
 
 bool Engine::apply_m_word(const Word& word) {

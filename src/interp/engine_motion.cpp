@@ -92,7 +92,8 @@ bool Engine::two_angle_lines(const Target& to, const Vec3& from, const Frame& fr
   return true;
 }
 
-// Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping.
+// Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
+// hand of the thread; that of a cut thread follows from the spindle and the direction.
 bool Engine::thread_values(const Target& to, const Vec3& from) {
   const Code code = current_motion();
   take(Address::sf);
@@ -123,6 +124,9 @@ bool Engine::thread_values(const Target& to, const Vec3& from) {
   if (modal_.lead == 0)
     return error("thread-lead", "a thread needs its lead",
                  motion_code_ ? *motion_code_ : *to.first);
+  if (modal_.lead < 0 && code != Code::tap_in && code != Code::tap_out)
+    return error("thread-lead", "the lead of a cut thread is above 0",
+                 motion_code_ ? *motion_code_ : *to.first);
   return true;
 }
 
@@ -146,7 +150,7 @@ Motion Engine::motion_template(const Word& where, MotionKind kind) {
   m.tool = tool_.index;
   m.feed = modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
-  if (is_thread(current_motion())) m.lead = std::abs(modal_.lead);
+  if (is_thread(current_motion())) m.lead = modal_.lead;
   const Activation& top = stack_.back();
   m.file = top.file;
   m.line = block_.line_number;

@@ -133,6 +133,17 @@ enum class Group : std::uint8_t {
   diameter,
   path,
   exact,
+  acceleration,
+  feed_forward,
+  feed_reference,
+  bottleneck,
+  compressor,
+  comp_kind,
+  approach_side,
+  approach_path,
+  retract,
+  path_reference,
+  feed_profile,
   other,
 };
 

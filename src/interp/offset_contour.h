@@ -14,6 +14,8 @@ inline bool is_void(const PlanePiece& offset) { return offset.arc && offset.radi
 /// False for infeeds, tilted arcs, suspended and uncompensated moves.
 bool takes_part(const PathMove& move);
 
+/// The programmed end, in the plane.
+inline Vec2 corner_of(const PathMove& move) { return in_plane(move.basis, move.motion.end); }
 inline double height(const PathMove& move, const Vec3& p) { return dot(p, move.basis.w); }
 
 /// Inside: where two moved elements meet, nearest to the corner. `from` is where the first begins.

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr double kLargest = 1e9;
+constexpr std::size_t kLongestBlock = 512;  // characters, SINUMERIK
 
 }  // namespace
 
@@ -65,6 +66,10 @@ bool Parser::next(Block& block, std::size_t& position) {
   block.bad = block.has_number = false;
   line_ = block.line;
   p_ = position;
+  if (p_ == 0 && dialect_ == Dialect::sinumerik && line_.size() > kLongestBlock)
+    fault(block, "block-too-long",
+          fmt::format("{} characters, and a block has at most {}", line_.size(), kLongestBlock),
+          kLongestBlock, line_.size());
   skip_blanks();
   const bool any = p_ < line_.size();
   while (p_ < line_.size() && step(block) == Step::more) {
@@ -175,6 +180,10 @@ void Parser::strange_character(Block& block) {
   if (c == '[') return unsupported(block, "[", "an expression", from);
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);
+  if (c == '(' && dialect_ == Dialect::sinumerik) {
+    p_ = std::min(line_.find(')', p_), line_.size() - 1) + 1;
+    return fault(block, "character", "( has no meaning here; a comment begins with ;", from, p_);
+  }
   ++p_;
   if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
   if (byte >= 0x80) {

@@ -28,6 +28,8 @@ class Parser {
   void letter_word(Block& block);
   void sinumerik_word(Block& block);
   void sinumerik_name(Block& block);
+  void label(Block& block, std::size_t from, std::size_t end);
+  void program_name(Block& block, std::size_t from, std::string_view name);
   void sinumerik_call(Block& block, std::size_t from, std::string_view name);
   bool sinumerik_value(Block& block, Word& word);
   bool sinumerik_form(Block& block, Word& word);

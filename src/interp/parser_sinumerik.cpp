@@ -13,6 +13,8 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kLongestName = 32;
+
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"CR", Address::cr},       {"AR", Address::ar},        {"AP", Address::ap},
     {"RP", Address::rp},       {"TURN", Address::turn},    {"RND", Address::rnd},
@@ -65,6 +67,7 @@ void Parser::sinumerik_word(Block& block) {
     if (sinumerik_value(block, word)) push(block, word, from);
     return;
   }
+  if (n == ':' && block.words.empty()) return label(block, from, from + 1);
   if (n == '[') return unsupported(block, line_.substr(from, p_ - from), "an array", from);
   if (n == '$' || n == '(')
     return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
@@ -91,6 +94,14 @@ void Parser::sinumerik_word(Block& block) {
     return;
   }
   push(block, word, from);
+}
+
+// "NAME:", p_ on the colon.
+void Parser::label(Block& block, std::size_t from, std::size_t end) {
+  ++p_;
+  if (end - from < 2 || end - from > kLongestName)
+    fault(block, "label-length", fmt::format("a label has 2 to {} characters", kLongestName), from,
+          end);
 }
 
 // The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
@@ -151,7 +162,9 @@ bool Parser::sinumerik_form(Block& block, Word& word) {
     const std::size_t inner = p_;
     if (!starts_number(at(p_)) ||
         !(is_digit(at(p_ + 1)) || is_digit(at(p_)) || at(p_ + 1) == '.')) {
-      if (at(p_) == ')' || at(p_) == '\0' || at(p_) == ';')
+      const bool empty = at(p_) == ')';
+      if (empty) ++p_;
+      if (empty || at(p_) == '\0' || at(p_) == ';')
         fault(block, "address-without-number", fmt::format("no number in {}()", name), from, p_);
       else
         unsupported(block, line_.substr(inner, 1), "an expression", inner);
@@ -195,8 +208,8 @@ bool Parser::sinumerik_radix(Word& word) {
 void Parser::text_value(Block& block, Word& word) {
   const std::size_t end = line_.find('"', p_ + 1);
   if (end == std::string_view::npos) {
-    fault(block, "string-unterminated", "the text that starts here is not closed with \"", p_,
-          p_ + 1);
+    fault(block, "string-unterminated",
+          "the text that starts here is not closed with \" (alarm 12080)", p_, p_ + 1);
     p_ = line_.size();
     return;
   }
@@ -213,10 +226,7 @@ void Parser::sinumerik_name(Block& block) {
   const std::size_t after_name = p_;
   skip_blanks();
   const char c = at(p_);
-  if (c == ':' && block.words.empty()) {  // a label
-    ++p_;
-    return;
-  }
+  if (c == ':' && block.words.empty()) return label(block, from, after_name);
   if (c == '=' && at(p_ + 1) != '=') {
     Word word;
     word.address = find_address(name);
@@ -239,6 +249,13 @@ void Parser::sinumerik_name(Block& block) {
     word.text = run;
     return push(block, word, from);
   }
+  program_name(block, from, run);
+}
+
+// A name that is no function: a subprogram's, alone or behind CALL.
+void Parser::program_name(Block& block, std::size_t from, std::string_view run) {
+  const std::string name = upper_case(run.substr(0, 33));
+  Word word;
   word.address = Address::call;
   if (name == "CALL" || name == "EXTCALL") {
     skip_blanks();
@@ -249,8 +266,9 @@ void Parser::sinumerik_name(Block& block) {
   }
   const std::string_view what = unsupported_name(name);
   if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() > 32)
-    return fault(block, "name-too-long", "a name has at most 32 characters", from, p_);
+  if (run.size() > kLongestName)
+    return fault(block, "name-too-long",
+                 fmt::format("a name has at most {} characters", kLongestName), from, p_);
   word.text = run;
   push(block, word, from);
 }
@@ -268,7 +286,8 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
     if (c == ')' && --depth == 0) break;
   }
   if (quoted)
-    return fault(block, "string-unterminated", "a text is not closed with \"", open, open + 1);
+    return fault(block, "string-unterminated", "a text is not closed with \" (alarm 12080)", open,
+                 open + 1);
   if (depth != 0)
     return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
   const std::string_view argument = line_.substr(open + 1, p_ - open - 1);

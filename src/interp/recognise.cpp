@@ -1,8 +1,10 @@
 #include "interp/recognise.h"
 
+#include "core/error.h"
 #include "interp/characters.h"
+#include "interp/line_scan.h"
+#include "interp/machine_signs.h"
 #include "interp/source.h"
-#include "interp/tool_comment.h"
 
 #include <algorithm>
 #include <array>
@@ -54,95 +56,6 @@ class Evidence {
   };
   std::array<Entry, 5> entries_;
 };
-
-/// "X2 Y5;": words of NC and nothing else, so that the ; before it ended a block.
-bool looks_like_block(std::string_view text) {
-  bool any = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ' || text[i] == ';' || text[i] == '\t') continue;
-    if (!is_letter(text[i]) || i + 1 >= text.size() || !starts_number(text[i + 1])) return false;
-    while (i + 1 < text.size() && starts_number(text[i + 1])) ++i;
-    any = true;
-  }
-  return any;
-}
-
-/// What one line says, comments taken out.
-struct LineScan {
-  std::string code;  ///< upper case
-  std::string_view comment;
-  char comment_kind = '\0';
-  bool ends_block = false;  ///< ';' with nothing behind it
-};
-
-void scan_line(std::string_view line, LineScan& out) {
-  out.code.clear();
-  out.comment = {};
-  out.comment_kind = '\0';
-  out.ends_block = false;
-  int depth = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == ';' && depth == 0) {
-      const std::string_view rest = line.substr(i + 1);
-      if (rest.find_first_not_of(" \t;") == std::string_view::npos) {
-        out.ends_block = !out.code.empty();
-        return;
-      }
-      if (looks_like_block(rest) && !out.code.empty()) {
-        out.ends_block = true;
-        out.code += ' ';
-        continue;
-      }
-      if (out.comment.empty()) out.comment = rest;
-      out.comment_kind = ';';
-      return;
-    }
-    const bool call = !out.code.empty() && (is_name(out.code.back()) || out.code.back() == '=');
-    const bool word_call = call && out.code.size() >= 2 &&
-                           (is_letter(out.code[out.code.size() - 2]) || out.code.back() == '=') &&
-                           !is_digit(out.code.back());
-    if (c == '(' && depth == 0 && !word_call) {
-      const std::size_t close = line.find(')', i);
-      if (close == std::string_view::npos) return;
-      out.comment = line.substr(i + 1, close - i - 1);
-      out.comment_kind = '(';
-      i = close;
-      continue;
-    }
-    if (c == '(') ++depth;
-    if (c == ')' && depth > 0) --depth;
-    out.code += upper(c);
-  }
-}
-
-/// True when `token` stands in the text with no letter before it.
-bool has(std::string_view text, std::string_view token) {
-  for (std::size_t i = text.find(token); i != std::string_view::npos; i = text.find(token, i + 1))
-    if (i == 0 || !(is_letter(text[i - 1]) || text[i - 1] == '_')) return true;
-  return false;
-}
-
-/// Letter followed by exactly this number.
-bool has_word(std::string_view text, std::string_view word) {
-  for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
-    const std::size_t end = i + word.size();
-    if (i > 0 && is_letter(text[i - 1])) continue;
-    if (end >= text.size() || !(is_digit(text[end]) || text[end] == '.')) return true;
-  }
-  return false;
-}
-
-/// "G0X" and "G90 X1" have X with a number.
-bool has_axis(std::string_view text, char axis) {
-  for (std::size_t i = text.find(axis); i != std::string_view::npos; i = text.find(axis, i + 1)) {
-    if (i > 0 && (is_letter(text[i - 1]) || text[i - 1] == '_')) continue;
-    std::size_t n = i + 1;
-    while (n < text.size() && text[n] == ' ') ++n;
-    if (n < text.size() && (starts_number(text[n]) || text[n] == '=')) return true;
-  }
-  return false;
-}
 
 void weigh_sinumerik(const LineScan& s, int line, Evidence& e) {
   constexpr auto d = Dialect::sinumerik;
@@ -266,92 +179,10 @@ class Leader {
   bool done_ = false;
 };
 
-/// Signs of mill and lathe.
-struct MachineScan {
-  std::string mill, lathe, plane, turning_tool, milling_tool;
-  int y_words = 0;
-
-  void line(const LineScan& s, int n, Dialect dialect);
-  bool settled() const { return !mill.empty() || !lathe.empty(); }
-};
-
-void note_first(std::string& where, std::string_view what, int line) {
-  if (where.empty()) where = fmt::format("{} in line {}", what, line);
-}
-
-// Words of FANUC that are a lathe's unless something moves in Y: increments U W, cycles of system
-// A.
-bool turning_words(const std::string& c) {
-  const bool dwell = has_word(c, "G4") || has_word(c, "G04");
-  if (!dwell && (has_axis(c, 'U') || has_axis(c, 'W'))) return true;
-  if ((has_word(c, "G73") || has_word(c, "G76")) && has_axis(c, 'P') && has_axis(c, 'Q'))
-    return true;
-  return has_word(c, "G92") && has_axis(c, 'Z') && has_axis(c, 'F');
-}
-
-void MachineScan::line(const LineScan& s, int n, Dialect dialect) {
-  const std::string& c = s.code;
-  if (c.find('G') != std::string::npos) {
-    if (has_word(c, "G96") || has_word(c, "G961")) note_first(lathe, "G96", n);
-    if (has_word(c, "G18")) note_first(plane, "G18", n);
-    if (dialect == Dialect::fanuc)
-      for (const std::string_view g : {"G70", "G71", "G72", "G75"})
-        if (has_word(c, g)) note_first(lathe, g, n);
-  }
-  if (dialect == Dialect::fanuc && turning_words(c)) note_first(plane, "a turning word", n);
-  if (c.find("LIMS") != std::string::npos) note_first(lathe, "LIMS", n);
-  if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
-    note_first(lathe, "DIAMON", n);
-  if (has(c, "CYCLE95") || has(c, "CYCLE951") || has(c, "CYCLE93") || has(c, "CYCLE97"))
-    note_first(lathe, "a turning cycle", n);
-  const bool frame =
-      c.find("TRANS") != std::string::npos || c.find("ROT ") != std::string::npos ||
-      c.find("SCALE") != std::string::npos || c.find("WORKPIECE") != std::string::npos ||
-      c.find("MSG(") != std::string::npos || has_word(c, "G58") || has_word(c, "G59");
-  if (!frame && has_axis(c, 'Y')) note_first(mill, "a motion with Y", n);
-  if (!frame && has_axis(c, 'J')) note_first(mill, "an arc with J", n);
-  if (s.comment.empty()) return;
-  const ToolHint hint = read_tool_comment(s.comment);
-  if (!hint.type) return;
-  note_first(is_turning(*hint.type) ? turning_tool : milling_tool,
-             fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
-}
-
 void judge_dialect(const Evidence& e, Recognition& out) {
   out.dialect = e.best();
   out.dialect_reason = e.reason(out.dialect);
   if (out.dialect_reason.empty()) out.dialect_reason = "nothing points to another control";
-}
-
-void judge_machine(const MachineScan& m, const InterpOptions& options, Recognition& out) {
-  if (out.dialect == Dialect::codesys) {
-    out.machine = MachineKind::mill;
-    out.machine_reason = "CODESYS has no diameters";
-    return;
-  }
-  bool turning = false, milling = false;
-  for (const Tool& tool : options.table.tools) (is_turning(tool.type) ? turning : milling) = true;
-  if (!m.mill.empty() && !m.lathe.empty()) {
-    out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", m.mill, m.lathe);
-  } else if (!m.lathe.empty()) {
-    out.machine = MachineKind::lathe;
-    out.machine_reason = m.lathe;
-  } else if (!m.mill.empty()) {
-    out.machine = MachineKind::mill;
-    out.machine_reason = m.mill;
-  } else if (!m.plane.empty() || !m.turning_tool.empty() || (turning && !milling)) {
-    out.machine = MachineKind::lathe;
-    const std::string why = !m.plane.empty()          ? m.plane
-                            : !m.turning_tool.empty() ? "turning tool " + m.turning_tool
-                                                      : "a turning tool in the tool table";
-    out.machine_reason = why + ", and no motion with Y";
-  } else if (!m.milling_tool.empty() || (milling && !turning)) {
-    out.machine = MachineKind::mill;
-    out.machine_reason = m.milling_tool.empty() ? "a milling tool in the tool table"
-                                                : "milling tool " + m.milling_tool;
-  } else {
-    out.machine_reason = "no Y motion, G96, LIMS, DIAMON or G18, no known tool";
-  }
 }
 
 void weigh_name(const std::string& path, Evidence& e) {
@@ -368,7 +199,7 @@ void weigh_name(const std::string& path, Evidence& e) {
 Recognition recognise(const std::string& path, const InterpOptions& options) {
   Recognition out;
   Evidence evidence;
-  MachineScan machine;
+  MachineSigns machine;
   weigh_name(path, evidence);
   LineSource source(path);
   LineScan scan;
@@ -378,6 +209,9 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   const bool wants_machine = options.machine == MachineKind::automatic;
   while (source.next(raw)) {
     const int n = source.line_number();
+    if (n == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF")))
+      throw Error("file-encoding",
+                  fmt::format("{} is UTF-16 text: save it as UTF-8 or plain ASCII", path));
     const bool wants_dialect =
         options.dialect == Dialect::automatic && n <= kDialectLines && !evidence.certain();
     if (!out.empty && !wants_dialect && n > 200 && (!wants_machine || machine.settled())) break;
@@ -402,7 +236,7 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
     out.leader_lines = leader.lines();
   out.machine = options.machine;
   out.machine_reason = "as told";
-  if (wants_machine) judge_machine(machine, options, out);
+  if (wants_machine) machine.judge(options, out);
   return out;
 }
 

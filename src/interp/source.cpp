@@ -90,29 +90,47 @@ bool LineSource::refill() {
   }
 }
 
-bool LineSource::next(std::string_view& line) {
-  std::size_t searched = 0;
-  for (;;) {
-    const char* from = buffer_.data() + begin_;
-    const std::size_t available = end_ - begin_;
-    const void* found =
-        available > searched ? std::memchr(from + searched, '\n', available - searched) : nullptr;
-    std::size_t length = available;
-    if (found) {
-      length = static_cast<std::size_t>(static_cast<const char*>(found) - from);
-    } else {
-      searched = available;
-      if (refill()) continue;
-      if (available == 0) return false;
-      from = buffer_.data() + begin_;
-    }
-    line = std::string_view(from, length);
-    begin_ += length + (found ? 1 : 0);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (line_ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-    ++line_;
-    return true;
+// Length of the line that begins at begin_, and of its end: \n, \r, or any \r before \n. False:
+// more must be read first. `searched`: so much of the line is known to have no end.
+bool LineSource::find_end(std::size_t& searched, std::size_t& length, std::size_t& end) const {
+  const char* from = buffer_.data() + begin_;
+  const std::size_t available = end_ - begin_;
+  if (available == searched) return false;
+  const void* feed = std::memchr(from + searched, '\n', available - searched);
+  const std::size_t limit =
+      feed ? static_cast<std::size_t>(static_cast<const char*>(feed) - from) : available;
+  const void* back = std::memchr(from + searched, '\r', limit - searched);
+  if (!back) {
+    searched = limit;
+    length = limit;
+    end = 1;
+    return feed != nullptr;
   }
+  length = static_cast<std::size_t>(static_cast<const char*>(back) - from);
+  searched = length;
+  std::size_t behind = length;
+  while (behind < limit && from[behind] == '\r') ++behind;
+  if (behind == available) return false;
+  end = behind == limit ? behind + 1 - length : 1;
+  return true;
+}
+
+bool LineSource::next(std::string_view& line) {
+  std::size_t searched = 0, length = 0, end = 0;
+  while (!find_end(searched, length, end)) {
+    if (refill()) continue;
+    const std::size_t available = end_ - begin_;
+    if (available == 0) return false;
+    length = available;  // the last line, with or without \r
+    if (searched < available) length = searched;
+    end = length < available ? 1 : 0;
+    break;
+  }
+  line = std::string_view(buffer_.data() + begin_, length);
+  begin_ += length + end;
+  if (line_ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  ++line_;
+  return true;
 }
 
 }  // namespace mrsim

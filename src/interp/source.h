@@ -17,7 +17,7 @@ class LineSource {
   LineSource& operator=(LineSource&&) = delete;
   ~LineSource();
 
-  /// The next line without its end (\n or \r\n); valid until the next call. False at the end.
+  /// The next line without its end (\n, \r\n or \r); valid until the next call. False at the end.
   bool next(std::string_view& line);
   /// Goes on at a line start seen earlier.
   void seek(std::uint64_t offset, int line_number);
@@ -28,6 +28,7 @@ class LineSource {
 
  private:
   bool refill();
+  bool find_end(std::size_t& searched, std::size_t& length, std::size_t& end) const;
 
   int fd_ = -1;
   std::string path_;

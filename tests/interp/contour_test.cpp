@@ -241,6 +241,53 @@ TEST(Corners, AnglesOfTwoBlocks) {
             "angle-behind");
 }
 
+// A frame between two blocks turns the axes, not the corner.
+TEST(Corners, AFrameBetweenTheElements) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* text : {"G1 X20 RND=3 F1\nROT RPL=90\nX20 Y-20\n",  // the point (20, 20)
+                           "G1 X20 RND=3 F1\nMIRROR X0\nX-20 Y20\n"})
+    EXPECT_EQ(track(read_text(text, s), 0), "17,0 a20,3 20,20") << text;
+}
+
+TEST(Compensation, AFrameBetweenTheElements) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* frame : {"ROT RPL=90\nX40 Y-20", "TRANS X-20\nX40 Y40"})
+    EXPECT_EQ(
+        track(read_text(fmt::format("G0 X-20 Y0\nG41 G1 X0 Y0 F1\nX20\n{}\nG40 X-60\n", frame), s))
+            .substr(0, 15),
+        "0,5 15,5 15,40 ")
+        << frame;
+}
+
+// The rounding takes the whole line of the G40 block: a line leads to where it begins.
+TEST(Compensation, ARoundingBehindTheEnd) {
+  const Program p = read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F1\nX20\nG40 X23 RND=3\nY20\n",
+                              at_origin(Dialect::sinumerik));
+  EXPECT_EQ(track(p), "0,5 20,5 20,0 a23,3 23,20") << listing(p);
+}
+
+TEST(Corners, AnInfeedComesBehindTheRounding) {
+  const Program p = read_text("G1 X50 RND=2 F1\nZ-5\nY60\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.motions.size(), 4U) << listing(p);
+  expect_near(p.motions[1].end, {50, 2, 0});
+  EXPECT_EQ(p.motions[1].rise, 0);
+  expect_near(p.motions[2].start, {50, 2, 0});
+  expect_near(p.motions[2].end, {50, 2, -5});
+  expect_near(p.motions[3].start, {50, 2, -5});
+  expect_near(p.motions[3].end, {50, 60, -5});
+}
+
+// Slanted neighbours: the rounding joins the heights at which it touches them.
+TEST(Corners, RoundingBetweenSlantedLines) {
+  const Program p = read_text("G1 X50 Z10 RND=5 F1\nZ4\nY60 Z16\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.motions.size(), 4U) << listing(p);
+  expect_near(p.motions[0].end, {45, 0, 9});
+  expect_near(p.motions[1].end, {50, 5, 11});
+  expect_near(p.motions[2].end, {50, 5, 5});
+  expect_near(p.motions[3].start, {50, 5, 5});
+  expect_near(p.motions[3].end, {50, 60, 16});
+}
+
 TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};

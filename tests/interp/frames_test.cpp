@@ -174,7 +174,21 @@ TEST(Frames, FeedsAndSpeeds) {
   EXPECT_EQ(p.motions[4].speed, 500);
   EXPECT_EQ(p.motions[5].lead, 1.5);
   EXPECT_EQ(p.motions[6].lead, 0);
-  EXPECT_EQ(p.motions[7].lead, 2);
+  EXPECT_EQ(p.motions[7].lead, -2);
+}
+
+// The sign of a tap's lead is its hand, into the hole and out of it.
+TEST(Frames, LeftHandTaps) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const Program p = read_text("S100 SPOS=0\nG331 Z-9 K-1.25\nG332 Z5 K-1.25\nG331 Z-9 K1.25\n", s);
+  ASSERT_EQ(p.motions.size(), 3U) << listing(p);
+  EXPECT_EQ(p.motions[0].lead, -1.25);
+  EXPECT_EQ(p.motions[1].lead, -1.25);
+  EXPECT_EQ(p.motions[2].lead, 1.25);
+  EXPECT_NE(motion_json(p, p.motions[0]).find("\"lead\":-1.25"), std::string::npos);
+  EXPECT_EQ(codes(read_text("S100\nG33 Z-9 K-2\n", s)), "thread-lead");
+  EXPECT_EQ(codes(read_text("S100\nG33 Z-9. F-2.\n", at_origin(Dialect::fanuc))), "thread-lead");
+  EXPECT_EQ(codes(read_text("S100 M4 F100\nG63 Z-9\n", s)), "");
 }
 
 TEST(Frames, TheLeadIsThatOfTheLongerPath) {

@@ -117,7 +117,43 @@ TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
 TEST(Policy, TwoWordsOfAGroup) {
   for (const char* text : {"G60 G64 X1", "G601 G602 X1", "G17 G18 X1"})
     EXPECT_EQ(outcome(text, Dialect::sinumerik), "none group-twice") << text;
+  for (const char* text : {"BRISK SOFT", "FFWON FFWOF", "CFC CFIN", "CDON CDOF", "CUT2D CUT2DF",
+                           "COMPON COMPOF", "KONT NORM", "DIAMON DIAM90", "CUTCONON CUTCONOF",
+                           "G140 G141", "G340 G341", "G460 G461", "G4 F1 G74", "TRANS MIRROR"})
+    EXPECT_EQ(outcome((std::string(text) + " X1").c_str(), Dialect::sinumerik), "none group-twice")
+        << text;
   EXPECT_EQ(outcome("G9 G60 G601 X1", Dialect::sinumerik), "line");
+  EXPECT_EQ(outcome("G1 G17 G40 G54 G60 G64 G90 G94 G450 X1", Dialect::sinumerik),
+            "none group-twice");
+  EXPECT_EQ(
+      outcome("G1 G17 G40 G54 G601 G64 G71 G90 G94 G450 CFC BRISK FFWON X1", Dialect::sinumerik),
+      "line");
+}
+
+// SINUMERIK: 512 characters, 5 M words, texts that close on their line.
+TEST(Policy, LimitsOfABlock) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  const auto line = [](std::size_t n) { return "G1 X1 F1" + std::string(n - 8, ' '); };
+  EXPECT_EQ(codes(read_text(line(512) + "\r\n", s)), "");
+  const Program p = read_text("G1 X2 F1\n" + line(513) + "\n", s);
+  EXPECT_EQ(codes(p), "block-too-long");
+  ASSERT_EQ(p.diagnostics.size(), 1U);
+  EXPECT_EQ(p.diagnostics[0].place.line, 2);
+  EXPECT_EQ(p.diagnostics[0].place.column, 513);
+  EXPECT_EQ(p.motions.size(), 1U);
+  EXPECT_EQ(codes(read_text(line(513) + "\n", at_origin(Dialect::iso))), "");
+
+  EXPECT_EQ(codes(read_text("M3 M8 M7 M41 M10 G1 X1 F1\n", s)), "");
+  const Program m = read_text("M3 M8 M7 M41 M10 M11 G1 X1 F1\nG1 X1 F1\n", s);
+  EXPECT_EQ(codes(m), "m-words");
+  EXPECT_EQ(m.diagnostics[0].place.column, 18);
+  EXPECT_EQ(m.motions.size(), 1U);
+
+  for (const char* text : {"MSG(\"open)", "T=\"MILL", "CALL \"A", "G1 X1 F1 MSG(\"a"}) {
+    const Program open = read_text(std::string(text) + "\nG1 X1 F1\n", s);
+    EXPECT_EQ(codes(open), "string-unterminated") << text;
+    EXPECT_NE(open.diagnostics[0].text.find("(alarm 12080)"), std::string::npos);
+  }
 }
 
 TEST(Policy, ThreePoints) {
@@ -162,6 +198,53 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
   }
 }
 
+// A cycle that is not read takes its points with it, up to G80 or a word of motion.
+TEST(Policy, PointsOfACycleAreNoMoves) {
+  const InterpOptions mill = at_origin(Dialect::fanuc),
+                      lathe = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const Program drill = read_text(
+      "G1 X1 F100\nG81 X5 Z-5 R2\nX9\nX10 Y5\nG80\nX20\nG83 Z-1 R1 Q1\nX3\nG0 X4\nX5\n", mill);
+  EXPECT_EQ(codes(drill), "not-supported not-supported");
+  ASSERT_EQ(drill.motions.size(), 4U) << listing(drill);
+  EXPECT_EQ(drill.motions[1].end.x, 20);
+  EXPECT_EQ(drill.motions[2].end.x, 4);
+  const Program turn = read_text("G0 X50 Z2\nG90 X40 Z-10 F.2\nX35\nX30\nG1 X60 F1\n", lathe);
+  EXPECT_EQ(codes(turn), "not-supported");
+  ASSERT_EQ(turn.motions.size(), 2U) << listing(turn);
+  EXPECT_EQ(turn.motions[1].end.x, 30);
+}
+
+TEST(Policy, TextBehindTheTapeIsNamed) {
+  const auto notes = [](const char* text) {
+    return codes(read_text(text, at_origin(Dialect::fanuc)), Severity::note);
+  };
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\nG1 X2.\n"), "tape-end");
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\n\n%\n"), "");
+  EXPECT_EQ(notes("%\nO1\nG1 X1. F1\nM30\n%\nlisting\n"), "");
+  EXPECT_EQ(codes(read_text("% A\nG1 X1 F1\nSUBPROGRAM B{}\nG1 X2\nEND_SUBPROGRAM\n",
+                            at_origin(Dialect::codesys)),
+                  Severity::note),
+            "");
+}
+
+TEST(Policy, Labels) {
+  const auto run = [](const std::string& label) {
+    return codes(read_text("G1 X1 F1\n" + label + ": X2\n", at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(run("AB"), "");
+  EXPECT_EQ(run("N10 _B1"), "");
+  EXPECT_EQ(run(std::string(32, 'A')), "");
+  EXPECT_EQ(run(std::string(33, 'A')), "label-length");
+  EXPECT_EQ(run("A"), "label-length");
+}
+
+TEST(Policy, ACommentInBracketsIsOneFault) {
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nX2 (c 5)\nX3 (open\n", at_origin(Dialect::sinumerik))),
+            "character character");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nX=AC()\nX=AC(\n", at_origin(Dialect::sinumerik))),
+            "address-without-number address-without-number");
+}
+
 TEST(Policy, Programs) {
   const Scratch scratch;
   const InterpOptions options = at_origin(Dialect::iso);
@@ -169,6 +252,14 @@ TEST(Policy, Programs) {
   EXPECT_THROW(read_program(scratch.write("blank.nc", " \n\r\n"), options), Error);
   EXPECT_THROW(read_program("/nowhere/x.nc", options), Error);
   EXPECT_THROW(read_program("/tmp", options), Error);
+  for (const std::string& text :
+       {std::string("\xFF\xFEG\0001\0\n\0", 8), std::string("\xFE\xFF\0G\0001", 6)})
+    try {
+      read_program(scratch.write("wide.nc", text), options);
+      FAIL();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), "file-encoding");
+    }
   EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
 }
 
@@ -179,6 +270,23 @@ TEST(Policy, LongLines) {
                 at_origin(Dialect::iso));
   EXPECT_EQ(p.motions.size(), 2U);
   EXPECT_EQ(codes(p), "number-too-large");
+}
+
+// Lines end with LF, CR LF or CR; a byte order mark is no word.
+TEST(Policy, LineEnds) {
+  const InterpOptions options = at_origin(Dialect::iso);
+  for (const char* text :
+       {"G1 X1 F1\nX2\nX3\n", "G1 X1 F1\r\nX2\r\nX3\r\n", "G1 X1 F1\rX2\rX3\r", "G1 X1 F1\rX2\rX3",
+        "G1 X1 F1\r\r\nX2\r\r\nX3\r\r\n", "\xEF\xBB\xBFG1 X1 F1\nX2\nX3"}) {
+    const Program p = read_text(text, options);
+    ASSERT_EQ(p.motions.size(), 3U) << listing(p);
+    EXPECT_EQ(p.motions[2].line, 3);
+    EXPECT_EQ(p.motions[1].column, 1);
+    EXPECT_EQ(codes(p), "");
+  }
+  const Program gap = read_text("G1 X1 F1\r\rX2\r", options);
+  ASSERT_EQ(gap.motions.size(), 2U);
+  EXPECT_EQ(gap.motions[1].line, 3);
 }
 
 TEST(Policy, LexicalFaultsNameTheirAlarm) {

@@ -90,7 +90,17 @@ TEST(Recognise, FanucLathes) {
       {"O1\nG92 X18 Z-20 F1.5", MachineKind::lathe},
       {"O1\nG76 P011060 Q100 R50", MachineKind::lathe},
       {"O1\nG0 X20 Y2\nG1 W-5 F.1", MachineKind::mill},
-      {"O1\nG92 X0 Z0\nG1 X5 F1", MachineKind::automatic}};
+      {"O1\nG92 X0 Z0\nG1 X5 F1", MachineKind::automatic},
+      {"O1\nG50 S2000\nG0 X50. Z2.\nG90 X40. Z-10. F.2\nX35.\nX30.", MachineKind::lathe},
+      {"O1\nT0101\nG0 X50. Z2.\nG90 X40. Z-10. F.2\nX35.", MachineKind::lathe},
+      {"O1\nT1200\nG0 X50. Z2.\nG90 X40. Z-10. F.2\nX35.", MachineKind::lathe},
+      {"O1\nT0101 M6\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
+      {"O1\nT0101\nM06\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
+      {"O1\nT1234\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
+      {"O1\nT101\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
+      {"O1\nT0101 (END MILL D10)\nG0 X50. Z2.\nG90 G1 X40. Z-10. F.2", MachineKind::mill},
+      {"O1\nT0101\nG50 S2000\nG0 X50. Y2.\nG90 X40. Z-10. F.2", MachineKind::mill},
+      {"O1\nT1 M6\nG90 G54 G0 X50. Z2.\nG1 Z-3. F100\nG90 X40. Z-10.", MachineKind::automatic}};
   const Scratch scratch;
   for (const auto& [text, machine] : rows)
     EXPECT_EQ(recognise(scratch.write("a.nc", text), {}).machine, machine) << text;

@@ -1,0 +1,123 @@
+// Inside corners, and elements that the tool has no room for.
+#include "core/units.h"
+#include "interp/arc.h"
+#include "interp/compensation.h"
+#include "interp/offset_contour.h"
+
+namespace mrsim {
+namespace {
+
+// An arc's sweep follows from its new ends.
+void cut_to(PlanePiece& piece, Vec2 start, Vec2 end) {
+  piece.start = start;
+  piece.end = end;
+  if (piece.arc)
+    piece.sweep = fold_sweep(start - piece.center, end - piece.center, piece.sweep > 0);
+}
+
+void run_on_to(PlanePiece& piece, Vec2 end) {
+  if (piece.arc) {
+    const double more = progress(piece, piece.end, end);
+    piece.sweep += piece.sweep < 0 ? -more : more;
+  }
+  piece.end = end;
+}
+
+}  // namespace
+
+// The moved element, run on to the intersection where its end is such an outside corner.
+PlanePiece CompensationStage::reach(std::size_t i, std::size_t next) const {
+  PlanePiece piece = moved(queue_[i]);
+  if (is_void(piece) || next >= queue_.size()) return piece;
+  const PlanePiece after = moved(queue_[next]);
+  if (is_void(after) || corner_kind(queue_[i], queue_[next]) != Corner::outside) return piece;
+  run_on_to(piece, outside_corner(queue_[i].comp, corner_of(queue_[i]), piece, after).end);
+  return piece;
+}
+
+// A void element: between the meeting points with its neighbours nothing of it is left.
+bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
+  const PlanePiece piece = moved(queue_[i]);
+  if (is_void(piece)) return true;
+  if (next >= queue_.size() || corner_kind(queue_[i], queue_[next]) != Corner::inside) return false;
+  const PlanePiece after = moved(queue_[next]);
+  if (is_void(after)) return false;
+  std::array<Vec2, 2> hits;
+  const int n = intersect(piece, after, hits);
+  if (n == 0) return false;
+  Vec2 out = hits[0];
+  if (n == 2 && length(hits[1] - piece.end) < length(hits[0] - piece.end)) out = hits[1];
+  if (piece.arc && std::abs(piece.sweep) > kPi) return false;
+  return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
+}
+
+// Whether `piece`, run from `from`, meets the n-th following element, or the way round the corner
+// behind that one: then `way` has the rest of it. `keep`: the element that comes next.
+bool CompensationStage::meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
+                              std::size_t& keep) const {
+  const std::size_t j = following(n), next = following(n + 1);
+  if (j >= queue_.size()) return false;
+  const PlanePiece other = reach(j, next);
+  if (is_void(other)) return false;
+  way.count = 0;
+  keep = j;
+  if (meeting(piece, other, from, piece.end, way.end) && !squeezed(j, next, way.end)) return true;
+  if (next >= queue_.size() || is_void(moved(queue_[next])) ||
+      corner_kind(queue_[j], queue_[next]) != Corner::outside)
+    return false;
+  keep = next;
+  const CornerWay later =
+      outside_corner(queue_[j].comp, corner_of(queue_[j]), moved(queue_[j]), moved(queue_[next]));
+  for (std::size_t i = 0; i < later.count; ++i) {
+    PlanePiece part = later.between[i];
+    if (way.count == 0) {
+      if (!meeting(piece, part, from, piece.end, way.end)) continue;
+      cut_to(part, way.end, part.end);
+    }
+    way.add(part);
+  }
+  return way.count > 0;
+}
+
+// The elements before `keep` have no room and leave the queue.
+void CompensationStage::skip_before(std::size_t keep) {
+  for (std::size_t k = keep; k-- > 1;) {
+    if (is_infeed(queue_[k])) continue;
+    reporter_.add_at(Severity::warning, "comp-element-void",
+                     "the tool is too large to reach this element: it is skipped",
+                     queue_[k].motion);
+    queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+// The first of the following elements with room that `piece` meets. What lies between is void.
+// False, and `way` untouched: the tool does not fit.
+bool CompensationStage::meet_inside(const PlanePiece& piece, std::size_t nearest, CornerWay& way) {
+  for (std::size_t n = nearest; n < kLookAhead; ++n) {
+    CornerWay found;
+    std::size_t keep = 0;
+    if (!meets(piece, cursor_, n, found, keep)) continue;
+    way = found;
+    skip_before(keep);
+    return true;
+  }
+  return false;
+}
+
+// The element behind an outside corner has no room: `piece`, or what is run round the corner, goes
+// to where it meets a later one.
+void CompensationStage::close_over(const PlanePiece& piece, CornerWay& way) {
+  if (meet_inside(piece, 2, way)) return;
+  for (std::size_t i = 0; i < way.count; ++i) {
+    CornerWay rest;
+    std::size_t keep = 0;
+    PlanePiece& part = way.between[i];
+    if (!meets(part, part.start, 2, rest, keep)) continue;
+    cut_to(part, part.start, rest.end);
+    way.count = i + 1;
+    for (std::size_t k = 0; k < rest.count; ++k) way.add(rest.between[k]);
+    return skip_before(keep);
+  }
+}
+
+}  // namespace mrsim

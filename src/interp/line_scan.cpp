@@ -1,0 +1,88 @@
+#include "interp/line_scan.h"
+
+#include "interp/characters.h"
+
+namespace mrsim {
+namespace {
+
+/// "X2 Y5;": words of NC and nothing else, so that the ; before it ended a block.
+bool looks_like_block(std::string_view text) {
+  bool any = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ' || text[i] == ';' || text[i] == '\t') continue;
+    if (!is_letter(text[i]) || i + 1 >= text.size() || !starts_number(text[i + 1])) return false;
+    while (i + 1 < text.size() && starts_number(text[i + 1])) ++i;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace
+
+void scan_line(std::string_view line, LineScan& out) {
+  out.code.clear();
+  out.comment = {};
+  out.comment_kind = '\0';
+  out.ends_block = false;
+  int depth = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == ';' && depth == 0) {
+      const std::string_view rest = line.substr(i + 1);
+      if (rest.find_first_not_of(" \t;") == std::string_view::npos) {
+        out.ends_block = !out.code.empty();
+        return;
+      }
+      if (looks_like_block(rest) && !out.code.empty()) {
+        out.ends_block = true;
+        out.code += ' ';
+        continue;
+      }
+      if (out.comment.empty()) out.comment = rest;
+      out.comment_kind = ';';
+      return;
+    }
+    const bool call = !out.code.empty() && (is_name(out.code.back()) || out.code.back() == '=');
+    const bool word_call = call && out.code.size() >= 2 &&
+                           (is_letter(out.code[out.code.size() - 2]) || out.code.back() == '=') &&
+                           !is_digit(out.code.back());
+    if (c == '(' && depth == 0 && !word_call) {
+      const std::size_t close = line.find(')', i);
+      if (close == std::string_view::npos) return;
+      out.comment = line.substr(i + 1, close - i - 1);
+      out.comment_kind = '(';
+      i = close;
+      continue;
+    }
+    if (c == '(') ++depth;
+    if (c == ')' && depth > 0) --depth;
+    out.code += upper(c);
+  }
+}
+
+bool has(std::string_view text, std::string_view token) {
+  for (std::size_t i = text.find(token); i != std::string_view::npos; i = text.find(token, i + 1))
+    if (i == 0 || !(is_letter(text[i - 1]) || text[i - 1] == '_')) return true;
+  return false;
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+  for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if (i > 0 && is_letter(text[i - 1])) continue;
+    if (end >= text.size() || !(is_digit(text[end]) || text[end] == '.')) return true;
+  }
+  return false;
+}
+
+bool has_axis(std::string_view text, char axis) {
+  for (std::size_t i = text.find(axis); i != std::string_view::npos; i = text.find(axis, i + 1)) {
+    if (i > 0 && (is_letter(text[i - 1]) || text[i - 1] == '_')) continue;
+    std::size_t n = i + 1;
+    while (n < text.size() && text[n] == ' ') ++n;
+    if (n < text.size() && (starts_number(text[n]) || text[n] == '=')) return true;
+  }
+  return false;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,28 @@
+// A line of NC text for those who only look for signs: upper case, comments set aside.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// What one line says, comments taken out.
+struct LineScan {
+  std::string code;  ///< upper case
+  std::string_view comment;
+  char comment_kind = '\0';
+  bool ends_block = false;  ///< ';' with nothing behind it
+};
+
+/// Comments are told from calls with brackets, and the ";" that ends a block from that of a
+/// comment.
+void scan_line(std::string_view line, LineScan& out);
+
+/// True when `token` stands in the text with no letter before it.
+bool has(std::string_view text, std::string_view token);
+/// Letter followed by exactly this number.
+bool has_word(std::string_view text, std::string_view word);
+/// "G0X" and "G90 X1" have X with a number.
+bool has_axis(std::string_view text, char axis);
+
+}  // namespace mrsim
