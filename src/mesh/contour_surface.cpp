@@ -24,17 +24,35 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
   return false;
 }
 
+class Hash {
+ public:
+  explicit Hash(std::uint64_t seed) : h_(seed * 0x9e3779b97f4a7c15u + 1) {}
+  void add(std::uint64_t x) {
+    h_ = (h_ ^ x) * 0xff51afd7ed558ccdu;
+    h_ ^= h_ >> 32;
+  }
+  void add(const Vec3& p) {
+    for (int a = 0; a < 3; ++a)
+      add(static_cast<std::uint64_t>(static_cast<std::int64_t>(mrsim::component(p, a) / kQuantum)));
+  }
+  void add(const Crossing& c) {
+    add(c.position);
+    add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.at.owner)) << 32 |
+        static_cast<std::uint32_t>(c.at.patch));
+  }
+  /// Neither 0 nor ~0.
+  std::uint64_t value() const { return h_ == 0 || h_ == ~std::uint64_t(0) ? 1 : h_; }
+
+ private:
+  std::uint64_t h_;
+};
+
 }  // namespace
 
 const BaseMesh& ContourSurface::make_triangles() {
   mesh_ = {};
   place_creases();
-  parallel_for(
-      loops_.size(), options_.threads,
-      [&](std::size_t k) {
-        if (cells_.is_complete(loops_[k].cell)) place_loop(loops_[k]);
-      },
-      32);
+  place_loops();
   mesh_.vertices.reserve(2 * loops_.size());
   mesh_.triangles.reserve(4 * loops_.size());
   mesh_.crossings.reserve(4 * loops_.size());
@@ -45,28 +63,88 @@ const BaseMesh& ContourSurface::make_triangles() {
   return mesh_;
 }
 
-// Where the faces of the part at a segment's ends meet in a crease, find where it passes the face
-// of the cell.
 void ContourSurface::place_creases() {
+  std::vector<std::uint64_t> fresh(segments_.size(), 0);  // keys of what is not known yet
   parallel_for(
       segments_.size(), options_.threads,
       [&](std::size_t k) {
         Segment& s = segments_[k];
-        const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-        if (same_face(a.at, b.at)) return;
-        const Vec3 middle = 0.5 * (a.position + b.position);
         const CellFace& face = at(faces_, s.face);
-        if (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)) return;
-        const Box3 box = face_box(face);
-        const Probe p = probe(face_cell(face));
-        if (join_smoothly(p, middle, a.at, b.at, length(box.hi - box.lo))) return;
-        s.is_crease = true;
-        s.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
-        const FieldSample ends[2] = {a.at, b.at};
-        if (options_.sharpen && s.point.count == 0)
-          s.outside = crease_near(p, box, face.axis, middle, ends);
+        if (same_face(at(crossings_, s.from).at, at(crossings_, s.to).at) ||
+            (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)))
+          return;
+        const std::uint64_t key = options_.remember ? key_of(s) : 0;
+        if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
+          s.point = known->point;
+          s.outside = known->outside;
+          s.is_crease = known->is_crease;
+          return;
+        }
+        place_crease(s);
+        fresh[k] = key;
       },
       64);
+  for (std::size_t k = 0; k < fresh.size(); ++k)
+    if (fresh[k])
+      placed_creases_.add(fresh[k],
+                          {segments_[k].point, segments_[k].outside, segments_[k].is_crease});
+}
+
+// Where the faces of the part at a segment's ends meet in a crease, find where it passes the face
+// of the cell.
+void ContourSurface::place_crease(Segment& s) const {
+  const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
+  const Vec3 middle = 0.5 * (a.position + b.position);
+  const CellFace& face = at(faces_, s.face);
+  const Box3 box = face_box(face);
+  const Probe p = probe(face_cell(face));
+  if (join_smoothly(p, middle, a.at, b.at, length(box.hi - box.lo))) return;
+  s.is_crease = true;
+  s.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
+  const FieldSample ends[2] = {a.at, b.at};
+  if (options_.sharpen && s.point.count == 0)
+    s.outside = crease_near(p, box, face.axis, middle, ends);
+}
+
+void ContourSurface::place_loops() {
+  std::vector<std::uint64_t> fresh(loops_.size(), 0);
+  parallel_for(
+      loops_.size(), options_.threads,
+      [&](std::size_t k) {
+        Loop& loop = loops_[k];
+        if (!cells_.is_complete(loop.cell)) return;
+        const std::uint64_t key = options_.remember ? key_of(loop) : 0;
+        if (const PlacedPoints::Place* known = key ? placed_loops_.find(key) : nullptr) {
+          loop.point = known->point;
+          loop.outside = known->outside;
+          return;
+        }
+        place_loop(loop);
+        fresh[k] = key;
+      },
+      32);
+  for (std::size_t k = 0; k < fresh.size(); ++k)
+    if (fresh[k]) placed_loops_.add(fresh[k], {loops_[k].point, loops_[k].outside});
+}
+
+// Cells and their candidates stay as long as the tree: the rest is told by the crossings.
+std::uint64_t ContourSurface::key_of(const Segment& s) const {
+  const CellFace& face = at(faces_, s.face);
+  const std::int32_t cell = face_cell(face);
+  Hash hash(static_cast<std::uint64_t>(cell) * 8 +
+            static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
+  for (const std::int32_t k : {s.from, s.to}) hash.add(at(crossings_, k));
+  return hash.value();
+}
+
+std::uint64_t ContourSurface::key_of(const Loop& loop) const {
+  Hash hash(static_cast<std::uint64_t>(loop.cell));
+  for (const std::int32_t k : loop.crossings) hash.add(at(crossings_, k));
+  for (const std::int32_t k : loop.segments) {
+    const Segment& s = at(segments_, k);
+    hash.add(s.is_crease ? s.point.position : Vec3{});
+  }
+  return hash.value();
 }
 
 void ContourSurface::place_loop(Loop& loop) const {

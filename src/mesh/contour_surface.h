@@ -4,6 +4,7 @@
 
 #include "mesh/contour_octree.h"
 #include "mesh/contour_vertex.h"
+#include "mesh/flat_map.h"
 
 #include <array>
 #include <vector>
@@ -65,12 +66,33 @@ inline CrossedGrid crossed_grid(const ContourCells& cells) {
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
 CrossedGrid split_badly_crossed(ContourOctree& tree);
 
+/// Points of former rounds, by a hash of all that they are computed from.
+class PlacedPoints {
+ public:
+  struct Place {
+    SurfacePoint point, outside;
+    bool is_crease = false;
+  };
+  const Place* find(std::uint64_t key) const {
+    const std::int32_t i = ids_.find(key);
+    return i < 0 ? nullptr : &places_[static_cast<std::size_t>(i)];
+  }
+  void add(std::uint64_t key, const Place& place) {
+    if (ids_.insert(key, static_cast<std::int32_t>(places_.size())).second)
+      places_.push_back(place);
+  }
+
+ private:
+  FlatMap ids_;
+  std::vector<Place> places_;
+};
+
 class ContourSurface {
  public:
   struct Options {
     double shallow = 0;     ///< mm: creases that may be cut off by that much are
     bool sharpen = false;   ///< look for creases just outside of their cells, for sharpen()
-    bool remember = false;  ///< keep crossings for the next find_loops()
+    bool remember = false;  ///< keep crossings and vertices for the next round
     int threads = 0;
   };
   ContourSurface(const ExactField& field, const ContourCells& cells, const Options& options)
@@ -111,7 +133,11 @@ class ContourSurface {
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
   void place_creases();
+  void place_crease(Segment& s) const;
+  void place_loops();
   void place_loop(Loop& loop) const;
+  std::uint64_t key_of(const Segment& s) const;
+  std::uint64_t key_of(const Loop& loop) const;
   void add_ends(const Crossing& c, std::vector<Vec3>& out) const;
   void choose_explicit();
   bool may_be_implicit(const Segment& s) const;
@@ -134,6 +160,7 @@ class ContourSurface {
   std::vector<std::int32_t> crowded_;
   FlatMap known_;             ///< crossings of former rounds, by edge
   std::vector<Found> found_;  ///< what is known of them
+  PlacedPoints placed_loops_, placed_creases_;
   BaseMesh mesh_;
 };
 
