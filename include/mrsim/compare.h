@@ -38,9 +38,8 @@ struct CompareOptions {
   double density = 0;
   /// Samples on each of the two surfaces where no density is given.
   std::size_t samples = 200000;
-  /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the largest of 1e-4, a
-  /// eighth of the tolerance's width and a hundredth of the distance. What was reached is in the
-  /// result.
+  /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the larger of 1e-4 and
+  /// a hundredth of the distance. What was reached is in the result.
   double hausdorff_error = 0;
   /// Regions to describe; all are counted. Requires: >= 1.
   std::size_t max_regions = 50;
