@@ -119,8 +119,9 @@ int run_simulate(const Arguments& arguments) {
     fmt::print(stderr, "{}: {}; nothing was cut or written\n", arguments.input, findings.summary());
     return kFailed;
   }
-  if (!arguments.quiet) print(format_report(arguments, result, has_colours(stdout)));
-  if (!arguments.quiet && arguments.outputs.empty())
+  const bool talks = !arguments.quiet && arguments.compare.json != "-";
+  if (talks) print(format_report(arguments, result, has_colours(stdout)));
+  if (talks && arguments.outputs.empty())
     print("  nothing was written: no output given (-o part.stl)\n");
   return finish_output(compare_part(arguments, result, nominal));
 }
@@ -156,7 +157,14 @@ int run_check(const Arguments& arguments) {
 }
 
 int run_render(const Arguments& arguments) {
-  const TriMesh mesh = read_mesh(arguments.input);
+  const int threads = arguments.render.threads;
+  TriMesh mesh = read_solid(arguments.input, 0.001, threads);
+  if (!arguments.compare.nominal.empty()) {
+    CompareRequest request = arguments.compare;
+    request.quiet = arguments.quiet;
+    request.options.threads = threads;
+    mesh = color_by_deviation(request, mesh);
+  }
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)
     print(fmt::format("{}: {} triangles drawn from {}\n", arguments.outputs[0],

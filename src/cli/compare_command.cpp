@@ -57,27 +57,29 @@ const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "l
 
 }  // namespace
 
-void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal) {
+void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use) {
   const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
     app.add_option(name, value, text)->type_name(type)->group("Comparison");
   };
-  if (with_nominal)
-    add("--nominal", typed.nominal, "N", "compare the part with this mesh or STEP file");
+  const bool picture = use == CompareUse::picture;
+  if (use != CompareUse::command)
+    add("--nominal", typed.nominal, "N",
+        picture ? "colour by the deviation from this mesh or STEP file"
+                : "compare the part with this mesh or STEP file");
   add("--accept", typed.accept, "T",
-      "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
+      picture ? "tolerance of the part, T or LO,HI in mm: what is green; default: 0.02"
+              : "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
   add("--align", typed.align, "A", "none, bbox or icp: move the part onto the nominal first");
-  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
   add("--deflection", typed.deflection, "D",
       "STEP: largest distance from the exact faces, mm; default: a twentieth of the tolerance");
-  add("--report", typed.report, "FILE", "self-contained HTML page");
-  add(with_nominal ? "--compare-json" : "--json", typed.json, "FILE",
-      "result as JSON, - for the standard output");
-  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
-  if (with_nominal)
-    add("--deviation", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
-  else
-    add("-o,--output", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
   add("--colors", typed.colors, "C", "standard, or safe for every kind of colour vision");
+  if (picture) return;
+  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
+  add("--report", typed.report, "FILE", "self-contained HTML page");
+  add("--json", typed.json, "FILE", "comparison as JSON, - for the standard output");
+  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
+  add(use == CompareUse::run ? "--deviation" : "-o,--output", typed.deviation, "FILE",
+      "part coloured by deviation: .ply or .glb");
 }
 
 CompareRequest compare_request(const CompareTyped& typed) {
@@ -129,6 +131,15 @@ int run_comparison(const CompareRequest& request, const TriMesh& part, const Nam
   return comparison.accepted.value_or(true) ? kDone : kFailed;
 }
 
+TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
+  const NamedNominal nominal = prepare_comparison(request);
+  if (!nominal.note.empty()) warn(request, nominal.note);
+  CompareOptions options = request.options;
+  options.hints = false;
+  const Comparison comparison = compare(part, nominal.mesh, options);
+  return deviation_mesh(part, nominal.mesh, comparison, request.scheme, options.threads);
+}
+
 int run_compare(int argc, const char* const* argv) {
   CompareTyped typed;
   std::vector<std::string> inputs;
@@ -143,7 +154,7 @@ int run_compare(int argc, const char* const* argv) {
       "  mrsim compare part.3mf nominal.stl --accept -0.02,0.05 --json - | jq .verdict\n\n"
       "Exit: 0 in tolerance, or no --accept; 1 out of tolerance or a bad file; 2 wrong usage.");
   app.add_option("INPUT", inputs)->expected(0, -1)->group("");
-  add_compare_options(app, typed, false);
+  add_compare_options(app, typed, CompareUse::command);
   app.add_option("--path", typed.programs, "look for the programs here; may be repeated")
       ->type_name("DIR")
       ->group("Comparison")

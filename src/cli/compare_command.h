@@ -30,7 +30,10 @@ struct CompareRequest {
   bool quiet = false;
 };
 
-void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal);
+/// Where a comparison is asked for: `mrsim compare`, a run's --nominal, a picture's --nominal.
+enum class CompareUse : std::uint8_t { command, run, picture };
+
+void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use);
 /// Throws Error of kind usage.
 CompareRequest compare_request(const CompareTyped& typed);
 
@@ -44,6 +47,9 @@ NamedNominal prepare_comparison(const CompareRequest& request);
 /// Compares, writes what was asked for and prints; kDone or, for a rejected part, kFailed.
 int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
                    const ReportFacts& facts = {});
+
+/// `part`, moved and coloured by its deviation from the nominal of the request, for a picture.
+TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part);
 
 /// The command: argv[0] is "compare".
 int run_compare(int argc, const char* const* argv);

@@ -32,4 +32,7 @@ std::vector<std::array<std::uint32_t, 2>> crease_lines(const TriMesh& mesh, doub
 std::array<std::uint8_t, 3> deviation_color(double deviation, const Acceptance& band,
                                             DeviationScheme scheme);
 
+/// The colours of that scheme with the distances they stand for, from excess to gouge.
+std::vector<ColorLabel> deviation_legend(const Acceptance& band, DeviationScheme scheme);
+
 }  // namespace mrsim

@@ -22,7 +22,7 @@ class Compare : public CliTest {
     write("BAD.MPF", program);
     outcome_ =
         run("BAD.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
-            "--compare-json r.json " +
+            "--json r.json " +
             options);
     return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false);
   }
@@ -33,7 +33,7 @@ class Compare : public CliTest {
 TEST_F(Compare, MillingPartIsAccepted) {
   const Outcome o = run(
       "PRIMER_2F.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
-      "--compare-json r.json");
+      "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
   const Json j = Json::parse(read("r.json"));
   EXPECT_EQ(j["verdict"], "accepted");
@@ -50,7 +50,7 @@ TEST_F(Compare, MillingPartIsAccepted) {
 TEST_F(Compare, TurningPartIsAccepted) {
   const Outcome o =
       run("PRIMER_2S.MPF --stock bar.stl -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
-          "--compare-json r.json");
+          "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
   EXPECT_LE(Json::parse(read("r.json"))["part_to_nominal"]["rms"], 0.003);
 }
@@ -98,6 +98,36 @@ TEST_F(Compare, ShiftedWorkOffset) {
     shifted = shifted || (hint["code"] == "part-shifted" &&
                           hint["text"].get<std::string>().find("-0.300") != std::string::npos);
   EXPECT_TRUE(shifted) << j["hints"].dump(1);
+}
+
+TEST_F(Compare, PicturesOfDeviationHaveALegend) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -o part.ply -q --nominal PRIMER_2F.nominal.stl "
+                "--accept 0.002 --deviation dev.ply")
+                .code,
+            1);
+  EXPECT_NE(read("dev.ply").find("comment mrsim legend"), std::string::npos);
+  EXPECT_NE(read("dev.ply").find("-0.002 .. +0.002 mm: in tolerance"), std::string::npos);
+  const auto draw = [&](const std::string& what, const std::string& name) {
+    const Outcome o = run("render " + what + " --size 320x240 -q -o " + name);
+    EXPECT_EQ(o.code, 0) << o.err;
+    return read(name);
+  };
+  const std::string of_file = draw("dev.ply", "a.png");
+  const std::string direct =
+      draw("part.ply --nominal PRIMER_2F.nominal.stl --accept 0.002", "b.png");
+  EXPECT_EQ(of_file, direct);
+  EXPECT_NE(draw("part.ply --nominal PRIMER_2F.nominal.stl --accept 0.002 --colors safe", "c.png"),
+            direct);
+  EXPECT_NE(draw("part.ply", "d.png"), direct);
+  expect_failure("render part.ply --nominal missing.stl -o e.png", 1, "no such file");
+  EXPECT_FALSE(exists("e.png"));
+}
+
+TEST_F(Compare, JsonOnTheStandardOutputStandsAlone) {
+  const Outcome o =
+      run("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal PRIMER_2F.nominal.stl --json -");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(Json::parse(o.out, nullptr, false)["verdict"], "none");
 }
 
 TEST_F(Compare, BadInputLeavesNothing) {

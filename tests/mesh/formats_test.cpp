@@ -68,6 +68,18 @@ TEST(MeshFormats, KeepVertexColours) {
     EXPECT_EQ(parse_mesh(bytes_as(format, m), format, "part").colors, m.colors) << int(format);
 }
 
+TEST(Ply, KeepsTheLegendOfItsColours) {
+  TriMesh m = part();
+  m.legend = {{{20, 76, 168}, "+0.06 mm and more"}, {{1, 2, 3}, "two\nlines"}};
+  EXPECT_TRUE(parse_mesh(bytes_as(MeshFormat::ply, m), MeshFormat::ply, "part").legend.empty());
+  m.colors.assign(m.vertices.size(), {20, 76, 168});
+  const TriMesh back = parse_mesh(bytes_as(MeshFormat::ply, m), MeshFormat::ply, "part");
+  ASSERT_EQ(back.legend.size(), 2u);
+  EXPECT_EQ(back.legend[0], m.legend[0]);
+  EXPECT_EQ(back.legend[1].text, "two lines");
+  EXPECT_EQ(back.origin, m.origin);
+}
+
 TEST(MeshFormats, WriteTheSameBytesEveryTime) {
   const TriMesh m = part();
   for (const MeshFormat format : kFormats)
