@@ -4,8 +4,8 @@
 #include "mesh/extract.h"
 #include "outputs.h"
 #include "removal/stock_file.h"
-#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/solid_files.h>
 
 #include <algorithm>
 #include <filesystem>

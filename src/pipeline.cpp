@@ -20,8 +20,8 @@
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
-#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/solid_files.h>
 
 #include <algorithm>
 #include <chrono>
@@ -306,6 +306,10 @@ JobResult simulate(const Job& job) {
   summarize_part(result, cuts.all, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
+  if (job.inspect) {
+    job.inspect(result.mesh);
+    clock.done("inspect");
+  }
 
   StockRecipe recipe{result.stock, result.voxel};
   recipe.shape.history = cuts.all;

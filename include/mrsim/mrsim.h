@@ -81,6 +81,8 @@ struct Job {
   /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
   KeepPieces keep = KeepPieces::all;
   bool strict = false;  ///< warnings are errors
+  /// Sees the part before anything is written; what it throws ends the run. Default: nothing.
+  std::function<void(const TriMesh& part)> inspect;
 };
 
 /// One of the pieces that no material joins.

@@ -111,20 +111,21 @@ NamedNominal prepare_comparison(const CompareRequest& request) {
   return out;
 }
 
-int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
-                   const ReportFacts& facts) {
+Comparison compare_named(const CompareRequest& request, const TriMesh& part,
+                         const TriMesh& nominal) {
+  Comparison out = compare(part, nominal, request.options,
+                           read_program_lines(part.origin, request.part, request.folders));
+  out.part_name = request.part;
+  out.nominal_name = request.nominal;
+  return out;
+}
+
+int finish_comparison(const CompareRequest& request, const TriMesh& part,
+                      const NamedNominal& nominal, const Comparison& comparison,
+                      const ReportFacts& facts) {
   if (!nominal.note.empty()) warn(request, nominal.note);
-  if (part.owners.empty())
-    warn(request, request.part +
-                      ": this file does not say which line cut which face, so no lines are named; "
-                      ".ply, .glb, .3mf and .vdb do");
-  Comparison comparison = compare(part, nominal.mesh, request.options,
-                                  read_program_lines(part.origin, request.part, request.folders));
-  comparison.part_name = request.part;
-  comparison.nominal_name = request.nominal;
   ReportFacts all = facts;
   if (!nominal.note.empty()) all.facts.emplace_back("Nominal", nominal.note);
-  all.times.emplace_back("compare", comparison.seconds);
   write_results(request, part, nominal.mesh, comparison, all);
   if (!request.quiet && request.json != "-")
     std::fputs(comparison_text(comparison).c_str(), stdout);
@@ -184,7 +185,13 @@ int run_compare(int argc, const char* const* argv) {
   ReportFacts facts;
   facts.title = std::filesystem::path(request.part).filename().string();
   const TriMesh part = read_solid(request.part, 0.001, request.options.threads);
-  return run_comparison(request, part, nominal, facts);
+  if (part.owners.empty())
+    warn(request, request.part +
+                      ": this file does not say which line cut which face, so no lines are named; "
+                      ".ply, .glb, .3mf and .vdb do");
+  const Comparison comparison = compare_named(request, part, nominal.mesh);
+  facts.times = {{"compare", comparison.seconds}};
+  return finish_comparison(request, part, nominal, comparison, facts);
 }
 
 ReportFacts facts_of(const JobResult& result, const std::string& program) {

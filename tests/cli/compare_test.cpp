@@ -26,6 +26,17 @@ class Compare : public CliTest {
             options);
     return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false);
   }
+  /// A box from (x, 0, 0) of that size, as an OFF file.
+  static std::string box_off(double x, double a, double b, double c) {
+    std::string out = "OFF\n8 12 0\n";
+    for (int k = 0; k < 8; ++k)
+      out += std::to_string(x + (k & 1 ? a : 0)) + " " + std::to_string(k & 2 ? b : 0) + " " +
+             std::to_string(k & 4 ? c : 0) + "\n";
+    for (const char* t : {"0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4", "2 6 3", "3 6 7",
+                          "0 4 2", "2 4 6", "1 3 5", "3 7 5"})
+      out += std::string("3 ") + t + "\n";
+    return out;
+  }
   static int first_line(const Json& region) { return region["lines"].at(0)["line"]; }
   Outcome outcome_;
 };
@@ -148,6 +159,22 @@ TEST_F(Compare, BadInputLeavesNothing) {
   write("bad.step", "no step");
   fails("compare block.stl bad.step" + tail, 1, "STEP");
   fails("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal open.stl", 1, "open");
+  write("empty.stl", "solid a\nendsolid a\n");
+  fails("compare block.stl empty.stl" + tail, 1, "no triangles");
+  write("nan.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 nan\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+  fails("compare block.stl nan.stl" + tail, 1, "stl-nan");
+  write("far.off", box_off(1e6, 100, 60, 10));
+  write("inch.off", box_off(0, 100 / 25.4, 60 / 25.4, 10 / 25.4));
+  write("metres.off", box_off(0, 0.1, 0.06, 0.01));
+  for (const std::string& run :
+       {std::string("compare block.stl"),
+        std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal")}) {
+    fails(run + " far.off" + tail, 1, "compare-apart");
+    fails(run + " inch.off" + tail, 1, "in inches");
+    fails(run + " metres.off" + tail, 1, "in metres");
+  }
   fails("PRIMER_2F.MPF --stock block.stl -o part.stl --accept 0.02", 2, "--nominal");
 }
 
