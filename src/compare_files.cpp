@@ -22,7 +22,7 @@ bool has_extension(const std::string& path, const std::string& wanted) {
   return end == wanted;
 }
 
-TriMesh mesh_of_vdb(const std::string& path, int threads) {
+TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   const StockRecipe recipe = read_vdb(read_file(path), path);
   CarveOptions carve_options;
   carve_options.voxel = recipe.voxel;
@@ -33,6 +33,8 @@ TriMesh mesh_of_vdb(const std::string& path, int threads) {
   mesh_options.threads = threads;
   TriMesh mesh = extract_mesh(stock, mesh_options);
   mesh.origin = owner_table(mesh, cuts);
+  if (note != nullptr)
+    *note = fmt::format("{}: meshed with its voxel of {:.4g} mm", path, recipe.voxel);
   return mesh;
 }
 
@@ -71,7 +73,7 @@ bool is_step(const std::string& path) {
 }
 
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {
-  if (is_vdb(path)) return mesh_of_vdb(path, threads);
+  if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
   if (!is_step(path)) return read_mesh(path);
   TriMesh mesh = read_step(path, deflection);
   if (note != nullptr)

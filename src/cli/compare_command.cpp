@@ -27,6 +27,12 @@ void check_compare_outputs(const CompareRequest& request) {
     if (!path->empty() && *path != "-") check_writable(*path);
 }
 
+TriMesh read_named(const CompareRequest& request, const std::string& path, std::string& note) {
+  const double deflection =
+      request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
+  return read_solid(path, deflection, request.options.threads, &note);
+}
+
 void warn(const CompareRequest& request, const std::string& text) {
   if (!request.quiet) fmt::print(stderr, "{}\n", text);
 }
@@ -104,9 +110,7 @@ NamedNominal prepare_comparison(const CompareRequest& request) {
   NamedNominal out;
   check_compare_outputs(request);
   if (request.nominal.empty()) return out;
-  const double deflection =
-      request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
-  out.mesh = read_solid(request.nominal, deflection, request.options.threads, &out.note);
+  out.mesh = read_named(request, request.nominal, out.note);
   require_nominal(out.mesh, request.nominal, request.options.threads);
   return out;
 }
@@ -184,7 +188,9 @@ int run_compare(int argc, const char* const* argv) {
   const NamedNominal nominal = prepare_comparison(request);
   ReportFacts facts;
   facts.title = std::filesystem::path(request.part).filename().string();
-  const TriMesh part = read_solid(request.part, 0.001, request.options.threads);
+  std::string note;
+  const TriMesh part = read_named(request, request.part, note);
+  if (!note.empty()) warn(request, note);
   if (part.owners.empty())
     warn(request, request.part +
                       ": this file does not say which line cut which face, so no lines are named; "
