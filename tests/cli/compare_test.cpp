@@ -141,6 +141,20 @@ TEST_F(Compare, JsonOnTheStandardOutputStandsAlone) {
   EXPECT_EQ(Json::parse(o.out, nullptr, false)["verdict"], "none");
 }
 
+TEST_F(Compare, EveryFormatWithOwnersNamesTheLine) {
+  std::string program = read("PRIMER_2F.MPF");
+  program.replace(program.find("N40 G2"), 6, "N40 G3");
+  write("BAD.MPF", program);
+  ASSERT_EQ(run("BAD.MPF --stock block.stl -q -o p.ply -o p.glb -o p.3mf -o p.obj").code, 0);
+  for (const std::string name : {"p.ply", "p.glb", "p.3mf", "p.obj"}) {
+    const Outcome o = run("compare " + name + " PRIMER_2F.nominal.stl --accept 0.02 --json r.json");
+    EXPECT_EQ(o.code, 1) << o.err;
+    EXPECT_EQ(o.err.find("no lines are named"), std::string::npos) << name;
+    const Json j = Json::parse(read("r.json"));
+    EXPECT_NE(j["regions"].dump().find("N40 G3 X7.5 Y0 CR=7.5"), std::string::npos) << name;
+  }
+}
+
 TEST_F(Compare, BadInputLeavesNothing) {
   write("open.stl",
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
