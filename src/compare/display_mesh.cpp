@@ -171,7 +171,7 @@ DisplayMesh refine_for_display(const TriMesh& part, const NominalSurface& nomina
   out.deviation = deviations(points, nominal, threads);
   const double size = size_of(part);
   for (int pass = 0; pass < kMostPasses && out.mesh.triangles.size() < most; ++pass) {
-    const std::size_t room = (most - out.mesh.triangles.size()) / 2 + 1;  // a split adds two
+    const std::size_t room = (most - out.mesh.triangles.size()) / 2;  // a split adds two
     const Split split = choose_splits(out, nominal, band, size, room, threads);
     if (split.count == 0) break;
     apply_splits(out.mesh, split);

@@ -15,8 +15,8 @@ struct DisplayMesh {
 
 /// Splits edges, both triangles of an edge alike so that the mesh stays closed, where they are
 /// longer than 1/64 of the size, or where the deviation at their middle differs from the mean of
-/// their ends by more than `band` (mm), down to 1/500 of the size. At most about `most` triangles.
-/// Owners are kept.
+/// their ends by more than `band` (mm), down to 1/500 of the size. At most `most` triangles, or
+/// those of `part`. Owners are kept.
 DisplayMesh refine_for_display(const TriMesh& part, const NominalSurface& nominal, double band,
                                std::size_t most, int threads);
 
