@@ -5,6 +5,8 @@
 #include "core/suggest.h"
 #include "core/text_io.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -22,6 +24,11 @@ void write_text(const std::string& path, const std::string& text) {
 
 // Before any work, so that a long comparison is not lost to a missing folder.
 void check_compare_outputs(const CompareRequest& request) {
+  const std::string& colored = request.deviation;
+  const std::string end = std::filesystem::path(colored).extension().string();
+  const std::array<std::string_view, 4> kept = {".ply", ".PLY", ".glb", ".GLB"};
+  if (!colored.empty() && std::find(kept.begin(), kept.end(), end) == kept.end())
+    fail_usage(fmt::format("{}: colours of deviation are kept by .ply and .glb", colored));
   for (const std::string* path :
        {&request.report, &request.json, &request.junit, &request.deviation})
     if (!path->empty() && *path != "-") check_writable(*path);
@@ -93,7 +100,11 @@ CompareRequest compare_request(const CompareTyped& typed) {
   out.nominal = typed.nominal;
   if (!typed.accept.empty()) out.options.accept = parse_acceptance(typed.accept);
   out.options.align = alignment_value(typed.align);
-  if (!typed.density.empty()) out.options.density = positive_value("--density", typed.density);
+  if (!typed.density.empty()) {
+    out.options.density = number_value("--density", typed.density);
+    if (!(out.options.density > 0))
+      fail_usage(fmt::format("--density {} must be above 0, in samples a mm2", typed.density));
+  }
   if (!typed.deflection.empty()) out.deflection = positive_value("--deflection", typed.deflection);
   if (!typed.colors.empty() && typed.colors != "standard" && typed.colors != "safe")
     fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", typed.colors));

@@ -101,7 +101,7 @@ TEST_F(Compare, MissingPassNamesItsNeighbours) {
   EXPECT_EQ(first_line(j["regions"][0]), 8);  // N40, which ends where the missing one began
 }
 
-TEST_F(Compare, ShiftedWorkOffset) {
+TEST_F(Compare, ShiftedWorkOffset) {  // of the slot in its block: no move of the part mends it
   const Json j = spoiled("TRANS X50 Y-30", "TRANS X50.3 Y-30");
   EXPECT_EQ(outcome_.code, 1);
   bool shifted = false;
@@ -109,6 +109,21 @@ TEST_F(Compare, ShiftedWorkOffset) {
     shifted = shifted || (hint["code"] == "part-shifted" &&
                           hint["text"].get<std::string>().find("-0.300") != std::string::npos);
   EXPECT_TRUE(shifted) << j["hints"].dump(1);
+  EXPECT_EQ(j["hints"].dump().find("--align"), std::string::npos) << j["hints"].dump(1);
+}
+
+TEST_F(Compare, ShiftOfTheWholePartVanishesWithIcp) {
+  const std::string moved =
+      "PRIMER_2F.MPF --stock block.stl -q -o part.ply && sed 's/TRANS X50 /TRANS X50.3 /' "
+      "PRIMER_2F.MPF >MOVED.MPF && '" MRSIM_PROGRAM
+      "' MOVED.MPF --stock box:0.3,-60,0,100.3,0,10 -q -o moved.ply";
+  ASSERT_EQ(run(moved).code, 0);
+  EXPECT_EQ(run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02").code, 1);
+  const Outcome o =
+      run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02 --align icp --json r.json");
+  EXPECT_EQ(o.code, 0) << o.out;
+  EXPECT_NE(o.out.find("Aligned (icp)"), std::string::npos) << o.out;
+  EXPECT_NEAR(Json::parse(read("r.json"))["transform"]["shift"][0].get<double>(), -0.3, 1e-3);
 }
 
 TEST_F(Compare, PicturesOfDeviationHaveALegend) {
@@ -169,6 +184,10 @@ TEST_F(Compare, BadInputLeavesNothing) {
   fails("compare block.stl missing.stl" + tail, 1, "no such file");
   fails("compare block.stl" + tail, 2, "a part and a nominal");
   fails("compare block.stl block.stl --acept 1", 2, "--accept");
+  fails("compare block.stl block.stl -o deviation.stl" + tail, 2, ".ply and .glb");
+  EXPECT_FALSE(exists("deviation.stl"));
+  fails("compare block.stl block.stl --density 0" + tail, 2, "samples a mm2");
+  fails("compare block.stl block.stl --report nowhere/r.html", 1, "nowhere");
   fails("compare block.stl block.stl --accept x" + tail, 2, "tolerance");
   write("bad.step", "no step");
   fails("compare block.stl bad.step" + tail, 1, "STEP");
