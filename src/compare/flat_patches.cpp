@@ -33,18 +33,29 @@ bool splits(const std::array<double, 3>& side) {
          std::min({side[0], side[1], side[2]}) < -kSliver;
 }
 
-// How much of the border from `a` (its length along `along`) runs through the piece where the
-// plane upright on it cuts the piece: negative when it misses by more than a sliver.
-double overlap(const TrianglePiece& piece, const std::array<double, 3>& side, const Vec3& a,
-               const Vec3& along, double border) {
+struct Crossing {
+  double length = 0;  // of the border that runs through the piece, 0 for none
+  CutPlane plane;     // upright on it
+};
+
+// Of a border with the shadow of the piece on the plane with that normal.
+Crossing crossing(const std::array<Vec3, 2>& border, const Vec3& normal,
+                  const TrianglePiece& piece) {
+  const Vec3 across = normalized(cross(normal, border[1] - border[0]));
+  const Vec3 along = cross(across, normal);
+  Crossing out{0, {border[0], across}};
+  const std::array<double, 3> side = sides(out.plane, piece);
+  if (!splits(side)) return out;
   Range cut;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if ((side[i] > 0) == (side[j] > 0)) continue;
     const Vec3 p = lerp(piece[i], piece[j], side[i] / (side[i] - side[j]));
-    cut.add(dot(along, p - a));
+    cut.add(dot(along, p - border[0]));
   }
-  return std::min(cut.hi, border) - std::max(cut.lo, 0.0) + kSliver;
+  const double end = dot(along, border[1] - border[0]);
+  out.length = std::max(0.0, std::min(cut.hi, end) - std::max(cut.lo, 0.0) + kSliver);
+  return out;
 }
 
 // Normals are those of the patch and of the piece's way of turning.
@@ -65,35 +76,34 @@ bool splits(const CutPlane& plane, const TrianglePiece& piece) {
 }
 
 FlatPatches::FlatPatches(const TriMesh& mesh, const NominalSurface& surface, int threads)
-    : tree_(surface.tree()) {
-  const std::vector<std::uint32_t> opposite = find_opposites(mesh, threads);
-  join(mesh, opposite);
-  find_borders(mesh, opposite);
+    : mesh_(mesh), tree_(surface.tree()), opposite_(find_opposites(mesh, threads)) {
+  join();
+  find_borders();
 }
 
 // From each triangle that is left to all about it within the steps of float off its plane. Slivers
 // have normals of any direction: they only must not be upside down.
-void FlatPatches::join(const TriMesh& mesh, const std::vector<std::uint32_t>& opposite) {
+void FlatPatches::join() {
   double allowed = 0;
-  for (const auto& v : mesh.vertices)
+  for (const auto& v : mesh_.vertices)
     for (const float x : v) allowed = std::max(allowed, 2e-7 * std::abs(double(x)));
-  seed_.assign(mesh.triangles.size(), kNone);
+  seed_.assign(mesh_.triangles.size(), kNone);
   joined_.assign(seed_.size(), false);
   std::deque<std::uint32_t> front;
   for (std::uint32_t f = 0; f < seed_.size(); ++f) {
     if (seed_[f] != kNone) continue;
     seed_[f] = f;
-    const Vec3 normal = tree_.normal(f), origin = corner(mesh, f, 0);
+    const Vec3 normal = tree_.normal(f), origin = corner(mesh_, f, 0);
     const auto stray = [&](std::uint32_t g) {
       double most = 0;
       for (int k = 0; k < 3; ++k)
-        most = std::max(most, std::abs(dot(normal, corner(mesh, g, k) - origin)));
+        most = std::max(most, std::abs(dot(normal, corner(mesh_, g, k) - origin)));
       return most;
     };
     for (front.push_back(f); !front.empty(); front.pop_front())
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t across = opposite[3 * front.front() + k], g = across / 3;
-        if (!is_half_edge(across) || seed_[g] != kNone || dot(normal, area_normal(mesh, g)) < 0 ||
+        const std::uint32_t across = opposite_[3 * front.front() + k], g = across / 3;
+        if (!is_half_edge(across) || seed_[g] != kNone || dot(normal, area_normal(mesh_, g)) < 0 ||
             stray(g) > allowed)
           continue;
         flatness_ = std::max(flatness_, stray(g));
@@ -105,11 +115,11 @@ void FlatPatches::join(const TriMesh& mesh, const std::vector<std::uint32_t>& op
 }
 
 // A border is a triangle without area in a tree of its own.
-void FlatPatches::find_borders(const TriMesh& mesh, const std::vector<std::uint32_t>& opposite) {
+void FlatPatches::find_borders() {
   TriMesh borders;
-  borders.vertices = mesh.vertices;
-  for (std::uint32_t h = 0; h < opposite.size(); ++h) {
-    const std::uint32_t across = opposite[h], from = origin_of(mesh, h), to = target_of(mesh, h);
+  borders.vertices = mesh_.vertices;
+  for (std::uint32_t h = 0; h < opposite_.size(); ++h) {
+    const std::uint32_t across = opposite_[h], from = origin_of(mesh_, h), to = target_of(mesh_, h);
     const std::uint32_t here = seed_[h / 3];
     const std::uint32_t there = is_half_edge(across) ? seed_[across / 3] : here;
     if (is_half_edge(across) && (here == there || across < h)) continue;
@@ -138,15 +148,10 @@ FlatPatches::Placement FlatPatches::place(const TrianglePiece& piece, std::uint3
     const auto& [left, right] = border_seeds_[border];
     if (left != seed && right != seed) return true;
     const TriangleTree::Corners ends = borders_->corners(border);
-    const Vec3 across = normalized(cross(normal, ends.b - ends.a)), along = cross(across, normal);
-    const CutPlane plane{ends.a, across};
-    const std::array<double, 3> side = sides(plane, piece);
-    if (splits(side)) {
-      const double length = overlap(piece, side, ends.a, along, dot(along, ends.b - ends.a));
-      if (length > most) {
-        most = length;
-        out.cut = plane;
-      }
+    const Crossing found = crossing({ends.a, ends.b}, normal, piece);
+    if (found.length > most) {
+      most = found.length;
+      out.cut = found.plane;
     }
     return ++seen < kMostBorders;
   };
@@ -155,8 +160,37 @@ FlatPatches::Placement FlatPatches::place(const TrianglePiece& piece, std::uint3
   return out;
 }
 
+// The corners' fans: their edges that touch no corner of the triangle are the border.
+double FlatPatches::distance_over_ring(const TrianglePiece& piece, std::uint32_t triangle,
+                                       const Vec3& foot) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const Vec3 normal = tree_.normal(triangle), origin = corner(mesh_, triangle, 0);
+  if (dot(normal, normal) == 0 || !is_over(piece, normal, foot)) return kFar;
+  const auto& own = mesh_.triangles[triangle];
+  const auto is_own = [&](std::uint32_t v) { return v == own[0] || v == own[1] || v == own[2]; };
+  Range surface, above;
+  surface.add(0);
+  for (const Vec3& p : piece) above.add(dot(normal, p - origin));
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t begin = 3 * triangle + k;
+    std::uint32_t h = opposite_[previous_half_edge(begin)];
+    for (std::size_t turned = 0; h != begin; h = opposite_[previous_half_edge(h)]) {
+      if (!is_half_edge(h) || ++turned > kMostBorders) return kFar;
+      if (dot(normal, area_normal(mesh_, h / 3)) <= 0) return kFar;
+      const std::uint32_t far = next_half_edge(h);
+      const Vec3 a = to_vec(mesh_.vertices[origin_of(mesh_, far)]);
+      const Vec3 b = to_vec(mesh_.vertices[target_of(mesh_, far)]);
+      surface.add(dot(normal, a - origin));
+      surface.add(dot(normal, b - origin));
+      if (is_own(origin_of(mesh_, far)) || is_own(target_of(mesh_, far))) continue;
+      if (crossing({a, b}, normal, piece).length > 0) return kFar;
+    }
+  }
+  return std::max(above.hi - surface.lo, surface.hi - above.lo) + kSliver;
+}
+
 std::size_t FlatPatches::memory() const {
-  return seed_.capacity() * sizeof(seed_[0]) +
+  return (seed_.capacity() + opposite_.capacity()) * sizeof(seed_[0]) +
          (borders_ ? borders_->memory() + border_seeds_.capacity() * sizeof(border_seeds_[0]) : 0);
 }
 

@@ -1,7 +1,8 @@
 // The coplanar patches of a surface, and where a triangle stands to the borders of one.
 //
 // A CAD model's flat face is one patch, however it was cut into triangles. What lies over a patch
-// without crossing its border is as far from the surface as it is high above the plane.
+// without crossing its border is as far from the surface as it is high above the plane. On curved
+// surfaces a triangle and those about it are nearly flat, and serve in the same way.
 #pragma once
 
 #include "compare/nominal.h"
@@ -26,7 +27,7 @@ bool splits(const CutPlane& plane, const TrianglePiece& piece);
 
 class FlatPatches {
  public:
-  /// Requires: a mesh that passed require_comparable, and its surface, which must outlive this.
+  /// Requires: a mesh that passed require_comparable, and its surface; both must outlive this.
   FlatPatches(const TriMesh& mesh, const NominalSurface& surface, int threads);
 
   /// How a piece lies over a patch.
@@ -40,13 +41,19 @@ class FlatPatches {
   /// Over the patch of the triangle whose face holds `foot`, a point of the surface that lies below
   /// the piece. Neither inside nor a cut: too many borders about it to look at all of them.
   Placement place(const TrianglePiece& piece, std::uint32_t triangle, const Vec3& foot) const;
+  /// The same for the triangle and all that share a corner with it, in place of a patch: no point
+  /// of a piece that lies over them is farther from the surface than this; infinite for others.
+  double distance_over_ring(const TrianglePiece& piece, std::uint32_t triangle,
+                            const Vec3& foot) const;
   std::size_t memory() const;
 
  private:
-  void join(const TriMesh& mesh, const std::vector<std::uint32_t>& opposite);
-  void find_borders(const TriMesh& mesh, const std::vector<std::uint32_t>& opposite);
+  void join();
+  void find_borders();
 
+  const TriMesh& mesh_;
   const TriangleTree& tree_;
+  std::vector<std::uint32_t> opposite_;  ///< as find_opposites gives it
   double flatness_ = 0;                  ///< mm that a patch strays from its plane
   std::vector<std::uint32_t> seed_;      ///< #F: the triangle whose plane the patch has
   std::vector<bool> joined_;             ///< #F

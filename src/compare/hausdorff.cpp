@@ -88,13 +88,14 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
   for (const Vec3& p : c) radius = std::max(radius, distance(p, centre));
   if (lower_to(std::sqrt(hit.distance2) + radius)) return out;
   if (lower_to(farthest_corner(tree.corners(hit.triangle), c))) return out;
-  if (hit.feature == kTriangleFace && patches.is_joined(hit.triangle)) {
+  const bool face = hit.feature == kTriangleFace, flat = face && patches.is_joined(hit.triangle);
+  if (flat) {
     const FlatPatches::Placement over = patches.place(c, hit.triangle, hit.point);
     if (over.inside && lower_to(over.height)) return out;
     out.cut = over.cut;
-  } else {
-    out.cut = feature_cut(tree, c, hit);
   }
+  if (face && lower_to(patches.distance_over_ring(c, hit.triangle, hit.point))) return out;
+  if (!flat) out.cut = feature_cut(tree, c, hit);
   for (std::size_t k = 0; k < 3; ++k) {
     if (out.nearest[k] != kUnknown) continue;  // counted when its parent was judged
     const TriangleTree::Hit at = tree.nearest(c[k], hit.triangle);

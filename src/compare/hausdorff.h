@@ -5,7 +5,8 @@
 //   (1) min over a few triangles T of the largest distance of S's corners from T, since distance
 //       to a convex set is convex (as in Tang, Lee, Kim 2009; Cignoni et al. 1998 sample instead);
 //   (2) the distance at S's centre plus its radius, since distances are 1-Lipschitz;
-//   (3) where S lies over a flat patch of the other surface, the heights of its corners.
+//   (3) where S lies over a flat patch of the other surface, or over one triangle and those about
+//       it, the heights of its corners, and how far those stray from their plane.
 // Pieces whose bound exceeds the largest distance found by more than the error are split along the
 // borders of the patch below them or of the nearest triangle's features, so that (1) and (3) become
 // exact; where there is no such border, they are halved.
