@@ -92,9 +92,7 @@ std::vector<std::vector<std::string>> read_program_lines(const OwnerTable& origi
 
 double step_deflection(const std::optional<Acceptance>& accept) {
   if (!accept) return 0.001;
-  const double narrow = accept->lo < 0 && accept->hi > 0 ? std::min(-accept->lo, accept->hi)
-                                                         : accept->hi - accept->lo;
-  return std::clamp(narrow / 20, 0.0002, 0.005);
+  return std::clamp(narrow_side(*accept) / 20, 0.0002, 0.005);
 }
 
 }  // namespace mrsim

@@ -152,6 +152,10 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
     const double longest = std::max({size.x, size.y, size.z});
     options.tolerance = longest * kToleranceShare;
     result.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
+    if (job.accept > 0 && options.tolerance > job.accept / 4) {
+      options.tolerance = job.accept / 4;
+      result.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
+    }
   }
   result.tolerance = options.tolerance;
 }

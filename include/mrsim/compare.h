@@ -24,6 +24,8 @@ namespace mrsim {
 struct Acceptance {
   double lo = -0.02, hi = 0.02;
 };
+/// The narrower side of a tolerance that has two, else its width, mm.
+MRSIM_API double narrow_side(const Acceptance& accept);
 /// "0.05" or "-0.02,0.05". Throws Error of kind usage, "accept-invalid".
 MRSIM_API Acceptance parse_acceptance(const std::string& text);
 

@@ -78,7 +78,7 @@ class PartComparison {
     request_.options.threads = arguments.carve.threads;
     request_.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
     const auto& accept = request_.options.accept;
-    if (accept && arguments.mesh.tolerance > (accept->hi - accept->lo) / 8)
+    if (accept && arguments.mesh.tolerance > narrow_side(*accept) / 4)
       fmt::print(stderr,
                  "warning: --tolerance {:g} is coarse for --accept: use a quarter or less\n",
                  arguments.mesh.tolerance);
@@ -125,6 +125,7 @@ int run_simulate(const Arguments& arguments) {
   job.files = arguments.files;
   job.keep = arguments.keep;
   job.strict = arguments.strict;
+  if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
   PartComparison comparison(arguments);
   job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
   JobResult result;

@@ -148,6 +148,10 @@ void fill_deviations(const TriMesh& part, const TriMesh& nominal,
 
 }  // namespace
 
+double narrow_side(const Acceptance& accept) {
+  return accept.lo < 0 && accept.hi > 0 ? std::min(-accept.lo, accept.hi) : accept.hi - accept.lo;
+}
+
 Acceptance parse_acceptance(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto lo = parse_number(text.substr(0, comma));

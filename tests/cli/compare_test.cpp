@@ -58,6 +58,14 @@ TEST_F(Compare, MillingPartIsAccepted) {
   EXPECT_NE(read("r.html").find("N40 G2 X7.5 Y0 CR=7.5"), std::string::npos);
 }
 
+TEST_F(Compare, MeshIsFinerThanTheToleranceItIsJudgedBy) {
+  const Outcome o =
+      run("PRIMER_2F.MPF --stock block.stl --nominal PRIMER_2F.nominal.stl --accept -0.01,0.004 "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("0.001 mm  (a quarter of --accept, 0.004 mm)"), std::string::npos) << o.out;
+}
+
 TEST_F(Compare, TurningPartIsAccepted) {
   const Outcome o =
       run("PRIMER_2S.MPF --stock bar.stl -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
