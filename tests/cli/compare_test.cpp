@@ -136,7 +136,7 @@ TEST_F(Compare, ShiftOfTheWholePartVanishesWithIcp) {
 
 TEST_F(Compare, PicturesOfDeviationHaveALegend) {
   ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -o part.ply -q --nominal PRIMER_2F.nominal.stl "
-                "--accept 0.002 --deviation dev.ply")
+                "--tolerance 0.01 --accept 0.002 --deviation dev.ply")
                 .code,
             1);
   EXPECT_NE(read("dev.ply").find("comment mrsim legend"), std::string::npos);
