@@ -17,8 +17,8 @@ _mrsim() {
       trace) common="$program $common --output --json --programmed" ;;
       check) common="$program $common --json" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads" ;;
-      render) common="$common --output --size --azimuth --elevation --edges --color --threads" ;;
-      *) common="$program $common --output --color --stock --stock-exact --keep --voxel --tolerance --threads --max-memory" ;;
+      render) common="$common --output --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
+      *) common="$program $common --output --color --stock --stock-exact --keep --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

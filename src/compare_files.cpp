@@ -4,8 +4,8 @@
 #include "mesh/extract.h"
 #include "outputs.h"
 #include "removal/stock_file.h"
-#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/solid_files.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +22,7 @@ bool has_extension(const std::string& path, const std::string& wanted) {
   return end == wanted;
 }
 
-TriMesh mesh_of_vdb(const std::string& path, int threads) {
+TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   const StockRecipe recipe = read_vdb(read_file(path), path);
   CarveOptions carve_options;
   carve_options.voxel = recipe.voxel;
@@ -33,6 +33,8 @@ TriMesh mesh_of_vdb(const std::string& path, int threads) {
   mesh_options.threads = threads;
   TriMesh mesh = extract_mesh(stock, mesh_options);
   mesh.origin = owner_table(mesh, cuts);
+  if (note != nullptr)
+    *note = fmt::format("{}: meshed with its voxel of {:.4g} mm", path, recipe.voxel);
   return mesh;
 }
 
@@ -71,7 +73,7 @@ bool is_step(const std::string& path) {
 }
 
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {
-  if (is_vdb(path)) return mesh_of_vdb(path, threads);
+  if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
   if (!is_step(path)) return read_mesh(path);
   TriMesh mesh = read_step(path, deflection);
   if (note != nullptr)
@@ -90,9 +92,7 @@ std::vector<std::vector<std::string>> read_program_lines(const OwnerTable& origi
 
 double step_deflection(const std::optional<Acceptance>& accept) {
   if (!accept) return 0.001;
-  const double narrow = accept->lo < 0 && accept->hi > 0 ? std::min(-accept->lo, accept->hi)
-                                                         : accept->hi - accept->lo;
-  return std::clamp(narrow / 20, 0.0002, 0.005);
+  return std::clamp(narrow_side(*accept) / 20, 0.0002, 0.005);
 }
 
 }  // namespace mrsim

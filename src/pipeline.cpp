@@ -20,8 +20,8 @@
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
-#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/solid_files.h>
 
 #include <algorithm>
 #include <chrono>
@@ -152,6 +152,10 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
     const double longest = std::max({size.x, size.y, size.z});
     options.tolerance = longest * kToleranceShare;
     result.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
+    if (job.accept > 0 && options.tolerance > job.accept / 4) {
+      options.tolerance = job.accept / 4;
+      result.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
+    }
   }
   result.tolerance = options.tolerance;
 }
@@ -312,6 +316,10 @@ JobResult simulate(const Job& job) {
   summarize_part(result, cuts.all, is_whole ? contour_report.volume_excess : 0, job.mesh.threads);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
+  if (job.inspect) {
+    job.inspect(result.mesh);
+    clock.done("inspect");
+  }
 
   StockRecipe recipe{result.stock, result.voxel};
   recipe.shape.history = cuts.all;

@@ -24,6 +24,8 @@ namespace mrsim {
 struct Acceptance {
   double lo = -0.02, hi = 0.02;
 };
+/// The narrower side of a tolerance that has two, else its width, mm.
+MRSIM_API double narrow_side(const Acceptance& accept);
 /// "0.05" or "-0.02,0.05". Throws Error of kind usage, "accept-invalid".
 MRSIM_API Acceptance parse_acceptance(const std::string& text);
 
@@ -38,9 +40,8 @@ struct CompareOptions {
   double density = 0;
   /// Samples on each of the two surfaces where no density is given.
   std::size_t samples = 200000;
-  /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the largest of 1e-4, a
-  /// eighth of the tolerance's width and a hundredth of the distance. What was reached is in the
-  /// result.
+  /// Width of the bounds that the Hausdorff distances are driven to, mm; 0 = the larger of 1e-4 and
+  /// a hundredth of the distance. What was reached is in the result.
   double hausdorff_error = 0;
   /// Regions to describe; all are counted. Requires: >= 1.
   std::size_t max_regions = 50;
@@ -183,24 +184,5 @@ struct ReportFacts {
 MRSIM_API std::string report_html(const TriMesh& part, const TriMesh& nominal,
                                   const Comparison& comparison, const ReportFacts& facts = {},
                                   int threads = 0);
-
-/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb,
-/// which is meshed with its owners. `note` gets a sentence where something was decided.
-MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
-                             std::string* note = nullptr);
-
-/// The lines of the programs that `origin` names, found by their names as they are, beside `part`,
-/// or in `folders`; empty for those that are not found. As compare() takes them.
-MRSIM_API std::vector<std::vector<std::string>> read_program_lines(
-    const OwnerTable& origin, const std::string& part,
-    const std::vector<std::string>& folders = {});
-
-/// The deflection that suits a tolerance: a twentieth, in [0.0002, 0.005] mm; 0.001 without one.
-MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
-
-/// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
-/// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",
-/// "step-unsupported" (built without Open CASCADE).
-MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001);
 
 }  // namespace mrsim

@@ -81,6 +81,11 @@ struct Job {
   /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
   KeepPieces keep = KeepPieces::all;
   bool strict = false;  ///< warnings are errors
+  /// Tolerance of the part in mm that the mesh will be judged by; 0 = none. Where neither a voxel
+  /// nor a tolerance of the mesh is given, the mesh keeps to a quarter of it.
+  double accept = 0;
+  /// Sees the part before anything is written; what it throws ends the run. Default: nothing.
+  std::function<void(const TriMesh& part)> inspect;
 };
 
 /// One of the pieces that no material joins.

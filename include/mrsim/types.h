@@ -222,6 +222,13 @@ struct OwnerTable {
   friend bool operator==(const OwnerTable&, const OwnerTable&) = default;
 };
 
+/// A colour (sRGB) with what a legend says of it.
+struct ColorLabel {
+  std::array<std::uint8_t, 3> color{};
+  std::string text;
+  friend bool operator==(const ColorLabel&, const ColorLabel&) = default;
+};
+
 /// An indexed triangle mesh. Vertices are float because files are: what was checked is what is
 /// written.
 struct TriMesh {
@@ -231,8 +238,9 @@ struct TriMesh {
   std::vector<std::int32_t>
       owners;  ///< #F or empty: index of the motion that cut the face, -1 = stock
   std::vector<std::array<std::uint8_t, 3>>
-      colors;         ///< #V or empty: sRGB of each vertex, for pictures and files (deviation)
-  OwnerTable origin;  ///< what `owners` stand for; may be empty
+      colors;  ///< #V or empty: sRGB of each vertex, for pictures and files (deviation)
+  std::vector<ColorLabel> legend;  ///< what `colors` stand for, from high to low; may be empty
+  OwnerTable origin;               ///< what `owners` stand for; may be empty
 };
 
 /// What a mesh is, and whether it keeps mrsim's promises.

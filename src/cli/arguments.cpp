@@ -65,6 +65,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "mrsim render PART -o picture.png [options]",
      "Examples:\n"
      "  mrsim render part.stl -o part.png\n"
+     "  mrsim render part.ply --nominal nominal.step --accept 0.02 -o deviation.png\n"
      "  mrsim render part.stl -o top.png --azimuth 0 --elevation 90 --size 800x600"},
 }};
 
@@ -309,10 +310,13 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   app.add_option("INPUT", typed.inputs)->expected(0, -1)->group("");
   if (line.command == Command::simulate) {
     add_simulation_options(app, typed);
-    add_compare_options(app, typed.compare, true);
+    add_compare_options(app, typed.compare, CompareUse::run);
   }
   if (line.command != Command::render) add_program_options(app, typed);
-  if (line.command == Command::render) add_picture_options(app, typed);
+  if (line.command == Command::render) {
+    add_picture_options(app, typed);
+    add_compare_options(app, typed.compare, CompareUse::picture);
+  }
   add_output_options(app, typed, line.command);
   try {
     app.parse(argc, argv);

@@ -65,31 +65,51 @@ int finish_output(int code) {
   return code;
 }
 
-// The part just cut against --nominal, while its owners are at hand.
-int compare_part(const Arguments& arguments, const JobResult& result, const NamedNominal& nominal) {
-  CompareRequest request = arguments.compare;
-  const ReportFacts facts = facts_of(result, arguments.input);
-  if (request.nominal.empty()) {
-    if (request.report.empty()) return kDone;
-    Comparison plain;
-    plain.origin = result.mesh.origin;
-    plain.part_name = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
-    plain.text = read_program_lines(result.mesh.origin, arguments.input);
-    const std::string page = report_html(result.mesh, {}, plain, facts, arguments.carve.threads);
-    write_file_atomically(request.report,
+// The part just cut against --nominal, while its owners are at hand: measured before anything is
+// written, so that a nominal that does not fit leaves no files.
+class PartComparison {
+ public:
+  explicit PartComparison(const Arguments& arguments)
+      : arguments_(arguments),
+        request_(arguments.compare),
+        nominal_(prepare_comparison(arguments.compare)) {
+    request_.part = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
+    request_.quiet = arguments.quiet;
+    request_.options.threads = arguments.carve.threads;
+    request_.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
+    const auto& accept = request_.options.accept;
+    if (accept && arguments.mesh.tolerance > narrow_side(*accept) / 4)
+      fmt::print(stderr,
+                 "warning: --tolerance {:g} is coarse for --accept: use a quarter or less\n",
+                 arguments.mesh.tolerance);
+  }
+
+  void measure(const TriMesh& part) {
+    if (!request_.nominal.empty()) comparison_ = compare_named(request_, part, nominal_.mesh);
+  }
+
+  /// The report and the other files; the exit code.
+  int finish(const JobResult& result) {
+    const ReportFacts facts = facts_of(result, arguments_.input);
+    if (!request_.nominal.empty())
+      return finish_comparison(request_, result.mesh, nominal_, comparison_, facts);
+    if (request_.report.empty()) return kDone;
+    comparison_.origin = result.mesh.origin;
+    comparison_.part_name = request_.part;
+    comparison_.text = read_program_lines(result.mesh.origin, arguments_.input);
+    const std::string page =
+        report_html(result.mesh, {}, comparison_, facts, request_.options.threads);
+    write_file_atomically(request_.report,
                           [&](const ByteSink& out) { out(page.data(), page.size()); });
     return kDone;
   }
-  if (request.options.accept && arguments.mesh.tolerance > 0 &&
-      arguments.mesh.tolerance > (request.options.accept->hi - request.options.accept->lo) / 8)
-    fmt::print(stderr, "warning: --tolerance {:g} is coarse for --accept: use a quarter or less\n",
-               arguments.mesh.tolerance);
-  request.part = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
-  request.quiet = arguments.quiet;
-  request.options.threads = arguments.carve.threads;
-  request.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
-  return run_comparison(request, result.mesh, nominal, facts);
-}
+
+ private:
+  const Arguments& arguments_;
+  CompareRequest request_;
+  NamedNominal nominal_;
+  Comparison comparison_;
+};
 
 }  // namespace
 
@@ -105,7 +125,9 @@ int run_simulate(const Arguments& arguments) {
   job.files = arguments.files;
   job.keep = arguments.keep;
   job.strict = arguments.strict;
-  const NamedNominal nominal = prepare_comparison(arguments.compare);
+  if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
+  PartComparison comparison(arguments);
+  job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
   JobResult result;
   {
     ProgressBar bar(!arguments.quiet);
@@ -119,10 +141,11 @@ int run_simulate(const Arguments& arguments) {
     fmt::print(stderr, "{}: {}; nothing was cut or written\n", arguments.input, findings.summary());
     return kFailed;
   }
-  if (!arguments.quiet) print(format_report(arguments, result, has_colours(stdout)));
-  if (!arguments.quiet && arguments.outputs.empty())
+  const bool talks = !arguments.quiet && arguments.compare.json != "-";
+  if (talks) print(format_report(arguments, result, has_colours(stdout)));
+  if (talks && arguments.outputs.empty())
     print("  nothing was written: no output given (-o part.stl)\n");
-  return finish_output(compare_part(arguments, result, nominal));
+  return finish_output(comparison.finish(result));
 }
 
 int run_trace(const Arguments& arguments) {
@@ -156,7 +179,14 @@ int run_check(const Arguments& arguments) {
 }
 
 int run_render(const Arguments& arguments) {
-  const TriMesh mesh = read_mesh(arguments.input);
+  const int threads = arguments.render.threads;
+  TriMesh mesh = read_solid(arguments.input, 0.001, threads);
+  if (!arguments.compare.nominal.empty()) {
+    CompareRequest request = arguments.compare;
+    request.quiet = arguments.quiet;
+    request.options.threads = threads;
+    mesh = color_by_deviation(request, mesh);
+  }
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)
     print(fmt::format("{}: {} triangles drawn from {}\n", arguments.outputs[0],

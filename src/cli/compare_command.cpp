@@ -5,6 +5,8 @@
 #include "core/suggest.h"
 #include "core/text_io.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -22,9 +24,20 @@ void write_text(const std::string& path, const std::string& text) {
 
 // Before any work, so that a long comparison is not lost to a missing folder.
 void check_compare_outputs(const CompareRequest& request) {
+  const std::string& colored = request.deviation;
+  const std::string end = std::filesystem::path(colored).extension().string();
+  const std::array<std::string_view, 4> kept = {".ply", ".PLY", ".glb", ".GLB"};
+  if (!colored.empty() && std::find(kept.begin(), kept.end(), end) == kept.end())
+    fail_usage(fmt::format("{}: colours of deviation are kept by .ply and .glb", colored));
   for (const std::string* path :
        {&request.report, &request.json, &request.junit, &request.deviation})
     if (!path->empty() && *path != "-") check_writable(*path);
+}
+
+TriMesh read_named(const CompareRequest& request, const std::string& path, std::string& note) {
+  const double deflection =
+      request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
+  return read_solid(path, deflection, request.options.threads, &note);
 }
 
 void warn(const CompareRequest& request, const std::string& text) {
@@ -57,27 +70,29 @@ const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "l
 
 }  // namespace
 
-void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal) {
+void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use) {
   const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
     app.add_option(name, value, text)->type_name(type)->group("Comparison");
   };
-  if (with_nominal)
-    add("--nominal", typed.nominal, "N", "compare the part with this mesh or STEP file");
+  const bool picture = use == CompareUse::picture;
+  if (use != CompareUse::command)
+    add("--nominal", typed.nominal, "N",
+        picture ? "colour by the deviation from this mesh or STEP file"
+                : "compare the part with this mesh or STEP file");
   add("--accept", typed.accept, "T",
-      "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
+      picture ? "tolerance of the part, T or LO,HI in mm: what is green; default: 0.02"
+              : "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
   add("--align", typed.align, "A", "none, bbox or icp: move the part onto the nominal first");
-  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
   add("--deflection", typed.deflection, "D",
       "STEP: largest distance from the exact faces, mm; default: a twentieth of the tolerance");
-  add("--report", typed.report, "FILE", "self-contained HTML page");
-  add(with_nominal ? "--compare-json" : "--json", typed.json, "FILE",
-      "result as JSON, - for the standard output");
-  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
-  if (with_nominal)
-    add("--deviation", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
-  else
-    add("-o,--output", typed.deviation, "FILE", "part coloured by deviation: .ply or .glb");
   add("--colors", typed.colors, "C", "standard, or safe for every kind of colour vision");
+  if (picture) return;
+  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
+  add("--report", typed.report, "FILE", "self-contained HTML page");
+  add("--json", typed.json, "FILE", "comparison as JSON, - for the standard output");
+  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
+  add(use == CompareUse::run ? "--deviation" : "-o,--output", typed.deviation, "FILE",
+      "part coloured by deviation: .ply or .glb");
 }
 
 CompareRequest compare_request(const CompareTyped& typed) {
@@ -85,7 +100,11 @@ CompareRequest compare_request(const CompareTyped& typed) {
   out.nominal = typed.nominal;
   if (!typed.accept.empty()) out.options.accept = parse_acceptance(typed.accept);
   out.options.align = alignment_value(typed.align);
-  if (!typed.density.empty()) out.options.density = positive_value("--density", typed.density);
+  if (!typed.density.empty()) {
+    out.options.density = number_value("--density", typed.density);
+    if (!(out.options.density > 0))
+      fail_usage(fmt::format("--density {} must be above 0, in samples a mm2", typed.density));
+  }
   if (!typed.deflection.empty()) out.deflection = positive_value("--deflection", typed.deflection);
   if (!typed.colors.empty() && typed.colors != "standard" && typed.colors != "safe")
     fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", typed.colors));
@@ -102,31 +121,39 @@ NamedNominal prepare_comparison(const CompareRequest& request) {
   NamedNominal out;
   check_compare_outputs(request);
   if (request.nominal.empty()) return out;
-  const double deflection =
-      request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
-  out.mesh = read_solid(request.nominal, deflection, request.options.threads, &out.note);
+  out.mesh = read_named(request, request.nominal, out.note);
   require_nominal(out.mesh, request.nominal, request.options.threads);
   return out;
 }
 
-int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
-                   const ReportFacts& facts) {
+Comparison compare_named(const CompareRequest& request, const TriMesh& part,
+                         const TriMesh& nominal) {
+  Comparison out = compare(part, nominal, request.options,
+                           read_program_lines(part.origin, request.part, request.folders));
+  out.part_name = request.part;
+  out.nominal_name = request.nominal;
+  return out;
+}
+
+int finish_comparison(const CompareRequest& request, const TriMesh& part,
+                      const NamedNominal& nominal, const Comparison& comparison,
+                      const ReportFacts& facts) {
   if (!nominal.note.empty()) warn(request, nominal.note);
-  if (part.owners.empty())
-    warn(request, request.part +
-                      ": this file does not say which line cut which face, so no lines are named; "
-                      ".ply, .glb, .3mf and .vdb do");
-  Comparison comparison = compare(part, nominal.mesh, request.options,
-                                  read_program_lines(part.origin, request.part, request.folders));
-  comparison.part_name = request.part;
-  comparison.nominal_name = request.nominal;
   ReportFacts all = facts;
   if (!nominal.note.empty()) all.facts.emplace_back("Nominal", nominal.note);
-  all.times.emplace_back("compare", comparison.seconds);
   write_results(request, part, nominal.mesh, comparison, all);
   if (!request.quiet && request.json != "-")
     std::fputs(comparison_text(comparison).c_str(), stdout);
   return comparison.accepted.value_or(true) ? kDone : kFailed;
+}
+
+TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
+  const NamedNominal nominal = prepare_comparison(request);
+  if (!nominal.note.empty()) warn(request, nominal.note);
+  CompareOptions options = request.options;
+  options.hints = false;
+  const Comparison comparison = compare(part, nominal.mesh, options);
+  return deviation_mesh(part, nominal.mesh, comparison, request.scheme, options.threads);
 }
 
 int run_compare(int argc, const char* const* argv) {
@@ -143,7 +170,7 @@ int run_compare(int argc, const char* const* argv) {
       "  mrsim compare part.3mf nominal.stl --accept -0.02,0.05 --json - | jq .verdict\n\n"
       "Exit: 0 in tolerance, or no --accept; 1 out of tolerance or a bad file; 2 wrong usage.");
   app.add_option("INPUT", inputs)->expected(0, -1)->group("");
-  add_compare_options(app, typed, false);
+  add_compare_options(app, typed, CompareUse::command);
   app.add_option("--path", typed.programs, "look for the programs here; may be repeated")
       ->type_name("DIR")
       ->group("Comparison")
@@ -172,8 +199,16 @@ int run_compare(int argc, const char* const* argv) {
   const NamedNominal nominal = prepare_comparison(request);
   ReportFacts facts;
   facts.title = std::filesystem::path(request.part).filename().string();
-  const TriMesh part = read_solid(request.part, 0.001, request.options.threads);
-  return run_comparison(request, part, nominal, facts);
+  std::string note;
+  const TriMesh part = read_named(request, request.part, note);
+  if (!note.empty()) warn(request, note);
+  if (part.owners.empty())
+    warn(request, request.part +
+                      ": this file does not say which line cut which face, so no lines are named; "
+                      ".ply, .glb, .3mf and .vdb do");
+  const Comparison comparison = compare_named(request, part, nominal.mesh);
+  facts.times = {{"compare", comparison.seconds}};
+  return finish_comparison(request, part, nominal, comparison, facts);
 }
 
 ReportFacts facts_of(const JobResult& result, const std::string& program) {

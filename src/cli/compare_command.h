@@ -3,6 +3,7 @@
 
 #include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/solid_files.h>
 
 #include <string>
 #include <vector>
@@ -30,7 +31,10 @@ struct CompareRequest {
   bool quiet = false;
 };
 
-void add_compare_options(CLI::App& app, CompareTyped& typed, bool with_nominal);
+/// Where a comparison is asked for: `mrsim compare`, a run's --nominal, a picture's --nominal.
+enum class CompareUse : std::uint8_t { command, run, picture };
+
+void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use);
 /// Throws Error of kind usage.
 CompareRequest compare_request(const CompareTyped& typed);
 
@@ -41,9 +45,16 @@ struct NamedNominal {
 /// The nominal, read and checked, and the places of all outputs: before a long run.
 NamedNominal prepare_comparison(const CompareRequest& request);
 
-/// Compares, writes what was asked for and prints; kDone or, for a rejected part, kFailed.
-int run_comparison(const CompareRequest& request, const TriMesh& part, const NamedNominal& nominal,
-                   const ReportFacts& facts = {});
+/// The comparison, with the lines of the programs that are found.
+Comparison compare_named(const CompareRequest& request, const TriMesh& part,
+                         const TriMesh& nominal);
+/// Writes what was asked for and prints; kDone or, for a rejected part, kFailed.
+int finish_comparison(const CompareRequest& request, const TriMesh& part,
+                      const NamedNominal& nominal, const Comparison& comparison,
+                      const ReportFacts& facts);
+
+/// `part`, moved and coloured by its deviation from the nominal of the request, for a picture.
+TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part);
 
 /// The command: argv[0] is "compare".
 int run_compare(int argc, const char* const* argv);

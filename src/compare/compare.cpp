@@ -66,7 +66,7 @@ HausdorffBound hausdorff_of(const TriMesh& from, const DeviationField& field,
   std::size_t worst = 0;
   for (std::size_t i = 0; i < field.hits.size(); ++i)
     if (std::abs(field.hits[i].distance) > std::abs(field.hits[worst].distance)) worst = i;
-  const FlatPatches patches(to_mesh);
+  const FlatPatches patches(to_mesh, to, options.threads);
   memory += patches.memory();
   return directed_hausdorff(from, to, patches, std::abs(field.hits[worst].distance),
                             field.samples.points[worst], error, kHausdorffPieces, options.threads);
@@ -77,9 +77,8 @@ void fill_hausdorff(const TriMesh& part, const TriMesh& nominal, const Deviation
                     const NominalSurface& nominal_surface, const CompareOptions& options,
                     Comparison& out) {
   const double largest = std::max({out.part.max, -out.part.min, out.nominal.max, -out.nominal.min});
-  const double error = options.hausdorff_error > 0
-                           ? options.hausdorff_error
-                           : std::max({1e-4, 0.125 * (out.band.hi - out.band.lo), 0.01 * largest});
+  const double error =
+      options.hausdorff_error > 0 ? options.hausdorff_error : std::max(1e-4, 0.01 * largest);
   out.part_to_nominal =
       hausdorff_of(part, of_part, nominal, nominal_surface, error, options, out.memory);
   out.nominal_to_part =
@@ -148,6 +147,10 @@ void fill_deviations(const TriMesh& part, const TriMesh& nominal,
 }
 
 }  // namespace
+
+double narrow_side(const Acceptance& accept) {
+  return accept.lo < 0 && accept.hi > 0 ? std::min(-accept.lo, accept.hi) : accept.hi - accept.lo;
+}
 
 Acceptance parse_acceptance(const std::string& text) {
   const std::size_t comma = text.find(',');

@@ -67,24 +67,7 @@ std::string verdict_text(const Comparison& c) {
                      std::min(c.part.min, c.nominal.min), std::max(c.part.max, c.nominal.max));
 }
 
-std::string escape_xml(const std::string& text) {
-  std::string out;
-  for (const char c : to_utf8(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t')
-      out += c;
-    else
-      out += '?';  // XML 1.0 has no other control characters
-  }
-  return out;
-}
+std::string xml(const std::string& text) { return xml_escaped(to_utf8(text)); }
 
 }  // namespace
 
@@ -117,14 +100,14 @@ std::string comparison_junit(const Comparison& c) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuites tests=\"{0}\" failures=\"{1}\">\n"
       " <testsuite name=\"mrsim compare {2}\" tests=\"{0}\" failures=\"{1}\" skipped=\"{3}\">\n",
-      1 + c.regions.size(), failures, escape_xml(c.part_name),
-      c.accepted ? 0 : 1 + c.regions.size());
+      1 + c.regions.size(), failures, xml(c.part_name), c.accepted ? 0 : 1 + c.regions.size());
   const auto add = [&](const std::string& name, const std::string& message) {
-    out += fmt::format("  <testcase classname=\"mrsim.compare\" name=\"{}\">", escape_xml(name));
+    out += fmt::format("  <testcase classname=\"mrsim.compare\" name=\"{}\">", xml(name));
     if (!c.accepted)
       out += "<skipped message=\"no tolerance was given\"/>";
     else if (rejected)
-      out += fmt::format("<failure message=\"{}\"/>", escape_xml(message));
+      out += fmt::format("<failure message=\"{}\">{}</failure>",
+                         xml(message.substr(0, message.find('\n'))), xml(message));
     out += "</testcase>\n";
   };
   std::string verdict = verdict_text(c);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -169,7 +171,7 @@ DisplayMesh refine_for_display(const TriMesh& part, const NominalSurface& nomina
   out.deviation = deviations(points, nominal, threads);
   const double size = size_of(part);
   for (int pass = 0; pass < kMostPasses && out.mesh.triangles.size() < most; ++pass) {
-    const std::size_t room = (most - out.mesh.triangles.size()) / 2 + 1;  // a split adds two
+    const std::size_t room = (most - out.mesh.triangles.size()) / 2;  // a split adds two
     const Split split = choose_splits(out, nominal, band, size, room, threads);
     if (split.count == 0) break;
     apply_splits(out.mesh, split);
@@ -231,6 +233,20 @@ std::array<std::uint8_t, 3> deviation_color(double deviation, const Acceptance& 
   return out;
 }
 
+std::vector<ColorLabel> deviation_legend(const Acceptance& band, DeviationScheme scheme) {
+  const double width = band.hi - band.lo, edge = width * 1e-6;
+  const auto at = [&](double d, std::string text) {
+    return ColorLabel{deviation_color(d, band, scheme), std::move(text)};
+  };
+  return {at(band.hi + width, fmt::format("{:+.4g} mm and more: material left", band.hi + width)),
+          at(band.hi + width / 2, fmt::format("{:+.4g} mm", band.hi + width / 2)),
+          at(band.hi + edge, fmt::format("above {:+.4g} mm", band.hi)),
+          at(0, fmt::format("{:+.4g} .. {:+.4g} mm: in tolerance", band.lo, band.hi)),
+          at(band.lo - edge, fmt::format("below {:+.4g} mm", band.lo)),
+          at(band.lo - width / 2, fmt::format("{:+.4g} mm", band.lo - width / 2)),
+          at(band.lo - width, fmt::format("{:+.4g} mm and less: gouge", band.lo - width))};
+}
+
 TriMesh deviation_mesh(const TriMesh& part, const TriMesh& nominal, const Comparison& comparison,
                        DeviationScheme scheme, int threads) {
   const NominalSurface surface(nominal, threads);
@@ -241,6 +257,7 @@ TriMesh deviation_mesh(const TriMesh& part, const TriMesh& nominal, const Compar
   display.mesh.colors.clear();
   for (const float d : display.deviation)
     display.mesh.colors.push_back(deviation_color(double(d), comparison.band, scheme));
+  display.mesh.legend = deviation_legend(comparison.band, scheme);
   return std::move(display.mesh);
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace mrsim {
 namespace {
@@ -14,86 +13,164 @@ namespace {
 constexpr std::uint32_t kUnknown = ~0u;
 
 struct Piece {
-  std::array<Vec3, 3> corners;
-  double upper = 0;
-  std::uint32_t hint = 0, crease_hint = 0;  // where searches for its parent ended
+  TrianglePiece corners;
+  double upper = std::numeric_limits<double>::infinity();
+  std::uint32_t hint = 0;                                              // nearest to its parent
   std::array<std::uint32_t, 3> nearest{kUnknown, kUnknown, kUnknown};  // to the corners
 };
 
 struct Verdict {
   double upper = 0, lower = 0;
   Vec3 place;
-  std::uint32_t hint = 0, crease_hint = 0;
-  std::array<std::uint32_t, 3> nearest{};
+  std::uint32_t hint = 0;
+  std::array<std::uint32_t, 3> nearest{kUnknown, kUnknown, kUnknown};
+  std::optional<CutPlane> cut;  // where to split the piece; nothing: halve it
+
+  void found(double distance, const Vec3& at) {
+    if (distance <= lower) return;
+    lower = distance;
+    place = at;
+  }
 };
 
 // Distances to a convex set are convex, so no point of the piece is farther from t.
-double farthest_corner(const TriangleTree::Corners& t, const Piece& s) {
+double farthest_corner(const TriangleTree::Corners& t, const TrianglePiece& piece) {
   double most = 0;
-  for (const Vec3& p : s.corners)
+  for (const Vec3& p : piece)
     most = std::max(most, nearest_on_triangle(p, t.a, t.b, t.c).distance2);
   return std::sqrt(most);
 }
 
-Vec3 centre_of(const Piece& s) { return (1.0 / 3) * (s.corners[0] + s.corners[1] + s.corners[2]); }
+double longest_side(const TrianglePiece& t) {
+  return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+}
 
-double flat_bound(const FlatPatches& patches, const Piece& s, const TriangleTree::Hit& hit,
-                  double radius, std::uint32_t& crease_hint) {
-  if (hit.feature != kTriangleFace || !patches.is_joined(hit.triangle) ||
-      patches.crease_distance(hit.point, crease_hint) <= radius)
-    return std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (const Vec3& p : s.corners) most = std::max(most, std::abs(patches.height(hit.triangle, p)));
-  return most + 2 * patches.flatness();
+// The planes that part what is nearest to the feature that was hit from what is nearest to other
+// features of its triangle: the first one that runs through the piece. Pieces much larger than the
+// triangle are better halved.
+std::optional<CutPlane> feature_cut(const TriangleTree& tree, const TrianglePiece& piece,
+                                    const TriangleTree::Hit& hit) {
+  const TriangleTree::Corners t = tree.corners(hit.triangle);
+  const TrianglePiece v{t.a, t.b, t.c};
+  if (longest_side(piece) > 2 * longest_side(v)) return {};
+  const Vec3 normal = tree.normal(hit.triangle);
+  std::optional<CutPlane> out;
+  const auto try_plane = [&](bool wanted, const CutPlane& plane) {
+    if (wanted && !out && splits(plane, piece)) out = plane;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const bool face = hit.feature == kTriangleFace, edge = hit.feature == 3 + i;
+    const Vec3 along = normalized(v[j] - v[i]);
+    try_plane(face || edge, {v[i], cross(normal, along)});
+    try_plane(edge || hit.feature == i, {v[i], along});
+    try_plane(edge || hit.feature == j, {v[j], along});
+  }
+  return out;
 }
 
 // Bounds on the distances of all points of the piece, cheapest first; stops once below `enough`.
 Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece& s, double enough) {
   const TriangleTree& tree = to.tree();
-  const Vec3 centre = centre_of(s);
-  double radius = 0;
-  for (const Vec3& p : s.corners) radius = std::max(radius, distance(p, centre));
+  const TrianglePiece& c = s.corners;
+  const Vec3 centre = (1.0 / 3) * (c[0] + c[1] + c[2]);
   const TriangleTree::Hit hit = tree.nearest(centre, s.hint);
-  Verdict out{0, std::sqrt(hit.distance2), centre, hit.triangle, s.crease_hint};
-  out.upper = std::min(s.upper, out.lower + radius);
-  if (out.upper <= enough) return out;
-  out.upper = std::min(out.upper, farthest_corner(tree.corners(hit.triangle), s));
-  if (out.upper <= enough) return out;
-  out.upper = std::min(out.upper, flat_bound(patches, s, hit, radius, out.crease_hint));
-  if (out.upper <= enough) return out;
+  Verdict out;
+  out.hint = hit.triangle;
   out.nearest = s.nearest;
+  out.found(std::sqrt(hit.distance2), centre);
+  out.upper = s.upper;
+  const auto lower_to = [&](double bound) {
+    out.upper = std::min(out.upper, bound);
+    return out.upper <= enough;
+  };
+  double radius = 0;
+  for (const Vec3& p : c) radius = std::max(radius, distance(p, centre));
+  if (lower_to(std::sqrt(hit.distance2) + radius)) return out;
+  if (lower_to(farthest_corner(tree.corners(hit.triangle), c))) return out;
+  const bool face = hit.feature == kTriangleFace, flat = face && patches.is_joined(hit.triangle);
+  if (flat) {
+    const FlatPatches::Placement over = patches.place(c, hit.triangle, hit.point);
+    if (over.inside && lower_to(over.height)) return out;
+    out.cut = over.cut;
+  }
+  if (face && lower_to(patches.distance_over_ring(c, hit.triangle, hit.point))) return out;
+  if (!flat) out.cut = feature_cut(tree, c, hit);
   for (std::size_t k = 0; k < 3; ++k) {
     if (out.nearest[k] != kUnknown) continue;  // counted when its parent was judged
-    const TriangleTree::Hit at = tree.nearest(s.corners[k], hit.triangle);
+    const TriangleTree::Hit at = tree.nearest(c[k], hit.triangle);
     out.nearest[k] = at.triangle;
-    const double d = std::sqrt(at.distance2);
-    if (d > out.lower) {
-      out.lower = d;
-      out.place = s.corners[k];
-    }
+    out.found(std::sqrt(at.distance2), c[k]);
   }
-  for (const std::uint32_t t : out.nearest)
-    out.upper = std::min(out.upper, farthest_corner(tree.corners(t), s));
+  for (const std::uint32_t t : out.nearest) lower_to(farthest_corner(tree.corners(t), c));
   return out;
 }
 
-// Across its longest side, so that slivers become compact before they become many.
-void halve(const Piece& s, const Verdict& v, std::vector<Piece>& out) {
-  std::size_t longest = 0;
-  double most = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double side = distance(s.corners[k], s.corners[(k + 1) % 3]);
-    if (side > most) {
-      most = side;
-      longest = k;
+// The parts of a piece that was judged; its bounds hold for them, too.
+class Cutter {
+ public:
+  Cutter(const Piece& piece, const Verdict& verdict, std::vector<Piece>& out)
+      : s_(piece), v_(verdict), out_(out) {}
+
+  void run() {
+    if (v_.cut)
+      cut(*v_.cut);
+    else
+      halve();
+  }
+
+ private:
+  struct Corner {
+    Vec3 place;
+    std::uint32_t nearest = kUnknown;
+  };
+  Corner corner(std::size_t k) const { return {s_.corners[k], v_.nearest[k]}; }
+
+  void add(const Corner& a, const Corner& b, const Corner& c) {
+    out_.push_back(
+        {{a.place, b.place, c.place}, v_.upper, v_.hint, {a.nearest, b.nearest, c.nearest}});
+  }
+
+  // Across its longest side, so that slivers become compact before they become many.
+  void halve() {
+    const TrianglePiece& c = s_.corners;
+    std::size_t i = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (distance(c[k], c[(k + 1) % 3]) > distance(c[i], c[(i + 1) % 3])) i = k;
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Corner middle{lerp(c[i], c[j], 0.5)};
+    add(corner(i), middle, corner(k));
+    add(middle, corner(j), corner(k));
+  }
+
+  // Corner i alone on its side, the other two on the other or one of them on the plane.
+  void cut(const CutPlane& plane) {
+    std::array<double, 3> side;
+    for (std::size_t k = 0; k < 3; ++k) side[k] = dot(plane.normal, s_.corners[k] - plane.point);
+    std::size_t i = 0;
+    while ((side[i] > 0) == (side[(i + 1) % 3] > 0) || (side[i] > 0) == (side[(i + 2) % 3] > 0))
+      ++i;
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const auto between = [&](std::size_t other) {
+      return Corner{lerp(s_.corners[i], s_.corners[other], side[i] / (side[i] - side[other]))};
+    };
+    const Corner p = between(j), q = between(k);
+    add(corner(i), p, q);
+    if (std::abs(side[j]) <= kSliver) return add(p, corner(k), q);
+    if (std::abs(side[k]) <= kSliver) return add(p, corner(j), q);
+    if (distance(p.place, s_.corners[k]) < distance(s_.corners[j], q.place)) {
+      add(p, corner(j), corner(k));
+      add(p, corner(k), q);
+    } else {
+      add(p, corner(j), q);
+      add(corner(j), corner(k), q);
     }
   }
-  const std::size_t i = longest, j = (i + 1) % 3, k = (i + 2) % 3;
-  const Vec3 &a = s.corners[i], &b = s.corners[j], &c = s.corners[k], middle = lerp(a, b, 0.5);
-  const std::array<std::uint32_t, 3>& n = v.nearest;
-  out.push_back({{a, middle, c}, v.upper, v.hint, v.crease_hint, {n[i], kUnknown, n[k]}});
-  out.push_back({{middle, b, c}, v.upper, v.hint, v.crease_hint, {kUnknown, n[j], n[k]}});
-}
+
+  const Piece& s_;
+  const Verdict& v_;
+  std::vector<Piece>& out_;
+};
 
 // In rounds: the pieces with the largest bounds are judged against the lower bound of the round
 // before, so that the result does not depend on threads, and what the budget leaves undecided has
@@ -104,16 +181,20 @@ class Search {
          int threads)
       : to_(to), patches_(patches), bound_(known), error_(error), threads_(threads) {}
 
+  // The budget is for what the triangles are split into: each of them is judged in any case.
   HausdorffBound run(std::vector<Piece> pieces, std::size_t budget) {
-    while (!pieces.empty()) {
+    std::vector<Piece> round;
+    round.swap(pieces);
+    for (;;) {
+      judge_round(round, pieces);
+      drop_decided(pieces);
+      if (pieces.empty()) break;
       const auto chosen = choose(pieces);
       const auto count = static_cast<std::size_t>(pieces.end() - chosen);
       if (count > budget) break;
       budget -= count;
-      const std::vector<Piece> round(chosen, pieces.end());
+      round.assign(chosen, pieces.end());
       pieces.erase(chosen, pieces.end());
-      judge_round(round, pieces);
-      drop_decided(pieces);
     }
     bound_.upper = std::max(bound_.lower, decided_);
     for (const Piece& s : pieces) bound_.upper = std::max(bound_.upper, s.upper);
@@ -144,7 +225,7 @@ class Search {
       if (verdicts[i].upper <= bound_.lower + error_)
         decided_ = std::max(decided_, verdicts[i].upper);
       else
-        halve(round[i], verdicts[i], rest);
+        Cutter(round[i], verdicts[i], rest).run();
     }
   }
 
@@ -166,79 +247,12 @@ class Search {
 
 }  // namespace
 
-FlatPatches::FlatPatches(const TriMesh& mesh) {
-  constexpr std::uint32_t kNone = ~0u;
-  double allowed = 0;
-  for (const auto& v : mesh.vertices)
-    for (const float x : v)
-      allowed = std::max(allowed, 2e-7 * std::abs(double(x)));  // float's steps
-  const std::vector<std::uint32_t> opposite = find_opposites(mesh);
-  seed_.assign(mesh.triangles.size(), kNone);
-  joined_.assign(seed_.size(), false);
-  origins_.resize(seed_.size());
-  normals_.resize(seed_.size());
-  for (std::uint32_t f = 0; f < seed_.size(); ++f) {
-    origins_[f] = corner(mesh, f, 0);
-    normals_[f] = normalized(area_normal(mesh, f));
-  }
-  std::deque<std::uint32_t> front;
-  const auto joins = [&](std::uint32_t f, std::uint32_t seed) {
-    if (dot(normals_[f], normals_[seed]) < 0.999) return false;
-    double stray = 0;
-    for (int k = 0; k < 3; ++k)
-      stray = std::max(stray, std::abs(dot(normals_[seed], corner(mesh, f, k) - origins_[seed])));
-    if (stray > allowed) return false;
-    flatness_ = std::max(flatness_, stray);
-    return true;
-  };
-  for (std::uint32_t f = 0; f < seed_.size(); ++f) {
-    if (seed_[f] != kNone) continue;
-    seed_[f] = f;
-    for (front.push_back(f); !front.empty(); front.pop_front())
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t across = opposite[3 * front.front() + k];
-        if (!is_half_edge(across) || seed_[across / 3] != kNone || !joins(across / 3, f)) continue;
-        seed_[across / 3] = f;
-        joined_[f] = joined_[across / 3] = true;
-        front.push_back(across / 3);
-      }
-  }
-  TriMesh creases;  // a crease is a triangle without area; lone triangles are not asked for theirs
-  creases.vertices = mesh.vertices;
-  for (std::uint32_t h = 0; h < opposite.size(); ++h) {
-    const bool inner = is_half_edge(opposite[h]) && seed_[opposite[h] / 3] == seed_[h / 3];
-    const std::uint32_t from = origin_of(mesh, h), to = target_of(mesh, h);
-    const bool asked = joined_[h / 3] || (is_half_edge(opposite[h]) && joined_[opposite[h] / 3]);
-    if (!inner && asked && (from < to || !is_half_edge(opposite[h])))
-      creases.triangles.push_back({from, to, to});
-  }
-  if (!creases.triangles.empty()) creases_ = std::make_unique<TriangleTree>(creases);
-}
-
-double FlatPatches::height(std::uint32_t triangle, const Vec3& p) const {
-  const std::uint32_t seed = seed_[triangle];
-  return dot(normals_[seed], p - origins_[seed]);
-}
-
-double FlatPatches::crease_distance(const Vec3& p, std::uint32_t& hint) const {
-  if (!creases_) return std::numeric_limits<double>::infinity();
-  const TriangleTree::Hit hit = creases_->nearest(p, hint);
-  hint = hit.triangle;
-  return std::sqrt(hit.distance2);
-}
-
-std::size_t FlatPatches::memory() const {
-  return seed_.capacity() * 4 + 2 * origins_.capacity() * sizeof(Vec3) +
-         (creases_ ? creases_->memory() : 0);
-}
-
 HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
                                   const FlatPatches& patches, double known, const Vec3& place,
                                   double error, std::size_t budget, int threads) {
   std::vector<Piece> pieces(from.triangles.size());
   for (std::size_t f = 0; f < pieces.size(); ++f)
-    pieces[f] = {.corners = {corner(from, f, 0), corner(from, f, 1), corner(from, f, 2)},
-                 .upper = std::numeric_limits<double>::infinity()};
+    pieces[f].corners = {corner(from, f, 0), corner(from, f, 1), corner(from, f, 2)};
   return Search(to, patches, {known, known, place}, error, threads).run(std::move(pieces), budget);
 }
 

@@ -91,10 +91,11 @@ void hint_shift(const DeviationField& field, const NominalSurface& nominal, cons
   out.push_back(
       {"part-shifted",
        fmt::format("{} would fit after a move by ({:+.3f}, {:+.3f}, {:+.3f}) mm{}: RMS {:.4f} -> "
-                   "{:.4f} mm. Check the work offset, or compare with --align icp",
+                   "{:.4f} mm. Check the work offset{}",
                    lines.any_cut() ? "what was cut" : "the part", move.x, move.y, move.z,
                    turn > 0.01 ? fmt::format(" and a turn by {:.3f} degrees", turn) : "",
-                   fit.rms_before, fit.rms_after)});
+                   fit.rms_before, fit.rms_after,
+                   lines.any_cut() ? "" : ", or compare with --align icp")});
 }
 
 }  // namespace

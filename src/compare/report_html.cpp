@@ -23,8 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostShown = 500000;    // triangles of the part
-constexpr std::size_t kMostRefined = 200000;  // ... after splitting long ones
+constexpr std::size_t kMostShown = 200000;  // triangles of the part
 constexpr std::size_t kMostNominal = 150000;
 constexpr int kMostLines = 50000;        // of a program; beyond, only those around the cuts
 constexpr double kDeviationStep = 1e-4;  // mm
@@ -218,7 +217,7 @@ DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Compar
   const TriMesh moved = transformed(part, c.transform);
   if (nominal.triangles.empty()) return {moved, std::vector<float>(moved.vertices.size(), 0.0f)};
   const NominalSurface surface(nominal, threads);
-  return refine_for_display(moved, surface, (c.band.hi - c.band.lo) / 8, kMostRefined, threads);
+  return refine_for_display(moved, surface, (c.band.hi - c.band.lo) / 8, kMostShown, threads);
 }
 
 }  // namespace

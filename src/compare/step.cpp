@@ -1,7 +1,7 @@
 // STEP files through Open CASCADE, the only source that sees it.
 #include "core/text_io.h"
 #include "mesh/check.h"
-#include <mrsim/compare.h>
+#include <mrsim/solid_files.h>
 
 #include <cmath>
 

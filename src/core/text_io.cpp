@@ -269,4 +269,21 @@ std::string to_utf8(std::string_view bytes) {
   return out;
 }
 
+std::string xml_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t' ? c : ' ';
+  }
+  return out;
+}
+
 }  // namespace mrsim

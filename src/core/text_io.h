@@ -44,4 +44,8 @@ void check_writable(const std::string& path);
 /// `bytes` as UTF-8: as it is when valid, else every byte read as Latin-2 (ISO 8859-2).
 std::string to_utf8(std::string_view bytes);
 
+/// `text` (UTF-8) for XML, inside attributes and between tags; control characters but tabs and line
+/// ends become blanks.
+std::string xml_escaped(std::string_view text);
+
 }  // namespace mrsim

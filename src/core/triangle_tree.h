@@ -45,6 +45,10 @@ class TriangleTree {
   /// least index. A `hint` (any triangle, such as the one nearest to a neighbour of p) makes the
   /// search faster and does not change its result.
   Hit nearest(const Vec3& p, std::uint32_t hint = 0) const;
+  /// Calls visit(triangle) for all triangles that may touch the box, in a fixed order, until it
+  /// returns false.
+  template <class Visit>
+  void visit(const Box3& box, Visit&& visit) const;
   /// Outward pseudonormal of the feature that was hit, not of unit length.
   Vec3 pseudonormal(const Hit& hit) const;
   /// Distance with its sign, negative inside.
@@ -82,5 +86,24 @@ class TriangleTree {
   std::vector<Vec3> vertex_normals_;
   Box3 bounds_;
 };
+
+template <class Visit>
+void TriangleTree::visit(const Box3& box, Visit&& visit) const {
+  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
+  for (int top = 1; top > 0;) {
+    const std::uint32_t at = stack[--top];
+    const Node& node = nodes_[at];
+    if (node.lo[0] > box.hi.x || node.hi[0] < box.lo.x || node.lo[1] > box.hi.y ||
+        node.hi[1] < box.lo.y || node.lo[2] > box.hi.z || node.hi[2] < box.lo.z)
+      continue;
+    if (node.count == 0) {
+      stack[top++] = node.first;
+      stack[top++] = at + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      if (!visit(order_[i])) return;
+  }
+}
 
 }  // namespace mrsim

@@ -177,12 +177,17 @@ int add_indices(const Vertices& vertices, Binary& binary) {
       accessor(narrow ? kUnsignedShort : kUnsignedInt, "SCALAR", vertices.indices.size()));
 }
 
-Json extras_of(const OwnerTable& table) {
+Json extras_of(const TriMesh& mesh) {
+  const OwnerTable& table = mesh.origin;
   Json files = Json::array(), tools = Json::array(), origins = Json::array();
   for (const std::string& file : table.files) files.push_back(to_utf8(file));
   for (const std::string& tool : table.tools) tools.push_back(to_utf8(tool));
   for (const FaceOrigin& o : table.origins) origins.push_back({o.owner, o.file, o.line, o.tool});
-  return {{"mrsim", {{"files", files}, {"tools", tools}, {"origins", origins}}}};
+  Json out = {{"files", files}, {"tools", tools}, {"origins", origins}};
+  if (!mesh.colors.empty())
+    for (const ColorLabel& l : mesh.legend)
+      out["legend"].push_back({l.color[0], l.color[1], l.color[2], to_utf8(l.text)});
+  return {{"mrsim", out}};
 }
 
 // From steps to metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000.
@@ -202,7 +207,7 @@ Json document(const TriMesh& mesh, const Quantizer& quantizer, const Json& primi
   const double gray = to_linear(kStockColor).r;
   const Json base = colored ? Json{1, 1, 1, 1} : Json{gray, gray, gray * 1.04, 1};
   Json part = {{"name", "part"}, {"primitives", {primitive}}};
-  if (!mesh.owners.empty()) part["extras"] = extras_of(mesh.origin);
+  if (!mesh.owners.empty() || !mesh.colors.empty()) part["extras"] = extras_of(mesh);
   return {{"asset", {{"version", "2.0"}, {"generator", "mrsim"}}},
           {"extensionsUsed", {"KHR_mesh_quantization"}},
           {"extensionsRequired", {"KHR_mesh_quantization"}},

@@ -4,17 +4,27 @@
 // of 100 mm), normals 8 bit, split at edges; the part stands in metres with Y up, as glTF wants it,
 // by its node's transform. Faces carry their owner in the vertex attribute _OWNER (float, -1 =
 // stock), what owners stand for is in the mesh's extras: {"mrsim": {"files": [..], "tools": [..],
-// "origins": [[owner, file, line, tool], ..]}}. For measuring take PLY or STL instead.
+// "origins": [[owner, file, line, tool], ..]}}, with "legend": [[r, g, b, text], ..] where vertices
+// have colours. For measuring below the steps take PLY or STL instead.
 #pragma once
 
 #include "core/text_io.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <string>
+#include <string_view>
+
 namespace mrsim {
 
 /// Largest distance in mm between a vertex and its place in the GLB file.
 double glb_max_error(const TriMesh& mesh);
+
+/// The triangles of the scene of any GLB file, transforms of its nodes applied, in mm with Z up.
+/// Colours are read where a legend explains them. Throws Error "glb-syntax", "glb-truncated",
+/// "glb-unsupported" (compression, other files), "glb-index", "glb-nan", "glb-empty",
+/// "glb-too-large" (more than 50 million triangles by repetition).
+TriMesh parse_glb(std::string_view bytes, const std::string& name);
 
 /// Throws Error "glb-too-large" above 4 GB.
 void write_glb(const TriMesh& mesh, const MeshFileOptions& options, const ByteSink& out);

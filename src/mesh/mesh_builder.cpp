@@ -105,6 +105,7 @@ TriMesh MeshBuilder::take() {
   if (mesh_.triangles.size() > 1'000'000'000) fail("size", "it has more than 1e9 triangles");
   if (!has_owners_) mesh_.owners.clear();
   if (mesh_.colors.size() != mesh_.vertices.size()) mesh_.colors.clear();
+  if (mesh_.colors.empty()) mesh_.legend.clear();
   drop_unused_vertices(mesh_);
   if (is_open(mesh_)) mesh_ = weld(mesh_);
   if (mesh_.triangles.empty()) fail("empty", "all its triangles are without area");

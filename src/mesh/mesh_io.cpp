@@ -54,8 +54,7 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
     case MeshFormat::glb:
       break;
   }
-  throw Error("mesh-format", fmt::format("{}: GLB is written, not read; take .ply or .3mf", name),
-              Error::Kind::usage);
+  return parse_glb(bytes, name);
 }
 
 void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,

@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kMostLegendText = 80;
+
 // Names stand to the end of the line.
 std::string one_line(std::string text) {
   for (char& c : text)
@@ -33,6 +35,27 @@ std::vector<std::string> origin_lines(const OwnerTable& table) {
   for (const FaceOrigin& o : table.origins)
     lines.push_back(fmt::format("owner {} {} {} {}", o.owner, o.file, o.line, o.tool));
   return lines;
+}
+
+std::vector<std::string> legend_lines(const std::vector<ColorLabel>& legend) {
+  std::vector<std::string> lines;
+  for (const auto& [color, text] : legend)
+    lines.push_back(
+        fmt::format("legend {} {} {} {}", color[0], color[1], color[2], one_line(text)));
+  return lines;
+}
+
+std::optional<ColorLabel> read_legend_line(std::string_view line) {
+  detail::TextScan scan(line);
+  if (scan.word_in_line() != "legend") return {};
+  ColorLabel out;
+  for (std::uint8_t& c : out.color) {
+    const auto value = detail::to_integer(scan.word_in_line());
+    if (!value || *value < 0 || *value > 255) return {};
+    c = std::uint8_t(*value);
+  }
+  out.text = scan.rest_of_line().substr(0, kMostLegendText);
+  return out;
 }
 
 std::optional<std::int32_t> OriginReader::read(std::string_view line) {

@@ -1,4 +1,4 @@
-// TriMesh::origin as lines of text, for the formats that keep comments.
+// TriMesh::origin and TriMesh::legend as lines of text, for the formats that keep comments.
 #pragma once
 
 #include <mrsim/types.h>
@@ -12,6 +12,11 @@ namespace mrsim {
 
 /// "file 0 data/PRIMER_2F.MPF", "tool 0 4", "owner 37 0 12 0" (owner, file, line, tool).
 std::vector<std::string> origin_lines(const OwnerTable& table);
+
+/// "legend 20 76 168 +0.060 mm and more" (sRGB, text).
+std::vector<std::string> legend_lines(const std::vector<ColorLabel>& legend);
+/// The label of such a line; nothing for others.
+std::optional<ColorLabel> read_legend_line(std::string_view line);
 
 /// Puts a table together from such lines; lines that are none are passed over.
 class OriginReader {

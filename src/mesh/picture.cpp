@@ -54,6 +54,13 @@ void blend_pixel(Color& pixel, const Color& color, double share) {
 
 Color to_linear(const Rgb& c) { return {linear_of(c[0]), linear_of(c[1]), linear_of(c[2])}; }
 
+Rgb to_srgb(const Color& c) {
+  const auto byte = [](float x) {
+    return std::uint8_t(std::lround(255 * srgb_of(std::clamp(double(x), 0.0, 1.0))));
+  };
+  return {byte(c.r), byte(c.g), byte(c.b)};
+}
+
 double stroke_coverage(Vec2 p, Vec2 from, Vec2 to, double width) {
   const Vec2 along = to - from, off = p - from;
   const double squared = dot(along, along);

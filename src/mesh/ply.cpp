@@ -19,6 +19,7 @@ using detail::MeshBuilder;
 using detail::TextScan;
 
 enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
+constexpr std::size_t kMostLegend = 64;
 constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
 constexpr std::pair<std::string_view, Type> kTypes[] = {
     {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
@@ -104,6 +105,7 @@ class PlyReader {
 
   void read_header();
   void read_property();
+  void read_comment(std::string_view line);
   void require_room(const Element& element) const;
   void read_element(const Element& element);
   void take(const Element& element, const Record& record);
@@ -138,6 +140,14 @@ void PlyReader::read_property() {
   elements_.back().properties.push_back(p);
 }
 
+void PlyReader::read_comment(std::string_view line) {
+  std::vector<ColorLabel>& legend = builder_.mesh().legend;
+  if (auto label = read_legend_line(line); label && legend.size() < kMostLegend)
+    legend.push_back(std::move(*label));
+  else
+    origin_.read(line);
+}
+
 void PlyReader::read_header() {
   if (scan_.word_in_line() != "ply") fail("syntax", "it does not begin with \"ply\"");
   bool has_format = false;
@@ -151,7 +161,7 @@ void PlyReader::read_header() {
       if (form_ == Form::little && form != "binary_little_endian") fail_syntax();
       has_format = true;
     } else if (word == "comment") {
-      if (scan_.word_in_line() == "mrsim") origin_.read(scan_.rest_of_line());
+      if (scan_.word_in_line() == "mrsim") read_comment(scan_.rest_of_line());
     } else if (word == "element") {
       Element e;
       e.name = scan_.word_in_line();
@@ -266,6 +276,8 @@ void PlyReader::take(const Element& element, const Record& record) {
 std::string header_of(const TriMesh& mesh, bool owners, bool colors) {
   std::string h = "ply\nformat binary_little_endian 1.0\ncomment mrsim part, mm\n";
   for (const std::string& line : origin_lines(mesh.origin)) h += "comment mrsim " + line + "\n";
+  if (!mesh.colors.empty())
+    for (const std::string& line : legend_lines(mesh.legend)) h += "comment mrsim " + line + "\n";
   h += fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
                    mesh.vertices.size());
   const char* rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";

@@ -2,7 +2,8 @@
 //
 // Written as binary little-endian. Faces have the properties owner, file, line and tool (int;
 // numbers of the lists of files and tools in the header's comments, -1 = unknown) and, where
-// asked for, red, green, blue. Vertices have colours where the mesh has them (deviation).
+// asked for, red, green, blue. Vertices have colours where the mesh has them (deviation), and the
+// header's comments say what the colours stand for.
 #pragma once
 
 #include "core/text_io.h"

@@ -48,6 +48,14 @@ std::vector<Color> face_paints(const FacePalette& palette) {
   return paints;
 }
 
+// What the legend shows: the labels of the mesh's own colours, or those of the owners.
+FacePalette palette_of(const TriMesh& mesh, ColorBy color) {
+  if (mesh.colors.empty()) return make_palette(mesh, color);
+  FacePalette out;
+  for (const ColorLabel& label : mesh.legend) out.entries.push_back({label.color, label.text, -1});
+  return out;
+}
+
 std::string size_text(const TriMesh& mesh) {
   Box3 box;
   for (const auto& t : mesh.triangles)
@@ -101,8 +109,7 @@ void render_mesh(const TriMesh& mesh, const RenderOptions& options, const ByteSi
   const double crease = options.edge_angle > 0 ? options.edge_angle : kDefaultCrease;
   const SurfaceShape shape = find_surface_shape(mesh, crease, options.threads);
   const RayScene scene(mesh, options.threads);
-  const FacePalette palette =
-      mesh.colors.empty() ? make_palette(mesh, options.color) : FacePalette{};
+  const FacePalette palette = palette_of(mesh, options.color);
   const std::vector<Color> paints = face_paints(palette);
 
   const double text = std::max(6.0, options.height / 75.0);

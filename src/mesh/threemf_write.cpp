@@ -2,7 +2,6 @@
 #include "mesh/palette.h"
 #include "mesh/text_scan.h"
 #include "mesh/threemf.h"
-#include "mesh/xml_scan.h"
 #include "mesh/zip.h"
 
 #include <algorithm>
@@ -38,14 +37,7 @@ std::string metadata(const TriMesh& mesh, const std::map<std::int32_t, std::size
   std::string text = "bases";
   for (const auto& [owner, index] : bases) text += fmt::format(" {}", owner);
   for (const std::string& line : origin_lines(mesh.origin)) text += "\n" + to_utf8(line);
-  // Line ends must survive xml_escaped, which blanks out control characters.
-  std::string escaped;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    escaped += detail::xml_escaped(text.substr(at, end - at)) + "\n";
-    at = end + 1;
-  }
-  return "<metadata name=\"mrsim:origin\">" + escaped + "</metadata>\n";
+  return "<metadata name=\"mrsim:origin\">" + xml_escaped(text) + "\n</metadata>\n";
 }
 
 std::string materials(const TriMesh& mesh, ColorBy color,
@@ -59,8 +51,7 @@ std::string materials(const TriMesh& mesh, ColorBy color,
     const auto found = color_of.find(owner);
     const Rgb c = found == color_of.end() ? kStockColor : found->second;
     xml += fmt::format("<base name=\"{}\" displaycolor=\"#{:02X}{:02X}{:02X}\"/>\n",
-                       detail::xml_escaped(to_utf8(owner_label(mesh.origin, owner))), c[0], c[1],
-                       c[2]);
+                       xml_escaped(to_utf8(owner_label(mesh.origin, owner))), c[0], c[1], c[2]);
   }
   return xml + "</basematerials>\n";
 }

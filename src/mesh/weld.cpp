@@ -67,6 +67,7 @@ TriMesh weld(const TriMesh& mesh) {
   }
   out.vertices = welder.take();
   out.origin = mesh.origin;
+  out.legend = mesh.legend;
   drop_unused_vertices(out);
   return out;
 }

@@ -42,7 +42,5 @@ class XmlScan {
 
 /// &amp; &lt; &gt; &quot; &apos; and &#n; (ASCII) resolved.
 std::string xml_unescaped(std::string_view text);
-/// Safe inside attributes and text; control characters become blanks.
-std::string xml_escaped(std::string_view text);
 
 }  // namespace mrsim::detail

@@ -66,7 +66,7 @@ constexpr std::array kKeys = {
     JobKey{"density", "--density", Value::number},
     JobKey{"deflection", "--deflection", Value::number},
     JobKey{"report", "--report", Value::path},
-    JobKey{"compare_json", "--compare-json", Value::path},
+    JobKey{"json", "--json", Value::path},
     JobKey{"junit", "--junit", Value::path},
     JobKey{"deviation", "--deviation", Value::path},
     JobKey{"colors", "--colors", Value::choice, "standard safe"},

@@ -22,9 +22,20 @@ class Compare : public CliTest {
     write("BAD.MPF", program);
     outcome_ =
         run("BAD.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
-            "--compare-json r.json " +
+            "--json r.json " +
             options);
     return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false);
+  }
+  /// A box from (x, 0, 0) of that size, as an OFF file.
+  static std::string box_off(double x, double a, double b, double c) {
+    std::string out = "OFF\n8 12 0\n";
+    for (int k = 0; k < 8; ++k)
+      out += std::to_string(x + (k & 1 ? a : 0)) + " " + std::to_string(k & 2 ? b : 0) + " " +
+             std::to_string(k & 4 ? c : 0) + "\n";
+    for (const char* t : {"0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4", "2 6 3", "3 6 7",
+                          "0 4 2", "2 4 6", "1 3 5", "3 7 5"})
+      out += std::string("3 ") + t + "\n";
+    return out;
   }
   static int first_line(const Json& region) { return region["lines"].at(0)["line"]; }
   Outcome outcome_;
@@ -33,22 +44,32 @@ class Compare : public CliTest {
 TEST_F(Compare, MillingPartIsAccepted) {
   const Outcome o = run(
       "PRIMER_2F.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
-      "--compare-json r.json");
+      "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
   const Json j = Json::parse(read("r.json"));
   EXPECT_EQ(j["verdict"], "accepted");
   EXPECT_LE(j["part_to_nominal"]["rms"], 0.003);
-  EXPECT_LE(j["hausdorff"]["symmetric"]["lower"], 0.02);
+  const Json& bound = j["hausdorff"]["symmetric"];
+  EXPECT_LE(bound["upper"], 0.02);
+  EXPECT_LE(bound["upper"].get<double>() - bound["lower"].get<double>(), 2e-4);
   // The part alone, later: the same verdict, lines known from the file.
   const Outcome later = run("compare part.ply PRIMER_2F.nominal.stl --accept 0.02 --report r.html");
   EXPECT_EQ(later.code, 0) << later.err;
   EXPECT_NE(read("r.html").find("N40 G2 X7.5 Y0 CR=7.5"), std::string::npos);
 }
 
+TEST_F(Compare, MeshIsFinerThanTheToleranceItIsJudgedBy) {
+  const Outcome o =
+      run("PRIMER_2F.MPF --stock block.stl --nominal PRIMER_2F.nominal.stl --accept -0.01,0.004 "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("0.001 mm  (a quarter of --accept, 0.004 mm)"), std::string::npos) << o.out;
+}
+
 TEST_F(Compare, TurningPartIsAccepted) {
   const Outcome o =
       run("PRIMER_2S.MPF --stock bar.stl -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
-          "--compare-json r.json");
+          "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
   EXPECT_LE(Json::parse(read("r.json"))["part_to_nominal"]["rms"], 0.003);
 }
@@ -88,7 +109,7 @@ TEST_F(Compare, MissingPassNamesItsNeighbours) {
   EXPECT_EQ(first_line(j["regions"][0]), 8);  // N40, which ends where the missing one began
 }
 
-TEST_F(Compare, ShiftedWorkOffset) {
+TEST_F(Compare, ShiftedWorkOffset) {  // of the slot in its block: no move of the part mends it
   const Json j = spoiled("TRANS X50 Y-30", "TRANS X50.3 Y-30");
   EXPECT_EQ(outcome_.code, 1);
   bool shifted = false;
@@ -96,6 +117,65 @@ TEST_F(Compare, ShiftedWorkOffset) {
     shifted = shifted || (hint["code"] == "part-shifted" &&
                           hint["text"].get<std::string>().find("-0.300") != std::string::npos);
   EXPECT_TRUE(shifted) << j["hints"].dump(1);
+  EXPECT_EQ(j["hints"].dump().find("--align"), std::string::npos) << j["hints"].dump(1);
+}
+
+TEST_F(Compare, ShiftOfTheWholePartVanishesWithIcp) {
+  const std::string moved =
+      "PRIMER_2F.MPF --stock block.stl -q -o part.ply && sed 's/TRANS X50 /TRANS X50.3 /' "
+      "PRIMER_2F.MPF >MOVED.MPF && '" MRSIM_PROGRAM
+      "' MOVED.MPF --stock box:0.3,-60,0,100.3,0,10 -q -o moved.ply";
+  ASSERT_EQ(run(moved).code, 0);
+  EXPECT_EQ(run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02").code, 1);
+  const Outcome o =
+      run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02 --align icp --json r.json");
+  EXPECT_EQ(o.code, 0) << o.out;
+  EXPECT_NE(o.out.find("Aligned (icp)"), std::string::npos) << o.out;
+  EXPECT_NEAR(Json::parse(read("r.json"))["transform"]["shift"][0].get<double>(), -0.3, 1e-3);
+}
+
+TEST_F(Compare, PicturesOfDeviationHaveALegend) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -o part.ply -q --nominal PRIMER_2F.nominal.stl "
+                "--tolerance 0.01 --accept 0.002 --deviation dev.ply")
+                .code,
+            1);
+  EXPECT_NE(read("dev.ply").find("comment mrsim legend"), std::string::npos);
+  EXPECT_NE(read("dev.ply").find("-0.002 .. +0.002 mm: in tolerance"), std::string::npos);
+  const auto draw = [&](const std::string& what, const std::string& name) {
+    const Outcome o = run("render " + what + " --size 320x240 -q -o " + name);
+    EXPECT_EQ(o.code, 0) << o.err;
+    return read(name);
+  };
+  const std::string of_file = draw("dev.ply", "a.png");
+  const std::string direct =
+      draw("part.ply --nominal PRIMER_2F.nominal.stl --accept 0.002", "b.png");
+  EXPECT_EQ(of_file, direct);
+  EXPECT_NE(draw("part.ply --nominal PRIMER_2F.nominal.stl --accept 0.002 --colors safe", "c.png"),
+            direct);
+  EXPECT_NE(draw("part.ply", "d.png"), direct);
+  expect_failure("render part.ply --nominal missing.stl -o e.png", 1, "no such file");
+  EXPECT_FALSE(exists("e.png"));
+}
+
+TEST_F(Compare, JsonOnTheStandardOutputStandsAlone) {
+  const Outcome o =
+      run("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal PRIMER_2F.nominal.stl --json -");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(Json::parse(o.out, nullptr, false)["verdict"], "none");
+}
+
+TEST_F(Compare, EveryFormatWithOwnersNamesTheLine) {
+  std::string program = read("PRIMER_2F.MPF");
+  program.replace(program.find("N40 G2"), 6, "N40 G3");
+  write("BAD.MPF", program);
+  ASSERT_EQ(run("BAD.MPF --stock block.stl -q -o p.ply -o p.glb -o p.3mf -o p.obj").code, 0);
+  for (const std::string name : {"p.ply", "p.glb", "p.3mf", "p.obj"}) {
+    const Outcome o = run("compare " + name + " PRIMER_2F.nominal.stl --accept 0.02 --json r.json");
+    EXPECT_EQ(o.code, 1) << o.err;
+    EXPECT_EQ(o.err.find("no lines are named"), std::string::npos) << name;
+    const Json j = Json::parse(read("r.json"));
+    EXPECT_NE(j["regions"].dump().find("N40 G3 X7.5 Y0 CR=7.5"), std::string::npos) << name;
+  }
 }
 
 TEST_F(Compare, BadInputLeavesNothing) {
@@ -112,10 +192,30 @@ TEST_F(Compare, BadInputLeavesNothing) {
   fails("compare block.stl missing.stl" + tail, 1, "no such file");
   fails("compare block.stl" + tail, 2, "a part and a nominal");
   fails("compare block.stl block.stl --acept 1", 2, "--accept");
+  fails("compare block.stl block.stl -o deviation.stl" + tail, 2, ".ply and .glb");
+  EXPECT_FALSE(exists("deviation.stl"));
+  fails("compare block.stl block.stl --density 0" + tail, 2, "samples a mm2");
+  fails("compare block.stl block.stl --report nowhere/r.html", 1, "nowhere");
   fails("compare block.stl block.stl --accept x" + tail, 2, "tolerance");
   write("bad.step", "no step");
   fails("compare block.stl bad.step" + tail, 1, "STEP");
   fails("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal open.stl", 1, "open");
+  write("empty.stl", "solid a\nendsolid a\n");
+  fails("compare block.stl empty.stl" + tail, 1, "no triangles");
+  write("nan.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 nan\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+  fails("compare block.stl nan.stl" + tail, 1, "stl-nan");
+  write("far.off", box_off(1e6, 100, 60, 10));
+  write("inch.off", box_off(0, 100 / 25.4, 60 / 25.4, 10 / 25.4));
+  write("metres.off", box_off(0, 0.1, 0.06, 0.01));
+  for (const std::string& run :
+       {std::string("compare block.stl"),
+        std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal")}) {
+    fails(run + " far.off" + tail, 1, "compare-apart");
+    fails(run + " inch.off" + tail, 1, "in inches");
+    fails(run + " metres.off" + tail, 1, "in metres");
+  }
   fails("PRIMER_2F.MPF --stock block.stl -o part.stl --accept 0.02", 2, "--nominal");
 }
 

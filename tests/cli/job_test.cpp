@@ -37,7 +37,7 @@ TEST_F(JobRun, TypedOptionsReplaceTheFiles) {
 TEST_F(JobRun, HoldsTheComparison) {
   write("same.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 1\nnominal = \"block.stl\"\n"
-        "accept = [-0.02, 0.05]\ncompare_json = \"r.json\"\n");
+        "accept = [-0.02, 0.05]\njson = \"r.json\"\n");
   EXPECT_EQ(run("same.toml").code, 1) << "the block is not the part";
   EXPECT_TRUE(contains(read("r.json"), "verdict"));
 }

@@ -176,6 +176,9 @@ TEST(Blame, TextIsEscapedInJunit) {
   EXPECT_EQ(xml.find("</testcase><x"), std::string::npos);
   EXPECT_NE(xml.find("&lt;/testcase&gt;&lt;x a=&quot;&amp;&quot;&gt;"), std::string::npos);
   EXPECT_NE(xml.find("failures=\"2\""), std::string::npos);
+  // One line as the message, all of them as its text.
+  EXPECT_NE(xml.find("<failure message=\"  1. gouge"), std::string::npos);
+  EXPECT_NE(xml.find("mm3\">  1. gouge"), std::string::npos);
   EXPECT_NE(comparison_text(c).find("REJECTED"), std::string::npos);
 }
 

@@ -1,10 +1,11 @@
 // Writes reports for the browser test: a plate with a gouge, a missing pass and a hostile program;
-// with a number, a sphere of about that many triangles.
+// with a number, a sphere of about that many triangles, cut by a line for each 10 mm of height.
 #include "core/text_io.h"
 #include "support/shapes.h"
 #include "support/slot_parts.h"
 #include <mrsim/compare.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -21,13 +22,12 @@ ReportFacts facts() {
   tool.diameter = 6;
   tool.origin = "tools.toml";
   out.tools = {tool};
-  out.diagnostics = {{Severity::warning,
-                      "feed-missing",
-                      "no feed is given: <b>check</b> it",
-                      {"SLOTS.MPF", 30, 1},
-                      3,
-                      "",
-                      {}}};
+  Diagnostic missing;
+  missing.severity = Severity::warning;
+  missing.code = "feed-missing";
+  missing.text = "no feed is given: <b>check</b> it";
+  missing.place = {"SLOTS.MPF", 30, 1};
+  out.diagnostics.push_back(missing);
   return out;
 }
 
@@ -54,6 +54,14 @@ std::string sphere_report(double triangles) {
   const int n = int(std::sqrt(triangles));
   TriMesh part = testing::sphere_mesh(n, 50.01);
   const TriMesh nominal = testing::sphere_mesh(200, 50);
+  part.origin.files = {"BALL.MPF"};
+  part.origin.tools = {"1"};
+  for (int k = 0; k < 11; ++k) part.origin.origins.push_back({k, 0, 10 * (k + 1), 0});
+  for (std::size_t f = 0; f < part.triangles.size(); ++f) {
+    float z = 0;
+    for (const std::uint32_t v : part.triangles[f]) z += part.vertices[v][2] / 3;
+    part.owners.push_back(std::clamp(int((z + 55) / 10), 0, 10));
+  }
   CompareOptions options;
   options.accept = Acceptance{-0.02, 0.02};
   return report_html(part, nominal, compare(part, nominal, options));

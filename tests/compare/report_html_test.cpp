@@ -4,6 +4,7 @@
 #include "support/shapes.h"
 #include <mrsim/compare.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -90,6 +91,16 @@ TEST(DeviationMesh, IsClosedAndColoured) {
   ASSERT_EQ(colored.colors.size(), colored.vertices.size());
   EXPECT_EQ(colored.owners.size(), colored.triangles.size());
   EXPECT_GT(colored.colors[0][2], colored.colors[0][0]);
+  // The legend says with numbers what the colours are.
+  ASSERT_GE(colored.legend.size(), 5u);
+  EXPECT_EQ(colored.legend.front().color, deviation_color(1, kBand, DeviationScheme::standard));
+  EXPECT_EQ(colored.legend.back().color, deviation_color(-1, kBand, DeviationScheme::standard));
+  const bool numbers =
+      std::any_of(colored.legend.begin(), colored.legend.end(), [](const ColorLabel& label) {
+        return label.color == deviation_color(0, kBand, DeviationScheme::standard) &&
+               label.text == "-0.02 .. +0.02 mm: in tolerance";
+      });
+  EXPECT_TRUE(numbers);
 }
 
 }  // namespace

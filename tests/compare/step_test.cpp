@@ -4,7 +4,7 @@
 #include "core/text_io.h"
 #include "core/units.h"
 #include "support/mesh_asserts.h"
-#include <mrsim/compare.h>
+#include <mrsim/solid_files.h>
 
 #include <cstdio>
 #include <filesystem>

@@ -86,6 +86,10 @@ TEST_F(TextIo, NamesWhatIsWrong) {
   EXPECT_EQ(code_of([&] { read_file(path("big"), 99); }), "file-too-large");
 }
 
+TEST(XmlEscaped, LeavesNoMarkupAndNoControlCharacters) {
+  EXPECT_EQ(xml_escaped("a<b> & \"c\"\n\t\x01"), "a&lt;b&gt; &amp; &quot;c&quot;\n\t ");
+}
+
 TEST(Utf8, KeepsUtf8AndReadsLatin2) {
   EXPECT_EQ(to_utf8("Steblasto frezalo \xC3\x98"
                     "5"),

@@ -13,9 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   constexpr mrsim::MeshFormat kFormats[] = {mrsim::MeshFormat::obj, mrsim::MeshFormat::ply,
-                                            mrsim::MeshFormat::off, mrsim::MeshFormat::threemf};
+                                            mrsim::MeshFormat::off, mrsim::MeshFormat::threemf,
+                                            mrsim::MeshFormat::glb};
   try {
-    const mrsim::TriMesh mesh = mrsim::parse_mesh(bytes, kFormats[data[0] % 4], "fuzz");
+    const mrsim::TriMesh mesh = mrsim::parse_mesh(bytes, kFormats[data[0] % 5], "fuzz");
     const mrsim::MeshSummary summary = mrsim::check_mesh(mesh, 1);
     MRSIM_ASSERT(summary.components > 0);
     mrsim::recognise_stock(mesh);

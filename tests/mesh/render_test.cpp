@@ -69,6 +69,17 @@ TEST(Render, EveryOptionShows) {
   }
 }
 
+TEST(Render, DrawsTheLegendOfVertexColours) {
+  TriMesh m = box_mesh({0, 0, 0}, {10, 10, 4});
+  m.colors.assign(m.vertices.size(), {90, 160, 90});
+  const std::string without = png(m, small());
+  m.legend = {{{90, 160, 90}, "in tolerance"}};
+  const std::string with = png(m, small());
+  EXPECT_NE(with, without);
+  m.legend[0].text = "+0.05 mm";
+  EXPECT_NE(png(m, small()), with);
+}
+
 TEST(Render, RefusesWhatCannotBeDrawn) {
   const TriMesh box = box_mesh({0, 0, 0}, {10, 10, 4});
   RenderOptions o = small();

@@ -83,6 +83,17 @@ const cases = {
     await page.keyboard.press("ArrowLeft");
     await page.keyboard.press("+");
   },
+  async "a scene that stands still is not drawn again"(page) {
+    await settle(page);
+    const drawn = () => page.evaluate(() => window.mrsimReport.view.renderer.info.render.frame);
+    const before = await drawn();
+    await page.waitForTimeout(500);
+    assert.equal(await drawn(), before);
+    await page.focus("#view");
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForTimeout(300);
+    assert.equal(await drawn(), before + 1);
+  },
   async "nothing of the program is run"(page) {
     assert.equal(await page.evaluate(() => window.evil), undefined);
     await page.click("#tab-program");
@@ -128,13 +139,24 @@ try {
       const hit = view.pick(view.canvas.clientWidth / 2, view.canvas.clientHeight / 2);
       out.pick = performance.now() - t;
       out.deviation = hit.deviation;
+      // A line for each 10 mm of height: which one is right is known, but near the borders.
+      out.picked = out.wrong = 0;
+      for (let y = 0.2; y < 0.81; y += 0.06) {
+        const at = view.pick(view.canvas.clientWidth / 2, view.canvas.clientHeight * y);
+        const band = (at.place[2] + 55) / 10;
+        if (Math.abs(band - Math.round(band)) < 0.08) continue;
+        ++out.picked;
+        out.wrong += window.mrsimReport.data.keys[view.part.owner[at.face]].line !== 10 * (Math.floor(band) + 1);
+      }
       t = performance.now();
       for (let i = 0; i < 5; ++i) { view.turn(0.1, 0); view.renderer.render(view.scene, view.camera); gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); }
       out.frame = (performance.now() - t) / 5;
       return out;
     });
     console.log(`        opened in ${opened} ms, ${JSON.stringify(times)} (software rendering)`);
-    assert.ok(times.triangles <= 500000);
+    assert.ok(times.triangles <= 200000);
+    assert.ok(times.picked >= 5);
+    assert.equal(times.wrong, 0);
     assert.ok(Math.abs(times.deviation) < 0.05);
     await page.context().close();
   });

@@ -1,0 +1,31 @@
+/// mrsim: parts, nominals and the programs beside them, read from files.
+#pragma once
+
+#include <mrsim/compare.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb,
+/// which is meshed with its owners. `note` gets a sentence where something was decided.
+MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
+                             std::string* note = nullptr);
+
+/// The lines of the programs that `origin` names, found by their names as they are, beside `part`,
+/// or in `folders`; empty for those that are not found. As compare() takes them.
+MRSIM_API std::vector<std::vector<std::string>> read_program_lines(
+    const OwnerTable& origin, const std::string& part,
+    const std::vector<std::string>& folders = {});
+
+/// The deflection that suits a tolerance: a twentieth, in [0.0002, 0.005] mm; 0.001 without one.
+MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
+
+/// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
+/// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",
+/// "step-unsupported" (built without Open CASCADE).
+MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001);
+
+}  // namespace mrsim

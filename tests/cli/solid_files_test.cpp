@@ -1,0 +1,147 @@
+// STEP files and .vdb as stock, nominal and part; without Open CASCADE, what is said of STEP.
+#include "run_program.h"
+
+#include <nlohmann/json.hpp>
+
+#ifdef MRSIM_HAS_STEP
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+#endif
+
+namespace mrsim {
+namespace {
+
+class SolidFiles : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    for (const char* name : {"PRIMER_2F.nominal.stl", "PRIMER_2S.nominal.stl"})
+      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
+  }
+  nlohmann::json json(const std::string& name) {
+    return nlohmann::json::parse(read(name), nullptr, false);
+  }
+};
+
+#ifdef MRSIM_HAS_STEP
+
+class StepFiles : public SolidFiles {
+ protected:
+  void write_step(const TopoDS_Shape& shape, const std::string& name, const char* unit = "MM") {
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.unit", unit);
+    writer.Transfer(shape, STEPControl_AsIs);
+    writer.Write((folder_ / name).c_str());
+  }
+  static TopoDS_Shape box(double x0, double y0, double z0, double x1, double y1, double z1) {
+    return BRepPrimAPI_MakeBox(gp_Pnt(x0, y0, z0), gp_Pnt(x1, y1, z1)).Shape();
+  }
+  static TopoDS_Shape bar(double diameter, double length) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), diameter / 2, length)
+        .Shape();
+  }
+};
+
+TEST_F(StepFiles, BoxIsTheStockOfTheMesh) {
+  write_step(box(0, -60, 0, 100, 0, 10), "block.step");
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -q -o mesh.stl").code, 0);
+  const Outcome o = run("PRIMER_2F.MPF --stock block.step -o step.stl");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(read("step.stl").substr(84), read("mesh.stl").substr(84));
+}
+
+TEST_F(StepFiles, CylinderIsTurnedAndCompared) {
+  write_step(bar(50, 51), "bar.STP");
+  const Outcome o =
+      run("PRIMER_2S.MPF --stock bar.STP -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_LE(json("r.json")["part_to_nominal"]["rms"], 0.003);
+}
+
+TEST_F(StepFiles, AnyShapeIsAStock) {
+  // A block with a bore: no primitive, the surface is cut as it was tessellated.
+  const TopoDS_Shape drilled = BRepAlgoAPI_Cut(
+      box(0, -60, 0, 100, 0, 10),
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(90, -50, -1), gp_Dir(0, 0, 1)), 5, 12).Shape());
+  write_step(drilled, "drilled.step");
+  const Outcome o = run("PRIMER_2F.MPF --stock drilled.step -o part.stl");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const Outcome c = run("compare part.stl PRIMER_2F.nominal.stl --json r.json -q");
+  ASSERT_EQ(c.code, 0) << c.err;
+  const double bore = 3.14159265358979 * 25 * 10;
+  EXPECT_NEAR(json("r.json")["volume"]["part"].get<double>(), 58782.632 - bore, 3);
+}
+
+TEST_F(StepFiles, AreNominalAndPart) {
+  write_step(box(0, 0, 0, 30, 20, 10), "nominal.step");
+  write_step(box(0, 0, 0, 30, 20, 10.05), "part.step");
+  const Outcome o = run("compare part.step nominal.step --accept 0.02 --json r.json");
+  EXPECT_EQ(o.code, 1) << o.err;
+  for (const char* said : {"nominal.step: 12 triangles within 0.001 mm of the exact faces",
+                           "part.step: 12 triangles within 0.001 mm of the exact faces"})
+    EXPECT_NE(o.err.find(said), std::string::npos) << o.err;
+  EXPECT_NEAR(json("r.json")["part_to_nominal"]["max"].get<double>(), 0.05, 1e-5);
+}
+
+TEST_F(StepFiles, BadOnesLeaveNothing) {
+  write_step(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 10, 0, 10).Face(), "face.step");
+  write_step(box(0, -60, 0, 100, 0, 10), "inch.step", "INCH");
+  write("text.step", "solid no step");
+  const auto fails = [&](const std::string& arguments, const std::string& text) {
+    expect_failure(arguments + " --report r.html --json r.json", 1, text);
+    EXPECT_FALSE(exists("r.html"));
+    EXPECT_FALSE(exists("r.json"));
+  };
+  const std::string cut = "PRIMER_2F.MPF -o part.stl --stock ";
+  fails("compare block.stl face.step", "no solid");
+  fails(cut + "face.step", "no solid");
+  fails(cut + "block.stl --nominal face.step", "no solid");
+  fails(cut + "text.step", "STEP");
+  fails("compare block.stl inch.step", "25.4");
+  fails(cut + "block.stl --nominal inch.step", "25.4");
+}
+
+#else
+
+TEST_F(SolidFiles, IsSaidToBeMissing) {
+  write("a.step", "ISO-10303-21;");
+  for (const char* arguments :
+       {"compare block.stl a.step", "compare a.step block.stl",
+        "PRIMER_2F.MPF --stock a.step -o part.stl", "render a.step -o a.png",
+        "PRIMER_2F.MPF --stock block.stl --nominal a.step -o part.stl"})
+    expect_failure(arguments, 1, "built without Open CASCADE");
+}
+
+#endif
+
+TEST_F(SolidFiles, VdbPartKnowsItsLines) {
+  std::string program = read("PRIMER_2F.MPF");
+  program.replace(program.find("N40 G2"), 6, "N40 G3");
+  write("BAD.MPF", program);
+  ASSERT_EQ(run("BAD.MPF --stock block.stl -q -o part.vdb").code, 0);
+  const Outcome o =
+      run("compare part.vdb PRIMER_2F.nominal.stl --accept 0.02 --json r.json --report r.html");
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(o.err.find("no lines are named"), std::string::npos);
+  EXPECT_NE(o.err.find("part.vdb: meshed with its voxel of 0.25 mm"), std::string::npos) << o.err;
+  bool named = false;
+  const nlohmann::json result = json("r.json");
+  for (const auto& region : result["regions"])
+    named = named || (region["kind"] == "gouge" && region["lines"][0]["line"] == 8 &&
+                      region["lines"][0]["text"] == "N40 G3 X7.5 Y0 CR=7.5");
+  EXPECT_TRUE(named);
+  EXPECT_TRUE(exists("r.html"));
+  write("bad.vdb", read("part.vdb").substr(0, 500));
+  expect_failure("compare bad.vdb PRIMER_2F.nominal.stl --json r2.json", 1, "bad.vdb");
+  EXPECT_FALSE(exists("r2.json"));
+}
+
+}  // namespace
+}  // namespace mrsim
