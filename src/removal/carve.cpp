@@ -9,6 +9,7 @@
 #include "removal/lattice.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
+#include "removal/sweep_kernels.h"
 
 #include <algorithm>
 #include <atomic>
@@ -40,45 +41,46 @@ class BlockCarver {
   std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
                               std::span<const std::uint32_t> sweeps) {
     leaves_.clear();
-    visit({origin[0], origin[1], origin[2]}, kBlockVoxels, 0, sweeps);
+    const openvdb::Coord first(origin[0], origin[1], origin[2]);
+    field_.sweeps().list(sweeps, center(first, kBlockVoxels), lists_[0]);
+    visit(first, kBlockVoxels, 0, false);
     return std::move(leaves_);
   }
 
  private:
-  Vec3 position(const openvdb::Coord& at) const {
-    return {lattice_position(voxel_, at.x(), kLatticeShift.x),
-            lattice_position(voxel_, at.y(), kLatticeShift.y),
-            lattice_position(voxel_, at.z(), kLatticeShift.z)};
+  double half(int size) const { return 0.5 * (size - 1) * voxel_; }
+  Vec3 center(const openvdb::Coord& origin, int size) const {
+    return Vec3{lattice_position(voxel_, origin.x(), kLatticeShift.x),
+                lattice_position(voxel_, origin.y(), kLatticeShift.y),
+                lattice_position(voxel_, origin.z(), kLatticeShift.z)} +
+           Vec3{half(size), half(size), half(size)};
   }
 
   static bool evaluate_now(int size, std::size_t sweeps) {
-    return size == 2 || (size == 4 && sweeps <= 4);
+    return size == 2 || (size == 4 && sweeps <= kFewSweeps);
   }
 
-  void visit(const openvdb::Coord& origin, int size, std::size_t depth,
-             std::span<const std::uint32_t> in) {
-    const double half = 0.5 * (size - 1) * voxel_;
-    const Vec3 center = position(origin) + Vec3{half, half, half};
-    const double radius = half * 1.7320508075688774;
-    Candidates& list = lists_[depth];
-    const auto region = field_.restrict_to(center, radius, band_, in, list);
-    if (size == kLeafVoxels) open_leaf(origin);
+  // The list of the block is lists_[depth]; what is left of it goes to the next.
+  void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    NearList& left = lists_[depth + 1];
+    const auto region = field_.restrict_to(PruneRegion::block(center(origin, size), half(size)),
+                                           band_, lists_[depth], in_stock, left);
+    if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
-      if (evaluate_now(size, list.size()))
-        evaluate(origin, size, list);
+      if (evaluate_now(size, left.size()))
+        evaluate(origin, size, left, in_stock);
       else
-        visit_children(origin, size / 2, depth + 1, list);
+        visit_children(origin, size / 2, depth + 1, in_stock);
     }
-    if (size == kLeafVoxels) close_leaf();
+    if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
   }
 
-  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth,
-                      std::span<const std::uint32_t> in) {
+  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
     for (int child = 0; child < 8; ++child)
       visit(origin.offsetBy(child >> 2 & 1 ? size : 0, child >> 1 & 1 ? size : 0,
                             child & 1 ? size : 0),
-            size, depth, in);
+            size, depth, in_stock);
   }
 
   void open_leaf(const openvdb::Coord& origin) {
@@ -90,63 +92,74 @@ class BlockCarver {
     if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
   }
 
+  // Calls body(index of the voxel, x, y, z) for each voxel of a block, z fastest.
+  template <typename Body>
+  static void for_each_voxel(int size, Body body) {
+    std::size_t k = 0;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z) body(k++, x, y, z);
+  }
+
   void fill_material(const openvdb::Coord& origin, int size) {
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        for (int z = 0; z < size; ++z)
-          leaf_.distance->setValueOnly(FloatLeaf::coordToOffset(origin.offsetBy(x, y, z)),
-                                       -static_cast<float>(band_));
+    float* distance = leaf_.distance->buffer().data();
+    for_each_voxel(size, [&](std::size_t, int x, int y, int z) {
+      distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] = -static_cast<float>(band_);
+    });
   }
 
-  void evaluate(const openvdb::Coord& origin, int size, std::span<const std::uint32_t> sweeps) {
-    const auto count = static_cast<std::size_t>(size * size * size);
-    points_.resize(count);
-    offsets_.resize(count);
-    std::size_t n = 0;
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        for (int z = 0; z < size; ++z, ++n) {
-          const openvdb::Coord at = origin.offsetBy(x, y, z);
-          points_[n] = position(at);
-          offsets_[n] = FloatLeaf::coordToOffset(at);
-        }
-    least_.assign(count, std::numeric_limits<double>::infinity());
-    nearest_.assign(count, 0);
-    distance_.resize(count);
-    for (const std::uint32_t sweep : sweeps) {
-      field_.sweeps().distances(sweep, points_, distance_.data());
-      for (std::size_t k = 0; k < count; ++k)
-        if (distance_[k] < least_[k]) {
-          least_[k] = distance_[k];
-          nearest_[k] = sweep;
-        }
+  void evaluate(const openvdb::Coord& origin, int size, const NearList& sweeps, bool in_stock) {
+    double axis[3][4];
+    for (int i = 0; i < size; ++i) {
+      axis[0][i] = lattice_position(voxel_, origin.x() + i, kLatticeShift.x);
+      axis[1][i] = lattice_position(voxel_, origin.y() + i, kLatticeShift.y);
+      axis[2][i] = lattice_position(voxel_, origin.z() + i, kLatticeShift.z);
     }
-    for (std::size_t k = 0; k < count; ++k) store(k);
+    points_.count = static_cast<std::size_t>(size * size * size);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      points_.x[k] = axis[0][x], points_.y[k] = axis[1][y], points_.z[k] = axis[2][z];
+      points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
+    });
+    field_.sweeps().least(sweeps, points_);
+    const openvdb::Index first = FloatLeaf::coordToOffset(origin);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      store(
+          k,
+          first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels + z),
+          in_stock);
+    });
   }
 
-  void store(std::size_t k) {
-    const double stock = field_.solid().distance(points_[k]);
-    const bool from_stock = stock >= -least_[k];
-    const double d = from_stock ? stock : -least_[k];
+  // Deep in the stock it never decides within the band.
+  void store(std::size_t k, openvdb::Index offset, bool in_stock) {
+    const double cut = -points_.least[k];
+    const double stock = in_stock
+                             ? -std::numeric_limits<double>::infinity()
+                             : field_.solid().distance({points_.x[k], points_.y[k], points_.z[k]});
+    const bool from_stock = stock >= cut;
+    const double d = from_stock ? stock : cut;
     if (d >= band_) return;
+    float& distance = leaf_.distance->buffer().data()[offset];
     if (d <= -band_) {
-      leaf_.distance->setValueOnly(offsets_[k], -static_cast<float>(band_));
+      distance = -static_cast<float>(band_);
       return;
     }
-    leaf_.distance->setValueOn(offsets_[k], static_cast<float>(d));
-    leaf_.owner->setValueOn(offsets_[k],
-                            from_stock ? kStockOwner : field_.sweeps().motion(nearest_[k]));
+    distance = static_cast<float>(d);
+    leaf_.distance->getValueMask().setOn(offset);
+    leaf_.owner->getValueMask().setOn(offset);
+    leaf_.owner->buffer().data()[offset] =
+        from_stock ? kStockOwner
+                   : field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
   }
+
+  static constexpr std::size_t kFewSweeps = 4;
 
   const PartField& field_;
   double voxel_, band_;
-  std::array<Candidates, 8> lists_;
+  std::array<NearList, 8> lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
-  std::vector<Vec3> points_;
-  std::vector<openvdb::Index> offsets_;
-  std::vector<double> least_, distance_;
-  std::vector<std::uint32_t> nearest_;
+  PointColumns points_;
 };
 
 std::size_t free_memory() {
