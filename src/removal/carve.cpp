@@ -35,8 +35,10 @@ struct LeafPair {
 // One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
 class BlockCarver {
  public:
-  BlockCarver(const PartField& field, double voxel)
-      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel) {}
+  using Lists = std::array<NearList, 7>;  // by depth, from 64 voxels to what is left at 2
+
+  BlockCarver(const PartField& field, double voxel, Lists& lists)
+      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel), lists_(lists) {}
 
   std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
                               std::span<const std::uint32_t> sweeps) {
@@ -121,45 +123,48 @@ class BlockCarver {
       points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
     });
     field_.sweeps().least(sweeps, points_);
+    combine_stock(in_stock);
     const openvdb::Index first = FloatLeaf::coordToOffset(origin);
     for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
-      store(
-          k,
-          first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels + z),
-          in_stock);
+      store(k, first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels +
+                                                   z));
     });
   }
 
   // Deep in the stock it never decides within the band.
-  void store(std::size_t k, openvdb::Index offset, bool in_stock) {
-    const double cut = -points_.least[k];
-    const double stock = in_stock
-                             ? -std::numeric_limits<double>::infinity()
-                             : field_.solid().distance({points_.x[k], points_.y[k], points_.z[k]});
-    const bool from_stock = stock >= cut;
-    const double d = from_stock ? stock : cut;
-    if (d >= band_) return;
-    float& distance = leaf_.distance->buffer().data()[offset];
-    if (d <= -band_) {
-      distance = -static_cast<float>(band_);
-      return;
+  void combine_stock(bool in_stock) {
+    if (in_stock)
+      std::fill_n(stock_, points_.count, -std::numeric_limits<double>::infinity());
+    else
+      field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock_);
+    for (std::size_t k = 0; k < points_.count; ++k) {
+      const double cut = -points_.least[k];
+      from_stock_[k] = stock_[k] >= cut;
+      points_.least[k] = stock_[k] >= cut ? stock_[k] : cut;
     }
-    distance = static_cast<float>(d);
+  }
+
+  void store(std::size_t k, openvdb::Index offset) {
+    const double d = points_.least[k];
+    leaf_.distance->buffer().data()[offset] = static_cast<float>(std::clamp(d, -band_, band_));
+    if (d >= band_ || d <= -band_) return;
     leaf_.distance->getValueMask().setOn(offset);
     leaf_.owner->getValueMask().setOn(offset);
-    leaf_.owner->buffer().data()[offset] =
-        from_stock ? kStockOwner
-                   : field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
+    if (!from_stock_[k])
+      leaf_.owner->buffer().data()[offset] =
+          field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
   }
 
   static constexpr std::size_t kFewSweeps = 4;
 
   const PartField& field_;
   double voxel_, band_;
-  std::array<NearList, 8> lists_;
+  Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
   PointColumns points_;
+  double stock_[PointColumns::kMost];
+  bool from_stock_[PointColumns::kMost];
 };
 
 std::size_t free_memory() {
@@ -227,7 +232,8 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
       grid.distance->tree().addLeaf(leaf.distance.release());
       grid.owner->tree().addLeaf(leaf.owner.release());
     }
-  openvdb::tools::signedFloodFill(grid.distance->tree());
+  // Leaves hold all their signs: only the tiles between them are to be filled.
+  openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
 }
 
 }  // namespace
@@ -253,7 +259,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   ProgressMeter meter(chosen.progress, index.size());
   with_threads(chosen.threads, [&] {
     parallel_for(index.size(), chosen.threads, [&](std::size_t b) {
-      BlockCarver carver(field, grid->voxel);
+      static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
+      BlockCarver carver(field, grid->voxel, lists);
       blocks[b] = carver.carve(index.origin(b), index.sweeps(b));
       meter.step();
     });

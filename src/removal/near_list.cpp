@@ -203,8 +203,8 @@ namespace {
 class Pruner {
  public:
   Pruner(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
-         const NearList& in)
-      : columns_(columns), in_(in), kernels_(near_kernels()) {
+         double reach, const NearList& in)
+      : columns_(columns), in_(in), kernels_(near_kernels()), deep_(-reach) {
     const Vec3 c = region.center - in.origin;
     at_.x = static_cast<float>(c.x), at_.y = static_cast<float>(c.y);
     at_.z = static_cast<float>(c.z);
@@ -216,6 +216,8 @@ class Pruner {
 
   float least() const { return least_; }
   float delta() const { return at_.delta; }
+  /// The whole region is deep in one sweep; the others were not asked.
+  bool is_swept() const { return double(least_) + at_.delta < deep_; }
 
   void keep(float limit, double band, NearList& out) {
     out.reset(in_.runs().empty() ? 0 : end_of(in_.runs().back()), in_.origin, in_.extent);
@@ -250,24 +252,32 @@ class Pruner {
     at_.delta = static_cast<float>(64 * kHalfUlp * (extent + region.radius));
     at_.fixed = at_.delta * (4 * at_.radius + 16 * at_.delta) + 1e-9f;
     at_.per_root = 4 * at_.delta;
-    for (std::size_t i = 0; i < in_.runs().size(); ++i) measure_run(i);
+    for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
   }
 
   void measure_run(std::size_t i) {
     const NearList::Run& run = in_.runs()[i];
-    const SweepClass& t = type(i);
     NearLeast& least = scratch().least[i];
-    at_.tool = t.tool;
-    const NearColumns c = in_.columns(run.first);
-    if (t.form == SweepClass::Form::strip) least = kernels_.strip(c, run.count, at_, rows(i));
-    if (t.form == SweepClass::Form::line) least = kernels_.line(c, run.count, at_, rows(i));
-    if (t.form == SweepClass::Form::arc) least = kernels_.arc(c, run.count, at_, rows(i));
-    if (t.form == SweepClass::Form::other) {
+    at_.tool = type(i).tool;
+    if (type(i).form == SweepClass::Form::other) {
       const NearRows r = rows(i);
       for (std::size_t k = 0; k < run.count; ++k)
         r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + 1e-9f * r.squared[k];
+      least_ = std::min(least_, least.distance);
+      return;
     }
-    least_ = std::min(least_, least.distance);
+    const auto kernel = type(i).form == SweepClass::Form::strip  ? kernels_.strip
+                        : type(i).form == SweepClass::Form::line ? kernels_.line
+                                                                 : kernels_.arc;
+    least = {kInfinity, kInfinity, kInfinity};
+    for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
+      const NearLeast some = kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether),
+                                    at_, scratch().rows.at(run.first + k));
+      least.distance = std::min(least.distance, some.distance);
+      least.squared = std::min(least.squared, some.squared);
+      least.z = std::min(least.z, some.z);
+      least_ = std::min(least_, some.distance);
+    }
   }
 
   void keep_group(std::size_t from, std::size_t to, float limit, double band, NearList& out) {
@@ -309,7 +319,11 @@ class Pruner {
   void find_plan_beaters(std::size_t from, std::size_t to, double band, KeepArgs& args) {
     const ToolColumns& tool = type(from).tool;
     const float slack = lateral(at_) + 2 * at_.delta + 1e-5f;
-    const float inside = tool.flat - static_cast<float>(band) - slack;
+    // Over the flat end, and farther inside its rim than above its floor, the floor decides.
+    float lowest_tip = kInfinity;
+    for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch().least[i].z);
+    const float above = at_.z + at_.half + 2 * at_.delta - lowest_tip;
+    const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
     const bool covers = band > 0 && tool.rising && inside > 0;
     const float beyond = tool.flat + slack;
     args.beyond = tool.flat > 0 ? beyond * beyond : kInfinity;
@@ -333,9 +347,12 @@ class Pruner {
     args.beaters = lowest.z < kInfinity ? 2 : nearest.squared < kInfinity ? 1 : 0;
   }
 
+  static constexpr std::size_t kTogether = 512;  // a multiple of any register
+
   const SweepColumns& columns_;
   const NearList& in_;
   const NearKernels& kernels_;
+  double deep_;
   NearArgs at_;
   float least_ = kInfinity;
 };
@@ -344,12 +361,12 @@ class Pruner {
 
 bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
                        NearList& out) const {
-  Pruner pruner(*this, *columns_, region, in);
-  const double least = pruner.least(), delta = pruner.delta();
-  if (least + delta < -reach) {
+  Pruner pruner(*this, *columns_, region, reach, in);
+  if (pruner.is_swept()) {
     out.reset(0, in.origin, in.extent);
     return false;
   }
+  const double least = pruner.least(), delta = pruner.delta();
   // A sweep farther than 2r beyond the nearest one loses to it everywhere (both are 1-Lipschitz).
   const double slack = 2 * max_error() + 1e-9;
   const double limit = std::min(reach, least + delta + 2 * region.radius + slack) + delta;
