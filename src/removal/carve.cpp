@@ -9,6 +9,7 @@
 #include "removal/lattice.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
+#include "removal/sweep_kernels.h"
 
 #include <algorithm>
 #include <atomic>
@@ -34,51 +35,54 @@ struct LeafPair {
 // One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
 class BlockCarver {
  public:
-  BlockCarver(const PartField& field, double voxel)
-      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel) {}
+  using Lists = std::array<NearList, 7>;  // by depth, from 64 voxels to what is left at 2
+
+  BlockCarver(const PartField& field, double voxel, Lists& lists)
+      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel), lists_(lists) {}
 
   std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
                               std::span<const std::uint32_t> sweeps) {
     leaves_.clear();
-    visit({origin[0], origin[1], origin[2]}, kBlockVoxels, 0, sweeps);
+    const openvdb::Coord first(origin[0], origin[1], origin[2]);
+    field_.sweeps().list(sweeps, center(first, kBlockVoxels), lists_[0]);
+    visit(first, kBlockVoxels, 0, false);
     return std::move(leaves_);
   }
 
  private:
-  Vec3 position(const openvdb::Coord& at) const {
-    return {lattice_position(voxel_, at.x(), kLatticeShift.x),
-            lattice_position(voxel_, at.y(), kLatticeShift.y),
-            lattice_position(voxel_, at.z(), kLatticeShift.z)};
+  double half(int size) const { return 0.5 * (size - 1) * voxel_; }
+  Vec3 center(const openvdb::Coord& origin, int size) const {
+    return Vec3{lattice_position(voxel_, origin.x(), kLatticeShift.x),
+                lattice_position(voxel_, origin.y(), kLatticeShift.y),
+                lattice_position(voxel_, origin.z(), kLatticeShift.z)} +
+           Vec3{half(size), half(size), half(size)};
   }
 
   static bool evaluate_now(int size, std::size_t sweeps) {
-    return size == 2 || (size == 4 && sweeps <= 4);
+    return size == 2 || (size == 4 && sweeps <= kFewSweeps);
   }
 
-  void visit(const openvdb::Coord& origin, int size, std::size_t depth,
-             std::span<const std::uint32_t> in) {
-    const double half = 0.5 * (size - 1) * voxel_;
-    const Vec3 center = position(origin) + Vec3{half, half, half};
-    const double radius = half * 1.7320508075688774;
-    Candidates& list = lists_[depth];
-    const auto region = field_.restrict_to(center, radius, band_, in, list);
-    if (size == kLeafVoxels) open_leaf(origin);
+  // The list of the block is lists_[depth]; what is left of it goes to the next.
+  void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    NearList& left = lists_[depth + 1];
+    const auto region = field_.restrict_to(PruneRegion::block(center(origin, size), half(size)),
+                                           band_, lists_[depth], in_stock, left);
+    if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
-      if (evaluate_now(size, list.size()))
-        evaluate(origin, size, list);
+      if (evaluate_now(size, left.size()))
+        evaluate(origin, size, left, in_stock);
       else
-        visit_children(origin, size / 2, depth + 1, list);
+        visit_children(origin, size / 2, depth + 1, in_stock);
     }
-    if (size == kLeafVoxels) close_leaf();
+    if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
   }
 
-  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth,
-                      std::span<const std::uint32_t> in) {
+  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
     for (int child = 0; child < 8; ++child)
       visit(origin.offsetBy(child >> 2 & 1 ? size : 0, child >> 1 & 1 ? size : 0,
                             child & 1 ? size : 0),
-            size, depth, in);
+            size, depth, in_stock);
   }
 
   void open_leaf(const openvdb::Coord& origin) {
@@ -90,63 +94,77 @@ class BlockCarver {
     if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
   }
 
+  // Calls body(index of the voxel, x, y, z) for each voxel of a block, z fastest.
+  template <typename Body>
+  static void for_each_voxel(int size, Body body) {
+    std::size_t k = 0;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z) body(k++, x, y, z);
+  }
+
   void fill_material(const openvdb::Coord& origin, int size) {
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        for (int z = 0; z < size; ++z)
-          leaf_.distance->setValueOnly(FloatLeaf::coordToOffset(origin.offsetBy(x, y, z)),
-                                       -static_cast<float>(band_));
+    float* distance = leaf_.distance->buffer().data();
+    for_each_voxel(size, [&](std::size_t, int x, int y, int z) {
+      distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] = -static_cast<float>(band_);
+    });
   }
 
-  void evaluate(const openvdb::Coord& origin, int size, std::span<const std::uint32_t> sweeps) {
-    const auto count = static_cast<std::size_t>(size * size * size);
-    points_.resize(count);
-    offsets_.resize(count);
-    std::size_t n = 0;
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        for (int z = 0; z < size; ++z, ++n) {
-          const openvdb::Coord at = origin.offsetBy(x, y, z);
-          points_[n] = position(at);
-          offsets_[n] = FloatLeaf::coordToOffset(at);
-        }
-    least_.assign(count, std::numeric_limits<double>::infinity());
-    nearest_.assign(count, 0);
-    distance_.resize(count);
-    for (const std::uint32_t sweep : sweeps) {
-      field_.sweeps().distances(sweep, points_, distance_.data());
-      for (std::size_t k = 0; k < count; ++k)
-        if (distance_[k] < least_[k]) {
-          least_[k] = distance_[k];
-          nearest_[k] = sweep;
-        }
+  void evaluate(const openvdb::Coord& origin, int size, const NearList& sweeps, bool in_stock) {
+    double axis[3][4];
+    for (int i = 0; i < size; ++i) {
+      axis[0][i] = lattice_position(voxel_, origin.x() + i, kLatticeShift.x);
+      axis[1][i] = lattice_position(voxel_, origin.y() + i, kLatticeShift.y);
+      axis[2][i] = lattice_position(voxel_, origin.z() + i, kLatticeShift.z);
     }
-    for (std::size_t k = 0; k < count; ++k) store(k);
+    points_.count = static_cast<std::size_t>(size * size * size);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      points_.x[k] = axis[0][x], points_.y[k] = axis[1][y], points_.z[k] = axis[2][z];
+      points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
+    });
+    field_.sweeps().least(sweeps, points_);
+    combine_stock(in_stock);
+    const openvdb::Index first = FloatLeaf::coordToOffset(origin);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      store(k, first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels +
+                                                   z));
+    });
   }
 
-  void store(std::size_t k) {
-    const double stock = field_.solid().distance(points_[k]);
-    const bool from_stock = stock >= -least_[k];
-    const double d = from_stock ? stock : -least_[k];
-    if (d >= band_) return;
-    if (d <= -band_) {
-      leaf_.distance->setValueOnly(offsets_[k], -static_cast<float>(band_));
-      return;
+  // Deep in the stock it never decides within the band.
+  void combine_stock(bool in_stock) {
+    if (in_stock)
+      std::fill_n(stock_, points_.count, -std::numeric_limits<double>::infinity());
+    else
+      field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock_);
+    for (std::size_t k = 0; k < points_.count; ++k) {
+      const double cut = -points_.least[k];
+      from_stock_[k] = stock_[k] >= cut;
+      points_.least[k] = stock_[k] >= cut ? stock_[k] : cut;
     }
-    leaf_.distance->setValueOn(offsets_[k], static_cast<float>(d));
-    leaf_.owner->setValueOn(offsets_[k],
-                            from_stock ? kStockOwner : field_.sweeps().motion(nearest_[k]));
   }
+
+  void store(std::size_t k, openvdb::Index offset) {
+    const double d = points_.least[k];
+    leaf_.distance->buffer().data()[offset] = static_cast<float>(std::clamp(d, -band_, band_));
+    if (d >= band_ || d <= -band_) return;
+    leaf_.distance->getValueMask().setOn(offset);
+    leaf_.owner->getValueMask().setOn(offset);
+    if (!from_stock_[k])
+      leaf_.owner->buffer().data()[offset] =
+          field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
+  }
+
+  static constexpr std::size_t kFewSweeps = 4;
 
   const PartField& field_;
   double voxel_, band_;
-  std::array<Candidates, 8> lists_;
+  Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
-  std::vector<Vec3> points_;
-  std::vector<openvdb::Index> offsets_;
-  std::vector<double> least_, distance_;
-  std::vector<std::uint32_t> nearest_;
+  PointColumns points_;
+  double stock_[PointColumns::kMost];
+  bool from_stock_[PointColumns::kMost];
 };
 
 std::size_t free_memory() {
@@ -214,7 +232,8 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
       grid.distance->tree().addLeaf(leaf.distance.release());
       grid.owner->tree().addLeaf(leaf.owner.release());
     }
-  openvdb::tools::signedFloodFill(grid.distance->tree());
+  // Leaves hold all their signs: only the tiles between them are to be filled.
+  openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
 }
 
 }  // namespace
@@ -240,7 +259,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   ProgressMeter meter(chosen.progress, index.size());
   with_threads(chosen.threads, [&] {
     parallel_for(index.size(), chosen.threads, [&](std::size_t b) {
-      BlockCarver carver(field, grid->voxel);
+      static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
+      BlockCarver carver(field, grid->voxel, lists);
       blocks[b] = carver.carve(index.origin(b), index.sweeps(b));
       meter.step();
     });

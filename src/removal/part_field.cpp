@@ -11,9 +11,6 @@ namespace {
 // Rounding of coordinates up to 1e4 mm in a distance, with room to spare.
 constexpr double kRounding = 1e-9;
 
-// Shorter lists are not worth the nearest points of their skeletons.
-constexpr std::size_t kFewSweeps = 6;
-
 std::vector<double>& scratch(std::size_t size) {
   static thread_local std::vector<double> buffer;
   if (buffer.size() < size) buffer.resize(size);
@@ -25,7 +22,6 @@ std::vector<double>& scratch(std::size_t size) {
 PartField::PartField(StockSolid solid, SweepTable sweeps)
     : solid_(std::move(solid)),
       sweeps_(std::move(sweeps)),
-      dominance_(sweeps_),
       slack_(2 * sweeps_.max_error() + kRounding) {
   for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
     sweep_of_.resize(static_cast<std::size_t>(sweeps_.motion(i)) + 1);
@@ -39,34 +35,31 @@ Candidates PartField::all() const {
   return ids;
 }
 
+ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
+                                          const NearList& in, bool& in_stock, NearList& out) const {
+  const double reach = region.radius + band + slack_;
+  if (!in_stock) {
+    const double stock = solid_.distance(region.center);
+    if (stock > reach) return Region::air;
+    in_stock = stock < -reach;
+  }
+  if (!sweeps_.prune(region, reach, band, in, out)) return Region::air;
+  return out.empty() && in_stock ? Region::material : Region::mixed;
+}
+
 ExactField::Region PartField::restrict_to(const Vec3& center, double radius, double band,
                                           std::span<const std::uint32_t> in,
                                           Candidates& out) const {
+  static thread_local NearList list, left;
   out.clear();
-  const double reach = radius + band + slack_;
-  const double stock = solid_.distance(center);
-  if (stock > reach) return Region::air;
-  static thread_local Dominance::Nearest nearest;
-  static thread_local std::vector<char> keep;
-  nearest.resize(in.size());
-  const bool many = in.size() >= kFewSweeps;
-  if (many)
-    sweeps_.nearest(in, center, nearest.columns());
-  else
-    sweeps_.distances(in, center, nearest.distance.data());
-  const std::vector<double>& d = nearest.distance;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < in.size(); ++k) least = d[k] < least ? d[k] : least;
-  if (least < -reach) return Region::air;
-  // A sweep farther than 2r beyond the nearest one loses to it everywhere in the ball (both are
-  // 1-Lipschitz).
-  const double limit = std::min(reach, least + 2 * radius + slack_);
-  keep.resize(in.size());
-  for (std::size_t k = 0; k < in.size(); ++k) keep[k] = d[k] <= limit;
-  if (many) dominance_.drop(center, radius, band, in, nearest, keep);
-  for (std::size_t k = 0; k < in.size(); ++k)
-    if (keep[k]) out.push_back(in[k]);
-  return out.empty() && stock < -reach ? Region::material : Region::mixed;
+  sweeps_.list(in, center, list);
+  bool in_stock = false;
+  const Region found = restrict_to(PruneRegion::ball(center, radius), band, list, in_stock, left);
+  if (found != Region::mixed) return found;
+  for (const NearList::Run& run : left.runs())
+    for (std::size_t k = 0; k < run.count; ++k) out.push_back(left.id(run.first + k));
+  if (left.runs().size() > 1) std::sort(out.begin(), out.end());
+  return found;
 }
 
 FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {

@@ -1,8 +1,8 @@
 // The exact part: stock less sweeps, as ExactField.
 #pragma once
 
-#include "removal/dominance.h"
 #include "removal/field.h"
+#include "removal/near_list.h"
 #include "removal/stock_solid.h"
 #include "removal/sweep.h"
 
@@ -15,6 +15,10 @@ class PartField final : public ExactField {
   Candidates all() const override;
   Region restrict_to(const Vec3& center, double radius, double band,
                      std::span<const std::uint32_t> in, Candidates& out) const override;
+  /// The same for a list that was made for a larger region. `in_stock`: the whole region lies deep
+  /// in the stock, which then never decides; kept from the larger region, set for this one.
+  Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
+                     NearList& out) const;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
   void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                  double* out) const override;
@@ -32,7 +36,6 @@ class PartField final : public ExactField {
 
   StockSolid solid_;
   SweepTable sweeps_;
-  Dominance dominance_;
   std::vector<std::uint32_t> sweep_of_;  ///< by motion
   double slack_;  ///< mm: what rounding may change in a difference of two distances
 };

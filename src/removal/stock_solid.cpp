@@ -63,6 +63,24 @@ StockSolid::Sample StockSolid::sample(const Vec3& p) const {
   return shape_.kind == StockShape::Kind::box ? sample_box(p) : sample_round(p);
 }
 
+// A box in a form that the compiler turns into whole registers.
+void StockSolid::distances(std::size_t n, const double* x, const double* y, const double* z,
+                           double* out) const {
+  if (shape_.kind != StockShape::Kind::box) {
+    for (std::size_t k = 0; k < n; ++k) out[k] = distance({x[k], y[k], z[k]});
+    return;
+  }
+  const Vec3 lo = shape_.box.lo, hi = shape_.box.hi;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double a = std::max(lo.x - x[k], x[k] - hi.x), b = std::max(lo.y - y[k], y[k] - hi.y),
+                 c = std::max(lo.z - z[k], z[k] - hi.z);
+    const double most = std::max(std::max(a, b), c);
+    const double u = std::max(a, 0.0), v = std::max(b, 0.0), w = std::max(c, 0.0);
+    const double outside = std::sqrt(u * u + v * v + w * w);
+    out[k] = most <= 0 ? most : outside;
+  }
+}
+
 StockSolid::Sample StockSolid::sample_box(const Vec3& p) const {
   const Box3& b = shape_.box;
   // Signed distances of the six half spaces; of each opposite pair the larger one counts.

@@ -36,6 +36,9 @@ class StockSolid {
   explicit StockSolid(StockShape shape);
 
   double distance(const Vec3& p) const { return sample(p).distance; }
+  /// out[k] = distance({x[k], y[k], z[k]}), the same bits.
+  void distances(std::size_t n, const double* x, const double* y, const double* z,
+                 double* out) const;
   Sample sample(const Vec3& p) const;
   /// Unit outward normal of the patch at the point of it that is nearest to p.
   Vec3 gradient(const Vec3& p, std::int32_t patch) const;

@@ -233,6 +233,22 @@ double SweepTable::distance(std::size_t i, const Vec3& p) const {
   return columns_->distance(ref, ref.frame > 0 ? columns_->frames[ref.frame - 1].in(p) : p);
 }
 
+SweepColumns::Foot SweepColumns::foot(const SweepRef& ref, const Vec3& p) const {
+  if (ref.frame != 0) return {};
+  if (ref.kind == SweepKind::ball_arc) {
+    const BallArcFoot f = ball_arc_foot(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
+    return {f.squared, f.point - p, false};
+  }
+  if (ref.kind == SweepKind::turn && !turns[ref.row].arc && turns[ref.row].one_sided) {
+    const Vec2 q = {std::sqrt(p.x * p.x + p.y * p.y), p.z};
+    const Vec2 off = polygon_foot(turns[ref.row].polygon, q) - q;
+    return {dot(off, off), {off.x, 0, off.y}, true};
+  }
+  if (ref.kind != SweepKind::profile) return {};
+  const PlanFoot f = plan_foot(level_view(*this, ref), p, Half::any);
+  return {f.rho * f.rho, {f.x - p.x, f.y - p.y, profiles[ref.row].z - p.z}, !profiles[ref.row].arc};
+}
+
 SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
   const SweepRef& ref = columns_->refs[i];
   const Vec3 p = ref.frame > 0 ? columns_->frames[ref.frame - 1].in(point) : point;

@@ -23,39 +23,9 @@ struct SweepSample {
       0;  ///< smooth face of the sweep: equal for two points whose surfaces join without a crease
 };
 
-/// What the dominance test of the carver (DESIGN.md) needs to know of a sweep. Within a ball of
-/// radius r about p, sweep i is never nearer than j when their groups are equal and not negative,
-/// i is convex, and squared_i - squared_j >= 2 r |q_i - q_j| + r^2 for their nearest points q; for
-/// plan also only if the tip of j is no higher (rising) or as high (otherwise), r in plan.
-struct SweepSkeleton {
-  enum class Kind : std::uint8_t {
-    none,     ///< nothing to compare
-    strip,    ///< ball that reaches up, any line: all points within `radius` of the path's upward
-              ///< strip
-    section,  ///< insert on a line: all points within `radius` (of the nose) of a convex polygon in
-              ///< (rho, z), turned. The polygon is filled, its distance inside is 0: compare only
-              ///< where squared_j > r^2
-    plan      ///< horizontal or upright move: the distance grows with the lateral distance from the
-              ///< path, and depends besides on the height above the tip alone
-  };
-  Kind kind = Kind::none;
-  bool rising = false;      ///< plan: open top, no undercut; a lower tip removes more
-  bool convex = true;       ///< of the skeleton, or of the path in plan: false for arcs
-  std::int32_t group = -1;  ///< same tool, same kind; -1 = none
-  double radius = 0;  ///< strip: of the ball; section: of the nose; plan: largest of the cutter
-  double low = 0, high = 0;  ///< strip: heights of the ball's centre; plan: of the tip; mm
-  double length = 0;         ///< of the path, mm
-  double flat = 0;           ///< plan: radius of the flat end, 0 = none, mm
-};
-
-/// Columns that SweepTable::nearest fills, each as long as the list of sweeps.
-struct NearestColumns {
-  double* distance = nullptr;  ///< the same bits as distance(ids[k], p)
-  double* squared = nullptr;   ///< squared distance to the skeleton, for plan to the path in plan;
-                               ///< infinite for none
-  double *x = nullptr, *y = nullptr, *z = nullptr;  ///< nearest point; section: (rho, 0, z); plan:
-                                                    ///< z is that of the tip
-};
+class NearList;       // removal/near_list.h: a list as pruning reads it
+struct PruneRegion;   // the same
+struct PointColumns;  // removal/sweep_kernels.h
 
 /// Which motions and which part of the tools a table holds. The default is what removes material;
 /// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
@@ -103,9 +73,20 @@ class SweepTable {
   /// out[k] = distance(i, points[k]), the same bits.
   void distances(std::size_t i, std::span<const Vec3> points, double* out) const;
 
-  SweepSkeleton skeleton(std::size_t i) const;
-  /// Distances together with the nearest points of the skeletons. Cost: a little above distances().
-  void nearest(std::span<const std::uint32_t> ids, const Vec3& p, const NearestColumns& out) const;
+  /// The sweeps `ids`, ascending, as a list that prune() takes. `origin` is a point of the block
+  /// that it is for: single precision is good near it.
+  void list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const;
+
+  /// Copies to `out` the sweeps of `in` that can decide the least distance somewhere in the region,
+  /// where that is at most `reach` less the region's radius; false, and nothing, where all of the
+  /// region is deeper than that in a sweep. Results stay the same to the last bit in the whole
+  /// region; with `band` > 0 only where the least distance is within +-band, and more sweeps go.
+  bool prune(const PruneRegion& region, double reach, double band, const NearList& in,
+             NearList& out) const;
+
+  /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
+  /// distance().
+  void least(const NearList& list, PointColumns& points) const;
 
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.
   double max_error() const;
@@ -113,6 +94,8 @@ class SweepTable {
   double smallest_radius() const;
 
  private:
+  void least_of(std::uint32_t id, PointColumns& points) const;
+
   struct Columns;
   std::unique_ptr<Columns> columns_;
 };

@@ -322,6 +322,7 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
     tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
     uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
   }
+  classify();
 }
 
 }  // namespace mrsim

@@ -3,6 +3,7 @@
 // and a register full of them is read by loads and a transposition, which beats gathering.
 #pragma once
 
+#include "removal/near_list.h"
 #include "removal/sweep.h"
 #include "removal/sweep_curtain.h"
 #include "removal/sweep_kernels.h"
@@ -11,6 +12,7 @@
 #include "removal/tool.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace mrsim {
@@ -29,6 +31,11 @@ enum class SweepKind : std::uint8_t {
   path,        ///< any profile on any other path
   turn         ///< insert
 };
+
+/// The number of a tip's height as a column holds it: exact, or NaN, which equals nothing.
+inline double sweep_level(std::uint32_t number) {
+  return number < (1u << 24) ? number : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
 struct ProfileRow {
@@ -69,17 +76,27 @@ struct SweepColumns {
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
-  bool uniform = false;  ///< all of one kind, in the stock's frame: row i is sweep i
+  std::vector<SweepClass> classes;      ///< in the order of their groups
+  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when there is one class
+  std::vector<std::uint32_t> levels;    ///< by sweep: number of the tip's height; empty when none
+                                        ///< is compared by it
+  bool uniform = false;                 ///< all of one kind, in the stock's frame: row i is sweep i
   double max_error = 0;
   double smallest_radius = 0;
 
   void build(std::span<const Motion> motions, std::span<const Tool> tools,
              const SweepSelection& selection);
   double distance(const SweepRef& ref, const Vec3& p) const;
-  SweepSkeleton turn_skeleton(const SweepRef& ref) const;
-  /// Nearest point of profile rows and inserts on lines; infinitely far for other kinds.
-  void other_nearest(const SweepRef& ref, const Vec3& p, double& squared, double& x, double& y,
-                     double& z) const;
+  /// Finds classes and levels.
+  void classify();
+  /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
+  /// nothing to compare. Insert: (rho, 0, z); plan: z is that of the tip.
+  struct Foot {
+    double squared = std::numeric_limits<double>::infinity();
+    Vec3 offset;
+    bool convex = false;
+  };
+  Foot foot(const SweepRef& ref, const Vec3& p) const;
   const Curtain& ball_arc_face(const SweepRef& ref, std::int32_t patch) const {
     const BallArc& s = ball_arcs[ref.row];
     return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;

@@ -21,6 +21,10 @@ namespace {
 constexpr std::size_t kLanes = 1;
 constexpr const char* kName = "scalar";
 #define MRSIM_LANE inline
+MRSIM_LANE V read(const double* p) { return *p; }
+MRSIM_LANE M less(V a, V b) { return a < b; }
+MRSIM_LANE M both(M a, M b) { return a && b; }
+MRSIM_LANE M either(M a, M b) { return a || b; }
 MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
   for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
 }
@@ -54,6 +58,10 @@ constexpr const char* kName = "AVX2";
 using V = __m256d;
 using M = __m256d;
 MRSIM_LANE V splat(double a) { return _mm256_set1_pd(a); }
+MRSIM_LANE V read(const double* p) { return _mm256_load_pd(p); }
+MRSIM_LANE M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+MRSIM_LANE M both(M a, M b) { return _mm256_and_pd(a, b); }
+MRSIM_LANE M either(M a, M b) { return _mm256_or_pd(a, b); }
 MRSIM_LANE V vmin(V a, V b) { return _mm256_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm256_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm256_max_pd(a, -a); }
@@ -119,6 +127,10 @@ constexpr const char* kName = "AVX-512";
 using V = __m512d;
 using M = __mmask8;
 MRSIM_LANE V splat(double a) { return _mm512_set1_pd(a); }
+MRSIM_LANE V read(const double* p) { return _mm512_load_pd(p); }
+MRSIM_LANE M less(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+MRSIM_LANE M both(M a, M b) { return static_cast<M>(a & b); }
+MRSIM_LANE M either(M a, M b) { return static_cast<M>(a | b); }
 MRSIM_LANE V vmin(V a, V b) { return _mm512_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm512_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm512_max_pd(a, -a); }
@@ -200,12 +212,14 @@ const SweepKernels* sweep_kernels(SimdLevel level) {
   }
 }
 
+SimdLevel best_simd_level() {
+  for (const SimdLevel level : {SimdLevel::avx512, SimdLevel::avx2})
+    if (sweep_kernels(level) != nullptr) return level;
+  return SimdLevel::scalar;
+}
+
 const SweepKernels& sweep_kernels() {
-  static const SweepKernels& best = [&]() -> const SweepKernels& {
-    for (SimdLevel level : {SimdLevel::avx512, SimdLevel::avx2})
-      if (const SweepKernels* k = sweep_kernels(level)) return *k;
-    return *sweep_kernels(SimdLevel::scalar);
-  }();
+  static const SweepKernels& best = *sweep_kernels(best_simd_level());
   return best;
 }
 

@@ -17,14 +17,24 @@ struct alignas(64) ArcRecord {
   double c[16] = {};  ///< c[11]: length of the arc, mm
 };
 
+/// Points by columns, a multiple of 8 of them, with the nearest sweep so far and its distance.
+struct PointColumns {
+  static constexpr std::size_t kMost = 64;
+  std::size_t count = 0;
+  alignas(64) double x[kMost], y[kMost], z[kMost];
+  alignas(64) double least[kMost];
+  alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower
+};
+
 /// The kernels of one form. List kernels: out[k] for records[rows[k]] and one point.
 template <class Record>
 struct FormKernels {
   void (*list)(const Record* records, const std::uint32_t* rows, std::size_t n, const Vec3& p,
                double* out);
   void (*points)(const Record& record, const Vec3* points, std::size_t n, double* out);
-  void (*nearest)(const Record* records, const std::uint32_t* rows, std::size_t n, const Vec3& p,
-                  const NearestColumns& out);
+  /// Brings `points` up to date with the sweeps ids[k] of records[rows[k]].
+  void (*least)(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,
+                std::size_t n, PointColumns& points);
 };
 struct SweepKernels {
   const char* name;
@@ -38,5 +48,7 @@ enum class SimdLevel { scalar, avx2, avx512 };
 const SweepKernels* sweep_kernels(SimdLevel level);
 /// The best ones; chosen once.
 const SweepKernels& sweep_kernels();
+/// The best level of this machine.
+SimdLevel best_simd_level();
 
 }  // namespace mrsim

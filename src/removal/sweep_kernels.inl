@@ -1,5 +1,5 @@
 // Loops over the forms of sweep_lanes.inl; included once per instruction set by sweep_kernels.cpp,
-// with kLanes, V and load_line, load_arc, load_points, store in scope. The rest of a list that does
+// with kLanes, V and read, load_line, load_arc, load_points, store in scope. The rest of a list that does
 // not fill a register repeats its last sweep and is not stored.
 
 // Rows k .. k + kLanes - 1, the last one repeated.
@@ -39,21 +39,20 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
     load_points(rest, x, y, z);                                                                  \
     store_some(out + k, form(c, x, y, z), n - k);                                                \
   }                                                                                              \
-  static void form##_nearest(const Record* records, const std::uint32_t* rows, std::size_t n,    \
-                             const Vec3& p, const NearestColumns& out) {                         \
-    const V x = splat(p.x), y = splat(p.y), z = splat(p.z);                                      \
-    V c[kColumns];                                                                               \
-    for (std::size_t k = 0; k < n; k += kLanes) {                                                \
-      std::uint32_t some[kLanes];                                                                \
-      pick(rows, k, n, some);                                                                    \
-      load(records, some, c);                                                                    \
-      const Near f = form##_near(c, x, y, z);                                                    \
-      const std::size_t left = n - k < kLanes ? n - k : kLanes;                                  \
-      store_some(out.distance + k, f.distance, left);                                            \
-      store_some(out.squared + k, f.squared, left);                                              \
-      store_some(out.x + k, f.x, left);                                                          \
-      store_some(out.y + k, f.y, left);                                                          \
-      store_some(out.z + k, f.z, left);                                                          \
+  static void form##_least(const Record* records, const std::uint32_t* rows,                     \
+                           const std::uint32_t* ids, std::size_t n, PointColumns& points) {      \
+    for (std::size_t k = 0; k < points.count; k += kLanes) {                                     \
+      const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);            \
+      V least = read(points.least + k), nearest = read(points.nearest + k);                      \
+      for (std::size_t i = 0; i < n; ++i) {                                                      \
+        const double* r = records[rows[i]].c;                                                    \
+        V c[kColumns];                                                                           \
+        for (std::size_t j = 0; j < kColumns; ++j) c[j] = splat(r[j]);                           \
+        const V d = form(c, x, y, z), id = splat(static_cast<double>(ids[i]));                   \
+        const M closer = either(less(d, least), both(less_equal(d, least), less(id, nearest)));  \
+        least = select(closer, d, least), nearest = select(closer, id, nearest);                 \
+      }                                                                                          \
+      store(points.least + k, least), store(points.nearest + k, nearest);                        \
     }                                                                                            \
   }
 
@@ -64,7 +63,7 @@ MRSIM_FORM(plane_arc, ArcRecord, load_arc, 11)
 
 static const SweepKernels kKernels = {
     kName,
-    {ball_line_list, ball_line_points, ball_line_nearest},
-    {plane_line_list, plane_line_points, plane_line_nearest},
-    {plane_arc_list, plane_arc_points, plane_arc_nearest},
+    {ball_line_list, ball_line_points, ball_line_least},
+    {plane_line_list, plane_line_points, plane_line_least},
+    {plane_arc_list, plane_arc_points, plane_arc_least},
 };

@@ -40,17 +40,6 @@ MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
   return vsqrt(strip_foot(c, px, py, pz).squared) - c[7];
 }
 
-// Nearest points: what the dominance test of the carver compares. `squared` is the distance to the
-// skeleton (ball) or, in plan, to the path (horizontal moves), squared; x y z is the nearest point,
-// for horizontal moves with the height of the tip.
-struct Near {
-  V distance, squared, x, y, z;
-};
-MRSIM_LANE Near ball_line_near(const V* c, V px, V py, V pz) {
-  const StripFoot f = strip_foot(c, px, py, pz);
-  return {vsqrt(f.squared) - c[7], f.squared, c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
-}
-
 // Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].
 // c = ax ay dx dy (from start to end), low core round top. An upright move has d = 0.
 struct PlanLineFoot {
@@ -68,11 +57,6 @@ MRSIM_LANE V line_rho(const V* c, V px, V py) { return vsqrt(line_foot(c, px, py
 MRSIM_LANE V plane_line(const V* c, V px, V py, V pz) {
   return rounded_slab(line_rho(c, px, py), pz, c[4], c[5], c[6], c[7]);
 }
-MRSIM_LANE Near plane_line_near(const V* c, V px, V py, V pz) {
-  const PlanLineFoot f = line_foot(c, px, py);
-  return {rounded_slab(vsqrt(f.squared), pz, c[4], c[5], c[6], c[7]), f.squared,
-          c[0] + f.t * c[2], c[1] + f.t * c[3], c[4] - c[6]};
-}
 
 // Horizontal arc of up to a full turn: distance in plan to the arc, folded about its middle.
 // c = cx cy R mx my (unit vector to the middle) cos sin (of half the sweep), low core round top.
@@ -86,17 +70,4 @@ MRSIM_LANE V arc_rho(const V* c, V px, V py) {
 }
 MRSIM_LANE V plane_arc(const V* c, V px, V py, V pz) {
   return rounded_slab(arc_rho(c, px, py), pz, c[7], c[8], c[9], c[10]);
-}
-MRSIM_LANE Near plane_arc_near(const V* c, V px, V py, V pz) {
-  const V zero = splat(0.0);
-  const V dx = px - c[0], dy = py - c[1];
-  const V a = dx * c[3] + dy * c[4], off = dy * c[3] - dx * c[4];
-  const M outside = less_equal(c[5] * vabs(off) - c[6] * a, zero);  // of the gap: on the arc
-  const V n = vsqrt(dx * dx + dy * dy);
-  const V scale = select(less_equal(n, zero), zero, c[2] / n);
-  const V ea = c[2] * c[5], eb = select(less_equal(off, zero), -c[2] * c[6], c[2] * c[6]);
-  const V rho = arc_rho(c, px, py);
-  return {rounded_slab(rho, pz, c[7], c[8], c[9], c[10]), rho * rho,
-          c[0] + select(outside, scale * dx, ea * c[3] - eb * c[4]),
-          c[1] + select(outside, scale * dy, ea * c[4] + eb * c[3]), c[7] - c[9]};
 }

@@ -45,7 +45,7 @@ Motion half_circle(Vec3 a, double radius, double sweep) {
   m.start = a;
   m.center = a + Vec3{radius, 0, 0};
   m.end = a + Vec3{2 * radius, 0, 0};
-  m.radius = radius;
+  m.radius = std::abs(radius);
   m.sweep = sweep;
   m.tool = 0;
   return m;
@@ -173,6 +173,23 @@ TEST(Carve, DominanceNeverChangesABit) {
     expect_reference(ball, short_moves(seed, 400, false));
   }
   expect_reference(flat, short_moves(4, 60, false));  // no closed form: the reference is slow
+}
+
+// A spiral of narrow arcs at two levels, with lines across: arcs beat arcs, and lines them.
+TEST(Carve, ArcsAreDroppedWithoutChangingABit) {
+  for (const ToolType type : {ToolType::endmill, ToolType::bullmill}) {
+    Tool tool = mill(type, 4);
+    tool.corner_radius = type == ToolType::bullmill ? 1 : 0;
+    std::vector<Motion> motions;
+    Vec3 at{10, 10, 5};
+    for (int i = 0; i < 120; ++i) {
+      if (i == 60) at = {9, 11, 4};
+      if (i % 13 == 0) motions.push_back(line(at, at + Vec3{1, 0.5, 0}, i));
+      motions.push_back(half_circle(at, (i % 2 ? -1 : 1) * (0.2 + 0.1 * (i % 60)), kPi));
+      at = motions.back().end;
+    }
+    expect_reference(tool, motions);
+  }
 }
 
 TEST(Carve, GivesTheSameForAnyNumberOfThreads) {

@@ -54,14 +54,10 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
     ids.resize(std::min<std::size_t>(ids.size(), round < 10 ? round : 1000));
     const Vec3 p = {r(-25, 25), r(-25, 25), r(-10, 15)};
     const std::size_t n = ids.size();
-    std::vector<double> d(n + 1, 7), e(n), q(n), x(n), y(n), z(n);
+    std::vector<double> d(n + 1, 7);
     s.distances(ids, p, d.data());
-    s.nearest(ids, p, {e.data(), q.data(), x.data(), y.data(), z.data()});
     EXPECT_EQ(d[n], 7) << "written past the end";
-    for (std::size_t k = 0; k < n; ++k) {
-      ASSERT_TRUE(same_bits(d[k], s.distance(ids[k], p)));
-      ASSERT_TRUE(same_bits(e[k], d[k]));
-    }
+    for (std::size_t k = 0; k < n; ++k) ASSERT_TRUE(same_bits(d[k], s.distance(ids[k], p)));
   }
   std::vector<Vec3> points;
   for (int k = 0; k < 37; ++k) points.push_back({r(-25, 25), r(-25, 25), r(-10, 15)});
@@ -74,6 +70,16 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(MixedBallFlatBullClosed, Lists, testing::Values(-1, 0, 1, 2, 3));
+
+PointColumns random_points(Random& r, std::size_t count) {
+  PointColumns points{};
+  points.count = count;
+  for (std::size_t k = 0; k < count; ++k) {
+    points.x[k] = r(-5, 15), points.y[k] = r(-5, 15), points.z[k] = r(-5, 5);
+    points.least[k] = INFINITY;
+  }
+  return points;
+}
 
 template <class Record>
 void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
@@ -88,15 +94,15 @@ void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Re
     for (int round = 0; round < 200; ++round) {
       const Vec3 p = {r(-5, 15), r(-5, 15), r(-5, 5)};
       const std::size_t n = rows.size() - round % 11;
-      std::vector<double> a(5 * n), b(5 * n);
-      const auto columns = [n](std::vector<double>& v) {
-        return NearestColumns{&v[0], &v[n], &v[2 * n], &v[3 * n], &v[4 * n]};
-      };
-      plain.nearest(records.data(), rows.data(), n, p, columns(a));
-      (set->*form).nearest(records.data(), rows.data(), n, p, columns(b));
-      ASSERT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << set->name;
+      std::vector<double> a(n), b(n);
+      plain.list(records.data(), rows.data(), n, p, a.data());
       (set->*form).list(records.data(), rows.data(), n, p, b.data());
       ASSERT_EQ(std::memcmp(a.data(), b.data(), n * sizeof(double)), 0) << set->name;
+      PointColumns one = random_points(r, 8 << round % 4), other = one;
+      plain.least(records.data(), rows.data(), rows.data(), n, one);
+      (set->*form).least(records.data(), rows.data(), rows.data(), n, other);
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
     }
   }
 }
@@ -117,28 +123,6 @@ TEST(SweepKernels, EveryInstructionSetGivesTheSameBits) {
   expect_equal_levels(&SweepKernels::ball_line, balls);
   expect_equal_levels(&SweepKernels::plane_line, lines);
   expect_equal_levels(&SweepKernels::plane_arc, arcs);
-}
-
-TEST(SweepTable, NearestPointsLieOnTheSkeleton) {
-  Random r(23);
-  const Scene scene = mixed_scene(r, 200);
-  const SweepTable s(scene.motions, scene.tools, 50);
-  for (std::uint32_t i = 0; i < s.size(); ++i) {
-    const SweepSkeleton k = s.skeleton(i);
-    for (int round = 0; round < 10; ++round) {
-      const Vec3 p = {r(-25, 25), r(-25, 25), r(-10, 15)};
-      double d, q, x, y, z;
-      s.nearest({&i, 1}, p, {&d, &q, &x, &y, &z});
-      if (k.kind == SweepSkeleton::Kind::none) continue;
-      const bool strip = k.kind == SweepSkeleton::Kind::strip;
-      const double dz = strip ? p.z - z : 0;
-      const double plan = (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
-      EXPECT_NEAR(plan + dz * dz, q, 1e-10);
-      EXPECT_TRUE(!strip || std::fabs(std::sqrt(q) - k.radius - d) < 1e-12);
-      EXPECT_GE(z, k.low - 1e-12);
-      EXPECT_TRUE(strip || std::fabs(z - k.low) < 1e-12);
-    }
-  }
 }
 
 }  // namespace

@@ -153,46 +153,6 @@ TEST(SweepPatch, NormalsAreContinuousOnOneFace) {
   }
 }
 
-TEST(SweepSkeleton, DominatedSweepsAreNeverNearerInTheBall) {
-  Random r(41);
-  Tool nose;
-  nose.id.assign(1, '1');
-  nose.type = ToolType::turning;
-  nose.nose_radius = 0.8;
-  int dropped = 0;
-  for (int round = 0; round < 4000; ++round) {
-    const Tool tool = round % 3 == 0 ? ballmill(6) : round % 3 == 1 ? endmill(6, 1) : nose;
-    const bool level = round % 3 == 1, turning = round % 3 == 2;
-    std::vector<Motion> m;
-    for (int i = 0; i < 2; ++i) {
-      const Vec3 a = {r(8, 11), turning ? 0 : r(0, 3), r(0, 1)};
-      const Vec3 d = {r(-1, 1), turning ? 0 : r(-1, 1), level ? 0 : r(-1, 1)};
-      m.push_back(line(a, a + d));
-    }
-    const SweepTable s(m, {&tool, 1}, 50);
-    const Vec3 p = {r(4, 14), r(-3, 6), r(-4, 4)};
-    const double ball = r(0.05, 0.6);
-    double d[2], q[2], x[2], y[2], z[2];
-    const std::uint32_t ids[] = {0, 1};
-    s.nearest(ids, p, {d, q, x, y, z});
-    const SweepSkeleton a = s.skeleton(0), b = s.skeleton(1);
-    ASSERT_EQ(a.group, b.group);
-    ASSERT_GE(a.group, 0);
-    if (level && (!a.rising || a.low < b.low)) continue;
-    if (turning && q[1] <= ball * ball) continue;
-    const double dx = x[0] - x[1], dy = y[0] - y[1], dz = level ? 0 : z[0] - z[1];
-    const double gap = std::sqrt(dx * dx + dy * dy + dz * dz);
-    if (q[0] - q[1] < 2 * ball * gap + ball * ball) continue;
-    ++dropped;
-    for (int k = 0; k < 60; ++k) {
-      const Vec3 o = ball * normalized(Vec3{r(-1, 1), r(-1, 1), r(-1, 1)});
-      const Vec3 at = p + r(0.5, 1) * o;
-      ASSERT_GE(s.distance(0, at), s.distance(1, at) - 1e-12) << "round " << round;
-    }
-  }
-  EXPECT_GT(dropped, 300);
-}
-
 void expect_unsupported(const Motion& m, const Tool& tool) {
   try {
     table(m, tool);

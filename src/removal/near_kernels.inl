@@ -1,0 +1,209 @@
+// The loops of near_kernels.h; included once per instruction set by near_kernels.cpp, with V (floats),
+// M (mask), kLanes and the operations on them in scope.
+
+struct Row {
+  V distance, squared, x, y, z, rest, level;
+};
+
+MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
+
+// The largest product of the vector with any offset from the region's centre.
+MRSIM_LANE V reach_of(const NearArgs& a, V x, V y) {
+  if (a.cube) return splat(a.half) * (vabs(x) + vabs(y));
+  return splat(a.radius) * vsqrt(x * x + y * y);
+}
+MRSIM_LANE V reach_of(const NearArgs& a, V x, V y, V z) {
+  if (a.cube) return splat(a.half) * (vabs(x) + vabs(y) + vabs(z));
+  return splat(a.radius) * vsqrt(x * x + y * y + z * z);
+}
+
+MRSIM_LANE V margin(const NearArgs& a, V squared, V root) {
+  return splat(a.fixed) + splat(a.per_root) * root + splat(1e-9f) * squared;
+}
+// Bounds are rounded up.
+MRSIM_LANE V above(V x) { return x * splat(1.00001f); }
+
+// On a segment of direction d (|d|^2 = size) and length `end` d: the least of t^2 size - 2 t g.
+MRSIM_LANE V short_rest(V g, V inverse, V size, V end) {
+  const V t = vmin(g * inverse, end);
+  return t * (g + g - t * size);
+}
+
+MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+  const V zero = splat(0), one = splat(1);
+  const V ux = load(c[3] + k), uy = load(c[4] + k), end = load(c[5] + k), s = load(c[6] + k),
+          inverse = load(c[7] + k), az = load(c[2] + k);
+  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k), w = splat(a.z) - az;
+  const V u = dx * ux + dy * uy, v = dx * uy - dy * ux;
+  const V uc = clamped(u, zero, end), du = u - uc;
+  const V t = clamped((u + s * w) * inverse, zero, end);
+  const V eu = u - t, ew = w - s * t;
+  const M over = less_equal(s * uc, w);
+  const V along = select(over, uc, t);
+  Row r;
+  r.squared = v * v + select(over, du * du, eu * eu + ew * ew);
+  const V root = vsqrt(r.squared);
+  r.distance = root - splat(a.tool.round);
+  r.x = ux * along - dx, r.y = uy * along - dy, r.z = select(over, zero, zero - ew);
+  // Across the strip's plane a point of the region moves no distance.
+  const V plan = reach_of(a, ux, uy);
+  const V wide = a.cube ? plan * plan + splat(a.half * a.half) : splat(a.radius * a.radius);
+  // Below all of the path the nearest points lie on its segment.
+  const M below = less_equal(splat(a.z + a.half + 2 * a.delta), az + vmin(zero, s * end));
+  const V segment = short_rest(reach_of(a, ux, uy, s), inverse, one + s * s, end);
+  r.rest = above(select(below, vmin(segment, wide), wide)) + margin(a, r.squared, root);
+  r.level = zero;
+  return r;
+}
+
+// rounded_slab of sweep_lanes.inl.
+MRSIM_LANE V slab(const NearArgs& a, V rho, V tip) {
+  const V zero = splat(0), z = splat(a.z), low = tip + splat(a.tool.round),
+          top = tip + splat(a.tool.height);
+  const M upper = less_equal(splat(0.5f) * (tip + top), z);
+  const V r = select(upper, zero, splat(a.tool.round));
+  const V dr = rho - select(upper, splat(a.tool.core + a.tool.round), splat(a.tool.core));
+  const V dz = select(upper, z - top, low - z);
+  const V p = vmax(dr, zero), q = vmax(dz, zero);
+  return vsqrt(p * p + q * q) + vmin(vmax(dr, dz), zero) - r;
+}
+
+MRSIM_LANE Row line_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+  const V zero = splat(0), one = splat(1);
+  const V px = load(c[2] + k), py = load(c[3] + k), inverse = load(c[4] + k);
+  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
+  const V t = clamped((dx * px + dy * py) * inverse, zero, one);
+  Row r;
+  r.x = t * px - dx, r.y = t * py - dy, r.z = load(c[5] + k), r.level = load(c[6] + k);
+  r.squared = r.x * r.x + r.y * r.y;
+  const V root = vsqrt(r.squared);
+  r.distance = slab(a, root, r.z);
+  r.rest = above(short_rest(reach_of(a, px, py), inverse, px * px + py * py, one)) +
+           margin(a, r.squared, root);
+  return r;
+}
+
+MRSIM_LANE Row arc_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+  const V zero = splat(0), infinite = splat(kInfinity);
+  const V radius = load(c[2] + k), mx = load(c[3] + k), my = load(c[4] + k);
+  const V cosine = load(c[5] + k), sine = load(c[6] + k);
+  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
+  const V along = dx * mx + dy * my, off = dy * mx - dx * my, side = vabs(off);
+  const V n = vsqrt(dx * dx + dy * dy);
+  const M facing = less_equal(cosine * side - sine * along, zero);
+  const V scale = radius / vmax(n, splat(1e-20f)) - splat(1);
+  const V ea = radius * cosine, eb = radius * sine;
+  const V signed_eb = select(less_equal(off, zero), zero - eb, eb);
+  const V ex = ea * mx - signed_eb * my - dx, ey = ea * my + signed_eb * mx - dy;
+  const V root = select(facing, vabs(n - radius), vsqrt(ex * ex + ey * ey));
+  Row r;
+  r.x = select(facing, scale * dx, ex), r.y = select(facing, scale * dy, ey);
+  r.z = load(c[7] + k), r.level = load(c[8] + k);
+  r.distance = slab(a, root, r.z);
+  // Facing the arc, |c - s|^2 = s_i^2 + n / R |s - q|^2 on the whole circle; beyond an end of at
+  // most half a turn, the end is the nearest point of the arc's hull. Near the centre the nearest
+  // point is not known well enough.
+  const V wide = splat(a.cube ? 2 * a.half * a.half : a.radius * a.radius);
+  const M clear = less_equal(radius, splat(4) * n);
+  const V round = (wide + splat(8 * a.delta * a.radius)) * radius /
+                  vmax(n - splat(2 * a.delta), splat(1e-20f));
+  const M end = both(less_equal(zero, cosine), less_equal(eb + splat(2 * a.delta), side));
+  r.squared = select(facing, select(clear, root * root, infinite), root * root);
+  r.rest = above(select(facing, select(clear, round, infinite), select(end, wide, infinite))) +
+           margin(a, root * root, root);
+  return r;
+}
+
+#define MRSIM_NEAR(form)                                                                 \
+  static NearLeast near_##form(const NearColumns& c, std::size_t n, const NearArgs& a,   \
+                               const NearRows& out) {                                    \
+    const V infinite = splat(kInfinity);                                                 \
+    V distance = infinite, squared = infinite, z = infinite;                             \
+    for (std::size_t k = 0; k < n; k += kLanes) {                                        \
+      Row r = form##_row(c, k, a);                                                       \
+      const M real = first_lanes(n - k);                                                 \
+      r.distance = select(real, r.distance, infinite);                                   \
+      r.squared = select(real, r.squared, infinite);                                     \
+      r.z = select(real, r.z, infinite);                                                 \
+      store(out.distance + k, r.distance), store(out.squared + k, r.squared);            \
+      store(out.x + k, r.x), store(out.y + k, r.y), store(out.z + k, r.z);               \
+      store(out.rest + k, r.rest), store(out.level + k, r.level);                        \
+      distance = vmin(distance, r.distance), squared = vmin(squared, r.squared);         \
+      z = vmin(z, r.z);                                                                  \
+    }                                                                                    \
+    return {least_lane(distance), least_lane(squared), least_lane(z)};                   \
+  }
+
+MRSIM_NEAR(strip)
+MRSIM_NEAR(line)
+MRSIM_NEAR(arc)
+#undef MRSIM_NEAR
+
+static std::size_t find(const float* column, std::size_t n, float value) {
+  const V wanted = splat(value);
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    const std::size_t lane = first_set(equal(load(column + k), wanted));
+    if (lane < kLanes && k + lane < n) return k + lane;
+  }
+  return n;
+}
+
+static PlanBeaters plan_beaters(const NearRows& rows, std::size_t n, const NearLeast& least,
+                                float inside) {
+  const V infinite = splat(kInfinity), tip = splat(least.z), limit = splat(inside);
+  V low = infinite, cover = infinite;
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    const V squared = load(rows.squared + k), z = load(rows.z + k);
+    low = vmin(low, select(equal(z, tip), squared, infinite));
+    cover = vmin(cover, select(less(squared, limit), z, infinite));
+  }
+  const V low_squared = splat(least_lane(low)), cover_z = splat(least_lane(cover));
+  PlanBeaters found = {find(rows.squared, n, least.squared), n, n};
+  for (std::size_t k = 0; k < n && (found.lowest == n || found.cover == n); k += kLanes) {
+    const V squared = load(rows.squared + k), z = load(rows.z + k);
+    const std::size_t l = first_set(both(equal(z, tip), equal(squared, low_squared)));
+    const std::size_t c = first_set(both(less(squared, limit), equal(z, cover_z)));
+    if (found.lowest == n && l < kLanes && k + l < n) found.lowest = k + l;
+    if (found.cover == n && c < kLanes && k + c < n) found.cover = k + c;
+  }
+  return found;
+}
+
+// Whether j may beat a plan sweep: its tip is lower, or as high and the index is lower or the walls
+// differ strictly.
+MRSIM_LANE M tip_allows(const KeepArgs& a, const Beater& j, V z, V level, M first) {
+  const M lower = both(splat_mask(a.rising), less(splat(j.z), z));
+  return either(lower, both(equal(level, splat(j.level)), first));
+}
+
+static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColumns& in,
+                        std::size_t n, std::size_t columns, float* out, std::size_t out_stride) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    M stay = less_equal(load(rows.distance + k), splat(a.limit));
+    if (!any(stay)) continue;
+    const V squared = load(rows.squared + k), x = load(rows.x + k), y = load(rows.y + k),
+            z = load(rows.z + k), level = load(rows.level + k), id = load(in[kIdColumn] + k);
+    const V gap = squared - load(rows.rest + k);
+    for (int i = 0; i < a.beaters; ++i) {
+      const Beater& j = a.beater[i];
+      const V dx = x - splat(j.x), dy = y - splat(j.y);
+      const V far = a.plan ? reach_of(a.at, dx, dy) : reach_of(a.at, dx, dy, z - splat(j.z));
+      M beaten = less(above(far + far), gap - splat(j.squared));
+      if (a.plan) {
+        const M first = either(less(splat(j.id), id), less(splat(a.beyond), squared));
+        beaten = both(beaten, tip_allows(a, j, z, level, first));
+      }
+      stay = without(stay, beaten);
+    }
+    if (a.has_cover)
+      stay = without(stay, tip_allows(a, a.cover, z, level, less(splat(a.cover.id), id)));
+    for (std::size_t i = 0; i < columns; ++i)
+      compress(out + i * out_stride + kept, load(in[i] + k), stay);
+    kept += compress(out + kIdColumn * out_stride + kept, id, stay);
+  }
+  return kept;
+}
+
+static const NearKernels kKernels = {near_strip, near_line,    near_arc,
+                                     find,       plan_beaters, keep};

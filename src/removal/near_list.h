@@ -1,0 +1,87 @@
+// The sweeps that can matter in a block, by columns and in single precision about the block: what
+// pruning works on. A list of a large block is made once; the lists of its parts are what is left
+// of it (SweepTable::prune), copied, so that every loop runs over whole registers.
+//
+// Single precision decides nothing but what may be dropped, with a proven slack (docs/removal.md):
+// distances that reach the grid are always those of SweepTable::distance.
+#pragma once
+
+#include "removal/near_kernels.h"
+#include <mrsim/types.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+/// Sweeps of one form and one tool; what they have in common.
+struct SweepClass {
+  /// How the distance is computed: the columns of near_kernels.h, or sweep by sweep.
+  enum class Form : std::uint8_t { strip, line, arc, other };
+  /// What the dominance test may compare (SweepSkeleton::Kind).
+  enum class Kind : std::uint8_t { none, solid, section, plan };
+  Form form = Form::other;
+  Kind kind = Kind::none;
+  std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
+  ToolColumns tool;
+};
+
+/// Where a list is to hold: a cube or a ball.
+struct PruneRegion {
+  Vec3 center;
+  double half = 0;    ///< of the edge of a cube; of a ball, its radius; mm
+  double radius = 0;  ///< of the ball about all of it, mm
+  bool cube = false;
+
+  static PruneRegion ball(const Vec3& center, double radius) {
+    return {center, radius, radius, false};
+  }
+  static PruneRegion block(const Vec3& center, double half) {
+    return {center, half, half * 1.7320508075688774, true};
+  }
+};
+
+class NearList {
+ public:
+  /// Sweeps of one class, ascending, in slots [first, first + count); first is a multiple of kPad.
+  struct Run {
+    std::uint32_t of = 0;  ///< index of the class
+    std::size_t first = 0, count = 0;
+  };
+
+  const std::vector<Run>& runs() const { return runs_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  std::uint32_t id(std::size_t slot) const {
+    return std::bit_cast<std::uint32_t>(column(kIdColumn)[slot]);
+  }
+  float* column(std::size_t i) { return lines_.data()->slots + i * stride_; }
+  const float* column(std::size_t i) const { return lines_.data()->slots + i * stride_; }
+  std::size_t stride() const { return stride_; }
+  NearColumns columns(std::size_t slot) const { return {column(0) + slot, stride_}; }
+
+  /// Empty, with room for `slots` and all runs padded.
+  void reset(std::size_t slots, const Vec3& origin, double extent);
+  /// The next run; its first slot.
+  std::size_t open_run(std::uint32_t of);
+  void close_run(std::size_t count);
+  /// Slots that `count` sweeps in `runs` runs need.
+  static std::size_t room(std::size_t count, std::size_t runs) { return count + runs * kPad; }
+
+  Vec3 origin;
+  double extent = 0;  ///< largest coordinate or size in any column, mm
+
+  static constexpr std::size_t kPad = 16;
+
+ private:
+  struct alignas(64) Line {
+    float slots[kPad];
+  };
+  std::vector<Line> lines_ = std::vector<Line>(kNearColumns);
+  std::size_t stride_ = kPad, size_ = 0;
+  std::vector<Run> runs_;
+};
+
+}  // namespace mrsim

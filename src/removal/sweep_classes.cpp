@@ -1,0 +1,109 @@
+// Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
+#include "removal/sweep_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace mrsim {
+namespace {
+
+float rounded_down(double x) {
+  return std::max(0.0f, std::nextafter(static_cast<float>(x), -1.0f));
+}
+
+ToolColumns tool_columns(const Profile& tool) {
+  ToolColumns t;
+  t.core = static_cast<float>(tool.core()), t.round = static_cast<float>(tool.round());
+  t.height = static_cast<float>(tool.top());
+  t.flat = tool.is_rounded() ? rounded_down(tool.core()) : 0;
+  t.rising = tool.is_rising();
+  return t;
+}
+
+// Two groups a tool: strips and plans are never compared.
+SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, std::uint32_t form) {
+  SweepClass k;
+  k.form = static_cast<SweepClass::Form>(form);
+  if (ref.kind == SweepKind::turn) {
+    const TurnSweep& t = c.turns[ref.row];
+    if (t.arc || !t.one_sided) return k;
+    k.kind = SweepClass::Kind::section;
+    k.group = 2 * ref.shape;
+    return k;
+  }
+  if (ref.frame != 0 || ref.kind == SweepKind::path) return k;
+  const bool strip = ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
+  k.kind = strip ? SweepClass::Kind::solid : SweepClass::Kind::plan;
+  k.group = 2 * ref.shape + (strip ? 1 : 0);
+  k.tool = tool_columns(c.cutter(ref));
+  return k;
+}
+
+// The height that decides the tip of a plan sweep; sweeps of one tool agree in it just when they
+// agree in their tips.
+double level_height(const SweepColumns& c, const SweepRef& ref) {
+  if (ref.kind == SweepKind::plane_line) return c.plane_lines[ref.row].c[4];
+  if (ref.kind == SweepKind::plane_arc) return c.plane_arcs[ref.row].c[7];
+  return c.profiles[ref.row].z;
+}
+
+bool is_plan(const SweepRef& ref) {
+  return ref.frame == 0 && (ref.kind == SweepKind::plane_line || ref.kind == SweepKind::plane_arc ||
+                            ref.kind == SweepKind::profile);
+}
+
+class LevelNumbers {
+ public:
+  std::uint32_t of(double height) {
+    if (!numbers_.empty() && height == last_) return number_;
+    last_ = height;
+    const auto next = static_cast<std::uint32_t>(numbers_.size());
+    return number_ = numbers_.try_emplace(height, next).first->second;
+  }
+
+ private:
+  std::unordered_map<double, std::uint32_t> numbers_;
+  double last_ = 0;
+  std::uint32_t number_ = 0;
+};
+
+}  // namespace
+
+void SweepColumns::classify() {
+  using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t>;  // group, form, shape
+  std::map<Key, std::uint32_t> seen;
+  std::vector<SweepClass> found;
+  class_of.resize(refs.size());
+  LevelNumbers numbers;
+  Key last{-2, 0, 0};
+  std::uint32_t last_class = 0;
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const SweepRef& ref = refs[i];
+    const std::uint32_t form = tags[i] >> kTagShift;
+    const SweepClass k = class_of_sweep(*this, ref, form);
+    const Key key{k.group, form, ref.shape};
+    if (key != last) {
+      const auto [at, added] = seen.try_emplace(key, static_cast<std::uint32_t>(found.size()));
+      if (added) found.push_back(k);
+      last = key, last_class = at->second;
+    }
+    class_of[i] = last_class;
+    if (!is_plan(ref)) continue;
+    if (levels.empty()) levels.resize(refs.size());
+    levels[i] = numbers.of(level_height(*this, ref));
+  }
+  // In the order of the keys: groups come together.
+  std::vector<std::uint32_t> place(found.size());
+  for (const auto& [key, old] : seen) {
+    place[old] = static_cast<std::uint32_t>(classes.size());
+    classes.push_back(found[old]);
+  }
+  if (classes.size() <= 1) class_of = {};
+  for (std::uint32_t& of : class_of) of = place[of];
+}
+
+}  // namespace mrsim

@@ -1,0 +1,191 @@
+// Pruning drops only what never decides: checked by all sweeps at many points of the region.
+#include "removal/near_list.h"
+
+#include "core/vec.h"
+#include "removal/sweep_kernels.h"
+#include "sweep_support.h"
+
+#include <bit>
+#include <cstring>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+struct Scene {
+  const char* name;
+  std::vector<Tool> tools;
+  bool level, arcs, turning;
+  double step;  // length of a move, mm
+};
+
+std::vector<Scene> scenes() {
+  Tool nose;
+  nose.id.assign(1, '1');
+  nose.type = ToolType::turning;
+  nose.nose_radius = 0.8;
+  Tool taper = endmill(6);
+  taper.type = ToolType::taper;
+  taper.taper_angle = 0.2;
+  taper.tip_diameter = 2;
+  return {{"ball", {ballmill(6)}, false, false, false, 0.4},
+          {"ball, long moves", {ballmill(6)}, false, false, false, 30},
+          {"flat", {endmill(6)}, true, false, false, 0.4},
+          {"flat, arcs", {endmill(6)}, true, true, false, 2},
+          {"bull, arcs", {endmill(6, 1)}, true, true, false, 6},
+          {"closed", {endmill(6, 1, 8)}, true, true, false, 1},
+          {"taper", {taper}, true, true, false, 1},
+          {"insert", {nose}, false, false, true, 0.5},
+          {"three tools", {ballmill(6), endmill(6), ballmill(4)}, false, true, false, 1}};
+}
+
+std::vector<Motion> moves(Random& r, const Scene& s, const Vec3& origin) {
+  std::vector<Motion> list;
+  Vec3 at = origin;
+  for (int i = 0; i < 60; ++i) {
+    const bool level = s.level || r.pick(4) == 0;
+    const Vec3 to = at + Vec3{r(-s.step, s.step), s.turning ? 0 : r(-s.step, s.step),
+                              level ? 0 : r(-0.5, 0.5) * s.step};
+    Motion m = line(at, to);
+    if (s.arcs && i % 2)
+      m = arc(at, {to.x, to.y, at.z}, {0, 0, 1}, r.pick(2) ? r(-3.1, 3.1) : r(-6, 6));
+    m.tool = r.pick(static_cast<int>(s.tools.size()));
+    list.push_back(m);
+    if (i % 9 == 0) list.push_back(m);  // coincident
+    at = m.end;
+    if (i % 20 == 19) at = origin + Vec3{r(-2, 2), s.turning ? 0 : r(-2, 2), r(-1, 1)};
+    if (s.level) at.z = origin.z + 0.5 * r.pick(3);
+  }
+  return list;
+}
+
+// The least distance and its owner of all sweeps and of a pruned list at random points.
+void expect_same(Random& r, const SweepTable& table, const NearList& all, const NearList& pruned,
+                 const PruneRegion& region, double band) {
+  PointColumns full{};
+  full.count = 64;
+  for (std::size_t k = 0; k < full.count; ++k) {
+    Vec3 o{r(-1, 1), r(-1, 1), r(-1, 1)};
+    if (k < 8) o = {k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+    if (!region.cube && dot(o, o) > 1) o = normalized(o);
+    const Vec3 p = region.center + region.half * o;
+    full.x[k] = p.x, full.y[k] = p.y, full.z[k] = p.z, full.least[k] = INFINITY;
+  }
+  PointColumns some = full;
+  table.least(all, full);
+  table.least(pruned, some);
+  for (std::size_t k = 0; k < full.count; ++k) {
+    if (std::fabs(full.least[k]) >= band) {
+      ASSERT_GE(std::fabs(some.least[k]), band);
+      continue;
+    }
+    ASSERT_EQ(full.least[k], some.least[k]);
+    ASSERT_EQ(full.nearest[k], some.nearest[k]);
+  }
+}
+
+TEST(NearList, PruningNeverChangesABit) {
+  Random r(7);
+  for (const Scene& scene : scenes()) {
+    std::size_t before = 0, after = 0;
+    for (int round = 0; round < 150; ++round) {
+      const Vec3 origin = scene.turning ? Vec3{r(8, 11), 0, r(0, 5)}
+                                        : Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} +
+                                              (round % 3 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
+      const SweepTable table(moves(r, scene, origin), scene.tools, 50);
+      std::vector<std::uint32_t> ids(table.size());
+      std::iota(ids.begin(), ids.end(), 0u);
+      const Vec3 center = origin + Vec3{r(-5, 5), r(-5, 5), r(-4, 5)};
+      const double half = r(0.02, 0.8), band = 3 * half;
+      NearList all, large, small;
+      table.list(ids, center, all);
+      ASSERT_EQ(all.size(), table.size());
+      const PruneRegion outer = PruneRegion::block(center, 2 * half);
+      if (!table.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
+      const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
+      const PruneRegion inner =
+          round % 2 ? PruneRegion::block(inside, half) : PruneRegion::ball(inside, half);
+      if (!table.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
+      expect_same(r, table, all, small, inner, band);
+      if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
+      before += all.size(), after += small.size();
+    }
+    EXPECT_LT(after * 3, before) << scene.name << ": hardly anything was dropped";
+  }
+}
+
+constexpr std::size_t kSlots = 96;
+
+struct Table {
+  alignas(64) float slots[kNearColumns][kSlots] = {};
+  NearColumns columns() const { return {slots[0], kSlots}; }
+};
+
+Table random_columns(Random& r, int form) {
+  Table t;
+  for (std::size_t k = 0; k < kSlots; ++k) {
+    const auto put = [&](std::initializer_list<double> values) {
+      std::size_t i = 0;
+      for (const double v : values) t.slots[i++][k] = static_cast<float>(v);
+    };
+    const double angle = r(-4, 4), c = std::cos(angle), s = std::sin(angle), half = r(0, 3.1);
+    const double x = r(-3, 3), y = r(-3, 3), z = 0.5 * r.pick(4), slope = r(-2, 2);
+    if (form == 0) put({x, y, z, c, s, r(0, 1), slope, 1 / (1 + slope * slope)});
+    if (form == 1) put({x, y, c, s, 1, z, z});
+    if (form == 2) put({x, y, r(0.2, 4), c, s, std::cos(half), std::sin(half), z, z});
+    t.slots[kIdColumn][k] = std::bit_cast<float>(static_cast<std::uint32_t>(3 * k));
+  }
+  return t;
+}
+
+// Rows, and the indices of what is kept, of one step of pruning.
+std::vector<float> one_step(const NearKernels& kernels, const Table& table, int form,
+                            std::size_t n) {
+  Table found, kept;
+  const NearRows rows{found.slots[0], found.slots[1], found.slots[2], found.slots[3],
+                      found.slots[4], found.slots[5], found.slots[6]};
+  KeepArgs args;
+  args.at = {0.5f, 1, -0.5f, 0.25f, 0.43f, true, 1e-5f, 1e-4f, 1e-5f, {2, 1, 9, 1.9f, true}};
+  const NearColumns c = table.columns();
+  const NearLeast least = (form == 0   ? kernels.strip
+                           : form == 1 ? kernels.line
+                                       : kernels.arc)(c, n, args.at, rows);
+  const PlanBeaters j = kernels.plan(rows, n, least, 1.5f);
+  const auto beater = [&](std::size_t k) {
+    return Beater{rows.squared[k], rows.x[k], rows.y[k], rows.z[k], rows.level[k], c[kIdColumn][k]};
+  };
+  args.plan = form > 0, args.rising = true, args.limit = least.distance + 1.2f, args.beyond = 9;
+  args.beaters = 2, args.beater[0] = beater(j.nearest), args.beater[1] = beater(j.lowest);
+  args.has_cover = form > 0 && j.cover < n;
+  if (args.has_cover) args.cover = beater(j.cover);
+  const std::size_t left = kernels.keep(args, rows, c, n, 9, kept.slots[0], kSlots);
+  std::vector<float> result(kept.slots[kIdColumn], kept.slots[kIdColumn] + left);
+  for (const auto& row : found.slots) result.insert(result.end(), row, row + n);
+  return result;
+}
+
+// All levels run the same operations in the same order.
+TEST(NearKernels, EveryInstructionSetKeepsTheSame) {
+  Random r(3);
+  for (int round = 0; round < 200; ++round)
+    for (int form = 0; form < 3; ++form) {
+      const Table table = random_columns(r, form);
+      const std::size_t n = 1 + static_cast<std::size_t>(r.pick(kSlots));
+      const std::vector<float> plain = one_step(*near_kernels(SimdLevel::scalar), table, form, n);
+      for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+        const NearKernels* set = near_kernels(level);
+        if (set == nullptr) continue;
+        const std::vector<float> wide = one_step(*set, table, form, n);
+        ASSERT_EQ(plain.size(), wide.size()) << "form " << form;
+        ASSERT_EQ(std::memcmp(plain.data(), wide.data(), plain.size() * sizeof(float)), 0)
+            << "form " << form << ", " << n << " sweeps";
+      }
+    }
+}
+
+}  // namespace
+}  // namespace mrsim
