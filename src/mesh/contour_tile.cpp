@@ -29,27 +29,32 @@ void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t
           lattice().coordinate(a, (component(first, a) + i) * lattice().per_voxel());
   ids_.clear();
   std::fill(lists_.begin(), lists_.end(), List{});
-  visit({0, 0, 0}, kCells, 0, candidates);
+  const Box3 whole = node_box({0, 0, 0}, kCells);
+  descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
+  visit({0, 0, 0}, kCells, 1);
 }
 
-void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t depth,
-                        std::span<const std::uint32_t> in) {
+Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const {
   const auto plane = [&](int axis, std::int32_t i) {
     return planes_[axis][static_cast<std::size_t>(i)];
   };
-  const Vec3 lo{plane(0, origin.x), plane(1, origin.y), plane(2, origin.z)};
-  const Vec3 hi{plane(0, origin.x + size), plane(1, origin.y + size), plane(2, origin.z + size)};
-  Candidates& list = work_[depth];
-  const auto region =
-      field_.restrict_to(0.5 * (lo + hi), 0.5 * length(hi - lo) + kQuantum, kBand, in, list);
+  return {{plane(0, origin.x), plane(1, origin.y), plane(2, origin.z)},
+          {plane(0, origin.x + size), plane(1, origin.y + size), plane(2, origin.z + size)}};
+}
+
+void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
+  const auto region = descent_->enter(level, inflated(node_box(origin, size), kQuantum), kBand);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
-  if (size == kNode) return sample_node(origin, list);
+  if (size == kNode) {
+    descent_->candidates(level, list_);
+    return sample_node(origin, list_);
+  }
   const std::int32_t half = size / 2;
   for (int k = 0; k < 8; ++k)
     visit({origin.x + (k & 1 ? half : 0), origin.y + (k & 2 ? half : 0),
            origin.z + (k & 4 ? half : 0)},
-          half, depth + 1, list);
+          half, level + 1);
 }
 
 void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {

@@ -8,6 +8,7 @@
 
 #include "mesh/contour_cells.h"
 
+#include <memory>
 #include <vector>
 
 namespace mrsim::detail {
@@ -61,8 +62,8 @@ class ContourTile final : public ContourCells {
         node_id(cell.x / kNode, cell.y / kNode, cell.z / kNode))];
   }
 
-  void visit(const LatticePoint& origin, std::int32_t size, std::size_t depth,
-             std::span<const std::uint32_t> in);
+  void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
+  Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
   template <class Body>
@@ -76,7 +77,8 @@ class ContourTile final : public ContourCells {
   std::vector<float> offset_;      ///< d + kInsideTolerance at corners, infinite where not sampled
   std::vector<List> lists_;        ///< by node
   std::vector<std::uint32_t> ids_;
-  Candidates work_[8];
+  std::unique_ptr<ExactField::Descent> descent_;
+  Candidates list_;
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   mutable std::vector<std::int32_t>

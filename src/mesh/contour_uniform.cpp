@@ -55,7 +55,6 @@ struct TileMesh {
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {
   LatticePoint low, high;  ///< tiles, half open
-  Candidates candidates;
 };
 
 class UniformContour {
@@ -107,42 +106,31 @@ class UniformContour {
     const LatticePoint last = lattice_.floor(field_.bounds().hi);
     for (int a = 0; a < 3; ++a)
       component(range.high, a) = (component(last, a) / unit() + 1) / kOwned + 1;
-    range.candidates = field_.all();
     return range;
   }
 
   void find_tiles() {
-    std::vector<TileRange> level(1, whole());
-    while (!level.empty()) {
-      std::vector<char> is_mixed(level.size());
-      parallel_for(level.size(), options_.threads, [&](std::size_t k) {
-        const Box3 b = box(level[k]);
-        Candidates left;
-        is_mixed[k] =
-            field_.restrict_to(0.5 * (b.lo + b.hi), 0.5 * length(b.hi - b.lo) + kQuantum, kBand,
-                               level[k].candidates, left) == ExactField::Region::mixed;
-        level[k].candidates = std::move(left);
-      });
-      std::vector<TileRange> next;
-      for (std::size_t k = 0; k < level.size(); ++k) {
-        if (!is_mixed[k]) continue;
-        TileRange low = std::move(level[k]), high;
-        int axis = 0;
-        for (const int a : {1, 2})
-          if (extent(low, a) > extent(low, axis)) axis = a;
-        if (extent(low, axis) == 1) {
-          tiles_.push_back({{low.low.x * kOwned, low.low.y * kOwned, low.low.z * kOwned},
-                            std::move(low.candidates)});
-          continue;
-        }
-        high = low;
-        component(low.high, axis) = component(high.low, axis) =
-            component(low.low, axis) + extent(low, axis) / 2;
-        next.push_back(std::move(low));
-        next.push_back(std::move(high));
-      }
-      level = std::move(next);
+    const Box3 bounds = field_.bounds();
+    const auto descent = field_.descent(0.5 * (bounds.lo + bounds.hi), field_.all());
+    find_tiles(*descent, whole(), 1);
+  }
+
+  void find_tiles(ExactField::Descent& descent, const TileRange& range, std::size_t level) {
+    if (descent.enter(level, inflated(box(range), kQuantum), kBand) != ExactField::Region::mixed)
+      return;
+    int axis = 0;
+    for (const int a : {1, 2})
+      if (extent(range, a) > extent(range, axis)) axis = a;
+    if (extent(range, axis) == 1) {
+      tiles_.push_back({{range.low.x * kOwned, range.low.y * kOwned, range.low.z * kOwned}, {}});
+      descent.candidates(level, tiles_.back().candidates);
+      return;
     }
+    TileRange low = range, high = range;
+    component(low.high, axis) = component(high.low, axis) =
+        component(low.low, axis) + extent(range, axis) / 2;
+    find_tiles(descent, low, level + 1);
+    find_tiles(descent, high, level + 1);
   }
   static std::int32_t extent(const TileRange& range, int axis) {
     return component(range.high, axis) - component(range.low, axis);

@@ -12,7 +12,10 @@
 
 #include <mrsim/types.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -51,6 +54,24 @@ class ExactField {
   virtual Region restrict_to(const Vec3& center, double radius, double band,
                              std::span<const std::uint32_t> in, Candidates& out) const = 0;
 
+  /// A way down from a region to its parts that keeps what was found on each level, so that lists
+  /// are narrowed without being made anew. For one thread.
+  class Descent {
+   public:
+    Descent() = default;
+    Descent(const Descent&) = delete;
+    Descent& operator=(const Descent&) = delete;
+    virtual ~Descent() = default;
+    /// As restrict_to for the ball about `box`, narrowing what level - 1 has left. Requires: the
+    /// last region entered at level - 1 holds this one; level >= 1.
+    virtual Region enter(std::size_t level, const Box3& box, double band) = 0;
+    /// What the last region entered at this level has left, ascending.
+    virtual void candidates(std::size_t level, Candidates& out) const = 0;
+  };
+  /// Begins with `in` (about the point `origin`) as what level 0 has left.
+  virtual std::unique_ptr<Descent> descent(const Vec3& origin,
+                                           std::span<const std::uint32_t> in) const;
+
   /// d, its owner and the owner's face at p. Ties: stock before sweep, then the least index.
   virtual FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const = 0;
 
@@ -75,6 +96,32 @@ class ExactField {
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;
 };
+
+/// The descent of any field, by restrict_to.
+class ListDescent final : public ExactField::Descent {
+ public:
+  ListDescent(const ExactField& field, std::span<const std::uint32_t> in)
+      : field_(field), lists_(1, Candidates(in.begin(), in.end())) {}
+  ExactField::Region enter(std::size_t level, const Box3& box, double band) override {
+    if (lists_.size() <= level) lists_.resize(level + 1);
+    const Vec3 half{0.5 * (box.hi.x - box.lo.x), 0.5 * (box.hi.y - box.lo.y),
+                    0.5 * (box.hi.z - box.lo.z)};
+    const Vec3 center{box.lo.x + half.x, box.lo.y + half.y, box.lo.z + half.z};
+    return field_.restrict_to(center,
+                              std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z), band,
+                              lists_[level - 1], lists_[level]);
+  }
+  void candidates(std::size_t level, Candidates& out) const override { out = lists_[level]; }
+
+ private:
+  const ExactField& field_;
+  std::vector<Candidates> lists_;
+};
+
+inline std::unique_ptr<ExactField::Descent> ExactField::descent(
+    const Vec3&, std::span<const std::uint32_t> in) const {
+  return std::make_unique<ListDescent>(*this, in);
+}
 
 inline bool is_inside(double distance) { return distance < -kInsideTolerance; }
 

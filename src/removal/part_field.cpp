@@ -17,6 +17,48 @@ std::vector<double>& scratch(std::size_t size) {
   return buffer;
 }
 
+void append_ids(const NearList& list, Candidates& out) {
+  for (const NearList::Run& run : list.runs())
+    for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.id(run.first + k));
+  if (list.runs().size() > 1) std::sort(out.begin(), out.end());
+}
+
+class NearDescent final : public ExactField::Descent {
+ public:
+  NearDescent(const PartField& field, const Vec3& origin, std::span<const std::uint32_t> in)
+      : field_(field), levels_(1) {
+    field.sweeps().list(in, origin, levels_[0].left);
+  }
+
+  ExactField::Region enter(std::size_t level, const Box3& box, double band) override {
+    if (levels_.size() <= level) levels_.resize(level + 1);
+    Level& own = levels_[level];
+    own.in_stock = levels_[level - 1].in_stock;
+    return field_.restrict_to(region_of(box), band, levels_[level - 1].left, own.in_stock,
+                              own.left);
+  }
+  void candidates(std::size_t level, Candidates& out) const override {
+    out.clear();
+    append_ids(levels_[level].left, out);
+  }
+
+ private:
+  struct Level {
+    NearList left;
+    bool in_stock = false;
+  };
+  // A cube about it bounds a box that is nearly one more sharply than its ball.
+  static PruneRegion region_of(const Box3& box) {
+    const Vec3 half = 0.5 * (box.hi - box.lo), center = box.lo + half;
+    const double most = std::max({half.x, half.y, half.z}), radius = length(half);
+    const PruneRegion cube = PruneRegion::block(center, most);
+    return cube.radius <= radius * (1 + 1e-6) ? cube : PruneRegion::ball(center, radius);
+  }
+
+  const PartField& field_;
+  std::vector<Level> levels_;
+};
+
 }  // namespace
 
 PartField::PartField(StockSolid solid, SweepTable sweeps)
@@ -56,10 +98,13 @@ ExactField::Region PartField::restrict_to(const Vec3& center, double radius, dou
   bool in_stock = false;
   const Region found = restrict_to(PruneRegion::ball(center, radius), band, list, in_stock, left);
   if (found != Region::mixed) return found;
-  for (const NearList::Run& run : left.runs())
-    for (std::size_t k = 0; k < run.count; ++k) out.push_back(left.id(run.first + k));
-  if (left.runs().size() > 1) std::sort(out.begin(), out.end());
+  append_ids(left, out);
   return found;
+}
+
+std::unique_ptr<ExactField::Descent> PartField::descent(const Vec3& origin,
+                                                        std::span<const std::uint32_t> in) const {
+  return std::make_unique<NearDescent>(*this, origin, in);
 }
 
 FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {

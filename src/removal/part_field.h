@@ -19,6 +19,8 @@ class PartField final : public ExactField {
   /// in the stock, which then never decides; kept from the larger region, set for this one.
   Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
                      NearList& out) const;
+  std::unique_ptr<Descent> descent(const Vec3& origin,
+                                   std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
   void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                  double* out) const override;
