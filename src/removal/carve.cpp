@@ -251,7 +251,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   const std::size_t limit = chosen.max_memory > 0 ? chosen.max_memory : free_memory();
   check_options(field, chosen, limit);
   grid->voxel = chosen.voxel;
-  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit);
+  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit,
+                                             chosen.threads);
   const BlockIndex& index = *grid->index;
 
   openvdb::initialize();
