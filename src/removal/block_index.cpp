@@ -1,14 +1,22 @@
 #include "removal/block_index.h"
 
+#include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/lattice.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+// Enough parts for the cores of a workstation, each worth a thread.
+constexpr std::size_t kParts = 16, kPartSweeps = 50000;
+
+}  // namespace
 
 std::int32_t BlockIndex::block_of(double x, int axis) const {
   const double block =
@@ -36,7 +44,8 @@ void BlockIndex::for_each_block(const Range& range, Body body) const {
              static_cast<std::size_t>(i - first_[0]));
 }
 
-BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory)
+BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory,
+                       int threads)
     : voxel_(voxel) {
   const Box3 whole = inflated(field.bounds(), band);
   double blocks = 1;
@@ -51,21 +60,39 @@ BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::s
                                       "more than memory holds; take a larger "
                                       "--voxel",
                                       voxel, blocks));
-  const SweepTable& sweeps = field.sweeps();
   start_.assign(static_cast<std::size_t>(blocks) + 1, 0);
+  fill(field.sweeps(), band, threads);
+}
+
+// A counting sort in parts of the sweeps, which are counted and placed each on its own: a part's
+// sweeps come after those of the parts before it, so every block's list ascends.
+void BlockIndex::fill(const SweepTable& sweeps, double band, int threads) {
+  const std::size_t blocks = start_.size() - 1;
+  const bool few = sweeps.size() < kPartSweeps || blocks > sweeps.size();
+  const std::size_t parts = few ? 1 : kParts;
+  const auto first_of = [&](std::size_t part) { return sweeps.size() * part / parts; };
   std::vector<Range> ranges(sweeps.size());
-  std::vector<bool> reaches(sweeps.size());
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    reaches[i] = range_of(inflated(sweeps.bounds(i), band), ranges[i]);
-    if (reaches[i]) for_each_block(ranges[i], [&](std::size_t b) { ++start_[b + 1]; });
+  std::vector<std::size_t> next(parts * blocks, 0);  // by part and block: count, then place
+  parallel_for(parts, threads, [&](std::size_t part) {
+    std::size_t* count = next.data() + part * blocks;
+    for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
+      if (range_of(inflated(sweeps.bounds(i), band), ranges[i]))
+        for_each_block(ranges[i], [&](std::size_t b) { ++count[b]; });
+  });
+  std::size_t total = 0;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    start_[b] = total;
+    for (std::size_t part = 0; part < parts; ++part)
+      total += std::exchange(next[part * blocks + b], total);
   }
-  for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
-  ids_.resize(start_.back());
-  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-  for (std::size_t i = 0; i < sweeps.size(); ++i)
-    if (reaches[i])
+  start_[blocks] = total;
+  ids_.resize(total);
+  parallel_for(parts, threads, [&](std::size_t part) {
+    std::size_t* place = next.data() + part * blocks;
+    for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
       for_each_block(ranges[i],
-                     [&](std::size_t b) { ids_[next[b]++] = static_cast<std::uint32_t>(i); });
+                     [&](std::size_t b) { ids_[place[b]++] = static_cast<std::uint32_t>(i); });
+  });
 }
 
 std::array<std::int32_t, 3> BlockIndex::origin(std::size_t b) const {

@@ -58,8 +58,10 @@ class BlockCarver {
            Vec3{half(size), half(size), half(size)};
   }
 
-  static bool evaluate_now(int size, std::size_t sweeps) {
-    return size == 2 || (size == 4 && sweeps <= kFewSweeps);
+  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their eighths;
+  // without a closed form evaluation is the costly part.
+  static bool evaluate_now(int size, const NearList& sweeps) {
+    return size == 2 || (size == 4 && sweeps.size() <= (sweeps.closed ? 16u : 4u));
   }
 
   // The list of the block is lists_[depth]; what is left of it goes to the next.
@@ -70,7 +72,7 @@ class BlockCarver {
     if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
-      if (evaluate_now(size, left.size()))
+      if (evaluate_now(size, left))
         evaluate(origin, size, left, in_stock);
       else
         visit_children(origin, size / 2, depth + 1, in_stock);
@@ -154,8 +156,6 @@ class BlockCarver {
       leaf_.owner->buffer().data()[offset] =
           field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
   }
-
-  static constexpr std::size_t kFewSweeps = 4;
 
   const PartField& field_;
   double voxel_, band_;
@@ -251,7 +251,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   const std::size_t limit = chosen.max_memory > 0 ? chosen.max_memory : free_memory();
   check_options(field, chosen, limit);
   grid->voxel = chosen.voxel;
-  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit);
+  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit,
+                                             chosen.threads);
   const BlockIndex& index = *grid->index;
 
   openvdb::initialize();

@@ -105,12 +105,13 @@ Beater beater_at(const NearRows& rows, std::size_t k, const float* ids) {
 
 }  // namespace
 
-void NearList::reset(std::size_t slots, const Vec3& about, double largest_value) {
+void NearList::reset(std::size_t slots, const Vec3& about) {
   const std::size_t lines = (slots + kPad - 1) / kPad + 1;
   runs_.clear();
   size_ = 0;
   origin = about;
-  extent = largest_value;
+  extent = 0;
+  closed = true;
   if (lines * kPad <= stride_) return;
   stride_ = lines * kPad;
   lines_.resize(lines * kNearColumns);
@@ -141,7 +142,7 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 1; k < sorted.size(); ++k) runs += sorted[k].first != sorted[k - 1].first;
   }
-  out.reset(NearList::room(ids.size(), runs), origin, 0);
+  out.reset(NearList::room(ids.size(), runs), origin);
   RunWriter writer(out, c.levels);
   double tools = 0;
   for (std::size_t k = 0; k < ids.size();) {
@@ -158,6 +159,7 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
       writer.id(slot, id);
     }
     out.close_run(slot - first);
+    out.closed = out.closed && type.form != SweepClass::Form::other;
     const ToolColumns& t = type.tool;
     tools =
         std::max<double>(tools, std::max(t.core + t.round, std::isinf(t.height) ? 0 : t.height));
@@ -220,7 +222,9 @@ class Pruner {
   bool is_swept() const { return double(least_) + at_.delta < deep_; }
 
   void keep(float limit, double band, NearList& out) {
-    out.reset(in_.runs().empty() ? 0 : end_of(in_.runs().back()), in_.origin, in_.extent);
+    out.reset(in_.runs().empty() ? 0 : end_of(in_.runs().back()), in_.origin);
+    out.extent = in_.extent;
+    out.closed = in_.closed;
     const auto& runs = in_.runs();
     for (std::size_t from = 0; from < runs.size();) {
       std::size_t to = from + 1;
@@ -363,7 +367,7 @@ bool SweepTable::prune(const PruneRegion& region, double reach, double band, con
                        NearList& out) const {
   Pruner pruner(*this, *columns_, region, reach, in);
   if (pruner.is_swept()) {
-    out.reset(0, in.origin, in.extent);
+    out.reset(0, in.origin);
     return false;
   }
   const double least = pruner.least(), delta = pruner.delta();

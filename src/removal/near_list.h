@@ -62,8 +62,8 @@ class NearList {
   std::size_t stride() const { return stride_; }
   NearColumns columns(std::size_t slot) const { return {column(0) + slot, stride_}; }
 
-  /// Empty, with room for `slots` and all runs padded.
-  void reset(std::size_t slots, const Vec3& origin, double extent);
+  /// Empty, with room for `slots`.
+  void reset(std::size_t slots, const Vec3& origin);
   /// The next run; its first slot.
   std::size_t open_run(std::uint32_t of);
   void close_run(std::size_t count);
@@ -71,7 +71,8 @@ class NearList {
   static std::size_t room(std::size_t count, std::size_t runs) { return count + runs * kPad; }
 
   Vec3 origin;
-  double extent = 0;  ///< largest coordinate or size in any column, mm
+  double extent = 0;   ///< largest coordinate or size in any column, mm
+  bool closed = true;  ///< all sweeps have closed forms
 
   static constexpr std::size_t kPad = 16;
 
