@@ -42,7 +42,8 @@ THIRD_PARTY = {
     "CLI/": r"src/cli/[^/]*\.cpp",
     "toml++/": r"src/setup/[^/]*\.cpp",
 }
-PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "mrsim.h": {"types.h", "options.h"},
+PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "collisions.h": {"types.h"},
+          "mrsim.h": {"types.h", "options.h", "collisions.h"},
           "compare.h": {"types.h", "options.h"}}
 
 

@@ -51,8 +51,16 @@ BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::s
                                       "more than memory holds; take a larger "
                                       "--voxel",
                                       voxel, blocks));
-  const SweepTable& sweeps = field.sweeps();
-  start_.assign(static_cast<std::size_t>(blocks) + 1, 0);
+  list(field.sweeps(), band, static_cast<std::size_t>(blocks));
+}
+
+BlockIndex::BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps)
+    : voxel_(blocks.voxel_), first_(blocks.first_), count_(blocks.count_) {
+  list(sweeps, 0, blocks.size());
+}
+
+void BlockIndex::list(const SweepTable& sweeps, double band, std::size_t blocks) {
+  start_.assign(blocks + 1, 0);
   std::vector<Range> ranges(sweeps.size());
   std::vector<bool> reaches(sweeps.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
@@ -75,6 +83,19 @@ std::array<std::int32_t, 3> BlockIndex::origin(std::size_t b) const {
   const auto z = static_cast<std::int32_t>(rest / static_cast<std::size_t>(count_[1]));
   return {(first_[0] + x) * kBlockVoxels, (first_[1] + y) * kBlockVoxels,
           (first_[2] + z) * kBlockVoxels};
+}
+
+Box3 BlockIndex::box(std::size_t b) const {
+  const std::array<std::int32_t, 3> at = origin(b);
+  Box3 box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    const double low =
+        lattice_position(voxel_, at[a], component(kLatticeShift, axis)) - 0.5 * voxel_;
+    component(box.lo, axis) = low;
+    component(box.hi, axis) = low + kBlockVoxels * voxel_;
+  }
+  return box;
 }
 
 std::size_t BlockIndex::find(const Vec3& p) const {

@@ -20,7 +20,12 @@ class BlockIndex {
   /// when the blocks alone would exceed `max_memory` bytes.
   BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory);
 
+  /// Lists other sweeps in the blocks of `blocks`, each in every block that its bounds meet.
+  BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps);
+
   std::size_t size() const { return start_.size() - 1; }
+  /// What block b covers, mm.
+  Box3 box(std::size_t b) const;
   /// Lattice coordinates of the first voxel of block b; a multiple of kBlockVoxels.
   std::array<std::int32_t, 3> origin(std::size_t b) const;
   /// Sweeps of block b, ascending.
@@ -41,6 +46,7 @@ class BlockIndex {
   bool range_of(const Box3& box, Range& range) const;
   template <typename Body>
   void for_each_block(const Range& range, Body body) const;
+  void list(const SweepTable& sweeps, double band, std::size_t blocks);
 
   double voxel_;
   std::array<std::int32_t, 3> first_{}, count_{};
