@@ -10,6 +10,8 @@
 #include "core/vec.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace mrsim {
@@ -17,6 +19,9 @@ namespace {
 
 // Cuts near a box that are tried for a clear ball.
 constexpr std::size_t kMostClear = 4;
+
+// Movers and stocks are mostly convex: outside of them there is room for larger balls than in cuts.
+constexpr double kOutside = 8;
 
 // Boxes smaller than this many thresholds are tried for two clear balls; larger ones would need
 // tools that are too large.
@@ -68,6 +73,7 @@ void CollisionDetector::visit(const Box3& box, std::size_t depth,
   Level& level = levels_[depth];
   keep_movers(ball, movers, level);
   if (!level.movers.empty()) settle(ball, stock, cuts, level);
+  if (!level.movers.empty()) drop_over_floors(box, level);
   if (!level.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
     drop_touching(ball, stock, level);
   if (level.movers.empty()) return;
@@ -169,17 +175,48 @@ void CollisionDetector::look_beside(const Ball& ball, const Level& level) {
   }
 }
 
+// A cutter with a flat end that reaches up has cleared everything above its end. So a box over the
+// flat end is clear for movers that stay above it, whether or not the box does: surfaces that a
+// mover touches from above cost a few large boxes only.
+void CollisionDetector::drop_over_floors(const Box3& box, Level& level) {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  const Vec3 center = 0.5 * (box.lo + box.hi), half = box.hi - center;
+  const double reach = std::sqrt(half.x * half.x + half.y * half.y);
+  nearest_.resize(level.cuts.size());
+  sweeps.nearest(level.cuts, center, nearest_.columns());
+  double floor = std::numeric_limits<double>::infinity();
+  std::size_t kept = 0, cut = 0;
+  for (std::size_t m = 0; m < level.movers.size(); ++m) {
+    const std::uint32_t mover = level.movers[m];
+    const std::int32_t time = scene_.movers.motions[mover];
+    for (; cut < level.cuts.size() && sweeps.motion(level.cuts[cut]) <= time; ++cut) {
+      if (nearest_.z[cut] >= floor) continue;
+      const SweepSkeleton s = sweeps.skeleton(level.cuts[cut]);
+      const double inside = s.flat - reach - slack_;
+      if (s.kind == SweepSkeleton::Kind::plan && s.rising && inside > 0 &&
+          nearest_.squared[cut] < inside * inside)
+        floor = nearest_.z[cut];
+    }
+    const double low = std::max(box.lo.z, scene_.movers.sweeps.bounds(mover).lo.z);
+    if (low >= floor - scene_.threshold + slack_) continue;
+    level.mover_distance[kept] = level.mover_distance[m];
+    level.movers[kept++] = mover;
+  }
+  level.movers.resize(kept);
+  level.mover_distance.resize(kept);
+}
+
 // A ball of radius R about s is clear where s lies outside of the mover by R, or within a cut or
 // outside of the stock by R - threshold: distances are 1-Lipschitz. Two of them on both sides of a
 // surface cover a box on it, because they are far larger than the box.
 void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& level) {
-  const double depth = 1.5 * ball.radius * ball.radius / scene_.threshold + ball.radius;
+  const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
   const StockSolid& solid = scene_.part.solid();
   clear_.clear();
   if (stock > -ball.radius) {
     const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
-    const double there = solid.distance(ball.center + depth * out);
-    add_clear(out, depth, there + scene_.threshold, -1);
+    const double far = kOutside * depth;
+    add_clear(out, far, solid.distance(ball.center + far * out) + scene_.threshold, -1);
   }
   add_clear_cuts(ball, level, depth);
   std::size_t kept = 0;
@@ -222,12 +259,15 @@ bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, std:
   const SweepTable& sweeps = scene_.movers.sweeps;
   const Vec3 out = sweeps.gradient(mover, ball.center, sweeps.sample(mover, ball.center).patch);
   const std::size_t others = clear_.size();
-  add_clear(out, depth, sweeps.distance(mover, ball.center + depth * out), time);
-  // All offsets are equally long. For a point v outside of balls a and b, |v|^2 - 2 v.offset +
-  // excess >= 0 for both; within the box the sum is at most this.
+  for (const double far : {kOutside * depth, depth})
+    add_clear(out, far, sweeps.distance(mover, ball.center + far * out), time);
+  // For a point v outside of ball a, |v|^2 - 2 v.offset + excess >= 0, and for b: weighted so that
+  // opposite offsets cancel, the sum is at most this within the box.
   const auto covered = [&ball](const ClearBall& a, const ClearBall& b) {
-    const double r = ball.radius;
-    return 2 * r * r + 2 * r * length(a.offset + b.offset) + a.excess + b.excess < 0;
+    const double wa = length(b.offset), wb = length(a.offset), r = ball.radius;
+    return (wa + wb) * r * r + 2 * r * length(wa * a.offset + wb * b.offset) + wa * a.excess +
+               wb * b.excess <
+           0;
   };
   bool found = false;
   for (std::size_t a = 0; a < clear_.size() && !found; ++a)

@@ -65,6 +65,7 @@ class CollisionDetector {
   void add_hit(std::uint32_t mover, const Vec3& place);
   void look_beside(const Ball& ball, const Level& level);
   double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
+  void drop_over_floors(const Box3& box, Level& level);
   void drop_touching(const Ball& ball, double stock, Level& level);
   void add_clear_cuts(const Ball& ball, const Level& level, double depth);
   void add_clear(const Vec3& gradient, double depth, double radius, std::int32_t from);
@@ -75,6 +76,7 @@ class CollisionDetector {
   std::array<Level, 64> levels_;
   std::vector<ClearBall> clear_;
   std::vector<CollisionHit> hits_;
+  Dominance::Nearest nearest_;
   std::vector<std::size_t> order_;
   std::vector<char> done_;  // by place in the list of the whole box
   std::span<const std::uint32_t> all_cuts_, all_movers_;
