@@ -22,7 +22,7 @@ STAGES = {
     "mesh": ("core/", "mesh/", "removal/stock.h", "removal/sweep.h", "removal/field.h", "removal/lattice.h"),
     "compare": ("core/", "compare/", "mesh/"),
     "cli": ("core/", "cli/"),
-    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h"),
+    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "collision_findings.h"),
 }
 # Exceptions to the rule above.
 PRIVATE = {}
@@ -42,7 +42,8 @@ THIRD_PARTY = {
     "CLI/": r"src/cli/[^/]*\.cpp",
     "toml++/": r"src/setup/[^/]*\.cpp",
 }
-PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "mrsim.h": {"types.h", "options.h"},
+PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "collisions.h": {"types.h"},
+          "mrsim.h": {"types.h", "options.h", "collisions.h"},
           "compare.h": {"types.h", "options.h"}}
 
 

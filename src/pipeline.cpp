@@ -1,5 +1,6 @@
 // The facade: calls the stages in order.
 
+#include "collision_findings.h"
 #include "core/error.h"
 #include "core/text_io.h"
 #include "core/units.h"
@@ -11,6 +12,7 @@
 #include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "outputs.h"
+#include "removal/collision.h"
 #include "removal/default_stock.h"
 #include "removal/stock.h"
 #include "removal/stock_file.h"
@@ -305,6 +307,10 @@ JobResult simulate(const Job& job) {
   const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
+  result.collisions =
+      find_collisions(stock, cuts.all.motions, cuts.all.tools, cuts.inherited, job.collisions);
+  add_collisions(result.program, cuts, result.collisions);
+  clock.done("collisions");
   ContourReport contour_report;
   result.mesh = extract_mesh(stock, mesh_options, &contour_report);
   report_mesh(result, contour_report);

@@ -13,6 +13,7 @@
 /// of threads.
 #pragma once
 
+#include <mrsim/collisions.h>
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -74,6 +75,7 @@ struct Job {
   std::string stock;  ///< as load_stock takes it; empty: a box around the program's cuts, reported
   StockOptions stock_options;
   CarveOptions carve;
+  CollisionOptions collisions;
   MeshOptions mesh;
   std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
   MeshFileOptions files;             ///< colours and such of the mesh files among them
@@ -108,6 +110,7 @@ struct JobResult {
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;
+  CollisionReport collisions;  ///< each a warning among the diagnostics as well
   TriMesh mesh;
   MeshSummary summary;
   std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one

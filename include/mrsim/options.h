@@ -58,6 +58,16 @@ struct CarveOptions {
   Progress progress;
 };
 
+struct CollisionOptions {
+  /// Deeper than this, in mm, is a collision; less is a touch. Requires: >= 0.001.
+  double depth = 0.01;
+  /// Lines of the program that are measured and reported; those beyond are counted.
+  std::size_t lines = 20;
+  /// Threads, 0 = all cores. The result does not depend on it.
+  int threads = 0;
+  Progress progress;
+};
+
 struct MeshOptions {
   /// Largest distance in mm between the mesh and the exact part, both ways. 0 = as the voxel gives;
   /// simulate() then takes 0.017 % of the longest side unless the voxel is given.

@@ -121,6 +121,7 @@ int run_simulate(const Arguments& arguments) {
   job.stock_options = arguments.stock_options;
   job.carve = arguments.carve;
   job.mesh = arguments.mesh;
+  job.collisions.threads = arguments.carve.threads;
   job.outputs = arguments.outputs;
   job.files = arguments.files;
   job.keep = arguments.keep;
@@ -132,7 +133,8 @@ int run_simulate(const Arguments& arguments) {
   {
     ProgressBar bar(!arguments.quiet);
     catch_interrupt();
-    job.stock_options.progress = job.carve.progress = job.mesh.progress = bar.callback();
+    job.stock_options.progress = job.carve.progress = job.collisions.progress = job.mesh.progress =
+        bar.callback();
     result = simulate(job);
   }
   Findings findings(arguments);

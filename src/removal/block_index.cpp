@@ -64,6 +64,12 @@ BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::s
   fill(field.sweeps(), band, threads);
 }
 
+BlockIndex::BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps)
+    : voxel_(blocks.voxel_), first_(blocks.first_), count_(blocks.count_) {
+  start_.assign(blocks.size() + 1, 0);
+  fill(sweeps, 0, 1);
+}
+
 // A counting sort in parts of the sweeps, which are counted and placed each on its own: a part's
 // sweeps come after those of the parts before it, so every block's list ascends.
 void BlockIndex::fill(const SweepTable& sweeps, double band, int threads) {
@@ -102,6 +108,19 @@ std::array<std::int32_t, 3> BlockIndex::origin(std::size_t b) const {
   const auto z = static_cast<std::int32_t>(rest / static_cast<std::size_t>(count_[1]));
   return {(first_[0] + x) * kBlockVoxels, (first_[1] + y) * kBlockVoxels,
           (first_[2] + z) * kBlockVoxels};
+}
+
+Box3 BlockIndex::box(std::size_t b) const {
+  const std::array<std::int32_t, 3> at = origin(b);
+  Box3 box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    const double low =
+        lattice_position(voxel_, at[a], component(kLatticeShift, axis)) - 0.5 * voxel_;
+    component(box.lo, axis) = low;
+    component(box.hi, axis) = low + kBlockVoxels * voxel_;
+  }
+  return box;
 }
 
 std::size_t BlockIndex::find(const Vec3& p) const {

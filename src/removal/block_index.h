@@ -21,7 +21,12 @@ class BlockIndex {
   BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory,
              int threads = 1);
 
+  /// Lists other sweeps in the blocks of `blocks`, each in every block that its bounds meet.
+  BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps);
+
   std::size_t size() const { return start_.size() - 1; }
+  /// What block b covers, mm.
+  Box3 box(std::size_t b) const;
   /// Lattice coordinates of the first voxel of block b; a multiple of kBlockVoxels.
   std::array<std::int32_t, 3> origin(std::size_t b) const;
   /// Sweeps of block b, ascending.

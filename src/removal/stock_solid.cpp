@@ -53,6 +53,12 @@ void StockSolid::find_flat_faces() {
   }
 }
 
+bool StockSolid::is_turned() const {
+  const bool round =
+      shape_.kind == StockShape::Kind::cylinder || shape_.kind == StockShape::Kind::tube;
+  return round && shape_.axis_point.x == 0 && shape_.axis_point.y == 0;
+}
+
 double StockSolid::radius_at(const Vec3& p) const {
   const double dx = p.x - shape_.axis_point.x, dy = p.y - shape_.axis_point.y;
   return std::sqrt(dx * dx + dy * dy);

@@ -45,6 +45,8 @@ class StockSolid {
   /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
   double patch_distance(const Vec3& p, std::int32_t patch) const;
   const Box3& bounds() const { return shape_.box; }
+  /// A cylinder or tube about the Z axis: the same at every angle.
+  bool is_turned() const;
   /// mm^3; of a mesh, its signed volume.
   double volume() const;
   /// mm^2.

@@ -228,6 +228,17 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
   return 0;
 }
 
+std::optional<SweepTable::FlatFloor> SweepTable::flat_floor(std::size_t i, const Vec3& p) const {
+  const SweepRef& ref = columns_->refs[i];
+  if (ref.frame > 0 || (ref.kind != SweepKind::plane_line && ref.kind != SweepKind::plane_arc &&
+                        ref.kind != SweepKind::profile))
+    return std::nullopt;
+  const Profile& tool = columns_->cutter(ref);
+  if (!tool.is_rounded() || !tool.is_rising()) return std::nullopt;
+  const LevelView v = level_view(*columns_, ref);
+  return FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
+}
+
 double SweepTable::distance(std::size_t i, const Vec3& p) const {
   const SweepRef& ref = columns_->refs[i];
   return columns_->distance(ref, ref.frame > 0 ? columns_->frames[ref.frame - 1].in(p) : p);

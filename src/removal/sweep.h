@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -87,6 +88,13 @@ class SweepTable {
   /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
   /// distance().
   void least(const NearList& list, PointColumns& points) const;
+
+  /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter with
+  /// a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for others.
+  struct FlatFloor {
+    double z = 0, inside = 0;
+  };
+  std::optional<FlatFloor> flat_floor(std::size_t i, const Vec3& p) const;
 
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.
   double max_error() const;

@@ -1,0 +1,102 @@
+#include "collision_findings.h"
+
+#include "core/text_io.h"
+#include "interp/source.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kLongestLine = 1000;
+
+struct PartWords {
+  const char *code, *name;
+};
+
+PartWords words(ToolPart part) {
+  if (part == ToolPart::shank) return {"shank-collision", "the shank"};
+  if (part == ToolPart::holder) return {"holder-collision", "the holder"};
+  return {"rapid-collision", "the cutter"};
+}
+
+using LineTexts = std::map<std::pair<int, int>, std::string>;  // by file and line
+
+// The program's lines that collide, each file read once and not beyond the last of them. A program
+// that came through a pipe is gone: its warnings show no text.
+LineTexts read_lines(const Program& program, const std::vector<Collision>& collisions) {
+  LineTexts texts;
+  for (const Collision& c : collisions) {
+    const Motion& m = program.motions[c.motion];
+    texts[{m.file, m.line}];
+  }
+  for (auto at = texts.begin(); at != texts.end();) {
+    const int file = at->first.first;
+    try {
+      LineSource source(program.files[static_cast<std::size_t>(file)]);
+      std::string_view text;
+      for (; at != texts.end() && at->first.first == file && source.next(text);)
+        if (source.line_number() == at->first.second)
+          (at++)->second = to_utf8(text.substr(0, kLongestLine));
+    } catch (const Error&) {
+    }
+    while (at != texts.end() && at->first.first == file) ++at;
+  }
+  return texts;
+}
+
+std::string describe(const Program& program, const Collision& c) {
+  const Motion& m = program.motions[c.motion];
+  std::string text = fmt::format(
+      "{} of {} runs {:.3f} mm deep into material{}; deepest at ({:.3f}, {:.3f}, {:.3f})",
+      words(c.part).name, "T" + program.tools[static_cast<std::size_t>(m.tool)].id, c.depth,
+      m.kind == MotionKind::rapid ? " in a rapid" : "", c.place.x, c.place.y, c.place.z);
+  if (c.motions > 1)
+    text += fmt::format("; {} motions of this line do, this is the deepest", c.motions);
+  return text;
+}
+
+Diagnostic finding(const Program& program, const Collision& c, const LineTexts& texts) {
+  const Motion& m = program.motions[c.motion];
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = words(c.part).code;
+  d.text = describe(program, c);
+  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
+  d.source_line = texts.at({m.file, m.line});
+  for (int i = m.call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer) {
+    const CallSite& site = program.calls[static_cast<std::size_t>(i)];
+    d.called_from.push_back({program.files[static_cast<std::size_t>(site.file)], site.line, 0});
+  }
+  return d;
+}
+
+void add_general(Program& program, Severity severity, const char* code, const std::string& text) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = code;
+  d.text = text;
+  d.place.file = program.files.empty() ? "" : program.files[0];
+  program.diagnostics.push_back(d);
+}
+
+}  // namespace
+
+void add_collisions(Program& program, const CutList& cuts, CollisionReport& report) {
+  for (Collision& c : report.lines) c.motion -= cuts.inherited;
+  const int inherited = static_cast<int>(cuts.all.tools.size() - program.tools.size());
+  for (int& tool : report.shapeless) tool -= inherited;
+  const LineTexts texts = read_lines(program, report.lines);
+  for (const Collision& c : report.lines) program.diagnostics.push_back(finding(program, c, texts));
+  if (report.more > 0)
+    add_general(program, Severity::warning, "more-collisions",
+                fmt::format("{} more lines run a part of the tool into material", report.more));
+  for (const int tool : report.shapeless)
+    add_general(program, Severity::note, "collision-unchecked",
+                fmt::format("tool {} has no valid shape: its rapids were not checked",
+                            program.tools[static_cast<std::size_t>(tool)].id));
+}
+
+}  // namespace mrsim

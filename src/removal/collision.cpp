@@ -1,0 +1,176 @@
+#include "removal/collision.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "removal/collision_search.h"
+#include "removal/stock_grid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+namespace mrsim {
+namespace {
+
+constexpr std::array<ToolPart, 3> kParts{ToolPart::cutter, ToolPart::shank, ToolPart::holder};
+
+// The boxes of the search end at this share of a voxel.
+constexpr double kFinest = 1.0 / 16;
+
+// Colliding motions of one line that are measured; the deepest of them is reported.
+constexpr std::size_t kMostMeasured = 16;
+
+class Check {
+ public:
+  Check(const StockGrid& grid, std::span<const Motion> motions, std::span<const Tool> tools,
+        const CollisionOptions& options)
+      : grid_(grid), motions_(motions), tools_(tools), options_(options) {}
+
+  CollisionReport run(std::size_t first);
+
+ private:
+  struct Hit {
+    std::int32_t motion;
+    std::size_t part;
+    CollisionHit hit;
+  };
+  using Line = std::tuple<int, int, std::size_t>;  // file, line, part
+
+  CollisionScene scene(std::size_t part) const;
+  void find_turned();
+  void detect(std::size_t part, std::vector<Hit>& hits);
+  Box3 search_box(const Box3& box, const Box3& bounds) const;
+  std::vector<std::vector<Hit>> by_line(const std::vector<Hit>& hits) const;
+  Collision measure(const std::vector<Hit>& hits) const;
+  void step(std::size_t total);
+
+  const StockGrid& grid_;
+  std::span<const Motion> motions_;
+  std::span<const Tool> tools_;
+  const CollisionOptions& options_;
+  std::vector<Movers> movers_;  // by part
+  bool turned_ = false;         // the same at every angle: one half plane says it all
+  std::atomic<std::size_t> blocks_{0};
+  std::mutex mutex_;
+};
+
+CollisionScene Check::scene(std::size_t part) const {
+  return {*grid_.field, movers_[part], options_.depth,
+          std::max(0.5 * options_.depth, kFinest * grid_.voxel)};
+}
+
+void Check::find_turned() {
+  turned_ = grid_.field->solid().is_turned() &&
+            std::all_of(motions_.begin(), motions_.end(), [this](const Motion& m) {
+              return m.tool < 0 || is_turning(tools_[static_cast<std::size_t>(m.tool)].type);
+            });
+}
+
+Box3 Check::search_box(const Box3& box, const Box3& bounds) const {
+  const Box3& stock = grid_.field->solid().bounds();
+  Box3 b{max(max(box.lo, bounds.lo), stock.lo), min(min(box.hi, bounds.hi), stock.hi)};
+  if (!turned_ || b.lo.y > 0 || b.hi.y < 0) return turned_ ? Box3{} : b;
+  b.lo.y = b.hi.y = 0;
+  b.lo.x = std::max(b.lo.x, 0.0);
+  return b;
+}
+
+void Check::step(std::size_t total) {
+  const std::size_t done = ++blocks_;
+  if (!options_.progress || done % 16 != 0) return;
+  const std::scoped_lock lock(mutex_);
+  if (!options_.progress("collisions", static_cast<double>(done) / static_cast<double>(total)))
+    throw Error("cancelled", "the run was stopped");
+}
+
+// One hit for each mover: that of its first block.
+void Check::detect(std::size_t part, std::vector<Hit>& hits) {
+  const Movers& movers = movers_[part];
+  if (movers.motions.empty()) return;
+  const CollisionScene scene = this->scene(part);
+  const BlockIndex index(*grid_.index, movers.sweeps);
+  std::vector<std::vector<CollisionHit>> found(index.size());
+  blocks_ = 0;
+  parallel_for(index.size(), options_.threads, [&](std::size_t b) {
+    const auto here = index.sweeps(b);
+    Box3 bounds;
+    for (const std::uint32_t mover : here) extend(bounds, movers.sweeps.bounds(mover));
+    const Box3 box = here.empty() ? Box3{} : search_box(index.box(b), bounds);
+    if (!is_empty(box))
+      found[b] = CollisionDetector(scene).detect(box, grid_.index->sweeps(b), here);
+    step(index.size());
+  });
+  std::vector<char> known(movers.motions.size(), 0);
+  for (const std::vector<CollisionHit>& block : found)
+    for (const CollisionHit& hit : block) {
+      if (known[hit.mover] == 0) hits.push_back({movers.motions[hit.mover], part, hit});
+      known[hit.mover] = 1;
+    }
+}
+
+// In the order of their first motions; the hits of a line by motion.
+std::vector<std::vector<Check::Hit>> Check::by_line(const std::vector<Hit>& hits) const {
+  std::vector<std::vector<Hit>> lines;
+  std::map<Line, std::size_t> known;
+  for (const Hit& hit : hits) {
+    const Motion& m = motions_[static_cast<std::size_t>(hit.motion)];
+    const auto [at, added] = known.try_emplace({m.file, m.line, hit.part}, lines.size());
+    if (added) lines.emplace_back();
+    lines[at->second].push_back(hit);
+  }
+  return lines;
+}
+
+Collision Check::measure(const std::vector<Hit>& hits) const {
+  Collision worst;
+  worst.motions = 0;
+  std::int32_t last = -1;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    worst.motions += hits[i].motion != last;  // a shank of two pieces counts once
+    last = hits[i].motion;
+    if (i >= kMostMeasured) continue;
+    const std::size_t part = hits[i].part;
+    const Box3 bounds = movers_[part].sweeps.bounds(hits[i].hit.mover);
+    const DeepPoint deep = deepest_point(scene(part), hits[i].hit, search_box(bounds, bounds));
+    if (deep.depth <= worst.depth) continue;
+    worst.motion = static_cast<std::size_t>(hits[i].motion);
+    worst.part = kParts[part];
+    worst.depth = deep.depth;
+    worst.place = deep.place;
+  }
+  return worst;
+}
+
+CollisionReport Check::run(std::size_t first) {
+  CollisionReport report;
+  const Box3& stock = grid_.field->solid().bounds();
+  for (const ToolPart part : kParts)
+    movers_.push_back(find_movers(part, motions_, tools_, first, stock, report.shapeless));
+  find_turned();
+  std::vector<Hit> hits;
+  for (std::size_t part = 0; part < kParts.size(); ++part) detect(part, hits);
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::tie(a.motion, a.part, a.hit.mover) < std::tie(b.motion, b.part, b.hit.mover);
+  });
+  const std::vector<std::vector<Hit>> lines = by_line(hits);
+  report.lines.resize(std::min(lines.size(), options_.lines));
+  report.more = lines.size() - report.lines.size();
+  parallel_for(report.lines.size(), options_.threads,
+               [&](std::size_t i) { report.lines[i] = measure(lines[i]); });
+  return report;
+}
+
+}  // namespace
+
+CollisionReport find_collisions(const Stock& stock, std::span<const Motion> motions,
+                                std::span<const Tool> tools, std::size_t first,
+                                const CollisionOptions& options) {
+  if (!(options.depth >= 0.001))
+    throw Error("option-invalid", "the depth of a collision is below 0.001 mm", Error::Kind::usage);
+  return Check(stock.grid(), motions, tools, options).run(first);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,176 @@
+// The deepest point of one mover, by branch and bound with the best bound first. With d_k the
+// material at the mover's moment and c the mover, h(p) = -d_k(p) - max(0, d_c(p)) is at most the
+// depth of the mover's nearest point, for any p; its greatest value is the depth searched for.
+#include "core/vec.h"
+#include "removal/collision_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kMostBoxes = 4000;
+constexpr double kShare = 1.0 / 32;      // of the depth: what the boxes may leave undecided
+constexpr double kFirstStep = 1.0 / 32;  // of the size of all: of the steps from the first hit
+constexpr double kLastStep = 1e-4;       // mm
+
+class DepthSearch {
+ public:
+  DepthSearch(const CollisionScene& scene, std::uint32_t mover, const Box3& box)
+      : scene_(scene),
+        mover_(mover),
+        time_(scene.movers.motions[mover]),
+        slack_(scene.rounding()),
+        root_(box) {}
+
+  DeepPoint run(const Vec3& seed);
+
+ private:
+  struct Node {
+    double bound;  // of the depth in the box, mm
+    std::size_t number;
+    Box3 box;
+    Candidates cuts;
+    bool operator<(const Node& o) const {
+      return bound != o.bound ? bound < o.bound : number > o.number;
+    }
+  };
+
+  Candidates earlier_cuts() const;
+  double material(const Vec3& p, std::span<const std::uint32_t> cuts);
+  double provable(const Vec3& p, std::span<const std::uint32_t> cuts);
+  bool open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
+  void push(Node node);
+  void branch();
+  Candidates near(const Vec3& p, double reach, const Candidates& cuts);
+  void improve(double step, const Candidates& all);
+
+  const CollisionScene& scene_;
+  std::uint32_t mover_;
+  std::int32_t time_;
+  double slack_;
+  Box3 root_;
+  std::vector<Node> heap_;
+  std::size_t numbers_ = 0;
+  std::vector<double> distance_;
+  double best_ = -std::numeric_limits<double>::infinity();
+  Vec3 place_;
+};
+
+// The cuts made by then whose bounds come nearer to the box than any point in it can be deep.
+Candidates DepthSearch::earlier_cuts() const {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  const Vec3 center = 0.5 * (root_.lo + root_.hi);
+  const double reach = 0.5 * distance(root_.lo, root_.hi);
+  const Box3 near = inflated(root_, std::max(0.0, reach - scene_.part.solid().distance(center)));
+  Candidates cuts;
+  for (std::uint32_t i = 0; i < sweeps.size() && sweeps.motion(i) <= time_; ++i) {
+    const Box3 b = sweeps.bounds(i);
+    const Vec3 lo = max(b.lo, near.lo), hi = min(b.hi, near.hi);
+    if (!is_empty({lo, hi})) cuts.push_back(i);
+  }
+  return cuts;
+}
+
+// -d_k; leaves the distances of the cuts in distance_.
+double DepthSearch::material(const Vec3& p, std::span<const std::uint32_t> cuts) {
+  distance_.resize(cuts.size());
+  scene_.part.sweeps().distances(cuts, p, distance_.data());
+  double least = -scene_.part.solid().distance(p);
+  for (const double d : distance_) least = std::min(least, d);
+  return least;
+}
+
+// h at p; keeps the best point so far, drawn onto the mover.
+double DepthSearch::provable(const Vec3& p, std::span<const std::uint32_t> cuts) {
+  const SweepTable& sweeps = scene_.movers.sweeps;
+  const double depth = material(p, cuts);
+  const double away = std::max(0.0, sweeps.distance(mover_, p));
+  if (depth - away > best_) {
+    best_ = depth - away;
+    place_ = drawn_onto(sweeps, mover_, p);
+  }
+  return depth;
+}
+
+// Whether a box may hold something deeper; fills the node.
+bool DepthSearch::open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node) {
+  const Vec3 center = 0.5 * (box.lo + box.hi);
+  const double radius = 0.5 * distance(box.lo, box.hi);
+  if (scene_.movers.sweeps.distance(mover_, center) > radius + slack_) return false;
+  const double depth = provable(center, cuts);
+  if (depth + radius <= scene_.threshold) return false;
+  node.bound = depth + radius;
+  node.box = box;
+  node.cuts.clear();
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    if (distance_[k] <= depth + 2 * radius + slack_) node.cuts.push_back(cuts[k]);
+  return true;
+}
+
+void DepthSearch::push(Node node) {
+  node.number = numbers_++;
+  heap_.push_back(std::move(node));
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+void DepthSearch::branch() {
+  for (std::size_t boxes = 0; boxes < kMostBoxes && !heap_.empty(); ++boxes) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Node top = std::move(heap_.back());
+    heap_.pop_back();
+    if (top.bound <= best_ + std::max(scene_.threshold, kShare * best_)) return;
+    for (const Box3& half : halves(top.box)) {
+      Node node;
+      if (open(half, top.cuts, node)) push(std::move(node));
+    }
+  }
+}
+
+// The cuts that can decide within `reach` of p.
+Candidates DepthSearch::near(const Vec3& p, double reach, const Candidates& cuts) {
+  const double depth = material(p, cuts);
+  Candidates kept;
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    if (distance_[k] <= depth + 2 * reach + slack_) kept.push_back(cuts[k]);
+  return kept;
+}
+
+// Steps along axes and diagonals from the best point, halved when none helps.
+void DepthSearch::improve(double step, const Candidates& all) {
+  const double flat = root_.lo.y == root_.hi.y ? 0 : 1;
+  const double reach = 8 * step;
+  Vec3 from = place_;
+  Candidates cuts = near(from, reach, all);
+  while (step > kLastStep) {
+    const double before = best_;
+    const Vec3 at = place_;
+    if (distance(at, from) > reach - 2 * step) cuts = near(from = at, reach, all);
+    for (int way = 0; way < 27; ++way)
+      provable(at + step * Vec3{way / 9 - 1.0, flat * (way / 3 % 3 - 1.0), way % 3 - 1.0}, cuts);
+    if (best_ <= before + kLastStep) step /= 2;
+  }
+}
+
+DeepPoint DepthSearch::run(const Vec3& seed) {
+  const Candidates cuts = earlier_cuts();
+  provable(seed, cuts);
+  const double size = distance(root_.lo, root_.hi);
+  improve(kFirstStep * size, cuts);
+  const double seeded = best_;
+  Node root;
+  if (open(root_, cuts, root)) push(std::move(root));
+  branch();
+  if (best_ > seeded) improve(std::max(scene_.threshold, kShare * best_), cuts);
+  return {best_, place_};
+}
+
+}  // namespace
+
+DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, const Box3& box) {
+  return DepthSearch(scene, hit.mover, box).run(hit.place);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,205 @@
+#include "removal/collision_movers.h"
+
+#include "core/vec.h"
+#include "removal/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace mrsim {
+namespace {
+
+// mm: a cutter this near to where it has cut touches what it left, at most.
+constexpr double kSamePlace = 1e-6;
+
+// How many motions back a retract looks for the cut it follows.
+constexpr std::size_t kRecent = 16;
+
+// How far a part of a tool reaches from the programmed point: across its axis, and along it.
+struct Reach {
+  double radius = 0, low = 0, high = 0;
+};
+
+Reach reach_of(const std::vector<Profile>& pieces) {
+  Reach r;
+  r.low = pieces.front().bottom();
+  for (const Profile& piece : pieces) {
+    r.radius = std::max(r.radius, piece.max_radius());
+    r.high = piece.top();
+  }
+  return r;
+}
+
+Reach reach_of(const InsertOutline& insert) {
+  Reach r;
+  for (const Vec2 corner : insert.core) r.radius = std::max(r.radius, length(corner));
+  r.radius += insert.round;
+  return r;
+}
+
+// A box round all positions of the programmed point; generous for arcs.
+Box3 path_box(const Motion& m) {
+  Box3 b;
+  extend(b, m.start);
+  extend(b, m.end);
+  if (m.kind != MotionKind::arc) return b;
+  const Vec3 r{m.radius, m.radius, m.radius};
+  for (const Vec3& center : {m.center, m.center + m.rise * m.axis}) {
+    extend(b, center - r);
+    extend(b, center + r);
+  }
+  return b;
+}
+
+// Turning tools go round the bar.
+Box3 turned(Box3 b) {
+  const double r = std::max(std::fabs(b.lo.x), std::fabs(b.hi.x));
+  b.lo.x = b.lo.y = -r;
+  b.hi.x = b.hi.y = r;
+  return b;
+}
+
+Box3 mover_box(const Motion& m, const Reach& reach, bool turning) {
+  const Box3 path = path_box(m);
+  if (turning) return turned(inflated(path, reach.radius));
+  Box3 b = inflated(path, reach.radius);
+  if (m.tool_axis == Vec3{0, 0, 1}) {
+    b.lo.z = path.lo.z + reach.low;
+    b.hi.z = path.hi.z + reach.high;
+    return b;
+  }
+  return inflated(b, std::max(std::fabs(reach.low), std::fabs(reach.high)));
+}
+
+bool meets(const Box3& a, const Box3& b) {
+  return a.lo.x < b.hi.x && b.lo.x < a.hi.x && a.lo.y < b.hi.y && b.lo.y < a.hi.y &&
+         a.lo.z < b.hi.z && b.lo.z < a.hi.z;
+}
+
+bool moves(const Motion& m) {
+  return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
+}
+
+class Selection {
+ public:
+  Selection(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
+            const Box3& stock)
+      : part_(part), motions_(motions), tools_(tools), stock_(stock), known_(tools.size()) {}
+
+  bool may_collide(std::size_t at);
+  const std::vector<int>& shapeless() const { return shapeless_; }
+
+ private:
+  struct Known {
+    bool asked = false;
+    std::optional<Reach> reach;  // nothing: the tool has no such part
+    ToolShape shape;
+  };
+  const Known& known(int tool);
+  bool follows_cut(std::size_t at, const ToolShape& shape) const;
+  bool stays_in(const Motion& cut, const Motion& rapid, const ToolShape& shape) const;
+
+  ToolPart part_;
+  std::span<const Motion> motions_;
+  std::span<const Tool> tools_;
+  Box3 stock_;
+  std::vector<Known> known_;
+  std::vector<int> shapeless_;
+};
+
+const Selection::Known& Selection::known(int tool) {
+  Known& k = known_[static_cast<std::size_t>(tool)];
+  if (k.asked) return k;
+  k.asked = true;
+  const Tool& data = tools_[static_cast<std::size_t>(tool)];
+  const bool has_part = part_ == ToolPart::cutter || !data.shank.empty() || !data.holder.empty();
+  if (!has_part) return k;
+  try {
+    k.shape = make_tool_shape(data);
+  } catch (const Error&) {  // a tool that cuts has been refused before
+    shapeless_.push_back(tool);
+    return k;
+  }
+  if (part_ == ToolPart::cutter)
+    k.reach = k.shape.turning ? reach_of(k.shape.insert) : reach_of({k.shape.cutter});
+  const std::vector<Profile>& pieces = part_ == ToolPart::shank ? k.shape.shank : k.shape.holder;
+  if (part_ != ToolPart::cutter && !pieces.empty()) k.reach = reach_of(pieces);
+  return k;
+}
+
+bool Selection::may_collide(std::size_t at) {
+  const Motion& m = motions_[at];
+  const bool rapid = m.kind == MotionKind::rapid;
+  if (m.assumed_start || !moves(m) || m.tool < 0 || (part_ == ToolPart::cutter && !rapid))
+    return false;
+  const Known& k = known(m.tool);
+  if (!k.reach || !meets(mover_box(m, *k.reach, k.shape.turning), stock_)) return false;
+  // An insert that leaves the plane of X and Z is out of its machine's reach.
+  if (k.shape.turning && (m.start.y != 0 || m.end.y != 0)) return false;
+  return part_ != ToolPart::cutter || !follows_cut(at, k.shape);
+}
+
+bool Selection::follows_cut(std::size_t at, const ToolShape& shape) const {
+  const Motion& rapid = motions_[at];
+  for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
+    const Motion& m = motions_[at - back];
+    if (m.tool != rapid.tool || !(m.tool_axis == rapid.tool_axis)) return false;
+    if (m.kind != MotionKind::rapid && moves(m) && !m.assumed_start && stays_in(m, rapid, shape))
+      return true;
+  }
+  return false;
+}
+
+// Whether start and end of the rapid lie on the cut's line, or above it where the tool clears all
+// above it. Then so does all between them: a segment, and a strip above one, are convex. Of an arc
+// its end counts.
+bool Selection::stays_in(const Motion& cut, const Motion& rapid, const ToolShape& shape) const {
+  const Profile& cutter = shape.cutter;
+  const Vec3 from = cut.kind == MotionKind::arc ? cut.end : cut.start, travel = cut.end - from;
+  const bool clears_above =
+      !shape.turning &&
+      (cutter.is_rising() || (cutter.is_rounded() && rapid.tool_axis.z == 1 &&
+                              std::min(from.z, cut.end.z) + cutter.top() >= stock_.hi.z));
+  const Vec3 up = rapid.tool_axis;
+  const auto above = [&](const Vec3& p, double t) {
+    const Vec3 w = p - (from + t * travel);
+    const double height = clears_above ? std::max(0.0, dot(w, up)) : 0;
+    return length(w - height * up) <= kSamePlace;
+  };
+  const auto lies_in = [&](const Vec3& p) {
+    const Vec3 level = clears_above ? travel - dot(travel, up) * up : travel;
+    const double size = dot(level, level);
+    const double t = size > 0 ? std::clamp(dot(p - from, level) / size, 0.0, 1.0) : 0;
+    return above(p, t) || above(p, 0) || above(p, 1);
+  };
+  return lies_in(rapid.start) && lies_in(rapid.end);
+}
+
+}  // namespace
+
+Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
+                   std::size_t first, const Box3& stock, std::vector<int>& shapeless) {
+  Selection selection(part, motions, tools, stock);
+  std::vector<Motion> chosen;
+  std::vector<std::int32_t> index;
+  for (std::size_t i = first; i < motions.size(); ++i)
+    if (selection.may_collide(i)) {
+      chosen.push_back(motions[i]);
+      index.push_back(static_cast<std::int32_t>(i));
+    }
+  for (const int tool : selection.shapeless())
+    if (std::find(shapeless.begin(), shapeless.end(), tool) == shapeless.end())
+      shapeless.push_back(tool);
+  const auto selected = part == ToolPart::cutter  ? SweepSelection::Part::cutter
+                        : part == ToolPart::shank ? SweepSelection::Part::shank
+                                                  : SweepSelection::Part::holder;
+  Movers movers{
+      SweepTable(chosen, tools, stock.hi.z, {selected, part != ToolPart::cutter, /*rapids=*/true}),
+      {}};
+  for (std::size_t i = 0; i < movers.sweeps.size(); ++i)
+    movers.motions.push_back(index[static_cast<std::size_t>(movers.sweeps.motion(i))]);
+  return movers;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,28 @@
+// The motions that could run a part of their tool into material, as sweeps: everything else is
+// rejected before a sweep is made, so that a long program without shanks, holders and rapids in the
+// stock costs next to nothing.
+#pragma once
+
+#include "removal/sweep.h"
+#include <mrsim/collisions.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// One part of the tools along the motions that may collide.
+struct Movers {
+  SweepTable sweeps;
+  std::vector<std::int32_t> motions;  ///< by sweep: its index among all motions, never falls
+};
+
+/// Motions from index `first` on whose part can meet `stock`: rapids for the cutter, rapids and
+/// cuts for shank and holder. A rapid whose cutter stays where one of the cuts shortly before it
+/// has been, or above that, is left out: the usual retract. Tools without a valid shape are added
+/// to `shapeless`. Cost: some nanoseconds for each motion.
+Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
+                   std::size_t first, const Box3& stock, std::vector<int>& shapeless);
+
+}  // namespace mrsim

@@ -1,0 +1,274 @@
+// Finding the movers that collide. Every box carries the cuts and movers that can meet in it; the
+// bounds that end it are, with p its centre and r its half diagonal:
+//   - d_stock(p) >= r - threshold: no depth above the threshold in it, nor for any mover;
+//   - d_i(p) <= threshold - r: cut i has cleared it for all movers from its motion on;
+//   - d_c(p) > r: mover c is not in it;
+//   - two clear balls that cover it (drop_touching): what ends the boxes on surfaces that a mover
+//     only touches, at a size of sqrt(threshold * tool radius) instead of the threshold.
+#include "removal/collision_search.h"
+
+#include "core/vec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace mrsim {
+namespace {
+
+// Cuts near a box that are tried for a clear ball.
+constexpr std::size_t kMostClear = 4;
+
+// Movers and stocks are mostly convex: outside of them there is room for larger balls than in cuts.
+constexpr double kOutside = 8;
+
+// Boxes smaller than this many thresholds are tried for two clear balls; larger ones would need
+// tools that are too large.
+constexpr double kTouchSize = 60;
+
+}  // namespace
+
+std::array<Box3, 2> halves(const Box3& box) {
+  const Vec3 size = box.hi - box.lo;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const double middle = 0.5 * (component(box.lo, axis) + component(box.hi, axis));
+  std::array<Box3, 2> parts{box, box};
+  component(parts[0].hi, axis) = middle;
+  component(parts[1].lo, axis) = middle;
+  return parts;
+}
+
+// From face to face: beside a crease, two or three of them lead into it.
+Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p) {
+  Vec3 q = p;
+  for (int step = 0; step < 8; ++step) {
+    const SweepSample at = sweeps.sample(i, q);
+    if (at.distance <= 0) break;
+    q = q - at.distance * sweeps.gradient(i, q, at.patch);
+  }
+  return q;
+}
+
+CollisionDetector::CollisionDetector(const CollisionScene& scene)
+    : scene_(scene), slack_(scene.rounding()) {}
+
+std::vector<CollisionHit> CollisionDetector::detect(const Box3& box,
+                                                    std::span<const std::uint32_t> cuts,
+                                                    std::span<const std::uint32_t> movers) {
+  hits_.clear();
+  all_cuts_ = cuts;
+  all_movers_ = movers;
+  done_.assign(movers.size(), 0);
+  visit(box, 0, cuts, movers);
+  return std::move(hits_);
+}
+
+void CollisionDetector::visit(const Box3& box, std::size_t depth,
+                              std::span<const std::uint32_t> cuts,
+                              std::span<const std::uint32_t> movers) {
+  const Ball ball{0.5 * (box.lo + box.hi), 0.5 * distance(box.lo, box.hi)};
+  const double stock = scene_.part.solid().distance(ball.center);
+  if (stock >= ball.radius - scene_.threshold) return;
+  Level& level = levels_[depth];
+  keep_movers(ball, movers, level);
+  if (!level.movers.empty()) settle(ball, stock, cuts, level);
+  if (!level.movers.empty()) drop_over_floors(box, level);
+  if (!level.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
+    drop_touching(ball, stock, level);
+  if (level.movers.empty()) return;
+  if (ball.radius <= scene_.finest || depth + 1 == levels_.size()) return look_beside(ball, level);
+  for (const Box3& half : halves(box)) visit(half, depth + 1, level.cuts, level.movers);
+}
+
+// Those that reach the ball and have not been found elsewhere.
+void CollisionDetector::keep_movers(const Ball& ball, std::span<const std::uint32_t> movers,
+                                    Level& level) const {
+  level.movers.clear();
+  for (const std::uint32_t mover : movers) {
+    const auto at =
+        std::lower_bound(all_movers_.begin(), all_movers_.end(), mover) - all_movers_.begin();
+    if (!done_[static_cast<std::size_t>(at)]) level.movers.push_back(mover);
+  }
+  level.mover_distance.resize(level.movers.size());
+  scene_.movers.sweeps.distances(level.movers, ball.center, level.mover_distance.data());
+  std::size_t kept = 0;
+  for (std::size_t m = 0; m < level.movers.size(); ++m) {
+    if (level.mover_distance[m] > ball.radius + slack_) continue;
+    level.movers[kept] = level.movers[m];
+    level.mover_distance[kept++] = level.mover_distance[m];
+  }
+  level.movers.resize(kept);
+  level.mover_distance.resize(kept);
+}
+
+// Cuts and movers together, in the order of time: `least` is the depth of the centre at the moment
+// of each mover.
+void CollisionDetector::settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts,
+                               Level& level) {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  const auto time_of = [this](std::uint32_t mover) { return scene_.movers.motions[mover]; };
+  const std::int32_t last = time_of(level.movers.back());
+  const auto end = std::partition_point(
+      cuts.begin(), cuts.end(), [&](std::uint32_t cut) { return sweeps.motion(cut) <= last; });
+  const auto earlier = cuts.first(static_cast<std::size_t>(end - cuts.begin()));
+  std::vector<double>& d = level.cut_distance;
+  d.resize(earlier.size());
+  sweeps.distances(earlier, ball.center, d.data());
+  level.cuts.clear();
+  double least = -stock;
+  std::size_t next = 0, kept = 0;
+  const auto settle_until = [&](std::int32_t time) {
+    for (; next < level.movers.size() && time_of(level.movers[next]) < time; ++next) {
+      const std::uint32_t mover = level.movers[next];
+      const bool within = level.mover_distance[next] <= 0;
+      if (within && least > scene_.threshold) add_hit(mover, ball.center);
+      if (least <= scene_.threshold - ball.radius || (within && least > scene_.threshold)) continue;
+      level.mover_distance[kept] = level.mover_distance[next];
+      level.movers[kept++] = mover;
+    }
+  };
+  bool cleared = false;
+  for (std::size_t k = 0; k < earlier.size() && !cleared; ++k) {
+    settle_until(sweeps.motion(earlier[k]));
+    cleared = d[k] <= scene_.threshold - ball.radius;
+    const bool near = d[k] <= ball.radius + scene_.threshold + slack_;
+    if (cleared || !near || d[k] > least + 2 * ball.radius + slack_) continue;
+    d[level.cuts.size()] = d[k];
+    level.cuts.push_back(earlier[k]);
+    least = std::min(least, d[k]);
+  }
+  if (!cleared) settle_until(last + 1);
+  level.movers.resize(kept);
+  level.mover_distance.resize(kept);
+}
+
+void CollisionDetector::add_hit(std::uint32_t mover, const Vec3& place) {
+  hits_.push_back({mover, place});
+  const auto at = std::lower_bound(all_movers_.begin(), all_movers_.end(), mover);
+  done_[static_cast<std::size_t>(at - all_movers_.begin())] = 1;
+}
+
+double CollisionDetector::depth_at(const Vec3& p, std::int32_t time,
+                                   std::span<const std::uint32_t> cuts) const {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  double least = -scene_.part.solid().distance(p);
+  for (const std::uint32_t cut : cuts) {
+    if (sweeps.motion(cut) > time || least <= scene_.threshold) break;
+    least = std::min(least, sweeps.distance(cut, p));
+  }
+  return least;
+}
+
+// The smallest boxes: their centre may lie beside a mover, whose nearest point is asked instead.
+// The box's own cuts may not be all that count there.
+void CollisionDetector::look_beside(const Ball& ball, const Level& level) {
+  const SweepTable& sweeps = scene_.movers.sweeps;
+  for (std::size_t m = 0; m < level.movers.size(); ++m) {
+    const std::uint32_t mover = level.movers[m];
+    const Vec3 p = drawn_onto(sweeps, mover, ball.center);
+    if (sweeps.distance(mover, p) > slack_) continue;
+    const std::int32_t time = scene_.movers.motions[mover];
+    if (depth_at(p, time, level.cuts) > scene_.threshold &&
+        depth_at(p, time, all_cuts_) > scene_.threshold)
+      add_hit(mover, p);
+  }
+}
+
+// A cutter with a flat end that reaches up has cleared everything above its end. So a box over the
+// flat end is clear for movers that stay above it, whether or not the box does: surfaces that a
+// mover touches from above cost a few large boxes only.
+void CollisionDetector::drop_over_floors(const Box3& box, Level& level) {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  const Vec3 center = 0.5 * (box.lo + box.hi), half = box.hi - center;
+  const double reach = std::sqrt(half.x * half.x + half.y * half.y);
+  double floor = std::numeric_limits<double>::infinity();
+  std::size_t kept = 0, cut = 0;
+  for (std::size_t m = 0; m < level.movers.size(); ++m) {
+    const std::uint32_t mover = level.movers[m];
+    const std::int32_t time = scene_.movers.motions[mover];
+    for (; cut < level.cuts.size() && sweeps.motion(level.cuts[cut]) <= time; ++cut) {
+      const auto under = sweeps.flat_floor(level.cuts[cut], center);
+      if (under && under->inside > reach + slack_) floor = std::min(floor, under->z);
+    }
+    const double low = std::max(box.lo.z, scene_.movers.sweeps.bounds(mover).lo.z);
+    if (low >= floor - scene_.threshold + slack_) continue;
+    level.mover_distance[kept] = level.mover_distance[m];
+    level.movers[kept++] = mover;
+  }
+  level.movers.resize(kept);
+  level.mover_distance.resize(kept);
+}
+
+// A ball of radius R about s is clear where s lies outside of the mover by R, or within a cut or
+// outside of the stock by R - threshold: distances are 1-Lipschitz. Two of them on both sides of a
+// surface cover a box on it, because they are far larger than the box.
+void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& level) {
+  const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
+  const StockSolid& solid = scene_.part.solid();
+  clear_.clear();
+  if (stock > -ball.radius) {
+    const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
+    const double far = kOutside * depth;
+    add_clear(out, far, solid.distance(ball.center + far * out) + scene_.threshold, -1);
+  }
+  add_clear_cuts(ball, level, depth);
+  std::size_t kept = 0;
+  for (std::size_t m = 0; m < level.movers.size(); ++m) {
+    const std::uint32_t mover = level.movers[m];
+    if (only_touches(ball, mover, scene_.movers.motions[mover], depth)) continue;
+    level.mover_distance[kept] = level.mover_distance[m];
+    level.movers[kept++] = mover;
+  }
+  level.movers.resize(kept);
+}
+
+void CollisionDetector::add_clear_cuts(const Ball& ball, const Level& level, double depth) {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  order_.resize(level.cuts.size());
+  std::iota(order_.begin(), order_.end(), std::size_t(0));
+  const std::size_t count = std::min(order_.size(), kMostClear);
+  std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count),
+                    order_.end(), [&](std::size_t a, std::size_t b) {
+                      const auto& d = level.cut_distance;
+                      return d[a] != d[b] ? d[a] < d[b] : a < b;
+                    });
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::uint32_t cut = level.cuts[order_[n]];
+    const Vec3 in = -sweeps.gradient(cut, ball.center, sweeps.sample(cut, ball.center).patch);
+    const double there = -sweeps.distance(cut, ball.center + depth * in);
+    add_clear(in, depth, there + scene_.threshold, sweeps.motion(cut));
+  }
+}
+
+void CollisionDetector::add_clear(const Vec3& gradient, double depth, double radius,
+                                  std::int32_t from) {
+  const Vec3 offset = depth * gradient;
+  radius -= slack_;
+  if (radius > 0) clear_.push_back({offset, dot(offset, offset) - radius * radius, from});
+}
+
+bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, std::int32_t time,
+                                     double depth) {
+  const SweepTable& sweeps = scene_.movers.sweeps;
+  const Vec3 out = sweeps.gradient(mover, ball.center, sweeps.sample(mover, ball.center).patch);
+  const std::size_t others = clear_.size();
+  for (const double far : {kOutside * depth, depth})
+    add_clear(out, far, sweeps.distance(mover, ball.center + far * out), time);
+  // For a point v outside of ball a, |v|^2 - 2 v.offset + excess >= 0, and for b: weighted so that
+  // opposite offsets cancel, the sum is at most this within the box.
+  const auto covered = [&ball](const ClearBall& a, const ClearBall& b) {
+    const double wa = length(b.offset), wb = length(a.offset), r = ball.radius;
+    return (wa + wb) * r * r + 2 * r * length(wa * a.offset + wb * b.offset) + wa * a.excess +
+               wb * b.excess <
+           0;
+  };
+  bool found = false;
+  for (std::size_t a = 0; a < clear_.size() && !found; ++a)
+    for (std::size_t b = a + 1; b < clear_.size() && !found; ++b)
+      found = clear_[a].from <= time && clear_[b].from <= time && covered(clear_[a], clear_[b]);
+  clear_.resize(others);
+  return found;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,100 @@
+// Where movers (parts of tools on their motions) meet the material that is there at the moment of
+// their motion: a branch and bound over boxes with the bounds that 1-Lipschitz distances give
+// (docs/collisions.md).
+#pragma once
+
+#include "removal/collision_movers.h"
+#include "removal/part_field.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+struct CollisionScene {
+  const PartField& part;  ///< stock and cuts
+  const Movers& movers;
+  double threshold = 0;  ///< mm: what lies deeper collides
+  double finest = 0;     ///< mm: half diagonal of the boxes that are not halved again
+
+  double rounding() const {
+    return 2 * (part.sweeps().max_error() + movers.sweeps.max_error()) + 1e-9;
+  }
+};
+
+/// A mover and a point of it that lies deeper than the threshold.
+struct CollisionHit {
+  std::uint32_t mover = 0;
+  Vec3 place;
+};
+
+/// Finds the movers that collide within a box: all that do by more than threshold + 2 * finest, and
+/// none that do by less than the threshold. One for each thread.
+class CollisionDetector {
+ public:
+  explicit CollisionDetector(const CollisionScene& scene);
+
+  /// `cuts` and `movers`: those that reach the box, ascending. One hit for each mover that
+  /// collides, in an order that depends on the arguments alone.
+  std::vector<CollisionHit> detect(const Box3& box, std::span<const std::uint32_t> cuts,
+                                   std::span<const std::uint32_t> movers);
+
+ private:
+  struct Ball {
+    Vec3 center;
+    double radius;
+  };
+  // A box's own lists, and what was measured at its centre.
+  struct Level {
+    Candidates cuts, movers;
+    std::vector<double> cut_distance, mover_distance;
+    std::vector<std::int32_t> times;  // of the movers' motions
+  };
+  // A ball in which nothing collides, seen from a box's centre.
+  struct ClearBall {
+    Vec3 offset;        // to its centre
+    double excess;      // |offset|^2 - radius^2
+    std::int32_t from;  // first motion for which it is clear
+  };
+
+  void visit(const Box3& box, std::size_t depth, std::span<const std::uint32_t> cuts,
+             std::span<const std::uint32_t> movers);
+  void keep_movers(const Ball& ball, std::span<const std::uint32_t> movers, Level& level) const;
+  void settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts, Level& level);
+  void add_hit(std::uint32_t mover, const Vec3& place);
+  void look_beside(const Ball& ball, const Level& level);
+  double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
+  void drop_over_floors(const Box3& box, Level& level);
+  void drop_touching(const Ball& ball, double stock, Level& level);
+  void add_clear_cuts(const Ball& ball, const Level& level, double depth);
+  void add_clear(const Vec3& gradient, double depth, double radius, std::int32_t from);
+  bool only_touches(const Ball& ball, std::uint32_t mover, std::int32_t time, double depth);
+
+  const CollisionScene& scene_;
+  double slack_;  // mm: rounding of a difference of two distances
+  std::array<Level, 64> levels_;
+  std::vector<ClearBall> clear_;
+  std::vector<CollisionHit> hits_;
+  std::vector<std::size_t> order_;
+  std::vector<char> done_;  // by place in the list of the whole box
+  std::span<const std::uint32_t> all_cuts_, all_movers_;
+};
+
+struct DeepPoint {
+  double depth = 0;  ///< mm, never more than the mover's real depth
+  Vec3 place;
+};
+
+/// The deepest point of the mover of a hit, beginning at the hit's own. The search ends when
+/// nothing can be deeper by a 32nd, or after a few thousand boxes; then the best point is improved
+/// in steps. `box` holds all places where the mover can meet material; flat in y for turned parts.
+DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, const Box3& box);
+
+/// A point of sweep i near p, on its surface unless p is in it.
+Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
+
+/// The two halves of a box, across its longest side.
+std::array<Box3, 2> halves(const Box3& box);
+
+}  // namespace mrsim

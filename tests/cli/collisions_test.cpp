@@ -1,0 +1,82 @@
+// Collisions as a user sees them: line, place and depth; errors when asked; quiet for good
+// programs.
+#include "run_program.h"
+
+namespace mrsim {
+namespace {
+
+class CollisionsSeen : public CliTest {
+ protected:
+  // A slot 3 mm deep, then a rapid 1 mm too low through what stands beside it.
+  void SetUp() override {
+    CliTest::SetUp();
+    write("dive.MPF",
+          "G54\nG17 G90 G71\nT1 M6\nG0 X-10 Y10 Z5\nG0 Z-3\nG1 X50 F100\nG0 Y20\n"
+          "G0 Z-1\nG0 X-10\nG0 Z5\nM30\n");
+  }
+  Outcome dive(const std::string& more) {
+    return run("dive.MPF --machine mill --stock box:0,0,-10,40,30,0 --voxel 0.5 " + more);
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(CollisionsSeen, ARapidInMaterialIsAWarningWithItsLine) {
+  const Outcome outcome = dive("--tool 1=endmill:d=6 -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err,
+                       "dive.MPF:9:1: warning: the cutter of T1 runs 1.000 mm deep into material "
+                       "in a rapid; deepest at ("))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[rapid-collision]\n    G0 X-10\n    ^")) << outcome.err;
+  EXPECT_EQ(outcome.err.find("collision"), outcome.err.rfind("collision")) << outcome.err;
+  EXPECT_TRUE(exists("part.stl"));
+}
+
+TEST_F(CollisionsSeen, StrictRefusesThem) {
+  const Outcome outcome = dive("--tool 1=endmill:d=6 --strict -o part.stl");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(contains(outcome.err, "rapid-collision")) << outcome.err;
+  EXPECT_FALSE(exists("part.stl"));
+}
+
+TEST_F(CollisionsSeen, ShankAndHolderAreNamed) {
+  write("tools.toml",
+        "[[tool]]\nid = \"1\"\ntype = \"endmill\"\ndiameter = 6\nflute_length = 2\n"
+        "shank = [[8, 0.5]]\nholder = [[30, 30, 20]]\n");
+  const Outcome outcome = dive("--tools tools.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  // Tip at -3: the shank begins at -1, the holder at -0.5.
+  EXPECT_TRUE(contains(outcome.err, "dive.MPF:6:1: warning: the shank of T1 runs 1.000 mm deep"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "dive.MPF:6:1: warning: the holder of T1 runs 0.500 mm deep"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[shank-collision]")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[holder-collision]")) << outcome.err;
+}
+
+TEST_F(CollisionsSeen, ALoopIsOneWarningWithItsCalls) {
+  write("loop.MPF", "G54\nG17 G90 G71\nT1 M6\nG0 X5 Y10 Z5\nG1 Z-1 F100\nG0 Z5\nDEEP P3\nM30\n");
+  write("DEEP.SPF", "G91\nG0 X10\nG0 Z-7\nG0 Z7\nG90\nM17\n");
+  const Outcome outcome =
+      run("loop.MPF --machine mill --stock box:0,0,-10,60,30,0 --voxel 0.5 --tool 1=endmill:d=6");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "DEEP.SPF:3:1: warning: the cutter of T1 runs 2.000 mm"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "; 3 motions of this line do, this is the deepest"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "called from loop.MPF:7")) << outcome.err;
+}
+
+TEST_F(CollisionsSeen, GoodProgramsHaveNone) {
+  for (const char* job : {"PRIMER_2F.MPF --stock block.stl", "PRIMER_2S.MPF --stock bar.stl"}) {
+    const Outcome outcome = run(std::string(job) + " --voxel 1");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(contains(outcome.err, "collision")) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
