@@ -77,6 +77,11 @@ bool meets(const Box3& a, const Box3& b) {
          a.lo.z < b.hi.z && b.lo.z < a.hi.z;
 }
 
+bool has_part(const Tool& tool, ToolPart part) {
+  if (part == ToolPart::cutter) return true;
+  return part == ToolPart::shank ? !tool.shank.empty() : !tool.holder.empty();
+}
+
 bool moves(const Motion& m) {
   return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
 }
@@ -113,8 +118,7 @@ const Selection::Known& Selection::known(int tool) {
   if (k.asked) return k;
   k.asked = true;
   const Tool& data = tools_[static_cast<std::size_t>(tool)];
-  const bool has_part = part_ == ToolPart::cutter || !data.shank.empty() || !data.holder.empty();
-  if (!has_part) return k;
+  if (!has_part(data, part_)) return k;
   try {
     k.shape = make_tool_shape(data);
   } catch (const Error&) {  // a tool that cuts has been refused before
@@ -183,6 +187,8 @@ Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<con
   Selection selection(part, motions, tools, stock);
   std::vector<Motion> chosen;
   std::vector<std::int32_t> index;
+  if (std::none_of(tools.begin(), tools.end(), [&](const Tool& t) { return has_part(t, part); }))
+    first = motions.size();
   for (std::size_t i = first; i < motions.size(); ++i)
     if (selection.may_collide(i)) {
       chosen.push_back(motions[i]);

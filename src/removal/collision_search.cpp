@@ -20,6 +20,9 @@ namespace {
 // Cuts near a box that are tried for a clear ball.
 constexpr std::size_t kMostClear = 4;
 
+// Longer lists belong to boxes that are too large to lie over one flat end.
+constexpr std::size_t kMostFloors = 256;
+
 // Movers and stocks are mostly convex: outside of them there is room for larger balls than in cuts.
 constexpr double kOutside = 8;
 
@@ -73,7 +76,7 @@ void CollisionDetector::visit(const Box3& box, std::size_t depth,
   Level& level = levels_[depth];
   keep_movers(ball, movers, level);
   if (!level.movers.empty()) settle(ball, stock, cuts, level);
-  if (!level.movers.empty()) drop_over_floors(box, level);
+  if (!level.movers.empty() && level.cuts.size() <= kMostFloors) drop_over_floors(box, level);
   if (!level.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
     drop_touching(ball, stock, level);
   if (level.movers.empty()) return;

@@ -30,7 +30,7 @@ struct CollisionHit {
 };
 
 /// Finds the movers that collide within a box: all that do by more than threshold + 2 * finest, and
-/// none that do by less than the threshold. One for each thread.
+/// none that do by less than the threshold. One for each thread at a time.
 class CollisionDetector {
  public:
   explicit CollisionDetector(const CollisionScene& scene);
@@ -49,7 +49,6 @@ class CollisionDetector {
   struct Level {
     Candidates cuts, movers;
     std::vector<double> cut_distance, mover_distance;
-    std::vector<std::int32_t> times;  // of the movers' motions
   };
   // A ball in which nothing collides, seen from a box's centre.
   struct ClearBall {
