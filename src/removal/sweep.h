@@ -89,8 +89,9 @@ class SweepTable {
   /// distance().
   void least(const NearList& list, PointColumns& points) const;
 
-  /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter with
-  /// a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for others.
+  /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
+  /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for
+  /// others.
   struct FlatFloor {
     double z = 0, inside = 0;
   };
