@@ -44,6 +44,17 @@ class FallingTurn {
             lateral > 0 ? -(x * dx + y * dy) / lateral : 0};
   }
 
+  /// The same at a t that looks at p, without a sine.
+  Place at_facing(double t) const {
+    const double x = p_.x - path_.center.x, y = p_.y - path_.center.y;
+    const double off = std::sqrt(x * x + y * y) - path_.radius;
+    const double height = p_.z - path_.center.z + t * fall_;
+    return {t, (off < 0 ? -off : off) - tool_.core(), tool_.round() - height, 0};
+  }
+
+  static bool wall_decides(const Place& x) { return x.dr >= x.dz && !is_corner(x); }
+  static bool floor_decides(const Place& x) { return x.dz >= x.dr && !is_corner(x); }
+
   double value(const Place& at) const {
     return lane::rounded_slab(at.dr + tool_.core(), tool_.round() - at.dz, tool_.round(),
                               tool_.core(), tool_.round(), tool_.top());
@@ -69,9 +80,8 @@ class FallingTurn {
 
   /// The best place between a and b, at most half a turn from the facing position at or before a.
   std::optional<Place> best(const Place& a, const Place& b, double facing) const {
-    const auto is_corner = [](const Place& x) { return x.dr > 0 && x.dz > 0; };
-    if (!is_corner(a) && a.dr >= a.dz) return a;  // the wall decides
-    if (!is_corner(b) && b.dz >= b.dr) return b;  // the floor decides
+    if (wall_decides(a)) return a;
+    if (floor_decides(b)) return b;
     const auto gap = [](const Place& x) { return x.dr - x.dz; };
     const auto gap_slope = [this](const Place& x) { return x.slope + fall_; };
     Place from = a;
@@ -91,6 +101,8 @@ class FallingTurn {
   }
 
  private:
+  static bool is_corner(const Place& x) { return x.dr > 0 && x.dz > 0; }
+
   /// Slope of dr dr' - fall dz.
   double bend(const Place& x) const {
     const double lateral = x.dr + tool_.core();
@@ -113,13 +125,20 @@ std::optional<PathSample> helix_minimum(const Profile& tool, const ToolPath& pat
                                         double begin, double end) {
   if (!path.lowest_turn || !tool.is_rounded()) return std::nullopt;
   const FallingTurn turn(tool, path, p);
+  // V is at least dr and at least dz everywhere: no position has a smaller dr than the one that
+  // looks at p, none a smaller dz than the last.
+  const double facing = turn.facing();
+  const bool faces = begin <= facing && facing <= end;
+  if (const Place at = turn.at_facing(facing); faces && FallingTurn::wall_decides(at))
+    return PathSample{turn.value(at), facing};
   const Place last = turn.at(end);
   PathSample result{turn.value(last), end};
-  const double facing = turn.facing();
+  if (FallingTurn::floor_decides(last)) return result;
   for (const double f : {facing - kTwoPi, facing}) {
     const double lo = std::max(begin, f), hi = std::min(end, f + kPi);
     if (lo > hi) continue;
-    const Place a = turn.at(lo), b = hi == end ? last : turn.at(hi);
+    const Place a = lo == facing ? turn.at_facing(lo) : turn.at(lo);
+    const Place b = hi == end ? last : turn.at(hi);
     const std::optional<Place> found = turn.best(a, b, f);
     if (!found) return std::nullopt;
     const double value = turn.value(*found);
