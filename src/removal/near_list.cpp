@@ -14,6 +14,10 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kHalfUlp = 1.0 / (1 << 24);  // of a float, relative
 
+// Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
+constexpr std::size_t kFewOthers = 6;
+constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
+
 float largest(double a, double b, double c) {
   return static_cast<float>(std::max({std::fabs(a), std::fabs(b), std::fabs(c)}));
 }
@@ -169,7 +173,7 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
 
 // Sweeps without columns: in double, then rounded. Returns the largest value.
 static double near_others(const SweepTable& table, const SweepColumns& c, const NearList& list,
-                          const NearList::Run& run, const PruneRegion& region) {
+                          const NearList::Run& run, const PruneRegion& region, double reach) {
   Scratch& s = scratch();
   s.ids.resize(run.count), s.distance.resize(run.count);
   for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = list.id(run.first + k);
@@ -181,9 +185,14 @@ static double near_others(const SweepTable& table, const SweepColumns& c, const 
   std::fill(out.distance + run.count, out.distance + padded, kInfinity);
   std::fill(out.squared + run.count, out.squared + padded, kInfinity);
   std::fill(out.z + run.count, out.z + padded, kInfinity);
+  // Where a sweep is dropped by its distance, its nearest point is not asked for.
+  const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
+  const double limit =
+      run.count < kFewOthers ? -reach : std::min(reach, nearest + 2 * region.radius + kRoom);
   double extent = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
-    const SweepColumns::Foot f = c.foot(c.refs[s.ids[k]], p);
+    const SweepColumns::Foot f =
+        s.distance[k] > limit ? SweepColumns::Foot{} : c.foot(c.refs[s.ids[k]], p);
     out.distance[k] = static_cast<float>(s.distance[k]);
     out.squared[k] = static_cast<float>(f.squared);
     out.x[k] = static_cast<float>(f.offset.x), out.y[k] = static_cast<float>(f.offset.y);
@@ -249,7 +258,7 @@ class Pruner {
     double extent = std::max<double>(in_.extent, largest(at_.x, at_.y, at_.z));
     for (std::size_t i = 0; i < in_.runs().size(); ++i)
       if (type(i).form == SweepClass::Form::other)
-        extent = std::max(extent, near_others(table, columns_, in_, in_.runs()[i], region));
+        extent = std::max(extent, near_others(table, columns_, in_, in_.runs()[i], region, -deep_));
       else
         s.least.push_back({});
     // The loops err by less than 64 half ulps of the largest value (docs/removal.md).

@@ -71,8 +71,6 @@ class SweepTable {
 
   /// out[k] = distance(ids[k], p), the same bits.
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;
-  /// out[k] = distance(i, points[k]), the same bits.
-  void distances(std::size_t i, std::span<const Vec3> points, double* out) const;
 
   /// The sweeps `ids`, ascending, as a list that prune() takes. `origin` is a point of the block
   /// that it is for: single precision is good near it.

@@ -31,7 +31,6 @@ MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) 
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   for (int i = 0; i < 11; ++i) c[i] = r[rows[0]].c[i];
 }
-MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) { x = p->x, y = p->y, z = p->z; }
 MRSIM_LANE void store(double* out, V v) { *out = v; }
 MRSIM_LANE void store_some(double* out, V v, std::size_t) { *out = v; }
 #include "removal/sweep_kernels.inl"
@@ -92,11 +91,6 @@ MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   c[8] = _mm256_set_pd(p3[8], p2[8], p1[8], p0[8]);
   c[9] = _mm256_set_pd(p3[9], p2[9], p1[9], p0[9]);
   c[10] = _mm256_set_pd(p3[10], p2[10], p1[10], p0[10]);
-}
-MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
-  x = _mm256_set_pd(p[3].x, p[2].x, p[1].x, p[0].x);
-  y = _mm256_set_pd(p[3].y, p[2].y, p[1].y, p[0].y);
-  z = _mm256_set_pd(p[3].z, p[2].z, p[1].z, p[0].z);
 }
 MRSIM_LANE void store(double* out, V v) { _mm256_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
@@ -173,11 +167,6 @@ MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   c[8] = column(r, rows, 8);
   c[9] = column(r, rows, 9);
   c[10] = column(r, rows, 10);
-}
-MRSIM_LANE void load_points(const Vec3* p, V& x, V& y, V& z) {
-  x = _mm512_set_pd(p[7].x, p[6].x, p[5].x, p[4].x, p[3].x, p[2].x, p[1].x, p[0].x);
-  y = _mm512_set_pd(p[7].y, p[6].y, p[5].y, p[4].y, p[3].y, p[2].y, p[1].y, p[0].y);
-  z = _mm512_set_pd(p[7].z, p[6].z, p[5].z, p[4].z, p[3].z, p[2].z, p[1].z, p[0].z);
 }
 MRSIM_LANE void store(double* out, V v) { _mm512_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {

@@ -31,7 +31,6 @@ template <class Record>
 struct FormKernels {
   void (*list)(const Record* records, const std::uint32_t* rows, std::size_t n, const Vec3& p,
                double* out);
-  void (*points)(const Record& record, const Vec3* points, std::size_t n, double* out);
   /// Brings `points` up to date with the sweeps ids[k] of records[rows[k]].
   void (*least)(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,
                 std::size_t n, PointColumns& points);

@@ -1,5 +1,5 @@
 // Loops over the forms of sweep_lanes.inl; included once per instruction set by sweep_kernels.cpp,
-// with kLanes, V and read, load_line, load_arc, load_points, store in scope. The rest of a list that does
+// with kLanes, V and read, load_line, load_arc,  store in scope. The rest of a list that does
 // not fill a register repeats its last sweep and is not stored.
 
 // Rows k .. k + kLanes - 1, the last one repeated.
@@ -21,22 +21,6 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
     std::uint32_t rest[kLanes];                                                                  \
     pick(rows, k, n, rest);                                                                      \
     load(records, rest, c);                                                                      \
-    store_some(out + k, form(c, x, y, z), n - k);                                                \
-  }                                                                                              \
-  static void form##_points(const Record& record, const Vec3* points, std::size_t n,             \
-                            double* out) {                                                       \
-    V c[kColumns];                                                                               \
-    for (std::size_t i = 0; i < kColumns; ++i) c[i] = splat(record.c[i]);                        \
-    V x, y, z;                                                                                   \
-    std::size_t k = 0;                                                                           \
-    for (; k + kLanes <= n; k += kLanes) {                                                       \
-      load_points(points + k, x, y, z);                                                          \
-      store(out + k, form(c, x, y, z));                                                          \
-    }                                                                                            \
-    if (k == n) return;                                                                          \
-    Vec3 rest[kLanes];                                                                           \
-    for (std::size_t j = 0; j < kLanes; ++j) rest[j] = points[k + j < n ? k + j : n - 1];        \
-    load_points(rest, x, y, z);                                                                  \
     store_some(out + k, form(c, x, y, z), n - k);                                                \
   }                                                                                              \
   static void form##_least(const Record* records, const std::uint32_t* rows,                     \
@@ -63,7 +47,7 @@ MRSIM_FORM(plane_arc, ArcRecord, load_arc, 11)
 
 static const SweepKernels kKernels = {
     kName,
-    {ball_line_list, ball_line_points, ball_line_least},
-    {plane_line_list, plane_line_points, plane_line_least},
-    {plane_arc_list, plane_arc_points, plane_arc_least},
+    {ball_line_list, ball_line_least},
+    {plane_line_list, plane_line_least},
+    {plane_arc_list, plane_arc_least},
 };

@@ -60,20 +60,6 @@ void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, do
   }
 }
 
-void SweepTable::distances(std::size_t i, std::span<const Vec3> points, double* out) const {
-  const SweepKernels& kernels = sweep_kernels();
-  const Columns& c = *columns_;
-  const SweepRef& ref = c.refs[i];
-  const SweepKind kind = ref.frame == 0 ? ref.kind : SweepKind::profile;
-  if (kind == SweepKind::ball_line)
-    return kernels.ball_line.points(c.ball_lines[ref.row], points.data(), points.size(), out);
-  if (kind == SweepKind::plane_line)
-    return kernels.plane_line.points(c.plane_lines[ref.row], points.data(), points.size(), out);
-  if (kind == SweepKind::plane_arc)
-    return kernels.plane_arc.points(c.plane_arcs[ref.row], points.data(), points.size(), out);
-  for (std::size_t k = 0; k < points.size(); ++k) out[k] = distance(i, points[k]);
-}
-
 void SweepTable::least(const NearList& list, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;

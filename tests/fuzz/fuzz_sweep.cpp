@@ -2,7 +2,9 @@
 // 1-Lipschitz, below zero only within the bounds, with unit gradients, and equal in lists.
 #include "core/units.h"
 #include "core/vec.h"
+#include "removal/near_list.h"
 #include "removal/sweep.h"
+#include "removal/sweep_kernels.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -103,9 +105,17 @@ void check_point(const SweepTable& s, Bytes& in) {
   double out[3];
   s.distances(ids, p, out);
   check(out[0] == d && out[2] == d);
-  const Vec3 points[] = {p, q, p};
-  s.distances(0, points, out);
-  check(out[0] == d && out[1] == e && out[2] == d);
+  NearList list;
+  s.list({ids, 1}, p, list);
+  PointColumns points{};
+  points.count = 8;
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const Vec3& at_k = k % 2 ? q : p;
+    points.x[k] = at_k.x, points.y[k] = at_k.y, points.z[k] = at_k.z;
+    points.least[k] = INFINITY;
+  }
+  s.least(list, points);
+  check(points.least[0] == d && points.least[1] == e && points.least[6] == d);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Lists and nearest points: equal to the single queries to the last bit, on every instruction set.
 #include "removal/sweep_kernels.h"
 
+#include "removal/near_list.h"
 #include "sweep_support.h"
 
 #include <cstring>
@@ -37,6 +38,31 @@ Scene mixed_scene(Random& r, int n) {
   return s;
 }
 
+PointColumns random_points(Random& r, std::size_t count) {
+  PointColumns points{};
+  points.count = count;
+  for (std::size_t k = 0; k < count; ++k) {
+    points.x[k] = r(-5, 15), points.y[k] = r(-5, 15), points.z[k] = r(-5, 5);
+    points.least[k] = INFINITY;
+  }
+  return points;
+}
+
+// The least of all distances and the first sweep that has it.
+void expect_least(const SweepTable& s, const std::vector<std::uint32_t>& ids, PointColumns points) {
+  NearList list;
+  s.list(ids, {0, 0, 0}, list);
+  s.least(list, points);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    double least = INFINITY, nearest = 0;
+    for (const std::uint32_t id : ids)
+      if (const double d = s.distance(id, {points.x[k], points.y[k], points.z[k]}); d < least)
+        least = d, nearest = id;
+    ASSERT_TRUE(same_bits(least, points.least[k]));
+    ASSERT_EQ(nearest, points.nearest[k]);
+  }
+}
+
 class Lists : public testing::TestWithParam<int> {};  // tool of all moves, -1 = mixed
 
 TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
@@ -58,28 +84,11 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
     s.distances(ids, p, d.data());
     EXPECT_EQ(d[n], 7) << "written past the end";
     for (std::size_t k = 0; k < n; ++k) ASSERT_TRUE(same_bits(d[k], s.distance(ids[k], p)));
-  }
-  std::vector<Vec3> points;
-  for (int k = 0; k < 37; ++k) points.push_back({r(-25, 25), r(-25, 25), r(-10, 15)});
-  std::vector<double> d(points.size());
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    s.distances(i, points, d.data());
-    for (std::size_t k = 0; k < points.size(); ++k)
-      ASSERT_TRUE(same_bits(d[k], s.distance(i, points[k])));
+    expect_least(s, ids, random_points(r, 64));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(MixedBallFlatBullClosed, Lists, testing::Values(-1, 0, 1, 2, 3));
-
-PointColumns random_points(Random& r, std::size_t count) {
-  PointColumns points{};
-  points.count = count;
-  for (std::size_t k = 0; k < count; ++k) {
-    points.x[k] = r(-5, 15), points.y[k] = r(-5, 15), points.z[k] = r(-5, 5);
-    points.least[k] = INFINITY;
-  }
-  return points;
-}
 
 template <class Record>
 void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
