@@ -120,18 +120,15 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
   return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
 }
 
-void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
-                          double* out) const {
-  static thread_local std::vector<double> least;
-  least.assign(points.size(), std::numeric_limits<double>::infinity());
-  std::vector<double>& d = scratch(points.size());
-  for (const std::uint32_t i : candidates) {
-    sweeps_.distances(i, points, d.data());
-    for (std::size_t k = 0; k < points.size(); ++k) least[k] = d[k] < least[k] ? d[k] : least[k];
-  }
+void PartField::distances(std::span<const Vec3> points,
+                          std::span<const std::uint32_t> candidates, double* out) const {
+  std::vector<double>& d = scratch(candidates.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
+    sweeps_.distances(candidates, points[k], d.data());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < candidates.size(); ++i) least = d[i] < least ? d[i] : least;
     const double stock = solid_.distance(points[k]);
-    out[k] = stock >= -least[k] ? stock : -least[k];
+    out[k] = stock >= -least ? stock : -least;
   }
 }
 
