@@ -302,10 +302,12 @@ JobResult simulate(const Job& job) {
   choose_voxel(options, cuts.all, result);
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
+  options.grid_mesh = mesh_options.tolerance == 0;
   clock.done("stock");
 
   const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
   result.active_voxels = stock.active_voxels();
+  result.expected_memory = static_cast<std::size_t>(stock.memory_expected());
   clock.done("carve");
   result.collisions =
       find_collisions(stock, cuts.all.motions, cuts.all.tools, cuts.inherited, job.collisions);

@@ -119,7 +119,8 @@ struct JobResult {
   double volume = 0, stock_volume = 0, removed_volume = 0;
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes
-  bool ok = false;  ///< false: the program has errors, nothing was written
+  std::size_t expected_memory = 0;  ///< bytes, as estimated before the run
+  bool ok = false;                  ///< false: the program has errors, nothing was written
 };
 
 /// The whole way from program to part. With any error in the program nothing is carved or written

@@ -55,6 +55,9 @@ struct CarveOptions {
   /// Bytes of memory the run may take, 0 = what the machine has free. A run whose estimate is above
   /// it is refused.
   std::size_t max_memory = 0;
+  /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
+  /// simulate() sets it.
+  bool grid_mesh = false;
   Progress progress;
 };
 

@@ -129,7 +129,8 @@ void add_time(Sheet& sheet, const JobResult& result) {
     stages += fmt::format("{}{} {:.3f}", stages.empty() ? "" : ", ", stage, seconds);
   }
   sheet.row("time", fmt::format("{:.3f} s", total), stages);
-  sheet.row("memory", file_size(result.peak_memory) + " at most");
+  sheet.row("memory", file_size(result.peak_memory) + " at most",
+            file_size(result.expected_memory) + " were expected");
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include "mesh/contour.h"
 
 #include <chrono>
+#include <utility>
 
 namespace mrsim::detail {
 
 /// How many rounds there will be is not known: the share done approaches 1.
 class ContourTimer {
  public:
-  ContourTimer(ContourReport& report, const Progress& progress)
-      : report_(report), progress_(progress), start_(Clock::now()) {}
+  ContourTimer(ContourReport& report, Progress progress)
+      : report_(report), progress_(std::move(progress)), start_(Clock::now()) {}
   /// Ends a step. Throws Error "cancelled" when the caller wants no more.
   void step(const char* name) {
     done_ += kStepShare * (1 - done_);
@@ -32,7 +33,7 @@ class ContourTimer {
   using Clock = std::chrono::steady_clock;
   static constexpr double kStepShare = 0.15;
   ContourReport& report_;
-  const Progress& progress_;
+  Progress progress_;
   double done_ = 0;
   Clock::time_point start_;
 };

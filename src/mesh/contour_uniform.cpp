@@ -65,7 +65,7 @@ class UniformContour {
         lattice_(lattice),
         options_(options),
         report_(report),
-        timer_(report, options.progress) {}
+        timer_(report, {}) {}  // progress is told by tiles
 
   TriMesh run() {
     find_tiles();

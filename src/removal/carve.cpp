@@ -173,28 +173,27 @@ std::size_t free_memory() {
                                : std::size_t(4) << 30;
 }
 
-// Bytes a run will take: every surface voxel column holds 2 * kBandVoxels active voxels, in leaves
-// that are about half full, each with a distance and an owner; the mesh and the mesher's own grids
-// come on top. The stock's area is the measure of the surface.
-double memory_estimate(double area, double voxel) {
-  const double active = area / (voxel * voxel) * 2 * kBandVoxels;
-  constexpr double kBytesPerActiveVoxel = 60;
-  return active * kBytesPerActiveVoxel;
-}
-
-void check_options(const PartField& field, const CarveOptions& options, std::size_t limit) {
+void check_options(const PartField& field, std::size_t motions, const CarveOptions& options,
+                   std::size_t limit) {
   if (!(options.voxel > 0) || !std::isfinite(options.voxel))
     throw Error("voxel-invalid",
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),
                 Error::Kind::usage);
-  const double estimate = memory_estimate(field.solid().area(), options.voxel);
-  if (estimate > static_cast<double>(limit))
-    throw Error(
-        "memory",
-        fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock, {:.3g} GB are "
-                    "available; {:.3g} mm would fit",
-                    options.voxel, estimate / 1e9, static_cast<double>(limit) / 1e9,
-                    options.voxel * std::sqrt(estimate / static_cast<double>(limit)) * 1.05));
+  const double area = field.solid().area();
+  const auto need = [&](double voxel) {
+    return memory_estimate(area, motions, voxel, options.grid_mesh);
+  };
+  const auto available = static_cast<double>(limit);
+  if (need(options.voxel) <= available) return;
+  double fits = options.voxel;
+  while (need(fits) > available && need(fits) > 1.01 * need(2 * fits)) fits *= 1.05;
+  throw Error(
+      "memory",
+      fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock and {} motions, "
+                  "{:.3g} GB are available; {}",
+                  options.voxel, need(options.voxel) / 1e9, motions, available / 1e9,
+                  need(fits) <= available ? fmt::format("{:.3g} mm would fit", fits)
+                                          : "no voxel would fit"));
 }
 
 class ProgressMeter {
@@ -238,6 +237,16 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
 
 }  // namespace
 
+// Every surface voxel column holds 2 * kBandVoxels active voxels, in leaves that are about half
+// full, each with a distance and an owner; a mesh on the voxels has two triangles a column, which
+// are held in tiles, joined, checked and written. The stock's area is the measure of the surface.
+double memory_estimate(double area, std::size_t motions, double voxel, bool grid_mesh) {
+  constexpr double kProgram = 40e6, kMotion = 400, kGridVoxel = 51, kMeshVoxel = 25;
+  const double active = area / (voxel * voxel) * 2 * kBandVoxels;
+  return kProgram + kMotion * static_cast<double>(motions) +
+         active * (kGridVoxel + (grid_mesh ? kMeshVoxel : 0));
+}
+
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options) {
   auto grid = std::make_unique<StockGrid>();
@@ -249,8 +258,10 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
   const std::size_t limit = chosen.max_memory > 0 ? chosen.max_memory : free_memory();
-  check_options(field, chosen, limit);
+  check_options(field, motions.size(), chosen, limit);
   grid->voxel = chosen.voxel;
+  grid->estimate =
+      memory_estimate(field.solid().area(), motions.size(), chosen.voxel, chosen.grid_mesh);
   grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit,
                                              chosen.threads);
   const BlockIndex& index = *grid->index;

@@ -120,8 +120,8 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
   return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
 }
 
-void PartField::distances(std::span<const Vec3> points,
-                          std::span<const std::uint32_t> candidates, double* out) const {
+void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                          double* out) const {
   std::vector<double>& d = scratch(candidates.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     sweeps_.distances(candidates, points[k], d.data());

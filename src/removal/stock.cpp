@@ -47,6 +47,8 @@ std::size_t Stock::memory() const {
   return grid_->distance->memUsage() + grid_->owner->memUsage() + grid_->index->memory();
 }
 
+double Stock::memory_expected() const { return grid_->estimate; }
+
 double Stock::distance(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).distance;
 }

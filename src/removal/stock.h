@@ -27,7 +27,8 @@ class Stock {
   double voxel() const;             ///< mm
   const ExactField& field() const;  ///< the exact part
   std::size_t active_voxels() const;
-  std::size_t memory() const;  ///< bytes of the grids and their lists
+  std::size_t memory() const;      ///< bytes of the grids and their lists
+  double memory_expected() const;  ///< bytes of the whole run, as estimated before it
   const StockGrid& grid() const { return *grid_; }
 
   /// d, gradient and owner at p from the exact field, through the index over the sweeps.
@@ -45,6 +46,10 @@ struct VoxelChoice {
   std::string reason;
 };
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
+
+/// Bytes that a run takes: a stock of `area` mm^2, carved, meshed (on the voxels: `grid_mesh`),
+/// checked and written. Within a factor of 1.5 of the peak on the programs of docs/removal.md.
+double memory_estimate(double area, std::size_t motions, double voxel, bool grid_mesh);
 
 /// Subtracts every cutting motion from the stock. Cost grows with the surface, not with the volume,
 /// and slowly with the number of motions. Throws Error "voxel-invalid", "memory" (the estimate is

@@ -14,6 +14,7 @@ namespace mrsim {
 
 struct StockGrid {
   double voxel = 0;                  ///< mm
+  double estimate = 0;               ///< bytes that the run was expected to take
   openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
   std::unique_ptr<PartField> field;
