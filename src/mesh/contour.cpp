@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "mesh/contour_certify.h"
+#include "mesh/contour_hash.h"
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
 #include "mesh/contour_thin.h"
@@ -27,6 +28,7 @@ using detail::ContourTimer;
 using detail::Crossing;
 using detail::LabelledMesh;
 using detail::Lattice;
+using detail::PlaceHash;
 
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
@@ -187,16 +189,10 @@ class Contour {
 
   // Tells a triangle from all others of former rounds, which need not be certified again.
   static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
-    const FieldSample& face = mesh.faces[mesh.labels[t]];
-    std::uint64_t h = static_cast<std::uint32_t>(face.owner) * 0x9e3779b97f4a7c15u +
-                      static_cast<std::uint32_t>(face.patch);
-    for (const std::uint32_t v : mesh.triangles[t])
-      for (int a = 0; a < 3; ++a) {
-        const auto q = static_cast<std::int64_t>(component(mesh.vertices[v], a) / detail::kQuantum);
-        h = (h ^ static_cast<std::uint64_t>(q)) * 0xff51afd7ed558ccdu;
-        h ^= h >> 32;
-      }
-    return h;
+    PlaceHash hash;
+    hash.add(mesh.faces[mesh.labels[t]]);
+    for (const std::uint32_t v : mesh.triangles[t]) hash.add(mesh.vertices[v]);
+    return hash.value();
   }
 
   // The cell whose vertex has missed the face of the part; else the largest about the edge.

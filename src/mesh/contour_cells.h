@@ -12,6 +12,9 @@
 
 namespace mrsim::detail {
 
+/// mm: how near d = 0 the surface -kInsideTolerance is looked for.
+inline constexpr double kSurfaceBand = 4 * kInsideTolerance;
+
 /// One edge of the grid that no smaller cell divides, and the four cells about it (equal where one
 /// cell spans two quadrants).
 struct MinimalEdge {
@@ -77,7 +80,7 @@ inline CellFace face_of(const MinimalEdge& e, int place) {
   return face;
 }
 
-/// A point at one end of the edge, and at the other.
+/// The ends of the edge.
 inline Vec3 low_end(const Lattice& lattice, const MinimalEdge& e) {
   return lattice.position(e.start);
 }

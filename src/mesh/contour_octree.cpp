@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kLargestCell = 64;  ///< voxels
 constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet
-constexpr double kBand = 4 * kInsideTolerance;
 
 }  // namespace
 
@@ -128,7 +127,7 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
         const Candidates whole = a.parent < 0 ? std::move(lists_[n]) : Candidates{};
         const std::span<const std::uint32_t> in =
             a.parent < 0 ? std::span<const std::uint32_t>(whole) : candidates(a.parent);
-        a.region = field_.restrict_to(0.5 * (b.lo + b.hi), radius, kBand, in, lists_[n]);
+        a.region = field_.restrict_to(0.5 * (b.lo + b.hi), radius, kSurfaceBand, in, lists_[n]);
       },
       64);
 }
@@ -177,7 +176,7 @@ bool ContourOctree::must_split(std::int32_t n) {
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
   const std::span<const std::uint32_t> list = candidates(n);
   const FieldSample middle = field_.sample(center, list);
-  const bool near_stock = std::abs(field_.sample(center, {}).distance) <= radius + kBand;
+  const bool near_stock = std::abs(field_.sample(center, {}).distance) <= radius + kSurfaceBand;
 
   std::int32_t owners[9];
   std::size_t seen = 0;

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "mesh/contour_hash.h"
 #include "mesh/exact_predicates.h"
 
 #include <algorithm>
@@ -24,28 +25,10 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
   return false;
 }
 
-class Hash {
- public:
-  explicit Hash(std::uint64_t seed) : h_(seed * 0x9e3779b97f4a7c15u + 1) {}
-  void add(std::uint64_t x) {
-    h_ = (h_ ^ x) * 0xff51afd7ed558ccdu;
-    h_ ^= h_ >> 32;
-  }
-  void add(const Vec3& p) {
-    for (int a = 0; a < 3; ++a)
-      add(static_cast<std::uint64_t>(static_cast<std::int64_t>(mrsim::component(p, a) / kQuantum)));
-  }
-  void add(const Crossing& c) {
-    add(c.position);
-    add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.at.owner)) << 32 |
-        static_cast<std::uint32_t>(c.at.patch));
-  }
-  /// Neither 0 nor ~0.
-  std::uint64_t value() const { return h_ == 0 || h_ == ~std::uint64_t(0) ? 1 : h_; }
-
- private:
-  std::uint64_t h_;
-};
+void add(PlaceHash& hash, const Crossing& c) {
+  hash.add(c.position);
+  hash.add(c.at);
+}
 
 }  // namespace
 
@@ -131,18 +114,19 @@ void ContourSurface::place_loops() {
 std::uint64_t ContourSurface::key_of(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const std::int32_t cell = face_cell(face);
-  Hash hash(static_cast<std::uint64_t>(cell) * 8 +
-            static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
-  for (const std::int32_t k : {s.from, s.to}) hash.add(at(crossings_, k));
+  PlaceHash hash(static_cast<std::uint64_t>(cell) * 8 +
+                 static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
+  for (const std::int32_t k : {s.from, s.to}) add(hash, at(crossings_, k));
   return hash.value();
 }
 
 std::uint64_t ContourSurface::key_of(const Loop& loop) const {
-  Hash hash(static_cast<std::uint64_t>(loop.cell));
-  for (const std::int32_t k : loop.crossings) hash.add(at(crossings_, k));
+  PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
+  for (const std::int32_t k : loop.crossings) add(hash, at(crossings_, k));
   for (const std::int32_t k : loop.segments) {
     const Segment& s = at(segments_, k);
-    hash.add(s.is_crease ? s.point.position : Vec3{});
+    hash.add(static_cast<std::uint64_t>(s.is_crease) << 8 | static_cast<unsigned>(s.point.count));
+    if (s.is_crease && s.point.count > 0) hash.add(s.point.position);
   }
   return hash.value();
 }

@@ -7,7 +7,6 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kBand = 4 * kInsideTolerance;
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
 
@@ -43,7 +42,8 @@ Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const 
 }
 
 void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
-  const auto region = descent_->enter(level, inflated(node_box(origin, size), kQuantum), kBand);
+  const auto region =
+      descent_->enter(level, inflated(node_box(origin, size), kQuantum), kSurfaceBand);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
   if (size == kNode) {

@@ -19,7 +19,6 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kBand = 4 * kInsideTolerance;
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
 constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
@@ -116,7 +115,8 @@ class UniformContour {
   }
 
   void find_tiles(ExactField::Descent& descent, const TileRange& range, std::size_t level) {
-    if (descent.enter(level, inflated(box(range), kQuantum), kBand) != ExactField::Region::mixed)
+    if (descent.enter(level, inflated(box(range), kQuantum), kSurfaceBand) !=
+        ExactField::Region::mixed)
       return;
     int axis = 0;
     for (const int a : {1, 2})

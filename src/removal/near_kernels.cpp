@@ -180,18 +180,12 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
 #endif  // MRSIM_X86
 
 const NearKernels* near_kernels(SimdLevel level) {
-  switch (level) {
 #ifdef MRSIM_X86
-    case SimdLevel::avx512:
-      return __builtin_cpu_supports("avx512f") ? &near_avx512::kKernels : nullptr;
-    case SimdLevel::avx2:
-      return __builtin_cpu_supports("avx2") ? &near_avx2::kKernels : nullptr;
+  return kernels_at<NearKernels>(
+      level, {&near_scalar::kKernels, &near_avx2::kKernels, &near_avx512::kKernels});
+#else
+  return kernels_at<NearKernels>(level, {&near_scalar::kKernels, nullptr, nullptr});
 #endif
-    case SimdLevel::scalar:
-      return &near_scalar::kKernels;
-    default:
-      return nullptr;
-  }
 }
 
 const NearKernels& near_kernels() {

@@ -186,24 +186,25 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 
 #endif  // MRSIM_X86
 
-const SweepKernels* sweep_kernels(SimdLevel level) {
-  switch (level) {
+bool has_simd(SimdLevel level) {
 #ifdef MRSIM_X86
-    case SimdLevel::avx512:
-      return __builtin_cpu_supports("avx512f") ? &avx512::kKernels : nullptr;
-    case SimdLevel::avx2:
-      return __builtin_cpu_supports("avx2") ? &avx2::kKernels : nullptr;
+  if (level == SimdLevel::avx512) return __builtin_cpu_supports("avx512f");
+  if (level == SimdLevel::avx2) return __builtin_cpu_supports("avx2");
 #endif
-    case SimdLevel::scalar:
-      return &lane::kKernels;
-    default:
-      return nullptr;
-  }
+  return level == SimdLevel::scalar;
+}
+
+const SweepKernels* sweep_kernels(SimdLevel level) {
+#ifdef MRSIM_X86
+  return kernels_at<SweepKernels>(level, {&lane::kKernels, &avx2::kKernels, &avx512::kKernels});
+#else
+  return kernels_at<SweepKernels>(level, {&lane::kKernels, nullptr, nullptr});
+#endif
 }
 
 SimdLevel best_simd_level() {
   for (const SimdLevel level : {SimdLevel::avx512, SimdLevel::avx2})
-    if (sweep_kernels(level) != nullptr) return level;
+    if (has_simd(level)) return level;
   return SimdLevel::scalar;
 }
 

@@ -43,11 +43,20 @@ struct SweepKernels {
 
 enum class SimdLevel { scalar, avx2, avx512 };
 
+/// The machine has the instructions.
+bool has_simd(SimdLevel level);
+
 /// The kernels of a level, null where the machine or the compiler has none.
 const SweepKernels* sweep_kernels(SimdLevel level);
 /// The best ones; chosen once.
 const SweepKernels& sweep_kernels();
 /// The best level of this machine.
 SimdLevel best_simd_level();
+/// The entry for a level that this build and this machine have, else null: tables are scalar, AVX2,
+/// AVX-512, null where the build has none.
+template <class Kernels>
+const Kernels* kernels_at(SimdLevel level, const Kernels* const (&tables)[3]) {
+  return has_simd(level) ? tables[static_cast<int>(level)] : nullptr;
+}
 
 }  // namespace mrsim
