@@ -3,7 +3,6 @@
 #pragma once
 
 #include "mesh/contour_lattice.h"
-#include "mesh/small_list.h"
 #include "removal/field.h"
 
 #include <cstdint>
@@ -26,11 +25,18 @@ struct MinimalEdge {
   bool owned = true;                 ///< its triangles are made here, not by another tile
 };
 
-/// A face of a cell that no smaller cell divides, with the crossings on its sides.
+/// A face of a cell that no smaller cell divides, with the crossings on its sides: the first four
+/// of them, since more can not be joined.
 struct CellFace {
   std::int32_t low = -1, high = -1;  ///< cells on both sides of it
   std::int32_t axis = 0;
-  SmallList<4> crossings;
+  std::int32_t count = 0;  ///< of all its crossings
+  std::int32_t crossings[4] = {-1, -1, -1, -1};
+
+  void add(std::int32_t crossing) {
+    if (count < 4) crossings[count] = crossing;
+    ++count;
+  }
 };
 
 class ContourCells {
@@ -49,6 +55,9 @@ class ContourCells {
   virtual Box3 box(std::int32_t cell) const = 0;
   /// The sweeps that can decide d in the cell.
   virtual std::span<const std::uint32_t> candidates(std::int32_t cell) const = 0;
+  /// Cells of equal numbers, below lists(), have the same candidates.
+  virtual std::int32_t list_of(std::int32_t cell) const { return cell; }
+  virtual std::size_t lists() const { return size(); }
   /// False for cells at the border, of which only a part of the surroundings is there.
   virtual bool is_complete(std::int32_t cell) const = 0;
 

@@ -1,11 +1,13 @@
 // From signs at the corners of cells to closed loops about them.
 #include "core/error.h"
 #include "core/parallel.h"
+#include "mesh/contour_groups.h"
 #include "mesh/contour_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace mrsim::detail {
 namespace {
@@ -49,6 +51,14 @@ std::int32_t smaller_cell(const ContourCells& cells, const CellFace& face) {
   return cells.size_of(face.high) < cells.size_of(face.low) ? face.high : face.low;
 }
 
+// All of them hold the edge; the last one starts where it does.
+std::int32_t smallest_cell(const ContourCells& cells, const MinimalEdge& e) {
+  std::int32_t cell = e.cells[3];
+  for (const int i : {2, 1, 0})
+    if (cells.size_of(e.cells[i]) < cells.size_of(cell)) cell = e.cells[i];
+  return cell;
+}
+
 bool has_all_edges(const ContourCells& cells, const CellFace& face) {
   return cells.is_complete(face.low) || cells.is_complete(face.high);
 }
@@ -59,10 +69,10 @@ enum class Joining { none, two, four };
 // face is small.
 template <class EdgeOf>
 Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& edge_of) {
-  const std::size_t n = face.crossings.size();
+  const std::int32_t n = face.count;
   if (n != 2 && n != 4) return Joining::none;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < i; ++j)
+  for (std::int32_t i = 0; i < n; ++i)
+    for (std::int32_t j = 0; j < i; ++j)
       if (on_one_side(edge_of(face.crossings[i]), edge_of(face.crossings[j]), face.axis))
         return Joining::none;
   if (n == 2) return Joining::two;
@@ -104,60 +114,69 @@ void ContourSurface::find_loops(CrossedGrid grid) {
   find_crossings(grid.edges);
   find_segments();
   join_loops();
+  list_loops();
 }
 
 void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   crossings_.assign(edges.size(), {});
-  for (std::size_t k = 0; k < edges.size(); ++k) crossings_[k].edge = edges[k];
-  if (!options_.remember) {
-    parallel_for(
-        crossings_.size(), options_.threads,
-        [&](std::size_t k) { find_crossing_of(crossings_[k]); }, 64);
-    return;
-  }
-  std::vector<std::int32_t> ids(edges.size());
-  std::vector<std::uint8_t> is_new(edges.size());
+  std::vector<std::int32_t> ids(options_.remember ? edges.size() : 0), fresh;
+  fresh.reserve(edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const auto [id, fresh] =
-        known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
-    ids[k] = id;
-    is_new[k] = fresh;
-    if (fresh) found_.emplace_back();
+    Crossing& c = crossings_[k];
+    c.edge = edges[k];
+    bool is_new = true;
+    if (options_.remember) {
+      std::tie(ids[k], is_new) =
+          known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
+      if (is_new) {
+        found_.emplace_back();
+      } else {
+        const Found& found = at(found_, ids[k]);
+        c.position = found.position;
+        c.normal = found.normal;
+        c.at = found.at;
+      }
+    }
+    if (is_new) fresh.push_back(static_cast<std::int32_t>(k));
   }
+  const Groups groups(fresh, cells_.lists(), [&](std::int32_t k) {
+    return cells_.list_of(smallest_cell(cells_, at(crossings_, k).edge));
+  });
   parallel_for(
-      crossings_.size(), options_.threads,
-      [&](std::size_t k) {
-        Crossing& c = crossings_[k];
-        Found& found = found_[static_cast<std::size_t>(ids[k])];
-        if (!is_new[k]) {
-          c.position = found.position;
-          c.at = found.at;
-          return;
-        }
-        find_crossing_of(c);
-        found = {c.position, c.at};
-      },
-      64);
+      groups.size(), options_.threads, [&](std::size_t g) { find_crossings_of(groups[g]); }, 32);
+  if (!options_.remember) return;
+  for (const std::int32_t k : fresh) {
+    const Crossing& c = at(crossings_, k);
+    found_[static_cast<std::size_t>(ids[static_cast<std::size_t>(k)])] = {c.position, c.normal,
+                                                                          c.at};
+  }
 }
 
-void ContourSurface::find_crossing_of(Crossing& c) const {
-  std::int32_t cell = c.edge.cells[0];
-  for (const std::int32_t other : c.edge.cells)
-    if (cells_.size_of(other) < cells_.size_of(cell)) cell = other;
-  const Vec3 low = low_end(cells_.lattice(), c.edge), high = high_end(cells_.lattice(), c.edge);
-  const Probe p = probe(cell);
-  auto [f, g] = cells_.offsets(c.edge);
-  if (std::isinf(f)) f = p.offset(low);
-  if (std::isinf(g)) g = p.offset(high);
-  // Tiles know rounded offsets or none: the result may not depend on which.
-  f = static_cast<float>(f);
-  g = static_cast<float>(g);
-  const FoundCrossing x = c.edge.low_inside ? find_crossing(p, {low, f}, {high, g})
-                                            : find_crossing(p, {high, g}, {low, f});
-  c.at = x.at;
-  c.position = low;
-  mrsim::component(c.position, c.edge.axis) =
-      mrsim::component(snap_inside(x.position, {low, high}), c.edge.axis);
+// Crossings with the same candidates.
+void ContourSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
+  static thread_local std::vector<CrossingSearch> searches;
+  searches.clear();
+  const Probe p = probe(smallest_cell(cells_, at(crossings_, crossings[0]).edge));
+  for (const std::int32_t k : crossings) {
+    const MinimalEdge& edge = at(crossings_, k).edge;
+    auto [f, g] = cells_.offsets(edge);
+    const Vec3 low = low_end(cells_.lattice(), edge), high = high_end(cells_.lattice(), edge);
+    if (std::isinf(f)) f = p.offset(low);
+    if (std::isinf(g)) g = p.offset(high);
+    // Tiles know rounded offsets or none: the result may not depend on which.
+    const SegmentEnd from{low, static_cast<float>(f)}, to{high, static_cast<float>(g)};
+    searches.emplace_back(edge.low_inside ? from : to, edge.low_inside ? to : from);
+  }
+  run_together(p, std::span(searches));
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    Crossing& c = crossings_[static_cast<std::size_t>(crossings[i])];
+    const Vec3 low = low_end(cells_.lattice(), c.edge), high = high_end(cells_.lattice(), c.edge);
+    c.at = searches[i].at();
+    c.normal = searches[i].normal();
+    c.position = low;
+    mrsim::component(c.position, c.edge.axis) =
+        mrsim::component(snap_inside(searches[i].point(), {low, high}), c.edge.axis);
+  }
 }
 
 std::int32_t ContourSurface::face_cell(const CellFace& face) const {
@@ -250,8 +269,8 @@ void ContourSurface::join_loops() {
   }
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
-  std::vector<std::int32_t> loop_of_root(parent.size(), -1);
   crowded_.clear();
+  std::vector<std::int32_t> loop_of_root(parent.size(), -1);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
       const std::int32_t root = find(parent, static_cast<std::int32_t>(4 * k) + i);
@@ -265,18 +284,50 @@ void ContourSurface::join_loops() {
           crowded_.push_back(loops_.back().cell);
       }
       crossings_[k].loops[i] = id;
-      Loop& loop = loops_[static_cast<std::size_t>(id)];
-      if (loop.crossings.empty() || loop.crossings.back() != static_cast<std::int32_t>(k))
-        loop.crossings.push_back(static_cast<std::int32_t>(k));
     }
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    const CellFace& face = at(faces_, segments_[s].face);
-    for (const std::int32_t cell : {face.low, face.high}) {
-      const std::int32_t root = find(parent, slot(segments_[s].from, cell));
-      loops_[static_cast<std::size_t>(at(loop_of_root, root))].segments.push_back(
-          static_cast<std::int32_t>(s));
-    }
+  for (Segment& s : segments_) {
+    const CellFace& face = at(faces_, s.face);
+    s.low = at(loop_of_root, find(parent, slot(s.from, face.low)));
+    s.high = at(loop_of_root, find(parent, slot(s.from, face.high)));
   }
+}
+
+// What each loop consists of, each in the order of all.
+void ContourSurface::list_loops() {
+  const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
+  const auto is_first = [](const Crossing& c, int i) {
+    for (int j = 0; j < i; ++j)
+      if (c.loops[j] == c.loops[i]) return false;
+    return true;
+  };
+  for (const Crossing& c : crossings_)
+    for (int i = 0; i < 4; ++i)
+      if (is_first(c, i)) ++loop(c.loops[i]).crossings;
+  for (const Segment& s : segments_) {
+    ++loop(s.low).segments;
+    ++loop(s.high).segments;
+  }
+  std::uint32_t crossings = 0, segments = 0;
+  for (Loop& l : loops_) {
+    l.first_crossing = crossings;
+    l.first_segment = segments;
+    crossings += l.crossings;
+    segments += l.segments;
+    l.crossings = l.segments = 0;
+  }
+  loop_crossings_.resize(crossings);
+  loop_segments_.resize(segments);
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+    for (int i = 0; i < 4; ++i)
+      if (is_first(crossings_[k], i)) {
+        Loop& l = loop(crossings_[k].loops[i]);
+        loop_crossings_[l.first_crossing + l.crossings++] = static_cast<std::int32_t>(k);
+      }
+  for (std::size_t k = 0; k < segments_.size(); ++k)
+    for (const std::int32_t i : {segments_[k].low, segments_[k].high}) {
+      Loop& l = loop(i);
+      loop_segments_[l.first_segment + l.segments++] = static_cast<std::int32_t>(k);
+    }
 }
 
 }  // namespace mrsim::detail

@@ -272,7 +272,7 @@ std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) c
                                 static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
       const auto [index, is_new] = ids.insert(key, static_cast<std::int32_t>(out.size()));
       if (is_new) out.push_back(face);
-      out[static_cast<std::size_t>(index)].crossings.push_back(static_cast<std::int32_t>(k));
+      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k));
     }
   return out;
 }

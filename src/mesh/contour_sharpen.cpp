@@ -30,9 +30,10 @@ void ContourSurface::sharpen(const ContourOctree& tree) {
     moved[v] = 1;
     any = true;
   };
-  for (std::size_t k = 0; k < loops_.size(); ++k) move(k, loops_[k].outside);
-  for (const Segment& s : segments_)
-    if (s.is_explicit) move(static_cast<std::size_t>(s.vertex), s.outside);
+  for (std::size_t k = 0; k < outside_.size(); ++k) move(k, outside_[k]);
+  for (const Crease& c : creases_)
+    if (const std::int32_t v = segments_[static_cast<std::size_t>(c.segment)].vertex; v >= 0)
+      move(static_cast<std::size_t>(v), c.outside);
   std::vector<char> chosen(mesh_.triangles.size());  // triangles that the last round has changed
   for (std::uint32_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh_.triangles[t]) chosen[t] |= moved[v];

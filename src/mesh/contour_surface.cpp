@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "mesh/contour_groups.h"
 #include "mesh/contour_hash.h"
 #include "mesh/exact_predicates.h"
 
@@ -25,6 +26,10 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
   return false;
 }
 
+bool is_on(const SurfacePoint& p, const SurfacePoint& crease) {
+  return has_face(p, crease.faces[0]) && has_face(p, crease.faces[1]);
+}
+
 void add(PlaceHash& hash, const Crossing& c) {
   hash.add(c.position);
   hash.add(c.at);
@@ -34,7 +39,7 @@ void add(PlaceHash& hash, const Crossing& c) {
 
 const BaseMesh& ContourSurface::make_triangles() {
   mesh_ = {};
-  place_creases();
+  find_creases();
   place_loops();
   mesh_.vertices.reserve(2 * loops_.size());
   mesh_.triangles.reserve(4 * loops_.size());
@@ -46,68 +51,89 @@ const BaseMesh& ContourSurface::make_triangles() {
   return mesh_;
 }
 
-void ContourSurface::place_creases() {
-  std::vector<std::uint64_t> fresh(segments_.size(), 0);  // keys of what is not known yet
+// Segments between faces of the part that meet in a crease, and where it passes the faces of the
+// cells.
+void ContourSurface::find_creases() {
+  std::vector<std::uint8_t> found(segments_.size());
   parallel_for(
       segments_.size(), options_.threads,
+      [&](std::size_t k) { found[k] = is_crease(segments_[k]); }, 256);
+  creases_.clear();
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    segments_[k].crease = found[k] ? static_cast<std::int32_t>(creases_.size()) : -1;
+    if (found[k]) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
+  }
+  std::vector<std::uint64_t> fresh(creases_.size(), 0);  // keys of what is not known yet
+  parallel_for(
+      creases_.size(), options_.threads,
       [&](std::size_t k) {
-        Segment& s = segments_[k];
-        const CellFace& face = at(faces_, s.face);
-        if (same_face(at(crossings_, s.from).at, at(crossings_, s.to).at) ||
-            (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)))
-          return;
-        const std::uint64_t key = options_.remember ? key_of(s) : 0;
+        Crease& crease = creases_[k];
+        const std::uint64_t key = options_.remember ? key_of(at(segments_, crease.segment)) : 0;
         if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
-          s.point = known->point;
-          s.outside = known->outside;
-          s.is_crease = known->is_crease;
+          crease.point = known->point;
+          crease.outside = known->outside;
           return;
         }
-        place_crease(s);
+        place_crease(crease);
         fresh[k] = key;
       },
-      64);
+      16);
   for (std::size_t k = 0; k < fresh.size(); ++k)
-    if (fresh[k])
-      placed_creases_.add(fresh[k],
-                          {segments_[k].point, segments_[k].outside, segments_[k].is_crease});
+    if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
 }
 
-// Where the faces of the part at a segment's ends meet in a crease, find where it passes the face
-// of the cell.
-void ContourSurface::place_crease(Segment& s) const {
+bool ContourSurface::is_crease(const Segment& s) const {
+  const CellFace& face = at(faces_, s.face);
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-  const Vec3 middle = 0.5 * (a.position + b.position);
+  if (same_face(a.at, b.at) || (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)))
+    return false;
+  const Box3 box = face_box(face);
+  const double size = length(box.hi - box.lo);
+  const Probe p = probe(face_cell(face));
+  return !is_nearly_flat(p, {a.position, a.normal}, {b.position, b.normal}, size) &&
+         !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
+}
+
+void ContourSurface::place_crease(Crease& crease) const {
+  const Segment& s = at(segments_, crease.segment);
+  const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
   const Probe p = probe(face_cell(face));
-  if (join_smoothly(p, middle, a.at, b.at, length(box.hi - box.lo))) return;
-  s.is_crease = true;
-  s.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
+  crease.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
   const FieldSample ends[2] = {a.at, b.at};
-  if (options_.sharpen && s.point.count == 0)
-    s.outside = crease_near(p, box, face.axis, middle, ends);
+  if (options_.sharpen && crease.point.count == 0)
+    crease.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
 }
 
 void ContourSurface::place_loops() {
-  std::vector<std::uint64_t> fresh(loops_.size(), 0);
+  std::vector<std::uint64_t> keys(options_.remember ? loops_.size() : 0);
+  std::vector<std::int32_t> fresh;
+  fresh.reserve(loops_.size());
+  outside_.assign(options_.sharpen ? loops_.size() : 0, {});
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    Loop& loop = loops_[k];
+    loop.point = {};
+    if (!cells_.is_complete(loop.cell)) continue;
+    if (options_.remember) {
+      keys[k] = key_of(loop);
+      if (const PlacedPoints::Place* known = placed_loops_.find(keys[k])) {
+        loop.point = known->point;
+        if (options_.sharpen) outside_[k] = known->outside;
+        continue;
+      }
+    }
+    fresh.push_back(static_cast<std::int32_t>(k));
+  }
+  const Groups groups(fresh, cells_.lists(),
+                      [&](std::int32_t k) { return cells_.list_of(at(loops_, k).cell); });
   parallel_for(
-      loops_.size(), options_.threads,
-      [&](std::size_t k) {
-        Loop& loop = loops_[k];
-        if (!cells_.is_complete(loop.cell)) return;
-        const std::uint64_t key = options_.remember ? key_of(loop) : 0;
-        if (const PlacedPoints::Place* known = key ? placed_loops_.find(key) : nullptr) {
-          loop.point = known->point;
-          loop.outside = known->outside;
-          return;
-        }
-        place_loop(loop);
-        fresh[k] = key;
-      },
-      32);
-  for (std::size_t k = 0; k < fresh.size(); ++k)
-    if (fresh[k]) placed_loops_.add(fresh[k], {loops_[k].point, loops_[k].outside});
+      groups.size(), options_.threads, [&](std::size_t g) { place_loops_of(groups[g]); }, 16);
+  if (!options_.remember) return;
+  for (const std::int32_t k : fresh) {
+    const auto i = static_cast<std::size_t>(k);
+    placed_loops_.add(keys[i], {loops_[i].point, options_.sharpen ? outside_[i] : SurfacePoint{}});
+  }
 }
 
 // Cells and their candidates stay as long as the tree: the rest is told by the crossings.
@@ -122,43 +148,80 @@ std::uint64_t ContourSurface::key_of(const Segment& s) const {
 
 std::uint64_t ContourSurface::key_of(const Loop& loop) const {
   PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
-  for (const std::int32_t k : loop.crossings) add(hash, at(crossings_, k));
-  for (const std::int32_t k : loop.segments) {
-    const Segment& s = at(segments_, k);
-    hash.add(static_cast<std::uint64_t>(s.is_crease) << 8 | static_cast<unsigned>(s.point.count));
-    if (s.is_crease && s.point.count > 0) hash.add(s.point.position);
+  for (const std::int32_t k : crossings_of(loop)) add(hash, at(crossings_, k));
+  for (const std::int32_t k : segments_of(loop)) {
+    const std::int32_t c = at(segments_, k).crease;
+    const SurfacePoint* point = c >= 0 ? &at(creases_, c).point : nullptr;
+    hash.add(point ? 1u << 8 | static_cast<unsigned>(point->count) : 0u);
+    if (point && point->count > 0) hash.add(point->position);
   }
   return hash.value();
 }
 
-void ContourSurface::place_loop(Loop& loop) const {
+// Neighbouring crossings lie on one face of the part or on faces that join smoothly.
+bool ContourSurface::is_smooth(const Loop& loop) const {
+  for (const std::int32_t k : segments_of(loop))
+    if (at(segments_, k).crease >= 0) return false;
+  return true;
+}
+
+Vec3 ContourSurface::mean_crossing(const Loop& loop) const {
+  Vec3 sum;
+  for (const std::int32_t k : crossings_of(loop)) sum += at(crossings_, k).position;
+  return (1.0 / static_cast<double>(loop.crossings)) * sum;
+}
+
+// Loops of cells with the same candidates.
+void ContourSurface::place_loops_of(std::span<const std::int32_t> loops) {
+  static thread_local std::vector<SmoothSearch> searches;
+  static thread_local std::vector<std::int32_t> searched;
+  searches.clear();
+  searched.clear();
+  for (const std::int32_t k : loops) {
+    const Loop& loop = at(loops_, k);
+    const std::span<const std::int32_t> crossings = crossings_of(loop);
+    const FieldSample& first = at(crossings_, crossings[0]).at;
+    const bool one_face = std::all_of(crossings.begin(), crossings.end(), [&](std::int32_t c) {
+      return same_face(at(crossings_, c).at, first);
+    });
+    if (!one_face && !is_smooth(loop)) continue;
+    searches.emplace_back(field_, cells_.box(loop.cell), mean_crossing(loop),
+                          one_face ? &first : nullptr);
+    searched.push_back(k);
+  }
+  run_together(probe(at(loops_, loops[0]).cell), std::span(searches));
+  for (std::size_t i = 0; i < searched.size(); ++i)
+    loops_[static_cast<std::size_t>(searched[i])].point = searches[i].result();
+  for (const std::int32_t k : loops) finish_loop(k);
+}
+
+void ContourSurface::finish_loop(std::int32_t id) {
   static thread_local std::vector<Vec3> crossings, creases;
   static thread_local std::vector<FieldSample> faces;
-  crossings.clear();
-  creases.clear();
-  faces.clear();
-  for (const std::int32_t k : loop.crossings) {
-    crossings.push_back(at(crossings_, k).position);
-    faces.push_back(at(crossings_, k).at);
-  }
-  bool is_smooth = true;
-  for (const std::int32_t k : loop.segments) {
-    const Segment& s = at(segments_, k);
-    is_smooth = is_smooth && !s.is_crease;
-    if (s.is_crease && s.point.count == 2) creases.push_back(s.point.position);
-  }
+  Loop& loop = loops_[static_cast<std::size_t>(id)];
   const Box3 box = cells_.box(loop.cell);
-  const Probe p = probe(loop.cell);
-  loop.point = point_in_cell(p, box, {crossings, faces, creases, is_smooth});
-  if (options_.sharpen && loop.point.count < 2 && creases.empty()) {
-    Vec3 mean;
-    for (const Vec3& x : crossings) mean += (1.0 / static_cast<double>(crossings.size())) * x;
-    loop.outside = crease_near(p, box, -1, mean, faces);
-  }
-  if (loop.point.count == 0) {
-    std::vector<Vec3> ends;
-    for (const std::int32_t k : loop.crossings) add_ends(at(crossings_, k), ends);
-    loop.point = point_towards_middle(p, box, ends);
+  if (loop.point.count == 0 || options_.sharpen) {
+    crossings.clear();
+    creases.clear();
+    faces.clear();
+    for (const std::int32_t k : crossings_of(loop)) {
+      crossings.push_back(at(crossings_, k).position);
+      faces.push_back(at(crossings_, k).at);
+    }
+    for (const std::int32_t k : segments_of(loop)) {
+      const std::int32_t c = at(segments_, k).crease;
+      if (c >= 0 && at(creases_, c).point.count == 2)
+        creases.push_back(at(creases_, c).point.position);
+    }
+    const Probe p = probe(loop.cell);
+    if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
+    if (options_.sharpen && loop.point.count < 2 && creases.empty())
+      outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);
+    if (loop.point.count == 0) {
+      std::vector<Vec3> ends;
+      for (const std::int32_t k : crossings_of(loop)) add_ends(at(crossings_, k), ends);
+      loop.point = point_towards_middle(p, box, ends);
+    }
   }
   if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
   loop.point.position = snap_inside(loop.point.position, box);
@@ -169,28 +232,18 @@ void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
   out.push_back(high_end(cells_.lattice(), c.edge));
 }
 
-const Loop& ContourSurface::loop_of(std::int32_t crossing, std::int32_t cell) const {
-  const Crossing& c = at(crossings_, crossing);
-  for (int i = 0; i < 4; ++i)
-    if (c.cell(i) == cell) return at(loops_, c.loops[i]);
-  MRSIM_ASSERT(false);
-  return loops_.front();
-}
-
-bool ContourSurface::vertex_on_crease(const Loop& loop, const Segment& s) const {
-  return has_face(loop.point, s.point.faces[0]) && has_face(loop.point, s.point.faces[1]);
-}
-
 // A segment needs no vertex of its own where the line between the vertices on both sides passes
 // through the face, and no crease is cut short.
 bool ContourSurface::may_be_implicit(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
-  if (face.crossings.size() != 2 || loops_in_cell_[static_cast<std::size_t>(face.low)] > 1 ||
+  if (face.count != 2 || loops_in_cell_[static_cast<std::size_t>(face.low)] > 1 ||
       loops_in_cell_[static_cast<std::size_t>(face.high)] > 1)
     return false;
-  const Loop &low = loop_of(s.from, face.low), &high = loop_of(s.from, face.high);
-  if (s.is_crease && s.point.count == 2 && !(vertex_on_crease(low, s) && vertex_on_crease(high, s)))
-    return false;
+  const Loop &low = at(loops_, s.low), &high = at(loops_, s.high);
+  if (s.crease >= 0) {
+    const SurfacePoint& crease = at(creases_, s.crease).point;
+    if (crease.count == 2 && !(is_on(low.point, crease) && is_on(high.point, crease))) return false;
+  }
   const Box3 box = face_box(face);
   const Vec3 &p = low.point.position, &q = high.point.position;
   const double plane = mrsim::component(box.lo, face.axis);
@@ -207,34 +260,47 @@ bool ContourSurface::may_be_implicit(const Segment& s) const {
 }
 
 void ContourSurface::choose_explicit() {
+  std::vector<std::uint8_t> chosen(segments_.size());
   parallel_for(
       segments_.size(), options_.threads,
       [&](std::size_t k) {
-        Segment& s = segments_[k];
-        const CellFace& face = at(faces_, s.face);
-        s.is_explicit =
-            cells_.is_complete(face.low) && cells_.is_complete(face.high) && !may_be_implicit(s);
-        if (!s.is_explicit) return;
-        const Box3 box = face_box(face);
-        const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-        if (s.point.count == 0 && face.crossings.size() == 2) {
-          const Probe p = probe(face_cell(face));
-          s.point =
-              point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
-          std::vector<Vec3> ends;
-          add_ends(a, ends);
-          if (s.point.count == 0) s.point = point_towards_middle(p, box, ends);
-        }
-        if (face.crossings.size() == 4) s.point = point_between(face, box, a, b);
-        s.point.position = snap_inside(s.point.position, box, face.axis);
+        const CellFace& face = at(faces_, segments_[k].face);
+        chosen[k] = cells_.is_complete(face.low) && cells_.is_complete(face.high) &&
+                    !may_be_implicit(segments_[k]);
       },
-      64);
-  for (Segment& s : segments_)
-    if (s.is_explicit) {
-      if (s.point.count == 0) throw Error("mesh-unresolved", "no vertex in a face of the mesh");
-      s.vertex = static_cast<std::int32_t>(mesh_.vertices.size());
-      mesh_.vertices.push_back(s.point.position);
+      256);
+  std::vector<std::int32_t> ids;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    segments_[k].vertex = -1;
+    if (chosen[k]) {
+      segments_[k].vertex = static_cast<std::int32_t>(mesh_.vertices.size() + ids.size());
+      ids.push_back(static_cast<std::int32_t>(k));
     }
+  }
+  const std::size_t first = mesh_.vertices.size();
+  mesh_.vertices.resize(first + ids.size());
+  parallel_for(
+      ids.size(), options_.threads,
+      [&](std::size_t i) { mesh_.vertices[first + i] = explicit_vertex(at(segments_, ids[i])); },
+      16);
+}
+
+Vec3 ContourSurface::explicit_vertex(const Segment& s) const {
+  const CellFace& face = at(faces_, s.face);
+  const Box3 box = face_box(face);
+  const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
+  SurfacePoint point;
+  if (s.crease >= 0) point = at(creases_, s.crease).point;
+  if (point.count == 0 && face.count == 2) {
+    const Probe p = probe(face_cell(face));
+    point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
+    std::vector<Vec3> ends;
+    add_ends(a, ends);
+    if (point.count == 0) point = point_towards_middle(p, box, ends);
+  }
+  if (face.count == 4) point = point_between(face, box, a, b);
+  if (point.count == 0) throw Error("mesh-unresolved", "no vertex in a face of the mesh");
+  return snap_inside(point.position, box, face.axis);
 }
 
 // In a face with two segments: between the corner that the segment cuts off and the face's centre,
@@ -303,7 +369,7 @@ void ContourSurface::add_polygon(std::int32_t id) {
     const auto loop = static_cast<std::uint32_t>(c.loops[i]);
     if (ring.empty() || ring.back() != loop) ring.push_back(loop);
     const std::int32_t s = up ? c.segments[i] : c.segments[(i + 3) & 3];
-    if (s >= 0 && at(segments_, s).is_explicit) {
+    if (s >= 0 && at(segments_, s).vertex >= 0) {
       ring.push_back(static_cast<std::uint32_t>(at(segments_, s).vertex));
       plain = false;
     }

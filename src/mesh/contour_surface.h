@@ -16,7 +16,7 @@ namespace mrsim::detail {
 /// both).
 struct Crossing {
   MinimalEdge edge;
-  Vec3 position;
+  Vec3 position, normal;
   FieldSample at;
   std::int32_t segments[4] = {-1, -1, -1, -1};
   std::int32_t loops[4] = {-1, -1, -1, -1};
@@ -27,20 +27,24 @@ struct Crossing {
 /// The curve of the surface in a face, from one crossing to another.
 struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
-  bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
-  SurfacePoint point;        ///< where the crease passes; later also smooth points
-  SurfacePoint outside;      ///< the crease beyond the face, where it does not pass inside
-  bool is_explicit = false;  ///< the point is a vertex of the mesh
-  std::int32_t vertex = -1;
+  std::int32_t low = -1, high = -1;  ///< loops of the cells on both sides of the face
+  std::int32_t crease = -1;          ///< its ends lie on faces of the part that meet in a crease
+  std::int32_t vertex = -1;          ///< its own one, -1 where the mesh needs none
+};
+
+/// Where a crease passes a face of a cell.
+struct Crease {
+  std::int32_t segment = -1;
+  SurfacePoint point;
+  SurfacePoint outside;  ///< the crease beyond the face, where it does not pass inside
 };
 
 /// A closed run of segments about a cell: one piece of surface in it, with one vertex.
 struct Loop {
   std::int32_t cell = -1;
-  SmallList<8> crossings;
-  SmallList<8> segments;
+  std::uint32_t first_crossing = 0, crossings = 0;  ///< in the lists of the surface
+  std::uint32_t first_segment = 0, segments = 0;
   SurfacePoint point;
-  SurfacePoint outside;  ///< a crease beyond the cell, where none passes inside
 };
 
 struct BaseMesh {
@@ -71,7 +75,6 @@ class PlacedPoints {
  public:
   struct Place {
     SurfacePoint point, outside;
-    bool is_crease = false;
   };
   const Place* find(std::uint64_t key) const {
     const std::int32_t i = ids_.find(key);
@@ -112,19 +115,19 @@ class ContourSurface {
   const BaseMesh& mesh() const { return mesh_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   const std::vector<Loop>& loops() const { return loops_; }
-  const std::vector<Segment>& segments() const { return segments_; }
 
  private:
   struct Found {
-    Vec3 position;
+    Vec3 position, normal;
     FieldSample at;
   };
 
   void find_crossings(const std::vector<MinimalEdge>& edges);
-  void find_crossing_of(Crossing& c) const;
+  void find_crossings_of(std::span<const std::int32_t> crossings);
   void find_segments();
   void pair_four(std::int32_t face);
   void join_loops();
+  void list_loops();
   void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
@@ -132,22 +135,31 @@ class ContourSurface {
   Box3 face_box(const CellFace& face) const;
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
-  void place_creases();
-  void place_crease(Segment& s) const;
+  void find_creases();
+  bool is_crease(const Segment& s) const;
+  void place_crease(Crease& crease) const;
   void place_loops();
-  void place_loop(Loop& loop) const;
+  void place_loops_of(std::span<const std::int32_t> loops);
+  bool is_smooth(const Loop& loop) const;
+  Vec3 mean_crossing(const Loop& loop) const;
+  void finish_loop(std::int32_t loop);
+  std::span<const std::int32_t> crossings_of(const Loop& loop) const {
+    return {loop_crossings_.data() + loop.first_crossing, loop.crossings};
+  }
+  std::span<const std::int32_t> segments_of(const Loop& loop) const {
+    return {loop_segments_.data() + loop.first_segment, loop.segments};
+  }
   std::uint64_t key_of(const Segment& s) const;
   std::uint64_t key_of(const Loop& loop) const;
   void add_ends(const Crossing& c, std::vector<Vec3>& out) const;
   void choose_explicit();
   bool may_be_implicit(const Segment& s) const;
-  bool vertex_on_crease(const Loop& loop, const Segment& s) const;
+  Vec3 explicit_vertex(const Segment& s) const;
   SurfacePoint point_between(const CellFace& face, const Box3& box, const Crossing& a,
                              const Crossing& b) const;
   void add_polygon(std::int32_t crossing);
   bool add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring, std::int32_t id);
   void add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  const Loop& loop_of(std::int32_t crossing, std::int32_t cell) const;
 
   const ExactField& field_;
   const ContourCells& cells_;
@@ -155,7 +167,10 @@ class ContourSurface {
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;
   std::vector<Segment> segments_;
+  std::vector<Crease> creases_;
   std::vector<Loop> loops_;
+  std::vector<std::int32_t> loop_crossings_, loop_segments_;
+  std::vector<SurfacePoint> outside_;  ///< by loop, to sharpen: a crease beyond the cell
   std::vector<std::uint8_t> loops_in_cell_;
   std::vector<std::int32_t> crowded_;
   FlatMap known_;             ///< crossings of former rounds, by edge

@@ -13,7 +13,7 @@ constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even ru
 }  // namespace
 
 ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
-    : ContourCells(lattice), field_(field), offset_(kCount), lists_(kNodes * kNodes * kNodes) {
+    : ContourCells(lattice), field_(field), offset_(kCount), list_of_(kNodes * kNodes * kNodes) {
   for (int a = 0; a < 3; ++a) {
     planes_[a].resize(kCells + 1);
     face_of_[a].assign(kCount, -1);
@@ -27,7 +27,8 @@ void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t
       planes_[a][static_cast<std::size_t>(i)] =
           lattice().coordinate(a, (component(first, a) + i) * lattice().per_voxel());
   ids_.clear();
-  std::fill(lists_.begin(), lists_.end(), List{});
+  lists_.assign(1, {});
+  std::fill(list_of_.begin(), list_of_.end(), 0);
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
   visit({0, 0, 0}, kCells, 1);
@@ -46,9 +47,9 @@ void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size
       descent_->enter(level, inflated(node_box(origin, size), kQuantum), kSurfaceBand);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
-  if (size == kNode) {
+  if (size == kNode || (size == 2 * kNode && descent_->is_short(level))) {
     descent_->candidates(level, list_);
-    return sample_node(origin, list_);
+    return sample_node(origin, size, list_);
   }
   const std::int32_t half = size / 2;
   for (int k = 0; k < 8; ++k)
@@ -65,25 +66,29 @@ void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool insid
     }
 }
 
-void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
-  List& own = lists_[static_cast<std::size_t>(
-      node_id(origin.x / kNode, origin.y / kNode, origin.z / kNode))];
-  own = {static_cast<std::uint32_t>(ids_.size()),
-         static_cast<std::uint32_t>(ids_.size() + list.size()), true};
+void ContourTile::sample_node(const LatticePoint& origin, std::int32_t size,
+                              std::span<const std::uint32_t> list) {
+  for (std::int32_t x = origin.x; x < origin.x + size; x += kNode)
+    for (std::int32_t y = origin.y; y < origin.y + size; y += kNode)
+      for (std::int32_t z = origin.z; z < origin.z + size; z += kNode)
+        list_of_[static_cast<std::size_t>(node_id(x / kNode, y / kNode, z / kNode))] =
+            static_cast<std::int32_t>(lists_.size());
+  lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
+                    static_cast<std::uint32_t>(ids_.size() + list.size())});
   ids_.insert(ids_.end(), list.begin(), list.end());
   points_.clear();
-  for (std::int32_t x = origin.x; x < origin.x + kNode; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + kNode; ++y)
-      for (std::int32_t z = origin.z; z < origin.z + kNode; ++z)
+  for (std::int32_t x = origin.x; x < origin.x + size; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + size; ++y)
+      for (std::int32_t z = origin.z; z < origin.z + size; ++z)
         points_.push_back({planes_[0][static_cast<std::size_t>(x)],
                            planes_[1][static_cast<std::size_t>(y)],
                            planes_[2][static_cast<std::size_t>(z)]});
   distance_.resize(points_.size());
   field_.distances(points_, list, distance_.data());
   const double* d = distance_.data();
-  for (std::int32_t x = origin.x; x < origin.x + kNode; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + kNode; ++y)
-      for (std::int32_t z = 0; z < kNode; ++z)
+  for (std::int32_t x = origin.x; x < origin.x + size; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + size; ++y)
+      for (std::int32_t z = 0; z < size; ++z)
         offset_[static_cast<std::size_t>(id(x, y, origin.z + z))] =
             static_cast<float>(*d++ + kInsideTolerance);
 }
@@ -97,8 +102,13 @@ Box3 ContourTile::box(std::int32_t cell) const {
 }
 
 std::span<const std::uint32_t> ContourTile::candidates(std::int32_t cell) const {
-  const List& list = list_of(place(cell));
+  const List& list = lists_[static_cast<std::size_t>(list_of(cell))];
   return {ids_.data() + list.begin, list.end - list.begin};
+}
+
+std::int32_t ContourTile::list_of(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  return list_of_[static_cast<std::size_t>(node_id(p.x / kNode, p.y / kNode, p.z / kNode))];
 }
 
 bool ContourTile::is_complete(std::int32_t cell) const {
@@ -138,7 +148,7 @@ void ContourTile::for_each_corner(Body body) const {
     for (std::int32_t ny = 0; ny < kNodes; ++ny) {
       std::int32_t mixed[kNodes], count = 0;
       for (std::int32_t nz = 0; nz < kNodes; ++nz)
-        if (lists_[static_cast<std::size_t>(node_id(x / kNode, ny, nz))].mixed) mixed[count++] = nz;
+        if (list_of_[static_cast<std::size_t>(node_id(x / kNode, ny, nz))] > 0) mixed[count++] = nz;
       if (count == 0) continue;
       for (std::int32_t y = ny * kNode; y < (ny + 1) * kNode; ++y)
         for (std::int32_t k = 0; k < count; ++k)
@@ -203,7 +213,7 @@ std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) con
         known = static_cast<std::int32_t>(out.size());
         out.push_back(face);
       }
-      out[static_cast<std::size_t>(known)].crossings.push_back(static_cast<std::int32_t>(k));
+      out[static_cast<std::size_t>(known)].add(static_cast<std::int32_t>(k));
     }
   for (const CellFace& face : out) face_of_[face.axis][static_cast<std::size_t>(face.high)] = -1;
   return out;

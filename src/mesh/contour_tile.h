@@ -29,6 +29,8 @@ class ContourTile final : public ContourCells {
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
   Box3 box(std::int32_t cell) const override;
   std::span<const std::uint32_t> candidates(std::int32_t cell) const override;
+  std::int32_t list_of(std::int32_t cell) const override;
+  std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
   std::vector<MinimalEdge> crossing_edges() const override;
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
@@ -39,14 +41,14 @@ class ContourTile final : public ContourCells {
   std::vector<MinimalEdge> doubtful_edges() const;
 
  private:
-  static constexpr std::int32_t kNode = 2;  ///< cells on a side that share a list of candidates
+  static constexpr std::int32_t kNode = 2;  ///< cells on a side that share a list of candidates;
+                                            ///< twice as many where that is short
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
 
   struct List {
     std::uint32_t begin = 0, end = 0;
-    bool mixed = false;
   };
   static std::int32_t id(std::int32_t x, std::int32_t y, std::int32_t z) {
     return (x * kCells + y) * kCells + z;
@@ -57,15 +59,11 @@ class ContourTile final : public ContourCells {
   static LatticePoint place(std::int32_t id) {
     return {id / (kCells * kCells), id / kCells % kCells, id % kCells};
   }
-  const List& list_of(const LatticePoint& cell) const {
-    return lists_[static_cast<std::size_t>(
-        node_id(cell.x / kNode, cell.y / kNode, cell.z / kNode))];
-  }
-
   void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
-  void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
+  void sample_node(const LatticePoint& origin, std::int32_t size,
+                   std::span<const std::uint32_t> list);
   template <class Body>
   void for_each_corner(Body body) const;
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
@@ -75,7 +73,8 @@ class ContourTile final : public ContourCells {
   LatticePoint first_;
   std::vector<double> planes_[3];  ///< coordinates of the planes, mm
   std::vector<float> offset_;      ///< d + kInsideTolerance at corners, infinite where not sampled
-  std::vector<List> lists_;        ///< by node
+  std::vector<std::int32_t> list_of_;  ///< by node, 0 (empty) where the surface does not pass
+  std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
   std::unique_ptr<ExactField::Descent> descent_;
   Candidates list_;

@@ -13,6 +13,7 @@ constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kMargin = 1e-6;          ///< share of a cell that its vertex keeps from its sides
 constexpr double kCrossing = 1e-10;       ///< mm: what crossings are found to
 constexpr int kNewtonSteps = 24;
+constexpr int kCrossingSteps = 80, kFaceSteps = 4;
 
 bool strictly_inside(const Vec3& p, const Box3& room, int flat, double margin) {
   for (int a = 0; a < 3; ++a) {
@@ -111,27 +112,6 @@ SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const V
   return {};
 }
 
-// Follows whatever face decides d; creases are met only by chance.
-SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
-  SurfacePoint result;
-  Vec3 p = start;
-  FieldSample s = probe.sample(p);
-  for (int k = 0; k < kNewtonSteps && std::abs(s.distance) > 1e-9; ++k) {
-    double g = s.distance;
-    for (int i = 0; i < 3 && std::abs(g) > 1e-10; ++i) {
-      p = p - g * probe.field.gradient(p, s);
-      g = probe.field.patch_distance(p, s);
-    }
-    if (!in_reach(p, room)) return result;
-    s = probe.sample(p);
-  }
-  if (!strictly_inside(p, room, -1, kMargin) || std::abs(s.distance) > kOnSurface) return result;
-  result.position = p;
-  result.faces[0] = s;
-  result.count = 1;
-  return result;
-}
-
 // Moves p onto the surface, in the plane of the given axis (-1: freely).
 bool project(const Probe& probe, const Box3& room, int axis, Vec3& p) {
   for (int k = 0; k < 12; ++k) {
@@ -192,19 +172,35 @@ SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const Cel
   return {};
 }
 
-// Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance at
-// t.
-double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Vec3& from,
-                    const Vec3& along, double t) {
+// Sine of the angle below which a crease may be cut off by a cell: a chord of length s across a
+// crease of angle w leaves it by at most s w / 4.
+double smooth_angle(const Probe& probe, double size) {
+  return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
+}
+
+struct Line {
+  const Vec3 &from, &along;
+};
+// Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance and
+// `normal` at t.
+double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Line& line,
+                    Vec3 normal, double t) {
   for (int k = 0; k < 4; ++k) {
-    const Vec3 p = from + t * along;
+    const Vec3 p = line.from + t * line.along;
     if (k > 0) f = field.patch_distance(p, face) + kInsideTolerance;
     if (std::abs(f) < 0.2 * kCrossing) return t;
-    const double slope = dot(field.gradient(p, face), along);
+    if (k > 0) normal = field.gradient(p, face);
+    const double slope = dot(normal, line.along);
     if (!(slope > 0)) return t;
     t -= f / slope;
   }
   return t;
+}
+
+SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
+  SmoothSearch search(probe.field, room, start);
+  run_together(probe, std::span(&search, 1));
+  return search.result();
 }
 
 Vec3 mean_of(std::span<const Vec3> points) {
@@ -215,44 +211,97 @@ Vec3 mean_of(std::span<const Vec3> points) {
 
 }  // namespace
 
-FoundCrossing find_crossing(const Probe& probe, const SegmentEnd& inside,
-                            const SegmentEnd& outside) {
-  const Vec3 along = outside.position - inside.position;
-  const double size = length(along);
-  double a = 0, b = 1, fa = inside.offset, fb = outside.offset;
-  int side = 0;
-  FoundCrossing found;
-  double t = fb > fa ? -fa / (fb - fa) : 0.5;
-  for (int k = 0; k < 80; ++k) {
-    if (!(t > a && t < b)) t = 0.5 * (a + b);
-    found.position = inside.position + t * along;
-    found.at = probe.sample(found.position);
-    const double f = found.at.distance + kInsideTolerance;
-    if (std::abs(f) < kCrossing || (b - a) * size <= kCrossing) return found;
-    if (f < 0) {
-      a = t;
-      fa = f;
-      if (side < 0) fb *= 0.5;
-      side = -1;
-    } else {
-      b = t;
-      fb = f;
-      if (side > 0) fa *= 0.5;
-      side = 1;
-    }
-    // The zero of the face that decides here; then Illinois; plain halving when that is slow.
-    if (k < 4)
-      t = zero_on_line(probe.field, found.at, f, inside.position, along, t);
-    else
-      t = k < 24 && fb > fa ? a + (b - a) * (-fa / (fb - fa)) : 0.5 * (a + b);
+CrossingSearch::CrossingSearch(const SegmentEnd& inside, const SegmentEnd& outside)
+    : from_(inside.position),
+      along_(outside.position - inside.position),
+      size_(length(along_)),
+      fa_(inside.offset),
+      fb_(outside.offset),
+      t_(fb_ > fa_ ? -fa_ / (fb_ - fa_) : 0.5) {
+  if (!(t_ > a_ && t_ < b_)) t_ = 0.5;
+  point_ = from_ + t_ * along_;
+}
+
+bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
+  const double f = sample.distance + kInsideTolerance;
+  const bool has_normal = steps_ > 0 && steps_ <= kFaceSteps && same_face(sample, at_);
+  at_ = sample;
+  if (std::abs(f) < kCrossing || (b_ - a_) * size_ <= kCrossing || steps_ == kCrossingSteps) {
+    if (!has_normal) normal_ = field.gradient(point_, at_);
+    return true;
   }
-  return found;
+  if (f < 0) {
+    a_ = t_;
+    fa_ = f;
+    if (side_ < 0) fb_ *= 0.5;
+    side_ = -1;
+  } else {
+    b_ = t_;
+    fb_ = f;
+    if (side_ > 0) fa_ *= 0.5;
+    side_ = 1;
+  }
+  // The zero of the face that decides here; then Illinois; plain halving when that is slow.
+  if (steps_ < kFaceSteps) {
+    normal_ = field.gradient(point_, at_);
+    t_ = zero_on_line(field, at_, f, {from_, along_}, normal_, t_);
+  } else {
+    t_ = steps_ < 24 && fb_ > fa_ ? a_ + (b_ - a_) * (-fa_ / (fb_ - fa_)) : 0.5 * (a_ + b_);
+  }
+  if (!(t_ > a_ && t_ < b_)) t_ = 0.5 * (a_ + b_);
+  point_ = from_ + t_ * along_;
+  ++steps_;
+  return false;
 }
 
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
-  return find_crossing(probe, SegmentEnd{inside, probe.offset(inside)},
-                       SegmentEnd{outside, probe.offset(outside)})
-      .position;
+  CrossingSearch search({inside, probe.offset(inside)}, {outside, probe.offset(outside)});
+  run_together(probe, std::span(&search, 1));
+  return search.point();
+}
+
+SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,
+                           const FieldSample* face)
+    : room_(room), point_(start) {
+  if (face != nullptr) follow(field, *face, field.patch_distance(start, *face));
+}
+
+// Newton's iteration on one face, at distance d from it.
+void SmoothSearch::follow(const ExactField& field, const FieldSample& face, double d) {
+  for (int i = 0; i < 3 && std::abs(d) > 1e-10; ++i) {
+    point_ = point_ - d * field.gradient(point_, face);
+    d = field.patch_distance(point_, face);
+  }
+}
+
+bool SmoothSearch::take(const ExactField& field, const FieldSample& sample) {
+  at_ = sample;
+  if (std::abs(sample.distance) > 1e-9 && steps_ < kNewtonSteps) {
+    follow(field, sample, sample.distance);
+    ++steps_;
+    return !in_reach(point_, room_);
+  }
+  found_ = strictly_inside(point_, room_, -1, kMargin) && std::abs(at_.distance) <= kOnSurface;
+  return true;
+}
+
+SurfacePoint SmoothSearch::result() const {
+  SurfacePoint result;
+  if (!found_) return result;
+  result.position = point_;
+  result.faces[0] = at_;
+  result.count = 1;
+  return result;
+}
+
+bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceElement& b,
+                    double size) {
+  // Planes through the ends of a chord of length s, rising from it by h on the other end each, meet
+  // less than 2h / 4 from it.
+  const Vec3 chord = b.position - a.position;
+  return dot(a.normal, b.normal) > 0 &&
+         std::abs(dot(a.normal, chord)) + std::abs(dot(b.normal, chord)) <
+             length(chord) * smooth_angle(probe, size);
 }
 
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
@@ -260,8 +309,7 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
   if (same_face(a, b)) return true;
   const Vec3 n = probe.field.gradient(p, a), m = probe.field.gradient(p, b);
   const Vec3 c = cross(n, m);
-  // A chord of length s across a crease of angle w leaves it by at most s w / 4.
-  const double limit = std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
+  const double limit = smooth_angle(probe, size);
   return dot(n, m) > 0 && dot(c, c) < limit * limit;
 }
 
@@ -362,10 +410,6 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   FieldSample faces[8];
   const std::size_t n = distinct_faces(hints.faces, faces, 8);
   const Vec3 mean = mean_of(hints.crossings);
-  if (n == 1)
-    if (SurfacePoint s = try_faces(probe, room, mean, {faces, 1}); s.count > 0) return s;
-  if (n > 1 && hints.is_smooth)
-    if (SurfacePoint s = try_smooth(probe, room, mean); s.count > 0) return s;
   const Vec3 start = hints.creases.empty() ? mean : mean_of(hints.creases);
   if (n >= 3)
     if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;

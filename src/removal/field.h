@@ -65,6 +65,8 @@ class ExactField {
     /// As restrict_to for the ball about `box`, narrowing what level - 1 has left. Requires: the
     /// last region entered at level - 1 holds this one; level >= 1.
     virtual Region enter(std::size_t level, const Box3& box, double band) = 0;
+    /// True where so little is left that looking closer costs more than it saves.
+    virtual bool is_short(std::size_t level) const = 0;
     /// What the last region entered at this level has left, ascending.
     virtual void candidates(std::size_t level, Candidates& out) const = 0;
   };
@@ -75,6 +77,11 @@ class ExactField {
   /// d, its owner and the owner's face at p. Ties: stock before sweep, then the least index.
   virtual FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const = 0;
 
+  /// out[k] = sample(points[k], candidates), the same bits; cheaper together.
+  virtual void samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                       FieldSample* out) const {
+    for (std::size_t k = 0; k < points.size(); ++k) out[k] = sample(points[k], candidates);
+  }
   /// out[k] = sample(points[k], candidates).distance, the same bits.
   virtual void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                          double* out) const {
@@ -111,6 +118,7 @@ class ListDescent final : public ExactField::Descent {
                               std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z), band,
                               lists_[level - 1], lists_[level]);
   }
+  bool is_short(std::size_t level) const override { return lists_[level].size() <= 1; }
   void candidates(std::size_t level, Candidates& out) const override { out = lists_[level]; }
 
  private:

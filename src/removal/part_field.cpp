@@ -1,8 +1,10 @@
 #include "removal/part_field.h"
 
 #include "core/vec.h"
+#include "removal/sweep_kernels.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace mrsim {
@@ -10,6 +12,22 @@ namespace {
 
 // Rounding of coordinates up to 1e4 mm in a distance, with room to spare.
 constexpr double kRounding = 1e-9;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kTogether = 3;  ///< points that are worth columns
+constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
+
+// The first of the points, as many as there is room for.
+void fill(PointColumns& columns, std::span<const Vec3> points) {
+  columns.count = std::min(points.size(), PointColumns::kMost);
+  const std::size_t padded =
+      (columns.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
+  for (std::size_t k = 0; k < padded; ++k) {
+    const Vec3& p = points[std::min(k, columns.count - 1)];
+    columns.x[k] = p.x, columns.y[k] = p.y, columns.z[k] = p.z;
+    columns.least[k] = kInfinity, columns.nearest[k] = 0;
+  }
+}
 
 std::vector<double>& scratch(std::size_t size) {
   static thread_local std::vector<double> buffer;
@@ -36,6 +54,10 @@ class NearDescent final : public ExactField::Descent {
     own.in_stock = levels_[level - 1].in_stock;
     return field_.restrict_to(region_of(box), band, levels_[level - 1].left, own.in_stock,
                               own.left);
+  }
+  bool is_short(std::size_t level) const override {
+    const NearList& left = levels_[level].left;
+    return left.size() <= (left.closed ? kShort : 1);
   }
   void candidates(std::size_t level, Candidates& out) const override {
     out.clear();
@@ -107,28 +129,45 @@ std::unique_ptr<ExactField::Descent> PartField::descent(const Vec3& origin,
   return std::make_unique<NearDescent>(*this, origin, in);
 }
 
-FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
+// d at p from the distance of the nearest sweep.
+FieldSample PartField::decide(const Vec3& p, double cut, std::uint32_t sweep) const {
   const StockSolid::Sample stock = solid_.sample(p);
+  if (stock.distance >= -cut) return {stock.distance, kStockOwner, stock.patch};
+  return {-cut, sweeps_.motion(sweep), sweeps_.patch(sweep, p)};
+}
+
+FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
+  if (candidates.empty()) return decide(p, kInfinity, 0);
   std::vector<double>& d = scratch(candidates.size());
   sweeps_.distances(candidates, p, d.data());
   std::size_t best = 0;
   for (std::size_t k = 1; k < candidates.size(); ++k)
     if (d[k] < d[best]) best = k;
-  if (candidates.empty() || stock.distance >= -d[best])
-    return {stock.distance, kStockOwner, stock.patch};
-  const SweepSample cut = sweeps_.sample(candidates[best], p);
-  return {-d[best], sweeps_.motion(candidates[best]), cut.patch};
+  return decide(p, d[best], candidates[best]);
+}
+
+void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+                        FieldSample* out) const {
+  static thread_local PointColumns columns;
+  if (points.size() < kTogether) return ExactField::samples(points, candidates, out);
+  for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
+    fill(columns, points);
+    sweeps_.least(candidates, columns);
+    for (std::size_t k = 0; k < columns.count; ++k)
+      out[k] = decide(points[k], columns.least[k], static_cast<std::uint32_t>(columns.nearest[k]));
+  }
 }
 
 void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                           double* out) const {
-  std::vector<double>& d = scratch(candidates.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    sweeps_.distances(candidates, points[k], d.data());
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < candidates.size(); ++i) least = d[i] < least ? d[i] : least;
-    const double stock = solid_.distance(points[k]);
-    out[k] = stock >= -least ? stock : -least;
+  static thread_local PointColumns columns;
+  double stock[PointColumns::kMost];
+  for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
+    fill(columns, points);
+    sweeps_.least(candidates, columns);
+    solid_.distances(columns.count, columns.x, columns.y, columns.z, stock);
+    for (std::size_t k = 0; k < columns.count; ++k)
+      out[k] = stock[k] >= -columns.least[k] ? stock[k] : -columns.least[k];
   }
 }
 

@@ -22,6 +22,8 @@ class PartField final : public ExactField {
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
+  void samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
+               FieldSample* out) const override;
   void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                  double* out) const override;
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
@@ -32,6 +34,7 @@ class PartField final : public ExactField {
   const SweepTable& sweeps() const { return sweeps_; }
 
  private:
+  FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
   std::size_t sweep_of(std::int32_t motion) const {
     return sweep_of_[static_cast<std::size_t>(motion)];
   }

@@ -117,7 +117,7 @@ double level_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec
 }
 
 Vec3 ball_gradient(const double* c, const Vec3& p) {
-  const lane::StripFoot f = lane::strip_foot(c, p.x, p.y, p.z);
+  const lane::StripFoot f = lane::strip_foot(c, lane::strip_scale(c[6]), p.x, p.y, p.z);
   const Vec3 g = p - Vec3{c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
   const double n = length(g);
   // On the skeleton itself: any direction across it.
@@ -280,6 +280,10 @@ SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
     default:
       return level_sample(*columns_, ref, p);
   }
+}
+
+std::int32_t SweepTable::patch(std::size_t i, const Vec3& p) const {
+  return columns_->refs[i].kind == SweepKind::ball_line ? 0 : sample(i, p).patch;
 }
 
 Vec3 SweepTable::gradient(std::size_t i, const Vec3& point, std::int32_t patch) const {

@@ -61,6 +61,7 @@ class SweepTable {
   /// Signed distance of p from sweep i, mm.
   double distance(std::size_t i, const Vec3& p) const;
   SweepSample sample(std::size_t i, const Vec3& p) const;
+  std::int32_t patch(std::size_t i, const Vec3& p) const;  ///< sample(i, p).patch
   /// Unit gradient of distance(i, .) at p (out of the sweep), on the given patch where p lies on a
   /// crease.
   Vec3 gradient(std::size_t i, const Vec3& p, std::int32_t patch) const;
@@ -86,6 +87,7 @@ class SweepTable {
   /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
   /// distance().
   void least(const NearList& list, PointColumns& points) const;
+  void least(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
   /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
   /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for

@@ -25,6 +25,7 @@ MRSIM_LANE V read(const double* p) { return *p; }
 MRSIM_LANE M less(V a, V b) { return a < b; }
 MRSIM_LANE M both(M a, M b) { return a && b; }
 MRSIM_LANE M either(M a, M b) { return a || b; }
+MRSIM_LANE unsigned bits(M m) { return m ? 1 : 0; }
 MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
   for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
 }
@@ -61,6 +62,7 @@ MRSIM_LANE V read(const double* p) { return _mm256_load_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return _mm256_and_pd(a, b); }
 MRSIM_LANE M either(M a, M b) { return _mm256_or_pd(a, b); }
+MRSIM_LANE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_pd(m)); }
 MRSIM_LANE V vmin(V a, V b) { return _mm256_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm256_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm256_max_pd(a, -a); }
@@ -125,6 +127,7 @@ MRSIM_LANE V read(const double* p) { return _mm512_load_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return static_cast<M>(a & b); }
 MRSIM_LANE M either(M a, M b) { return static_cast<M>(a | b); }
+MRSIM_LANE unsigned bits(M m) { return m; }
 MRSIM_LANE V vmin(V a, V b) { return _mm512_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm512_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm512_max_pd(a, -a); }

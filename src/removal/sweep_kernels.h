@@ -17,10 +17,10 @@ struct alignas(64) ArcRecord {
   double c[16] = {};  ///< c[11]: length of the arc, mm
 };
 
-/// Points by columns, a multiple of 8 of them, with the nearest sweep so far and its distance.
+/// Points by columns, with the nearest sweep so far and its distance.
 struct PointColumns {
-  static constexpr std::size_t kMost = 64;
-  std::size_t count = 0;
+  static constexpr std::size_t kMost = 64, kPad = 8;
+  std::size_t count = 0;  ///< columns are filled up to a multiple of kPad
   alignas(64) double x[kMost], y[kMost], z[kMost];
   alignas(64) double least[kMost];
   alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower

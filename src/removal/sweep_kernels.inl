@@ -7,7 +7,12 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
   for (std::size_t j = 0; j < kLanes; ++j) out[j] = rows[k + j < n ? k + j : n - 1];
 }
 
-#define MRSIM_FORM(form, Record, load, kColumns)                                                 \
+MRSIM_LANE void take_closer(V d, V id, V& least, V& nearest) {
+  const M closer = either(less(d, least), both(less_equal(d, least), less(id, nearest)));
+  least = select(closer, d, least), nearest = select(closer, id, nearest);
+}
+
+#define MRSIM_LIST(form, Record, load, kColumns)                                                 \
   static void form##_list(const Record* records, const std::uint32_t* rows, std::size_t n,       \
                           const Vec3& p, double* out) {                                          \
     const V x = splat(p.x), y = splat(p.y), z = splat(p.z);                                      \
@@ -22,7 +27,8 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
     pick(rows, k, n, rest);                                                                      \
     load(records, rest, c);                                                                      \
     store_some(out + k, form(c, x, y, z), n - k);                                                \
-  }                                                                                              \
+  }
+#define MRSIM_LEAST(form, Record, kColumns)                                                      \
   static void form##_least(const Record* records, const std::uint32_t* rows,                     \
                            const std::uint32_t* ids, std::size_t n, PointColumns& points) {      \
     for (std::size_t k = 0; k < points.count; k += kLanes) {                                     \
@@ -32,18 +38,39 @@ MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, st
         const double* r = records[rows[i]].c;                                                    \
         V c[kColumns];                                                                           \
         for (std::size_t j = 0; j < kColumns; ++j) c[j] = splat(r[j]);                           \
-        const V d = form(c, x, y, z), id = splat(static_cast<double>(ids[i]));                   \
-        const M closer = either(less(d, least), both(less_equal(d, least), less(id, nearest)));  \
-        least = select(closer, d, least), nearest = select(closer, id, nearest);                 \
+        take_closer(form(c, x, y, z), splat(static_cast<double>(ids[i])), least, nearest);       \
       }                                                                                          \
       store(points.least + k, least), store(points.nearest + k, nearest);                        \
     }                                                                                            \
   }
 
-MRSIM_FORM(ball_line, LineRecord, load_line, 8)
-MRSIM_FORM(plane_line, LineRecord, load_line, 8)
-MRSIM_FORM(plane_arc, ArcRecord, load_arc, 11)
-#undef MRSIM_FORM
+MRSIM_LIST(ball_line, LineRecord, load_line, 8)
+MRSIM_LIST(plane_line, LineRecord, load_line, 8)
+MRSIM_LIST(plane_arc, ArcRecord, load_arc, 11)
+MRSIM_LEAST(plane_line, LineRecord, 8)
+MRSIM_LEAST(plane_arc, ArcRecord, 11)
+#undef MRSIM_LIST
+#undef MRSIM_LEAST
+
+// The root is taken only where the square leaves room for a least distance: most sweeps go without.
+static void ball_line_least(const LineRecord* records, const std::uint32_t* rows,
+                            const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    V least = read(points.least + k), nearest = read(points.nearest + k);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double* r = records[rows[i]].c;
+      V c[8];
+      for (std::size_t j = 0; j < 8; ++j) c[j] = splat(r[j]);
+      const V scale = splat(1.0 / (1.0 + r[6] * r[6]));
+      const V squared = strip_foot(c, scale, x, y, z).squared;
+      const V reach = vmax(least + c[7], splat(0.0));
+      if (bits(less_equal(squared, reach * reach * splat(1 + 1e-14))) == 0) continue;
+      take_closer(vsqrt(squared) - c[7], splat(static_cast<double>(ids[i])), least, nearest);
+    }
+    store(points.least + k, least), store(points.nearest + k, nearest);
+  }
+}
 
 static const SweepKernels kKernels = {
     kName,

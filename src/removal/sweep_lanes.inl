@@ -25,19 +25,20 @@ struct StripFoot {
   V along;    // horizontal parameter of the foot
   V z;        // height of the foot
 };
-MRSIM_LANE StripFoot strip_foot(const V* c, V px, V py, V pz) {
-  const V zero = splat(0.0), one = splat(1.0);
+MRSIM_LANE V strip_scale(V slope) { return splat(1.0) / (splat(1.0) + slope * slope); }
+MRSIM_LANE StripFoot strip_foot(const V* c, V scale, V px, V py, V pz) {
+  const V zero = splat(0.0);
   const V dx = px - c[0], dy = py - c[1], w = pz - c[2];
   const V u = dx * c[3] + dy * c[4], v = dx * c[4] - dy * c[3];
   const V uc = vmin(vmax(u, zero), c[5]), du = u - uc;
-  const V t = vmin(vmax((u + c[6] * w) / (one + c[6] * c[6]), zero), c[5]);
+  const V t = vmin(vmax((u + c[6] * w) * scale, zero), c[5]);
   const V eu = u - t, ew = w - c[6] * t;
   const M above = less_equal(c[6] * uc, w);
   return {v * v + select(above, du * du, eu * eu + ew * ew), select(above, uc, t),
           select(above, pz, c[2] + c[6] * t)};
 }
 MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
-  return vsqrt(strip_foot(c, px, py, pz).squared) - c[7];
+  return vsqrt(strip_foot(c, strip_scale(c[6]), px, py, pz).squared) - c[7];
 }
 
 // Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].

@@ -1,6 +1,8 @@
 // SweepTable over lists: sorts a list by the form of its sweeps and hands each part to the kernels.
 #include "removal/sweep_columns.h"
 
+#include <algorithm>
+
 namespace mrsim {
 namespace {
 
@@ -61,28 +63,34 @@ void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, do
 }
 
 void SweepTable::least(const NearList& list, PointColumns& points) const {
+  static thread_local std::vector<std::uint32_t> ids;
+  ids.clear();
+  for (const NearList::Run& run : list.runs())
+    for (std::size_t k = 0; k < run.count; ++k) ids.push_back(list.id(run.first + k));
+  least(ids, points);
+}
+
+void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;
-  static thread_local std::vector<std::uint32_t> ids, rows;
-  for (const NearList::Run& run : list.runs()) {
-    ids.clear(), rows.clear();
-    for (std::size_t k = 0; k < run.count; ++k) {
-      ids.push_back(list.id(run.first + k));
-      rows.push_back(c.tags[ids.back()] & kTagRow);
-    }
-    switch (c.classes[run.of].form) {
-      case SweepClass::Form::strip:
-        kernels.ball_line.least(c.ball_lines.data(), rows.data(), ids.data(), run.count, points);
-        break;
-      case SweepClass::Form::line:
-        kernels.plane_line.least(c.plane_lines.data(), rows.data(), ids.data(), run.count, points);
-        break;
-      case SweepClass::Form::arc:
-        kernels.plane_arc.least(c.plane_arcs.data(), rows.data(), ids.data(), run.count, points);
-        break;
-      case SweepClass::Form::other:
-        for (const std::uint32_t id : ids) least_of(id, points);
-    }
+  if (ids.empty()) return;
+  if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
+    return kernels.ball_line.least(c.ball_lines.data(), ids.data(), ids.data(), ids.size(), points);
+  if (c.uniform && c.refs.front().kind == SweepKind::plane_line)
+    return kernels.plane_line.least(c.plane_lines.data(), ids.data(), ids.data(), ids.size(),
+                                    points);
+  const auto run = [&](const auto& form, const auto& records, const Part& part) {
+    std::uint32_t some[kChunk];
+    for (std::size_t k = 0; k < part.n; ++k) some[k] = ids[part.places[k]];
+    form.least(records.data(), part.rows, some, part.n, points);
+  };
+  for (; !ids.empty(); ids = ids.subspan(std::min(kChunk, ids.size()))) {
+    Parts parts;
+    for (std::size_t k = 0; k < std::min(kChunk, ids.size()); ++k)
+      if (!parts.add(c.tags[ids[k]], k)) least_of(ids[k], points);
+    run(kernels.ball_line, c.ball_lines, parts.forms[0]);
+    run(kernels.plane_line, c.plane_lines, parts.forms[1]);
+    run(kernels.plane_arc, c.plane_arcs, parts.forms[2]);
   }
 }
 
