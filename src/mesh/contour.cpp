@@ -218,8 +218,9 @@ class Contour {
   LabelledMesh simplified(const LabelledMesh& mesh) {
     std::vector<char> locked(mesh.vertices.size(), 0);
     for (int round = 0; round < kLockRounds; ++round) {
-      const LabelledMesh small = detail::simplify(
-          field_, tree_, mesh, {options_.tolerance, 0.5 * tree_.lattice().voxel()}, locked);
+      const LabelledMesh small =
+          detail::simplify(field_, tree_, mesh, {options_.tolerance, 0.5 * tree_.lattice().voxel()},
+                           locked, options_.threads);
       timer_.step("simplify");
       const auto pairs =
           detail::self_intersections(small.vertices, small.triangles, options_.threads);

@@ -1,62 +1,76 @@
 #include "mesh/contour_simplify.h"
 
+#include "core/parallel.h"
 #include "mesh/contour_certify.h"
 #include "mesh/exact_predicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 namespace mrsim::detail {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
-constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
-constexpr double kLeastCosine = 0.3;     ///< between a new triangle and the exact surface
+constexpr double kGrowth = 1.6;           ///< of the length of new edges, from pass to pass
+constexpr double kLeastAltitude = 2e-5;   ///< mm: of a new triangle
+constexpr double kLeastCosine = 0.3;      ///< between a new triangle and the exact surface
+constexpr std::size_t kBlocks = 8;        ///< parts of the mesh that are worked on at once
+constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
 struct Spoke {
   std::uint32_t triangle, next, last;
 };
 
-class Simplifier {
- public:
-  Simplifier(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
-             const SimplifyLimits& limits, const std::vector<char>& locked)
-      : field_(field),
-        tree_(tree),
-        limits_(limits),
-        mesh_(mesh),
-        locked_(locked),
-        alive_(mesh.triangles.size(), 1),
-        around_(mesh.vertices.size()),
-        tried_(mesh.vertices.size(), 0),
-        wanted_(mesh.vertices.size(), 0) {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (const std::uint32_t v : mesh_.triangles[t]) around_[v].push_back(t);
+// The mesh while vertices go. Blocks share it: a vertex may be removed by one of them only when it
+// and its neighbours all are the block's, and then nothing that another block reads or writes
+// changes.
+struct Simplified {
+  Simplified(const LabelledMesh& from, const std::vector<char>& locked_vertices)
+      : mesh(from),
+        locked(locked_vertices),
+        alive(from.triangles.size(), 1),
+        around(from.vertices.size()),
+        tried(from.vertices.size(), 0),
+        wanted(from.vertices.size(), 0) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh.triangles[t]) around[v].push_back(t);
   }
 
-  LabelledMesh run() {
-    double longest = 0, most = 0;
-    Box3 box;
-    for (const Vec3& p : mesh_.vertices) extend(box, p);
-    if (!mesh_.vertices.empty()) most = length(box.hi - box.lo);
-    longest = tree_.lattice().voxel() / 4;
-    for (;; longest *= kGrowth) {
-      pass(longest);
+  LabelledMesh mesh;
+  const std::vector<char>& locked;
+  std::vector<char> alive;  ///< by triangle
+  std::vector<std::vector<std::uint32_t>> around;
+  std::vector<char> tried;
+  std::vector<double> wanted;       ///< length of edges without which a vertex can not be removed
+  std::vector<std::uint8_t> block;  ///< by vertex; empty: all are one
+};
+
+class Simplifier {
+ public:
+  Simplifier(const ExactField& field, const ContourOctree& tree, const SimplifyLimits& limits,
+             Simplified& shared)
+      : field_(field), tree_(tree), limits_(limits), shared_(shared), mesh_(shared.mesh) {}
+
+  /// Removes what it can of these vertices, short edges first, up to `most` mm.
+  void run(std::span<const std::uint32_t> vertices, double most) {
+    for (double longest = tree_.lattice().voxel() / 4;; longest *= kGrowth) {
+      pass(vertices, longest);
       if (longest > most) break;
     }
-    return compact();
   }
 
  private:
   // Vertices that failed for another reason than length are not tried again until something near
   // them has changed.
-  void pass(double longest) {
-    for (std::uint32_t v = 0; v < around_.size(); ++v)
-      if (!around_[v].empty() && !locked_[v] && !tried_[v] && wanted_[v] <= longest)
+  void pass(std::span<const std::uint32_t> vertices, double longest) {
+    for (const std::uint32_t v : vertices)
+      if (!shared_.around[v].empty() && !shared_.locked[v] && !shared_.tried[v] &&
+          shared_.wanted[v] <= longest)
         try_remove(v, longest);
   }
 
@@ -68,7 +82,7 @@ class Simplifier {
 
   // The spokes of v in turn; false for a vertex that is not simple enough to be removed.
   bool ring(std::uint32_t v) {
-    const std::vector<std::uint32_t>& fan = around_[v];
+    const std::vector<std::uint32_t>& fan = shared_.around[v];
     if (fan.size() > 64) return false;
     ring_.clear();
     for (const std::uint32_t t : fan) ring_.push_back(spoke(v, t));
@@ -85,9 +99,18 @@ class Simplifier {
     return mesh_.labels[ring_[k % ring_.size()].triangle];
   }
 
+  // Vertices at a block's border are left for the whole.
+  bool is_inside(std::uint32_t v) const {
+    const auto& block = shared_.block;
+    return block.empty() || std::all_of(ring_.begin(), ring_.end(),
+                                        [&](const Spoke& s) { return block[s.next] == block[v]; });
+  }
+
   void try_remove(std::uint32_t v, double longest) {
-    tried_[v] = 1;
-    if (!ring(v)) return;
+    const bool is_simple = ring(v);
+    if (!is_inside(v)) return;
+    shared_.tried[v] = 1;
+    if (!is_simple) return;
     creases_.clear();
     for (std::size_t k = 0; k < ring_.size(); ++k)
       if (label(k) != label(k + ring_.size() - 1)) creases_.push_back(k);
@@ -98,12 +121,12 @@ class Simplifier {
     else
       for (const std::size_t k : creases_) add_target(v, k);
     std::sort(targets_.begin(), targets_.end());
-    wanted_[v] = std::numeric_limits<double>::infinity();
+    shared_.wanted[v] = std::numeric_limits<double>::infinity();
     for (const auto& [size, k] : targets_) {
       const double needed = longest_edge(k);
       if (needed > longest) {
-        wanted_[v] = std::min(wanted_[v], needed);
-        tried_[v] = 0;
+        shared_.wanted[v] = std::min(shared_.wanted[v], needed);
+        shared_.tried[v] = 0;
       } else if (may_collapse(v, k)) {
         collapse(v, k);
         return;
@@ -138,12 +161,12 @@ class Simplifier {
     const std::size_t n = ring_.size();
     if (n <= 3) return false;
     const std::uint32_t left = ring_[k].last, right = ring_[(k + n - 1) % n].next;
-    for (const std::uint32_t t : around_[to]) {
+    for (const std::uint32_t t : shared_.around[to]) {
       const Spoke s = spoke(to, t);
       for (const Spoke& r : ring_)
         if (r.next == s.next && r.next != left && r.next != right) return false;
     }
-    return around_[left].size() > 3 && around_[right].size() > 3;
+    return shared_.around[left].size() > 3 && shared_.around[right].size() > 3;
   }
 
   bool keeps_crease(std::uint32_t v, std::size_t k) const {
@@ -182,58 +205,91 @@ class Simplifier {
     const std::size_t n = ring_.size();
     const std::uint32_t gone[2] = {ring_[k].triangle, ring_[(k + n - 1) % n].triangle};
     for (const std::uint32_t t : gone) {
-      alive_[t] = 0;
+      shared_.alive[t] = 0;
       for (const std::uint32_t w : mesh_.triangles[t])
-        if (w != v) std::erase(around_[w], t);
+        if (w != v) std::erase(shared_.around[w], t);
     }
     for (const Spoke& s : ring_) {
-      tried_[s.next] = 0;
-      wanted_[s.next] = 0;
-      if (!alive_[s.triangle]) continue;
+      shared_.tried[s.next] = 0;
+      shared_.wanted[s.next] = 0;
+      if (!shared_.alive[s.triangle]) continue;
       for (std::uint32_t& w : mesh_.triangles[s.triangle])
         if (w == v) w = to;
-      around_[to].push_back(s.triangle);
+      shared_.around[to].push_back(s.triangle);
     }
-    around_[v].clear();
-  }
-
-  LabelledMesh compact() const {
-    LabelledMesh out;
-    out.faces = mesh_.faces;
-    std::vector<std::uint32_t> id(mesh_.vertices.size());
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
-      if (!around_[v].empty()) {
-        id[v] = static_cast<std::uint32_t>(out.vertices.size());
-        out.vertices.push_back(mesh_.vertices[v]);
-      }
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (alive_[t]) {
-        const Triangle& x = mesh_.triangles[t];
-        out.triangles.push_back({id[x[0]], id[x[1]], id[x[2]]});
-        out.labels.push_back(mesh_.labels[t]);
-      }
-    return out;
+    shared_.around[v].clear();
   }
 
   const ExactField& field_;
   const ContourOctree& tree_;
   SimplifyLimits limits_;
-  LabelledMesh mesh_;
-  const std::vector<char>& locked_;
-  std::vector<char> alive_;
-  std::vector<std::vector<std::uint32_t>> around_;
-  std::vector<char> tried_;
-  std::vector<double> wanted_;  ///< length of edges without which a vertex can not be removed
+  Simplified& shared_;
+  LabelledMesh& mesh_;
   std::vector<Spoke> ring_;
   std::vector<std::size_t> creases_;
   std::vector<std::pair<double, std::size_t>> targets_;
 };
 
+LabelledMesh compact(const Simplified& s) {
+  LabelledMesh out;
+  out.faces = s.mesh.faces;
+  std::vector<std::uint32_t> id(s.mesh.vertices.size());
+  for (std::size_t v = 0; v < s.mesh.vertices.size(); ++v)
+    if (!s.around[v].empty()) {
+      id[v] = static_cast<std::uint32_t>(out.vertices.size());
+      out.vertices.push_back(s.mesh.vertices[v]);
+    }
+  for (std::size_t t = 0; t < s.mesh.triangles.size(); ++t)
+    if (s.alive[t]) {
+      const Triangle& x = s.mesh.triangles[t];
+      out.triangles.push_back({id[x[0]], id[x[1]], id[x[2]]});
+      out.labels.push_back(s.mesh.labels[t]);
+    }
+  return out;
+}
+
+// Slices of equally many vertices across the longest side, in the order of the vertices.
+std::vector<std::vector<std::uint32_t>> slices(const std::vector<Vec3>& vertices, const Box3& box,
+                                               std::size_t count) {
+  const Vec3 size = box.hi - box.lo;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::vector<double> places;
+  for (const Vec3& p : vertices) places.push_back(component(p, axis));
+  std::vector<double> sorted = places;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> bounds;
+  for (std::size_t k = 1; k < count; ++k) bounds.push_back(sorted[k * sorted.size() / count]);
+  std::vector<std::vector<std::uint32_t>> out(count);
+  for (std::uint32_t v = 0; v < places.size(); ++v)
+    out[static_cast<std::size_t>(std::upper_bound(bounds.begin(), bounds.end(), places[v]) -
+                                 bounds.begin())]
+        .push_back(v);
+  return out;
+}
+
 }  // namespace
 
 LabelledMesh simplify(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
-                      const SimplifyLimits& limits, const std::vector<char>& locked) {
-  return Simplifier(field, tree, mesh, limits, locked).run();
+                      const SimplifyLimits& limits, const std::vector<char>& locked, int threads) {
+  Simplified shared(mesh, locked);
+  Box3 box;
+  for (const Vec3& p : mesh.vertices) extend(box, p);
+  const double most = mesh.vertices.empty() ? 0 : length(box.hi - box.lo);
+  const std::size_t blocks = std::min(kBlocks, mesh.vertices.size() / kLeastBlock);
+  if (blocks > 1) {
+    const auto parts = slices(mesh.vertices, box, blocks);
+    shared.block.resize(mesh.vertices.size());
+    for (std::size_t k = 0; k < blocks; ++k)
+      for (const std::uint32_t v : parts[k]) shared.block[v] = static_cast<std::uint8_t>(k);
+    parallel_for(blocks, threads, [&](std::size_t k) {
+      Simplifier(field, tree, limits, shared).run(parts[k], most);
+    });
+    shared.block.clear();
+  }
+  std::vector<std::uint32_t> all(mesh.vertices.size());
+  std::iota(all.begin(), all.end(), 0u);
+  Simplifier(field, tree, limits, shared).run(all, most);
+  return compact(shared);
 }
 
 }  // namespace mrsim::detail

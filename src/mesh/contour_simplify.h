@@ -24,8 +24,9 @@ struct SimplifyLimits {
 };
 
 /// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;
-/// it may intersect itself where walls are thinner than the tolerance (the caller checks).
+/// it may intersect itself where walls are thinner than the tolerance (the caller checks). Blocks
+/// of the mesh first, on `threads` threads, then what lies between them: the same for any number.
 LabelledMesh simplify(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
-                      const SimplifyLimits& limits, const std::vector<char>& locked);
+                      const SimplifyLimits& limits, const std::vector<char>& locked, int threads);
 
 }  // namespace mrsim::detail
