@@ -135,8 +135,9 @@ struct Contact {
 
 Contact contact_at(const ToolPath& path, double t, const Vec3& p) {
   Contact c;
-  c.q = p - position(path, t);
-  c.travel = direction(path, t);
+  const PathPoint at = path_point(path, t);
+  c.q = p - at.position;
+  c.travel = at.direction;
   c.rho = std::sqrt(c.q.x * c.q.x + c.q.y * c.q.y);
   c.at_end = t <= 0 || t >= (path.arc ? path.sweep : 1);
   return c;

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "removal/sweep_columns.h"
 #include "removal/sweep_motion.h"
+#include "removal/sweep_upright.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,12 +213,18 @@ int Builder::drawn_out(int shape, double travel) {
   return at->second;
 }
 
+bool is_upright(const LocalMotion& l) {
+  const Vec3 axis = cross(l.u, l.v);  // length: radius squared
+  const double size = length(axis);
+  return l.arc && dot(l.rise, l.rise) == 0 && size > 0 &&
+         std::fabs(axis.z) * std::sqrt(size) <= kLevel * size;
+}
+
 // A ball on an arc in an upright plane: false if it is none.
 bool Builder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
-  const Vec3 axis = cross(l.u, l.v);  // length: radius squared
-  const double size = length(axis), reach = std::sqrt(size);
-  if (!l.arc || !tool.is_ball_end() || dot(l.rise, l.rise) > 0 || size == 0) return false;
-  if (std::fabs(axis.z) * reach > kLevel * size) return false;
+  if (!tool.is_ball_end() || !is_upright(l)) return false;
+  const Vec3 axis = cross(l.u, l.v);
+  const double reach = std::sqrt(length(axis));
   BallArc row;
   row.center = l.center + Vec3{0, 0, tool.round()};
   const double plan = std::sqrt(axis.x * axis.x + axis.y * axis.y);
@@ -266,12 +273,20 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     path.center = l.center, path.u = l.u, path.v = l.v, path.rise = l.rise, path.sweep = l.sweep;
     path.radius = length(l.u);
     path.speed = std::sqrt(path.radius * path.radius + dot(l.rise, l.rise));
+    const SinCos last = sincos(path.sweep);
+    path.last = {last.cos, last.sin};
+    path.bored = path.lowest_turn && path.sweep >= kTwoPi && tool.is_rounded();
+    const double low = path.center.z + tool.round();
+    path.bore = {{path.center.x, path.center.y, path.radius, tool.core(), tool.round(), low,
+                  low + path.sweep * path.rise.z}};
+    if (tool.is_rounded() && tool.is_rising() && is_upright(l)) make_upright(path);
   } else {
     path.start = l.start;
     path.travel = l.end - l.start;
     path.speed = length(path.travel);
   }
-  allow(tool.is_convex() && !l.arc ? kClosedError : kPathError);
+  const bool exact = l.arc ? has_stretches(tool, path) : tool.is_convex();
+  allow(exact ? kClosedError : kPathError);
   ref.kind = SweepKind::path;
   ref.row = static_cast<std::uint32_t>(columns_.paths.size());
   columns_.paths.push_back(path);

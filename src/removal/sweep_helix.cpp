@@ -1,13 +1,11 @@
-// The tool at rest is the set dr < 0, dz < 0 rounded by `round`, with dr = lateral distance - core
-// and dz = round - height above the tip; its distance V(dr, dz) falls with neither. Along the path,
-// from the position that looks at p to the opposite one, dr grows and dz falls, so the minimum of V
-// is where dr = dz (inside), where dr = 0 or dz = 0, at an end, or the one zero of the slope of
-// dr^2 + dz^2 between them.
+// Seen from p, a position is turned by `delta` from the one that looks at p. Up to half a turn the
+// lateral distance grows and the tool falls: a stretch. Behind it both fall up to the end of the
+// path, or to the next position that looks at p.
 #include "removal/sweep_helix.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_lane_scalar.h"
+#include "removal/sweep_falling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,136 +13,198 @@
 namespace mrsim {
 namespace {
 
-struct Place {
-  double t = 0, dr = 0, dz = 0;
-  double slope = 0;  ///< d dr / dt
+constexpr double kShort = 1.0 / 16;  // radians
+// Newton's method squares the step, and the distance changes by the square of what is left.
+constexpr double kLastStep = 1e-6;
+
+// A position by its parameter and the direction from the helix's axis, in (u, v).
+struct Turned {
+  double t = 0, sin = 0, cos = 1;
 };
 
-class FallingTurn {
+// p in cylindrical coordinates about the helix.
+class Helix {
  public:
-  FallingTurn(const Profile& tool, const ToolPath& path, const Vec3& p)
-      : tool_(tool), path_(path), p_(p), fall_(-path.rise.z) {}
+  Helix(const Profile& tool, const ToolPath& path, const Vec3& p)
+      : core(tool.core()), fall(-path.rise.z), low_(path.center.z + tool.round() - p.z) {
+    const double x = p.x - path.center.x, y = p.y - path.center.y;
+    const double rho = std::sqrt(x * x + y * y);
+    off = rho - path.radius;
+    area = rho * path.radius;
+    along_u_ = x * path.u.x + y * path.u.y, along_v_ = x * path.v.x + y * path.v.y;
+  }
 
+  double dz(double t) const { return low_ - t * fall; }
+  /// The position on the first turn that looks at p.
   double facing() const {
-    const Vec3 w = p_ - path_.center;
-    const double a = mrsim::atan2(dot(w, path_.v), dot(w, path_.u));
+    const double a = mrsim::atan2(along_v_, along_u_);
     return a < 0 ? a + kTwoPi : a;
   }
 
-  Place at(double t) const {
-    const SinCos sc = sincos(t);
-    const double cx = sc.cos * path_.u.x + sc.sin * path_.v.x,
-                 cy = sc.cos * path_.u.y + sc.sin * path_.v.y;
-    const double x = p_.x - path_.center.x - cx, y = p_.y - path_.center.y - cy;
-    const double lateral = std::sqrt(x * x + y * y);
-    const double dx = sc.cos * path_.v.x - sc.sin * path_.u.x,
-                 dy = sc.cos * path_.v.y - sc.sin * path_.u.y;
-    const double height = p_.z - path_.center.z + t * fall_;
-    return {t, lateral - tool_.core(), tool_.round() - height,
-            lateral > 0 ? -(x * dx + y * dy) / lateral : 0};
+  /// The tool turned by `delta` from there, at t.
+  Place place(double t, double delta, double sine, double cosine) const {
+    // rho^2 + R^2 - 2 area cos, without cancellation.
+    const double rise = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
+    const double lateral = std::sqrt(off * off + 2 * area * rise);
+    return {delta, lateral - core, dz(t), lateral > 0 ? area * sine / lateral : 0,
+            -fall, {cosine, sine}};
+  }
+  Place place(const Turned& at, double delta) const {
+    if (area == 0) return place(at.t, delta, 0, 1);
+    return place(at.t, delta, (at.sin * along_u_ - at.cos * along_v_) / area,
+                 (at.cos * along_u_ + at.sin * along_v_) / area);
   }
 
-  /// The same at a t that looks at p, without a sine.
-  Place at_facing(double t) const {
-    const double x = p_.x - path_.center.x, y = p_.y - path_.center.y;
-    const double off = std::sqrt(x * x + y * y) - path_.radius;
-    const double height = p_.z - path_.center.z + t * fall_;
-    return {t, (off < 0 ? -off : off) - tool_.core(), tool_.round() - height, 0};
+  double core, fall;
+  double off, area;  ///< how far p lies beyond the helix's circle; the product of both radii
+
+ private:
+  double low_, along_u_, along_v_;
+};
+
+// Half a turn from the position that looks at p, the parameter being the angle from it.
+class FallingTurn {
+ public:
+  FallingTurn(const Helix& helix, double facing, const Place& first, const Place& last)
+      : h_(helix), facing_(facing), first_(first), last_(last) {}
+
+  const Place& first() const { return first_; }
+  const Place& last() const { return last_; }
+
+  Place at(double delta) const {
+    const SinCos sc = sincos(delta);
+    return h_.place(facing_ + delta, delta, sc.sin, sc.cos);
+  }
+  Place at(double delta, const Place& x) const {
+    const double step = delta - x.t, square = step * step;
+    if (square > kShort * kShort) return at(delta);
+    // Taylor series: what is left out is below 1e-16.
+    constexpr double k3 = 1.0 / 6, k4 = 1.0 / 12, k5 = 1.0 / 20, k6 = 1.0 / 30, k7 = 1.0 / 42;
+    const double sine = step * (1 - k3 * square * (1 - k5 * square * (1 - k7 * square)));
+    const double less = 0.5 * square * (1 - k4 * square * (1 - k6 * square));  // 1 - cosine
+    return h_.place(facing_ + delta, delta, x.w.y - x.w.y * less + x.w.x * sine,
+                    x.w.x - x.w.x * less - x.w.y * sine);
   }
 
-  static bool wall_decides(const Place& x) { return x.dr >= x.dz && !is_corner(x); }
-  static bool floor_decides(const Place& x) { return x.dz >= x.dr && !is_corner(x); }
-
-  double value(const Place& at) const {
-    return lane::rounded_slab(at.dr + tool_.core(), tool_.round() - at.dz, tool_.round(),
-                              tool_.core(), tool_.round(), tool_.top());
+  // lateral = core: the law of cosines.
+  Place rim(const Place& a, const Place& b) const {
+    const double lift = h_.core * h_.core - h_.off * h_.off;  // 2 area (1 - cos)
+    const double cosine = 1 - lift / (2 * h_.area);
+    const double sine = std::sqrt(std::max(0.0, lift * (4 * h_.area - lift))) / (2 * h_.area);
+    const double delta = mrsim::atan2(sine, cosine);
+    if (!(delta > a.t)) return a;
+    if (!(delta < b.t)) return b;
+    Place x = h_.place(facing_ + delta, delta, sine, cosine);
+    x.dr = 0;
+    return x;
   }
 
-  /// The place in [a, b] where f(place) = 0; f grows from f(a) <= 0 to f(b) >= 0.
-  template <class F, class Slope>
-  Place zero(Place a, Place b, F f, Slope slope) const {
-    Place x = f(b) < -f(a) ? b : a;
-    for (int k = 0; k < 60 && b.t - a.t > 1e-15 * kTwoPi; ++k) {
-      const double v = f(x), s = slope(x);
-      if (v == 0) return x;
-      (v < 0 ? a : b) = x;
-      double t = s > 0 ? x.t - v / s : a.t;
-      if (!(t > a.t && t < b.t)) t = 0.5 * (a.t + b.t);
-      if (!(t > a.t && t < b.t)) break;
+  Place ground(const Place& a, const Place& b) const {
+    return h_.fall > 0 ? at(std::clamp(a.t + a.dz / h_.fall, a.t, b.t)) : b;
+  }
+
+  // The slope of (dr^2 + dz^2) / 2, area sin (1 - core / lateral) - fall dz, grows up to a quarter
+  // turn and is concave behind it: there is one minimum at most besides the end.
+  Place corner(const Place& a, const Place& b) const {
+    const Place x = stationary(a, b);
+    return x.dr * x.dr + x.dz * x.dz <= b.dr * b.dr + b.dz * b.dz ? x : b;
+  }
+
+ private:
+  double slope(const Place& x) const { return x.dr * x.dr_slope - h_.fall * x.dz; }
+  double bend(const Place& x) const {
+    const double lateral = x.dr + h_.core;
+    // area cos, from lateral^2.
+    const double along = 0.5 * (h_.off * h_.off - lateral * lateral) + h_.area;
+    const double second = lateral > 0 ? (along - x.dr_slope * x.dr_slope) / lateral : 0;
+    return x.dr_slope * x.dr_slope + x.dr * second + h_.fall * h_.fall;
+  }
+
+  // First zero of the slope at or behind a; b if there is none.
+  Place stationary(const Place& a, const Place& b) const {
+    if (slope(a) >= 0) return a;
+    if (a.t >= kPi / 2) return behind(a, b);
+    Place x = a;
+    double low = a.t, high = std::min(b.t, kPi / 2);
+    bool known = false;  // slope(high) > 0
+    for (int k = 0; k < 60; ++k) {
+      const double v = slope(x), s = bend(x);
+      if (v < 0)
+        low = x.t;
+      else
+        high = x.t, known = true;
+      double t = s > 0 ? x.t - v / s : high;
+      if (!(t < high) && !known) {
+        const Place end = high == b.t ? b : at(high);
+        if (slope(end) < 0) return high == b.t ? b : behind(end, b);
+        known = true;
+      }
+      const bool newton = t > low && t < high;
+      if (!newton) t = 0.5 * (low + high);
+      if (!(t > low && t < high)) break;
       const double step = t - x.t;
-      x = at(t);
-      if (step * step < 1e-26) break;
+      x = at(t, x);
+      if (newton && step * step < kLastStep * kLastStep) break;
     }
     return x;
   }
 
-  /// The best place between a and b, at most half a turn from the facing position at or before a.
-  std::optional<Place> best(const Place& a, const Place& b, double facing) const {
-    if (wall_decides(a)) return a;
-    if (floor_decides(b)) return b;
-    const auto gap = [](const Place& x) { return x.dr - x.dz; };
-    const auto gap_slope = [this](const Place& x) { return x.slope + fall_; };
-    Place from = a;
-    if (!is_corner(a)) {  // under the tool: dr <= 0
-      if (b.dr <= 0) return zero(a, b, gap, gap_slope);
-      from = zero(
-          a, b, [](const Place& x) { return x.dr; }, [](const Place& x) { return x.slope; });
-      if (from.dz <= 0) return zero(a, from, gap, gap_slope);
+  // Behind a quarter turn Newton's method climbs a concave slope towards its first zero.
+  Place behind(Place x, const Place& b) const {
+    for (int k = 0; k < 60; ++k) {
+      const double v = slope(x), s = bend(x);
+      if (!(v < 0)) break;
+      if (!(s > 0) || !(x.t - v / s < b.t)) return b;
+      const double step = v / s;
+      x = at(x.t - step, x);
+      if (step * step < kLastStep * kLastStep) break;
     }
-    Place to = b;
-    if (to.dz < 0 && fall_ > 0) to = at(std::clamp(from.t + from.dz / fall_, from.t, b.t));
-    if (to.t - facing > kPi / 2) return std::nullopt;
-    const auto slope = [this](const Place& x) { return x.dr * x.slope - fall_ * x.dz; };
-    if (slope(from) >= 0) return from;
-    if (slope(to) <= 0) return to;
-    return zero(from, to, slope, [this](const Place& x) { return bend(x); });
+    return x;
   }
 
- private:
-  static bool is_corner(const Place& x) { return x.dr > 0 && x.dz > 0; }
-
-  /// Slope of dr dr' - fall dz.
-  double bend(const Place& x) const {
-    const double lateral = x.dr + tool_.core();
-    const Vec3 w = p_ - path_.center;
-    const SinCos sc = sincos(x.t);
-    const double along = sc.cos * dot(w, path_.u) + sc.sin * dot(w, path_.v);
-    const double second = lateral > 0 ? (along - x.slope * x.slope) / lateral : 0;
-    return x.slope * x.slope + x.dr * second + fall_ * fall_;
-  }
-
-  const Profile& tool_;
-  const ToolPath& path_;
-  const Vec3 p_;
-  const double fall_;  ///< mm per radian
+  const Helix& h_;
+  const double facing_;
+  const Place first_, last_;
 };
+
+PathSample minimum(const Profile& tool, const ToolPath& path, const Vec3& p, const Turned& begin,
+                   const Turned& end) {
+  const Helix helix(tool, path, p);
+  const double round = tool.round(), near = std::fabs(helix.off) - helix.core;
+  // No position is lower than the last one.
+  const Place last = helix.place(end, 0);
+  PathSample best{last.value(round), end.t};
+  if (last.is_floor() || lane::slab(near, last.dz, round) >= best.distance) return best;
+  const double facing = helix.facing();
+  for (const double look : {facing, facing - kTwoPi}) {
+    const double from = std::max(begin.t - look, 0.0), to = std::min(end.t - look, kPi);
+    if (from > to || lane::slab(near, helix.dz(look + to), round) >= best.distance) continue;
+    const Place first = from > 0 ? helix.place(begin, from) : helix.place(look, 0, 0, 1);
+    const Place stop = to < kPi ? helix.place(end, to) : helix.place(look + kPi, kPi, 0, -1);
+    const Place x = best_place(FallingTurn(helix, look, first, stop));
+    if (const double value = x.value(round); value < best.distance) best = {value, look + x.t};
+  }
+  return best;
+}
 
 }  // namespace
 
-std::optional<PathSample> helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
-                                        double begin, double end) {
-  if (!path.lowest_turn || !tool.is_rounded()) return std::nullopt;
-  const FallingTurn turn(tool, path, p);
-  // V is at least dr and at least dz everywhere: no position has a smaller dr than the one that
-  // looks at p, none a smaller dz than the last.
-  const double facing = turn.facing();
-  const bool faces = begin <= facing && facing <= end;
-  if (const Place at = turn.at_facing(facing); faces && FallingTurn::wall_decides(at))
-    return PathSample{turn.value(at), facing};
-  const Place last = turn.at(end);
-  PathSample result{turn.value(last), end};
-  if (FallingTurn::floor_decides(last)) return result;
-  for (const double f : {facing - kTwoPi, facing}) {
-    const double lo = std::max(begin, f), hi = std::min(end, f + kPi);
-    if (lo > hi) continue;
-    const Place a = lo == facing ? turn.at_facing(lo) : turn.at(lo);
-    const Place b = hi == end ? last : turn.at(hi);
-    const std::optional<Place> found = turn.best(a, b, f);
-    if (!found) return std::nullopt;
-    const double value = turn.value(*found);
-    if (value < result.distance) result = {value, found->t};
-  }
-  return result;
+PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  if (path.bored)
+    if (const lane::Bore wall = lane::bore(path.bore.c, p.x, p.y, p.z); wall.decided)
+      return {wall.distance, Helix(tool, path, p).facing()};
+  return minimum(tool, path, p, {}, {path.sweep, path.last.y, path.last.x});
+}
+
+PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                int branch) {
+  // Quarter turns end on u and v.
+  const auto turned = [&path](int k) {
+    constexpr double kSine[4] = {0, 1, 0, -1};
+    const Turned at{k * (kPi / 2), kSine[k % 4], kSine[(k + 1) % 4]};
+    return at.t < path.sweep ? at : Turned{path.sweep, path.last.y, path.last.x};
+  };
+  return minimum(tool, path, p, turned(branch), turned(branch + 1));
 }
 
 }  // namespace mrsim

@@ -1,17 +1,16 @@
 // The distance from a flat, ball or bull-nose mill on the lowest turn of a falling helix, without a
-// search over its positions (docs/sweeps.md, Helices).
+// search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and upright arcs).
 #pragma once
 
 #include "removal/sweep_path.h"
 
-#include <optional>
-
 namespace mrsim {
 
-/// The least distance over positions t in [begin, end] of a path with lowest_turn, the same as the
-/// minimum of the tool's distance up to 1e-12 mm. None where there is no such form: another tool,
-/// or a p so near the helix's axis that the corner's distance may have two minima. About six sines.
-std::optional<PathSample> helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
-                                        double begin, double end);
+/// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
+/// is_rounded(). None to about five sines.
+PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
+/// The same over one quarter turn, counted from the start.
+PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                int branch);
 
 }  // namespace mrsim

@@ -39,6 +39,9 @@ struct SweepKernels {
   const char* name;
   FormKernels<LineRecord> ball_line, plane_line;
   FormKernels<ArcRecord> plane_arc;
+  /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
+  /// others.
+  std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
 };
 
 enum class SimdLevel { scalar, avx2, avx512 };

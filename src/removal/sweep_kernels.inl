@@ -72,9 +72,27 @@ static void ball_line_least(const LineRecord* records, const std::uint32_t* rows
   }
 }
 
+static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, PointColumns& points) {
+  V c[8];
+  for (std::size_t j = 0; j < 8; ++j) c[j] = splat(record.c[j]);
+  const V own = splat(static_cast<double>(id));
+  std::uint64_t open = 0;
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const Bore b = bore(c, read(points.x + k), read(points.y + k), read(points.z + k));
+    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const M closer = both(b.decided, either(less(b.distance, least),
+                                            both(less_equal(b.distance, least), less(own, nearest))));
+    store(points.least + k, select(closer, b.distance, least));
+    store(points.nearest + k, select(closer, own, nearest));
+    open |= std::uint64_t(bits(b.decided) ^ ((1u << kLanes) - 1)) << k;
+  }
+  return open;
+}
+
 static const SweepKernels kKernels = {
     kName,
     {ball_line_list, ball_line_least},
     {plane_line_list, plane_line_least},
     {plane_arc_list, plane_arc_least},
+    bore_least,
 };

@@ -8,13 +8,15 @@
 // Cutter with a flat, rounded or ball end and a flat top: a disc of radius `core` with its centre at
 // height `low`, thickened by `round`, cut off at `top` (infinite: reaching up); seen at lateral
 // distance rho. Requires: height >= 2 round, so that the upper half knows only wall and top.
-MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
+MRSIM_LANE V slab(V dr, V dz, V round) {
   const V zero = splat(0.0);
-  const M upper = less_equal(splat(0.5) * (low - round + top), z);
-  const V r = select(upper, zero, round);
-  const V dr = rho - select(upper, core + round, core), dz = select(upper, z - top, low - z);
   const V a = vmax(dr, zero), b = vmax(dz, zero);
-  return vsqrt(a * a + b * b) + vmin(vmax(dr, dz), zero) - r;
+  return vsqrt(a * a + b * b) + vmin(vmax(dr, dz), zero) - round;
+}
+MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
+  const M upper = less_equal(splat(0.5) * (low - round + top), z);
+  return slab(rho - select(upper, core + round, core), select(upper, z - top, low - z),
+              select(upper, splat(0.0), round));
 }
 
 // Ball end reaching up, any straight line: distance to the segment's upward strip, minus R.
@@ -71,4 +73,19 @@ MRSIM_LANE V arc_rho(const V* c, V px, V py) {
 }
 MRSIM_LANE V plane_arc(const V* c, V px, V py, V pz) {
   return rounded_slab(arc_rho(c, px, py), pz, c[7], c[8], c[9], c[10]);
+}
+
+// Lowest whole turn of a helix: over it some position looks at p, and no other is nearer in plan.
+// Where the mill is as far from p at its highest tip as at its lowest one, that position is the
+// best, whatever its height: the bore's wall decides.
+// c = cx cy R core round, low at the first and at the last position.
+struct Bore {
+  V distance;
+  M decided;
+};
+MRSIM_LANE Bore bore(const V* c, V px, V py, V pz) {
+  const V dx = px - c[0], dy = py - c[1];
+  const V dr = vabs(vsqrt(dx * dx + dy * dy) - c[2]) - c[3];
+  const V last = slab(dr, c[6] - pz, c[4]);
+  return {last, less_equal(slab(dr, c[5] - pz, c[4]), last)};
 }

@@ -2,6 +2,7 @@
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace mrsim {
 namespace {
@@ -95,7 +96,12 @@ void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points)
 }
 
 void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
-  for (std::size_t k = 0; k < points.count; ++k) {
+  const SweepRef& ref = columns_->refs[id];
+  std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
+  if (ref.kind == SweepKind::path && ref.frame == 0 && columns_->paths[ref.row].bored)
+    open &= sweep_kernels().bore(columns_->paths[ref.row].bore, id, points);
+  for (; open != 0; open &= open - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(open));
     const double d = distance(id, {points.x[k], points.y[k], points.z[k]});
     if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
     points.least[k] = d;

@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "removal/sweep_helix.h"
 #include "removal/sweep_lane_scalar.h"
+#include "removal/sweep_upright.h"
 
 #include <algorithm>
 #include <array>
@@ -29,13 +30,8 @@ class Objective {
       : tool_(tool), path_(path), p_(p) {}
 
   Value operator()(double t) const {
-    Vec3 c = path_.start + t * path_.travel, d = path_.travel;
-    if (path_.arc) {
-      const SinCos sc = sincos(t);
-      c = path_.center + sc.cos * path_.u + sc.sin * path_.v + t * path_.rise;
-      d = sc.cos * path_.v - sc.sin * path_.u + path_.rise;
-    }
-    const Vec3 q = p_ - c;
+    const PathPoint at = path_point(path_, t);
+    const Vec3 q = p_ - at.position, d = at.direction;
     const double rho = std::sqrt(q.x * q.x + q.y * q.y);
     const ProfileSample s = tool_sample(tool_, rho, q.z);
     const double towards = rho > 0 ? (q.x * d.x + q.y * d.y) / rho : 0;
@@ -60,7 +56,7 @@ class Objective {
   }
   double height(double t) const { return p_.z - path_.center.z - t * path_.rise.z; }
   double lateral(double t) const {
-    const Vec3 q = p_ - position(path_, t);
+    const Vec3 q = p_ - path_point(path_, t).position;
     return std::sqrt(q.x * q.x + q.y * q.y);
   }
   double at_rest(double rho, double z) const { return tool_distance(tool_, rho, z); }
@@ -157,6 +153,10 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
 // and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
 PathSample search_lowest_turn(const Objective& F, const Profile& tool, const ToolPath& path) {
   const double end = path.sweep, facing = F.towards();
+  if (end >= kTwoPi) {  // beside the wall of a bore heights do not matter
+    const double wall = F.at_rest(F.to_circle(), F.height(end));
+    if (wall == F.at_rest(F.to_circle(), F.height(0))) return {wall, facing};
+  }
   PathSample best{F(end).f, end};
   double from = facing, to = std::min(facing + kPi, end);
   if (facing > end) {  // p looks at the gap between end and start
@@ -192,16 +192,6 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
   const PathSample polished =
       descend(F, clamp(best.t - finest, from, to), clamp(best.t + finest, from, to));
   return polished.distance < best.distance ? polished : best;
-}
-
-// Over a whole lowest turn some position looks at p, and no other is nearer in plan. Where the tool
-// is as far from p at the highest tip as at the lowest one, that position is the best, whatever its
-// height: the tool's wall decides.
-bool wall_decides(const Objective& F, const ToolPath& path, double& value) {
-  if (!path.lowest_turn || path.sweep < kTwoPi) return false;
-  const double near = F.to_circle();
-  value = F.at_rest(near, F.height(path.sweep));
-  return value == F.at_rest(near, F.height(0));
 }
 
 }  // namespace
@@ -246,44 +236,42 @@ double slab_face_distance(const Profile& tool, double rho, double z, std::int32_
   return to_core - tool.round();
 }
 
-Vec3 position(const ToolPath& path, double t) {
-  if (!path.arc) return path.start + t * path.travel;
+PathPoint path_point(const ToolPath& path, double t) {
+  if (!path.arc) return {path.start + t * path.travel, path.travel};
   const SinCos sc = sincos(t);
-  return path.center + sc.cos * path.u + sc.sin * path.v + t * path.rise;
-}
-
-Vec3 direction(const ToolPath& path, double t) {
-  if (!path.arc) return path.travel;
-  const SinCos sc = sincos(t);
-  return sc.cos * path.v - sc.sin * path.u + path.rise;
+  return {path.center + sc.cos * path.u + sc.sin * path.v + t * path.rise,
+          sc.cos * path.v - sc.sin * path.u + path.rise};
 }
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   const Objective F(tool, path, p);
-  double wall = 0;
-  if (wall_decides(F, path, wall)) return {wall, F.towards()};
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
-  if (const auto found = helix_minimum(tool, path, p, 0, path.sweep)) return *found;
+  if (path.upright) return upright_minimum(tool, path, p);
+  if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 
 double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
-  double wall = 0;
-  if (wall_decides(Objective(tool, path, p), path, wall)) return wall;
+  if (path.upright) return upright_value(tool, path, p);
+  if (path.bored)
+    if (const lane::Bore wall = lane::bore(path.bore.c, p.x, p.y, p.z); wall.decided)
+      return wall.distance;
   return path_distance(tool, path, p).distance;
 }
 
 int path_branch(const ToolPath& path, double t) {
+  if (path.upright) return upright_branch(path, t);
   const int last = static_cast<int>(path.sweep / (kPi / 2));
   const int branch = static_cast<int>(t / (kPi / 2));
   return branch < last ? branch : last;
 }
 
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch) {
+  if (path.upright) return upright_branch_minimum(tool, path, p, branch);
+  if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   const double end = std::min((branch + 1) * (kPi / 2), path.sweep);
   const double begin = std::min(branch * (kPi / 2), end);
-  if (const auto found = helix_minimum(tool, path, p, begin, end)) return *found;
   return search(Objective(tool, path, p), tool, path, begin, end);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/sweep_kernels.h"
 #include "removal/tool.h"
 
 #include <cstdint>
@@ -28,24 +29,43 @@ struct ToolPath {
   double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
   bool level = false;            ///< arc in a horizontal plane, or helix about Z
   bool lowest_turn = false;      ///< level and falling, at most one turn, tool rising
+  bool bored = false;            ///< a whole lowest turn, tool with is_rounded()
+  LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
+  Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
+
+  // Arc in an upright plane, of a tool that reaches up with is_rounded() (sweep_upright.h).
+  bool upright = false;
+  Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
+  Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
+  int first_quarter = 0;  ///< of the circle, counter-clockwise from x: the one it begins in
+  int quarters = 0;       ///< how many it passes
 };
-Vec3 position(const ToolPath& path, double t);
-Vec3 direction(const ToolPath& path, double t);  ///< d position / dt
+struct PathPoint {
+  Vec3 position, direction;  ///< d position / dt
+};
+PathPoint path_point(const ToolPath& path, double t);
 
 /// Where the least distance lies.
 struct PathSample {
   double distance = 0, t = 0;
 };
 
-/// Error bound: kPathError mm for arcs and helices of convex tools and lines of any, 1e-12 of the
-/// size for lines of convex tools. Always from above: distance(true) <= result.
+/// Error bound: kPathError mm for arcs and helices and for lines of tools that are not convex,
+/// 1e-12 of the size for lines of convex tools and where has_stretches(). Always from above:
+/// distance(true) <= result.
 inline constexpr double kPathError = 2e-7;
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+/// Whether the distance is found stretch by stretch (sweep_falling.h), without a search.
+inline bool has_stretches(const Profile& tool, const ToolPath& path) {
+  return path.upright || (path.lowest_turn && tool.is_rounded());
+}
 
 /// The distance alone, the same bits: beside the wall of a bore at the cost of a line.
 double path_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 
-/// Quarter turns of an arc, counted from its start; the same least distance over one of them.
+/// Pieces of an arc, counted from its start: quarter turns, or the quarters of an upright circle.
+/// The same least distance over one of them.
 int path_branch(const ToolPath& path, double t);
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
 

@@ -192,6 +192,36 @@ TEST(Carve, ArcsAreDroppedWithoutChangingABit) {
   }
 }
 
+// Bores with a plunge at their start, helices of less and more than a turn, and arcs in G18 and
+// G19.
+TEST(Carve, HelicesAndUprightArcsEqualTheReference) {
+  for (const ToolType type : {ToolType::endmill, ToolType::bullmill, ToolType::ballmill}) {
+    Tool tool = mill(type, 3);
+    tool.corner_radius = type == ToolType::bullmill ? 0.5 : 0;
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Motion> motions;
+    for (int i = 0; i < 14; ++i) {
+      const Vec3 start{3 + 14 * unit(random), 3 + 14 * unit(random), 6 + 3 * unit(random)};
+      if (i % 2 == 0) motions.push_back(line(start, start - Vec3{0, 0, 1}, i));
+      const double radius = 0.3 + 3 * unit(random);
+      Motion m = line(start, start, i);
+      m.kind = MotionKind::arc;
+      m.center = start - Vec3{radius, 0, 0};
+      m.sweep = (i % 3 ? 6 : -1) * kPi * unit(random);
+      m.rise = -5 * unit(random);
+      if (i % 4 == 3) {
+        m.rise = 0;
+        m.axis = i % 8 == 3 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+        m.center = start - radius * (i % 8 == 3 ? Vec3{0.6, 0, 0.8} : Vec3{0, -0.8, 0.6});
+      }
+      m.radius = radius;
+      motions.push_back(m);
+    }
+    expect_reference(tool, motions);
+  }
+}
+
 TEST(Carve, GivesTheSameForAnyNumberOfThreads) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
   const std::vector<Motion> motions = random_motions(3, 100);

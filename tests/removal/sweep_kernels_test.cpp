@@ -28,10 +28,11 @@ Scene mixed_scene(Random& r, int n) {
   for (int i = 0; i < n; ++i) {
     const Vec3 a = {r(-20, 20), r(-20, 20), r(-5, 5)};
     Vec3 b = {r(-20, 20), r(-20, 20), r(-5, 5)};
-    const int kind = r.pick(4);
+    const int kind = r.pick(5);
     if (kind == 1) b.z = a.z;
     if (kind == 2) b = {a.x, a.y, b.z};
     Motion m = kind == 3 ? arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7)) : line(a, b);
+    if (kind == 4) m = arc(a, {a.x + r(1, 3), a.y, a.z}, {0, 0, 1}, r(5, 20), -r(0, 5));
     m.tool = r.pick(5);
     s.motions.push_back(m);
   }
@@ -110,6 +111,26 @@ void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Re
       PointColumns one = random_points(r, 8 << round % 4), other = one;
       plain.least(records.data(), rows.data(), rows.data(), n, one);
       (set->*form).least(records.data(), rows.data(), rows.data(), n, other);
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
+TEST(SweepKernels, BoresAreTheSameOnEveryInstructionSet) {
+  Random r(6);
+  for (int round = 0; round < 200; ++round) {
+    const double low = r(-3, 3), corner = r.pick(2) ? r(0, 1) : 0;
+    const LineRecord bore = {{r(0, 5), r(0, 5), r(0.5, 4), r(0, 4), corner, low, low - r(0, 1)}};
+    PointColumns one = random_points(r, 8 << round % 4);
+    for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
+    const PointColumns before = one;
+    const auto open = sweep_kernels(SimdLevel::scalar)->bore(bore, 5, one);
+    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      PointColumns other = before;
+      ASSERT_EQ(set->bore(bore, 5, other), open) << set->name;
       ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
       ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
     }

@@ -1,0 +1,26 @@
+// The distance from a flat or bull-nose mill on an arc in an upright plane (G18, G19 and between),
+// without a search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and
+// upright arcs).
+#pragma once
+
+#include "removal/sweep_path.h"
+
+namespace mrsim {
+
+/// Describes an arc without rise in an upright plane; turns its sweep into one turn at most.
+/// Requires: center, u, v and radius > 0 of the path.
+void make_upright(ToolPath& path);
+
+/// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, a tool that
+/// reaches up with is_rounded(). No sines.
+double upright_value(const Profile& tool, const ToolPath& path, const Vec3& p);
+/// The same with its place.
+PathSample upright_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+/// Pieces of the arc between its ends, its extremes and its lowest and highest place, counted from
+/// the start: which one holds t, and the least distance over one of them.
+int upright_branch(const ToolPath& path, double t);
+PathSample upright_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                  int branch);
+
+}  // namespace mrsim

@@ -1,0 +1,106 @@
+// Flat, bull-nose and ball mills on helices and on arcs in upright planes against brute force.
+#include "core/units.h"
+#include "removal/sweep_path.h"
+#include "removal/sweep_upright.h"
+#include "sweep_support.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+// Radii of path and tool of every ratio; some arcs end on an axis of their plane.
+Motion upright_arc(Random& r) {
+  const double turned = r.pick(3) == 0 ? 0 : r(0, kTwoPi), radius = r(0.3, 12);
+  const Vec3 along = {std::cos(turned), std::sin(turned), 0};
+  const Vec3 axis = {along.y, -along.x, 0}, center = {r(-3, 3), r(-3, 3), r(-3, 3)};
+  const double from = r.pick(2) == 0 ? kPi / 2 * r.pick(4) : r(0, kTwoPi);
+  const Vec3 start = center + radius * (std::cos(from) * along + Vec3{0, 0, std::sin(from)});
+  const double sweeps[] = {kPi / 2, kPi, kTwoPi, r(0.05, 7), r(0.05, 2)};
+  return arc(start, center, axis, (r.pick(2) ? -1 : 1) * sweeps[r.pick(5)]);
+}
+
+Motion helix(Random& r) {
+  const double radius = r(0.1, 6), from = r(0, kTwoPi);
+  const Vec3 center = {r(-3, 3), r(-3, 3), r(-3, 3)};
+  const Vec3 start = center + radius * Vec3{std::cos(from), std::sin(from), 0};
+  return arc(start, center, {0, 0, 1}, r(-20, 20), r.pick(3) == 0 ? r(-60, 60) : r(-6, 6));
+}
+
+// Also on the axis of the circle and in its plane, where positions are equally near.
+Vec3 point_near(Random& r, const Motion& m, double reach) {
+  const int kind = r.pick(8);
+  Vec3 p = at(m, r(0, 1)) + Vec3{r(-reach, reach), r(-reach, reach), r(-reach, reach)};
+  if (kind == 0) p.x = m.center.x, p.y = m.center.y;
+  if (kind == 1) p.x = at(m, 0).x, p.y = at(m, 0).y;
+  if (kind == 2) p.y = m.center.y;
+  return p;
+}
+
+class Stretches : public testing::TestWithParam<double> {};  // corner radius / radius
+
+TEST_P(Stretches, EqualTheLeastDistanceOverAllPositions) {
+  Random r(17);
+  double worst = 0;
+  for (int round = 0; round < 400; ++round) {
+    const bool turning = round % 2 == 0;
+    const Motion m = turning ? helix(r) : upright_arc(r);
+    const double radius = r(0.3, 6), corner = GetParam() * radius;
+    const Tool tool = endmill(2 * radius, corner);
+    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    ASSERT_EQ(s.size(), 1u);
+    EXPECT_LT(s.max_error(), 1e-9);
+    for (int k = 0; k < 12; ++k) {
+      const Vec3 p = point_near(r, m, 1.5 * radius + 2);
+      const double want =
+          least([&](double t) { return mill_at_rest(radius, corner, p - at(m, t)); }, 600);
+      const double got = s.distance(0, p);
+      // A ball on an upright arc has its depth in closed form, which is larger.
+      if (corner == radius && !turning && want < 0) {
+        EXPECT_LE(got, want + 1e-9);
+        continue;
+      }
+      worst = std::max(worst, std::fabs(got - want));
+      EXPECT_NEAR(got, want, 1e-9) << "round " << round << " point " << k;
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+INSTANTIATE_TEST_SUITE_P(FlatBullBall, Stretches, testing::Values(0.0, 0.3, 1.0));
+
+// The place is where the distance is, and the pieces of a path share its least distance.
+TEST(Stretches, PlacesAndPiecesAgree) {
+  Random r(18);
+  for (int round = 0; round < 300; ++round) {
+    const Motion m = upright_arc(r);
+    const Tool tool = endmill(r(1, 8), 0);
+    const Profile mill = make_cutter(tool);
+    ToolPath path;
+    path.arc = true;
+    path.center = m.center, path.u = m.start - m.center;
+    path.v = (m.sweep < 0 ? -1.0 : 1.0) * cross(m.axis, path.u);
+    path.radius = path.speed = length(path.u);
+    path.sweep = std::fabs(m.sweep);
+    make_upright(path);
+    for (int k = 0; k < 10; ++k) {
+      const Vec3 p = point_near(r, m, 6);
+      const PathSample whole = path_distance(mill, path, p);
+      EXPECT_EQ(path_value(mill, path, p), whole.distance);
+      ASSERT_TRUE(whole.t >= 0 && whole.t <= path.sweep);
+      const Vec3 q = p - path_point(path, whole.t).position;
+      EXPECT_NEAR(mill.distance({std::hypot(q.x, q.y), q.z}), whole.distance, 1e-9);
+      double best = 1e300;
+      for (int branch = 0; branch < path.quarters; ++branch)
+        best = std::min(best, branch_distance(mill, path, p, branch).distance);
+      EXPECT_EQ(best, whole.distance);
+      EXPECT_NEAR(branch_distance(mill, path, p, path_branch(path, whole.t)).distance,
+                  whole.distance, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
