@@ -320,8 +320,8 @@ int fine_levels(const Box3& bounds, double voxel, double tolerance) {
 
 }  // namespace
 
-TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options,
-                ContourReport* report) {
+void contour(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+             ContourReport* report) {
   if (!(voxel > 0) || !std::isfinite(voxel))
     throw Error("voxel-invalid", fmt::format("a voxel of {} mm is not a positive length", voxel));
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
@@ -332,11 +332,19 @@ TriMesh contour(const ExactField& field, double voxel, const MeshOptions& option
   ContourReport& out = report ? *report : ignored;
   out = {};
   const int levels = fine_levels(field.bounds(), voxel, options.tolerance);
-  TriMesh mesh = options.tolerance > 0
-                     ? Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()
-                     : detail::contour_uniform(field, voxel, levels, options, out);
-  if (mesh.triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
-  return mesh;
+  if (options.tolerance > 0)
+    sink.take(
+        whole_block(Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()));
+  else
+    detail::contour_uniform(field, voxel, levels, options, sink, out);
+}
+
+TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options,
+                ContourReport* report) {
+  MeshCollector collector;
+  contour(field, voxel, options, collector, report);
+  if (collector.mesh().triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
+  return std::move(collector.mesh());
 }
 
 }  // namespace mrsim

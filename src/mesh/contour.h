@@ -10,6 +10,7 @@
 // gaps thinner than a voxel are found where an edge of the grid shows them, and listed.
 #pragma once
 
+#include "mesh/mesh_block.h"
 #include "removal/field.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
@@ -47,5 +48,10 @@ struct ContourReport {
 /// guarantee.
 TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options = {},
                 ContourReport* report = nullptr);
+
+/// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
+/// memory as a whole. Does not throw "part-empty": there are no triangles then.
+void contour(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+             ContourReport* report = nullptr);
 
 }  // namespace mrsim

@@ -6,54 +6,51 @@
 #include "mesh/contour_thin.h"
 #include "mesh/contour_tile.h"
 #include "mesh/contour_timer.h"
-#include "mesh/self_intersection.h"
-#include "mesh/weld.h"
+#include "mesh/crowded_cells.h"
+#include "mesh/tile_mesh.h"
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <set>
-#include <tuple>
-#include <unordered_map>
 
 namespace mrsim::detail {
 namespace {
 
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
+constexpr std::size_t kBatch = 8;      ///< tiles a thread between two blocks of the mesh
 constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
                        kFirstOwned = ContourTile::kFirstOwned;
 
-/// A cell by its place, in fine units.
-struct CellPlace {
-  LatticePoint origin;
-  std::int32_t size = 0;
-  friend bool operator<(const CellPlace& a, const CellPlace& b) {
-    return std::tie(a.origin.x, a.origin.y, a.origin.z, a.size) <
-           std::tie(b.origin.x, b.origin.y, b.origin.z, b.size);
-  }
-};
-
 struct Tile {
+  LatticePoint place;  ///< in tiles
   LatticePoint first;  ///< of its cells, voxels
   Candidates candidates;
 };
 
-/// What a tile adds to the mesh.
-struct TileMesh {
-  std::vector<std::array<float, 3>> vertices;
-  std::vector<char> is_shared;  ///< the next tile may have this vertex too
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::int32_t> owners;
-  std::vector<std::pair<std::uint32_t, CellPlace>> crowded;  ///< vertices of cells with two pieces
-  std::vector<CellPlace> splits;                             ///< of owned cells
+/// What is remembered of a tile when its mesh has gone to the sink.
+struct TileNotes {
+  CrowdedTriangles crowded;
+  std::vector<CellPlace> splits;  ///< of owned cells
   std::vector<FoundThin> thin;
-  std::size_t cells = 0;
+  std::size_t cells = 0, triangles = 0;
 };
 
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {
   LatticePoint low, high;  ///< tiles, half open
+};
+
+/// A thread's memory for the tiles it makes.
+struct TileMaker {
+  TileMaker(const ExactField& field, const Lattice& lattice)
+      : cells(field, lattice),
+        surface(field, cells, {.shallow = kShallow * lattice.voxel(), .threads = 1}) {}
+  ContourTile cells;
+  ContourSurface surface;
 };
 
 class UniformContour {
@@ -66,26 +63,26 @@ class UniformContour {
         report_(report),
         timer_(report, {}) {}  // progress is told by tiles
 
-  TriMesh run() {
+  // The blocks go out as they are made. Should cells turn out to be crossed, which is rare, all
+  // tiles are made again once it is known which cells are to be split.
+  void run(MeshSink& sink) {
     find_tiles();
+    notes_.resize(tiles_.size());
     timer_.step("tiles");
-    meshes_.resize(tiles_.size());
-    std::vector<std::size_t> all(tiles_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    make(all);
-    for (;;) {
-      timer_.step("cells");
-      ++report_.passes;
-      TriMesh mesh = merged();
-      timer_.step("merge");
-      const std::set<CellPlace> bad = crossed_cells(mesh);
-      timer_.step("check");
-      if (bad.empty()) {
-        finish_report(mesh);
-        return mesh;
-      }
-      split(bad);
+    make_all(sink);
+    timer_.step("cells");
+    bool is_split = false;
+    for (std::set<CellPlace> bad = crossed(); !bad.empty(); bad = crossed()) {
+      split(std::move(bad));
+      is_split = true;
     }
+    timer_.step("check");
+    if (is_split) {
+      sink.restart();
+      make_all(sink);
+      timer_.step("cells");
+    }
+    finish_report();
   }
 
  private:
@@ -111,7 +108,13 @@ class UniformContour {
   void find_tiles() {
     const Box3 bounds = field_.bounds();
     const auto descent = field_.descent(0.5 * (bounds.lo + bounds.hi), field_.all());
-    find_tiles(*descent, whole(), 1);
+    const TileRange range = whole();
+    find_tiles(*descent, range, 1);
+    std::stable_sort(order_.axes.begin(), order_.axes.end(),
+                     [&](int a, int b) { return extent(range, a) > extent(range, b); });
+    std::sort(tiles_.begin(), tiles_.end(), [this](const Tile& a, const Tile& b) {
+      return order_.key(a.place) < order_.key(b.place);
+    });
   }
 
   void find_tiles(ExactField::Descent& descent, const TileRange& range, std::size_t level) {
@@ -122,7 +125,8 @@ class UniformContour {
     for (const int a : {1, 2})
       if (extent(range, a) > extent(range, axis)) axis = a;
     if (extent(range, axis) == 1) {
-      tiles_.push_back({{range.low.x * kOwned, range.low.y * kOwned, range.low.z * kOwned}, {}});
+      tiles_.push_back(
+          {range.low, {range.low.x * kOwned, range.low.y * kOwned, range.low.z * kOwned}, {}});
       descent.candidates(level, tiles_.back().candidates);
       return;
     }
@@ -136,33 +140,76 @@ class UniformContour {
     return component(range.high, axis) - component(range.low, axis);
   }
 
-  // Each thread has a tile of its own, whose memory it uses again.
-  void make(const std::vector<std::size_t>& wanted) {
+  // Makes the tiles by batches; while one is made, a thread joins and hands on the one before.
+  void make_all(MeshSink& sink) {
+    ++report_.passes;
+    const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
+    TileMerger merger(order_);
+    std::vector<TileMesh> made, meshes;
+    for (std::size_t first = 0; first <= tiles_.size(); first += batch) {
+      std::vector<std::size_t> wanted(std::min(batch, tiles_.size() - first));
+      for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = first + i;
+      meshes.clear();
+      meshes.resize(wanted.size());
+      make(wanted, meshes, [&] { hand_on(made, first - made.size(), merger, sink); });
+      std::swap(made, meshes);
+      if (wanted.size() < batch) break;
+    }
+    hand_on(made, tiles_.size() - made.size(), merger, sink);
+  }
+
+  void hand_on(const std::vector<TileMesh>& meshes, std::size_t first, TileMerger& merger,
+               MeshSink& sink) {
+    if (meshes.empty()) return;
+    const std::size_t end = first + meshes.size();
+    for (std::size_t i = first; i < end; ++i) merger.add(tiles_[i].place, meshes[i - first]);
+    sink.take(merger.block(end < tiles_.size() ? order_.key(tiles_[end].place) : kNoTile));
+    show_progress(end);
+  }
+
+  // Each thread has a tile of its own, whose memory it uses again. `meanwhile` is done by one of
+  // them.
+  void make(const std::vector<std::size_t>& wanted, std::vector<TileMesh>& meshes,
+            const std::function<void()>& meanwhile) {
     std::atomic<std::size_t> next{0};
     const auto threads = static_cast<std::size_t>(resolve_threads(options_.threads));
-    parallel_for(std::min(threads, wanted.size()), options_.threads, [&](std::size_t) {
-      ContourTile cells(field_, lattice_);
-      ContourSurface surface(field_, cells, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
-      for (std::size_t k = next++; k < wanted.size(); k = next++) {
-        const std::size_t i = wanted[k];
-        if (forced_in(tiles_[i]).empty()) {
-          cells.build(tiles_[i].first, tiles_[i].candidates);
-          surface.find_loops(crossed_grid(cells));
-          surface.make_triangles();
-          meshes_[i] = collect(surface, cells, tiles_[i]);
-          meshes_[i].thin = thin_features(field_, cells, cells.doubtful_edges());
-        } else {
-          meshes_[i] = make_split(tiles_[i]);
-        }
-        show_progress(k, wanted.size());
-      }
+    parallel_for(std::min(threads, wanted.size() + 1), options_.threads, [&](std::size_t) {
+      std::unique_ptr<TileMaker> maker = take_maker();
+      for (std::size_t k = next++; k < wanted.size() + 1; k = next++)
+        if (k == 0)
+          meanwhile();
+        else
+          meshes[k - 1] = make_tile(wanted[k - 1], *maker);
+      give_maker(std::move(maker));
     });
   }
 
-  void show_progress(std::size_t done, std::size_t all) {
-    if (!options_.progress || done % 16 != 0) return;
+  TileMesh make_tile(std::size_t i, TileMaker& maker) {
+    const Tile& tile = tiles_[i];
+    if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
+    maker.cells.build(tile.first, tile.candidates);
+    maker.surface.find_loops(crossed_grid(maker.cells));
+    maker.surface.make_triangles();
+    TileMesh mesh = collect(maker.surface, maker.cells, tile, notes_[i]);
+    notes_[i].thin = thin_features(field_, maker.cells, maker.cells.doubtful_edges());
+    return mesh;
+  }
+
+  std::unique_ptr<TileMaker> take_maker() {
     const std::scoped_lock lock(mutex_);
-    if (!options_.progress("meshing", static_cast<double>(done) / static_cast<double>(all)))
+    if (makers_.empty()) return std::make_unique<TileMaker>(field_, lattice_);
+    std::unique_ptr<TileMaker> maker = std::move(makers_.back());
+    makers_.pop_back();
+    return maker;
+  }
+  void give_maker(std::unique_ptr<TileMaker> maker) {
+    const std::scoped_lock lock(mutex_);
+    makers_.push_back(std::move(maker));
+  }
+
+  void show_progress(std::size_t done) {
+    const double share = static_cast<double>(done) / static_cast<double>(tiles_.size());
+    if (options_.progress && !options_.progress("meshing", share))
       throw Error("cancelled", "the run was stopped");
   }
 
@@ -181,7 +228,7 @@ class UniformContour {
   }
 
   // A tile of which some cells are split, here or next to it.
-  TileMesh make_split(const Tile& tile) const {
+  TileMesh make_split(const Tile& tile, TileNotes& notes) const {
     OctreePart part;
     part.origin = {tile.first.x * unit(), tile.first.y * unit(), tile.first.z * unit()};
     part.size = kCells * unit();
@@ -202,20 +249,21 @@ class UniformContour {
     ContourSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
     surface.find_loops(std::move(grid));
     surface.make_triangles();
-    TileMesh mesh = collect(surface, tree, tile);
+    TileMesh mesh = collect(surface, tree, tile, notes);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(tree.size()); ++n) {
       const OctreeNode& node = tree.node(n);
       if (node.child >= 0 && node.size <= unit() && tree.is_owned(node.origin))
-        mesh.splits.push_back({node.origin, node.size});
+        notes.splits.push_back({node.origin, node.size});
     }
     std::vector<MinimalEdge> doubtful = tree.doubtful_edges();
     std::erase_if(doubtful, [](const MinimalEdge& e) { return !e.owned; });
-    mesh.thin = thin_features(field_, tree, doubtful);
+    notes.thin = thin_features(field_, tree, doubtful);
     return mesh;
   }
 
   template <class Cells>
-  TileMesh collect(const ContourSurface& surface, const Cells& cells, const Tile& tile) const {
+  TileMesh collect(const ContourSurface& surface, const Cells& cells, const Tile& tile,
+                   TileNotes& notes) const {
     const BaseMesh& base = surface.mesh();
     TileMesh out;
     const auto plane = [&](int axis, std::int32_t i) {
@@ -236,9 +284,7 @@ class UniformContour {
           const Vec3& p = base.vertices[base.triangles[t][k]];
           out.vertices.push_back(
               {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-          out.is_shared.push_back(p.x <= inner_low.x || p.y <= inner_low.y || p.z <= inner_low.z ||
-                                  p.x >= inner_high.x || p.y >= inner_high.y ||
-                                  p.z >= inner_high.z);
+          out.marks.push_back(marks(p, inner_low, inner_high));
         }
         triangle[k] = v;
       }
@@ -246,9 +292,21 @@ class UniformContour {
       out.owners.push_back(
           surface.crossings()[static_cast<std::size_t>(base.crossings[t])].at.owner);
     }
-    note_crowded(surface, cells, id, out);
-    for (const Loop& loop : surface.loops()) out.cells += is_owned(cells, tile, loop.cell);
+    notes = {};
+    notes.crowded = crowded_triangles(out.vertices, out.triangles,
+                                      crowded_vertices(surface, cells, id, out.vertices.size()));
+    for (const Loop& loop : surface.loops()) notes.cells += is_owned(cells, tile, loop.cell);
+    notes.triangles = out.triangles.size();
     return out;
+  }
+
+  static std::uint8_t marks(const Vec3& p, const Vec3& low, const Vec3& high) {
+    unsigned out = 0;
+    for (int a = 0; a < 3; ++a) {
+      if (component(p, a) >= component(high, a)) out |= TileMesh::kShared | 1u << a;
+      if (component(p, a) <= component(low, a)) out |= TileMesh::kShared;
+    }
+    return static_cast<std::uint8_t>(out);
   }
 
   CellPlace place_of(const ContourCells& cells, std::int32_t cell) const {
@@ -258,76 +316,26 @@ class UniformContour {
     return covers(tile, place_of(cells, cell).origin, kFirstOwned, kFirstOwned + kOwned);
   }
 
-  void note_crowded(const ContourSurface& surface, const ContourCells& cells,
-                    const std::vector<std::uint32_t>& id, TileMesh& out) const {
-    if (surface.crowded().empty()) return;
+  // The cells of vertices in cells with two pieces of surface; empty where there are none.
+  std::vector<CellPlace> crowded_vertices(const ContourSurface& surface, const ContourCells& cells,
+                                          const std::vector<std::uint32_t>& id,
+                                          std::size_t count) const {
+    std::vector<CellPlace> out;
+    if (surface.crowded().empty()) return out;
+    out.resize(count);
     const std::set<std::int32_t> crowded(surface.crowded().begin(), surface.crowded().end());
     for (std::size_t v = 0; v < surface.loops().size(); ++v) {
       const std::int32_t cell = surface.loops()[v].cell;
-      if (id[v] != ~0u && crowded.count(cell) > 0)
-        out.crowded.emplace_back(id[v], place_of(cells, cell));
+      if (id[v] != ~0u && crowded.count(cell) > 0) out[id[v]] = place_of(cells, cell);
     }
+    return out;
   }
 
-  TriMesh merged() {
-    TriMesh mesh;
-    std::size_t vertices = 0, triangles = 0;
-    for (const TileMesh& tile : meshes_) {
-      vertices += tile.vertices.size();
-      triangles += tile.triangles.size();
-    }
-    mesh.vertices.reserve(vertices);
-    mesh.triangles.reserve(triangles);
-    mesh.owners.reserve(triangles);
-    crowded_.clear();
-    Welder welder;
-    std::vector<std::uint32_t> of_shared, id;
-    for (const TileMesh& tile : meshes_) {
-      id.resize(tile.vertices.size());
-      for (std::size_t v = 0; v < id.size(); ++v) {
-        const auto fresh = static_cast<std::uint32_t>(mesh.vertices.size());
-        id[v] = fresh;
-        if (tile.is_shared[v]) {
-          const std::uint32_t known = welder.add(tile.vertices[v]);
-          if (known == of_shared.size()) of_shared.push_back(fresh);
-          id[v] = of_shared[known];
-        }
-        if (id[v] == fresh) mesh.vertices.push_back(tile.vertices[v]);
-      }
-      for (const auto& t : tile.triangles) mesh.triangles.push_back({id[t[0]], id[t[1]], id[t[2]]});
-      mesh.owners.insert(mesh.owners.end(), tile.owners.begin(), tile.owners.end());
-      for (const auto& [v, cell] : tile.crowded) crowded_.emplace(id[v], cell);
-    }
-    return mesh;
-  }
-
-  // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
-  std::set<CellPlace> crossed_cells(const TriMesh& mesh) const {
-    std::set<CellPlace> bad;
-    if (crowded_.empty()) return bad;
-    std::vector<Vec3> vertices;
-    std::vector<std::uint32_t> names;
-    std::unordered_map<std::uint32_t, std::uint32_t> id;
-    std::vector<std::array<std::uint32_t, 3>> some;
-    for (const auto& t : mesh.triangles) {
-      if (crowded_.count(t[0]) + crowded_.count(t[1]) + crowded_.count(t[2]) == 0) continue;
-      std::array<std::uint32_t, 3> triangle{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [it, is_new] = id.try_emplace(t[k], static_cast<std::uint32_t>(names.size()));
-        if (is_new) {
-          names.push_back(t[k]);
-          const auto& p = mesh.vertices[t[k]];
-          vertices.push_back({p[0], p[1], p[2]});
-        }
-        triangle[k] = it->second;
-      }
-      some.push_back(triangle);
-    }
-    for (const auto& [i, j] : self_intersections(vertices, some, options_.threads))
-      for (const std::uint32_t k : {i, j})
-        for (const std::uint32_t v : some[k])
-          if (const auto it = crowded_.find(names[v]); it != crowded_.end()) bad.insert(it->second);
-    return bad;
+  std::set<CellPlace> crossed() const {
+    std::vector<const CrowdedTriangles*> crowded;
+    for (const TileNotes& notes : notes_)
+      if (!notes.crowded.triangles.empty()) crowded.push_back(&notes.crowded);
+    return crossed_cells(crowded, options_.threads);
   }
 
   // Splits these cells, and what their neighbours then must split, until all tiles agree.
@@ -343,20 +351,21 @@ class UniformContour {
               return covers(tiles_[i], cell.origin, 0, kCells);
             }))
           again.push_back(i);
-      make(again);
+      std::vector<TileMesh> unused(again.size());
+      make(again, unused, [] {});
       fresh.clear();
       for (const std::size_t i : again)
-        for (const CellPlace& cell : meshes_[i].splits)
+        for (const CellPlace& cell : notes_[i].splits)
           if (forced_.count(cell) == 0) fresh.insert(cell);
     }
   }
 
-  void finish_report(const TriMesh& mesh) {
-    report_.triangles_before = mesh.triangles.size();
+  void finish_report() {
     std::vector<FoundThin> thin;
-    for (const TileMesh& tile : meshes_) {
-      report_.cells += tile.cells;
-      thin.insert(thin.end(), tile.thin.begin(), tile.thin.end());
+    for (const TileNotes& notes : notes_) {
+      report_.triangles_before += notes.triangles;
+      report_.cells += notes.cells;
+      thin.insert(thin.end(), notes.thin.begin(), notes.thin.end());
     }
     report_.thin = distinct(thin);
     timer_.step("thin");
@@ -368,19 +377,19 @@ class UniformContour {
   ContourReport& report_;
   ContourTimer timer_;
   std::mutex mutex_;
-  std::vector<Tile> tiles_;
-  std::vector<TileMesh> meshes_;
-  std::set<CellPlace> forced_;                            ///< cells that must be split
-  std::unordered_map<std::uint32_t, CellPlace> crowded_;  ///< by vertex of the mesh
+  TileOrder order_;
+  std::vector<Tile> tiles_;  ///< in their order
+  std::vector<TileNotes> notes_;
+  std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
+  std::set<CellPlace> forced_;                      ///< cells that must be split
 };
 
 }  // namespace
 
-TriMesh contour_uniform(const ExactField& field, double voxel, int fine_levels,
-                        const MeshOptions& options, ContourReport& report) {
-  return UniformContour(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options,
-                        report)
-      .run();
+void contour_uniform(const ExactField& field, double voxel, int fine_levels,
+                     const MeshOptions& options, MeshSink& sink, ContourReport& report) {
+  UniformContour(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options, report)
+      .run(sink);
 }
 
 }  // namespace mrsim::detail

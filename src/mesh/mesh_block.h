@@ -1,0 +1,66 @@
+// A mesh in runs: how the mesher hands it over, and how checks and files take it, so that none of
+// them needs the whole of it. A mesh in memory is one run.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// A run of triangles with their vertices. Vertices are numbered through all blocks in the order in
+/// which they come; a block counts them on its own: first those that it borrows from earlier
+/// blocks, then its new ones.
+struct MeshBlock {
+  std::span<const std::array<float, 3>> points;             ///< #borrowed + #new, mm
+  std::span<const std::uint32_t> borrowed;                  ///< their numbers in the whole mesh
+  std::uint32_t first_new = 0;                              ///< number of the first new one
+  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< by `points`
+  std::span<const std::int32_t> owners;                     ///< of the triangles, or empty
+  std::span<const std::array<std::uint8_t, 3>> colors;      ///< of the new vertices, or empty
+  /// Vertices of this and earlier blocks that later ones may borrow: numbers in the whole mesh,
+  /// ascending.
+  std::span<const std::uint32_t> open;
+
+  std::span<const std::array<float, 3>> fresh() const { return points.subspan(borrowed.size()); }
+  /// Number of a point in the whole mesh.
+  std::uint32_t number(std::uint32_t point) const {
+    return point < borrowed.size()
+               ? borrowed[point]
+               : first_new + (point - static_cast<std::uint32_t>(borrowed.size()));
+  }
+};
+
+/// A mesh in memory, as one block.
+inline MeshBlock whole_block(const TriMesh& mesh) {
+  return {mesh.vertices, {}, 0, mesh.triangles, mesh.owners, mesh.colors, {}};
+}
+
+/// Takes the blocks of a mesh in their order.
+class MeshSink {
+ public:
+  MeshSink() = default;
+  MeshSink(const MeshSink&) = delete;
+  MeshSink& operator=(const MeshSink&) = delete;
+  virtual ~MeshSink() = default;
+  virtual void take(const MeshBlock& block) = 0;
+  /// Forgets what it took: the blocks come anew.
+  virtual void restart() = 0;
+};
+
+/// Puts the blocks together again.
+class MeshCollector final : public MeshSink {
+ public:
+  void take(const MeshBlock& block) override;
+  void restart() override { mesh_ = {}; }
+  TriMesh& mesh() { return mesh_; }
+
+ private:
+  TriMesh mesh_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,86 @@
+#include "mesh/tile_mesh.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace mrsim::detail {
+
+void TileMerger::restart() { *this = TileMerger(order_); }
+
+// Vertices that no later tile has are forgotten; the others are numbered.
+void TileMerger::begin_block() {
+  std::vector<std::array<float, 3>> points = welder_.take();
+  std::vector<SharedVertex> open;
+  welder_ = {};
+  for (std::size_t i = 0; i < shared_.size(); ++i) {
+    SharedVertex& vertex = shared_[i];
+    if (vertex.index == kUnused && vertex.last == 0) continue;
+    welder_.add(points[i]);
+    open.push_back({vertex.last, vertex.number, kUnused});
+  }
+  shared_ = std::move(open);
+  first_new_ += static_cast<std::uint32_t>(fresh_.size());
+  for (auto* v : {&fresh_, &points_, &borrowed_points_}) v->clear();
+  for (auto* v : {&borrowed_, &open_}) v->clear();
+  triangles_.clear();
+  owners_.clear();
+  is_complete_ = false;
+}
+
+std::uint32_t TileMerger::index_of(SharedVertex& vertex, const std::array<float, 3>& point) {
+  if (vertex.index == kUnused) {
+    vertex.index = kBorrowed | static_cast<std::uint32_t>(borrowed_.size());
+    borrowed_.push_back(vertex.number);
+    borrowed_points_.push_back(point);
+  }
+  return vertex.index;
+}
+
+void TileMerger::add(const LatticePoint& place, const TileMesh& tile) {
+  if (is_complete_) begin_block();
+  index_.resize(tile.vertices.size());
+  for (std::size_t v = 0; v < index_.size(); ++v) {
+    const auto fresh = static_cast<std::uint32_t>(fresh_.size());
+    index_[v] = fresh;
+    if (tile.marks[v] != 0) {
+      const std::uint32_t known = welder_.add(tile.vertices[v]);
+      if (known == shared_.size()) {
+        LatticePoint last = place;
+        for (int a = 0; a < 3; ++a) component(last, a) += tile.marks[v] >> a & 1;
+        shared_.push_back({order_.key(last), first_new_ + fresh, fresh});
+      }
+      index_[v] = index_of(shared_[known], tile.vertices[v]);
+    }
+    if (index_[v] == fresh) fresh_.push_back(tile.vertices[v]);
+  }
+  for (const auto& t : tile.triangles)
+    triangles_.push_back({index_[t[0]], index_[t[1]], index_[t[2]]});
+  owners_.insert(owners_.end(), tile.owners.begin(), tile.owners.end());
+}
+
+MeshBlock TileMerger::block(std::uint64_t next) {
+  if (is_complete_) begin_block();
+  is_complete_ = true;
+  if (std::uint64_t(first_new_) + fresh_.size() >= kBorrowed)
+    throw Error("mesh-too-large", "the mesh has more than 2e9 vertices; take a larger --voxel");
+  const auto borrowed = static_cast<std::uint32_t>(borrowed_.size());
+  const auto point_of = [&](std::uint32_t index) {
+    return (index & kBorrowed) != 0 ? index & ~kBorrowed : index + borrowed;
+  };
+  points_ = borrowed_points_;
+  points_.insert(points_.end(), fresh_.begin(), fresh_.end());
+  for (auto& t : triangles_)
+    for (std::uint32_t& v : t) v = point_of(v);
+  for (SharedVertex& vertex : shared_) {
+    const bool is_open = next != kNoTile && vertex.last >= next;
+    if (is_open)
+      open_.push_back(vertex.number);
+    else
+      vertex = {0, 0, kUnused};
+  }
+  std::sort(open_.begin(), open_.end());
+  return {points_, borrowed_, first_new_, triangles_, owners_, {}, open_};
+}
+
+}  // namespace mrsim::detail

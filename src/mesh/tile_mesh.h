@@ -1,0 +1,77 @@
+// What the tiles of the uniform grid add to the mesh, and how it is joined (docs/mesh.md, Tiles).
+//
+// Tiles come by rows and layers, the longest axis of the part last to grow, so that only a narrow
+// front of vertices is shared with tiles to come.
+#pragma once
+
+#include "mesh/contour_lattice.h"
+#include "mesh/mesh_block.h"
+#include "mesh/weld.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// The order of tiles: by their places on three axes, the first named first.
+struct TileOrder {
+  std::array<int, 3> axes{0, 1, 2};
+  /// Grows with the order; `place` in tiles.
+  std::uint64_t key(const LatticePoint& place) const {
+    std::uint64_t k = 0;
+    for (const int axis : axes) k = k << 21 | static_cast<std::uint64_t>(component(place, axis));
+    return k;
+  }
+};
+inline constexpr std::uint64_t kNoTile = std::numeric_limits<std::uint64_t>::max();
+
+/// What a tile adds to the mesh.
+struct TileMesh {
+  /// Marks of a vertex: bit a: the next tile on axis a may have it too.
+  static constexpr std::uint8_t kShared = 8;  ///< another tile may have it
+
+  std::vector<std::array<float, 3>> vertices;
+  std::vector<std::uint8_t> marks;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int32_t> owners;
+};
+
+/// Joins tiles, in their order, by the coordinates of the vertices that they share.
+class TileMerger {
+ public:
+  explicit TileMerger(const TileOrder& order) : order_(order) {}
+  /// Forgets all tiles.
+  void restart();
+  void add(const LatticePoint& place, const TileMesh& tile);
+  /// The tiles since the last block, valid until the next add(). `next`: key of the tile that comes
+  /// next. Throws Error "mesh-too-large".
+  MeshBlock block(std::uint64_t next);
+
+ private:
+  static constexpr std::uint32_t kUnused = ~std::uint32_t(0);
+  static constexpr std::uint32_t kBorrowed = std::uint32_t(1) << 31;  ///< bit of an index
+
+  struct SharedVertex {
+    std::uint64_t last = 0;         ///< key of the last tile that may have it
+    std::uint32_t number = 0;       ///< in the whole mesh
+    std::uint32_t index = kUnused;  ///< in this block, with kBorrowed where it is an earlier one
+  };
+  std::uint32_t index_of(SharedVertex& vertex, const std::array<float, 3>& point);
+  void begin_block();
+
+  TileOrder order_;
+  bool is_complete_ = false;  ///< block() was called: the next tile begins a new one
+  std::uint32_t first_new_ = 0;
+  Welder welder_;
+  std::vector<SharedVertex> shared_;  ///< by the welder's index
+  std::vector<std::array<float, 3>> fresh_, points_;
+  std::vector<std::uint32_t> borrowed_, open_, index_;
+  std::vector<std::array<float, 3>> borrowed_points_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::int32_t> owners_;
+};
+
+}  // namespace mrsim::detail
