@@ -21,12 +21,12 @@ struct EdgeBuckets {
 };
 
 // Counting sort: linear, and in the order of the half edges within a bucket.
-EdgeBuckets bucket_edges(const TriMesh& mesh) {
+EdgeBuckets bucket_edges(Triangles triangles, std::size_t vertices) {
   EdgeBuckets out;
-  out.begin.assign(mesh.vertices.size() + 2, 0);
+  out.begin.assign(vertices + 2, 0);
   const auto each = [&](auto&& body) {
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-      const auto& t = mesh.triangles[f];
+    for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+      const auto& t = triangles[f];
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t u = t[k], v = t[k == 2 ? 0 : k + 1];
         body(std::min(u, v), Entry{std::max(u, v), 3 * f + k, u < v});
@@ -35,7 +35,7 @@ EdgeBuckets bucket_edges(const TriMesh& mesh) {
   };
   each([&](std::uint32_t low, const Entry&) { ++out.begin[low + 2]; });
   std::partial_sum(out.begin.begin(), out.begin.end(), out.begin.begin());
-  out.entries.resize(3 * mesh.triangles.size());
+  out.entries.resize(3 * triangles.size());
   each([&](std::uint32_t low, const Entry& e) { out.entries[out.begin[low + 1]++] = e; });
   return out;
 }
@@ -59,12 +59,12 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
 
 }  // namespace
 
-std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads) {
-  EdgeBuckets buckets = bucket_edges(mesh);
-  std::vector<std::uint32_t> opposite(3 * mesh.triangles.size());
+std::vector<std::uint32_t> find_opposites(Triangles triangles, std::size_t vertices, int threads) {
+  EdgeBuckets buckets = bucket_edges(triangles, vertices);
+  std::vector<std::uint32_t> opposite(3 * triangles.size());
   constexpr std::size_t kGrain = 4096;
   parallel_for(
-      mesh.vertices.size(), threads,
+      vertices, threads,
       [&](std::size_t v) {
         Entry* first = buckets.entries.data() + buckets.begin[v];
         Entry* last = buckets.entries.data() + buckets.begin[v + 1];
@@ -82,32 +82,33 @@ std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads) {
   return opposite;
 }
 
-VertexFans half_edges_by_vertex(const TriMesh& mesh) {
+VertexFans half_edges_by_vertex(Triangles triangles, std::size_t vertices) {
   VertexFans fans;
-  fans.begin.assign(mesh.vertices.size() + 2, 0);
-  for (const auto& t : mesh.triangles)
+  fans.begin.assign(vertices + 2, 0);
+  for (const auto& t : triangles)
     for (const std::uint32_t v : t) ++fans.begin[v + 2];
   std::partial_sum(fans.begin.begin(), fans.begin.end(), fans.begin.begin());
-  fans.items.resize(3 * mesh.triangles.size());
+  fans.items.resize(3 * triangles.size());
   for (std::uint32_t h = 0; h < fans.items.size(); ++h)
-    fans.items[fans.begin[origin_of(mesh, h) + 1]++] = h;
+    fans.items[fans.begin[triangles[h / 3][h % 3] + 1]++] = h;
   fans.begin.pop_back();
   return fans;
 }
 
-std::size_t find_components(const TriMesh& mesh, std::vector<std::uint32_t>& component) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
+std::size_t find_components(Triangles triangles, std::size_t vertices,
+                            std::vector<std::uint32_t>& component) {
+  std::vector<std::uint32_t> parent(vertices);
   std::iota(parent.begin(), parent.end(), 0u);
-  for (const auto& t : mesh.triangles) {
+  for (const auto& t : triangles) {
     const std::uint32_t a = root_of(parent, t[0]);
     for (int k = 1; k < 3; ++k) parent[root_of(parent, t[k])] = a;
   }
   constexpr std::uint32_t kUnseen = ~0u;
-  std::vector<std::uint32_t> number(mesh.vertices.size(), kUnseen);
-  component.resize(mesh.triangles.size());
+  std::vector<std::uint32_t> number(vertices, kUnseen);
+  component.resize(triangles.size());
   std::uint32_t count = 0;
   for (std::size_t f = 0; f < component.size(); ++f) {
-    std::uint32_t& n = number[root_of(parent, mesh.triangles[f][0])];
+    std::uint32_t& n = number[root_of(parent, triangles[f][0])];
     if (n == kUnseen) n = count++;
     component[f] = n;
   }

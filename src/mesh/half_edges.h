@@ -7,9 +7,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mrsim {
+
+using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
 inline Vec3 to_vec(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
 inline Vec3 corner(const TriMesh& mesh, std::size_t face, int k) {
@@ -38,7 +41,11 @@ inline bool is_half_edge(std::uint32_t h) { return h < kCrowdedEdge; }
 
 /// The other half of each half edge, or one of the three above: 3 #F numbers. Requires: indices in
 /// range, fewer than 1.4e9 triangles. Linear in the mesh; the same for any number of threads.
-std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads = 0);
+std::vector<std::uint32_t> find_opposites(Triangles triangles, std::size_t vertices,
+                                          int threads = 0);
+inline std::vector<std::uint32_t> find_opposites(const TriMesh& mesh, int threads = 0) {
+  return find_opposites(mesh.triangles, mesh.vertices.size(), threads);
+}
 
 /// Half edges grouped by the vertex they leave: those of v are items[begin[v]] .. items[begin[v +
 /// 1]), ascending.
@@ -46,10 +53,14 @@ struct VertexFans {
   std::vector<std::uint32_t> begin;  ///< #V + 1
   std::vector<std::uint32_t> items;  ///< 3 #F
 };
-VertexFans half_edges_by_vertex(const TriMesh& mesh);
+VertexFans half_edges_by_vertex(Triangles triangles, std::size_t vertices);
+inline VertexFans half_edges_by_vertex(const TriMesh& mesh) {
+  return half_edges_by_vertex(mesh.triangles, mesh.vertices.size());
+}
 
 /// The connected piece of surface of each triangle (triangles that share a vertex are connected),
 /// numbered by their first triangle. Returns how many there are.
-std::size_t find_components(const TriMesh& mesh, std::vector<std::uint32_t>& component);
+std::size_t find_components(Triangles triangles, std::size_t vertices,
+                            std::vector<std::uint32_t>& component);
 
 }  // namespace mrsim

@@ -43,13 +43,15 @@ inline MeshBlock whole_block(const TriMesh& mesh) {
 /// Takes the blocks of a mesh in their order.
 class MeshSink {
  public:
-  MeshSink() = default;
-  MeshSink(const MeshSink&) = delete;
-  MeshSink& operator=(const MeshSink&) = delete;
   virtual ~MeshSink() = default;
   virtual void take(const MeshBlock& block) = 0;
   /// Forgets what it took: the blocks come anew.
   virtual void restart() = 0;
+
+ protected:
+  MeshSink() = default;
+  MeshSink(const MeshSink&) = default;
+  MeshSink& operator=(const MeshSink&) = default;
 };
 
 /// Puts the blocks together again.

@@ -3,56 +3,54 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "mesh/half_edges.h"
-#include "mesh/weld.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 namespace mrsim {
 namespace {
 
-// A closed component of the surface: outwards (a solid) or inwards (a cavity).
-struct Shell {
+// Whether a component winds about a point off it.
+struct WindingQuestion {
   std::uint32_t component = 0;
-  double volume = 0;  // signed
-  Vec3 moment;        // volume times centre
-  Box3 bounds;
-  std::vector<std::uint32_t> triangles;
+  Vec3 point;
+  double angle = 0;
+  bool is_yes() const { return angle > kTwoPi; }  // half of the full 4 pi
 };
 
-std::vector<Shell> find_shells(const TriMesh& mesh) {
-  std::vector<std::uint32_t> component;
-  std::vector<Shell> shells(find_components(mesh, component));
-  if (shells.empty()) return shells;
-  const Vec3 center = corner(mesh, 0, 0);
-  for (std::uint32_t f = 0; f < component.size(); ++f) {
-    Shell& shell = shells[component[f]];
-    shell.component = component[f];
-    shell.triangles.push_back(f);
-    const Vec3 a = corner(mesh, f, 0) - center, b = corner(mesh, f, 1) - center,
-               c = corner(mesh, f, 2) - center;
-    const double volume = dot(a, cross(b, c)) / 6;
-    shell.volume += volume;
-    shell.moment += 0.25 * volume * (a + b + c);
-    for (const Vec3& p : {a, b, c}) extend(shell.bounds, p + center);
-  }
-  for (Shell& shell : shells) shell.moment += shell.volume * center;
-  return shells;
+// Solid angles [van Oosterom and Strackee 1983]: 4 pi about a point inside, 0 outside.
+double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double la = length(a), lb = length(b), lc = length(c);
+  return 2 * mrsim::atan2(dot(a, cross(b, c)),
+                          la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
-// How often the shell winds about p, by solid angles [van Oosterom and Strackee 1983]: 1 inside, 0
-// outside, for any p off the surface.
-bool winds_about(const TriMesh& mesh, const Shell& shell, const Vec3& p) {
-  double angle = 0;
-  for (const std::uint32_t f : shell.triangles) {
-    const Vec3 a = corner(mesh, f, 0) - p, b = corner(mesh, f, 1) - p, c = corner(mesh, f, 2) - p;
-    const double la = length(a), lb = length(b), lc = length(c);
-    angle += 2 * mrsim::atan2(dot(a, cross(b, c)),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-  }
-  return angle > kTwoPi;  // half of the full 4 pi
+// Calls body(component, corners) for each triangle.
+template <class Body>
+void for_each_triangle(const MeshAudit& audit, const MeshSource& mesh, Body body) {
+  std::size_t index = 0;
+  mesh.for_each_block([&](const MeshBlock& block) {
+    const std::vector<std::uint32_t> components = audit.components_of(index++, block);
+    for (std::size_t f = 0; f < components.size(); ++f) {
+      const auto& t = block.triangles[f];
+      body(components[f], to_vec(block.points[t[0]]), to_vec(block.points[t[1]]),
+           to_vec(block.points[t[2]]));
+    }
+  });
+}
+
+// A corner of the first triangle of each of these components.
+std::map<std::uint32_t, Vec3> first_corners(const MeshAudit& audit, const MeshSource& mesh,
+                                            const std::set<std::uint32_t>& components) {
+  std::map<std::uint32_t, Vec3> out;
+  for_each_triangle(audit, mesh,
+                    [&](std::uint32_t component, const Vec3& a, const Vec3&, const Vec3&) {
+                      if (components.count(component) > 0) out.try_emplace(component, a);
+                    });
+  return out;
 }
 
 bool contains(const Box3& outer, const Box3& inner) {
@@ -60,46 +58,98 @@ bool contains(const Box3& outer, const Box3& inner) {
          outer.hi.x >= inner.hi.x && outer.hi.y >= inner.hi.y && outer.hi.z >= inner.hi.z;
 }
 
-Piece piece_of(const Shell& shell) {
+Piece piece_of(const SurfaceComponent& surface, std::uint32_t index) {
   Piece piece;
-  piece.volume = shell.volume;
-  piece.center = shell.moment;  // divided at the end
-  piece.bounds = shell.bounds;
-  piece.triangles = shell.triangles.size();
-  piece.components = {shell.component};
+  piece.bounds = surface.bounds;
+  piece.triangles = surface.triangles;
+  piece.components = {index};
   return piece;
+}
+
+// Solids around each cavity by their bounds, the smallest first.
+std::vector<std::uint32_t> solids_around(const SurfaceComponent& cavity,
+                                         const std::vector<SurfaceComponent>& surfaces) {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t c = 0; c < surfaces.size(); ++c)
+    if (surfaces[c].volume() > 0 && contains(surfaces[c].bounds, cavity.bounds)) out.push_back(c);
+  std::stable_sort(out.begin(), out.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return surfaces[a].volume() < surfaces[b].volume();
+  });
+  return out;
+}
+
+// The solid that each cavity lies in; none only where the mesh is not what was asked for.
+std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit,
+                                                          const MeshSource& mesh) {
+  const std::vector<SurfaceComponent>& surfaces = audit.components();
+  std::set<std::uint32_t> cavities;
+  for (std::uint32_t c = 0; c < surfaces.size(); ++c)
+    if (!(surfaces[c].volume() > 0)) cavities.insert(c);
+  std::map<std::uint32_t, std::uint32_t> out;
+  if (cavities.empty()) return out;
+  const std::map<std::uint32_t, Vec3> points = first_corners(audit, mesh, cavities);
+  std::map<std::uint32_t, std::vector<WindingQuestion>> questions;  // by cavity
+  std::multimap<std::uint32_t, WindingQuestion*> asked;             // by solid
+  for (const auto& [cavity, point] : points)
+    for (const std::uint32_t solid : solids_around(surfaces[cavity], surfaces))
+      questions[cavity].push_back({solid, point});
+  for (auto& [cavity, list] : questions)
+    for (WindingQuestion& question : list) asked.emplace(question.component, &question);
+  for_each_triangle(audit, mesh,
+                    [&](std::uint32_t component, const Vec3& a, const Vec3& b, const Vec3& c) {
+                      const auto [first, last] = asked.equal_range(component);
+                      for (auto at = first; at != last; ++at) {
+                        const Vec3& p = at->second->point;
+                        at->second->angle += solid_angle(a - p, b - p, c - p);
+                      }
+                    });
+  for (const auto& [cavity, list] : questions) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [](const WindingQuestion& q) { return q.is_yes(); });
+    if (found != list.end()) out.emplace(cavity, found->component);
+  }
+  return out;
+}
+
+void place_piece(Piece& piece, const MeshAudit& audit) {
+  OrderlessSum volume6, moment24[3];
+  for (const std::uint32_t c : piece.components) {
+    const SurfaceComponent& surface = audit.components()[c];
+    volume6.add(surface.volume6);
+    for (int a = 0; a < 3; ++a) moment24[a].add(surface.moment24[a]);
+  }
+  piece.volume = volume6.value() / 6;
+  for (int a = 0; a < 3; ++a)
+    component(piece.center, a) =
+        component(audit.center(), a) + moment24[a].value() / 24 / piece.volume;
 }
 
 }  // namespace
 
-std::vector<Piece> find_pieces(const TriMesh& mesh) {
-  const std::vector<Shell> shells = find_shells(mesh);
+std::vector<Piece> find_pieces(const MeshAudit& audit, const MeshSource& mesh) {
+  const std::vector<SurfaceComponent>& surfaces = audit.components();
   std::vector<Piece> pieces;
-  std::vector<const Shell*> outer;
-  for (const Shell& shell : shells)
-    if (shell.volume > 0) {
-      pieces.push_back(piece_of(shell));
-      outer.push_back(&shell);
-    }
-  for (const Shell& cavity : shells) {
-    if (cavity.volume > 0) continue;
-    // The smallest solid around it; none only where the mesh is not what was asked for.
-    std::size_t best = pieces.size();
-    for (std::size_t i = 0; i < outer.size(); ++i)
-      if (contains(outer[i]->bounds, cavity.bounds) &&
-          (best == pieces.size() || outer[i]->volume < outer[best]->volume) &&
-          winds_about(mesh, *outer[i], corner(mesh, cavity.triangles[0], 0)))
-        best = i;
-    if (best == pieces.size()) continue;
-    pieces[best].volume += cavity.volume;
-    pieces[best].center += cavity.moment;
-    pieces[best].triangles += cavity.triangles.size();
-    pieces[best].components.push_back(cavity.component);
+  std::map<std::uint32_t, std::size_t> piece_of_solid;
+  for (std::uint32_t c = 0; c < surfaces.size(); ++c) {
+    if (!(surfaces[c].volume() > 0)) continue;
+    piece_of_solid.emplace(c, pieces.size());
+    pieces.push_back(piece_of(surfaces[c], c));
   }
-  for (Piece& piece : pieces) piece.center = (1 / piece.volume) * piece.center;
+  for (const auto& [cavity, solid] : solids_of_cavities(audit, mesh)) {
+    Piece& piece = pieces[piece_of_solid.at(solid)];
+    piece.triangles += surfaces[cavity].triangles;
+    piece.components.push_back(cavity);
+  }
+  for (Piece& piece : pieces) place_piece(piece, audit);
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return a.volume > b.volume; });
   return pieces;
+}
+
+std::vector<Piece> find_pieces(const TriMesh& mesh) {
+  MeshAudit audit;
+  audit.take(whole_block(mesh));
+  return find_pieces(audit, MemoryMesh(mesh));
 }
 
 std::string describe_piece(const Piece& piece) {
@@ -111,22 +161,77 @@ std::string describe_piece(const Piece& piece) {
       side.y, side.z);
 }
 
-TriMesh extract_piece(const TriMesh& mesh, const Piece& piece) {
-  std::vector<std::uint32_t> component;
-  const std::size_t count = find_components(mesh, component);
-  std::vector<bool> wanted(count, false);
-  for (const std::uint32_t c : piece.components) wanted[c] = true;
-  TriMesh out;
-  out.vertices = mesh.vertices;
-  out.colors = mesh.colors;
-  out.origin = mesh.origin;
-  for (std::size_t f = 0; f < component.size(); ++f) {
-    if (!wanted[component[f]]) continue;
-    out.triangles.push_back(mesh.triangles[f]);
-    if (!mesh.owners.empty()) out.owners.push_back(mesh.owners[f]);
+PieceOfMesh::PieceOfMesh(const MeshAudit& audit, const MeshSource& mesh, const Piece& piece)
+    : audit_(audit), mesh_(mesh), wanted_(audit.components().size(), false) {
+  for (const std::uint32_t c : piece.components) {
+    wanted_[c] = true;
+    vertices_ += audit.components()[c].vertices;
+    triangles_ += audit.components()[c].triangles;
   }
-  drop_unused_vertices(out);
-  return out;
+}
+
+// Vertices keep their order and are numbered anew, those of a former block as long as they are
+// open.
+void PieceOfMesh::for_each_block(const Body& body) const {
+  constexpr std::uint32_t kDropped = ~0u;
+  std::map<std::uint32_t, std::uint32_t> renumbered;  // open vertices
+  std::uint32_t first_new = 0;
+  std::size_t index = 0;
+  mesh_.for_each_block([&](const MeshBlock& block) {
+    const std::vector<std::uint32_t> components = audit_.components_of(index++, block);
+    std::vector<std::uint32_t> at(block.points.size(), kDropped), borrowed, open;
+    for (std::size_t f = 0; f < components.size(); ++f)
+      if (wanted_[components[f]])
+        for (const std::uint32_t v : block.triangles[f]) at[v] = 0;
+    TriMesh kept;
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (at[v] == kDropped) continue;
+      at[v] = static_cast<std::uint32_t>(kept.vertices.size());
+      kept.vertices.push_back(block.points[v]);
+      if (v < block.borrowed.size())
+        borrowed.push_back(renumbered.at(block.borrowed[v]));
+      else if (!block.colors.empty())
+        kept.colors.push_back(block.colors[v - block.borrowed.size()]);
+    }
+    for (std::size_t f = 0; f < components.size(); ++f) {
+      if (!wanted_[components[f]]) continue;
+      const auto& t = block.triangles[f];
+      kept.triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
+      if (!block.owners.empty()) kept.owners.push_back(block.owners[f]);
+    }
+    std::map<std::uint32_t, std::uint32_t> still;
+    for (const std::uint32_t number : block.open) {
+      const auto known = renumbered.find(number);
+      std::uint32_t renamed = kDropped;
+      if (known != renumbered.end())
+        renamed = known->second;
+      else if (number >= block.first_new)
+        renamed = at[number - block.first_new + block.borrowed.size()];
+      if (renamed == kDropped) continue;
+      if (known == renumbered.end())
+        renamed += first_new - static_cast<std::uint32_t>(borrowed.size());
+      still.emplace_hint(still.end(), number, renamed);
+      open.push_back(renamed);
+    }
+    const MeshBlock out{kept.vertices, borrowed,    first_new, kept.triangles,
+                        kept.owners,   kept.colors, open};
+    first_new += static_cast<std::uint32_t>(out.fresh().size());
+    renumbered = std::move(still);
+    body(out);
+  });
+}
+
+TriMesh collected(const MeshSource& mesh) {
+  MeshCollector collector;
+  mesh.for_each_block([&](const MeshBlock& block) { collector.take(block); });
+  collector.mesh().origin = mesh.origin();
+  return std::move(collector.mesh());
+}
+
+TriMesh extract_piece(const TriMesh& mesh, const Piece& piece) {
+  MeshAudit audit;
+  audit.take(whole_block(mesh));
+  return collected(PieceOfMesh(audit, MemoryMesh(mesh), piece));
 }
 
 }  // namespace mrsim

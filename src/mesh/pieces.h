@@ -1,6 +1,8 @@
 // Detached pieces: parts of the mesh that no material joins.
 #pragma once
 
+#include "mesh/mesh_audit.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <cstdint>
@@ -14,15 +16,42 @@ struct Piece {
   Vec3 center;        ///< centre of volume, mm
   Box3 bounds;        ///< mm
   std::size_t triangles = 0;
-  std::vector<std::uint32_t> components;  ///< of its surface: the outer one, then its cavities
+  std::vector<std::uint32_t> components;  ///< as MeshAudit counts them: the outer one, then its
+                                          ///< cavities
 };
 
 /// The pieces of a closed, oriented mesh, largest volume first (ties: the first triangle). A cavity
-/// belongs to the piece around it; a solid within a cavity is a piece.
+/// belongs to the piece around it; a solid within a cavity is a piece. `audit` took the blocks of
+/// `mesh`, which is gone through once more where there are cavities.
+std::vector<Piece> find_pieces(const MeshAudit& audit, const MeshSource& mesh);
 std::vector<Piece> find_pieces(const TriMesh& mesh);
 
 /// "detached piece of 12.5 mm3 at (3, 4, 5) mm, 1.2 x 3 x 5 mm".
 std::string describe_piece(const Piece& piece);
+
+/// One piece of a mesh, both of which must outlive it; owners and colours with it.
+class PieceOfMesh final : public MeshSource {
+ public:
+  PieceOfMesh(const MeshAudit& audit, const MeshSource& mesh, const Piece& piece);
+  std::size_t vertices() const override { return vertices_; }
+  std::size_t triangles() const override { return triangles_; }
+  void for_each_block(const Body& body) const override;
+  const OwnerTable& origin() const override { return mesh_.origin(); }
+  bool has_owners() const override { return mesh_.has_owners(); }
+  bool has_colors() const override { return mesh_.has_colors(); }
+  const std::vector<ColorLabel>& legend() const override { return mesh_.legend(); }
+  /// Which components belong to it.
+  const std::vector<bool>& wanted() const { return wanted_; }
+
+ private:
+  const MeshAudit& audit_;
+  const MeshSource& mesh_;
+  std::vector<bool> wanted_;
+  std::size_t vertices_ = 0, triangles_ = 0;
+};
+
+/// All of `mesh` in memory, without its legend.
+TriMesh collected(const MeshSource& mesh);
 
 /// The triangles of one piece, owners and colours with them.
 TriMesh extract_piece(const TriMesh& mesh, const Piece& piece);
