@@ -44,7 +44,7 @@ void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, c
       continue;
     }
     files.push_back({path, [&, format = mesh_format_of(path)](const ByteSink& out) {
-                       encode_mesh(mesh, format, options, out);
+                       encode_mesh(MemoryMesh(mesh), format, options, out);
                      }});
   }
   write_files_atomically(files);

@@ -92,6 +92,8 @@ struct MeshFileOptions {
   ColorBy color = ColorBy::none;
   /// Text instead of binary where a format has both (STL).
   bool ascii = false;
+  /// Threads, 0 = all cores. The bytes do not depend on it.
+  int threads = 0;
 };
 
 struct RenderOptions {

@@ -1,5 +1,6 @@
 #include "mesh/mesh_io.h"
 
+#include "core/error.h"
 #include "core/text_io.h"
 #include "mesh/glb.h"
 #include "mesh/obj.h"
@@ -57,21 +58,27 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
   return parse_glb(bytes, name);
 }
 
-void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+bool is_streamed(MeshFormat format) { return format != MeshFormat::glb; }
+
+void encode_mesh(const MeshSource& mesh, MeshFormat format, const MeshFileOptions& options,
                  const ByteSink& out) {
   switch (format) {
     case MeshFormat::stl:
-      return options.ascii ? write_stl_ascii(mesh, out) : write_stl(mesh, out);
+      return options.ascii ? write_stl_ascii(mesh, out, options.threads)
+                           : write_stl(mesh, out, options.threads);
     case MeshFormat::obj:
-      return write_obj(mesh, out);
+      return write_obj(mesh, out, options.threads);
     case MeshFormat::ply:
-      return write_ply(mesh, options.color, out);
+      return write_ply(mesh, options.color, out, options.threads);
     case MeshFormat::off:
-      return write_off(mesh, out);
+      return write_off(mesh, out, options.threads);
     case MeshFormat::threemf:
-      return write_3mf(mesh, options.color, out);
-    case MeshFormat::glb:
-      return write_glb(mesh, options, out);
+      return write_3mf(mesh, options.color, out, options.threads);
+    case MeshFormat::glb: {
+      const TriMesh* whole = mesh.in_memory();
+      MRSIM_ASSERT(whole != nullptr);
+      return write_glb(*whole, options, out);
+    }
   }
 }
 
@@ -84,8 +91,8 @@ void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptio
   const MeshFormat format = mesh_format_of(path);
   if (mesh.triangles.empty())
     throw Error("mesh-empty", fmt::format("{} is not written: nothing is left of the part", path));
-  write_file_atomically(path,
-                        [&](const ByteSink& out) { encode_mesh(mesh, format, options, out); });
+  write_file_atomically(
+      path, [&](const ByteSink& out) { encode_mesh(MemoryMesh(mesh), format, options, out); });
 }
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -24,8 +25,12 @@ bool keeps_owners(MeshFormat format);
 /// "mesh-format".
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
 
-/// The bytes of a file of that format.
-void encode_mesh(const TriMesh& mesh, MeshFormat format, const MeshFileOptions& options,
+/// Whether a file of that format is written from a mesh that is not in memory.
+bool is_streamed(MeshFormat format);
+
+/// The bytes of a file of that format, which do not depend on the blocks of the mesh. Requires: the
+/// mesh is in memory where the format is not streamed.
+void encode_mesh(const MeshSource& mesh, MeshFormat format, const MeshFileOptions& options,
                  const ByteSink& out);
 
 /// Reads a file. Throws what read_file and the format throw.

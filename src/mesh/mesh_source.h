@@ -23,6 +23,8 @@ class MeshSource {
   virtual std::size_t triangles() const = 0;
   /// Calls `body` for each block, in order; the blocks are the same each time.
   virtual void for_each_block(const Body& body) const = 0;
+  /// The mesh, where it is in memory as a whole.
+  virtual const TriMesh* in_memory() const { return nullptr; }
   /// What owners stand for.
   virtual const OwnerTable& origin() const = 0;
   virtual bool has_owners() const = 0;
@@ -37,6 +39,7 @@ class MemoryMesh final : public MeshSource {
   std::size_t vertices() const override { return mesh_.vertices.size(); }
   std::size_t triangles() const override { return mesh_.triangles.size(); }
   void for_each_block(const Body& body) const override { body(whole_block(mesh_)); }
+  const TriMesh* in_memory() const override { return &mesh_; }
   const OwnerTable& origin() const override { return mesh_.origin; }
   bool has_owners() const override { return !mesh_.owners.empty(); }
   bool has_colors() const override { return !mesh_.colors.empty(); }

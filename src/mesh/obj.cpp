@@ -1,12 +1,14 @@
 #include "mesh/obj.h"
 
 #include "core/bytes.h"
+#include "mesh/item_writer.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/origin_text.h"
 #include "mesh/palette.h"
 #include "mesh/text_scan.h"
 
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -104,39 +106,48 @@ TriMesh parse_obj(std::string_view text, const std::string& name) {
   return ObjReader(text, name).read();
 }
 
-void write_obj(const TriMesh& mesh, const ByteSink& out) {
-  detail::Buffer buffer(out);
-  buffer.text() += "# mrsim, mm\n";
-  for (const std::string& line : origin_lines(mesh.origin))
-    buffer.text() += "# mrsim " + line + "\n";
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    std::string& text = buffer.text();
-    text += 'v';
-    for (const float x : mesh.vertices[v]) {
-      text += ' ';
-      detail::append_number(text, x);
-    }
-    if (!mesh.colors.empty())
-      for (const std::uint8_t c : mesh.colors[v]) {
+void write_obj(const MeshSource& mesh, const ByteSink& out, int threads) {
+  std::string head = "# mrsim, mm\n";
+  for (const std::string& line : origin_lines(mesh.origin())) head += "# mrsim " + line + "\n";
+  detail::write_text(head, out);
+  mesh.for_each_block([&](const MeshBlock& block) {
+    const auto fresh = block.fresh();
+    detail::write_items(fresh.size(), threads, out, [&](std::string& text, std::size_t v) {
+      text += 'v';
+      for (const float x : fresh[v]) {
         text += ' ';
-        detail::append_number(text, float(c) / 255);
+        detail::append_number(text, x);
       }
-    text += '\n';
-  }
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    std::string& text = buffer.text();
-    if (!mesh.owners.empty() && (f == 0 || mesh.owners[f] != mesh.owners[f - 1])) {
-      if (mesh.owners[f] >= 0) text += fmt::format("# mrsim group {}\n", mesh.owners[f]);
-      text += "g " + group_name(mesh.origin, mesh.owners[f]) + "\n";
-    }
-    text += 'f';
-    for (const std::uint32_t v : mesh.triangles[f]) {
-      text += ' ';
-      detail::append_number(text, std::int64_t(v) + 1);
-    }
-    text += '\n';
-  }
-  buffer.flush();
+      if (!block.colors.empty())
+        for (const std::uint8_t c : block.colors[v]) {
+          text += ' ';
+          detail::append_number(text, float(c) / 255);
+        }
+      text += '\n';
+    });
+  });
+  std::optional<std::int32_t> last;  // owner of the last triangle of the block before
+  mesh.for_each_block([&](const MeshBlock& block) {
+    const auto begins_group = [&](std::size_t f) {
+      const std::optional<std::int32_t> before = f == 0 ? last : block.owners[f - 1];
+      return before != block.owners[f];
+    };
+    detail::write_items(block.triangles.size(), threads, out,
+                        [&](std::string& text, std::size_t f) {
+                          if (!block.owners.empty() && begins_group(f)) {
+                            if (block.owners[f] >= 0)
+                              text += fmt::format("# mrsim group {}\n", block.owners[f]);
+                            text += "g " + group_name(mesh.origin(), block.owners[f]) + "\n";
+                          }
+                          text += 'f';
+                          for (const std::uint32_t v : block.triangles[f]) {
+                            text += ' ';
+                            detail::append_number(text, std::int64_t(block.number(v)) + 1);
+                          }
+                          text += '\n';
+                        });
+    if (!block.owners.empty()) last = block.owners.back();
+  });
 }
 
 }  // namespace mrsim

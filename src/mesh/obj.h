@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <string>
@@ -17,6 +18,9 @@ TriMesh parse_obj(std::string_view text, const std::string& name);
 
 /// Text; numbers are the shortest that read back to the same float. Faces of one owner follow one
 /// another only where the mesh has them so: order and indices are those of the mesh.
-void write_obj(const TriMesh& mesh, const ByteSink& out);
+void write_obj(const MeshSource& mesh, const ByteSink& out, int threads = 0);
+inline void write_obj(const TriMesh& mesh, const ByteSink& out) {
+  write_obj(MemoryMesh(mesh), out);
+}
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "mesh/off.h"
 
 #include "core/bytes.h"
+#include "mesh/item_writer.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/text_scan.h"
 
@@ -88,26 +89,28 @@ TriMesh parse_off(std::string_view text, const std::string& name) {
   return OffReader(text, name).read();
 }
 
-void write_off(const TriMesh& mesh, const ByteSink& out) {
-  detail::Buffer buffer(out);
-  buffer.text() += fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
-  for (const auto& v : mesh.vertices) {
-    std::string& text = buffer.text();
-    for (int k = 0; k < 3; ++k) {
-      detail::append_number(text, v[k]);
-      text += k < 2 ? ' ' : '\n';
-    }
-  }
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    std::string& text = buffer.text();
-    text += '3';
-    for (const std::uint32_t v : mesh.triangles[f]) {
-      text += ' ';
-      detail::append_number(text, std::int64_t(v));
-    }
-    text += '\n';
-  }
-  buffer.flush();
+void write_off(const MeshSource& mesh, const ByteSink& out, int threads) {
+  detail::write_text(fmt::format("OFF\n{} {} 0\n", mesh.vertices(), mesh.triangles()), out);
+  mesh.for_each_block([&](const MeshBlock& block) {
+    const auto fresh = block.fresh();
+    detail::write_items(fresh.size(), threads, out, [&](std::string& text, std::size_t v) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        detail::append_number(text, fresh[v][k]);
+        text += k < 2 ? ' ' : '\n';
+      }
+    });
+  });
+  mesh.for_each_block([&](const MeshBlock& block) {
+    detail::write_items(block.triangles.size(), threads, out,
+                        [&](std::string& text, std::size_t f) {
+                          text += '3';
+                          for (const std::uint32_t v : block.triangles[f]) {
+                            text += ' ';
+                            detail::append_number(text, std::int64_t(block.number(v)));
+                          }
+                          text += '\n';
+                        });
+  });
 }
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <string>
@@ -15,6 +16,9 @@ TriMesh parse_off(std::string_view text, const std::string& name);
 
 /// Numbers are the shortest that read back to the same float. Owners are lost; colours are not
 /// written, for many readers take them for vertices.
-void write_off(const TriMesh& mesh, const ByteSink& out);
+void write_off(const MeshSource& mesh, const ByteSink& out, int threads = 0);
+inline void write_off(const TriMesh& mesh, const ByteSink& out) {
+  write_off(MemoryMesh(mesh), out);
+}
 
 }  // namespace mrsim

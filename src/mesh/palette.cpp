@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -90,31 +91,48 @@ std::string owner_label(const OwnerTable& table, std::int32_t owner) {
   return label;
 }
 
-FacePalette make_palette(const TriMesh& mesh, ColorBy by) {
-  FacePalette out;
-  if (by == ColorBy::none || mesh.owners.size() != mesh.triangles.size()) return out;
-  std::map<std::int32_t, std::uint32_t> entry_of_owner;
-  for (const std::int32_t owner : mesh.owners) entry_of_owner.try_emplace(std::max(owner, -1), 0);
+OwnerColors color_owners(const std::set<std::int32_t>& owners, const OwnerTable& table,
+                         ColorBy by) {
+  OwnerColors out;
+  if (by == ColorBy::none || owners.empty()) return out;
+  for (const std::int32_t owner : owners) out.entry_of.try_emplace(std::max(owner, -1), 0);
   std::map<Key, std::uint32_t> entry_of_key;
-  for (const auto& [owner, entry] : entry_of_owner)
-    entry_of_key.try_emplace(key_of(mesh.origin, by, owner), 0);
+  for (const auto& [owner, entry] : out.entry_of)
+    entry_of_key.try_emplace(key_of(table, by, owner), 0);
   std::uint32_t count = 0;
   for (auto& [key, entry] : entry_of_key) entry = count++;
   out.entries.resize(count);
   const bool has_stock = entry_of_key.begin()->first == Key{0, 0, 0};
-  for (auto item = entry_of_owner.rbegin(); item != entry_of_owner.rend(); ++item) {
-    const Key key = key_of(mesh.origin, by, item->first);
+  for (auto item = out.entry_of.rbegin(); item != out.entry_of.rend(); ++item) {
+    const Key key = key_of(table, by, item->first);
     PaletteEntry& entry = out.entries[item->second = entry_of_key[key]];
     entry.owner = item->first;
-    entry.label = label_of(mesh.origin, by, item->first);
+    entry.label = label_of(table, by, item->first);
     if (item->first < 0) continue;
     entry.color = by == ColorBy::tool
                       ? tool_color(std::size_t(std::max(std::get<1>(key), std::int32_t(0))))
                       : ramp(item->second - has_stock, count - has_stock);
   }
+  return out;
+}
+
+std::set<std::int32_t> owners_of(const MeshSource& mesh) {
+  std::set<std::int32_t> owners;
+  mesh.for_each_block([&](const MeshBlock& block) {
+    std::optional<std::int32_t> last;
+    for (const std::int32_t owner : block.owners)
+      if (owner != last) last = *owners.insert(owner).first;
+  });
+  return owners;
+}
+
+FacePalette make_palette(const TriMesh& mesh, ColorBy by) {
+  FacePalette out;
+  if (by == ColorBy::none || mesh.owners.size() != mesh.triangles.size()) return out;
+  const OwnerColors colors = color_owners(owners_of(MemoryMesh(mesh)), mesh.origin, by);
+  out.entries = colors.entries;
   out.index.reserve(mesh.owners.size());
-  for (const std::int32_t owner : mesh.owners)
-    out.index.push_back(entry_of_owner[std::max(owner, -1)]);
+  for (const std::int32_t owner : mesh.owners) out.index.push_back(colors.entry(owner));
   return out;
 }
 

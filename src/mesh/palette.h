@@ -2,11 +2,14 @@
 // by colour-blind people too.
 #pragma once
 
+#include "mesh/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,18 @@ struct FacePalette {
   std::vector<PaletteEntry> entries;  ///< stock first where it occurs, then by program order
   std::vector<std::uint32_t> index;   ///< #F: into entries; empty without colours
 };
+
+/// The same by owner.
+struct OwnerColors {
+  std::vector<PaletteEntry> entries;
+  std::map<std::int32_t, std::uint32_t> entry_of;  ///< by owner, the stock's being -1
+  bool empty() const { return entry_of.empty(); }
+  std::uint32_t entry(std::int32_t owner) const { return entry_of.at(owner < -1 ? -1 : owner); }
+};
+OwnerColors color_owners(const std::set<std::int32_t>& owners, const OwnerTable& table, ColorBy by);
+
+/// The owners that a mesh names.
+std::set<std::int32_t> owners_of(const MeshSource& mesh);
 
 /// Tools: a set of colours made for colour blindness (after Okabe and Ito), by the order of the
 /// tool list. Lines: a ramp from blue to ochre that grows steadily lighter, from the first line to

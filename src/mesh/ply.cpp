@@ -1,6 +1,7 @@
 #include "mesh/ply.h"
 
 #include "core/bytes.h"
+#include "mesh/item_writer.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/origin_text.h"
 #include "mesh/palette.h"
@@ -273,34 +274,38 @@ void PlyReader::take(const Element& element, const Record& record) {
   }
 }
 
-std::string header_of(const TriMesh& mesh, bool owners, bool colors) {
+std::string header_of(const MeshSource& mesh, bool colors) {
   std::string h = "ply\nformat binary_little_endian 1.0\ncomment mrsim part, mm\n";
-  for (const std::string& line : origin_lines(mesh.origin)) h += "comment mrsim " + line + "\n";
-  if (!mesh.colors.empty())
-    for (const std::string& line : legend_lines(mesh.legend)) h += "comment mrsim " + line + "\n";
+  for (const std::string& line : origin_lines(mesh.origin())) h += "comment mrsim " + line + "\n";
+  if (mesh.has_colors())
+    for (const std::string& line : legend_lines(mesh.legend())) h += "comment mrsim " + line + "\n";
   h += fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
-                   mesh.vertices.size());
+                   mesh.vertices());
   const char* rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-  if (!mesh.colors.empty()) h += rgb;
-  h += fmt::format("element face {}\nproperty list uchar int vertex_indices\n",
-                   mesh.triangles.size());
-  if (owners) h += "property int owner\nproperty int file\nproperty int line\nproperty int tool\n";
+  if (mesh.has_colors()) h += rgb;
+  h += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles());
+  if (mesh.has_owners())
+    h += "property int owner\nproperty int file\nproperty int line\nproperty int tool\n";
   if (colors) h += rgb;
   return h + "end_header\n";
 }
 
-void append_face(const TriMesh& mesh, std::size_t f, const FacePalette& palette,
-                 std::string& text) {
-  text += char(3);
-  for (const std::uint32_t v : mesh.triangles[f]) detail::store(text, std::int32_t(v));
-  if (!mesh.owners.empty()) {
-    const FaceOrigin* known = find_origin(mesh.origin, mesh.owners[f]);
+void append_face(const MeshBlock& block, std::size_t f, const OwnerTable& table,
+                 const OwnerColors& colors, std::string& text) {
+  char record[32] = {3};
+  char* at = record + 1;
+  for (const std::uint32_t v : block.triangles[f])
+    at = detail::store(at, std::int32_t(block.number(v)));
+  if (!block.owners.empty()) {
+    const FaceOrigin* known = find_origin(table, block.owners[f]);
     const FaceOrigin origin = known ? *known : FaceOrigin{};
-    for (const std::int32_t n : {mesh.owners[f], origin.file, origin.line, origin.tool})
-      detail::store(text, n);
+    for (const std::int32_t n : {block.owners[f], origin.file, origin.line, origin.tool})
+      at = detail::store(at, n);
   }
-  if (!palette.index.empty())
-    for (const std::uint8_t c : palette.entries[palette.index[f]].color) detail::store(text, c);
+  if (!colors.empty())
+    for (const std::uint8_t c : colors.entries[colors.entry(block.owners[f])].color)
+      at = detail::store(at, c);
+  text.append(record, std::size_t(at - record));
 }
 
 }  // namespace
@@ -309,19 +314,27 @@ TriMesh parse_ply(std::string_view bytes, const std::string& name) {
   return PlyReader(bytes, name).read();
 }
 
-void write_ply(const TriMesh& mesh, ColorBy color, const ByteSink& out) {
-  const FacePalette palette = make_palette(mesh, color);
-  detail::Buffer buffer(out);
-  buffer.text() += header_of(mesh, !mesh.owners.empty(), !palette.index.empty());
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    std::string& text = buffer.text();
-    for (const float x : mesh.vertices[v]) detail::store(text, x);
-    if (!mesh.colors.empty())
-      for (const std::uint8_t c : mesh.colors[v]) detail::store(text, c);
-  }
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-    append_face(mesh, f, palette, buffer.text());
-  buffer.flush();
+void write_ply(const MeshSource& mesh, ColorBy color, const ByteSink& out, int threads) {
+  OwnerColors colors;
+  if (color != ColorBy::none) colors = color_owners(owners_of(mesh), mesh.origin(), color);
+  detail::write_text(header_of(mesh, !colors.empty()), out);
+  mesh.for_each_block([&](const MeshBlock& block) {
+    const auto fresh = block.fresh();
+    detail::write_items(fresh.size(), threads, out, [&](std::string& text, std::size_t v) {
+      char record[16];
+      char* at = record;
+      for (const float x : fresh[v]) at = detail::store(at, x);
+      if (!block.colors.empty())
+        for (const std::uint8_t c : block.colors[v]) at = detail::store(at, c);
+      text.append(record, std::size_t(at - record));
+    });
+  });
+  mesh.for_each_block([&](const MeshBlock& block) {
+    detail::write_items(block.triangles.size(), threads, out,
+                        [&](std::string& text, std::size_t f) {
+                          append_face(block, f, mesh.origin(), colors, text);
+                        });
+  });
 }
 
 }  // namespace mrsim

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -20,6 +21,9 @@ namespace mrsim {
 /// "ply-truncated", "ply-index", "ply-nan", "ply-polygon", "ply-empty".
 TriMesh parse_ply(std::string_view bytes, const std::string& name);
 
-void write_ply(const TriMesh& mesh, ColorBy color, const ByteSink& out);
+void write_ply(const MeshSource& mesh, ColorBy color, const ByteSink& out, int threads = 0);
+inline void write_ply(const TriMesh& mesh, ColorBy color, const ByteSink& out) {
+  write_ply(MemoryMesh(mesh), color, out);
+}
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 
 #include "core/bytes.h"
 #include "mesh/half_edges.h"
+#include "mesh/item_writer.h"
 #include "mesh/text_scan.h"
 #include "mesh/weld.h"
 
@@ -152,11 +153,15 @@ bool looks_like_text(std::string_view bytes) {
 }
 
 // Viewers shade by it; zero for a triangle without area.
-std::array<float, 3> facet_normal(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
-  const Vec3 a = to_vec(mesh.vertices[t[0]]);
-  const Vec3 n =
-      normalized(cross(to_vec(mesh.vertices[t[1]]) - a, to_vec(mesh.vertices[t[2]]) - a));
+std::array<float, 3> facet_normal(const MeshBlock& block, const std::array<std::uint32_t, 3>& t) {
+  const Vec3 a = to_vec(block.points[t[0]]);
+  const Vec3 n = normalized(cross(to_vec(block.points[t[1]]) - a, to_vec(block.points[t[2]]) - a));
   return {float(n.x), float(n.y), float(n.z)};
+}
+
+char* store_point(char* at, const std::array<float, 3>& point) {
+  for (const float x : point) at = detail::store(at, x);
+  return at;
 }
 
 void append_point(std::string& text, const std::array<float, 3>& point) {
@@ -190,39 +195,43 @@ TriMesh parse_stl(std::string_view bytes, const std::string& name) {
   return parse_binary(bytes, name);
 }
 
-void write_stl(const TriMesh& mesh, const ByteSink& out) {
-  detail::Buffer buffer(out);
+void write_stl(const MeshSource& mesh, const ByteSink& out, int threads) {
+  if (mesh.triangles() > 0xffffffff)
+    throw Error("stl-too-large", "the mesh has more triangles than an STL file counts");
   std::string header = "mrsim binary STL, mm";
   header.resize(80, ' ');
-  buffer.text() += header;
-  detail::store(buffer.text(), std::uint32_t(mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
-    std::string& text = buffer.text();
-    for (const float x : facet_normal(mesh, t)) detail::store(text, x);
-    for (const std::uint32_t v : t)
-      for (const float x : mesh.vertices[v]) detail::store(text, x);
-    text.append(2, '\0');
-  }
-  buffer.flush();
+  detail::store(header, std::uint32_t(mesh.triangles()));
+  detail::write_text(header, out);
+  mesh.for_each_block([&](const MeshBlock& block) {
+    detail::write_items(block.triangles.size(), threads, out,
+                        [&](std::string& text, std::size_t f) {
+                          const auto& t = block.triangles[f];
+                          char record[kTriangle] = {};
+                          char* at = store_point(record, facet_normal(block, t));
+                          for (const std::uint32_t v : t) at = store_point(at, block.points[v]);
+                          text.append(record, kTriangle);
+                        });
+  });
 }
 
-void write_stl_ascii(const TriMesh& mesh, const ByteSink& out) {
-  detail::Buffer buffer(out);
-  buffer.text() += "solid mrsim\n";
-  for (const auto& t : mesh.triangles) {
-    std::string& text = buffer.text();
-    text += "facet normal";
-    append_point(text, facet_normal(mesh, t));
-    text += "\n outer loop\n";
-    for (const std::uint32_t v : t) {
-      text += "  vertex";
-      append_point(text, mesh.vertices[v]);
-      text += '\n';
-    }
-    text += " endloop\nendfacet\n";
-  }
-  buffer.text() += "endsolid mrsim\n";
-  buffer.flush();
+void write_stl_ascii(const MeshSource& mesh, const ByteSink& out, int threads) {
+  detail::write_text("solid mrsim\n", out);
+  mesh.for_each_block([&](const MeshBlock& block) {
+    detail::write_items(block.triangles.size(), threads, out,
+                        [&](std::string& text, std::size_t f) {
+                          const auto& t = block.triangles[f];
+                          text += "facet normal";
+                          append_point(text, facet_normal(block, t));
+                          text += "\n outer loop\n";
+                          for (const std::uint32_t v : t) {
+                            text += "  vertex";
+                            append_point(text, block.points[v]);
+                            text += '\n';
+                          }
+                          text += " endloop\nendfacet\n";
+                        });
+  });
+  detail::write_text("endsolid mrsim\n", out);
 }
 
 }  // namespace mrsim

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <string>
@@ -20,9 +21,15 @@ namespace mrsim {
 TriMesh parse_stl(std::string_view bytes, const std::string& name);
 
 /// Binary STL, little-endian on any machine.
-void write_stl(const TriMesh& mesh, const ByteSink& out);
+void write_stl(const MeshSource& mesh, const ByteSink& out, int threads = 0);
+inline void write_stl(const TriMesh& mesh, const ByteSink& out) {
+  write_stl(MemoryMesh(mesh), out);
+}
 
 /// ASCII STL; numbers are the shortest that read back to the same float.
-void write_stl_ascii(const TriMesh& mesh, const ByteSink& out);
+void write_stl_ascii(const MeshSource& mesh, const ByteSink& out, int threads = 0);
+inline void write_stl_ascii(const TriMesh& mesh, const ByteSink& out) {
+  write_stl_ascii(MemoryMesh(mesh), out);
+}
 
 }  // namespace mrsim

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/text_io.h"
+#include "mesh/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -20,6 +21,9 @@ namespace mrsim {
 /// "3mf-unsupported" (parts in other files, encrypted content).
 TriMesh parse_3mf(std::string_view bytes, const std::string& name);
 
-void write_3mf(const TriMesh& mesh, ColorBy color, const ByteSink& out);
+void write_3mf(const MeshSource& mesh, ColorBy color, const ByteSink& out, int threads = 0);
+inline void write_3mf(const TriMesh& mesh, ColorBy color, const ByteSink& out) {
+  write_3mf(MemoryMesh(mesh), color, out);
+}
 
 }  // namespace mrsim

@@ -11,9 +11,11 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr std::uint32_t kLocalMark = 0x04034b50, kCentralMark = 0x02014b50, kEndMark = 0x06054b50;
+constexpr std::uint32_t kLocalMark = 0x04034b50, kCentralMark = 0x02014b50, kEndMark = 0x06054b50,
+                        kDataMark = 0x08074b50;
 constexpr std::size_t kLocalSize = 30, kCentralSize = 46, kEndSize = 22;
 constexpr std::size_t kStored = 0, kDeflated = 8;
+constexpr std::size_t kLargest = 0xfffffff0;
 
 [[noreturn]] void fail(const std::string& name, const char* what) {
   throw Error("3mf-zip", fmt::format("{}: {}; copy or export it again", name, what));
@@ -43,39 +45,74 @@ std::string inflated(std::string_view packed, std::size_t size, const std::strin
   return out;
 }
 
-std::string deflated(const std::string& text) {
-  z_stream stream{};
-  constexpr int kLevel = 6, kMemory = 8;
-  const int ready =
-      deflateInit2(&stream, kLevel, Z_DEFLATED, -MAX_WBITS, kMemory, Z_DEFAULT_STRATEGY);
-  MRSIM_ASSERT(ready == Z_OK);
-  std::string out(deflateBound(&stream, uLong(text.size())), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = uInt(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = uInt(out.size());
-  const int result = deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  MRSIM_ASSERT(result == Z_STREAM_END);
-  return out;
-}
+// Packs what it is given and hands it on in pieces.
+class Deflater {
+ public:
+  explicit Deflater(const ByteSink& out) : out_(out), packed_(kPiece, '\0') {
+    constexpr int kLevel = 6, kMemory = 8;
+    const int ready =
+        deflateInit2(&stream_, kLevel, Z_DEFLATED, -MAX_WBITS, kMemory, Z_DEFAULT_STRATEGY);
+    MRSIM_ASSERT(ready == Z_OK);
+  }
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+  ~Deflater() { deflateEnd(&stream_); }
+
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const Bytef*>(data);
+    crc_ = crc32_z(crc_, bytes, size);
+    plain_ += size;
+    for (std::size_t done = 0; done < size; done += kPiece) {
+      stream_.next_in = const_cast<Bytef*>(bytes + done);
+      stream_.avail_in = uInt(std::min(size - done, kPiece));
+      while (stream_.avail_in > 0) run(Z_NO_FLUSH);
+    }
+  }
+  void finish() {
+    while (run(Z_FINISH) != Z_STREAM_END) {
+    }
+  }
+  std::uint32_t crc() const { return std::uint32_t(crc_); }
+  std::size_t plain_size() const { return plain_; }
+  std::size_t packed_size() const { return packed_size_; }
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t(1) << 18;
+
+  int run(int flush) {
+    stream_.next_out = reinterpret_cast<Bytef*>(packed_.data());
+    stream_.avail_out = uInt(packed_.size());
+    const int result = deflate(&stream_, flush);
+    MRSIM_ASSERT(result == Z_OK || result == Z_STREAM_END);
+    const std::size_t made = packed_.size() - stream_.avail_out;
+    if (made > 0) out_(packed_.data(), made);
+    packed_size_ += made;
+    return result;
+  }
+
+  const ByteSink& out_;
+  std::string packed_;
+  z_stream stream_{};
+  uLong crc_ = 0;
+  std::size_t plain_ = 0, packed_size_ = 0;
+};
 
 std::uint32_t crc_of(std::string_view bytes) {
   return std::uint32_t(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// The part that local and central headers share.
-void append_common(std::string& out, const std::string& packed, const std::string& plain,
-                   const std::string& name) {
+// The part that local and central headers share; the local one leaves crc and sizes to the record
+// after the content (bit 3 of the flags).
+void append_common(std::string& out, const std::string& name, std::uint32_t crc = 0,
+                   std::size_t packed = 0, std::size_t plain = 0) {
   store(out, std::uint16_t(20));  // version needed
-  store(out, std::uint16_t(0));
+  store(out, std::uint16_t(8));
   store(out, std::uint16_t(kDeflated));
   store(out, std::uint16_t(0));     // 00:00:00
   store(out, std::uint16_t(0x21));  // 1980-01-01
-  store(out, crc_of(plain));
-  store(out, std::uint32_t(packed.size()));
-  store(out, std::uint32_t(plain.size()));
+  store(out, crc);
+  store(out, std::uint32_t(packed));
+  store(out, std::uint32_t(plain));
   store(out, std::uint16_t(name.size()));
   store(out, std::uint16_t(0));
 }
@@ -137,34 +174,64 @@ std::string unzip(std::string_view bytes, const ZipEntry& entry, std::size_t lim
   return out;
 }
 
-std::string zip(const std::vector<std::pair<std::string, std::string>>& files) {
-  std::string out, directory;
-  for (const auto& [name, plain] : files) {
-    const std::string packed = deflated(plain);
-    const std::size_t offset = out.size();
-    if (plain.size() > 0xfffffff0 || offset + packed.size() > 0xfffffff0)
+void ZipWriter::put(const std::string& bytes) {
+  out_(bytes.data(), bytes.size());
+  position_ += bytes.size();
+}
+
+void ZipWriter::add(const std::string& name, const std::function<void(const ByteSink&)>& writer) {
+  const std::size_t offset = position_;
+  std::string head;
+  store(head, kLocalMark);
+  append_common(head, name);
+  put(head + name);
+  Deflater deflater(out_);
+  const ByteSink in = [&](const void* data, std::size_t size) {
+    deflater.add(data, size);
+    if (deflater.plain_size() > kLargest || offset + deflater.packed_size() > kLargest)
       throw Error("3mf-too-large", "the mesh is too large for a 3MF file; write .ply or .stl");
-    store(out, kLocalMark);
-    append_common(out, packed, plain, name);
-    out += name + packed;
-    store(directory, kCentralMark);
-    store(directory, std::uint16_t(20));  // version made by
-    append_common(directory, packed, plain, name);
-    for (int i = 0; i < 3; ++i) store(directory, std::uint16_t(0));  // comment, disk, attributes
-    store(directory, std::uint32_t(0));
-    store(directory, std::uint32_t(offset));
-    directory += name;
-  }
-  const std::size_t start = out.size();
-  out += directory;
-  store(out, kEndMark);
-  store(out, std::uint32_t(0));  // disks
-  store(out, std::uint16_t(files.size()));
-  store(out, std::uint16_t(files.size()));
-  store(out, std::uint32_t(directory.size()));
-  store(out, std::uint32_t(start));
-  store(out, std::uint16_t(0));
-  return out;
+  };
+  writer(in);
+  deflater.finish();
+  position_ += deflater.packed_size();
+  std::string tail;
+  store(tail, kDataMark);
+  store(tail, deflater.crc());
+  store(tail, std::uint32_t(deflater.packed_size()));
+  store(tail, std::uint32_t(deflater.plain_size()));
+  put(tail);
+  store(directory_, kCentralMark);
+  store(directory_, std::uint16_t(20));  // version made by
+  append_common(directory_, name, deflater.crc(), deflater.packed_size(), deflater.plain_size());
+  for (int i = 0; i < 3; ++i) store(directory_, std::uint16_t(0));  // comment, disk, attributes
+  store(directory_, std::uint32_t(0));
+  store(directory_, std::uint32_t(offset));
+  directory_ += name;
+  ++files_;
+}
+
+void ZipWriter::finish() {
+  const std::size_t start = position_;
+  std::string end = directory_;
+  store(end, kEndMark);
+  store(end, std::uint32_t(0));  // disks
+  store(end, std::uint16_t(files_));
+  store(end, std::uint16_t(files_));
+  store(end, std::uint32_t(directory_.size()));
+  store(end, std::uint32_t(start));
+  store(end, std::uint16_t(0));
+  put(end);
+}
+
+std::string zip(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::string bytes;
+  const ByteSink out = [&](const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  };
+  ZipWriter writer(out);
+  for (const auto& [name, content] : files) writer.add(name, content);
+  writer.finish();
+  return bytes;
 }
 
 }  // namespace mrsim::detail

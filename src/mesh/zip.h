@@ -1,7 +1,10 @@
 // ZIP archives, as far as 3MF needs them: a few deflated files, no encryption, no spanning.
 #pragma once
 
+#include "core/text_io.h"
+
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,7 +25,27 @@ std::vector<ZipEntry> zip_directory(std::string_view bytes, const std::string& n
 std::string unzip(std::string_view bytes, const ZipEntry& entry, std::size_t limit,
                   const std::string& name);
 
-/// An archive of named files, in order, with a fixed date: equal content, equal bytes.
+/// Writes an archive of named files, in order, as their content comes, with a fixed date: equal
+/// content, equal bytes. Sizes and check sums follow the content. Throws Error "3mf-too-large" for
+/// what ZIP without its extension of 64 bits can not hold.
+class ZipWriter {
+ public:
+  explicit ZipWriter(const ByteSink& out) : out_(out) {}
+  void add(const std::string& name, const std::function<void(const ByteSink&)>& writer);
+  void add(const std::string& name, const std::string& content) {
+    add(name, [&](const ByteSink& out) { out(content.data(), content.size()); });
+  }
+  /// Writes the directory. Requires: called once, last.
+  void finish();
+
+ private:
+  void put(const std::string& bytes);
+  const ByteSink& out_;
+  std::string directory_;
+  std::size_t position_ = 0, files_ = 0;
+};
+
+/// The same in memory.
 std::string zip(const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace mrsim::detail
