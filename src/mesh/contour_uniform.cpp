@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
-constexpr std::size_t kBatch = 8;      ///< tiles a thread between two blocks of the mesh
+constexpr std::int64_t kLargeParts = 32;  ///< that the tiles are looked for in at once
+constexpr std::size_t kBatch = 8;         ///< tiles a thread between two blocks of the mesh
 constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
                        kFirstOwned = ContourTile::kFirstOwned;
 
@@ -42,6 +43,10 @@ struct TileNotes {
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {
   LatticePoint low, high;  ///< tiles, half open
+};
+struct TilePart {
+  TileRange range;
+  Candidates candidates;
 };
 
 /// A thread's memory for the tiles it makes.
@@ -105,11 +110,25 @@ class UniformContour {
     return range;
   }
 
+  // Large parts one after another, then the tiles of each on their own.
   void find_tiles() {
     const Box3 bounds = field_.bounds();
-    const auto descent = field_.descent(0.5 * (bounds.lo + bounds.hi), field_.all());
     const TileRange range = whole();
-    find_tiles(*descent, range, 1);
+    std::vector<TilePart> large;
+    const auto descent = field_.descent(0.5 * (bounds.lo + bounds.hi), field_.all());
+    find_parts(*descent, range, 1, std::max<std::int64_t>(1, count(range) / kLargeParts), large);
+    std::vector<std::vector<TilePart>> single(large.size());
+    parallel_for(large.size(), options_.threads, [&](std::size_t k) {
+      const Box3 b = box(large[k].range);
+      const auto own = field_.descent(0.5 * (b.lo + b.hi), large[k].candidates);
+      find_parts(*own, large[k].range, 1, 1, single[k]);
+    });
+    for (std::vector<TilePart>& parts : single)
+      for (TilePart& part : parts) {
+        const LatticePoint& at = part.range.low;
+        tiles_.push_back(
+            {at, {at.x * kOwned, at.y * kOwned, at.z * kOwned}, std::move(part.candidates)});
+      }
     std::stable_sort(order_.axes.begin(), order_.axes.end(),
                      [&](int a, int b) { return extent(range, a) > extent(range, b); });
     std::sort(tiles_.begin(), tiles_.end(), [this](const Tile& a, const Tile& b) {
@@ -117,24 +136,28 @@ class UniformContour {
     });
   }
 
-  void find_tiles(ExactField::Descent& descent, const TileRange& range, std::size_t level) {
+  // The parts of up to `most` tiles that the surface may pass.
+  void find_parts(ExactField::Descent& descent, const TileRange& range, std::size_t level,
+                  std::int64_t most, std::vector<TilePart>& out) const {
     if (descent.enter(level, inflated(box(range), kQuantum), kSurfaceBand) !=
         ExactField::Region::mixed)
       return;
+    if (count(range) <= most) {
+      out.push_back({range, {}});
+      descent.candidates(level, out.back().candidates);
+      return;
+    }
     int axis = 0;
     for (const int a : {1, 2})
       if (extent(range, a) > extent(range, axis)) axis = a;
-    if (extent(range, axis) == 1) {
-      tiles_.push_back(
-          {range.low, {range.low.x * kOwned, range.low.y * kOwned, range.low.z * kOwned}, {}});
-      descent.candidates(level, tiles_.back().candidates);
-      return;
-    }
     TileRange low = range, high = range;
     component(low.high, axis) = component(high.low, axis) =
         component(low.low, axis) + extent(range, axis) / 2;
-    find_tiles(descent, low, level + 1);
-    find_tiles(descent, high, level + 1);
+    find_parts(descent, low, level + 1, most, out);
+    find_parts(descent, high, level + 1, most, out);
+  }
+  static std::int64_t count(const TileRange& range) {
+    return std::int64_t(extent(range, 0)) * extent(range, 1) * extent(range, 2);
   }
   static std::int32_t extent(const TileRange& range, int axis) {
     return component(range.high, axis) - component(range.low, axis);
