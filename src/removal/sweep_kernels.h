@@ -26,6 +26,12 @@ struct PointColumns {
   alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower
 };
 
+/// One side of each of eight convex polygons: where it begins, its direction and its length.
+struct alignas(64) PolygonSides {
+  static constexpr std::size_t kLanes = 8;
+  double ax[kLanes] = {}, ay[kLanes] = {}, dx[kLanes] = {}, dy[kLanes] = {}, length[kLanes] = {};
+};
+
 /// The kernels of one form. List kernels: out[k] for records[rows[k]] and one point.
 template <class Record>
 struct FormKernels {
@@ -42,6 +48,10 @@ struct SweepKernels {
   /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
   /// others.
   std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
+  /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
+  /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
+  void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,
+                   double y, double* out);
 };
 
 enum class SimdLevel { scalar, avx2, avx512 };

@@ -89,10 +89,31 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   return open;
 }
 
+static void polygons(const PolygonSides* sides, std::size_t count, const double* round, double px,
+                     double py, double* out) {
+  const V zero = splat(0.0), infinity = splat(std::numeric_limits<double>::infinity());
+  const V x = splat(px), y = splat(py);
+  for (std::size_t k = 0; k < PolygonSides::kLanes; k += kLanes) {
+    V most = zero - infinity, least = infinity;
+    for (std::size_t i = 0; i < count; ++i) {
+      const PolygonSides& s = sides[i];
+      const V wx = x - read(s.ax + k), wy = y - read(s.ay + k);
+      const V dx = read(s.dx + k), dy = read(s.dy + k);
+      const V n = dy * wx - dx * wy, t = dx * wx + dy * wy;
+      const V over = vmax(vmax(t - read(s.length + k), zero - t), zero);
+      most = vmax(n, most);
+      // The least root is the root of the least.
+      least = select(less(zero, n), vmin(n * n + over * over, least), least);
+    }
+    store(out + k, select(less(zero, most), vsqrt(least), most) - read(round + k));
+  }
+}
+
 static const SweepKernels kKernels = {
     kName,
     {ball_line_list, ball_line_least},
     {plane_line_list, plane_line_least},
     {plane_arc_list, plane_arc_least},
     bore_least,
+    polygons,
 };
