@@ -210,6 +210,7 @@ Box3 SweepTable::bounds(std::size_t i) const {
   for (const std::uint32_t s : sweeps) extend(box, columns_->bounds[s]);
   return box;
 }
+const TurnTree& SweepTable::turn_tree() const { return columns_->turn_tree; }
 double SweepTable::max_error() const { return columns_->max_error; }
 double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
 

@@ -28,6 +28,7 @@ struct SweepSample {
 class NearList;       // removal/near_list.h: a list as pruning reads it
 struct PruneRegion;   // the same
 struct PointColumns;  // removal/sweep_kernels.h
+class TurnTree;       // removal/turn_tree.h
 
 /// Which motions and which part of the tools a table holds. The default is what removes material;
 /// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
@@ -103,6 +104,9 @@ class SweepTable {
   /// distance().
   void least(const NearList& list, PointColumns& points) const;
   void least(std::span<const std::uint32_t> ids, PointColumns& points) const;
+
+  /// The turning sweeps; empty where there are none.
+  const TurnTree& turn_tree() const;
 
   /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
   /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "removal/sweep.h"
+#include "removal/sweep_polygon.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,6 +53,9 @@ struct SweepKernels {
   /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
   void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,
                    double y, double* out);
+  /// Brings `points`, seen as (x, z) or (-x, z), up to date with a polygon less `round`.
+  void (*polygon_least)(const ConvexPolygon::Side* sides, std::size_t count, double round,
+                        bool mirrored, std::uint32_t id, PointColumns& points);
 };
 
 enum class SimdLevel { scalar, avx2, avx512 };

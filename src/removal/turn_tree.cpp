@@ -250,23 +250,44 @@ class TurnTree::Narrowing {
   // Appends what is left of a pack.
   void narrow(std::uint32_t pack, Packs& out) {
     const Pack& p = tree_.packs_[pack / 2];
-    const std::uint32_t behind = pack % 2;
-    const Vec2 q = seen(region_.center, behind != 0);
-    alignas(64) double d[kLanes];
-    tree_.measure(p, q.x, q.y, d);
-    const unsigned lanes = behind != 0 ? p.behind : p.lanes;
-    unsigned kept = 0;
-    for (std::uint32_t k = 0; lanes >> k != 0; ++k)
-      if ((lanes >> k & 1u) != 0 && is_kept(p, k, behind != 0, d[k])) kept |= 1u << k;
+    const unsigned kept = kept_lanes(pack);
     if (kept == 0) return;
     // Children of a small pack are told apart at the point itself, all at once.
     const bool one = (kept & (kept - 1)) == 0;
     if (p.leaf || (!one && tree_.size_[pack / 2] <= kSmall * radius_)) return out.push_back(pack);
     for (std::uint32_t k = 0; kept >> k != 0; ++k)
-      if ((kept >> k & 1u) != 0) narrow(2 * (p.first + k) + behind, out);
+      if ((kept >> k & 1u) != 0) narrow(2 * (p.first + k) + pack % 2, out);
+  }
+
+  void members(std::uint32_t pack, std::vector<Member>& out) {
+    const Pack& p = tree_.packs_[pack / 2];
+    const unsigned kept = kept_lanes(pack);
+    for (std::uint32_t k = 0; kept >> k != 0; ++k) {
+      if ((kept >> k & 1u) == 0) continue;
+      if (!p.leaf) {
+        members(2 * (p.first + k) + pack % 2, out);
+        continue;
+      }
+      const Item& item = tree_.items_[p.first + k];
+      out.push_back({item.sweep, item.row, pack % 2 != 0});
+    }
   }
 
  private:
+  // The children that may be nearest somewhere.
+  unsigned kept_lanes(std::uint32_t pack) const {
+    const Pack& p = tree_.packs_[pack / 2];
+    const bool behind = pack % 2 != 0;
+    const Vec2 q = seen(region_.center, behind);
+    alignas(64) double d[kLanes];
+    tree_.measure(p, q.x, q.y, d);
+    const unsigned lanes = behind ? p.behind : p.lanes;
+    unsigned kept = 0;
+    for (std::uint32_t k = 0; lanes >> k != 0; ++k)
+      if ((lanes >> k & 1u) != 0 && is_kept(p, k, behind, d[k])) kept |= 1u << k;
+    return kept;
+  }
+
   Vec2 corner(int k) const {
     return region_.center +
            Vec2{k & 1 ? region_.half.x : -region_.half.x, k & 2 ? region_.half.y : -region_.half.y};
@@ -322,6 +343,29 @@ void TurnTree::narrow(const TurnRegion& region, const Nearest& best, double limi
   out.clear();
   Narrowing narrowing(*this, region, best, limit, slack);
   for (const std::uint32_t pack : in) narrowing.narrow(pack, out);
+}
+
+void TurnTree::members(const TurnRegion& region, const Nearest& best, double limit, double slack,
+                       std::span<const std::uint32_t> in, std::vector<Member>& out) const {
+  Narrowing narrowing(*this, region, best, limit, slack);
+  for (const std::uint32_t pack : in) narrowing.members(pack, out);
+}
+
+void TurnTree::least(std::span<const Member> members, PointColumns& points) const {
+  const SweepKernels& kernels = sweep_kernels();
+  for (const Member& m : members) {
+    const TurnSweep& s = turns_[m.row];
+    const std::vector<ConvexPolygon::Side>& sides = s.polygon.sides;
+    if (!s.arc && !sides.empty()) {
+      kernels.polygon_least(sides.data(), sides.size(), s.round, m.behind, m.sweep, points);
+      continue;
+    }
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const double d = section_distance(s, {m.behind ? -points.x[k] : points.x[k], points.z[k]});
+      if (d > points.least[k] || (d == points.least[k] && m.sweep > points.nearest[k])) continue;
+      points.least[k] = d, points.nearest[k] = m.sweep;
+    }
+  }
 }
 
 }  // namespace mrsim

@@ -40,6 +40,12 @@ class TurnTree {
     bool behind = false;
   };
 
+  /// A sweep, or its mirror image.
+  struct Member {
+    std::uint32_t sweep = 0, row = 0;
+    bool behind = false;
+  };
+
   TurnTree() = default;
   /// `turns` stay where they are. `items` ascend. Memory: 2 KB for 7 sweeps of an insert with four
   /// corners.
@@ -60,6 +66,13 @@ class TurnTree {
   /// sweep is one of the tree. `slack`: what rounding may change in a difference of distances.
   void narrow(const TurnRegion& region, const Nearest& best, double limit, double slack,
               std::span<const std::uint32_t> in, Packs& out) const;
+
+  /// Appends those sweeps of what narrow() has left that may be nearest somewhere in the region.
+  void members(const TurnRegion& region, const Nearest& best, double limit, double slack,
+               std::span<const std::uint32_t> in, std::vector<Member>& out) const;
+
+  /// Brings `points`, as (rho, 0, z), up to date with some sweeps, the bits of turn_distance.
+  void least(std::span<const Member> members, PointColumns& points) const;
 
  private:
   static constexpr std::size_t kLanes = PolygonSides::kLanes;
