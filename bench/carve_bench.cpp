@@ -35,7 +35,8 @@ struct Case {
 constexpr Case kCases[] = {
     {"raster-10000", 0.25},     {"raster-100000", 0.25},   {"raster-100000", 0.1},
     {"raster-1000000", 0.1},    {"adaptive-100000", 0.25}, {"adaptive-1000000", 0.25},
-    {"helix-drill-2000", 0.25}, {"turn-100000", 0.1},      {"arcs-5000", 0.25}};
+    {"helix-drill-2000", 0.25}, {"turn-1000", 0.1},        {"turn-10000", 0.1},
+    {"turn-100000", 0.1},       {"arcs-5000", 0.25}};
 
 }  // namespace
 }  // namespace mrsim::bench

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -61,28 +62,31 @@ BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::s
                                       "--voxel",
                                       voxel, blocks));
   start_.assign(static_cast<std::size_t>(blocks) + 1, 0);
-  fill(field.sweeps(), band, threads);
+  fill(field.sweeps(), field.sweeps().all(), band, threads);
 }
 
 BlockIndex::BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps)
     : voxel_(blocks.voxel_), first_(blocks.first_), count_(blocks.count_) {
   start_.assign(blocks.size() + 1, 0);
-  fill(sweeps, 0, 1);
+  std::vector<std::uint32_t> ids(sweeps.size());
+  std::iota(ids.begin(), ids.end(), 0u);
+  fill(sweeps, ids, 0, 1);
 }
 
 // A counting sort in parts of the sweeps, which are counted and placed each on its own: a part's
 // sweeps come after those of the parts before it, so every block's list ascends.
-void BlockIndex::fill(const SweepTable& sweeps, double band, int threads) {
+void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> ids, double band,
+                      int threads) {
   const std::size_t blocks = start_.size() - 1;
-  const bool few = sweeps.size() < kPartSweeps || blocks > sweeps.size();
+  const bool few = ids.size() < kPartSweeps || blocks > ids.size();
   const std::size_t parts = few ? 1 : kParts;
-  const auto first_of = [&](std::size_t part) { return sweeps.size() * part / parts; };
-  std::vector<Range> ranges(sweeps.size());
+  const auto first_of = [&](std::size_t part) { return ids.size() * part / parts; };
+  std::vector<Range> ranges(ids.size());
   std::vector<std::size_t> next(parts * blocks, 0);  // by part and block: count, then place
   parallel_for(parts, threads, [&](std::size_t part) {
     std::size_t* count = next.data() + part * blocks;
     for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
-      if (range_of(inflated(sweeps.bounds(i), band), ranges[i]))
+      if (range_of(inflated(sweeps.bounds(ids[i]), band), ranges[i]))
         for_each_block(ranges[i], [&](std::size_t b) { ++count[b]; });
   });
   std::size_t total = 0;
@@ -96,8 +100,7 @@ void BlockIndex::fill(const SweepTable& sweeps, double band, int threads) {
   parallel_for(parts, threads, [&](std::size_t part) {
     std::size_t* place = next.data() + part * blocks;
     for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
-      for_each_block(ranges[i],
-                     [&](std::size_t b) { ids_[place[b]++] = static_cast<std::uint32_t>(i); });
+      for_each_block(ranges[i], [&](std::size_t b) { ids_[place[b]++] = ids[i]; });
   });
 }
 

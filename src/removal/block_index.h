@@ -15,9 +15,10 @@ inline constexpr int kBlockVoxels = 64;
 
 class BlockIndex {
  public:
-  /// Covers the stock and `band` mm around it; sweeps are listed in every block that they come
-  /// within `band` of. The same for any number of threads. Memory: 4 bytes per sweep and block that
-  /// it reaches. Throws Error "memory" when the blocks alone would exceed `max_memory` bytes.
+  /// Covers the stock and `band` mm around it; sweeps (SweepTable::all) are listed in every block
+  /// that they come within `band` of. The same for any number of threads. Memory: 4 bytes per sweep
+  /// and block that it reaches. Throws Error "memory" when the blocks alone would exceed
+  /// `max_memory` bytes.
   BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory,
              int threads = 1);
 
@@ -43,7 +44,7 @@ class BlockIndex {
   struct Range {
     std::array<std::int32_t, 3> low{1, 1, 1}, high{};  // empty
   };
-  void fill(const SweepTable& sweeps, double band, int threads);
+  void fill(const SweepTable& sweeps, std::span<const std::uint32_t> ids, double band, int threads);
   std::int32_t block_of(double x, int axis) const;
   bool range_of(const Box3& box, Range& range) const;
   template <typename Body>

@@ -6,15 +6,15 @@
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/block_index.h"
-#include "removal/lattice.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
-#include "removal/sweep_kernels.h"
+#include "removal/turned_carver.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -22,23 +22,13 @@
 namespace mrsim {
 namespace {
 
-using FloatLeaf = openvdb::FloatTree::LeafNodeType;
-using OwnerLeaf = openvdb::Int32Tree::LeafNodeType;
-
-constexpr int kLeafVoxels = 8;
-
-struct LeafPair {
-  std::unique_ptr<FloatLeaf> distance;
-  std::unique_ptr<OwnerLeaf> owner;
-};
-
 // One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
-class BlockCarver {
+class BlockCarver : LeafWriter {
  public:
   using Lists = std::array<NearList, 7>;  // by depth, from 64 voxels to what is left at 2
 
   BlockCarver(const PartField& field, double voxel, Lists& lists)
-      : field_(field), voxel_(voxel), band_(kBandVoxels * voxel), lists_(lists) {}
+      : LeafWriter(field, voxel), lists_(lists) {}
 
   std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
                               std::span<const std::uint32_t> sweeps) {
@@ -69,7 +59,7 @@ class BlockCarver {
     NearList& left = lists_[depth + 1];
     const auto region = field_.restrict_to(PruneRegion::block(center(origin, size), half(size)),
                                            band_, lists_[depth], in_stock, left);
-    if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
+    if (size == kLeafVoxels && region != ExactField::Region::air) leaf_ = new_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
       if (evaluate_now(size, left))
@@ -85,11 +75,6 @@ class BlockCarver {
       visit(origin.offsetBy(child >> 2 & 1 ? size : 0, child >> 1 & 1 ? size : 0,
                             child & 1 ? size : 0),
             size, depth, in_stock);
-  }
-
-  void open_leaf(const openvdb::Coord& origin) {
-    leaf_.distance = std::make_unique<FloatLeaf>(origin, static_cast<float>(band_), false);
-    leaf_.owner = std::make_unique<OwnerLeaf>(origin, kStockOwner, false);
   }
 
   void close_leaf() {
@@ -128,43 +113,15 @@ class BlockCarver {
     combine_stock(in_stock);
     const openvdb::Index first = FloatLeaf::coordToOffset(origin);
     for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
-      store(k, first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels +
-                                                   z));
+      store(
+          leaf_, k,
+          first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels + z));
     });
   }
 
-  // Deep in the stock it never decides within the band.
-  void combine_stock(bool in_stock) {
-    if (in_stock)
-      std::fill_n(stock_, points_.count, -std::numeric_limits<double>::infinity());
-    else
-      field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock_);
-    for (std::size_t k = 0; k < points_.count; ++k) {
-      const double cut = -points_.least[k];
-      from_stock_[k] = stock_[k] >= cut;
-      points_.least[k] = stock_[k] >= cut ? stock_[k] : cut;
-    }
-  }
-
-  void store(std::size_t k, openvdb::Index offset) {
-    const double d = points_.least[k];
-    leaf_.distance->buffer().data()[offset] = static_cast<float>(std::clamp(d, -band_, band_));
-    if (d >= band_ || d <= -band_) return;
-    leaf_.distance->getValueMask().setOn(offset);
-    leaf_.owner->getValueMask().setOn(offset);
-    if (!from_stock_[k])
-      leaf_.owner->buffer().data()[offset] =
-          field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
-  }
-
-  const PartField& field_;
-  double voxel_, band_;
   Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
-  PointColumns points_;
-  double stock_[PointColumns::kMost];
-  bool from_stock_[PointColumns::kMost];
 };
 
 std::size_t free_memory() {
@@ -270,10 +227,16 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   std::vector<std::vector<LeafPair>> blocks(index.size());
   ProgressMeter meter(chosen.progress, index.size());
   with_threads(chosen.threads, [&] {
+    const bool turned = field.solid().is_turned() && !field.sweeps().turn_tree().roots().empty();
+    std::optional<TurnLayers> layers;
+    if (turned) layers.emplace(field, grid->voxel, kBandVoxels * grid->voxel, chosen.threads);
     parallel_for(index.size(), chosen.threads, [&](std::size_t b) {
       static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
-      BlockCarver carver(field, grid->voxel, lists);
-      blocks[b] = carver.carve(index.origin(b), index.sweeps(b));
+      const auto sweeps = index.sweeps(b);
+      if (turned && (sweeps.empty() || sweeps.front() >= field.sweeps().size()))
+        blocks[b] = TurnedCarver(field, grid->voxel, *layers).carve(index.origin(b));
+      else
+        blocks[b] = BlockCarver(field, grid->voxel, lists).carve(index.origin(b), sweeps);
       meter.step();
     });
     collect(blocks, *grid);

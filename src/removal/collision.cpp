@@ -99,8 +99,11 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     Box3 bounds;
     for (const std::uint32_t mover : here) extend(bounds, movers.sweeps.bounds(mover));
     const Box3 box = here.empty() ? Box3{} : search_box(index.box(b), bounds);
-    if (!is_empty(box))
-      found[b] = CollisionDetector(scene).detect(box, grid_.index->sweeps(b), here);
+    if (!is_empty(box)) {
+      const Box3 near = inflated(index.box(b), kBandVoxels * grid_.voxel);
+      found[b] = CollisionDetector(scene).detect(
+          box, grid_.field->sweeps().opened(grid_.index->sweeps(b), near), here);
+    }
     step(index.size());
   });
   std::vector<char> known(movers.motions.size(), 0);

@@ -18,10 +18,11 @@ namespace mrsim {
 
 /// Sweeps of one form and one tool; what they have in common.
 struct SweepClass {
-  /// How the distance is computed: the columns of near_kernels.h, or sweep by sweep.
-  enum class Form : std::uint8_t { strip, line, arc, other };
+  /// How the distance is computed: the columns of near_kernels.h, sweep by sweep, or by the tree of
+  /// turning sweeps, whose packs the list holds then.
+  enum class Form : std::uint8_t { strip, line, arc, other, turn };
   /// What the dominance test may compare (SweepSkeleton::Kind).
-  enum class Kind : std::uint8_t { none, solid, section, plan };
+  enum class Kind : std::uint8_t { none, solid, plan };
   Form form = Form::other;
   Kind kind = Kind::none;
   std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing

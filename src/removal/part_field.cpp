@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace mrsim {
 namespace {
@@ -27,12 +26,6 @@ void fill(PointColumns& columns, std::span<const Vec3> points) {
     columns.x[k] = p.x, columns.y[k] = p.y, columns.z[k] = p.z;
     columns.least[k] = kInfinity, columns.nearest[k] = 0;
   }
-}
-
-std::vector<double>& scratch(std::size_t size) {
-  static thread_local std::vector<double> buffer;
-  if (buffer.size() < size) buffer.resize(size);
-  return buffer;
 }
 
 void append_ids(const NearList& list, Candidates& out) {
@@ -93,11 +86,7 @@ PartField::PartField(StockSolid solid, SweepTable sweeps)
   }
 }
 
-Candidates PartField::all() const {
-  Candidates ids(sweeps_.size());
-  std::iota(ids.begin(), ids.end(), 0u);
-  return ids;
-}
+Candidates PartField::all() const { return sweeps_.all(); }
 
 ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
                                           const NearList& in, bool& in_stock, NearList& out) const {
@@ -137,13 +126,8 @@ FieldSample PartField::decide(const Vec3& p, double cut, std::uint32_t sweep) co
 }
 
 FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
-  if (candidates.empty()) return decide(p, kInfinity, 0);
-  std::vector<double>& d = scratch(candidates.size());
-  sweeps_.distances(candidates, p, d.data());
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < candidates.size(); ++k)
-    if (d[k] < d[best]) best = k;
-  return decide(p, d[best], candidates[best]);
+  const SweepTable::Nearest cut = sweeps_.nearest(candidates, p);
+  return decide(p, cut.distance, cut.sweep);
 }
 
 void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,

@@ -32,6 +32,8 @@ class PartField final : public ExactField {
 
   const StockSolid& solid() const { return solid_; }
   const SweepTable& sweeps() const { return sweeps_; }
+  /// mm: what rounding may change in a difference of two distances.
+  double slack() const { return slack_; }
 
  private:
   FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
@@ -42,7 +44,7 @@ class PartField final : public ExactField {
   StockSolid solid_;
   SweepTable sweeps_;
   std::vector<std::uint32_t> sweep_of_;  ///< by motion
-  double slack_;  ///< mm: what rounding may change in a difference of two distances
+  double slack_;
 };
 
 }  // namespace mrsim

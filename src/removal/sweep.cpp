@@ -202,7 +202,15 @@ SweepTable::~SweepTable() = default;
 
 std::size_t SweepTable::size() const { return columns_->refs.size(); }
 std::int32_t SweepTable::motion(std::size_t i) const { return columns_->refs[i].motion; }
-Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds[i]; }
+Box3 SweepTable::bounds(std::size_t i) const {
+  if (i < size()) return columns_->bounds[i];
+  std::vector<std::uint32_t> sweeps;
+  columns_->turn_tree.append_sweeps(static_cast<std::uint32_t>(i - size()), sweeps);
+  Box3 box;
+  for (const std::uint32_t s : sweeps) extend(box, columns_->bounds[s]);
+  return box;
+}
+const TurnTree& SweepTable::turn_tree() const { return columns_->turn_tree; }
 double SweepTable::max_error() const { return columns_->max_error; }
 double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
 
@@ -251,11 +259,6 @@ SweepColumns::Foot SweepColumns::foot(const SweepRef& ref, const Vec3& p) const 
     const BallArcFoot f = ball_arc_foot(ball_arcs[ref.row], ball_arcs[ref.row].whole, p);
     return {f.squared, f.point - p, false};
   }
-  if (ref.kind == SweepKind::turn && !turns[ref.row].arc && turns[ref.row].one_sided) {
-    const Vec2 q = {std::sqrt(p.x * p.x + p.y * p.y), p.z};
-    const Vec2 off = polygon_foot(turns[ref.row].polygon, q) - q;
-    return {dot(off, off), {off.x, 0, off.y}, true};
-  }
   if (ref.kind != SweepKind::profile) return {};
   const PlanFoot f = plan_foot(level_view(*this, ref), p, Half::any);
   return {f.rho * f.rho, {f.x - p.x, f.y - p.y, profiles[ref.row].z - p.z}, !profiles[ref.row].arc};
@@ -277,7 +280,7 @@ SweepSample SweepTable::sample(std::size_t i, const Vec3& point) const {
       return {s.distance, path_patch(columns_->cutter(ref), path, s.t, p)};
     }
     case SweepKind::turn:
-      return {columns_->distance(ref, p), turn_sample(columns_->turns[ref.row], p).patch};
+      return turn_sample(columns_->turns[ref.row], p);
     default:
       return level_sample(*columns_, ref, p);
   }

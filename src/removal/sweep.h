@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,6 +28,7 @@ struct SweepSample {
 class NearList;       // removal/near_list.h: a list as pruning reads it
 struct PruneRegion;   // the same
 struct PointColumns;  // removal/sweep_kernels.h
+class TurnTree;       // removal/turn_tree.h
 
 /// Which motions and which part of the tools a table holds. The default is what removes material;
 /// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
@@ -53,9 +55,15 @@ class SweepTable {
   ~SweepTable();
 
   std::size_t size() const;
+  /// What a list of all sweeps holds: the index of each milling sweep, ascending, and above size()
+  /// numbers of packs of turning sweeps. Lists that are pruned hold such numbers too.
+  std::vector<std::uint32_t> all() const;
+  /// The sweeps of a list, packs opened, whose bounds meet a box; ascending.
+  std::vector<std::uint32_t> opened(std::span<const std::uint32_t> list, const Box3& box) const;
   /// Index of the motion that makes sweep i. Never falls with i.
   std::int32_t motion(std::size_t i) const;
-  /// A box that holds sweep i; infinite towards the shank where the cutter reaches above the stock.
+  /// A box that holds sweep (or pack) i; infinite towards the shank where the cutter reaches above
+  /// the stock. A pack takes as many steps as it has sweeps.
   Box3 bounds(std::size_t i) const;
 
   /// Signed distance of p from sweep i, mm.
@@ -73,6 +81,14 @@ class SweepTable {
   /// out[k] = distance(ids[k], p), the same bits.
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;
 
+  /// The least distance of p from the sweeps of a list and whose it is, the lowest index of equal
+  /// ones; infinite when the list is empty.
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    std::uint32_t sweep = 0;
+  };
+  Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p) const;
+
   /// The sweeps `ids`, ascending, as a list that prune() takes. `origin` is a point of the block
   /// that it is for: single precision is good near it.
   void list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const;
@@ -89,6 +105,9 @@ class SweepTable {
   void least(const NearList& list, PointColumns& points) const;
   void least(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
+  /// The turning sweeps; empty where there are none.
+  const TurnTree& turn_tree() const;
+
   /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
   /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for
   /// others.
@@ -104,6 +123,7 @@ class SweepTable {
 
  private:
   void least_of(std::uint32_t id, PointColumns& points) const;
+  void least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
   struct Columns;
   std::unique_ptr<Columns> columns_;

@@ -338,6 +338,11 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
     uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
   }
   classify();
+  std::vector<TurnTree::Item> items;
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    if (refs[i].kind == SweepKind::turn)
+      items.push_back({static_cast<std::uint32_t>(i), refs[i].row, refs[i].shape});
+  turn_tree = TurnTree(turns, shapes, std::move(items));
 }
 
 }  // namespace mrsim

@@ -28,13 +28,6 @@ ToolColumns tool_columns(const Profile& tool) {
 SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, std::uint32_t form) {
   SweepClass k;
   k.form = static_cast<SweepClass::Form>(form);
-  if (ref.kind == SweepKind::turn) {
-    const TurnSweep& t = c.turns[ref.row];
-    if (t.arc || !t.one_sided) return k;
-    k.kind = SweepClass::Kind::section;
-    k.group = 2 * ref.shape;
-    return k;
-  }
   if (ref.frame != 0 || ref.kind == SweepKind::path) return k;
   const bool strip = ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
   k.kind = strip ? SweepClass::Kind::solid : SweepClass::Kind::plan;
@@ -83,6 +76,7 @@ void SweepColumns::classify() {
   std::uint32_t last_class = 0;
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const SweepRef& ref = refs[i];
+    if (ref.kind == SweepKind::turn) continue;  // by packs
     const std::uint32_t form = tags[i] >> kTagShift;
     const SweepClass k = class_of_sweep(*this, ref, form);
     const Key key{k.group, form, ref.shape};
@@ -104,6 +98,9 @@ void SweepColumns::classify() {
   }
   if (classes.size() <= 1) class_of = {};
   for (std::uint32_t& of : class_of) of = place[of];
+  SweepClass turn;
+  turn.form = SweepClass::Form::turn;
+  if (!turns.empty()) classes.push_back(turn);
 }
 
 }  // namespace mrsim

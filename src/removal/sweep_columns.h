@@ -10,6 +10,7 @@
 #include "removal/sweep_path.h"
 #include "removal/sweep_turn.h"
 #include "removal/tool.h"
+#include "removal/turn_tree.h"
 
 #include <cstdint>
 #include <limits>
@@ -76,8 +77,9 @@ struct SweepColumns {
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
-  std::vector<SweepClass> classes;      ///< in the order of their groups
-  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when there is one class
+  std::vector<SweepClass> classes;  ///< in the order of their groups
+  TurnTree turn_tree;
+  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when there is one class of them
   std::vector<std::uint32_t> levels;    ///< by sweep: number of the tip's height; empty when none
                                         ///< is compared by it
   bool uniform = false;                 ///< all of one kind, in the stock's frame: row i is sweep i
@@ -90,7 +92,7 @@ struct SweepColumns {
   /// Finds classes and levels.
   void classify();
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
-  /// nothing to compare. Insert: (rho, 0, z); plan: z is that of the tip.
+  /// nothing to compare. Plan: z is that of the tip.
   struct Foot {
     double squared = std::numeric_limits<double>::infinity();
     Vec3 offset;
@@ -101,6 +103,8 @@ struct SweepColumns {
     const BallArc& s = ball_arcs[ref.row];
     return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
   }
+  /// The sweeps of a list, before its packs.
+  std::span<const std::uint32_t> sweeps_of(std::span<const std::uint32_t> ids) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};

@@ -5,6 +5,8 @@
 
 #include "removal/sweep_lane_scalar.h"
 
+#include <limits>
+
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define MRSIM_X86 1
 #ifndef __clang__  // GCC 12 warns of its own AVX-512 header (GCC bug 105593)

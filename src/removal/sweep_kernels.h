@@ -3,6 +3,7 @@
 #pragma once
 
 #include "removal/sweep.h"
+#include "removal/sweep_polygon.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,12 @@ struct PointColumns {
   alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower
 };
 
+/// One side of each of eight convex polygons: where it begins, its direction and its length.
+struct alignas(64) PolygonSides {
+  static constexpr std::size_t kLanes = 8;
+  double ax[kLanes] = {}, ay[kLanes] = {}, dx[kLanes] = {}, dy[kLanes] = {}, length[kLanes] = {};
+};
+
 /// The kernels of one form. List kernels: out[k] for records[rows[k]] and one point.
 template <class Record>
 struct FormKernels {
@@ -42,6 +49,13 @@ struct SweepKernels {
   /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
   /// others.
   std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
+  /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
+  /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
+  void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,
+                   double y, double* out);
+  /// Brings `points`, seen as (x, z) or (-x, z), up to date with a polygon less `round`.
+  void (*polygon_least)(const ConvexPolygon::Side* sides, std::size_t count, double round,
+                        bool mirrored, std::uint32_t id, PointColumns& points);
 };
 
 enum class SimdLevel { scalar, avx2, avx512 };

@@ -89,10 +89,64 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   return open;
 }
 
+// polygon_distance side by side. The least root is the root of the least.
+struct SideSum {
+  V most, least;
+};
+MRSIM_LANE SideSum no_sides() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {splat(-infinity), splat(infinity)};
+}
+MRSIM_LANE void add_side(SideSum& s, V wx, V wy, V dx, V dy, V length) {
+  const V zero = splat(0.0);
+  const V n = dy * wx - dx * wy, t = dx * wx + dy * wy;
+  const V over = vmax(vmax(t - length, zero - t), zero);
+  s.most = vmax(n, s.most);
+  s.least = select(less(zero, n), vmin(n * n + over * over, s.least), s.least);
+}
+MRSIM_LANE V distance_of(const SideSum& s) {
+  return select(less(splat(0.0), s.most), vsqrt(s.least), s.most);
+}
+
+static void polygons(const PolygonSides* sides, std::size_t count, const double* round, double px,
+                     double py, double* out) {
+  const V x = splat(px), y = splat(py);
+  for (std::size_t k = 0; k < PolygonSides::kLanes; k += kLanes) {
+    SideSum sum = no_sides();
+    for (std::size_t i = 0; i < count; ++i) {
+      const PolygonSides& s = sides[i];
+      add_side(sum, x - read(s.ax + k), y - read(s.ay + k), read(s.dx + k), read(s.dy + k),
+               read(s.length + k));
+    }
+    store(out + k, distance_of(sum) - read(round + k));
+  }
+}
+
+static void polygon_least(const ConvexPolygon::Side* sides, std::size_t count, double round,
+                          bool mirrored, std::uint32_t sweep, PointColumns& points) {
+  const V sign = splat(mirrored ? -1.0 : 1.0), id = splat(static_cast<double>(sweep));
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V x = sign * read(points.x + k), y = read(points.z + k);
+    SideSum sum = no_sides();
+    for (std::size_t i = 0; i < count; ++i) {
+      const ConvexPolygon::Side& s = sides[i];
+      add_side(sum, x - splat(s.a.x), y - splat(s.a.y), splat(s.direction.x), splat(s.direction.y),
+               splat(s.length));
+    }
+    const V d = distance_of(sum) - splat(round);
+    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const M closer = either(less(d, least), both(less_equal(d, least), less(id, nearest)));
+    store(points.least + k, select(closer, d, least));
+    store(points.nearest + k, select(closer, id, nearest));
+  }
+}
+
 static const SweepKernels kKernels = {
     kName,
     {ball_line_list, ball_line_least},
     {plane_line_list, plane_line_least},
     {plane_arc_list, plane_arc_least},
     bore_least,
+    polygons,
+    polygon_least,
 };

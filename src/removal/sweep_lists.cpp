@@ -1,8 +1,10 @@
 // SweepTable over lists: sorts a list by the form of its sweeps and hands each part to the kernels.
+#include "core/vec.h"
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace mrsim {
 namespace {
@@ -44,6 +46,54 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 
 }  // namespace
 
+std::span<const std::uint32_t> SweepColumns::sweeps_of(std::span<const std::uint32_t> ids) const {
+  const auto end = std::partition_point(ids.begin(), ids.end(),
+                                        [this](std::uint32_t id) { return id < refs.size(); });
+  return ids.first(static_cast<std::size_t>(end - ids.begin()));
+}
+
+std::vector<std::uint32_t> SweepTable::all() const {
+  const auto sweeps = static_cast<std::uint32_t>(size());
+  std::vector<std::uint32_t> list;
+  list.reserve(size() - columns_->turns.size() + columns_->turn_tree.roots().size());
+  for (std::uint32_t i = 0; i < sweeps; ++i)
+    if (columns_->refs[i].kind != SweepKind::turn) list.push_back(i);
+  for (const std::uint32_t pack : columns_->turn_tree.roots()) list.push_back(sweeps + pack);
+  return list;
+}
+
+std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
+                                              const Box3& box) const {
+  const auto plain = columns_->sweeps_of(list);
+  std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
+  for (const std::uint32_t id : list.subspan(plain.size()))
+    columns_->turn_tree.append_sweeps(id - static_cast<std::uint32_t>(size()), sweeps);
+  std::erase_if(sweeps, [&](std::uint32_t i) {
+    const Box3& b = columns_->bounds[i];
+    return is_empty({max(b.lo, box.lo), min(b.hi, box.hi)});
+  });
+  // A pack and its mirror image hold the same sweeps.
+  std::sort(sweeps.begin(), sweeps.end());
+  sweeps.erase(std::unique(sweeps.begin(), sweeps.end()), sweeps.end());
+  return sweeps;
+}
+
+SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
+  static thread_local std::vector<double> d;
+  const auto plain = columns_->sweeps_of(list);
+  d.resize(plain.size());
+  distances(plain, p, d.data());
+  TurnTree::Nearest best;
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    if (d[k] < best.distance) best.distance = d[k], best.sweep = plain[k];
+  if (plain.size() < list.size()) {
+    const double rho = std::sqrt(p.x * p.x + p.y * p.y);
+    for (const std::uint32_t id : list.subspan(plain.size()))
+      columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, p.z, best);
+  }
+  return {best.distance, best.sweep};
+}
+
 void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;
@@ -74,6 +124,9 @@ void SweepTable::least(const NearList& list, PointColumns& points) const {
 void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;
+  const auto packs = ids.subspan(c.sweeps_of(ids).size());
+  if (!packs.empty()) least_of_packs(packs, points);
+  ids = c.sweeps_of(ids);
   if (ids.empty()) return;
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
     return kernels.ball_line.least(c.ball_lines.data(), ids.data(), ids.data(), ids.size(), points);
@@ -106,6 +159,17 @@ void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
     if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
     points.least[k] = d;
     points.nearest[k] = id;
+  }
+}
+
+void SweepTable::least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    TurnTree::Nearest best;
+    best.distance = points.least[k], best.sweep = static_cast<std::uint32_t>(points.nearest[k]);
+    const double rho = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
+    for (const std::uint32_t id : ids)
+      columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, points.z[k], best);
+    points.least[k] = best.distance, points.nearest[k] = best.sweep;
   }
 }
 

@@ -62,44 +62,33 @@ double polygon_distance(const ConvexPolygon& polygon, Vec2 q) {
   return most > 0 ? least : most;
 }
 
-Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q) {
-  if (polygon.sides.empty()) return polygon.point;
-  Vec2 best = q;
-  double least = kInfinity;
-  for (const Side& s : polygon.sides) {
-    if (side_of(s, q) <= 0) continue;
-    const Vec2 foot = foot_on(s, q);
-    const double d = dot(q - foot, q - foot);
-    if (d < least) least = d, best = foot;
+// Outside of a corner, the one that looks at the point more directly.
+std::int32_t polygon_side(const ConvexPolygon& polygon, Vec2 q) {
+  double most = -kInfinity;
+  std::int32_t found = 0;
+  for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
+    const double n = side_of(polygon.sides[i], q);
+    if (n > most) most = n, found = static_cast<std::int32_t>(i);
   }
-  return best;
+  return found;
 }
 
-PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q) {
+Vec2 polygon_gradient(const ConvexPolygon& polygon, Vec2 q) {
   if (polygon.sides.empty()) {
     const Vec2 off = q - polygon.point;
     const double n = length(off);
-    return {n, n > 0 ? (1 / n) * off : Vec2{1, 0}, 0};
+    return n > 0 ? (1 / n) * off : Vec2{1, 0};
   }
-  PlaneSample s{polygon_distance(polygon, q), {}, 0};
-  double most = -kInfinity;
-  for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
-    const double n = side_of(polygon.sides[i], q);
-    // The side itself; outside of a corner, the one that looks at the point more directly.
-    if (n > most) most = n, s.patch = static_cast<std::int32_t>(i);
+  Vec2 g = right_of(polygon.sides[static_cast<std::size_t>(polygon_side(polygon, q))].direction);
+  if (polygon_distance(polygon, q) <= kTiny) return g;
+  double least = kInfinity;
+  for (const Side& e : polygon.sides) {
+    if (side_of(e, q) <= 0) continue;
+    const Vec2 off = q - foot_on(e, q);
+    const double n = length(off);
+    if (n < least && n > 0) least = n, g = (1 / n) * off;
   }
-  const Side& nearest = polygon.sides[s.patch];
-  s.gradient = right_of(nearest.direction);
-  if (s.distance > kTiny) {
-    double least = kInfinity;
-    for (const Side& e : polygon.sides) {
-      if (side_of(e, q) <= 0) continue;
-      const Vec2 off = q - foot_on(e, q);
-      const double n = length(off);
-      if (n < least && n > 0) least = n, s.gradient = (1 / n) * off;
-    }
-  }
-  return s;
+  return g;
 }
 
 }  // namespace mrsim

@@ -21,16 +21,12 @@ struct ConvexPolygon {
 };
 ConvexPolygon make_polygon(std::span<const Vec2> points);
 
-/// Signed distance, nearest side and unit gradient; exact inside and outside.
-struct PlaneSample {
-  double distance = 0;
-  Vec2 gradient;
-  std::int32_t patch = 0;
-};
+/// Signed distance, exact inside and outside.
 double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
-PlaneSample polygon_sample(const ConvexPolygon& polygon, Vec2 q);
-/// Nearest point of the filled polygon; q itself inside.
-Vec2 polygon_foot(const ConvexPolygon& polygon, Vec2 q);
+/// The side that decides the sign of the distance.
+std::int32_t polygon_side(const ConvexPolygon& polygon, Vec2 q);
+/// Unit gradient of the distance.
+Vec2 polygon_gradient(const ConvexPolygon& polygon, Vec2 q);
 
 inline Vec2 right_of(Vec2 d) { return {d.y, -d.x}; }
 

@@ -108,11 +108,6 @@ double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
   return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
 }
 
-double plane_distance(const TurnSweep& s, Vec2 q) {
-  if (!s.arc) return polygon_distance(s.polygon, q) - s.round;
-  return signed_by_depth(s, q, nearest_piece(s, q).distance) - s.round;
-}
-
 // Unit gradient of the distance to one piece, out of the swept area.
 Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
   const auto arcs = static_cast<std::int32_t>(s.arcs.size());
@@ -135,16 +130,13 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
   return m > kTiny ? (1 / m) * off : radial;
 }
 
-PlaneSample plane_sample(const TurnSweep& s, Vec2 q) {
-  if (!s.arc) {
-    PlaneSample r = polygon_sample(s.polygon, q);
-    r.distance -= s.round;
-    if (s.round > 0) r.patch = 0;
-    return r;
+// The distance and the face that decides it.
+SweepSample section_sample(const TurnSweep& s, Vec2 q) {
+  if (s.arc) {
+    const Piece piece = nearest_piece(s, q);
+    return {signed_by_depth(s, q, piece.distance) - s.round, piece.index};
   }
-  const Piece piece = nearest_piece(s, q);
-  const double d = signed_by_depth(s, q, piece.distance);
-  return {d - s.round, piece_gradient(s, piece.index, q), piece.index};
+  return {polygon_distance(s.polygon, q) - s.round, s.round > 0 ? 0 : polygon_side(s.polygon, q)};
 }
 
 double wrap(double angle) {
@@ -240,6 +232,7 @@ TurnSweep turn_line(const InsertOutline& insert, Vec2 start, Vec2 end) {
   s.round = insert.round;
   s.inside = insert.inside;
   s.one_sided = s.inside || s.lo.x >= 0;
+  s.start = start, s.end = end;
   return s;
 }
 
@@ -269,26 +262,34 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
   for (Vec2 w : {Vec2{r, 0}, Vec2{0, r}, Vec2{-r, 0}, Vec2{0, -r}})
     if (in_sector(s.path, w)) reach(w);
   s.one_sided = s.inside || s.lo.x >= 0;
+  const bool flat =
+      s.path.cos_half >= 0;  // at most half a turn: the sagitta; else all of the circle
+  s.start = flat ? center + arc_end(s.path, -1) : center;
+  s.end = flat ? center + arc_end(s.path, 1) : center;
+  s.bulge = flat ? r - r * s.path.cos_half : r;
   return s;
+}
+
+double section_distance(const TurnSweep& s, Vec2 q) {
+  if (!s.arc) return polygon_distance(s.polygon, q) - s.round;
+  return signed_by_depth(s, q, nearest_piece(s, q).distance) - s.round;
 }
 
 double turn_distance(const TurnSweep& s, const Vec3& p) {
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
-  const double front = plane_distance(s, {rho, p.z});
+  const double front = section_distance(s, {rho, p.z});
   if (s.one_sided) return front;
-  const double behind = plane_distance(s, {-rho, p.z});
+  const double behind = section_distance(s, {-rho, p.z});
   return behind < front ? behind : front;
 }
 
-PlaneSample turn_sample(const TurnSweep& s, const Vec3& p) {
+SweepSample turn_sample(const TurnSweep& s, const Vec3& p) {
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
-  const PlaneSample front = plane_sample(s, {rho, p.z});
+  const SweepSample front = section_sample(s, {rho, p.z});
   if (s.one_sided) return front;
-  PlaneSample behind = plane_sample(s, {-rho, p.z});
+  const SweepSample behind = section_sample(s, {-rho, p.z});
   if (!(behind.distance < front.distance)) return front;
-  behind.gradient.x = -behind.gradient.x;
-  behind.patch += kMirrorPatch;
-  return behind;
+  return {behind.distance, behind.patch + kMirrorPatch};
 }
 
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch) {
@@ -302,7 +303,7 @@ Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch) {
   } else if (s.round == 0 && static_cast<std::size_t>(index) < s.polygon.sides.size()) {
     g = right_of(s.polygon.sides[index].direction);
   } else {
-    g = polygon_sample(s.polygon, q).gradient;
+    g = polygon_gradient(s.polygon, q);
   }
   if (mirrored) g.x = -g.x;
   if (rho == 0) return {g.x, 0, g.y};

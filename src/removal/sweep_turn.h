@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/sweep.h"
 #include "removal/sweep_polygon.h"
 #include "removal/tool.h"
 
@@ -40,6 +41,8 @@ struct TurnSweep {
   bool inside = false;
   bool one_sided = false;  ///< never beyond the spindle axis: the mirror image is never nearer
   Vec2 lo, hi;             ///< bounds in (X, Z)
+  Vec2 start, end;         ///< the path lies within `bulge` mm of the segment between them
+  double bulge = 0;
 };
 
 /// Path from `start` to `end` in (X, Z), or the arc from start about `center` by `turn` radians,
@@ -51,7 +54,9 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
 /// kMirrorPatch.
 inline constexpr std::int32_t kMirrorPatch = 1 << 16;
 double turn_distance(const TurnSweep& s, const Vec3& p);
-PlaneSample turn_sample(const TurnSweep& s, const Vec3& p);
+/// Signed distance in the half plane, for one side of the axis.
+double section_distance(const TurnSweep& s, Vec2 q);
+SweepSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 /// Signed distance to one piece, continued beyond its ends: what turn_gradient is the gradient of.
 double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch);

@@ -4,6 +4,7 @@
 #include "removal/lattice.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
+#include "turn_scenes.h"
 
 #include <algorithm>
 #include <cstring>
@@ -219,6 +220,30 @@ TEST(Carve, HelicesAndUprightArcsEqualTheReference) {
       motions.push_back(m);
     }
     expect_reference(tool, motions);
+  }
+}
+
+// Bars, off the axis too, square ones, and turned parts that are milled.
+TEST(Carve, TurningEqualsTheReference) {
+  test::Random r(8);
+  std::vector<Tool> tools = test::inserts();
+  tools.push_back(mill(ToolType::endmill, 3));
+  for (int round = 0; round < 24; ++round) {
+    std::vector<Motion> motions = test::turning_moves(r, 150, 4, 8);
+    if (round % 4 == 3)
+      for (int i = 0; i < 6; ++i) {
+        motions.push_back(line({r(-5, 5), r(-5, 5), 6}, {r(-5, 5), r(-5, 5), 6}));
+        motions.back().tool = 5;
+      }
+    StockShape shape = box({-4, -4, 0}, {4, 4, 8});
+    const StockShape::Kind kinds[] = {StockShape::Kind::cylinder, StockShape::Kind::tube,
+                                      StockShape::Kind::cylinder, StockShape::Kind::box};
+    shape.kind = kinds[round / 4 % 4];
+    shape.outer_radius = 4, shape.inner_radius = 1;
+    if (round % 8 == 7) shape.axis_point = {0.25, 0, 0};
+    EXPECT_EQ(voxels(carve(shape, motions, tools, {.voxel = 0.3, .threads = 1 + round % 3})),
+              reference(shape, motions, tools, 0.3))
+        << "round " << round;
   }
 }
 

@@ -1,0 +1,342 @@
+// Lists of sweeps, pruned for the parts of their blocks.
+#include "removal/near_list.h"
+#include "removal/sweep_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr double kHalfUlp = 1.0 / (1 << 24);  // of a float, relative
+
+// Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
+constexpr std::size_t kFewOthers = 6;
+constexpr double kRoom = 1e-3;      // mm: far above the slack of rounding
+constexpr double kRounding = 1e-9;  // mm: of coordinates up to 10 m in a distance, with room
+
+float largest(double a, double b, double c) {
+  return static_cast<float>(std::max({std::fabs(a), std::fabs(b), std::fabs(c)}));
+}
+
+// Rows of all slots of a list.
+class Rows {
+ public:
+  void resize(std::size_t slots) {
+    stride_ = slots + NearList::kPad;
+    if (data_.size() < 7 * stride_) data_.resize(7 * stride_);
+  }
+  NearRows at(std::size_t slot) {
+    float* p = data_.data() + slot;
+    return {p,
+            p + stride_,
+            p + 2 * stride_,
+            p + 3 * stride_,
+            p + 4 * stride_,
+            p + 5 * stride_,
+            p + 6 * stride_};
+  }
+
+ private:
+  std::vector<float> data_;
+  std::size_t stride_ = 0;
+};
+
+struct Scratch {
+  Rows rows;
+  std::vector<NearLeast> least;
+  std::vector<double> distance;
+  std::vector<std::uint32_t> ids;
+  TurnTree::Packs packs, left;
+  TurnTree::Nearest turned;
+};
+Scratch& scratch() {
+  static thread_local Scratch s;
+  return s;
+}
+
+// The in-plane radius of a region.
+float lateral(const NearArgs& a) { return a.cube ? a.half * 1.4142137f : a.radius; }
+
+Beater beater_at(const NearRows& rows, std::size_t k, const float* ids) {
+  return {rows.squared[k], rows.x[k], rows.y[k], rows.z[k], rows.level[k], ids[k]};
+}
+
+// The half plane's part of a region: it holds (rho, z) of all points of the region.
+TurnRegion turn_region(const PruneRegion& region) {
+  const Vec3& c = region.center;
+  const double rho = std::sqrt(c.x * c.x + c.y * c.y);
+  TurnRegion r{{rho, c.z}, {region.half, region.half}};
+  if (!region.cube) return r;
+  const double x = std::fabs(c.x), y = std::fabs(c.y), h = region.half;
+  const double near_x = std::max(x - h, 0.0), near_y = std::max(y - h, 0.0);
+  const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
+  const double farthest = std::sqrt((x + h) * (x + h) + (y + h) * (y + h));
+  r.half.x = std::max(rho - nearest, farthest - rho) + kRounding;
+  return r;
+}
+
+// Sweeps without columns: in double, then rounded. Returns the largest value.
+double near_others(const SweepTable& table, const SweepColumns& c, const NearList& list,
+                   const NearList::Run& run, const PruneRegion& region, double reach) {
+  Scratch& s = scratch();
+  s.ids.resize(run.count), s.distance.resize(run.count);
+  for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = list.id(run.first + k);
+  const Vec3& p = region.center;
+  table.distances(s.ids, p, s.distance.data());
+  const NearRows out = s.rows.at(run.first);
+  NearLeast& least = s.least.emplace_back(NearLeast{kInfinity, kInfinity, kInfinity});
+  const std::size_t padded = (run.count + NearList::kPad - 1) / NearList::kPad * NearList::kPad;
+  std::fill(out.distance + run.count, out.distance + padded, kInfinity);
+  std::fill(out.squared + run.count, out.squared + padded, kInfinity);
+  std::fill(out.z + run.count, out.z + padded, kInfinity);
+  // Where a sweep is dropped by its distance, its nearest point is not asked for.
+  const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
+  const double limit =
+      run.count < kFewOthers ? -reach : std::min(reach, nearest + 2 * region.radius + kRoom);
+  double extent = 0;
+  for (std::size_t k = 0; k < run.count; ++k) {
+    const SweepColumns::Foot f =
+        s.distance[k] > limit ? SweepColumns::Foot{} : c.foot(c.refs[s.ids[k]], p);
+    out.distance[k] = static_cast<float>(s.distance[k]);
+    out.squared[k] = static_cast<float>(f.squared);
+    out.x[k] = static_cast<float>(f.offset.x), out.y[k] = static_cast<float>(f.offset.y);
+    out.z[k] = static_cast<float>(f.offset.z);
+    out.rest[k] =
+        f.convex ? static_cast<float>(region.radius * region.radius * 1.00001) : kInfinity;
+    out.level[k] = c.levels.empty() ? 0 : static_cast<float>(sweep_level(c.levels[s.ids[k]]));
+    least.distance = std::min(least.distance, out.distance[k]);
+    least.squared = std::min(least.squared, out.squared[k]);
+    least.z = std::min(least.z, out.z[k]);
+    extent = std::max({extent, std::fabs(s.distance[k]), length(f.offset)});
+  }
+  return extent;
+}
+
+// One step of pruning: rows of all runs, then what to keep of each.
+class Pruner {
+ public:
+  Pruner(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
+         double reach, const NearList& in)
+      : columns_(columns),
+        in_(in),
+        kernels_(near_kernels()),
+        region_(region),
+        slack_(2 * table.max_error() + kRounding),
+        deep_(-reach) {
+    const Vec3 c = region.center - in.origin;
+    at_.x = static_cast<float>(c.x), at_.y = static_cast<float>(c.y);
+    at_.z = static_cast<float>(c.z);
+    at_.half = static_cast<float>(region.half * 1.000001);
+    at_.radius = static_cast<float>(region.radius * 1.000001);
+    at_.cube = region.cube;
+    measure(table, region);
+  }
+
+  float least() const { return least_; }
+  float delta() const { return at_.delta; }
+  /// The whole region is deep in one sweep; the others were not asked.
+  bool is_swept() const { return double(least_) + at_.delta < deep_; }
+
+  void keep(double exact_limit, double band, NearList& out) {
+    const float limit = std::nextafter(static_cast<float>(exact_limit), kInfinity);
+    if (has_packs()) {
+      Scratch& s = scratch();
+      columns_.turn_tree.narrow(turn_region(region_), s.turned, exact_limit, slack_, s.packs,
+                                s.left);
+    }
+    const std::size_t slots = in_.runs().empty() ? 0 : end_of(in_.runs().back());
+    out.reset(slots + NearList::room(has_packs() ? scratch().left.size() : 0, 1), in_.origin);
+    out.extent = in_.extent;
+    out.closed = in_.closed;
+    const auto& runs = in_.runs();
+    for (std::size_t from = 0; from < runs.size();) {
+      std::size_t to = from + 1;
+      const std::int32_t group = type(from).group;
+      while (to < runs.size() && group >= 0 && type(to).group == group) ++to;
+      if (type(from).form == SweepClass::Form::turn)
+        keep_packs(runs[from].of, out);
+      else
+        keep_group(from, to, limit, band, out);
+      from = to;
+    }
+  }
+
+ private:
+  static std::size_t end_of(const NearList::Run& run) { return run.first + run.count; }
+  const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
+  NearRows rows(std::size_t run) { return scratch().rows.at(in_.runs()[run].first); }
+  const float* ids(std::size_t run) const { return in_.column(kIdColumn) + in_.runs()[run].first; }
+
+  // Packs are the last run.
+  bool has_packs() const {
+    return !in_.runs().empty() && type(in_.runs().size() - 1).form == SweepClass::Form::turn;
+  }
+
+  void keep_packs(std::uint32_t of, NearList& out) {
+    const std::vector<std::uint32_t>& left = scratch().left;
+    const std::size_t first = out.open_run(of);
+    const auto base = static_cast<std::uint32_t>(columns_.refs.size());
+    for (std::size_t k = 0; k < left.size(); ++k)
+      out.column(kIdColumn)[first + k] = std::bit_cast<float>(base + left[k]);
+    out.close_run(left.size());
+  }
+
+  // The nearest of all packs; its distance.
+  NearLeast near_packs(const NearList::Run& run) {
+    Scratch& s = scratch();
+    s.packs.clear(), s.turned = {};
+    const Vec3& c = region_.center;
+    const double rho = std::sqrt(c.x * c.x + c.y * c.y);
+    for (std::size_t k = 0; k < run.count; ++k) {
+      s.packs.push_back(in_.id(run.first + k) - static_cast<std::uint32_t>(columns_.refs.size()));
+      columns_.turn_tree.nearest(s.packs.back(), rho, c.z, s.turned);
+    }
+    return {static_cast<float>(s.turned.distance), kInfinity, kInfinity};
+  }
+
+  void measure(const SweepTable& table, const PruneRegion& region) {
+    Scratch& s = scratch();
+    s.least.clear();
+    if (in_.runs().empty()) return;
+    s.rows.resize(end_of(in_.runs().back()) + NearList::kPad);
+    double extent = std::max<double>(in_.extent, largest(at_.x, at_.y, at_.z));
+    for (std::size_t i = 0; i < in_.runs().size(); ++i)
+      if (type(i).form == SweepClass::Form::other)
+        extent = std::max(extent, near_others(table, columns_, in_, in_.runs()[i], region, -deep_));
+      else
+        s.least.push_back({});
+    if (has_packs()) {
+      s.least.back() = near_packs(in_.runs().back());
+      extent = std::max(extent, std::fabs(s.turned.distance));
+    }
+    // The loops err by less than 64 half ulps of the largest value (docs/removal.md).
+    at_.delta = static_cast<float>(64 * kHalfUlp * (extent + region.radius));
+    at_.fixed = at_.delta * (4 * at_.radius + 16 * at_.delta) + 1e-9f;
+    at_.per_root = 4 * at_.delta;
+    for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
+  }
+
+  void measure_run(std::size_t i) {
+    const NearList::Run& run = in_.runs()[i];
+    NearLeast& least = scratch().least[i];
+    at_.tool = type(i).tool;
+    if (type(i).form == SweepClass::Form::turn) {
+      least_ = std::min(least_, least.distance);
+      return;
+    }
+    if (type(i).form == SweepClass::Form::other) {
+      const NearRows r = rows(i);
+      for (std::size_t k = 0; k < run.count; ++k)
+        r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + 1e-9f * r.squared[k];
+      least_ = std::min(least_, least.distance);
+      return;
+    }
+    const auto kernel = type(i).form == SweepClass::Form::strip  ? kernels_.strip
+                        : type(i).form == SweepClass::Form::line ? kernels_.line
+                                                                 : kernels_.arc;
+    least = {kInfinity, kInfinity, kInfinity};
+    for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
+      const NearLeast some = kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether),
+                                    at_, scratch().rows.at(run.first + k));
+      least.distance = std::min(least.distance, some.distance);
+      least.squared = std::min(least.squared, some.squared);
+      least.z = std::min(least.z, some.z);
+      least_ = std::min(least_, some.distance);
+    }
+  }
+
+  void keep_group(std::size_t from, std::size_t to, float limit, double band, NearList& out) {
+    KeepArgs args;
+    args.at = at_;
+    args.limit = limit;
+    args.plan = type(from).kind == SweepClass::Kind::plan;
+    args.rising = args.plan && type(from).tool.rising;
+    if (args.plan)
+      find_plan_beaters(from, to, band, args);
+    else
+      find_beater(from, to, args);
+    for (std::size_t i = from; i < to; ++i) {
+      const NearList::Run& run = in_.runs()[i];
+      static constexpr std::size_t kColumns[] = {8, 7, 9, 0};
+      const std::size_t columns = kColumns[static_cast<std::size_t>(type(i).form)];
+      float* to_slot = out.column(0) + out.open_run(run.of);
+      out.close_run(kernels_.keep(args, rows(i), in_.columns(run.first), run.count, columns,
+                                  to_slot, out.stride()));
+    }
+  }
+
+  void find_beater(std::size_t from, std::size_t to, KeepArgs& args) {
+    if (type(from).group < 0) return;
+    Beater& best = args.beater[0];
+    best.squared = kInfinity;
+    for (std::size_t i = from; i < to; ++i) {
+      const float squared = scratch().least[i].squared;
+      const std::size_t k = kernels_.find(rows(i).squared, in_.runs()[i].count, squared);
+      if (squared < best.squared) best = beater_at(rows(i), k, ids(i));
+    }
+    if (best.squared < kInfinity) args.beaters = 1;
+  }
+
+  void find_plan_beaters(std::size_t from, std::size_t to, double band, KeepArgs& args) {
+    const ToolColumns& tool = type(from).tool;
+    const float slack = lateral(at_) + 2 * at_.delta + 1e-5f;
+    // Over the flat end, and farther inside its rim than above its floor, the floor decides.
+    float lowest_tip = kInfinity;
+    for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch().least[i].z);
+    const float above = at_.z + at_.half + 2 * at_.delta - lowest_tip;
+    const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
+    const bool covers = band > 0 && tool.rising && inside > 0;
+    const float beyond = tool.flat + slack;
+    args.beyond = tool.flat > 0 ? beyond * beyond : kInfinity;
+    Beater &nearest = args.beater[0], &lowest = args.beater[1];
+    nearest.squared = kInfinity, lowest.z = kInfinity, args.cover.z = kInfinity;
+    for (std::size_t i = from; i < to; ++i) {
+      const std::size_t n = in_.runs()[i].count;
+      const NearRows r = rows(i);
+      const PlanBeaters found =
+          kernels_.plan(r, n, scratch().least[i], covers ? inside * inside : -1.0f);
+      const auto take = [&](std::size_t k) { return beater_at(r, k, ids(i)); };
+      if (found.nearest < n && r.squared[found.nearest] < nearest.squared)
+        nearest = take(found.nearest);
+      if (found.lowest < n && r.squared[found.lowest] < kInfinity &&
+          (r.z[found.lowest] < lowest.z ||
+           (r.z[found.lowest] == lowest.z && r.squared[found.lowest] < lowest.squared)))
+        lowest = take(found.lowest);
+      if (found.cover < n && r.z[found.cover] < args.cover.z) args.cover = take(found.cover);
+    }
+    args.has_cover = args.cover.z < kInfinity;
+    args.beaters = lowest.z < kInfinity ? 2 : nearest.squared < kInfinity ? 1 : 0;
+  }
+
+  static constexpr std::size_t kTogether = 512;  // a multiple of any register
+
+  const SweepColumns& columns_;
+  const NearList& in_;
+  const NearKernels& kernels_;
+  const PruneRegion& region_;
+  double slack_;  // mm: what rounding may change in a difference of two distances
+  double deep_;
+  NearArgs at_;
+  float least_ = kInfinity;
+};
+
+}  // namespace
+
+bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
+                       NearList& out) const {
+  Pruner pruner(*this, *columns_, region, reach, in);
+  if (pruner.is_swept()) {
+    out.reset(0, in.origin);
+    return false;
+  }
+  const double least = pruner.least(), delta = pruner.delta();
+  // A sweep farther than 2r beyond the nearest one loses to it everywhere (both are 1-Lipschitz).
+  const double slack = 2 * max_error() + kRounding;
+  pruner.keep(std::min(reach, least + delta + 2 * region.radius + slack) + delta, band, out);
+  return true;
+}
+
+}  // namespace mrsim

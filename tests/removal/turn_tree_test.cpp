@@ -1,0 +1,128 @@
+// The tree of turning sweeps against every sweep on its own.
+#include "removal/near_list.h"
+#include "removal/sweep_kernels.h"
+#include "turn_scenes.h"
+
+#include <bit>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace test;
+
+SweepTable::Nearest of_all(const SweepTable& sweeps, const Vec3& p) {
+  SweepTable::Nearest best;
+  for (std::uint32_t i = 0; i < sweeps.size(); ++i)
+    if (const double d = sweeps.distance(i, p); d < best.distance) best = {d, i};
+  return best;
+}
+
+Vec3 somewhere(Random& r) {
+  const double reach = r.pick(8) == 0 ? 0.05 : 12;
+  return {r(-reach, reach), r.pick(8) == 0 ? 0 : r(-reach, reach), r(-2, 22)};
+}
+
+TEST(TurnTree, NearestEqualsTheLeastOfAllSweeps) {
+  Random r(11);
+  const std::vector<Tool> tools = inserts();
+  for (int round = 0; round < 400; ++round) {
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(300), 10, 20), tools, 50);
+    const std::vector<std::uint32_t> all = sweeps.all();
+    for (int k = 0; k < 30; ++k) {
+      const Vec3 p = somewhere(r);
+      const SweepTable::Nearest expected = of_all(sweeps, p), found = sweeps.nearest(all, p);
+      ASSERT_EQ(expected.distance, found.distance) << "round " << round;
+      ASSERT_EQ(expected.sweep, found.sweep) << "round " << round;
+    }
+  }
+}
+
+// A region and one within it: what is left decides all their points.
+TEST(TurnTree, PruningNeverChangesABit) {
+  Random r(5);
+  const std::vector<Tool> tools = inserts();
+  for (int round = 0; round < 1500; ++round) {
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools, 50);
+    const Vec3 center = somewhere(r);
+    const double half = r.pick(2) ? r(0.001, 0.05) : r(0.05, 2), band = 3 * half;
+    NearList all, large, small;
+    sweeps.list(sweeps.all(), center, all);
+    const PruneRegion outer = PruneRegion::block(center, 2 * half);
+    if (!sweeps.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
+    const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
+    const PruneRegion inner =
+        round % 2 ? PruneRegion::block(inside, half) : PruneRegion::ball(inside, half);
+    if (!sweeps.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
+    PointColumns points{};
+    points.count = 16;
+    for (std::size_t k = 0; k < points.count; ++k) {
+      Vec3 o{r(-1, 1), r(-1, 1), r(-1, 1)};
+      if (k < 8) o = {k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+      if (!inner.cube && dot(o, o) > 1) o = normalized(o);
+      const Vec3 p = inner.center + inner.half * o;
+      points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z, points.least[k] = INFINITY;
+    }
+    sweeps.least(small, points);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const SweepTable::Nearest expected = of_all(sweeps, {points.x[k], points.y[k], points.z[k]});
+      if (std::fabs(expected.distance) >= band) {
+        ASSERT_GE(std::fabs(points.least[k]), band);
+        continue;
+      }
+      ASSERT_EQ(expected.distance, points.least[k]) << "round " << round;
+      ASSERT_EQ(expected.sweep, points.nearest[k]) << "round " << round;
+    }
+  }
+}
+
+// A long smooth contour asks for few of its sweeps anywhere.
+TEST(TurnTree, OpenedListsHoldWhatMeetsABox) {
+  std::vector<Motion> contour;
+  for (int i = 0; i < 2000; ++i) {
+    const auto at = [](int k) { return Vec3{10 + std::sin(0.005 * k), 0, 0.01 * k}; };
+    contour.push_back(line(at(i), at(i + 1)));
+  }
+  const SweepTable sweeps(contour, inserts(), 50);
+  const std::vector<std::uint32_t> all = sweeps.all();
+  EXPECT_LE(all.size(), 2u);
+  const Box3 box{{-1, -1, 3}, {1, 1, 4}};
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < sweeps.size(); ++i) {
+    const Box3 b = sweeps.bounds(i);
+    if (!is_empty({max(b.lo, box.lo), min(b.hi, box.hi)})) expected.push_back(i);
+  }
+  EXPECT_EQ(sweeps.opened(all, box), expected);
+  Box3 whole;
+  for (std::uint32_t i = 0; i < sweeps.size(); ++i) extend(whole, sweeps.bounds(i));
+  EXPECT_EQ(sweeps.bounds(all[0]).lo, whole.lo);
+  EXPECT_EQ(sweeps.bounds(all[0]).hi, whole.hi);
+}
+
+TEST(TurnTree, EveryInstructionSetGivesTheSameBits) {
+  Random r(9);
+  for (int round = 0; round < 300; ++round) {
+    PolygonSides sides[4];
+    alignas(64) double round_of[8], plain[8], wide[8];
+    for (PolygonSides& s : sides)
+      for (std::size_t k = 0; k < 8; ++k) {
+        const double angle = r(-4, 4);
+        s.ax[k] = r(-3, 3), s.ay[k] = r(-3, 3), s.length[k] = r(0, 2);
+        s.dx[k] = std::cos(angle), s.dy[k] = std::sin(angle);
+      }
+    for (double& v : round_of) v = r(0, 1);
+    const double x = r(-4, 4), y = r(-4, 4);
+    sweep_kernels(SimdLevel::scalar)->polygons(sides, 4, round_of, x, y, plain);
+    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      set->polygons(sides, 4, round_of, x, y, wide);
+      for (int k = 0; k < 8; ++k)
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(plain[k]), std::bit_cast<std::uint64_t>(wide[k]));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
