@@ -108,6 +108,12 @@ double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
   return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
 }
 
+// A thick side is round at its ends, where the nose stood.
+bool is_round(const TurnSweep& s, const Side& e, Vec2 q) {
+  const double along = dot(q - e.a, e.direction);
+  return s.round > 0 && (along < 0 || along > e.length);
+}
+
 // Unit gradient of the distance to one piece, out of the swept area.
 Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
   const auto arcs = static_cast<std::int32_t>(s.arcs.size());
@@ -115,8 +121,7 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
     const Side& e = s.sides[index - arcs];
     const Vec2 off = q - foot_on(e, q);
     const double n = length(off);
-    const bool beside = s.round > 0 && n > kTiny && side_of(e, q) > 0;
-    return beside ? (1 / n) * off : right_of(e.direction);
+    return is_round(s, e, q) && n > kTiny ? (1 / n) * off : right_of(e.direction);
   }
   const ArcPiece& a = s.arcs[index];
   const Vec2 w = q - a.center;
@@ -319,9 +324,14 @@ double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch)
     const bool sharp = s.round == 0 && index < s.polygon.sides.size();
     return sharp ? side_of(s.polygon.sides[index], q) : polygon_distance(s.polygon, q) - s.round;
   }
-  if (index >= s.arcs.size()) return side_of(s.sides[index - s.arcs.size()], q) - s.round;
+  if (index >= s.arcs.size()) {
+    const Side& e = s.sides[index - s.arcs.size()];
+    return (is_round(s, e, q) ? side_distance(e, q) : side_of(e, q)) - s.round;
+  }
   const ArcPiece& a = s.arcs[index];
-  const double beyond = length(q - a.center) - a.radius;
+  const Vec2 w = q - a.center;
+  if (s.round > 0 && !in_sector(a, w)) return arc_distance(a, q) - s.round;
+  const double beyond = length(w) - a.radius;
   return (a.way > 0 ? beyond : a.way < 0 ? -beyond : beyond < 0 ? -beyond : beyond) - s.round;
 }
 

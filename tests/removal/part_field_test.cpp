@@ -68,7 +68,8 @@ void expect_faces_agree(const PartField& field) {
     EXPECT_LT(distance(numeric, n), 2e-4 + std::abs(at.distance))
         << "owner " << at.owner << " patch " << at.patch;
     if (at.distance < 0) {
-      EXPECT_LE(std::abs(field.patch_distance(p, at)), std::abs(at.distance) + 1e-6);
+      EXPECT_LE(std::abs(field.patch_distance(p, at)), std::abs(at.distance) + 1e-6)
+          << "owner " << at.owner << " patch " << at.patch;
     }
   }
   EXPECT_GT(faces, 100);
@@ -108,6 +109,26 @@ TEST(PartField, FacesOfTurningSweeps) {
         line({15, 0, 45}, {15, 0, 31}), arc({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, 6, -kPi / 2, 0),
         line({21, 0, 25}, {26, 0, 25})};
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 51)));
+  }
+}
+
+// Arcs that meet their neighbours in corners: there the nose leaves its own circle on the part.
+TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
+  StockShape shape;
+  shape.kind = StockShape::Kind::cylinder;
+  shape.outer_radius = 12;
+  shape.box = {{-12, -12, 0}, {12, 12, 20}};
+  Tool tool;
+  tool.type = ToolType::turning;
+  tool.insert = "D";
+  for (const double nose : {0.4, 0.8}) {
+    tool.nose_radius = nose;
+    const std::vector<Motion> motions{
+        line({4, 0, 21}, {4.68, 0, 19.5}),
+        arc({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, 2, kPi / 2, 0),
+        arc({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, 3, kPi / 2, 0),
+        arc({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, 3, -kPi / 2, 0)};
+    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 20)));
   }
 }
 
