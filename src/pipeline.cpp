@@ -11,6 +11,7 @@
 #include "mesh/extract.h"
 #include "mesh/pieces.h"
 #include "mesh/render.h"
+#include "mesh/solid_repair.h"
 #include "outputs.h"
 #include "removal/collision.h"
 #include "removal/default_stock.h"
@@ -111,7 +112,13 @@ void count_motions(JobResult& result) {
 // The stock that was given, else the one the program states, else one round its cuts.
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
-  if (!job.stock.empty()) return load_stock(job.stock, job.stock_options);
+  if (!job.stock.empty()) {
+    StockShape given = load_stock(job.stock, job.stock_options);
+    if (!given.repairs.empty())
+      report(result, Severity::warning, "stock-repaired",
+             fmt::format("{} was no solid and has been repaired: {}", job.stock, given.repairs));
+    return given;
+  }
   if (program.workpiece) return *program.workpiece;
   StockShape shape =
       default_stock(program.motions, program.tools, program.machine == MachineKind::lathe);
@@ -276,8 +283,11 @@ StockShape load_stock(const std::string& spec, const StockOptions& options) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
   if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
   TriMesh mesh = is_step(spec) ? read_step(spec) : read_mesh(spec);
-  require_solid(mesh, spec);
-  return recognise_stock(std::move(mesh), options, spec);
+  const std::string repairs = make_solid(mesh, spec);
+  StockShape shape = recognise_stock(std::move(mesh), options, spec);
+  shape.repairs = repairs;
+  if (shape.kind == StockShape::Kind::mesh) refuse_self_intersections(shape.mesh, spec);
+  return shape;
 }
 
 void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {

@@ -279,6 +279,7 @@ struct StockShape {
   TriMesh mesh;             ///< mesh
   CutHistory history;       ///< cuts made before this program (a .vdb saved by mrsim)
   std::string description;  ///< for the report: "box 100 x 60 x 10 mm, exact (from block.stl)"
+  std::string repairs;  ///< what had to be done to its file's mesh ("12 triangles turned"), or ""
 };
 
 /// Everything that the interpreter understood of a program.

@@ -1,0 +1,204 @@
+#include "mesh/solid_repair.h"
+
+#include "core/vec.h"
+#include "mesh/check.h"
+#include "mesh/half_edges.h"
+#include "mesh/weld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Surface_mesh.h>
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Vertices of open edges that are this many float steps of the largest coordinate apart are one.
+constexpr float kWeldSteps = 8;
+
+bool is_solid(const TriMesh& mesh) { return check_mesh(mesh).oriented; }
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+float weld_distance(const TriMesh& mesh) {
+  float largest = 0;
+  for (const auto& v : mesh.vertices)
+    for (const float x : v) largest = std::max(largest, std::fabs(x));
+  return kWeldSteps * (std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest);
+}
+
+std::vector<std::uint32_t> border_vertices(const TriMesh& mesh) {
+  const std::vector<std::uint32_t> opposite = find_opposites(mesh, 1);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t h = 0; h < opposite.size(); ++h)
+    if (opposite[h] == kOpenEdge)
+      found.insert(found.end(), {origin_of(mesh, h), target_of(mesh, h)});
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// Moves vertices of open edges onto an earlier one beside them, along x.
+void join_borders(TriMesh& mesh) {
+  std::vector<std::uint32_t> border = border_vertices(mesh);
+  const float reach = weld_distance(mesh);
+  std::stable_sort(border.begin(), border.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return mesh.vertices[a][0] < mesh.vertices[b][0];
+  });
+  for (std::size_t i = 0; i < border.size(); ++i)
+    for (std::size_t j = i; j-- > 0;) {
+      const auto &p = mesh.vertices[border[j]], &q = mesh.vertices[border[i]];
+      if (q[0] - p[0] > reach) break;
+      if (std::fabs(q[1] - p[1]) > reach || std::fabs(q[2] - p[2]) > reach) continue;
+      mesh.vertices[border[i]] = p;
+      break;
+    }
+}
+
+// Leaves the first of the triangles with the same corners in the same order.
+void drop_doubles(TriMesh& mesh) {
+  std::set<Triangle> seen;
+  const auto is_double = [&](Triangle t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return !seen.insert(t).second;
+  };
+  std::erase_if(mesh.triangles, is_double);
+}
+
+SurfaceMesh to_surface(const TriMesh& mesh) {
+  std::vector<Point> points;
+  for (const auto& v : mesh.vertices) points.emplace_back(v[0], v[1], v[2]);
+  std::vector<std::vector<std::size_t>> faces;
+  for (const Triangle& t : mesh.triangles) faces.push_back({t[0], t[1], t[2]});
+  pmp::orient_polygon_soup(points, faces);  // where sheets touch, points become several
+  SurfaceMesh surface;
+  pmp::polygon_soup_to_polygon_mesh(points, faces, surface);
+  return surface;
+}
+
+TriMesh to_mesh(const SurfaceMesh& surface) {
+  TriMesh mesh;
+  std::vector<std::uint32_t> ids(surface.number_of_vertices() +
+                                 surface.number_of_removed_vertices());
+  for (const auto v : surface.vertices()) {
+    ids[v.idx()] = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Point& p = surface.point(v);
+    mesh.vertices.push_back({float(p.x()), float(p.y()), float(p.z())});
+  }
+  for (const auto f : surface.faces()) {
+    Triangle t{};
+    std::size_t k = 0;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) t[k++] = ids[v.idx()];
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+// Two triangles of a surface by CGAL: touching in a corner or an edge of the same place does not
+// count.
+bool touch_only(const TriMesh& mesh, std::size_t f, std::size_t g) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (corner(mesh, f, i) == corner(mesh, g, j)) return true;
+  return false;
+}
+
+// Turns pieces so that they bound a solid; what is in the way is told from the mesh afterwards.
+TriMesh oriented(const TriMesh& mesh, const std::string& name) {
+  SurfaceMesh surface = to_surface(mesh);
+  pmp::stitch_borders(surface);
+  TriMesh out = to_mesh(surface);
+  if (!CGAL::is_closed(surface)) return out;
+  refuse_self_intersections(out, name);
+  if (is_solid(out)) return out;
+  pmp::orient_to_bound_a_volume(surface);
+  return to_mesh(surface);
+}
+
+// How many triangles look the other way; both meshes have the same triangles in the same order.
+std::size_t turned(const TriMesh& before, const TriMesh& after) {
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < before.triangles.size() && f < after.triangles.size(); ++f)
+    count += dot(area_normal(before, f), area_normal(after, f)) < 0;
+  return count;
+}
+
+}  // namespace
+
+std::string make_solid(TriMesh& mesh, const std::string& name) {
+  const MeshSummary summary = check_mesh(mesh);
+  if (summary.oriented) return {};
+  if (summary.components == 0) require_solid(mesh, name);  // not a mesh at all
+  std::vector<std::string> done;
+  const auto step = [&](std::size_t before, std::size_t after, const char* one, const char* many) {
+    if (after < before) done.push_back(counted(before - after, one, many));
+  };
+  const auto weld_all = [&](const char* one, const char* many) {
+    TriMesh welded = weld(mesh);
+    step(mesh.vertices.size(), welded.vertices.size(), one, many);
+    step(mesh.triangles.size(), welded.triangles.size(), "triangle without area dropped",
+         "triangles without area dropped");
+    mesh = std::move(welded);
+  };
+  mesh.owners.clear(), mesh.colors.clear();
+  weld_all("vertex welded", "vertices welded");
+  if (!is_solid(mesh)) {
+    join_borders(mesh);
+    weld_all("vertex of an open edge welded", "vertices of open edges welded");
+    const std::size_t count = mesh.triangles.size();
+    drop_doubles(mesh);
+    step(count, mesh.triangles.size(), "double triangle dropped", "double triangles dropped");
+  }
+  if (!is_solid(mesh)) {
+    TriMesh after = weld(oriented(mesh, name));
+    require_solid(after, name);
+    if (const std::size_t n = turned(mesh, after); n > 0)
+      done.push_back(n == mesh.triangles.size()
+                         ? "it was inside out"
+                         : counted(n, "triangle turned", "triangles turned"));
+    mesh = std::move(after);
+  }
+  std::string text;
+  for (const std::string& part : done) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+void refuse_self_intersections(const TriMesh& mesh, const std::string& name) {
+  const SurfaceMesh surface = to_surface(mesh);
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  pmp::self_intersections(surface, std::back_inserter(pairs));
+  std::erase_if(pairs, [&](const auto& pair) {
+    return touch_only(mesh, pair.first.idx(), pair.second.idx());
+  });
+  if (pairs.empty()) return;
+  const auto first = *std::min_element(pairs.begin(), pairs.end());
+  const std::size_t f = first.first.idx();
+  const Vec3 p = 1.0 / 3 * (corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2));
+  throw Error(
+      "mesh-crosses-itself",
+      fmt::format("{}: the surface crosses itself near ({:.6g}, {:.6g}, {:.6g}) mm, {} pairs "
+                  "of triangles in all; unite its bodies in CAD and export it again",
+                  name, p.x, p.y, p.z, pairs.size()));
+}
+
+}  // namespace mrsim

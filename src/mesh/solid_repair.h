@@ -1,0 +1,26 @@
+// Meshes that were meant to be solids, made solids where nothing has to be guessed.
+//
+// Repaired, because the solid meant is the same: vertices of one place that are several (or, on
+// open edges, a few float steps apart) are welded, triangles without corners or twice the same are
+// dropped, triangles are turned to look outwards (also those of cavities). Refused, with the place:
+// holes, bodies that touch along an edge (a part of them would be no 2-manifold), surfaces that
+// cannot be oriented or that cross each other. No hole is filled: what was there is not known.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <string>
+
+namespace mrsim {
+
+/// Makes `mesh` the boundary of a solid and says what was done ("12 triangles turned outwards"); ""
+/// and an untouched mesh where nothing was needed. Owners and colours are dropped with a repair.
+/// Throws what require_solid throws of what is left.
+std::string make_solid(TriMesh& mesh, const std::string& name);
+
+/// Throws Error "mesh-crosses-itself" with a place unless the surface is free of
+/// self-intersections; bodies may touch in corners and edges. Requires: a mesh that require_solid
+/// takes. Some 4 s a million triangles.
+void refuse_self_intersections(const TriMesh& mesh, const std::string& name);
+
+}  // namespace mrsim

@@ -1,0 +1,153 @@
+// Stock files that are nearly solids: repaired where nothing has to be guessed, and said so;
+// refused where something would.
+#include "run_program.h"
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+namespace {
+
+using Corner = std::vector<double>;
+struct Facets {
+  std::vector<Corner> corners;
+  std::vector<std::vector<int>> triangles;
+};
+
+// Of a block that is no box: its corner at (100, 0, 10) is `cut` lower.
+Facets block(double x = 0, double cut = 1) {
+  Facets f;
+  for (int i = 0; i < 8; ++i)
+    f.corners.push_back(
+        {x + (i & 1 ? 100 : 0), i & 2 ? 0.0 : -60.0, i & 4 ? (i == 7 ? 10 - cut : 10.0) : 0.0});
+  f.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return f;
+}
+
+Facets joined(Facets a, const Facets& b) {
+  const int shift = static_cast<int>(a.corners.size());
+  a.corners.insert(a.corners.end(), b.corners.begin(), b.corners.end());
+  for (std::vector<int> t : b.triangles) {
+    for (int& v : t) v += shift;
+    a.triangles.push_back(t);
+  }
+  return a;
+}
+
+std::string off_text(const Facets& f) {
+  std::ostringstream out;
+  out.precision(9);
+  out << "OFF\n" << f.corners.size() << ' ' << f.triangles.size() << " 0\n";
+  for (const Corner& c : f.corners) out << c[0] << ' ' << c[1] << ' ' << c[2] << '\n';
+  for (const auto& t : f.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  return out.str();
+}
+
+class StockRepair : public CliTest {
+ protected:
+  // A run on the stock, cut as the sound one is, with a warning that says `done` ("": without one).
+  void expect_repaired(const Facets& stock, const std::string& done) {
+    write("sound.off", off_text(block()));
+    const std::string rest = " --voxel 1 -o ";
+    ASSERT_EQ(run("PRIMER_2F.MPF --stock sound.off" + rest + "sound.stl").code, 0);
+    write("stock.off", off_text(stock));
+    const Outcome o = run("PRIMER_2F.MPF --stock stock.off" + rest + "part.stl");
+    ASSERT_EQ(o.code, 0) << o.err;
+    EXPECT_EQ(o.err.find("[stock-repaired]") != std::string::npos, !done.empty()) << o.err;
+    EXPECT_NE(o.err.find(done), std::string::npos) << o.err;
+    EXPECT_EQ(read("part.stl"), read("sound.stl"));
+  }
+  void expect_refused(const Facets& stock, const std::string& text) {
+    write("stock.off", off_text(stock));
+    expect_failure("PRIMER_2F.MPF --stock stock.off --voxel 1 -o part.stl", 1, text);
+  }
+};
+
+TEST_F(StockRepair, LeavesSolidsAlone) { expect_repaired(block(), ""); }
+
+TEST_F(StockRepair, WeldsVerticesOfOnePlace) {
+  Facets apart;
+  const Facets whole = block();
+  for (const auto& t : whole.triangles) {
+    const int first = static_cast<int>(apart.corners.size());
+    for (const int v : t) apart.corners.push_back(whole.corners[static_cast<std::size_t>(v)]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  expect_repaired(apart, "");  // every reader of triangles does that, and nothing was wrong
+}
+
+TEST_F(StockRepair, WeldsWhatRoundingHasTakenApart) {
+  Facets torn = block();
+  Corner beside = torn.corners[7];
+  beside[0] += 2e-5;  // two steps of a float at 100
+  torn.corners.push_back(beside);
+  torn.triangles[2] = {4, 5, 8};
+  expect_repaired(torn, "vertex of an open edge welded");
+}
+
+TEST_F(StockRepair, TurnsWhatLooksInwards) {
+  Facets inside_out = block();
+  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
+  expect_repaired(inside_out, "inside out");
+  Facets mixed = block();
+  for (const std::size_t k : {3, 5, 8}) std::swap(mixed.triangles[k][0], mixed.triangles[k][1]);
+  expect_repaired(mixed, "3 triangles turned");
+}
+
+TEST_F(StockRepair, DropsDoubleTriangles) {
+  Facets twice = block();
+  twice.triangles.push_back(twice.triangles[4]);
+  expect_repaired(twice, "1 double triangle dropped");
+}
+
+TEST_F(StockRepair, DropsTrianglesWithoutCornersOfTheirOwn) {
+  Facets flat = block();
+  flat.corners.push_back(flat.corners[2]);
+  flat.triangles.push_back({2, 8, 3});
+  expect_repaired(flat, "");  // every reader of triangles does that, too
+}
+
+TEST_F(StockRepair, RefusesBodiesThatTouchAlongAnEdge) {
+  Facets two = block(), other = block(100, 0);
+  two.corners[7][2] = 10;
+  for (Corner& c : other.corners) c[1] += 60;
+  Facets all = joined(two, other);
+  for (auto& t : all.triangles)
+    for (int& v : t) v = v == 8 ? 3 : v == 12 ? 7 : v;  // the edge X100 Y0
+  expect_refused(all, "more than two triangles meet at the edge at (100, 0, 5)");
+}
+
+TEST_F(StockRepair, RefusesHoles) {
+  Facets open = block();
+  open.triangles.pop_back();
+  expect_refused(open, "open edge at (100, ");
+  expect_refused(open, "3 open edges");
+}
+
+TEST_F(StockRepair, RefusesSurfacesThatCrossThemselves) {
+  Facets inner = block(30);
+  for (Corner& c : inner.corners) c[2] += 5;
+  expect_refused(joined(block(), inner), "crosses itself near (");
+}
+
+TEST_F(StockRepair, RefusesWallsInside) {
+  Facets wall = block();
+  wall.triangles.push_back({0, 3, 7});
+  expect_refused(wall, "stock.off: ");
+}
+
+TEST_F(StockRepair, StrictRunsTakeNoRepairedStock) {
+  Facets inside_out = block();
+  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
+  write("stock.off", off_text(inside_out));
+  const Outcome o = run("PRIMER_2F.MPF --strict --stock stock.off --voxel 1 -o part.stl");
+  EXPECT_NE(o.code, 0);
+  EXPECT_FALSE(exists("part.stl"));
+}
+
+}  // namespace
+}  // namespace mrsim
