@@ -5,7 +5,9 @@
 
 #include "removal/sweep_lane_scalar.h"
 
+#include <cstdlib>
 #include <limits>
+#include <string_view>
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define MRSIM_X86 1
@@ -208,8 +210,10 @@ const SweepKernels* sweep_kernels(SimdLevel level) {
 }
 
 SimdLevel best_simd_level() {
-  for (const SimdLevel level : {SimdLevel::avx512, SimdLevel::avx2})
-    if (has_simd(level)) return level;
+  const char* set = std::getenv("MRSIM_SIMD");
+  const std::string_view most = set == nullptr ? "" : set;
+  if (most != "scalar" && most != "avx2" && has_simd(SimdLevel::avx512)) return SimdLevel::avx512;
+  if (most != "scalar" && has_simd(SimdLevel::avx2)) return SimdLevel::avx2;
   return SimdLevel::scalar;
 }
 

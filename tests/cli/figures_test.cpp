@@ -73,6 +73,20 @@ TEST_F(Figures, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(read("t1.stl"), read("t7.stl"));
 }
 
+TEST_F(Figures, SameBytesForAnyInstructionSet) {
+  for (const char* level : {"scalar", "avx2", "avx512"}) {
+    ::setenv("MRSIM_SIMD", level, 1);
+    for (const std::string part : {"2F.MPF --stock block.stl", "2S.MPF --stock bar.stl"})
+      ASSERT_EQ(run("PRIMER_" + part + " --voxel 1 -o " + level + part.substr(0, 2) + ".stl").code,
+                0);
+  }
+  ::unsetenv("MRSIM_SIMD");
+  for (const std::string part : {"2F.stl", "2S.stl"}) {
+    EXPECT_EQ(read("scalar" + part), read("avx2" + part));
+    EXPECT_EQ(read("scalar" + part), read("avx512" + part));
+  }
+}
+
 TEST_F(Figures, ExactPrimitiveIsTheStockOfTheFile) {
   const std::string voxel = " --voxel 0.5 -o ";
   ASSERT_EQ(run("PRIMER_2S.MPF --stock bar.stl" + voxel + "a.stl").code, 0);
