@@ -4,6 +4,7 @@
 #include "mesh/check.h"
 #include "mesh/mesh_io.h"
 #include "mesh/pieces.h"
+#include "mesh/solid_repair.h"
 #include "removal/stock_shape.h"
 
 #include <cstdint>
@@ -16,11 +17,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                             mrsim::MeshFormat::off, mrsim::MeshFormat::threemf,
                                             mrsim::MeshFormat::glb};
   try {
-    const mrsim::TriMesh mesh = mrsim::parse_mesh(bytes, kFormats[data[0] % 5], "fuzz");
+    mrsim::TriMesh mesh = mrsim::parse_mesh(bytes, kFormats[data[0] % 5], "fuzz");
     const mrsim::MeshSummary summary = mrsim::check_mesh(mesh, 1);
     MRSIM_ASSERT(summary.components > 0);
     mrsim::recognise_stock(mesh);
     if (summary.closed && summary.oriented) mrsim::find_pieces(mesh);
+    if (mesh.triangles.size() > 10000) return 0;
+    mrsim::make_solid(mesh, "fuzz");  // or an Error
+    MRSIM_ASSERT(mrsim::check_mesh(mesh, 1).oriented);
+    mrsim::refuse_self_intersections(mesh, "fuzz");
   } catch (const mrsim::Error&) {
   }
   return 0;
