@@ -1,6 +1,7 @@
 // Removal alone: moves per second and active voxels per second, by program, voxel and threads.
 //   carve_bench --benchmark_filter=raster-100000 --benchmark_repetitions=5
 //   --benchmark_report_aggregates_only=true
+#include "core/heap.h"
 #include "programs.h"
 #include "removal/stock.h"
 
@@ -33,16 +34,17 @@ struct Case {
 };
 
 constexpr Case kCases[] = {
-    {"raster-10000", 0.25},     {"raster-100000", 0.25},   {"raster-100000", 0.1},
-    {"raster-1000000", 0.1},    {"adaptive-100000", 0.25}, {"adaptive-1000000", 0.25},
-    {"helix-drill-2000", 0.25}, {"turn-1000", 0.1},        {"turn-10000", 0.1},
-    {"turn-100000", 0.1},       {"arcs-5000", 0.25}};
+    {"raster-10000", 0.25},     {"raster-100000", 0.25},    {"raster-100000", 0.1},
+    {"raster-1000000", 0.1},    {"raster-10000000", 0.1},   {"adaptive-100000", 0.25},
+    {"adaptive-1000000", 0.25}, {"helix-drill-2000", 0.25}, {"turn-1000", 0.1},
+    {"turn-10000", 0.1},        {"turn-100000", 0.1},       {"arcs-5000", 0.25}};
 
 }  // namespace
 }  // namespace mrsim::bench
 
 int main(int argc, char** argv) {
   using namespace mrsim::bench;
+  mrsim::grow_heap_in_large_steps();
   for (const Case& c : kCases)
     for (const int threads : {1, 2})
       benchmark::RegisterBenchmark(

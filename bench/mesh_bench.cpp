@@ -1,6 +1,7 @@
 // Meshing alone: the exact mesher on the uniform grid, and OpenVDB's VolumeToMesh on the same stock
 // in the same run. Milliseconds of each step are printed.
 //   mesh_bench --benchmark_filter=raster-1000000 --benchmark_repetitions=3
+#include "core/heap.h"
 #include "mesh/contour.h"
 #include "programs.h"
 #include "removal/stock.h"
@@ -65,6 +66,7 @@ void volume_to_mesh(benchmark::State& state, const Case& c, int threads) {
 
 int main(int argc, char** argv) {
   using namespace mrsim::bench;
+  mrsim::grow_heap_in_large_steps();
   for (const Case& c : kCases)
     for (const int threads : {1, 2}) {
       const std::string name =

@@ -5,6 +5,7 @@
 #include "cli/compare_command.h"
 #include "cli/diagnostics.h"
 #include "cli/terminal.h"
+#include "core/heap.h"
 
 #include <cstdio>
 #include <new>
@@ -64,4 +65,7 @@ int run_guarded(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace mrsim::cli
 
-int main(int argc, char** argv) { return mrsim::cli::run_guarded(argc, argv); }
+int main(int argc, char** argv) {
+  mrsim::grow_heap_in_large_steps();
+  return mrsim::cli::run_guarded(argc, argv);
+}

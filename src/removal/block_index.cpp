@@ -1,5 +1,6 @@
 #include "removal/block_index.h"
 
+#include "core/heap.h"
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/lattice.h"
@@ -81,7 +82,9 @@ void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> i
   const bool few = ids.size() < kPartSweeps || blocks > ids.size();
   const std::size_t parts = few ? 1 : kParts;
   const auto first_of = [&](std::size_t part) { return ids.size() * part / parts; };
-  std::vector<Range> ranges(ids.size());
+  std::vector<Range> ranges;
+  reserve_large(ranges, ids.size());
+  ranges.resize(ids.size());
   std::vector<std::size_t> next(parts * blocks, 0);  // by part and block: count, then place
   parallel_for(parts, threads, [&](std::size_t part) {
     std::size_t* count = next.data() + part * blocks;
@@ -96,6 +99,7 @@ void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> i
       total += std::exchange(next[part * blocks + b], total);
   }
   start_[blocks] = total;
+  reserve_large(ids_, total);
   ids_.resize(total);
   parallel_for(parts, threads, [&](std::size_t part) {
     std::size_t* place = next.data() + part * blocks;

@@ -171,7 +171,7 @@ class ProgressMeter {
   std::mutex mutex_;
 };
 
-void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
+void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid, int threads) {
   const double band = kBandVoxels * grid.voxel;
   const auto transform = openvdb::math::Transform::createLinearTransform(grid.voxel);
   transform->postTranslate(grid.voxel *
@@ -183,11 +183,15 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid) {
   grid.owner = openvdb::Int32Grid::create(kStockOwner);
   grid.owner->setName("owner");
   grid.owner->setTransform(transform);
-  for (std::vector<LeafPair>& leaves : blocks)
-    for (LeafPair& leaf : leaves) {
-      grid.distance->tree().addLeaf(leaf.distance.release());
-      grid.owner->tree().addLeaf(leaf.owner.release());
-    }
+  // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
+  parallel_for(2, threads, [&](std::size_t tree) {
+    for (std::vector<LeafPair>& leaves : blocks)
+      for (LeafPair& leaf : leaves)
+        if (tree == 0)
+          grid.distance->tree().addLeaf(leaf.distance.release());
+        else
+          grid.owner->tree().addLeaf(leaf.owner.release());
+  });
   // Leaves hold all their signs: only the tiles between them are to be filled.
   openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
 }
@@ -239,7 +243,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
         blocks[b] = BlockCarver(field, grid->voxel, lists).carve(index.origin(b), sweeps);
       meter.step();
     });
-    collect(blocks, *grid);
+    collect(blocks, *grid, chosen.threads);
   });
   return Stock(std::move(grid));
 }

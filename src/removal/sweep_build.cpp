@@ -1,5 +1,6 @@
 // Motions into rows: chooses the form of each sweep.
 #include "core/error.h"
+#include "core/heap.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/sweep_columns.h"
@@ -45,7 +46,7 @@ class Builder {
   void add_turning(SweepRef ref, const Motion& m, const Tool& tool);
   // A long program is mostly of one form: room for all of it at once (pages are not touched).
   void append(std::vector<LineRecord>& column, const LineRecord& row) const {
-    if (column.empty()) column.reserve(columns_.refs.capacity());
+    if (column.empty()) reserve_large(column, columns_.refs.capacity());
     column.push_back(row);
   }
   void allow(double error) { columns_.max_error = std::max(columns_.max_error, error); }
@@ -322,14 +323,14 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
 void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
                          const SweepSelection& selection) {
   Builder builder(*this, tools, selection);
-  refs.reserve(motions.size());
-  bounds.reserve(motions.size());
+  reserve_large(refs, motions.size());
+  reserve_large(bounds, motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)
     builder.add(motions[i], static_cast<std::int32_t>(i));
   static_assert(static_cast<int>(SweepKind::ball_line) == 0 &&
                 static_cast<int>(SweepKind::plane_arc) == 2);
   uniform = !refs.empty();
-  tags.reserve(refs.size());
+  reserve_large(tags, refs.size());
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const SweepRef& ref = refs[i];
     const auto form = static_cast<std::uint32_t>(ref.kind);

@@ -32,17 +32,20 @@ inline double lower_bound(const Place& a, const Place& b, double round) {
 /// where it leaves the bracket; at(t, x) makes a place, from a near one.
 template <class At, class F, class Slope>
 Place zero_between(Place a, Place b, At at, F f, Slope slope) {
+  const double rise = f(b) - f(a);
   Place x = f(b) < -f(a) ? b : a;
+  if (const double t = a.t - f(a) / rise * (b.t - a.t); t > a.t && t < b.t) x = at(t, x);
   for (int k = 0; k < 60; ++k) {
     const double v = f(x), s = slope(x);
     if (v == 0) break;
     (v < 0 ? a : b) = x;
     double t = s > 0 ? x.t - v / s : a.t;
-    if (!(t > a.t && t < b.t)) t = 0.5 * (a.t + b.t);
+    const bool newton = t > a.t && t < b.t;
+    if (!newton) t = 0.5 * (a.t + b.t);
     if (!(t > a.t && t < b.t)) break;
     const double step = t - x.t;
     x = at(t, x);
-    if (step * step < 1e-26) break;
+    if (newton && step * step < 1e-16) break;  // the next one would be below rounding
   }
   return x;
 }

@@ -1,0 +1,36 @@
+#include "core/heap.h"
+
+#include <cstdint>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace mrsim {
+
+void grow_heap_in_large_steps() {
+#ifdef __GLIBC__
+  mallopt(M_TOP_PAD, 64 << 20);
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most it takes
+#endif
+}
+
+void prefer_huge_pages(const void* begin, std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t kHuge = std::size_t(2) << 20;
+  if (bytes < 4 * kHuge) return;
+  // Whole pages within the range. A refusal costs time alone.
+  const auto at = reinterpret_cast<std::uintptr_t>(begin);
+  const std::uintptr_t first = (at + kHuge - 1) / kHuge * kHuge,
+                       last = (at + bytes) / kHuge * kHuge;
+  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+  (void)begin, (void)bytes;
+#endif
+}
+
+}  // namespace mrsim
