@@ -22,7 +22,7 @@ STAGES = {
     "mesh": ("core/", "mesh/", "removal/stock.h", "removal/sweep.h", "removal/field.h", "removal/lattice.h"),
     "compare": ("core/", "compare/", "mesh/"),
     "cli": ("core/", "cli/"),
-    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "collision_findings.h"),
+    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "part_mesh.h", "collision_findings.h"),
 }
 # Exceptions to the rule above.
 PRIVATE = {}

@@ -2,6 +2,7 @@
 #include "core/text_io.h"
 #include "cuts.h"
 #include "mesh/extract.h"
+#include "mesh/palette.h"
 #include "outputs.h"
 #include "removal/stock_file.h"
 #include <mrsim/mrsim.h>
@@ -27,12 +28,13 @@ TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   CarveOptions carve_options;
   carve_options.voxel = recipe.voxel;
   carve_options.threads = threads;
+  carve_options.keep_grid = false;
   const CutHistory& cuts = recipe.shape.history;
   const Stock stock = carve(recipe.shape, cuts.motions, cuts.tools, carve_options);
   MeshOptions mesh_options;
   mesh_options.threads = threads;
   TriMesh mesh = extract_mesh(stock, mesh_options);
-  mesh.origin = owner_table(mesh, cuts);
+  mesh.origin = owner_table(owners_of(MemoryMesh(mesh)), cuts);
   if (note != nullptr)
     *note = fmt::format("{}: meshed with its voxel of {:.4g} mm", path, recipe.voxel);
   return mesh;

@@ -1,7 +1,5 @@
 #include "cuts.h"
 
-#include <algorithm>
-
 namespace mrsim {
 
 CutList join_cuts(const CutHistory& history, const Program& program) {
@@ -20,17 +18,14 @@ CutList join_cuts(const CutHistory& history, const Program& program) {
   return list;
 }
 
-OwnerTable owner_table(const TriMesh& mesh, const CutHistory& cuts) {
+OwnerTable owner_table(const std::set<std::int32_t>& owners, const CutHistory& cuts) {
   OwnerTable table;
   table.files = cuts.files;
   for (const Tool& tool : cuts.tools) table.tools.push_back(tool.id);
-  std::vector<bool> named(cuts.motions.size(), false);
-  for (const std::int32_t owner : mesh.owners)
-    if (owner >= 0) named[static_cast<std::size_t>(owner)] = true;
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    if (!named[i]) continue;
-    const Motion& motion = cuts.motions[i];
-    table.origins.push_back({static_cast<std::int32_t>(i), motion.file, motion.line, motion.tool});
+  for (const std::int32_t owner : owners) {
+    if (owner < 0) continue;
+    const Motion& motion = cuts.motions[static_cast<std::size_t>(owner)];
+    table.origins.push_back({owner, motion.file, motion.line, motion.tool});
   }
   return table;
 }

@@ -4,6 +4,8 @@
 #include <mrsim/types.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ struct CutList {
 /// Joins a stock's history and a program. A motion's index in the list is its owner number.
 CutList join_cuts(const CutHistory& history, const Program& program);
 
-/// What the owners of the mesh's faces stand for.
-OwnerTable owner_table(const TriMesh& mesh, const CutHistory& cuts);
+/// What these owners of faces stand for.
+OwnerTable owner_table(const std::set<std::int32_t>& owners, const CutHistory& cuts);
 
 }  // namespace mrsim

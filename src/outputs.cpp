@@ -35,8 +35,25 @@ void check_outputs(const std::vector<std::string>& paths) {
   }
 }
 
-void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, const Stock& stock,
-                   const StockRecipe& recipe, const MeshFileOptions& options) {
+std::string whole_output(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (is_vdb(path))
+      return fmt::format("{} holds the whole grid: without it the run is done in slabs", path);
+    if (!is_streamed(mesh_format_of(path)))
+      return fmt::format(
+          "{} needs the whole mesh: .stl .ply .obj .off and .3mf are written in slabs", path);
+  }
+  return {};
+}
+
+std::string spill_folder(const std::vector<std::string>& paths) {
+  if (paths.empty()) return std::filesystem::temp_directory_path().string();
+  const std::string folder = std::filesystem::path(paths[0]).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+void write_outputs(const std::vector<std::string>& paths, const MeshSource& mesh,
+                   const Stock& stock, const StockRecipe& recipe, const MeshFileOptions& options) {
   std::vector<OutputFile> files;
   for (const std::string& path : paths) {
     if (is_vdb(path)) {
@@ -44,7 +61,7 @@ void write_outputs(const std::vector<std::string>& paths, const TriMesh& mesh, c
       continue;
     }
     files.push_back({path, [&, format = mesh_format_of(path)](const ByteSink& out) {
-                       encode_mesh(MemoryMesh(mesh), format, options, out);
+                       encode_mesh(mesh, format, options, out);
                      }});
   }
   write_files_atomically(files);

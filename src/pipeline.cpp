@@ -9,10 +9,12 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
+#include "mesh/palette.h"
 #include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "mesh/solid_repair.h"
 #include "outputs.h"
+#include "part_mesh.h"
 #include "removal/collision.h"
 #include "removal/default_stock.h"
 #include "removal/stock.h"
@@ -175,8 +177,9 @@ double volume_before(const StockShape& shape, const CarveOptions& options,
   if (!shape.history.motions.empty()) {
     ContourReport found;
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
-    const double volume = signed_volume(extract_mesh(stock, mesh, &found));
-    return volume - found.volume_excess;
+    MeshAudit audit(mesh.threads);
+    extract_mesh(stock, mesh, audit, &found);
+    return audit.summary().volume - found.volume_excess;
   }
   const Vec3 size = shape.box.hi - shape.box.lo;
   if (shape.kind == StockShape::Kind::box) return size.x * size.y * size.z;
@@ -186,21 +189,15 @@ double volume_before(const StockShape& shape, const CarveOptions& options,
 }
 
 // `excess`: what the mesh holds more than the exact part, mm^3.
-void summarize_part(JobResult& result, const CutHistory& cuts, double excess, int threads) {
-  result.summary = check_mesh(result.mesh, threads);
+void summarize_part(JobResult& result, PartMesh& part, const CutHistory& cuts, double excess) {
+  result.summary = part.summary();
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
-  result.mesh.origin = owner_table(result.mesh, cuts);
+  part.set_origin(owner_table(owners_of(part.source()), cuts));
+  result.triangles = part.source().triangles();
   result.volume = s.volume - excess;
   result.removed_volume = result.stock_volume - result.volume;
-}
-
-void report_uncut(JobResult& result) {
-  const auto& owners = result.mesh.owners;
-  if (std::all_of(owners.begin(), owners.end(), [](std::int32_t owner) { return owner < 0; }))
-    report(result, Severity::warning, "nothing-cut",
-           "no cut meets the stock: check the stock's place and the work offset");
 }
 
 // A few by name: a stock shot through may leave thousands of crumbs.
@@ -214,8 +211,8 @@ std::string describe_detached(const std::vector<Piece>& pieces) {
 }
 
 // Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
-void keep_pieces(JobResult& result, const Job& job) {
-  const std::vector<Piece> pieces = find_pieces(result.mesh);
+void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
+  const std::vector<Piece> pieces = find_pieces(part.audit(), part.source());
   const bool drop = job.keep == KeepPieces::largest;
   for (const Piece& piece : pieces)
     result.pieces.push_back({piece.volume, piece.center, piece.bounds, piece.triangles,
@@ -227,7 +224,7 @@ void keep_pieces(JobResult& result, const Job& job) {
                   fmt::format("the part is in {} pieces: {}; --keep largest drops all but the "
                               "largest",
                               pieces.size(), found));
-  result.mesh = extract_piece(result.mesh, pieces[0]);
+  part.keep(pieces[0]);
   report(result, Severity::note, "pieces-dropped",
          fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
                      found));
@@ -237,7 +234,6 @@ void keep_pieces(JobResult& result, const Job& job) {
 }
 
 void report_mesh(JobResult& result, const ContourReport& found) {
-  report_uncut(result);
   result.mesh_bound = found.bound;
   if (found.unresolved > 0)
     report(result, Severity::warning, "tolerance-missed",
@@ -251,6 +247,38 @@ void report_mesh(JobResult& result, const ContourReport& found) {
                        found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
                        first.place.x, first.place.y, first.place.z));
   }
+}
+
+// Empty where the run can be done in slabs, should memory be short.
+std::string no_slabs(const Job& job, const MeshOptions& mesh) {
+  if (mesh.tolerance > 0)
+    return "a mesh with a tolerance is made in one piece: with --voxel and no --tolerance the run "
+           "is done in slabs";
+  if (job.whole_mesh || job.inspect)
+    return "a comparison or report needs the whole mesh: without it the run is done in slabs";
+  return whole_output(job.outputs);
+}
+
+void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
+  result.slabs = part.blocks();
+  report(result, Severity::note, "slabs",
+         fmt::format("done in {} slabs, to stay below {:.3g} GB: in one piece it would take about "
+                     "{:.3g} GB",
+                     part.blocks(), static_cast<double>(stock.memory_limit()) / 1e9,
+                     stock.memory_whole() / 1e9));
+}
+
+// Makes the mesh, which is checked as it comes.
+void make_mesh(JobResult& result, PartMesh& part, const Stock& stock, const MeshOptions& options,
+               ContourReport& found) {
+  extract_mesh(stock, options, part, &found);
+  if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
+  if (stock.in_slabs()) report_slabs(result, part, stock);
+  const std::set<std::int32_t> owners = owners_of(part.source());
+  if (*owners.rbegin() < 0)
+    report(result, Severity::warning, "nothing-cut",
+           "no cut meets the stock: check the stock's place and the work offset");
+  report_mesh(result, found);
 }
 
 void require_cuts(const Job& job, const JobResult& result) {
@@ -313,6 +341,8 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
+  options.keep_grid = std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
+  options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 
   const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
@@ -324,25 +354,30 @@ JobResult simulate(const Job& job) {
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
   ContourReport contour_report;
-  result.mesh = extract_mesh(stock, mesh_options, &contour_report);
-  report_mesh(result, contour_report);
+  PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
+                mesh_options.tolerance > 0 ? mesh_options.threads : 1);
+  make_mesh(result, part, stock, mesh_options, contour_report);
   clock.done("mesh");
+  options.keep_grid = false;
   result.stock_volume = volume_before(result.stock, options, mesh_options);
-  keep_pieces(result, job);
+  keep_pieces(result, part, job);
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
-  summarize_part(result, cuts.all, is_whole ? contour_report.volume_excess : 0, job.mesh.threads);
+  summarize_part(result, part, cuts.all, is_whole ? contour_report.volume_excess : 0);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
   if (job.inspect) {
-    job.inspect(result.mesh);
+    job.inspect(part.in_memory());
     clock.done("inspect");
   }
 
   StockRecipe recipe{result.stock, result.voxel};
   recipe.shape.history = cuts.all;
-  write_outputs(job.outputs, result.mesh, stock, recipe, job.files);
+  MeshFileOptions files = job.files;
+  files.threads = job.mesh.threads;
+  write_outputs(job.outputs, part.source(), stock, recipe, files);
   clock.done("write");
+  result.mesh = std::move(part.in_memory());
   result.stock.mesh = {};
   result.peak_memory = peak_memory();
   result.ok = true;

@@ -88,6 +88,9 @@ struct Job {
   double accept = 0;
   /// Sees the part before anything is written; what it throws ends the run. Default: nothing.
   std::function<void(const TriMesh& part)> inspect;
+  /// The whole mesh is wanted, in JobResult or by `inspect`. false: a run that does not fit into
+  /// memory is done in slabs where it can be, with the same files; JobResult::mesh is then empty.
+  bool whole_mesh = true;
 };
 
 /// One of the pieces that no material joins.
@@ -111,7 +114,9 @@ struct JobResult {
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;
   CollisionReport collisions;  ///< each a warning among the diagnostics as well
-  TriMesh mesh;
+  TriMesh mesh;                ///< empty where the run was done in slabs
+  std::size_t triangles = 0;   ///< of the part
+  std::size_t slabs = 0;       ///< 0: the mesh was in memory
   MeshSummary summary;
   std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
   /// mm^3, of the exact part where the mesh has a tolerance and no piece was dropped (docs/mesh.md,

@@ -53,11 +53,16 @@ struct CarveOptions {
   /// Threads, 0 = all cores. The result does not depend on it.
   int threads = 0;
   /// Bytes of memory the run may take, 0 = what the machine has free. A run whose estimate is above
-  /// it is refused.
+  /// it is done in slabs, or refused where it can not be.
   std::size_t max_memory = 0;
+  // simulate() sets the following.
   /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
-  /// simulate() sets it.
   bool grid_mesh = false;
+  /// Keep the narrow band: without it its voxels are only counted.
+  bool keep_grid = true;
+  /// What keeps a run that does not fit from being done in slabs, a sentence for its refusal;
+  /// empty: it can be.
+  std::string no_slabs = "the stock is wanted as a whole";
   Progress progress;
 };
 

@@ -112,7 +112,7 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
-      "refuse a run that would need more, such as 4G; default: what is free");
+      "do a run that would need more in slabs, or refuse it, such as 4G; default: what is free");
 }
 
 void add_picture_options(CLI::App& app, Typed& typed) {

@@ -84,6 +84,9 @@ class PartComparison {
                  arguments.mesh.tolerance);
   }
 
+  /// Whether anything is to be told of the mesh.
+  bool is_wanted() const { return !request_.nominal.empty() || !request_.report.empty(); }
+
   void measure(const TriMesh& part) {
     if (!request_.nominal.empty()) comparison_ = compare_named(request_, part, nominal_.mesh);
   }
@@ -128,7 +131,8 @@ int run_simulate(const Arguments& arguments) {
   job.strict = arguments.strict;
   if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
   PartComparison comparison(arguments);
-  job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
+  job.whole_mesh = comparison.is_wanted();
+  if (job.whole_mesh) job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
   JobResult result;
   {
     ProgressBar bar(!arguments.quiet);

@@ -101,7 +101,7 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
             from_field ? "the mesh " + grouped(summary.volume, 3) + " mm³" : "");
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");
-  sheet.row("triangles", grouped(static_cast<double>(result.mesh.triangles.size()), 0),
+  sheet.row("triangles", grouped(static_cast<double>(result.triangles), 0),
             "closed, oriented, 2-manifold" +
                 (result.mesh_bound > 0
                      ? fmt::format(", within {:.2g} mm of the exact part", result.mesh_bound)

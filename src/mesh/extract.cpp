@@ -6,4 +6,9 @@ TriMesh extract_mesh(const Stock& stock, const MeshOptions& options, ContourRepo
   return contour(stock.field(), stock.voxel(), options, report);
 }
 
+void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
+                  ContourReport* report) {
+  contour(stock.field(), stock.voxel(), options, sink, report);
+}
+
 }  // namespace mrsim

@@ -13,4 +13,8 @@ namespace mrsim {
 TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {},
                      ContourReport* report = nullptr);
 
+/// The same in blocks (mesh/contour.h).
+void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
+                  ContourReport* report = nullptr);
+
 }  // namespace mrsim

@@ -281,6 +281,8 @@ std::vector<std::uint32_t> MeshAudit::components_of(std::size_t index,
   components();
   std::vector<std::uint32_t> out;
   find_components(block.triangles, block.points.size(), out);
+  // The whole mesh in one block: its components are numbered alike, by their first triangles.
+  if (block.triangles.size() == triangles_) return out;
   for (std::uint32_t& c : out) c = component_of_node_[first_node_[index] + c];
   return out;
 }

@@ -63,7 +63,8 @@ class MeshAudit final : public MeshSink {
 
   /// The components, by their first triangles. Requires: all blocks were taken.
   const std::vector<SurfaceComponent>& components() const;
-  /// For each triangle of block `index`, which is given anew, its component.
+  /// For each triangle of block `index`, which is given anew, its component. The blocks may also
+  /// have been joined to one.
   std::vector<std::uint32_t> components_of(std::size_t index, const MeshBlock& block) const;
   /// The figures of the whole mesh, or of those components for which `kept` holds.
   MeshSummary summary(const std::vector<bool>& kept = {}) const;

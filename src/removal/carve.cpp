@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/block_index.h"
+#include "removal/memory_plan.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
 #include "removal/turned_carver.h"
@@ -15,9 +16,6 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-
-#include <fmt/format.h>
-#include <unistd.h>
 
 namespace mrsim {
 namespace {
@@ -124,35 +122,6 @@ class BlockCarver : LeafWriter {
   LeafPair leaf_;
 };
 
-std::size_t free_memory() {
-  const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
-  return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page)
-                               : std::size_t(4) << 30;
-}
-
-void check_options(const PartField& field, std::size_t motions, const CarveOptions& options,
-                   std::size_t limit) {
-  if (!(options.voxel > 0) || !std::isfinite(options.voxel))
-    throw Error("voxel-invalid",
-                fmt::format("--voxel {} is not a positive length in mm", options.voxel),
-                Error::Kind::usage);
-  const double area = field.solid().area();
-  const auto need = [&](double voxel) {
-    return memory_estimate(area, motions, voxel, options.grid_mesh);
-  };
-  const auto available = static_cast<double>(limit);
-  if (need(options.voxel) <= available) return;
-  double fits = options.voxel;
-  while (need(fits) > available && need(fits) > 1.01 * need(2 * fits)) fits *= 1.05;
-  throw Error(
-      "memory",
-      fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock and {} motions, "
-                  "{:.3g} GB are available; {}",
-                  options.voxel, need(options.voxel) / 1e9, motions, available / 1e9,
-                  need(fits) <= available ? fmt::format("{:.3g} mm would fit", fits)
-                                          : "no voxel would fit"));
-}
-
 class ProgressMeter {
  public:
   ProgressMeter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
@@ -198,16 +167,6 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid, int th
 
 }  // namespace
 
-// Every surface voxel column holds 2 * kBandVoxels active voxels, in leaves that are about half
-// full, each with a distance and an owner; a mesh on the voxels has two triangles a column, which
-// are held in tiles, joined, checked and written. The stock's area is the measure of the surface.
-double memory_estimate(double area, std::size_t motions, double voxel, bool grid_mesh) {
-  constexpr double kProgram = 40e6, kMotion = 400, kGridVoxel = 51, kMeshVoxel = 25;
-  const double active = area / (voxel * voxel) * 2 * kBandVoxels;
-  return kProgram + kMotion * static_cast<double>(motions) +
-         active * (kGridVoxel + (grid_mesh ? kMeshVoxel : 0));
-}
-
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options) {
   auto grid = std::make_unique<StockGrid>();
@@ -218,17 +177,15 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   CarveOptions chosen = options;
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
-  const std::size_t limit = chosen.max_memory > 0 ? chosen.max_memory : free_memory();
-  check_options(field, motions.size(), chosen, limit);
+  grid->plan = plan_memory(field.solid(), motions.size(), chosen);
   grid->voxel = chosen.voxel;
-  grid->estimate =
-      memory_estimate(field.solid().area(), motions.size(), chosen.voxel, chosen.grid_mesh);
-  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel, limit,
-                                             chosen.threads);
+  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel,
+                                             grid->plan.limit, chosen.threads);
   const BlockIndex& index = *grid->index;
 
   openvdb::initialize();
   std::vector<std::vector<LeafPair>> blocks(index.size());
+  std::atomic<std::size_t> active{0};
   ProgressMeter meter(chosen.progress, index.size());
   with_threads(chosen.threads, [&] {
     const bool turned = field.solid().is_turned() && !field.sweeps().turn_tree().roots().empty();
@@ -241,10 +198,13 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
         blocks[b] = TurnedCarver(field, grid->voxel, *layers).carve(index.origin(b));
       else
         blocks[b] = BlockCarver(field, grid->voxel, lists).carve(index.origin(b), sweeps);
+      for (const LeafPair& leaf : blocks[b]) active += leaf.distance->onVoxelCount();
+      if (!chosen.keep_grid) blocks[b] = {};
       meter.step();
     });
-    collect(blocks, *grid, chosen.threads);
+    if (chosen.keep_grid) collect(blocks, *grid, chosen.threads);
   });
+  grid->active = active;
   return Stock(std::move(grid));
 }
 

@@ -14,6 +14,9 @@ namespace mrsim {
 
 inline constexpr Vec3 kLatticeShift{29.0 / 64.0, 21.0 / 64.0, 35.0 / 64.0};
 
+/// Half width of the narrow band in voxels.
+inline constexpr double kBandVoxels = 3;
+
 /// Position in mm of the sample with the given lattice coordinate on one axis.
 inline double lattice_position(double voxel, std::int64_t index, double shift) {
   return voxel * (static_cast<double>(index) + shift);

@@ -42,12 +42,17 @@ Stock::~Stock() = default;
 
 double Stock::voxel() const { return grid_->voxel; }
 const ExactField& Stock::field() const { return *grid_->field; }
-std::size_t Stock::active_voxels() const { return grid_->distance->activeVoxelCount(); }
+std::size_t Stock::active_voxels() const { return grid_->active; }
 std::size_t Stock::memory() const {
-  return grid_->distance->memUsage() + grid_->owner->memUsage() + grid_->index->memory();
+  const std::size_t grids =
+      grid_->distance ? grid_->distance->memUsage() + grid_->owner->memUsage() : 0;
+  return grids + grid_->index->memory();
 }
 
-double Stock::memory_expected() const { return grid_->estimate; }
+double Stock::memory_expected() const { return grid_->plan.expected; }
+double Stock::memory_whole() const { return grid_->plan.whole; }
+std::size_t Stock::memory_limit() const { return grid_->plan.limit; }
+bool Stock::in_slabs() const { return grid_->plan.in_slabs; }
 
 double Stock::distance(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).distance;

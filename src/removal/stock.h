@@ -29,6 +29,9 @@ class Stock {
   std::size_t active_voxels() const;
   std::size_t memory() const;      ///< bytes of the grids and their lists
   double memory_expected() const;  ///< bytes of the whole run, as estimated before it
+  double memory_whole() const;     ///< the same, were it done in one piece
+  std::size_t memory_limit() const;
+  bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
   const StockGrid& grid() const { return *grid_; }
 
   /// d, gradient and owner at p from the exact field, through the index over the sweeps.
@@ -47,13 +50,9 @@ struct VoxelChoice {
 };
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 
-/// Bytes that a run takes: a stock of `area` mm^2, carved, meshed (on the voxels: `grid_mesh`),
-/// checked and written. Within a factor of 1.5 of the peak on the programs of docs/removal.md.
-double memory_estimate(double area, std::size_t motions, double voxel, bool grid_mesh);
-
 /// Subtracts every cutting motion from the stock. Cost grows with the surface, not with the volume,
 /// and slowly with the number of motions. Throws Error "voxel-invalid", "memory" (the estimate is
-/// above the limit), and what SweepTable throws.
+/// above the limit, in slabs too), and what SweepTable throws.
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options = {});
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "removal/block_index.h"
+#include "removal/lattice.h"
+#include "removal/memory_plan.h"
 #include "removal/part_field.h"
 
 #include <memory>
@@ -13,15 +15,14 @@
 namespace mrsim {
 
 struct StockGrid {
-  double voxel = 0;                  ///< mm
-  double estimate = 0;               ///< bytes that the run was expected to take
-  openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
+  double voxel = 0;  ///< mm
+  MemoryPlan plan;
+  std::size_t active = 0;            ///< voxels
+  openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set;
+                                     ///< null where it was not to be kept
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
   std::unique_ptr<PartField> field;
   std::unique_ptr<BlockIndex> index;
 };
-
-/// Half width of the narrow band in voxels.
-inline constexpr double kBandVoxels = 3;
 
 }  // namespace mrsim

@@ -1,0 +1,57 @@
+#include "mesh/mesh_spill.h"
+
+#include "core/error.h"
+
+namespace mrsim {
+namespace {
+
+template <class T>
+void append(ScratchFile& file, std::span<const T> items) {
+  file.append(items.data(), items.size_bytes());
+}
+
+template <class T>
+void read(const ScratchFile& file, std::uint64_t& offset, std::size_t count, std::vector<T>& out) {
+  out.resize(count);
+  file.read(offset, out.data(), count * sizeof(T));
+  offset += count * sizeof(T);
+}
+
+}  // namespace
+
+void SpilledMesh::take(const MeshBlock& block) {
+  MRSIM_ASSERT(block.owners.size() == block.triangles.size() && block.colors.empty());
+  places_.push_back({file_.size(), block.points.size(), block.borrowed.size(),
+                     block.triangles.size(), block.open.size(), block.first_new});
+  append(file_, block.points);
+  append(file_, block.borrowed);
+  append(file_, block.triangles);
+  append(file_, block.owners);
+  append(file_, block.open);
+  vertices_ += block.fresh().size();
+  triangles_ += block.triangles.size();
+}
+
+void SpilledMesh::restart() {
+  file_.clear();
+  places_.clear();
+  vertices_ = triangles_ = 0;
+}
+
+void SpilledMesh::for_each_block(const Body& body) const {
+  std::vector<std::array<float, 3>> points;
+  std::vector<std::uint32_t> borrowed, open;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int32_t> owners;
+  for (const Place& place : places_) {
+    std::uint64_t offset = place.offset;
+    read(file_, offset, place.points, points);
+    read(file_, offset, place.borrowed, borrowed);
+    read(file_, offset, place.triangles, triangles);
+    read(file_, offset, place.triangles, owners);
+    read(file_, offset, place.open, open);
+    body({points, borrowed, place.first_new, triangles, owners, {}, open});
+  }
+}
+
+}  // namespace mrsim

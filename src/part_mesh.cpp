@@ -1,0 +1,50 @@
+#include "part_mesh.h"
+
+namespace mrsim {
+
+PartMesh::PartMesh(const std::optional<std::string>& folder, int threads)
+    : audit_(threads), collected_(collector_.mesh()) {
+  if (folder) spilled_ = std::make_unique<SpilledMesh>(*folder);
+}
+
+void PartMesh::take(const MeshBlock& block) {
+  ++blocks_;
+  audit_.take(block);
+  if (spilled_)
+    spilled_->take(block);
+  else
+    collector_.take(block);
+}
+
+void PartMesh::restart() {
+  blocks_ = 0;
+  audit_.restart();
+  collector_.restart();
+  if (spilled_) spilled_->restart();
+}
+
+const MeshSource& PartMesh::source() const {
+  if (piece_) return *piece_;
+  if (spilled_) return *spilled_;
+  return collected_;
+}
+
+MeshSummary PartMesh::summary() const { return audit_.summary(kept_); }
+
+void PartMesh::keep(const Piece& piece) {
+  auto chosen = std::make_unique<PieceOfMesh>(audit_, source(), piece);
+  kept_ = chosen->wanted();
+  if (spilled_)
+    piece_ = std::move(chosen);
+  else
+    collector_.mesh() = collected(*chosen);
+}
+
+void PartMesh::set_origin(const OwnerTable& origin) {
+  if (spilled_)
+    spilled_->set_origin(origin);
+  else
+    collector_.mesh().origin = origin;
+}
+
+}  // namespace mrsim

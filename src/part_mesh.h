@@ -1,0 +1,45 @@
+// The mesh of the part while it is made, checked and written: in memory, or on disk where memory is
+// short.
+#pragma once
+
+#include "mesh/mesh_audit.h"
+#include "mesh/mesh_source.h"
+#include "mesh/mesh_spill.h"
+#include "mesh/pieces.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mrsim {
+
+class PartMesh final : public MeshSink {
+ public:
+  /// `folder`: where it is kept on disk; none: in memory. `threads`: of checks.
+  PartMesh(const std::optional<std::string>& folder, int threads);
+
+  void take(const MeshBlock& block) override;
+  void restart() override;
+
+  const MeshAudit& audit() const { return audit_; }
+  std::size_t blocks() const { return blocks_; }
+  /// The part, or what keep() has left of it.
+  const MeshSource& source() const;
+  /// The figures of what is left.
+  MeshSummary summary() const;
+  void keep(const Piece& piece);
+  void set_origin(const OwnerTable& origin);
+  /// The mesh where it is in memory, else none.
+  TriMesh& in_memory() { return collector_.mesh(); }
+
+ private:
+  MeshAudit audit_;
+  MeshCollector collector_;
+  MemoryMesh collected_;
+  std::unique_ptr<SpilledMesh> spilled_;
+  std::unique_ptr<PieceOfMesh> piece_;
+  std::vector<bool> kept_;
+  std::size_t blocks_ = 0;
+};
+
+}  // namespace mrsim

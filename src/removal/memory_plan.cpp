@@ -1,0 +1,91 @@
+#include "removal/memory_plan.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "removal/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+// Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
+// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels.
+constexpr double kProgram = 50e6, kMotion = 900, kThread = 30e6;
+constexpr double kGridColumn = 51 * 2 * kBandVoxels, kMeshColumn = 75;
+constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
+constexpr double kTileVoxels = 61;
+
+std::size_t free_memory() {
+  const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page)
+                               : std::size_t(4) << 30;
+}
+
+// The tiles of the mesh that a cut across the longest axis meets, were it the stock's whole
+// section.
+double section_tiles(const StockSolid& stock, double voxel) {
+  const Vec3 size = stock.bounds().hi - stock.bounds().lo;
+  double sides[3] = {size.x, size.y, size.z};
+  std::sort(sides, sides + 3);
+  return (sides[0] + 2 * sides[1]) / (voxel * kTileVoxels) + 1;
+}
+
+struct Need {
+  const StockSolid& stock;
+  std::size_t motions;
+  const CarveOptions& options;
+
+  double operator()(double voxel, bool in_slabs) const {
+    const double columns = stock.area() / (voxel * voxel);
+    const double always = kProgram + kMotion * static_cast<double>(motions);
+    const double grid = options.keep_grid && !in_slabs ? columns * kGridColumn : 0;
+    if (!options.grid_mesh) return always + std::max(grid, columns * kGridColumn);
+    const double working =
+        kThread * resolve_threads(options.threads) + section_tiles(stock, voxel) * kFrontTile;
+    return always + grid + working + (in_slabs ? 0 : columns * kMeshColumn);
+  }
+};
+
+[[noreturn]] void refuse(const Need& need, double voxel, double available, bool may_slab) {
+  double fits = voxel;
+  while (need(fits, may_slab) > available &&
+         need(fits, may_slab) > 1.001 * need(2 * fits, may_slab))
+    fits *= 1.05;
+  throw Error(
+      "memory",
+      fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock and {} "
+                  "motions{}, {:.3g} GB are available; {}{}",
+                  voxel, need(voxel, may_slab) / 1e9, need.motions, may_slab ? " in slabs" : "",
+                  available / 1e9,
+                  need(fits, may_slab) <= available ? fmt::format("{:.3g} mm would fit", fits)
+                                                    : "no voxel would fit",
+                  may_slab ? "" : "; " + need.options.no_slabs));
+}
+
+}  // namespace
+
+MemoryPlan plan_memory(const StockSolid& stock, std::size_t motions, const CarveOptions& options) {
+  if (!(options.voxel > 0) || !std::isfinite(options.voxel))
+    throw Error("voxel-invalid",
+                fmt::format("--voxel {} is not a positive length in mm", options.voxel),
+                Error::Kind::usage);
+  const Need need{stock, motions, options};
+  MemoryPlan plan;
+  plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
+  plan.expected = plan.whole = need(options.voxel, false);
+  const auto available = static_cast<double>(plan.limit);
+  if (plan.expected <= available) return plan;
+  const bool may_slab = options.no_slabs.empty();
+  plan.in_slabs = true;
+  plan.expected = need(options.voxel, true);
+  if (!may_slab || plan.expected > available) refuse(need, options.voxel, available, may_slab);
+  return plan;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,21 @@
+// How much memory a run takes, told before it, and whether it is done in one piece or in slabs.
+#pragma once
+
+#include "removal/stock_solid.h"
+#include <mrsim/options.h>
+
+#include <cstddef>
+
+namespace mrsim {
+
+struct MemoryPlan {
+  std::size_t limit = 0;  ///< bytes
+  double expected = 0;    ///< bytes at the peak, as planned
+  double whole = 0;       ///< the same in one piece
+  bool in_slabs = false;
+};
+
+/// Throws Error "voxel-invalid"; "memory" where the run does not fit, with what would.
+MemoryPlan plan_memory(const StockSolid& stock, std::size_t motions, const CarveOptions& options);
+
+}  // namespace mrsim
