@@ -341,7 +341,6 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
-  options.keep_grid = std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 

@@ -182,6 +182,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel,
                                              grid->plan.limit, chosen.threads);
   const BlockIndex& index = *grid->index;
+  const bool keep = chosen.keep_grid && !grid->plan.in_slabs;
 
   openvdb::initialize();
   std::vector<std::vector<LeafPair>> blocks(index.size());
@@ -199,10 +200,10 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
       else
         blocks[b] = BlockCarver(field, grid->voxel, lists).carve(index.origin(b), sweeps);
       for (const LeafPair& leaf : blocks[b]) active += leaf.distance->onVoxelCount();
-      if (!chosen.keep_grid) blocks[b] = {};
+      if (!keep) std::vector<LeafPair>().swap(blocks[b]);
       meter.step();
     });
-    if (chosen.keep_grid) collect(blocks, *grid, chosen.threads);
+    if (keep) collect(blocks, *grid, chosen.threads);
   });
   grid->active = active;
   return Stock(std::move(grid));
