@@ -1,3 +1,4 @@
+#include "carve_support.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -15,6 +16,8 @@
 
 namespace mrsim {
 namespace {
+
+using namespace test;
 
 StockShape box(Vec3 lo, Vec3 hi) {
   StockShape s;
@@ -64,16 +67,6 @@ double counted_volume(const Stock& stock) {
   return sum * h * h * h;
 }
 
-using Voxel = std::tuple<openvdb::Coord, float, std::int32_t>;
-std::vector<Voxel> voxels(const Stock& stock) {
-  std::vector<Voxel> list;
-  openvdb::tree::ValueAccessor<const openvdb::Int32Tree> owner(stock.grid().owner->tree());
-  for (auto it = stock.grid().distance->cbeginValueOn(); it; ++it)
-    list.emplace_back(it.getCoord(), it.getValue(), owner.getValue(it.getCoord()));
-  std::sort(list.begin(), list.end());
-  return list;
-}
-
 std::vector<Motion> random_motions(std::uint64_t seed, int count) {
   std::mt19937_64 random(seed);
   std::uniform_int_distribution<int> x(0, 20), z(2, 9);
@@ -88,39 +81,6 @@ std::vector<Motion> random_motions(std::uint64_t seed, int count) {
     at = motions.back().end;
   }
   return motions;
-}
-
-// The obvious carver: every sweep at every voxel.
-std::vector<Voxel> reference(const StockShape& shape, std::span<const Motion> motions,
-                             std::span<const Tool> tools, double h) {
-  const StockSolid solid(shape);
-  const SweepTable sweeps(motions, tools, solid.bounds().hi.z);
-  const double band = kBandVoxels * h;
-  const Box3 whole = inflated(solid.bounds(), band + h);
-  std::vector<Voxel> list;
-  const auto index = [&](const Vec3& p, int a) {
-    return int(lattice_floor(h, component(p, a), component(kLatticeShift, a)));
-  };
-  for (int i = index(whole.lo, 0); i <= index(whole.hi, 0); ++i)
-    for (int j = index(whole.lo, 1); j <= index(whole.hi, 1); ++j)
-      for (int k = index(whole.lo, 2); k <= index(whole.hi, 2); ++k) {
-        const Vec3 p{lattice_position(h, i, kLatticeShift.x),
-                     lattice_position(h, j, kLatticeShift.y),
-                     lattice_position(h, k, kLatticeShift.z)};
-        double least = std::numeric_limits<double>::infinity();
-        std::size_t best = 0;
-        for (std::size_t s = 0; s < sweeps.size(); ++s)
-          if (const double d = sweeps.distance(s, p); d < least) {
-            least = d;
-            best = s;
-          }
-        const double stock = solid.distance(p), d = std::max(stock, -least);
-        if (std::abs(d) < band)
-          list.emplace_back(openvdb::Coord(i, j, k), float(d),
-                            stock >= -least ? kStockOwner : sweeps.motion(best));
-      }
-  std::sort(list.begin(), list.end());
-  return list;
 }
 
 TEST(Carve, EqualsTheReferenceToTheLastBit) {
