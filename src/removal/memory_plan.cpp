@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/lattice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +14,10 @@ namespace mrsim {
 namespace {
 
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
-// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels.
-constexpr double kProgram = 50e6, kMotion = 900, kThread = 30e6;
-constexpr double kGridColumn = 51 * 2 * kBandVoxels, kMeshColumn = 75;
+// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
+// cells of a mesh with a tolerance are there while it is made.
+constexpr double kProgram = 60e6, kMotion = 1100, kThread = 30e6;
+constexpr double kGridColumn = 160, kMeshColumn = 65, kToleranceColumn = 306;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
 
@@ -45,7 +45,7 @@ struct Need {
     const double columns = stock.area() / (voxel * voxel);
     const double always = kProgram + kMotion * static_cast<double>(motions);
     const double grid = options.keep_grid && !in_slabs ? columns * kGridColumn : 0;
-    if (!options.grid_mesh) return always + std::max(grid, columns * kGridColumn);
+    if (!options.grid_mesh) return always + std::max(grid, columns * kToleranceColumn);
     const double working =
         kThread * resolve_threads(options.threads) + section_tiles(stock, voxel) * kFrontTile;
     return always + grid + working + (in_slabs ? 0 : columns * kMeshColumn);

@@ -25,7 +25,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 // Between what the run takes in slabs and in one piece, for that many threads.
-std::string limit(int threads) { return std::to_string(50 + 30 * threads + 20) + "M"; }
+std::string limit(int threads) { return std::to_string(60 + 30 * threads + 15) + "M"; }
 
 TEST_F(Slabs, GiveTheSameBytes) {
   for (const char* format : {"stl", "ply", "obj", "off", "3mf"}) {
