@@ -22,6 +22,7 @@ Tool tool_of(ToolType type, double diameter) {
   return tool;
 }
 
+// All but form tools, whose search takes too long here off level moves (docs/sweeps.md).
 std::vector<Kind> kinds() {
   std::vector<Kind> all{{"flat", endmill(3)},
                         {"closed", endmill(3, 0.5, 4)},
@@ -33,7 +34,6 @@ std::vector<Kind> kinds() {
                         {"tslot", tool_of(ToolType::tslot, 5)},
                         {"lollipop", tool_of(ToolType::lollipop, 4)},
                         {"barrel", tool_of(ToolType::barrel, 4)},
-                        {"form", tool_of(ToolType::form, 0)},
                         {"insert", tool_of(ToolType::turning, 0)},
                         {"round insert", tool_of(ToolType::turning, 3)},
                         {"blade", tool_of(ToolType::grooving, 0)},
@@ -48,7 +48,6 @@ std::vector<Kind> kinds() {
   tool("tslot").flute_length = 2, tool("tslot").neck_diameter = 2;
   tool("lollipop").neck_diameter = 1.5;
   tool("barrel").profile_radius = 12, tool("barrel").corner_radius = 0.5;
-  tool("form").profile = {{0, 0, 0}, {1, 0, 0.3}, {2, 1.5, 0}, {1.5, 3, 0}, {1.5, 9, 0}};
   tool("insert").insert = "D", tool("insert").nose_radius = 0.4, tool("insert").edge_length = 5;
   tool("round insert").insert = "R";
   tool("blade").width = 2, tool("blade").nose_radius = 0.2;
