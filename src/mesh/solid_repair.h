@@ -20,7 +20,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name);
 
 /// Throws Error "mesh-crosses-itself" with a place unless the surface is free of
 /// self-intersections; bodies may touch in corners and edges. Requires: a mesh that require_solid
-/// takes. Some 4 s a million triangles.
+/// takes. O(n log n).
 void refuse_self_intersections(const TriMesh& mesh, const std::string& name);
 
 }  // namespace mrsim

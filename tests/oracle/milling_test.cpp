@@ -6,13 +6,13 @@
 #include "mesh/check.h"
 #include "mesh/contour.h"
 #include "oracle/exact_region.h"
+#include "oracle/random.h"
 #include "removal/part_field.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,18 +25,6 @@ namespace {
 using namespace mrsim::testing;
 
 Vec2 plan(const Vec3& p) { return {p.x, p.y}; }
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : random_(seed) {}
-  double operator()(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  int pick(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::mt19937_64 random_;
-};
 
 struct Milled {
   Box3 stock;

@@ -6,12 +6,12 @@
 #include "mesh/check.h"
 #include "mesh/contour.h"
 #include "oracle/exact_region.h"
+#include "oracle/random.h"
 #include "removal/part_field.h"
 #include "removal/tool.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -21,18 +21,6 @@ namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : random_(seed) {}
-  double operator()(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  int pick(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::mt19937_64 random_;
-};
 
 struct Turned {
   double radius = 0, z0 = 0, z1 = 0;  // the bar
