@@ -44,7 +44,8 @@ Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const 
 
 void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
   const auto region =
-      descent_->enter(level, inflated(node_box(origin, size), kQuantum), kSurfaceBand);
+      descent_->enter(level, inflated(node_box(origin, size), kQuantum), kSurfaceBand,
+                      /*last=*/size <= 2 * kNode);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
   if (size == kNode || (size == 2 * kNode && descent_->is_short(level))) {

@@ -139,7 +139,7 @@ class UniformContour {
   // The parts of up to `most` tiles that the surface may pass.
   void find_parts(ExactField::Descent& descent, const TileRange& range, std::size_t level,
                   std::int64_t most, std::vector<TilePart>& out) const {
-    if (descent.enter(level, inflated(box(range), kQuantum), kSurfaceBand) !=
+    if (descent.enter(level, inflated(box(range), kQuantum), kSurfaceBand, false) !=
         ExactField::Region::mixed)
       return;
     if (count(range) <= most) {

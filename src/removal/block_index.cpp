@@ -63,7 +63,7 @@ BlockIndex::BlockIndex(const PartField& field, double voxel, double band, std::s
                                       "--voxel",
                                       voxel, blocks));
   start_.assign(static_cast<std::size_t>(blocks) + 1, 0);
-  fill(field.sweeps(), field.sweeps().all(), band, threads);
+  fill(field.sweeps(), field.sweeps().all(kBlockVoxels * voxel / 2), band, threads);
 }
 
 BlockIndex::BlockIndex(const BlockIndex& blocks, const SweepTable& sweeps)

@@ -55,8 +55,9 @@ class BlockCarver : LeafWriter {
   // The list of the block is lists_[depth]; what is left of it goes to the next.
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
     NearList& left = lists_[depth + 1];
-    const auto region = field_.restrict_to(PruneRegion::block(center(origin, size), half(size)),
-                                           band_, lists_[depth], in_stock, left);
+    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
+    block.open = size <= 4;
+    const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
     if (size == kLeafVoxels && region != ExactField::Region::air) leaf_ = new_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
@@ -172,7 +173,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   auto grid = std::make_unique<StockGrid>();
   StockSolid solid(shape);
   const double top = solid.bounds().hi.z;
-  grid->field = std::make_unique<PartField>(std::move(solid), SweepTable(motions, tools, top));
+  grid->field = std::make_unique<PartField>(std::move(solid),
+                                            SweepTable(motions, tools, top, {}, options.threads));
   const PartField& field = *grid->field;
   CarveOptions chosen = options;
   if (chosen.voxel == 0)

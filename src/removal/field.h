@@ -63,8 +63,9 @@ class ExactField {
     Descent& operator=(const Descent&) = delete;
     virtual ~Descent() = default;
     /// As restrict_to for the ball about `box`, narrowing what level - 1 has left. Requires: the
-    /// last region entered at level - 1 holds this one; level >= 1.
-    virtual Region enter(std::size_t level, const Box3& box, double band) = 0;
+    /// last region entered at level - 1 holds this one; level >= 1. What is left may stand for more
+    /// than it says, unless d is going to be asked of it (`last`).
+    virtual Region enter(std::size_t level, const Box3& box, double band, bool last) = 0;
     /// True where so little is left that looking closer costs more than it saves.
     virtual bool is_short(std::size_t level) const = 0;
     /// What the last region entered at this level has left, ascending.
@@ -109,7 +110,7 @@ class ListDescent final : public ExactField::Descent {
  public:
   ListDescent(const ExactField& field, std::span<const std::uint32_t> in)
       : field_(field), lists_(1, Candidates(in.begin(), in.end())) {}
-  ExactField::Region enter(std::size_t level, const Box3& box, double band) override {
+  ExactField::Region enter(std::size_t level, const Box3& box, double band, bool) override {
     if (lists_.size() <= level) lists_.resize(level + 1);
     const Vec3 half{0.5 * (box.hi.x - box.lo.x), 0.5 * (box.hi.y - box.lo.y),
                     0.5 * (box.hi.z - box.lo.z)};

@@ -6,7 +6,8 @@
 //   line   ax ay dx dy 1/(dx^2+dy^2) - tip level path in plan, height of the tip and its number
 //   arc    cx cy R mx my cos sin tip level       as in sweep_lanes.inl
 // A level number is equal for two sweeps just when their tips are equally high in double; NaN
-// equals nothing. The last column holds the bits of the sweep's index, which compare as they do.
+// equals nothing. The last column holds the bits of the sweep's index, which compare as they do;
+// for a pack that of its first sweep, and the column before it the pack's number.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace mrsim {
 
 enum class SimdLevel;
 
-inline constexpr std::size_t kNearColumns = 10, kIdColumn = 9;
+inline constexpr std::size_t kNearColumns = 10, kIdColumn = 9, kPackColumn = 8;
 
 struct NearColumns {
   const float* base = nullptr;

@@ -9,51 +9,165 @@
 namespace mrsim {
 namespace {
 
-// Writes the columns of one run; keeps track of the largest value.
+// What a list is to hold.
+struct Entry {
+  std::uint32_t of = 0;  ///< class
+  std::uint32_t number = 0;
+  bool children = false;  ///< those of the pack, not itself
+};
+using ByClass = std::vector<Entry>;
+void sort_by_class(ByClass& entries) {
+  const auto less = [](const Entry& a, const Entry& b) { return a.of < b.of; };
+  if (!std::is_sorted(entries.begin(), entries.end(), less))
+    std::stable_sort(entries.begin(), entries.end(), less);
+}
+
+// Writes entries of a list; keeps track of the largest value.
 class RunWriter {
  public:
-  RunWriter(NearList& list, const std::vector<std::uint32_t>& levels)
-      : list_(list), levels_(levels) {}
+  RunWriter(NearList& list, const SweepColumns& columns)
+      : list_(list), columns_(columns), origin_(list.origin), stride_(list.stride()) {}
 
-  void strip(std::size_t slot, const double* c) {
-    const Vec3 o = list_.origin;
-    const double x = c[0] - o.x, y = c[1] - o.y, z = c[2] - o.z, s = c[6];
-    put(slot, {x, y, z, c[3], c[4], c[5], s, 1 / (1 + s * s)});
-    widen(x, y, z);
-    widen(x + c[3] * c[5], y + c[4] * c[5], z + s * c[5]);
+  // The run of all entries of the first one's class; what comes after it.
+  ByClass::const_iterator run(ByClass::const_iterator at, ByClass::const_iterator end) {
+    const std::uint32_t of = at->of;
+    open(of);
+    for (; at != end && at->of == of; ++at)
+      if (at->children)
+        add_children_of(at->number);
+      else
+        add(at->number);
+    close();
+    return at;
   }
-  void line(std::size_t slot, const double* c, std::uint32_t id) {
-    const Vec3 o = list_.origin;
-    const double x = c[0] - o.x, y = c[1] - o.y, z = c[4] - c[6] - o.z;
-    put(slot, {x, y, c[2], c[3], 1 / std::max(c[2] * c[2] + c[3] * c[3], 1e-30), z, level_of(id)});
-    widen(x, y, z);
-    widen(x + c[2], y + c[3], z);
+  void open(std::uint32_t of) {
+    const SweepClass& type = columns_.classes[of];
+    form_ = type.form;
+    first_ = slot_ = list_.open_run(of, type.packs ? kPackColumn : kIdColumn);
+    to_ = list_.column(0);
+    list_.closed = list_.closed && type.form != SweepClass::Form::other;
+    const ToolColumns& t = type.tool;
+    for (const float size : {t.core + t.round, std::isinf(t.height) ? 0 : t.height})
+      extent_ = std::max<double>(extent_, size);
   }
-  void arc(std::size_t slot, const double* c, std::uint32_t id) {
-    const Vec3 o = list_.origin;
-    const double x = c[0] - o.x, y = c[1] - o.y, z = c[7] - c[9] - o.z;
-    put(slot, {x, y, c[2], c[3], c[4], c[5], c[6], z, level_of(id)});
-    widen(std::fabs(x) + c[2], std::fabs(y) + c[2], z);
+  void close() { list_.close_run(slot_ - first_); }
+
+  // A sweep, or a pack.
+  void add(std::uint32_t number) {
+    if (number >= kFirstPack) return add_pack(number);
+    const std::uint32_t row = columns_.tags[number] & kTagRow;
+    if (form_ == SweepClass::Form::strip) widen_strip(columns_.ball_lines[row].c);
+    if (form_ == SweepClass::Form::line) widen_line(columns_.plane_lines[row].c);
+    add_sweep(number, row);
   }
-  void id(std::size_t slot, std::uint32_t id) {
-    list_.column(kIdColumn)[slot] = std::bit_cast<float>(id);
+  // The children of a pack, all of the class of this run: their paths are near its chord.
+  void add_children_of(std::uint32_t number) {
+    const SweepPack& pack = columns_.packs[number];
+    const PackColumns& children = columns_.packs.children(number);
+    const double* chord = columns_.packs.chord(number).c;
+    float common[PackColumns::kColumns] = {static_cast<float>(chord[0] - origin_.x),
+                                           static_cast<float>(chord[1] - origin_.y)};
+    if (form_ == SweepClass::Form::strip) {
+      widen_strip(chord, pack.spread);
+      common[2] = static_cast<float>(chord[2] - origin_.z);
+    } else {
+      widen_line(chord, pack.spread);
+      common[5] = static_cast<float>(chord[4] - chord[6] - origin_.z);
+      common[6] = static_cast<float>(level_of(pack.first));
+    }
+    for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
+      float* to = to_ + i * stride_ + slot_;
+      for (std::size_t k = 0; k < PackColumns::kLanes; ++k) to[k] = children.c[i][k] + common[i];
+    }
+    columns_.packs.for_each_child(number, [&](std::uint32_t child) {
+      if (child >= kFirstPack) put(kPackColumn, child);
+      put(kIdColumn, child >= kFirstPack ? columns_.packs[child].first : child);
+      ++slot_;
+    });
   }
   double extent() const { return extent_; }
-  double level_of(std::uint32_t id) const { return sweep_level(levels_[id]); }
 
  private:
-  void put(std::size_t slot, std::initializer_list<double> values) {
-    std::size_t i = 0;
-    for (const double v : values) list_.column(i++)[slot] = static_cast<float>(v);
+  void add_sweep(std::uint32_t id, std::uint32_t row) {
+    if (form_ == SweepClass::Form::strip) strip(columns_.ball_lines[row].c);
+    if (form_ == SweepClass::Form::line) line(columns_.plane_lines[row].c, id);
+    if (form_ == SweepClass::Form::arc) arc(columns_.plane_arcs[row].c, id);
+    put(kIdColumn, id);
+    ++slot_;
   }
-  void widen(double x, double y, double z) {
-    extent_ = std::max({extent_, std::fabs(x), std::fabs(y), std::fabs(z)});
+  void add_pack(std::uint32_t number) {
+    const std::uint32_t first = columns_.packs[number].first;
+    const double* chord = columns_.packs.chord(number).c;
+    if (form_ == SweepClass::Form::strip)
+      widen_strip(chord), strip(chord);
+    else
+      widen_line(chord), line(chord, first);
+    put(kPackColumn, number);
+    put(kIdColumn, first);
+    ++slot_;
+  }
+
+  void strip(const double* c) {
+    const double s = c[6];
+    put({c[0] - origin_.x, c[1] - origin_.y, c[2] - origin_.z, c[3], c[4], c[5], s,
+         1 / (1 + s * s)});
+  }
+  void widen_strip(const double* c, double spread = 0) {
+    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
+    widen(x, y, z, spread);
+    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5], spread);
+  }
+  void line(const double* c, std::uint32_t id) {
+    put({c[0] - origin_.x, c[1] - origin_.y, c[2], c[3],
+         1 / std::max(c[2] * c[2] + c[3] * c[3], 1e-30), c[4] - c[6] - origin_.z, level_of(id)});
+  }
+  void widen_line(const double* c, double spread = 0) {
+    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[4] - c[6] - origin_.z;
+    widen(x, y, z, spread);
+    widen(x + c[2], y + c[3], z, spread);
+  }
+  void arc(const double* c, std::uint32_t id) {
+    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[7] - c[9] - origin_.z;
+    put({x, y, c[2], c[3], c[4], c[5], c[6], z, level_of(id)});
+    widen(std::fabs(x) + c[2], std::fabs(y) + c[2], z);
+  }
+
+  double level_of(std::uint32_t id) const { return sweep_level(columns_.levels[id]); }
+  template <std::size_t N>
+  void put(const double (&values)[N]) {
+    float* to = to_ + slot_;
+    for (std::size_t i = 0; i < N; ++i) to[i * stride_] = static_cast<float>(values[i]);
+  }
+  void put(std::size_t column, std::uint32_t number) {
+    to_[column * stride_ + slot_] = std::bit_cast<float>(number);
+  }
+  void widen(double x, double y, double z, double spread = 0) {
+    extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}) + spread);
   }
 
   NearList& list_;
-  const std::vector<std::uint32_t>& levels_;
+  const SweepColumns& columns_;
+  const Vec3 origin_;
+  const std::size_t stride_;
+  float* to_ = nullptr;
+  SweepClass::Form form_ = SweepClass::Form::other;
+  std::size_t first_ = 0, slot_ = 0;
   double extent_ = 0;
 };
+
+// The entries of a run k with wanted(k).
+template <typename Wanted>
+void copy_run(const NearList& in, const NearList::Run& run, NearList& out, Wanted wanted) {
+  const std::size_t first = out.open_run(run.of, run.numbers);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < run.count; ++k) {
+    if (!wanted(k)) continue;
+    for (std::size_t i = 0; i < kNearColumns; ++i)
+      out.column(i)[first + count] = in.column(i)[run.first + k];
+    ++count;
+  }
+  out.close_run(count);
+}
 }  // namespace
 
 void NearList::reset(std::size_t slots, const Vec3& about) {
@@ -68,9 +182,9 @@ void NearList::reset(std::size_t slots, const Vec3& about) {
   lines_.resize(lines * kNearColumns);
 }
 
-std::size_t NearList::open_run(std::uint32_t of) {
+std::size_t NearList::open_run(std::uint32_t of, std::size_t numbers) {
   const std::size_t end = runs_.empty() ? 0 : runs_.back().first + runs_.back().count;
-  runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0});
+  runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
   return runs_.back().first;
 }
 
@@ -83,45 +197,80 @@ void NearList::close_run(std::size_t count) {
 // Classes in the order of their groups, so that runs that may be compared follow one another.
 void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const {
   const Columns& c = *columns_;
-  static thread_local std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
-  const auto packs = ids.subspan(c.sweeps_of(ids).size());
-  ids = c.sweeps_of(ids);
-  const bool one = c.class_of.empty();
+  const auto [sweeps, turned, packs] = c.numbers_of(ids);
+  static thread_local ByClass entries;
+  entries.clear();
+  const bool one = c.class_of.empty() && packs.empty();
+  for (std::size_t k = 0; !one && k < sweeps.size(); ++k)
+    entries.push_back({c.class_index(sweeps[k]), sweeps[k]});
+  for (const std::uint32_t pack : packs) entries.push_back({c.packs[pack].of, pack});
+  sort_by_class(entries);
   std::size_t runs = 2;
-  if (!one) {
-    sorted.clear();
-    for (const std::uint32_t id : ids) sorted.emplace_back(c.class_of[id], id);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 1; k < sorted.size(); ++k) runs += sorted[k].first != sorted[k - 1].first;
+  for (std::size_t k = 1; k < entries.size(); ++k) runs += entries[k].of != entries[k - 1].of;
+  out.reset(NearList::room(ids.size(), runs), origin);
+  RunWriter writer(out, c);
+  if (one && !sweeps.empty()) {
+    writer.open(0);
+    for (const std::uint32_t sweep : sweeps) writer.add(sweep);
+    writer.close();
   }
-  out.reset(NearList::room(ids.size() + packs.size(), runs), origin);
-  RunWriter writer(out, c.levels);
-  double tools = 0;
-  for (std::size_t k = 0; k < ids.size();) {
-    const std::uint32_t of = one ? 0 : sorted[k].first;
-    const SweepClass& type = c.classes[of];
-    const std::size_t first = out.open_run(of);
-    std::size_t slot = first;
-    for (; k < ids.size() && (one || sorted[k].first == of); ++k, ++slot) {
-      const std::uint32_t id = one ? ids[k] : sorted[k].second;
-      const std::uint32_t row = c.tags[id] & kTagRow;
-      if (type.form == SweepClass::Form::strip) writer.strip(slot, c.ball_lines[row].c);
-      if (type.form == SweepClass::Form::line) writer.line(slot, c.plane_lines[row].c, id);
-      if (type.form == SweepClass::Form::arc) writer.arc(slot, c.plane_arcs[row].c, id);
-      writer.id(slot, id);
-    }
-    out.close_run(slot - first);
-    out.closed = out.closed && type.form != SweepClass::Form::other;
-    const ToolColumns& t = type.tool;
-    tools =
-        std::max<double>(tools, std::max(t.core + t.round, std::isinf(t.height) ? 0 : t.height));
-  }
-  out.extent = std::max(writer.extent(), tools);
-  if (packs.empty()) return;
+  for (auto at = entries.cbegin(); at != entries.cend();) at = writer.run(at, entries.cend());
+  out.extent = writer.extent();
+  if (turned.empty()) return;
   out.closed = false;  // a pack costs several sweeps
   const std::size_t first = out.open_run(static_cast<std::uint32_t>(c.classes.size() - 1));
-  for (std::size_t k = 0; k < packs.size(); ++k) writer.id(first + k, packs[k]);
-  out.close_run(packs.size());
+  for (std::size_t k = 0; k < turned.size(); ++k)
+    out.column(kIdColumn)[first + k] = std::bit_cast<float>(turned[k]);
+  out.close_run(turned.size());
+}
+
+// Children of packs come after all runs of their group, so that the group stays together.
+bool SweepTable::open(const PruneRegion& region, const NearList& in, NearList& out) const {
+  const Columns& c = *columns_;
+  const auto is_large = [&](std::uint32_t pack) {
+    return region.open || region.radius < c.packs[pack].open_below;
+  };
+  static thread_local ByClass opened;
+  std::size_t room = in.size();
+  const auto append = [&](const auto& self, std::uint32_t number) -> void {
+    const SweepPack& pack = c.packs[number];
+    room += pack.size();
+    if (pack.count == 0) return opened.push_back({c.class_index(pack.first), number, true});
+    bool alike = true;
+    const std::uint32_t first = kFirstPack + pack.child;
+    c.packs.for_each_child(number, [&](std::uint32_t child) {
+      alike = alike && !is_large(child) && c.packs[child].of == c.packs[first].of;
+    });
+    if (alike) return opened.push_back({c.packs[first].of, number, true});
+    c.packs.for_each_child(number, [&](std::uint32_t child) {
+      if (is_large(child))
+        self(self, child);
+      else
+        opened.push_back({c.packs[child].of, child, false});
+    });
+  };
+  opened.clear();
+  const auto& runs = in.runs();
+  for (const NearList::Run& run : runs)
+    for (std::size_t k = 0; c.classes[run.of].packs && k < run.count; ++k)
+      if (const std::uint32_t number = in.number(run, k); is_large(number)) append(append, number);
+  if (opened.empty()) return false;
+  sort_by_class(opened);
+
+  out.reset(NearList::room(room, runs.size() + c.classes.size()), in.origin);
+  out.closed = in.closed;
+  RunWriter writer(out, c);
+  auto next = opened.cbegin();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const bool packs = c.classes[runs[i].of].packs;
+    const std::int32_t group = c.classes[runs[i].of].group;
+    copy_run(in, runs[i], out,
+             [&](std::size_t k) { return !packs || !is_large(in.number(runs[i], k)); });
+    if (i + 1 < runs.size() && c.classes[runs[i + 1].of].group == group) continue;
+    while (next != opened.cend() && c.classes[next->of].group == group)
+      next = writer.run(next, opened.cend());
+  }
+  out.extent = std::max(in.extent, writer.extent());
+  return true;
 }
 }  // namespace mrsim

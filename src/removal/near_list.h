@@ -1,6 +1,7 @@
 // The sweeps that can matter in a block, by columns and in single precision about the block: what
-// pruning works on. A list of a large block is made once; the lists of its parts are what is left
-// of it (SweepTable::prune), copied, so that every loop runs over whole registers.
+// pruning works on. Packs of sweeps stand for their sweeps in large blocks. A list of a large block
+// is made once; the lists of its parts are what is left of it (SweepTable::prune), copied, so that
+// every loop runs over whole registers.
 //
 // Single precision decides nothing but what may be dropped, with a proven slack (docs/removal.md):
 // distances that reach the grid are always those of SweepTable::distance.
@@ -26,6 +27,8 @@ struct SweepClass {
   Form form = Form::other;
   Kind kind = Kind::none;
   std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
+  bool packs = false;  ///< of packs of such sweeps (sweep_packs.h), which the form's chords tell
+  double spread = 0;   ///< of these packs, the largest, mm
   ToolColumns tool;
 };
 
@@ -35,6 +38,7 @@ struct PruneRegion {
   double half = 0;    ///< of the edge of a cube; of a ball, its radius; mm
   double radius = 0;  ///< of the ball about all of it, mm
   bool cube = false;
+  bool open = false;  ///< no packs are to be left: what is will be asked for distances
 
   static PruneRegion ball(const Vec3& center, double radius) {
     return {center, radius, radius, false};
@@ -46,17 +50,19 @@ struct PruneRegion {
 
 class NearList {
  public:
-  /// Sweeps of one class, ascending, in slots [first, first + count); first is a multiple of kPad.
+  /// Sweeps or packs of one class in slots [first, first + count); first is a multiple of kPad.
   struct Run {
     std::uint32_t of = 0;  ///< index of the class
     std::size_t first = 0, count = 0;
+    std::size_t numbers = kIdColumn;  ///< column of what the list holds: sweeps, or packs
   };
 
   const std::vector<Run>& runs() const { return runs_; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  std::uint32_t id(std::size_t slot) const {
-    return std::bit_cast<std::uint32_t>(column(kIdColumn)[slot]);
+  /// Entry k of a run: index of the sweep, or number of the pack.
+  std::uint32_t number(const Run& run, std::size_t k) const {
+    return std::bit_cast<std::uint32_t>(column(run.numbers)[run.first + k]);
   }
   float* column(std::size_t i) { return lines_.data()->slots + i * stride_; }
   const float* column(std::size_t i) const { return lines_.data()->slots + i * stride_; }
@@ -66,7 +72,7 @@ class NearList {
   /// Empty, with room for `slots`.
   void reset(std::size_t slots, const Vec3& origin);
   /// The next run; its first slot.
-  std::size_t open_run(std::uint32_t of);
+  std::size_t open_run(std::uint32_t of, std::size_t numbers = kIdColumn);
   void close_run(std::size_t count);
   /// Slots that `count` sweeps in `runs` runs need.
   static std::size_t room(std::size_t count, std::size_t runs) { return count + runs * kPad; }

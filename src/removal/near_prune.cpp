@@ -60,10 +60,6 @@ Scratch& scratch() {
 // The in-plane radius of a region.
 float lateral(const NearArgs& a) { return a.cube ? a.half * 1.4142137f : a.radius; }
 
-Beater beater_at(const NearRows& rows, std::size_t k, const float* ids) {
-  return {rows.squared[k], rows.x[k], rows.y[k], rows.z[k], rows.level[k], ids[k]};
-}
-
 // The half plane's part of a region: it holds (rho, z) of all points of the region.
 TurnRegion turn_region(const PruneRegion& region) {
   const Vec3& c = region.center;
@@ -83,7 +79,7 @@ double near_others(const SweepTable& table, const SweepColumns& c, const NearLis
                    const NearList::Run& run, const PruneRegion& region, double reach) {
   Scratch& s = scratch();
   s.ids.resize(run.count), s.distance.resize(run.count);
-  for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = list.id(run.first + k);
+  for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = list.number(run, k);
   const Vec3& p = region.center;
   table.distances(s.ids, p, s.distance.data());
   const NearRows out = s.rows.at(run.first);
@@ -140,12 +136,10 @@ class Pruner {
   /// The whole region is deep in one sweep; the others were not asked.
   bool is_swept() const { return double(least_) + at_.delta < deep_; }
 
-  void keep(double exact_limit, double band, NearList& out) {
-    const float limit = std::nextafter(static_cast<float>(exact_limit), kInfinity);
+  void keep(double limit, double band, NearList& out) {
     if (has_packs()) {
       Scratch& s = scratch();
-      columns_.turn_tree.narrow(turn_region(region_), s.turned, exact_limit, slack_, s.packs,
-                                s.left);
+      columns_.turn_tree.narrow(turn_region(region_), s.turned, limit, slack_, s.packs, s.left);
     }
     const std::size_t slots = in_.runs().empty() ? 0 : end_of(in_.runs().back());
     out.reset(slots + NearList::room(has_packs() ? scratch().left.size() : 0, 1), in_.origin);
@@ -168,7 +162,15 @@ class Pruner {
   static std::size_t end_of(const NearList::Run& run) { return run.first + run.count; }
   const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
   NearRows rows(std::size_t run) { return scratch().rows.at(in_.runs()[run].first); }
-  const float* ids(std::size_t run) const { return in_.column(kIdColumn) + in_.runs()[run].first; }
+  /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
+  /// before its last one.
+  Beater beater_at(std::size_t run, std::size_t k) {
+    const NearRows r = rows(run);
+    float id = in_.column(kIdColumn)[in_.runs()[run].first + k];
+    if (type(run).packs)
+      id = std::bit_cast<float>(columns_.packs[in_.number(in_.runs()[run], k)].last);
+    return {r.squared[k], r.x[k], r.y[k], r.z[k], r.level[k], id};
+  }
 
   // Packs are the last run.
   bool has_packs() const {
@@ -191,7 +193,7 @@ class Pruner {
     const Vec3& c = region_.center;
     const double rho = std::sqrt(c.x * c.x + c.y * c.y);
     for (std::size_t k = 0; k < run.count; ++k) {
-      s.packs.push_back(in_.id(run.first + k) - static_cast<std::uint32_t>(columns_.refs.size()));
+      s.packs.push_back(in_.number(run, k) - static_cast<std::uint32_t>(columns_.refs.size()));
       columns_.turn_tree.nearest(s.packs.back(), rho, c.z, s.turned);
     }
     return {static_cast<float>(s.turned.distance), kInfinity, kInfinity};
@@ -214,8 +216,8 @@ class Pruner {
     }
     // The loops err by less than 64 half ulps of the largest value (docs/removal.md).
     at_.delta = static_cast<float>(64 * kHalfUlp * (extent + region.radius));
-    at_.fixed = at_.delta * (4 * at_.radius + 16 * at_.delta) + 1e-9f;
-    at_.per_root = 4 * at_.delta;
+    for (const NearList::Run& run : in_.runs())
+      spread_ = std::max(spread_, columns_.classes[run.of].spread);
     for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
   }
 
@@ -223,6 +225,11 @@ class Pruner {
     const NearList::Run& run = in_.runs()[i];
     NearLeast& least = scratch().least[i];
     at_.tool = type(i).tool;
+    // What the skeletons of two packs differ from their chords: the distances of a point from them,
+    // and their squares by that times twice the larger one.
+    const auto spread = static_cast<float>(1.0001 * (type(i).spread + spread_));
+    at_.fixed = at_.delta * (4 * at_.radius + 16 * at_.delta) + 1e-9f + 2 * spread * at_.radius;
+    at_.per_root = 4 * at_.delta + 2 * spread;
     if (type(i).form == SweepClass::Form::turn) {
       least_ = std::min(least_, least.distance);
       return;
@@ -244,14 +251,16 @@ class Pruner {
       least.distance = std::min(least.distance, some.distance);
       least.squared = std::min(least.squared, some.squared);
       least.z = std::min(least.z, some.z);
-      least_ = std::min(least_, some.distance);
+      least_ = std::min(least_, some.distance + spread_of(i));
     }
   }
 
-  void keep_group(std::size_t from, std::size_t to, float limit, double band, NearList& out) {
+  // Of a pack the distance is known up to it; rounded up.
+  float spread_of(std::size_t run) const { return static_cast<float>(1.0001 * type(run).spread); }
+
+  void keep_group(std::size_t from, std::size_t to, double limit, double band, NearList& out) {
     KeepArgs args;
     args.at = at_;
-    args.limit = limit;
     args.plan = type(from).kind == SweepClass::Kind::plan;
     args.rising = args.plan && type(from).tool.rising;
     if (args.plan)
@@ -261,8 +270,10 @@ class Pruner {
     for (std::size_t i = from; i < to; ++i) {
       const NearList::Run& run = in_.runs()[i];
       static constexpr std::size_t kColumns[] = {8, 7, 9, 0};
-      const std::size_t columns = kColumns[static_cast<std::size_t>(type(i).form)];
-      float* to_slot = out.column(0) + out.open_run(run.of);
+      const std::size_t columns =
+          type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
+      args.limit = std::nextafter(static_cast<float>(limit + spread_of(i)), kInfinity);
+      float* to_slot = out.column(0) + out.open_run(run.of, run.numbers);
       out.close_run(kernels_.keep(args, rows(i), in_.columns(run.first), run.count, columns,
                                   to_slot, out.stride()));
     }
@@ -275,14 +286,15 @@ class Pruner {
     for (std::size_t i = from; i < to; ++i) {
       const float squared = scratch().least[i].squared;
       const std::size_t k = kernels_.find(rows(i).squared, in_.runs()[i].count, squared);
-      if (squared < best.squared) best = beater_at(rows(i), k, ids(i));
+      if (squared < best.squared) best = beater_at(i, k);
     }
     if (best.squared < kInfinity) args.beaters = 1;
   }
 
   void find_plan_beaters(std::size_t from, std::size_t to, double band, KeepArgs& args) {
     const ToolColumns& tool = type(from).tool;
-    const float slack = lateral(at_) + 2 * at_.delta + 1e-5f;
+    const auto spread = static_cast<float>(1.0001 * 2 * spread_);
+    const float slack = lateral(at_) + 2 * at_.delta + 1e-5f + spread;
     // Over the flat end, and farther inside its rim than above its floor, the floor decides.
     float lowest_tip = kInfinity;
     for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch().least[i].z);
@@ -298,7 +310,7 @@ class Pruner {
       const NearRows r = rows(i);
       const PlanBeaters found =
           kernels_.plan(r, n, scratch().least[i], covers ? inside * inside : -1.0f);
-      const auto take = [&](std::size_t k) { return beater_at(r, k, ids(i)); };
+      const auto take = [&](std::size_t k) { return beater_at(i, k); };
       if (found.nearest < n && r.squared[found.nearest] < nearest.squared)
         nearest = take(found.nearest);
       if (found.lowest < n && r.squared[found.lowest] < kInfinity &&
@@ -321,22 +333,31 @@ class Pruner {
   double deep_;
   NearArgs at_;
   float least_ = kInfinity;
+  double spread_ = 0;  // mm: the largest of a pack
 };
 
-}  // namespace
-
-bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
-                       NearList& out) const {
-  Pruner pruner(*this, *columns_, region, reach, in);
+bool prune_once(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
+                double reach, double band, const NearList& in, NearList& out) {
+  Pruner pruner(table, columns, region, reach, in);
   if (pruner.is_swept()) {
     out.reset(0, in.origin);
     return false;
   }
   const double least = pruner.least(), delta = pruner.delta();
   // A sweep farther than 2r beyond the nearest one loses to it everywhere (both are 1-Lipschitz).
-  const double slack = 2 * max_error() + kRounding;
+  const double slack = 2 * table.max_error() + kRounding;
   pruner.keep(std::min(reach, least + delta + 2 * region.radius + slack) + delta, band, out);
   return true;
+}
+
+}  // namespace
+
+bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
+                       NearList& out) const {
+  static thread_local NearList opened;
+  if (!prune_once(*this, *columns_, region, reach, band, in, out)) return false;
+  return !open(region, out, opened) ||
+         prune_once(*this, *columns_, region, reach, band, opened, out);
 }
 
 }  // namespace mrsim

@@ -30,8 +30,8 @@ void fill(PointColumns& columns, std::span<const Vec3> points) {
 
 void append_ids(const NearList& list, Candidates& out) {
   for (const NearList::Run& run : list.runs())
-    for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.id(run.first + k));
-  if (list.runs().size() > 1) std::sort(out.begin(), out.end());
+    for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.number(run, k));
+  if (!std::is_sorted(out.begin(), out.end())) std::sort(out.begin(), out.end());
 }
 
 class NearDescent final : public ExactField::Descent {
@@ -41,12 +41,13 @@ class NearDescent final : public ExactField::Descent {
     field.sweeps().list(in, origin, levels_[0].left);
   }
 
-  ExactField::Region enter(std::size_t level, const Box3& box, double band) override {
+  ExactField::Region enter(std::size_t level, const Box3& box, double band, bool last) override {
     if (levels_.size() <= level) levels_.resize(level + 1);
     Level& own = levels_[level];
     own.in_stock = levels_[level - 1].in_stock;
-    return field_.restrict_to(region_of(box), band, levels_[level - 1].left, own.in_stock,
-                              own.left);
+    PruneRegion region = region_of(box);
+    region.open = last;
+    return field_.restrict_to(region, band, levels_[level - 1].left, own.in_stock, own.left);
   }
   bool is_short(std::size_t level) const override {
     const NearList& left = levels_[level].left;
@@ -107,7 +108,9 @@ ExactField::Region PartField::restrict_to(const Vec3& center, double radius, dou
   out.clear();
   sweeps_.list(in, center, list);
   bool in_stock = false;
-  const Region found = restrict_to(PruneRegion::ball(center, radius), band, list, in_stock, left);
+  PruneRegion region = PruneRegion::ball(center, radius);
+  region.open = true;
+  const Region found = restrict_to(region, band, list, in_stock, left);
   if (found != Region::mixed) return found;
   append_ids(left, out);
   return found;

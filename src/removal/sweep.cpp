@@ -192,9 +192,9 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
 
 // An open cutter reaches to infinity, so that `top` is only a promise of the caller.
 SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double,
-                       const SweepSelection& selection)
+                       const SweepSelection& selection, int threads)
     : columns_(std::make_unique<Columns>()) {
-  columns_->build(motions, tools, selection);
+  columns_->build(motions, tools, selection, threads);
 }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
@@ -204,6 +204,7 @@ std::size_t SweepTable::size() const { return columns_->refs.size(); }
 std::int32_t SweepTable::motion(std::size_t i) const { return columns_->refs[i].motion; }
 Box3 SweepTable::bounds(std::size_t i) const {
   if (i < size()) return columns_->bounds[i];
+  if (i >= kFirstPack) return columns_->packs[static_cast<std::uint32_t>(i)].bounds;
   std::vector<std::uint32_t> sweeps;
   columns_->turn_tree.append_sweeps(static_cast<std::uint32_t>(i - size()), sweeps);
   Box3 box;

@@ -49,21 +49,22 @@ class SweepTable {
   /// makes a sweep for each of its pieces, and none for tools without them; rapids without a tool
   /// are left out.
   SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top,
-             const SweepSelection& selection = {});
+             const SweepSelection& selection = {}, int threads = 1);
   SweepTable(SweepTable&&) noexcept;
   SweepTable& operator=(SweepTable&&) noexcept;
   ~SweepTable();
 
   std::size_t size() const;
-  /// What a list of all sweeps holds: the index of each milling sweep, ascending, and above size()
-  /// numbers of packs of turning sweeps. Lists that are pruned hold such numbers too.
-  std::vector<std::uint32_t> all() const;
+  /// What a list of all sweeps holds, ascending: the indices of milling sweeps, and above size()
+  /// numbers of packs of turning sweeps, then of milling sweeps, none of them longer than
+  /// `longest` mm. Lists that are pruned hold such numbers too.
+  std::vector<std::uint32_t> all(double longest = std::numeric_limits<double>::infinity()) const;
   /// The sweeps of a list, packs opened, whose bounds meet a box; ascending.
   std::vector<std::uint32_t> opened(std::span<const std::uint32_t> list, const Box3& box) const;
   /// Index of the motion that makes sweep i. Never falls with i.
   std::int32_t motion(std::size_t i) const;
   /// A box that holds sweep (or pack) i; infinite towards the shank where the cutter reaches above
-  /// the stock. A pack takes as many steps as it has sweeps.
+  /// the stock. A turning pack takes as many steps as it has sweeps.
   Box3 bounds(std::size_t i) const;
 
   /// Signed distance of p from sweep i, mm.
@@ -89,14 +90,15 @@ class SweepTable {
   };
   Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p) const;
 
-  /// The sweeps `ids`, ascending, as a list that prune() takes. `origin` is a point of the block
-  /// that it is for: single precision is good near it.
+  /// A list as prune() takes it. `origin` is a point of the block that it is for: single precision
+  /// is good near it.
   void list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const;
 
   /// Copies to `out` the sweeps of `in` that can decide the least distance somewhere in the region,
   /// where that is at most `reach` less the region's radius; false, and nothing, where all of the
   /// region is deeper than that in a sweep. Results stay the same to the last bit in the whole
   /// region; with `band` > 0 only where the least distance is within +-band, and more sweeps go.
+  /// Packs that are large beside the region (all, if it says so) give way to their sweeps.
   bool prune(const PruneRegion& region, double reach, double band, const NearList& in,
              NearList& out) const;
 
@@ -122,6 +124,7 @@ class SweepTable {
   double smallest_radius() const;
 
  private:
+  bool open(const PruneRegion& region, const NearList& in, NearList& out) const;
   void least_of(std::uint32_t id, PointColumns& points) const;
   void least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const;
 

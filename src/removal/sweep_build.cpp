@@ -321,7 +321,7 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
 }  // namespace
 
 void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
-                         const SweepSelection& selection) {
+                         const SweepSelection& selection, int threads) {
   Builder builder(*this, tools, selection);
   reserve_large(refs, motions.size());
   reserve_large(bounds, motions.size());
@@ -338,6 +338,7 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
     tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
     uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
   }
+  packs = SweepPacks(*this, threads);
   classify();
   std::vector<TurnTree::Item> items;
   for (std::size_t i = 0; i < refs.size(); ++i)

@@ -49,6 +49,13 @@ bool is_plan(const SweepRef& ref) {
                             ref.kind == SweepKind::profile);
 }
 
+// Packs are told apart by powers of four of their spread: each class counts with its largest.
+int spread_grade(double spread) {
+  int grade = 0;
+  for (double limit = 1; limit >= spread && grade > -16; limit /= 4) --grade;
+  return grade + 16;
+}
+
 class LevelNumbers {
  public:
   std::uint32_t of(double height) {
@@ -67,28 +74,38 @@ class LevelNumbers {
 }  // namespace
 
 void SweepColumns::classify() {
-  using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t>;  // group, form, shape
+  // Group, form, shape; grade of the spread, -1 for sweeps.
+  using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t, int>;
   std::map<Key, std::uint32_t> seen;
   std::vector<SweepClass> found;
+  const auto number_of = [&](const Key& key, const SweepClass& k) {
+    const auto [at, added] = seen.try_emplace(key, static_cast<std::uint32_t>(found.size()));
+    if (added) found.push_back(k);
+    return at->second;
+  };
   class_of.resize(refs.size());
   LevelNumbers numbers;
-  Key last{-2, 0, 0};
+  Key last{-2, 0, 0, 0};
   std::uint32_t last_class = 0;
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const SweepRef& ref = refs[i];
     if (ref.kind == SweepKind::turn) continue;  // by packs
     const std::uint32_t form = tags[i] >> kTagShift;
     const SweepClass k = class_of_sweep(*this, ref, form);
-    const Key key{k.group, form, ref.shape};
-    if (key != last) {
-      const auto [at, added] = seen.try_emplace(key, static_cast<std::uint32_t>(found.size()));
-      if (added) found.push_back(k);
-      last = key, last_class = at->second;
-    }
+    const Key key{k.group, form, ref.shape, -1};
+    if (key != last) last = key, last_class = number_of(key, k);
     class_of[i] = last_class;
     if (!is_plan(ref)) continue;
     if (levels.empty()) levels.resize(refs.size());
     levels[i] = numbers.of(level_height(*this, ref));
+  }
+  const std::size_t sweep_classes = found.size();
+  for (SweepPack& pack : packs.all()) {
+    SweepClass k = found[class_of[pack.first]];
+    const std::uint32_t form = tags[pack.first] >> kTagShift;
+    k.packs = true;
+    pack.of = number_of({k.group, form, refs[pack.first].shape, spread_grade(pack.spread)}, k);
+    found[pack.of].spread = std::max(found[pack.of].spread, pack.spread);
   }
   // In the order of the keys: groups come together.
   std::vector<std::uint32_t> place(found.size());
@@ -96,8 +113,9 @@ void SweepColumns::classify() {
     place[old] = static_cast<std::uint32_t>(classes.size());
     classes.push_back(found[old]);
   }
-  if (classes.size() <= 1) class_of = {};
+  if (sweep_classes <= 1) class_of = {};  // the key of the only class is the least
   for (std::uint32_t& of : class_of) of = place[of];
+  for (SweepPack& pack : packs.all()) pack.of = place[pack.of];
   SweepClass turn;
   turn.form = SweepClass::Form::turn;
   if (!turns.empty()) classes.push_back(turn);

@@ -7,6 +7,7 @@
 #include "removal/sweep.h"
 #include "removal/sweep_curtain.h"
 #include "removal/sweep_kernels.h"
+#include "removal/sweep_packs.h"
 #include "removal/sweep_path.h"
 #include "removal/sweep_turn.h"
 #include "removal/tool.h"
@@ -79,7 +80,8 @@ struct SweepColumns {
   std::vector<Frame> frames;
   std::vector<SweepClass> classes;  ///< in the order of their groups
   TurnTree turn_tree;
-  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when there is one class of them
+  SweepPacks packs;
+  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when all are of the first class
   std::vector<std::uint32_t> levels;    ///< by sweep: number of the tip's height; empty when none
                                         ///< is compared by it
   bool uniform = false;                 ///< all of one kind, in the stock's frame: row i is sweep i
@@ -87,9 +89,9 @@ struct SweepColumns {
   double smallest_radius = 0;
 
   void build(std::span<const Motion> motions, std::span<const Tool> tools,
-             const SweepSelection& selection);
+             const SweepSelection& selection, int threads);
   double distance(const SweepRef& ref, const Vec3& p) const;
-  /// Finds classes and levels.
+  /// Finds classes and levels, of packs too.
   void classify();
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
   /// nothing to compare. Plan: z is that of the tip.
@@ -103,8 +105,22 @@ struct SweepColumns {
     const BallArc& s = ball_arcs[ref.row];
     return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
   }
-  /// The sweeps of a list, before its packs.
-  std::span<const std::uint32_t> sweeps_of(std::span<const std::uint32_t> ids) const;
+  std::uint32_t class_index(std::uint32_t sweep) const {
+    return class_of.empty() ? 0 : class_of[sweep];
+  }
+  /// A list by what its numbers stand for.
+  struct Numbers {
+    std::span<const std::uint32_t> sweeps, turned, packs;  ///< turned: those of turn_tree
+  };
+  Numbers numbers_of(std::span<const std::uint32_t> list) const;
+  /// Appends what a number of a list stands for: a pack's sweeps, or the number itself.
+  void append_sweeps(std::uint32_t number, std::vector<std::uint32_t>& out) const {
+    if (number < kFirstPack) return out.push_back(number);
+    for (std::uint32_t i = packs[number].first; i <= packs[number].last; ++i) out.push_back(i);
+  }
+  /// The sweeps of a list, those of its packs as well; in `opened` if there are such.
+  std::span<const std::uint32_t> sweeps_of(const Numbers& list,
+                                           std::vector<std::uint32_t>& opened) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};

@@ -46,27 +46,59 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 
 }  // namespace
 
-std::span<const std::uint32_t> SweepColumns::sweeps_of(std::span<const std::uint32_t> ids) const {
-  const auto end = std::partition_point(ids.begin(), ids.end(),
-                                        [this](std::uint32_t id) { return id < refs.size(); });
-  return ids.first(static_cast<std::size_t>(end - ids.begin()));
+SweepColumns::Numbers SweepColumns::numbers_of(std::span<const std::uint32_t> list) const {
+  const auto below = [&](std::size_t limit) {
+    return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), limit) -
+                                    list.begin());
+  };
+  const std::size_t sweeps = below(refs.size()), turned = below(kFirstPack);
+  return {list.first(sweeps), list.subspan(sweeps, turned - sweeps), list.subspan(turned)};
 }
 
-std::vector<std::uint32_t> SweepTable::all() const {
+std::span<const std::uint32_t> SweepColumns::sweeps_of(const Numbers& list,
+                                                       std::vector<std::uint32_t>& opened) const {
+  if (list.packs.empty()) return list.sweeps;
+  opened.assign(list.sweeps.begin(), list.sweeps.end());
+  for (const std::uint32_t pack : list.packs) append_sweeps(pack, opened);
+  return opened;
+}
+
+std::vector<std::uint32_t> SweepTable::all(double longest) const {
+  const Columns& c = *columns_;
+  std::vector<std::uint32_t> list, packs;
+  const auto append = [&](const auto& self, std::uint32_t number) -> void {
+    if (number < kFirstPack)
+      list.push_back(number);
+    else if (c.packs[number].length <= longest)
+      packs.push_back(number);
+    else
+      c.packs.for_each_child(number, [&](std::uint32_t child) { self(self, child); });
+  };
+  std::uint32_t next = 0;  // sweep that is not yet in the list
+  const auto append_single = [&](std::uint32_t end) {
+    for (; next < end; ++next)
+      if (c.refs[next].kind != SweepKind::turn) list.push_back(next);
+  };
+  for (const std::uint32_t root : c.packs.roots()) {
+    append_single(c.packs[root].first);
+    append(append, root);
+    next = c.packs[root].last + 1;
+  }
   const auto sweeps = static_cast<std::uint32_t>(size());
-  std::vector<std::uint32_t> list;
-  list.reserve(size() - columns_->turns.size() + columns_->turn_tree.roots().size());
-  for (std::uint32_t i = 0; i < sweeps; ++i)
-    if (columns_->refs[i].kind != SweepKind::turn) list.push_back(i);
-  for (const std::uint32_t pack : columns_->turn_tree.roots()) list.push_back(sweeps + pack);
+  append_single(sweeps);
+  for (const std::uint32_t pack : c.turn_tree.roots()) list.push_back(sweeps + pack);
+  std::sort(packs.begin(), packs.end());
+  list.insert(list.end(), packs.begin(), packs.end());
   return list;
 }
 
 std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
                                               const Box3& box) const {
-  const auto plain = columns_->sweeps_of(list);
+  const auto numbers = columns_->numbers_of(list);
+  std::vector<std::uint32_t> opened;
+  const auto plain = columns_->sweeps_of(numbers, opened);
   std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
-  for (const std::uint32_t id : list.subspan(plain.size()))
+  for (const std::uint32_t id : numbers.turned)
     columns_->turn_tree.append_sweeps(id - static_cast<std::uint32_t>(size()), sweeps);
   std::erase_if(sweeps, [&](std::uint32_t i) {
     const Box3& b = columns_->bounds[i];
@@ -80,17 +112,17 @@ std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> lis
 
 SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
   static thread_local std::vector<double> d;
-  const auto plain = columns_->sweeps_of(list);
+  static thread_local std::vector<std::uint32_t> opened;
+  const auto numbers = columns_->numbers_of(list);
+  const auto plain = columns_->sweeps_of(numbers, opened);
   d.resize(plain.size());
   distances(plain, p, d.data());
   TurnTree::Nearest best;
   for (std::size_t k = 0; k < plain.size(); ++k)
     if (d[k] < best.distance) best.distance = d[k], best.sweep = plain[k];
-  if (plain.size() < list.size()) {
-    const double rho = std::sqrt(p.x * p.x + p.y * p.y);
-    for (const std::uint32_t id : list.subspan(plain.size()))
-      columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, p.z, best);
-  }
+  const double rho = std::sqrt(p.x * p.x + p.y * p.y);
+  for (const std::uint32_t id : numbers.turned)
+    columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, p.z, best);
   return {best.distance, best.sweep};
 }
 
@@ -117,16 +149,17 @@ void SweepTable::least(const NearList& list, PointColumns& points) const {
   static thread_local std::vector<std::uint32_t> ids;
   ids.clear();
   for (const NearList::Run& run : list.runs())
-    for (std::size_t k = 0; k < run.count; ++k) ids.push_back(list.id(run.first + k));
+    for (std::size_t k = 0; k < run.count; ++k) columns_->append_sweeps(list.number(run, k), ids);
   least(ids, points);
 }
 
 void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;
-  const auto packs = ids.subspan(c.sweeps_of(ids).size());
-  if (!packs.empty()) least_of_packs(packs, points);
-  ids = c.sweeps_of(ids);
+  static thread_local std::vector<std::uint32_t> opened;
+  const auto numbers = c.numbers_of(ids);
+  if (!numbers.turned.empty()) least_of_packs(numbers.turned, points);
+  ids = c.sweeps_of(numbers, opened);
   if (ids.empty()) return;
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
     return kernels.ball_line.least(c.ball_lines.data(), ids.data(), ids.data(), ids.size(), points);

@@ -112,6 +112,72 @@ TEST(NearList, PruningNeverChangesABit) {
   }
 }
 
+// Short moves along smooth paths, back and forth and again: what packs are made of.
+std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) {
+  std::vector<Motion> list;
+  const double bend = r(-0.2, 0.2), slope = s.level ? 0 : r(-0.3, 0.3);
+  for (int row = 0; row < 12; ++row) {
+    double heading = r(-0.1, 0.1) + (row % 2 ? 3.14 : 0);
+    Vec3 at = origin + Vec3{row % 2 ? 3.0 : -3.0, 0.4 * (row - 6), 0.1 * r.pick(3)};
+    const int tool = r.pick(static_cast<int>(s.tools.size()));
+    const std::size_t first = list.size();
+    for (int i = 0; i < 70; ++i) {
+      heading += s.step * bend;
+      const double rise = s.level ? 0 : slope + 0.3 * std::sin(0.4 * i);
+      const double step = s.step * (i % 30 == 0 ? 5 : 1);
+      const Vec3 to = at + step * Vec3{std::cos(heading), std::sin(heading), rise};
+      list.push_back(line(at, to));
+      list.back().tool = tool;
+      at = to;
+    }
+    if (row % 4 == 0) {  // once more
+      const std::vector<Motion> again(list.begin() + static_cast<std::ptrdiff_t>(first),
+                                      list.end());
+      list.insert(list.end(), again.begin(), again.end());
+    }
+  }
+  return list;
+}
+
+TEST(NearList, PacksStandForTheirSweeps) {
+  Random r(11);
+  for (const Scene& scene : {Scene{"ball", {ballmill(6)}, false, false, 0.1},
+                             Scene{"flat", {endmill(6)}, true, false, 0.08},
+                             Scene{"bull", {endmill(6, 1)}, true, false, 0.2},
+                             Scene{"two", {endmill(6), ballmill(4)}, true, false, 0.05}}) {
+    std::size_t sweeps = 0, packed = 0;
+    for (int round = 0; round < 60; ++round) {
+      const Vec3 origin =
+          Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 3 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
+      const SweepTable table(smooth_moves(r, scene, origin), scene.tools, 50);
+      std::vector<std::uint32_t> ids(table.size());
+      std::iota(ids.begin(), ids.end(), 0u);
+      Vec3 center = origin + Vec3{r(-6, 6), r(-6, 6), r(-4, 5)};
+      double half = r(0.5, 6);
+      NearList plain, lists[7];
+      table.list(ids, center, plain);
+      table.list(table.all(), center, lists[0]);
+      sweeps += plain.size(), packed += lists[0].size();
+      const double band = r(0.1, 1);
+      for (int level = 0; level < 6; ++level, half /= 2) {
+        PruneRegion region =
+            round % 2 ? PruneRegion::block(center, half) : PruneRegion::ball(center, half);
+        region.open = level == 5;
+        if (!table.prune(region, region.radius + band + 1e-9, band, lists[level], lists[level + 1]))
+          break;
+        expect_same(r, table, plain, lists[level + 1], region, band);
+        if (HasFatalFailure()) FAIL() << scene.name << ", round " << round << ", level " << level;
+        center = center + 0.5 * half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
+        if (round % 2 == 0) center = region.center;
+      }
+      for (const NearList::Run& run : lists[6].runs())
+        for (std::size_t k = 0; k < run.count; ++k)
+          ASSERT_LT(lists[6].number(run, k), table.size());
+    }
+    EXPECT_LT(packed * 6, sweeps) << scene.name;
+  }
+}
+
 constexpr std::size_t kSlots = 96;
 
 struct Table {

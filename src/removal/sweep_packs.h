@@ -1,0 +1,77 @@
+// Packs of milling sweeps: up to eight short moves of one tool that follow one another along a
+// nearly straight path, and packs of packs above them. Long lists hold packs for the sweeps in
+// them, and pruning treats a pack as one sweep along its chord whose distance is known up to its
+// spread (docs/removal.md). Where a region is small beside a pack, its members take its place.
+#pragma once
+
+#include "removal/sweep_kernels.h"
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Numbers of packs in lists of sweeps: this and above.
+inline constexpr std::uint32_t kFirstPack = 1u << 31;
+
+struct SweepPack {
+  std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
+  std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
+  std::uint32_t of = 0;                ///< index of its class
+  double spread = 0;      ///< mm: how far path and chord are from each other at most, both ways
+  double length = 0;      ///< of the chord, mm
+  double open_below = 0;  ///< mm: radius of regions that are to see its children
+  Box3 bounds;            ///< of its sweeps
+
+  /// Its children.
+  std::size_t size() const { return count == 0 ? last - first + 1 : count; }
+};
+
+/// The children of a pack as a list has them (near_kernels.h), less what they have in common: strip
+/// about the start of the chord; line the same, tip and level 0. Unused lanes hold nothing of use.
+struct PackColumns {
+  static constexpr std::size_t kColumns = 8, kLanes = 8;
+  alignas(32) float c[kColumns][kLanes] = {};
+};
+
+struct SweepColumns;
+
+/// The packs of a table. Memory: some 60 bytes a sweep.
+class SweepPacks {
+ public:
+  SweepPacks() = default;
+  /// Packs the sweeps of `columns` that have a closed form along lines; the same for any number of
+  /// threads. Their classes are not yet known.
+  SweepPacks(const SweepColumns& columns, int threads);
+
+  std::size_t size() const { return packs_.size(); }
+  const SweepPack& operator[](std::uint32_t number) const { return packs_[number - kFirstPack]; }
+  std::vector<SweepPack>& all() { return packs_; }
+  /// The sweep along the chord, in the form of the members.
+  const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
+  const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
+  /// Packs that are in no other, ascending.
+  std::span<const std::uint32_t> roots() const { return roots_; }
+
+  /// Calls body(number) for each child of a pack, ascending: packs, or sweeps.
+  template <typename Body>
+  void for_each_child(std::uint32_t number, Body body) const {
+    const SweepPack& pack = (*this)[number];
+    if (pack.count == 0)
+      for (std::uint32_t i = pack.first; i <= pack.last; ++i) body(i);
+    else
+      for (std::uint32_t k = 0; k < pack.count; ++k) body(kFirstPack + pack.child + k);
+  }
+
+ private:
+  class Builder;
+  std::vector<SweepPack> packs_;
+  std::vector<LineRecord> chords_;
+  std::vector<PackColumns> children_;
+  std::vector<std::uint32_t> roots_;
+};
+
+}  // namespace mrsim
