@@ -45,6 +45,7 @@ class ContourTile final : public ContourCells {
                                             ///< twice as many where that is short
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
+  static constexpr std::int32_t kFaceSlots = 2 * kCells * kCells;
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
 
   struct List {
@@ -59,20 +60,34 @@ class ContourTile final : public ContourCells {
   static LatticePoint place(std::int32_t id) {
     return {id / (kCells * kCells), id / kCells % kCells, id % kCells};
   }
+  /// What is known of the corners (x, y, 0..63), a bit for each.
+  struct Column {
+    std::uint64_t sampled = 0, inside = 0;
+    std::uint64_t near = 0, very_near = 0;  ///< |offset| up to a voxel, half a voxel
+  };
+  static_assert(kCells == 64);
+
+  Column& column(std::int32_t x, std::int32_t y) {
+    return columns_[static_cast<std::size_t>(x * kCells + y)];
+  }
+  const Column& column(std::int32_t x, std::int32_t y) const {
+    return columns_[static_cast<std::size_t>(x * kCells + y)];
+  }
+  float offset(std::int32_t corner) const;
+
   void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void sample_node(const LatticePoint& origin, std::int32_t size,
                    std::span<const std::uint32_t> list);
-  template <class Body>
-  void for_each_corner(Body body) const;
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
   MinimalEdge edge_at(const LatticePoint& p, int axis) const;
 
   const ExactField& field_;
   LatticePoint first_;
   std::vector<double> planes_[3];  ///< coordinates of the planes, mm
-  std::vector<float> offset_;      ///< d + kInsideTolerance at corners, infinite where not sampled
+  std::vector<Column> columns_;
+  std::vector<float> offset_;          ///< d + kInsideTolerance at corners, where sampled
   std::vector<std::int32_t> list_of_;  ///< by node, 0 (empty) where the surface does not pass
   std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
@@ -80,8 +95,7 @@ class ContourTile final : public ContourCells {
   Candidates list_;
   std::vector<Vec3> points_;
   std::vector<double> distance_;
-  mutable std::vector<std::int32_t>
-      face_of_[3];  ///< by axis and higher cell, -1 outside of faces()
+  mutable std::vector<std::int32_t> face_of_;  ///< the last one by slot, see faces()
 };
 
 }  // namespace mrsim::detail
