@@ -27,14 +27,18 @@ ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
       list_of_(kNodes * kNodes * kNodes),
       face_of_(kFaceSlots * 3) {
   for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
+  for (auto& ranges : inner_) ranges.resize(kCells);
 }
 
 void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates) {
   first_ = first;
-  for (int a = 0; a < 3; ++a)
+  for (int a = 0; a < 3; ++a) {
     for (std::int32_t i = 0; i <= kCells; ++i)
       planes_[a][static_cast<std::size_t>(i)] =
           lattice().coordinate(a, (component(first, a) + i) * lattice().per_voxel());
+    for (std::size_t i = 0; i < inner_[a].size(); ++i)
+      inner_[a][i] = inner(planes_[a][i], planes_[a][i + 1]);
+  }
   ids_.clear();
   lists_.assign(1, {});
   std::fill(columns_.begin(), columns_.end(), Column{});
@@ -126,6 +130,14 @@ Box3 ContourTile::box(std::int32_t cell) const {
           {planes_[0][x + 1], planes_[1][y + 1], planes_[2][z + 1]}};
 }
 
+Box3 ContourTile::inner_box(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  const auto &x = inner_[0][static_cast<std::size_t>(p.x)],
+             &y = inner_[1][static_cast<std::size_t>(p.y)],
+             &z = inner_[2][static_cast<std::size_t>(p.z)];
+  return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
 std::span<const std::uint32_t> ContourTile::candidates(std::int32_t cell) const {
   const List& list = lists_[static_cast<std::size_t>(list_of(cell))];
   return {ids_.data() + list.begin, list.end - list.begin};
@@ -157,8 +169,7 @@ MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
   e.low = n;
   e.high = n + kStep[axis];
   e.low_inside = has(column(p.x, p.y).inside, p.z);
-  const auto owned = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
-  e.owned = owned(p.x) && owned(p.y) && owned(p.z);
+  e.owned = is_owned(p);
   return e;
 }
 
@@ -238,22 +249,32 @@ std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) con
   out.reserve(2 * edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (int place = 0; place < 4; ++place) {
-      const CellFace face = face_of(edges[k], place);
+      CellFace face = face_of(edges[k], place);
       std::int32_t& slot =
           face_of_[static_cast<std::size_t>(3 * (face.high % kFaceSlots) + face.axis)];
       auto known = static_cast<std::size_t>(slot);
       if (known >= out.size() || out[known].high != face.high || out[known].axis != face.axis) {
         known = out.size();
         slot = static_cast<std::int32_t>(known);
+        face.low_complete = is_complete(face.low);
+        face.high_complete = is_complete(face.high);
         out.push_back(face);
       }
-      out[known].add(static_cast<std::int32_t>(k));
+      out[known].add(static_cast<std::int32_t>(k), place);
     }
   return out;
 }
 
 std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
   return {offset(e.low), offset(e.high)};
+}
+
+EdgeEnds ContourTile::ends(const MinimalEdge& e) const {
+  const LatticePoint p = place(e.low);
+  const auto plane = [&](int axis, std::int32_t i) {
+    return planes_[axis][static_cast<std::size_t>(i)];
+  };
+  return {{plane(0, p.x), plane(1, p.y), plane(2, p.z)}, plane(e.axis, component(p, e.axis) + 1)};
 }
 
 }  // namespace mrsim::detail

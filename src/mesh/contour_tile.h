@@ -28,13 +28,16 @@ class ContourTile final : public ContourCells {
   std::size_t size() const override { return kCount; }
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
   Box3 box(std::int32_t cell) const override;
+  Box3 inner_box(std::int32_t cell) const override;
   std::span<const std::uint32_t> candidates(std::int32_t cell) const override;
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
+  bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
   std::vector<MinimalEdge> crossing_edges() const override;
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
+  EdgeEnds ends(const MinimalEdge& edge) const override;
 
   /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
   /// leaves room. Owned ones only.
@@ -58,7 +61,12 @@ class ContourTile final : public ContourCells {
     return (x * kNodes + y) * kNodes + z;
   }
   static LatticePoint place(std::int32_t id) {
-    return {id / (kCells * kCells), id / kCells % kCells, id % kCells};
+    constexpr std::int32_t kLast = kCells - 1;  // of a power of two
+    return {id / (kCells * kCells), id / kCells & kLast, id & kLast};
+  }
+  static bool is_owned(const LatticePoint& p) {
+    const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
+    return in(p.x) && in(p.y) && in(p.z);
   }
   /// What is known of the corners (x, y, 0..63), a bit for each.
   struct Column {
@@ -85,7 +93,8 @@ class ContourTile final : public ContourCells {
 
   const ExactField& field_;
   LatticePoint first_;
-  std::vector<double> planes_[3];  ///< coordinates of the planes, mm
+  std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
+  std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
   std::vector<Column> columns_;
   std::vector<float> offset_;          ///< d + kInsideTolerance at corners, where sampled
   std::vector<std::int32_t> list_of_;  ///< by node, 0 (empty) where the surface does not pass
