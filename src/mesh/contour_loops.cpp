@@ -275,7 +275,7 @@ void ContourSurface::join_loops() {
   const auto high_slot = [](std::int32_t crossing, int place) {
     return 4 * crossing + (place < 2 ? place + 1 : place);
   };
-  for (std::size_t k = 0; k < crossings_.size(); ++k)
+  for (std::size_t k = 0; k < crossings_.size() && !cells_.is_uniform(); ++k)
     for (int i = 0; i < 4; ++i)
       if (crossings_[k].cell(i) == crossings_[k].cell((i + 1) & 3))
         join(parent, static_cast<std::int32_t>(4 * k) + i,
@@ -312,8 +312,9 @@ void ContourSurface::join_loops() {
 // What each loop consists of, each in the order of all.
 void ContourSurface::list_loops() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
-  const auto is_first = [](const Crossing& c, int i) {
-    for (int j = 0; j < i; ++j)
+  const bool all_differ = cells_.is_uniform();
+  const auto is_first = [all_differ](const Crossing& c, int i) {
+    for (int j = 0; j < i && !all_differ; ++j)
       if (c.loops[j] == c.loops[i]) return false;
     return true;
   };

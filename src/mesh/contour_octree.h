@@ -53,6 +53,7 @@ class ContourOctree final : public ContourCells {
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
+  bool is_uniform() const override { return false; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
   bool is_owned(const LatticePoint& edge_start) const {
     return is_whole() || in_range(edge_start, part_.owned);

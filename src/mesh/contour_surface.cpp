@@ -333,8 +333,8 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::
   Vec3 from = c.low_end(), to = c.high_end();
   if (!c.edge.low_inside) std::swap(from, to);
   const auto separates = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    const Vec3 &p = mesh_.vertices[i], &q = mesh_.vertices[j], &r = mesh_.vertices[k];
-    return orientation(p, q, r, to) > 0 && orientation(p, q, r, from) < 0;
+    const TriangleSide side(mesh_.vertices[i], mesh_.vertices[j], mesh_.vertices[k]);
+    return side(to) > 0 && side(from) < 0;
   };
   if (ring.size() == 3) {
     if (!separates(ring[0], ring[1], ring[2])) return false;

@@ -266,7 +266,7 @@ std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) con
 }
 
 std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
-  return {offset(e.low), offset(e.high)};
+  return {offset_[static_cast<std::size_t>(e.low)], offset(e.high)};
 }
 
 EdgeEnds ContourTile::ends(const MinimalEdge& e) const {

@@ -33,6 +33,7 @@ class ContourTile final : public ContourCells {
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
+  bool is_uniform() const override { return true; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
   std::vector<MinimalEdge> crossing_edges() const override;
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
