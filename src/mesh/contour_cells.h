@@ -21,22 +21,36 @@ struct MinimalEdge {
   LatticePoint start;
   std::int32_t axis = 0, length = 0;
   std::int32_t low = -1, high = -1;  ///< samples at its ends
+  std::int8_t smallest = 3;          ///< which of the cells is: the last of the smallest ones
   bool low_inside = false;           ///< the end at `start` is in the material
   bool owned = true;                 ///< its triangles are made here, not by another tile
+
+  std::int32_t smallest_cell() const { return cells[smallest]; }
+};
+
+/// Where an edge runs: its low end, and the coordinate of the high one along its axis.
+struct EdgeEnds {
+  Vec3 low;
+  double high = 0;
 };
 
 /// A face of a cell that no smaller cell divides, with the crossings on its sides: the first four
-/// of them, since more can not be joined.
+/// of them, since more can not be joined. A crossing's place: 4 * its edge + the place in the
+/// edge's ring of the cell before the face.
 struct CellFace {
   std::int32_t low = -1, high = -1;  ///< cells on both sides of it
   std::int32_t axis = 0;
-  std::int32_t count = 0;  ///< of all its crossings
-  std::int32_t crossings[4] = {-1, -1, -1, -1};
+  bool low_complete = false, high_complete = false;  ///< see is_complete()
+  std::int32_t count = 0;                            ///< of all its crossings
+  std::int32_t places[4] = {-1, -1, -1, -1};
 
-  void add(std::int32_t crossing) {
-    if (count < 4) crossings[count] = crossing;
+  void add(std::int32_t edge, int place) {
+    if (count < 4) places[count] = 4 * edge + place;
     ++count;
   }
+  std::int32_t crossing(int i) const { return places[i] / 4; }
+  /// Of its crossings all are there.
+  bool has_all_edges() const { return low_complete || high_complete; }
 };
 
 class ContourCells {
@@ -53,6 +67,8 @@ class ContourCells {
   /// Edge of the cell in fine units.
   virtual std::int32_t size_of(std::int32_t cell) const = 0;
   virtual Box3 box(std::int32_t cell) const = 0;
+  /// Where its vertices may lie: off its sides by at least two steps of the coordinates.
+  virtual Box3 inner_box(std::int32_t cell) const { return inner(box(cell)); }
   /// The sweeps that can decide d in the cell.
   virtual std::span<const std::uint32_t> candidates(std::int32_t cell) const = 0;
   /// Cells of equal numbers, below lists(), have the same candidates.
@@ -60,14 +76,21 @@ class ContourCells {
   virtual std::size_t lists() const { return size(); }
   /// False for cells at the border, of which only a part of the surroundings is there.
   virtual bool is_complete(std::int32_t cell) const = 0;
+  /// Counted here, not by another tile.
+  virtual bool is_owned_cell(std::int32_t cell) const = 0;
+  /// All cells are of one size, so that four different ones lie about every edge.
+  virtual bool is_uniform() const = 0;
 
   /// All edges whose ends lie on different sides of the surface, in an order that depends on their
   /// places alone.
   virtual std::vector<MinimalEdge> crossing_edges() const = 0;
-  /// The faces about these edges, each with the numbers of its edges, in the order of the edges.
+  /// The faces about these edges, each with its crossings, in the order of the edges. Requires:
+  /// edges in the order of crossing_edges().
   virtual std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const = 0;
   /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite).
+  /// Requires: the edge is one of crossing_edges().
   virtual std::pair<double, double> offsets(const MinimalEdge& edge) const = 0;
+  virtual EdgeEnds ends(const MinimalEdge& edge) const = 0;
 
  private:
   Lattice lattice_;
@@ -89,14 +112,10 @@ inline CellFace face_of(const MinimalEdge& e, int place) {
   return face;
 }
 
-/// The ends of the edge.
-inline Vec3 low_end(const Lattice& lattice, const MinimalEdge& e) {
-  return lattice.position(e.start);
-}
-inline Vec3 high_end(const Lattice& lattice, const MinimalEdge& e) {
-  LatticePoint end = e.start;
-  component(end, e.axis) += e.length;
-  return lattice.position(end);
+inline Vec3 high_end(const EdgeEnds& ends, int axis) {
+  Vec3 end = ends.low;
+  mrsim::component(end, axis) = ends.high;
+  return end;
 }
 
 }  // namespace mrsim::detail

@@ -121,6 +121,8 @@ class EdgeWalk {
     component(e.start, v) += k >> v & 1 ? node.size : 0;
     e.axis = axis;
     e.length = node.size;
+    for (const std::int8_t q : {2, 1, 0})
+      if (tree_.node(four[q]).size < tree_.node(four[e.smallest]).size) e.smallest = q;
     e.low_inside = is_inside(a.distance);
     e.owned = tree_.is_owned(e.start);
     out_.push_back(e);

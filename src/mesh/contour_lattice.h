@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace mrsim::detail {
 
@@ -29,6 +30,27 @@ inline double coordinate_step(double x) {
   const double a = x < 0 ? -x : x;
   const double ulp = a * (1.0 / (1 << 22));
   return ulp > 2 * kQuantum ? ulp : 2 * kQuantum;
+}
+
+/// What coordinates strictly between two planes of the grid are moved into: off both by at least
+/// two steps.
+inline std::pair<double, double> inner(double low, double high) {
+  const double a = coordinate_step(low), b = coordinate_step(high), step = 2 * (a < b ? b : a);
+  return {snap(low + step), snap(high - step)};
+}
+inline Box3 inner(const Box3& room) {
+  const auto x = inner(room.lo.x, room.hi.x), y = inner(room.lo.y, room.hi.y),
+             z = inner(room.lo.z, room.hi.z);
+  return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+/// x rounded, and moved between two coordinates.
+inline double snap_between(double x, double low, double high) {
+  const double y = snap(x), z = y < low ? low : y;
+  return high < z ? high : z;
+}
+inline Vec3 snap_into(const Vec3& p, const Box3& inner) {
+  return {snap_between(p.x, inner.lo.x, inner.hi.x), snap_between(p.y, inner.lo.y, inner.hi.y),
+          snap_between(p.z, inner.lo.z, inner.hi.z)};
 }
 
 struct LatticePoint {

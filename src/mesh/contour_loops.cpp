@@ -51,18 +51,6 @@ std::int32_t smaller_cell(const ContourCells& cells, const CellFace& face) {
   return cells.size_of(face.high) < cells.size_of(face.low) ? face.high : face.low;
 }
 
-// All of them hold the edge; the last one starts where it does.
-std::int32_t smallest_cell(const ContourCells& cells, const MinimalEdge& e) {
-  std::int32_t cell = e.cells[3];
-  for (const int i : {2, 1, 0})
-    if (cells.size_of(e.cells[i]) < cells.size_of(cell)) cell = e.cells[i];
-  return cell;
-}
-
-bool has_all_edges(const ContourCells& cells, const CellFace& face) {
-  return cells.is_complete(face.low) || cells.is_complete(face.high);
-}
-
 enum class Joining { none, two, four };
 
 // Every face should have two crossings, on two of its sides; four on all sides are paired where the
@@ -71,9 +59,9 @@ template <class EdgeOf>
 Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& edge_of) {
   const std::int32_t n = face.count;
   if (n != 2 && n != 4) return Joining::none;
-  for (std::int32_t i = 0; i < n; ++i)
-    for (std::int32_t j = 0; j < i; ++j)
-      if (on_one_side(edge_of(face.crossings[i]), edge_of(face.crossings[j]), face.axis))
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (on_one_side(edge_of(face.crossing(i)), edge_of(face.crossing(j)), face.axis))
         return Joining::none;
   if (n == 2) return Joining::two;
   return cells.size_of(smaller_cell(cells, face)) <= cells.lattice().per_voxel() ? Joining::four
@@ -88,7 +76,7 @@ std::vector<std::int32_t> badly_crossed(const ContourCells& cells, const Crossed
   std::vector<std::int32_t> bad;
   for (const CellFace& face : grid.faces) {
     if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
-    if (has_all_edges(cells, face) && joining(cells, face, edge_of) == Joining::none)
+    if (face.has_all_edges() && joining(cells, face, edge_of) == Joining::none)
       bad.insert(bad.end(), {face.low, face.high});
   }
   return bad;
@@ -124,6 +112,10 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     Crossing& c = crossings_[k];
     c.edge = edges[k];
+    const EdgeEnds ends = cells_.ends(c.edge);
+    c.position = ends.low;
+    c.low = mrsim::component(ends.low, c.edge.axis);
+    c.high = ends.high;
     bool is_new = true;
     if (options_.remember) {
       std::tie(ids[k], is_new) =
@@ -140,7 +132,7 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
     if (is_new) fresh.push_back(static_cast<std::int32_t>(k));
   }
   const Groups groups(fresh, cells_.lists(), [&](std::int32_t k) {
-    return cells_.list_of(smallest_cell(cells_, at(crossings_, k).edge));
+    return cells_.list_of(at(crossings_, k).edge.smallest_cell());
   });
   parallel_for(
       groups.size(), options_.threads, [&](std::size_t g) { find_crossings_of(groups[g]); }, 32);
@@ -152,30 +144,56 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   }
 }
 
+// Both ends of the edges of crossings with the same candidates, with rounded offsets: tiles know
+// rounded ones or none, and the result may not depend on which.
+void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
+                               std::vector<SegmentEnd>& out) const {
+  static thread_local std::vector<std::size_t> unknown;
+  static thread_local std::vector<Vec3> points;
+  static thread_local std::vector<double> distances;
+  unknown.clear();
+  points.clear();
+  out.clear();
+  for (const std::int32_t k : crossings) {
+    const Crossing& c = at(crossings_, k);
+    const auto [low, high] = cells_.offsets(c.edge);
+    out.push_back({c.low_end(), static_cast<float>(low)});
+    out.push_back({c.high_end(), static_cast<float>(high)});
+    for (std::size_t i = out.size() - 2; i < out.size(); ++i) {
+      if (!std::isinf(out[i].offset)) continue;
+      unknown.push_back(i);
+      points.push_back(out[i].position);
+    }
+  }
+  if (unknown.empty()) return;
+  distances.resize(points.size());
+  field_.distances(points, p.candidates, distances.data());
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    out[unknown[i]].offset = static_cast<float>(distances[i] + kInsideTolerance);
+}
+
 // Crossings with the same candidates.
 void ContourSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
   static thread_local std::vector<CrossingSearch> searches;
+  static thread_local std::vector<SegmentEnd> ends;
+  const Probe p = probe(at(crossings_, crossings[0]).edge.smallest_cell());
+  find_ends(p, crossings, ends);
   searches.clear();
-  const Probe p = probe(smallest_cell(cells_, at(crossings_, crossings[0]).edge));
-  for (const std::int32_t k : crossings) {
-    const MinimalEdge& edge = at(crossings_, k).edge;
-    auto [f, g] = cells_.offsets(edge);
-    const Vec3 low = low_end(cells_.lattice(), edge), high = high_end(cells_.lattice(), edge);
-    if (std::isinf(f)) f = p.offset(low);
-    if (std::isinf(g)) g = p.offset(high);
-    // Tiles know rounded offsets or none: the result may not depend on which.
-    const SegmentEnd from{low, static_cast<float>(f)}, to{high, static_cast<float>(g)};
-    searches.emplace_back(edge.low_inside ? from : to, edge.low_inside ? to : from);
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const SegmentEnd &low = ends[2 * i], &high = ends[2 * i + 1];
+    const bool low_inside = at(crossings_, crossings[i]).edge.low_inside;
+    searches.emplace_back(low_inside ? low : high, low_inside ? high : low);
   }
   run_together(p, std::span(searches));
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     Crossing& c = crossings_[static_cast<std::size_t>(crossings[i])];
-    const Vec3 low = low_end(cells_.lattice(), c.edge), high = high_end(cells_.lattice(), c.edge);
     c.at = searches[i].at();
     c.normal = searches[i].normal();
-    c.position = low;
-    mrsim::component(c.position, c.edge.axis) =
-        mrsim::component(snap_inside(searches[i].point(), {low, high}), c.edge.axis);
+    const int axis = c.edge.axis;
+    const Box3 inner = cells_.inner_box(c.edge.smallest_cell());
+    mrsim::component(c.position, axis) =
+        snap_between(mrsim::component(searches[i].point(), axis), mrsim::component(inner.lo, axis),
+                     mrsim::component(inner.hi, axis));
   }
 }
 
@@ -198,30 +216,29 @@ void ContourSurface::find_segments() {
   const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(crossings_, k).edge; };
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const CellFace& face = faces_[f];
-    if (!has_all_edges(cells_, face)) continue;
+    if (!face.has_all_edges()) continue;
     const Joining j = joining(cells_, face, edge_of);
     MRSIM_ASSERT(j != Joining::none);
     if (j == Joining::two)
-      add_segment(static_cast<std::int32_t>(f), face.crossings[0], face.crossings[1]);
+      add_segment(static_cast<std::int32_t>(f), 0, 1);
     else
       pair_four(static_cast<std::int32_t>(f));
   }
 }
 
-void ContourSurface::add_segment(std::int32_t f, std::int32_t from, std::int32_t to) {
+// `from`, `to`: which crossings of the face.
+void ContourSurface::add_segment(std::int32_t f, int from, int to) {
   const CellFace& face = at(faces_, f);
-  for (const std::int32_t end : {from, to}) {
-    Crossing& c = crossings_[static_cast<std::size_t>(end)];
-    for (int i = 0; i < 4; ++i) {
-      const std::int32_t a = c.cell(i), b = c.cell((i + 1) & 3);
-      if ((a == face.low && b == face.high) || (a == face.high && b == face.low))
-        c.segments[i] = static_cast<std::int32_t>(segments_.size());
-    }
-  }
+  const auto place = [&](int i) { return static_cast<std::int8_t>(face.places[i] & 3); };
+  for (const int i : {from, to})
+    crossings_[static_cast<std::size_t>(face.crossing(i))].segments[place(i)] =
+        static_cast<std::int32_t>(segments_.size());
   Segment s;
   s.face = f;
-  s.from = from;
-  s.to = to;
+  s.from = face.crossing(from);
+  s.to = face.crossing(to);
+  s.from_place = place(from);
+  s.to_place = place(to);
   segments_.push_back(s);
 }
 
@@ -231,15 +248,15 @@ void ContourSurface::pair_four(std::int32_t f) {
   const CellFace& face = at(faces_, f);
   const Box3 b = face_box(face);
   const int u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
-  std::int32_t side[4] = {};  // low v, high u, high v, low u: counter-clockwise
-  for (const std::int32_t k : face.crossings) {
-    const Crossing& c = at(crossings_, k);
+  int side[4] = {};  // low v, high u, high v, low u: counter-clockwise
+  for (int i = 0; i < 4; ++i) {
+    const Crossing& c = at(crossings_, face.crossing(i));
     const int across = c.edge.axis == u ? v : u;
     const bool high = mrsim::component(c.position, across) > mrsim::component(b.lo, across);
-    side[c.edge.axis == u ? (high ? 2 : 0) : (high ? 1 : 3)] = k;
+    side[c.edge.axis == u ? (high ? 2 : 0) : (high ? 1 : 3)] = i;
   }
   // The corner between sides 3 and 0 is the low end of side 0's edge.
-  const Crossing& first = at(crossings_, side[0]);
+  const Crossing& first = at(crossings_, face.crossing(side[0]));
   const bool corner_inside = first.edge.low_inside;
   const bool center_inside = is_inside(probe(face_cell(face)).sample(0.5 * (b.lo + b.hi)).distance);
   const int shift =
@@ -251,21 +268,21 @@ void ContourSurface::pair_four(std::int32_t f) {
 void ContourSurface::join_loops() {
   std::vector<std::int32_t> parent(4 * crossings_.size());
   std::iota(parent.begin(), parent.end(), 0);
-  const auto slot = [&](std::int32_t crossing, std::int32_t cell) {
-    for (int i = 0; i < 4; ++i)
-      if (at(crossings_, crossing).cell(i) == cell) return 4 * crossing + i;
-    MRSIM_ASSERT(false);
-    return 0;
+  // Of the two ring places about a face, cells come by low and high in the first half of the ring.
+  const auto low_slot = [](std::int32_t crossing, int place) {
+    return 4 * crossing + (place < 2 ? place : (place + 1) & 3);
   };
-  for (std::size_t k = 0; k < crossings_.size(); ++k)
+  const auto high_slot = [](std::int32_t crossing, int place) {
+    return 4 * crossing + (place < 2 ? place + 1 : place);
+  };
+  for (std::size_t k = 0; k < crossings_.size() && !cells_.is_uniform(); ++k)
     for (int i = 0; i < 4; ++i)
       if (crossings_[k].cell(i) == crossings_[k].cell((i + 1) & 3))
         join(parent, static_cast<std::int32_t>(4 * k) + i,
              static_cast<std::int32_t>(4 * k) + ((i + 1) & 3));
   for (const Segment& s : segments_) {
-    const CellFace& face = at(faces_, s.face);
-    join(parent, slot(s.from, face.low), slot(s.to, face.low));
-    join(parent, slot(s.from, face.high), slot(s.to, face.high));
+    join(parent, low_slot(s.from, s.from_place), low_slot(s.to, s.to_place));
+    join(parent, high_slot(s.from, s.from_place), high_slot(s.to, s.to_place));
   }
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
@@ -286,17 +303,18 @@ void ContourSurface::join_loops() {
       crossings_[k].loops[i] = id;
     }
   for (Segment& s : segments_) {
-    const CellFace& face = at(faces_, s.face);
-    s.low = at(loop_of_root, find(parent, slot(s.from, face.low)));
-    s.high = at(loop_of_root, find(parent, slot(s.from, face.high)));
+    const Crossing& c = at(crossings_, s.from);
+    s.low = c.loops[low_slot(0, s.from_place)];
+    s.high = c.loops[high_slot(0, s.from_place)];
   }
 }
 
 // What each loop consists of, each in the order of all.
 void ContourSurface::list_loops() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
-  const auto is_first = [](const Crossing& c, int i) {
-    for (int j = 0; j < i; ++j)
+  const bool all_differ = cells_.is_uniform();
+  const auto is_first = [all_differ](const Crossing& c, int i) {
+    for (int j = 0; j < i && !all_differ; ++j)
       if (c.loops[j] == c.loops[i]) return false;
     return true;
   };

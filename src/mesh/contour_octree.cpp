@@ -265,20 +265,29 @@ std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) c
   std::vector<CellFace> out;
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (int place = 0; place < 4; ++place) {
-      const CellFace face = face_of(edges[k], place);
+      CellFace face = face_of(edges[k], place);
       if (face.low == face.high) continue;
       const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
       const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
                                 static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
       const auto [index, is_new] = ids.insert(key, static_cast<std::int32_t>(out.size()));
-      if (is_new) out.push_back(face);
-      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k));
+      if (is_new) {
+        face.low_complete = is_complete(face.low);
+        face.high_complete = is_complete(face.high);
+        out.push_back(face);
+      }
+      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), place);
     }
   return out;
 }
 
 std::pair<double, double> ContourOctree::offsets(const MinimalEdge& e) const {
   return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
+}
+
+EdgeEnds ContourOctree::ends(const MinimalEdge& e) const {
+  return {lattice().position(e.start),
+          lattice().coordinate(e.axis, component(e.start, e.axis) + e.length)};
 }
 
 std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {

@@ -53,6 +53,8 @@ class ContourOctree final : public ContourCells {
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
+  bool is_uniform() const override { return false; }
+  bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
   bool is_owned(const LatticePoint& edge_start) const {
     return is_whole() || in_range(edge_start, part_.owned);
   }
@@ -65,6 +67,7 @@ class ContourOctree final : public ContourCells {
   std::vector<MinimalEdge> crossing_edges() const override;
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
+  EdgeEnds ends(const MinimalEdge& edge) const override;
   /// The same about the given leaves and those that share an edge with them; `nearby` is set for
   /// all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,

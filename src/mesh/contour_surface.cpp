@@ -85,8 +85,7 @@ void ContourSurface::find_creases() {
 bool ContourSurface::is_crease(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-  if (same_face(a.at, b.at) || (!cells_.is_complete(face.low) && !cells_.is_complete(face.high)))
-    return false;
+  if (same_face(a.at, b.at) || !face.has_all_edges()) return false;
   const Box3 box = face_box(face);
   const double size = length(box.hi - box.lo);
   const Probe p = probe(face_cell(face));
@@ -224,12 +223,12 @@ void ContourSurface::finish_loop(std::int32_t id) {
     }
   }
   if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
-  loop.point.position = snap_inside(loop.point.position, box);
+  loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
 }
 
 void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
-  out.push_back(low_end(cells_.lattice(), c.edge));
-  out.push_back(high_end(cells_.lattice(), c.edge));
+  out.push_back(c.low_end());
+  out.push_back(c.high_end());
 }
 
 // A segment needs no vertex of its own where the line between the vertices on both sides passes
@@ -265,8 +264,7 @@ void ContourSurface::choose_explicit() {
       segments_.size(), options_.threads,
       [&](std::size_t k) {
         const CellFace& face = at(faces_, segments_[k].face);
-        chosen[k] = cells_.is_complete(face.low) && cells_.is_complete(face.high) &&
-                    !may_be_implicit(segments_[k]);
+        chosen[k] = face.low_complete && face.high_complete && !may_be_implicit(segments_[k]);
       },
       256);
   std::vector<std::int32_t> ids;
@@ -332,11 +330,11 @@ void ContourSurface::add_triangle(std::int32_t crossing, std::uint32_t a, std::u
 // Two triangles (or one) without a vertex on the edge itself, if both separate the edge's ends.
 bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring,
                                       std::int32_t id) {
-  Vec3 from = low_end(cells_.lattice(), c.edge), to = high_end(cells_.lattice(), c.edge);
+  Vec3 from = c.low_end(), to = c.high_end();
   if (!c.edge.low_inside) std::swap(from, to);
   const auto separates = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    const Vec3 &p = mesh_.vertices[i], &q = mesh_.vertices[j], &r = mesh_.vertices[k];
-    return orientation(p, q, r, to) > 0 && orientation(p, q, r, from) < 0;
+    const TriangleSide side(mesh_.vertices[i], mesh_.vertices[j], mesh_.vertices[k]);
+    return side(to) > 0 && side(from) < 0;
   };
   if (ring.size() == 3) {
     if (!separates(ring[0], ring[1], ring[2])) return false;
@@ -344,15 +342,15 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::
     return true;
   }
   bool valid[2];
-  double error[2];
-  for (std::uint32_t d = 0; d < 2; ++d) {
+  for (std::uint32_t d = 0; d < 2; ++d)
     valid[d] = separates(ring[d], ring[d + 1], ring[d + 2]) &&
                separates(ring[d], ring[d + 2], ring[(d + 3) & 3]);
+  const auto error = [&](std::uint32_t d) {
     const Vec3 middle = 0.5 * (mesh_.vertices[ring[d]] + mesh_.vertices[ring[d + 2]]);
-    error[d] = valid[d] ? std::abs(field_.patch_distance(middle, c.at)) : 0;
-  }
+    return std::abs(field_.patch_distance(middle, c.at));
+  };
   if (!valid[0] && !valid[1]) return false;
-  const std::uint32_t d = !valid[0] || (valid[1] && error[1] < error[0]) ? 1 : 0;
+  const std::uint32_t d = !valid[0] || (valid[1] && error(1) < error(0)) ? 1 : 0;
   add_triangle(id, ring[d], ring[d + 1], ring[d + 2]);
   add_triangle(id, ring[d], ring[d + 2], ring[(d + 3) & 3]);
   return true;

@@ -16,20 +16,31 @@ namespace mrsim::detail {
 /// both).
 struct Crossing {
   MinimalEdge edge;
+  double low = 0, high = 0;  ///< coordinates of the edge's ends, along its axis
   Vec3 position, normal;
   FieldSample at;
   std::int32_t segments[4] = {-1, -1, -1, -1};
   std::int32_t loops[4] = {-1, -1, -1, -1};
 
   std::int32_t cell(int place) const { return ring_cell(edge, place); }
+  Vec3 low_end() const { return end(low); }
+  Vec3 high_end() const { return end(high); }
+
+ private:
+  Vec3 end(double along) const {
+    Vec3 p = position;
+    mrsim::component(p, edge.axis) = along;
+    return p;
+  }
 };
 
 /// The curve of the surface in a face, from one crossing to another.
 struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
-  std::int32_t low = -1, high = -1;  ///< loops of the cells on both sides of the face
-  std::int32_t crease = -1;          ///< its ends lie on faces of the part that meet in a crease
-  std::int32_t vertex = -1;          ///< its own one, -1 where the mesh needs none
+  std::int8_t from_place = 0, to_place = 0;  ///< of the face, in the rings of these crossings
+  std::int32_t low = -1, high = -1;          ///< loops of the cells on both sides of the face
+  std::int32_t crease = -1;  ///< its ends lie on faces of the part that meet in a crease
+  std::int32_t vertex = -1;  ///< its own one, -1 where the mesh needs none
 };
 
 /// Where a crease passes a face of a cell.
@@ -124,11 +135,13 @@ class ContourSurface {
 
   void find_crossings(const std::vector<MinimalEdge>& edges);
   void find_crossings_of(std::span<const std::int32_t> crossings);
+  void find_ends(const Probe& probe, std::span<const std::int32_t> crossings,
+                 std::vector<SegmentEnd>& out) const;
   void find_segments();
   void pair_four(std::int32_t face);
   void join_loops();
   void list_loops();
-  void add_segment(std::int32_t face, std::int32_t from, std::int32_t to);
+  void add_segment(std::int32_t face, int from, int to);
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
   }

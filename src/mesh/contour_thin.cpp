@@ -49,7 +49,8 @@ std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells
   std::vector<FoundThin> out;
   const std::int32_t block = kBlock * cells.lattice().per_voxel();
   for (const MinimalEdge& e : doubtful) {
-    const Vec3 a = low_end(cells.lattice(), e), b = high_end(cells.lattice(), e);
+    const EdgeEnds ends = cells.ends(e);
+    const Vec3 a = ends.low, b = high_end(ends, e.axis);
     const Probe probe{field, cells.candidates(e.cells[0]), 0};
     const std::int32_t low = probe.sample(a).owner, high = probe.sample(b).owner;
     Vec3 middle;

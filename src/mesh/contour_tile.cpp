@@ -1,6 +1,7 @@
 #include "mesh/contour_tile.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -10,24 +11,37 @@ namespace {
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
 
+// Bits begin .. begin + count - 1.
+std::uint64_t run(std::int32_t begin, std::int32_t count) {
+  return ~std::uint64_t(0) >> (64 - count) << begin;
+}
+bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
+
 }  // namespace
 
 ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
-    : ContourCells(lattice), field_(field), offset_(kCount), list_of_(kNodes * kNodes * kNodes) {
-  for (int a = 0; a < 3; ++a) {
-    planes_[a].resize(kCells + 1);
-    face_of_[a].assign(kCount, -1);
-  }
+    : ContourCells(lattice),
+      field_(field),
+      columns_(kCells * kCells),
+      offset_(kCount),
+      list_of_(kNodes * kNodes * kNodes),
+      face_of_(kFaceSlots * 3) {
+  for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
+  for (auto& ranges : inner_) ranges.resize(kCells);
 }
 
 void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates) {
   first_ = first;
-  for (int a = 0; a < 3; ++a)
+  for (int a = 0; a < 3; ++a) {
     for (std::int32_t i = 0; i <= kCells; ++i)
       planes_[a][static_cast<std::size_t>(i)] =
           lattice().coordinate(a, (component(first, a) + i) * lattice().per_voxel());
+    for (std::size_t i = 0; i < inner_[a].size(); ++i)
+      inner_[a][i] = inner(planes_[a][i], planes_[a][i + 1]);
+  }
   ids_.clear();
   lists_.assign(1, {});
+  std::fill(columns_.begin(), columns_.end(), Column{});
   std::fill(list_of_.begin(), list_of_.end(), 0);
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
@@ -60,11 +74,10 @@ void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size
 }
 
 void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {
+  if (!inside) return;
   for (std::int32_t x = origin.x; x < origin.x + size; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + size; ++y) {
-      const auto begin = offset_.begin() + id(x, y, origin.z);
-      std::fill(begin, begin + size, inside ? -kUnknown : kUnknown);
-    }
+    for (std::int32_t y = origin.y; y < origin.y + size; ++y)
+      column(x, y).inside |= run(origin.z, size);
 }
 
 void ContourTile::sample_node(const LatticePoint& origin, std::int32_t size,
@@ -87,11 +100,27 @@ void ContourTile::sample_node(const LatticePoint& origin, std::int32_t size,
   distance_.resize(points_.size());
   field_.distances(points_, list, distance_.data());
   const double* d = distance_.data();
+  const auto voxel = static_cast<float>(lattice().voxel());
   for (std::int32_t x = origin.x; x < origin.x + size; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + size; ++y)
-      for (std::int32_t z = 0; z < size; ++z)
-        offset_[static_cast<std::size_t>(id(x, y, origin.z + z))] =
-            static_cast<float>(*d++ + kInsideTolerance);
+    for (std::int32_t y = origin.y; y < origin.y + size; ++y) {
+      Column& own = column(x, y);
+      float* out = &offset_[static_cast<std::size_t>(id(x, y, 0))];
+      own.sampled |= run(origin.z, size);
+      for (std::int32_t z = origin.z; z < origin.z + size; ++z) {
+        out[z] = static_cast<float>(*d++ + kInsideTolerance);
+        const float size_of_it = std::abs(out[z]);
+        own.inside |= std::uint64_t(std::signbit(out[z])) << z;
+        own.near |= std::uint64_t(size_of_it <= voxel) << z;
+        own.very_near |= std::uint64_t(size_of_it <= 0.5f * voxel) << z;
+      }
+    }
+}
+
+float ContourTile::offset(std::int32_t corner) const {
+  const LatticePoint p = place(corner);
+  const Column& own = column(p.x, p.y);
+  if (has(own.sampled, p.z)) return offset_[static_cast<std::size_t>(corner)];
+  return has(own.inside, p.z) ? -kUnknown : kUnknown;
 }
 
 Box3 ContourTile::box(std::int32_t cell) const {
@@ -100,6 +129,14 @@ Box3 ContourTile::box(std::int32_t cell) const {
              z = static_cast<std::size_t>(p.z);
   return {{planes_[0][x], planes_[1][y], planes_[2][z]},
           {planes_[0][x + 1], planes_[1][y + 1], planes_[2][z + 1]}};
+}
+
+Box3 ContourTile::inner_box(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  const auto &x = inner_[0][static_cast<std::size_t>(p.x)],
+             &y = inner_[1][static_cast<std::size_t>(p.y)],
+             &z = inner_[2][static_cast<std::size_t>(p.z)];
+  return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
 
 std::span<const std::uint32_t> ContourTile::candidates(std::int32_t cell) const {
@@ -119,68 +156,57 @@ bool ContourTile::is_complete(std::int32_t cell) const {
 }
 
 MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  MinimalEdge e;
-  for (int q = 0; q < 4; ++q) {
-    LatticePoint cell = p;
-    component(cell, u) -= (q & 1) ^ 1;
-    component(cell, v) -= (q >> 1) ^ 1;
-    e.cells[q] = id(cell.x, cell.y, cell.z);
-  }
+  const std::int32_t n = id(p.x, p.y, p.z);
+  const std::int32_t u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];
   const std::int32_t unit = lattice().per_voxel();
+  MinimalEdge e;
+  e.cells[0] = n - u - v;
+  e.cells[1] = n - v;
+  e.cells[2] = n - u;
+  e.cells[3] = n;
   e.start = {(first_.x + p.x) * unit, (first_.y + p.y) * unit, (first_.z + p.z) * unit};
   e.axis = axis;
   e.length = unit;
-  e.low = id(p.x, p.y, p.z);
-  LatticePoint end = p;
-  ++component(end, axis);
-  e.high = id(end.x, end.y, end.z);
-  e.low_inside = std::signbit(offset_[static_cast<std::size_t>(e.low)]);
-  const auto owned = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
-  e.owned = owned(p.x) && owned(p.y) && owned(p.z);
+  e.low = n;
+  e.high = n + kStep[axis];
+  e.low_inside = has(column(p.x, p.y).inside, p.z);
+  e.owned = is_owned(p);
   return e;
 }
 
-// The corners of nodes that the surface may pass, in the order of their places. An edge that starts
-// elsewhere is not crossed: it lies in its corner's node.
-template <class Body>
-void ContourTile::for_each_corner(Body body) const {
-  for (std::int32_t x = 0; x < kCells; ++x)
-    for (std::int32_t ny = 0; ny < kNodes; ++ny) {
-      std::int32_t mixed[kNodes], count = 0;
-      for (std::int32_t nz = 0; nz < kNodes; ++nz)
-        if (list_of_[static_cast<std::size_t>(node_id(x / kNode, ny, nz))] > 0) mixed[count++] = nz;
-      if (count == 0) continue;
-      for (std::int32_t y = ny * kNode; y < (ny + 1) * kNode; ++y)
-        for (std::int32_t k = 0; k < count; ++k)
-          for (std::int32_t z = mixed[k] * kNode; z < (mixed[k] + 1) * kNode; ++z)
-            body(LatticePoint{x, y, z});
-    }
-}
-
+// An edge that starts at a corner that was not sampled is not crossed: it lies in its corner's
+// node, which the surface does not pass.
 std::vector<MinimalEdge> ContourTile::crossing_edges() const {
   std::vector<MinimalEdge> out;
-  for_each_corner([&](const LatticePoint& p) {
-    const std::int32_t n = id(p.x, p.y, p.z);
-    const bool inside = std::signbit(offset_[static_cast<std::size_t>(n)]);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (component(p, axis) == kCells - 1) continue;
-      const auto end = static_cast<std::size_t>(n + kStep[axis]);
-      if (std::signbit(offset_[end]) == inside) continue;
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-      if (component(p, u) > 0 && component(p, v) > 0) out.push_back(edge_at(p, axis));
+  for (std::int32_t x = 0; x < kCells; ++x)
+    for (std::int32_t y = 0; y < kCells; ++y) {
+      const Column& own = column(x, y);
+      const auto crossed = [&](std::uint64_t ends, std::uint64_t from) {
+        return (own.inside ^ ends) & own.sampled & from;
+      };
+      if (own.sampled == 0) continue;
+      const std::uint64_t above = run(1, kCells - 1);  // cells lie about the edge on both sides
+      const std::uint64_t bits[3] = {
+          x < kCells - 1 && y > 0 ? crossed(column(x + 1, y).inside, above) : 0,
+          y < kCells - 1 && x > 0 ? crossed(column(x, y + 1).inside, above) : 0,
+          x > 0 && y > 0 ? crossed(own.inside >> 1, run(0, kCells - 1)) : 0};
+      for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
+        const std::int32_t z = std::countr_zero(left);
+        for (int axis = 0; axis < 3; ++axis)
+          if (has(bits[axis], z)) out.push_back(edge_at({x, y, z}, axis));
+      }
     }
-  });
   return out;
 }
 
 // A surface that passes beside an edge shows itself by offsets that rise or fall evenly over the
 // edge and its two neighbours on the line; a wall or gap across it does not.
 bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
-  const float* f = &offset_[static_cast<std::size_t>(low)];
-  const float rise = f[step] - f[0];
+  const float f[4] = {offset(low - step), offset_[static_cast<std::size_t>(low)],
+                      offset_[static_cast<std::size_t>(low + step)], offset(low + 2 * step)};
+  const float rise = f[2] - f[1];
   const float even = kEven * static_cast<float>(lattice().voxel());
-  for (const float next : {f[0] - f[-step], f[2 * step] - f[step]})
+  for (const float next : {f[1] - f[0], f[3] - f[2]})
     if (!std::isinf(next) && (next * rise < 0 || std::abs(next - rise) > even)) return false;
   return true;
 }
@@ -188,40 +214,68 @@ bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
 std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
   std::vector<MinimalEdge> out;
   const auto voxel = static_cast<float>(lattice().voxel());
-  for_each_corner([&](const LatticePoint& p) {
-    if (std::min({p.x, p.y, p.z}) < kFirstOwned) return;
-    const std::int32_t n = id(p.x, p.y, p.z);
-    const float a = offset_[static_cast<std::size_t>(n)];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (component(p, axis) >= kCells - 2) continue;
-      const float b = offset_[static_cast<std::size_t>(n + kStep[axis])];
-      if (std::signbit(a) == std::signbit(b) && std::abs(a) + std::abs(b) <= voxel &&
-          !runs_evenly(n, kStep[axis]))
-        out.push_back(edge_at(p, axis));
+  const auto is_doubtful = [&](std::int32_t low, std::int32_t step) {
+    return std::abs(offset_[static_cast<std::size_t>(low)]) +
+                   std::abs(offset_[static_cast<std::size_t>(low + step)]) <=
+               voxel &&
+           !runs_evenly(low, step);
+  };
+  for (std::int32_t x = kFirstOwned; x < kCells; ++x)
+    for (std::int32_t y = kFirstOwned; y < kCells; ++y) {
+      const Column& own = column(x, y);
+      if (own.near == 0) continue;
+      // One of two ends whose offsets come to no more than a voxel is within half of it.
+      const auto alike = [&](const Column& end, int shift, std::int32_t z_end) {
+        return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &
+               ~(own.inside ^ end.inside >> shift) & run(kFirstOwned, z_end - kFirstOwned);
+      };
+      const std::uint64_t bits[3] = {x < kCells - 2 ? alike(column(x + 1, y), 0, kCells) : 0,
+                                     y < kCells - 2 ? alike(column(x, y + 1), 0, kCells) : 0,
+                                     alike(own, 1, kCells - 2)};
+      for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
+        const std::int32_t z = std::countr_zero(left);
+        for (int axis = 0; axis < 3; ++axis)
+          if (has(bits[axis], z) && is_doubtful(id(x, y, z), kStep[axis]))
+            out.push_back(edge_at({x, y, z}, axis));
+      }
     }
-  });
   return out;
 }
 
+// The faces about an edge have their higher cells in its layer of x or in the one before, and edges
+// come by layers: a slot for every cell of two layers is enough. What it holds of earlier layers
+// and tiles is told by its cell.
 std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) const {
   std::vector<CellFace> out;
   out.reserve(2 * edges.size());
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (int place = 0; place < 4; ++place) {
-      const CellFace face = face_of(edges[k], place);
-      std::int32_t& known = face_of_[face.axis][static_cast<std::size_t>(face.high)];
-      if (known < 0) {
-        known = static_cast<std::int32_t>(out.size());
+      CellFace face = face_of(edges[k], place);
+      std::int32_t& slot =
+          face_of_[static_cast<std::size_t>(3 * (face.high % kFaceSlots) + face.axis)];
+      auto known = static_cast<std::size_t>(slot);
+      if (known >= out.size() || out[known].high != face.high || out[known].axis != face.axis) {
+        known = out.size();
+        slot = static_cast<std::int32_t>(known);
+        face.low_complete = is_complete(face.low);
+        face.high_complete = is_complete(face.high);
         out.push_back(face);
       }
-      out[static_cast<std::size_t>(known)].add(static_cast<std::int32_t>(k));
+      out[known].add(static_cast<std::int32_t>(k), place);
     }
-  for (const CellFace& face : out) face_of_[face.axis][static_cast<std::size_t>(face.high)] = -1;
   return out;
 }
 
 std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
-  return {offset_[static_cast<std::size_t>(e.low)], offset_[static_cast<std::size_t>(e.high)]};
+  return {offset_[static_cast<std::size_t>(e.low)], offset(e.high)};
+}
+
+EdgeEnds ContourTile::ends(const MinimalEdge& e) const {
+  const LatticePoint p = place(e.low);
+  const auto plane = [&](int axis, std::int32_t i) {
+    return planes_[axis][static_cast<std::size_t>(i)];
+  };
+  return {{plane(0, p.x), plane(1, p.y), plane(2, p.z)}, plane(e.axis, component(p, e.axis) + 1)};
 }
 
 }  // namespace mrsim::detail

@@ -28,13 +28,17 @@ class ContourTile final : public ContourCells {
   std::size_t size() const override { return kCount; }
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
   Box3 box(std::int32_t cell) const override;
+  Box3 inner_box(std::int32_t cell) const override;
   std::span<const std::uint32_t> candidates(std::int32_t cell) const override;
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
+  bool is_uniform() const override { return true; }
+  bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
   std::vector<MinimalEdge> crossing_edges() const override;
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
+  EdgeEnds ends(const MinimalEdge& edge) const override;
 
   /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
   /// leaves room. Owned ones only.
@@ -45,6 +49,7 @@ class ContourTile final : public ContourCells {
                                             ///< twice as many where that is short
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
+  static constexpr std::int32_t kFaceSlots = 2 * kCells * kCells;
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
 
   struct List {
@@ -57,22 +62,42 @@ class ContourTile final : public ContourCells {
     return (x * kNodes + y) * kNodes + z;
   }
   static LatticePoint place(std::int32_t id) {
-    return {id / (kCells * kCells), id / kCells % kCells, id % kCells};
+    constexpr std::int32_t kLast = kCells - 1;  // of a power of two
+    return {id / (kCells * kCells), id / kCells & kLast, id & kLast};
   }
+  static bool is_owned(const LatticePoint& p) {
+    const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
+    return in(p.x) && in(p.y) && in(p.z);
+  }
+  /// What is known of the corners (x, y, 0..63), a bit for each.
+  struct Column {
+    std::uint64_t sampled = 0, inside = 0;
+    std::uint64_t near = 0, very_near = 0;  ///< |offset| up to a voxel, half a voxel
+  };
+  static_assert(kCells == 64);
+
+  Column& column(std::int32_t x, std::int32_t y) {
+    return columns_[static_cast<std::size_t>(x * kCells + y)];
+  }
+  const Column& column(std::int32_t x, std::int32_t y) const {
+    return columns_[static_cast<std::size_t>(x * kCells + y)];
+  }
+  float offset(std::int32_t corner) const;
+
   void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void sample_node(const LatticePoint& origin, std::int32_t size,
                    std::span<const std::uint32_t> list);
-  template <class Body>
-  void for_each_corner(Body body) const;
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
   MinimalEdge edge_at(const LatticePoint& p, int axis) const;
 
   const ExactField& field_;
   LatticePoint first_;
-  std::vector<double> planes_[3];  ///< coordinates of the planes, mm
-  std::vector<float> offset_;      ///< d + kInsideTolerance at corners, infinite where not sampled
+  std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
+  std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
+  std::vector<Column> columns_;
+  std::vector<float> offset_;          ///< d + kInsideTolerance at corners, where sampled
   std::vector<std::int32_t> list_of_;  ///< by node, 0 (empty) where the surface does not pass
   std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
@@ -80,8 +105,7 @@ class ContourTile final : public ContourCells {
   Candidates list_;
   std::vector<Vec3> points_;
   std::vector<double> distance_;
-  mutable std::vector<std::int32_t>
-      face_of_[3];  ///< by axis and higher cell, -1 outside of faces()
+  mutable std::vector<std::int32_t> face_of_;  ///< the last one by slot, see faces()
 };
 
 }  // namespace mrsim::detail

@@ -318,7 +318,7 @@ class UniformContour {
     notes = {};
     notes.crowded = crowded_triangles(out.vertices, out.triangles,
                                       crowded_vertices(surface, cells, id, out.vertices.size()));
-    for (const Loop& loop : surface.loops()) notes.cells += is_owned(cells, tile, loop.cell);
+    for (const Loop& loop : surface.loops()) notes.cells += cells.is_owned_cell(loop.cell);
     notes.triangles = out.triangles.size();
     return out;
   }
@@ -334,9 +334,6 @@ class UniformContour {
 
   CellPlace place_of(const ContourCells& cells, std::int32_t cell) const {
     return {lattice_.nearest(cells.box(cell).lo), cells.size_of(cell)};
-  }
-  bool is_owned(const ContourCells& cells, const Tile& tile, std::int32_t cell) const {
-    return covers(tile, place_of(cells, cell).origin, kFirstOwned, kFirstOwned + kOwned);
   }
 
   // The cells of vertices in cells with two pieces of surface; empty where there are none.

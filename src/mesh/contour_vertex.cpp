@@ -423,19 +423,10 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   return try_smooth(probe, room, mean);
 }
 
-Vec3 snap_inside(const Vec3& p, const Box3& room, int flat) {
-  Vec3 q = snap(p);
-  for (int a = 0; a < 3; ++a) {
-    double& x = component(q, a);
-    const double lo = component(room.lo, a), hi = component(room.hi, a);
-    if (a == flat) {
-      x = lo;
-      continue;
-    }
-    const double step = 2 * std::max(coordinate_step(lo), coordinate_step(hi));
-    x = std::min(std::max(x, snap(lo + step)), snap(hi - step));
-  }
-  return q;
+Vec3 snap_inside(const Vec3& p, const Box3& room, int axis) {
+  Box3 between = inner(room);
+  component(between.lo, axis) = component(between.hi, axis) = component(room.lo, axis);
+  return snap_into(p, between);
 }
 
 }  // namespace mrsim::detail

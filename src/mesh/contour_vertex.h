@@ -153,8 +153,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
 SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                          std::span<const FieldSample> faces);
 
-/// p moved into the interior of the box, off its sides by at least two steps of the coordinates
-/// (not along `flat`).
-Vec3 snap_inside(const Vec3& p, const Box3& room, int flat = -1);
+/// p rounded, in the interior of the rectangle, which is flat on `axis`.
+Vec3 snap_inside(const Vec3& p, const Box3& room, int axis);
 
 }  // namespace mrsim::detail

@@ -34,17 +34,34 @@ inline int orientation_exact(const Vec3& a, const Vec3& b, const Vec3& c, const 
   return sign(nx * wx + ny * wy + nz * wz);
 }
 
-inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a, v = c - a, w = d - a;  // differences of floats: exact or rounded once
-  const Vec3 n = cross(u, v);
-  const double det = dot(n, w);
-  const auto magnitude = [](const Vec3& e) {
+/// The side of a triangle on which points lie; for more than one of them.
+class TriangleSide {
+ public:
+  TriangleSide(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {
+    const Vec3 u = b - a, v = c - a;  // differences of floats: exact or rounded once
+    normal_ = cross(u, v);
+    scale_ = 4e-15 * magnitude(u) * magnitude(v);
+  }
+  /// orientation_exact(a, b, c, d).
+  int operator()(const Vec3& d) const {
+    const Vec3 w = d - a_;
+    const double det = dot(normal_, w), bound = scale_ * magnitude(w);
+    if (det > bound) return 1;
+    if (det < -bound) return -1;
+    return orientation_exact(a_, b_, c_, d);
+  }
+
+ private:
+  static double magnitude(const Vec3& e) {
     return (e.x < 0 ? -e.x : e.x) + (e.y < 0 ? -e.y : e.y) + (e.z < 0 ? -e.z : e.z);
-  };
-  const double bound = 4e-15 * magnitude(u) * magnitude(v) * magnitude(w);
-  if (det > bound) return 1;
-  if (det < -bound) return -1;
-  return orientation_exact(a, b, c, d);
+  }
+  const Vec3 &a_, &b_, &c_;
+  Vec3 normal_;
+  double scale_ = 0;
+};
+
+inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return TriangleSide(a, b, c)(d);
 }
 
 /// Sign of the area of (b - a, c - a) seen along the given axis.

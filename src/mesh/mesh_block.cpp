@@ -1,14 +1,33 @@
 #include "mesh/mesh_block.h"
 
+#include "core/heap.h"
+
+#include <algorithm>
+#include <utility>
+
 namespace mrsim {
+namespace {
+
+// Grows by doubling into huge pages: small ones take longer to come than to be filled.
+template <class T>
+void append(std::vector<T>& all, std::span<const T> more) {
+  if (all.size() + more.size() > all.capacity()) {
+    std::vector<T> larger;
+    reserve_large(larger, std::max(all.size() + more.size(), 2 * all.size()));
+    larger.insert(larger.end(), all.begin(), all.end());
+    std::swap(all, larger);
+  }
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
 
 void MeshCollector::take(const MeshBlock& block) {
-  const auto fresh = block.fresh();
-  mesh_.vertices.insert(mesh_.vertices.end(), fresh.begin(), fresh.end());
-  mesh_.colors.insert(mesh_.colors.end(), block.colors.begin(), block.colors.end());
-  mesh_.owners.insert(mesh_.owners.end(), block.owners.begin(), block.owners.end());
+  append(mesh_.vertices, block.fresh());
+  append(mesh_.colors, block.colors);
+  append(mesh_.owners, block.owners);
   const std::size_t first = mesh_.triangles.size();
-  mesh_.triangles.insert(mesh_.triangles.end(), block.triangles.begin(), block.triangles.end());
+  append(mesh_.triangles, block.triangles);
   for (std::size_t t = first; t < mesh_.triangles.size(); ++t)
     for (std::uint32_t& v : mesh_.triangles[t]) v = block.number(v);
 }

@@ -12,6 +12,8 @@ MRSIM_LANE void take_closer(V d, V id, V& least, V& nearest) {
   least = select(closer, d, least), nearest = select(closer, id, nearest);
 }
 
+constexpr std::size_t kSquares = 64;  // kept at once
+
 #define MRSIM_LIST(form, Record, load, kColumns)                                                 \
   static void form##_list(const Record* records, const std::uint32_t* rows, std::size_t n,       \
                           const Vec3& p, double* out) {                                          \
@@ -52,9 +54,36 @@ MRSIM_LEAST(plane_arc, ArcRecord, 11)
 #undef MRSIM_LIST
 #undef MRSIM_LEAST
 
+// Balls of one radius: the least square tells the nearest one, so nothing waits for roots or
+// branches. Roots are taken of those that rounding could make equal to it.
+static void ball_line_least_of(double radius, const LineRecord* records, const std::uint32_t* rows,
+                               const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+  V squares[kSquares];
+  const V r = splat(radius);
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    V lowest = splat(std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < n; ++i) {
+      const double* record = records[rows[i]].c;
+      V c[8];
+      for (std::size_t j = 0; j < 8; ++j) c[j] = splat(record[j]);
+      const V scale = splat(1.0 / (1.0 + record[6] * record[6]));
+      squares[i] = strip_foot(c, scale, x, y, z).squared;
+      lowest = vmin(squares[i], lowest);
+    }
+    V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V root = vsqrt(lowest), reach = root + splat(1e-15) * (root + r);
+    const V most = reach * reach * splat(1 + 1e-14);
+    for (std::size_t i = 0; i < n; ++i)
+      if (bits(less_equal(squares[i], most)) != 0)
+        take_closer(vsqrt(squares[i]) - r, splat(static_cast<double>(ids[i])), least, nearest);
+    store(points.least + k, least), store(points.nearest + k, nearest);
+  }
+}
+
 // The root is taken only where the square leaves room for a least distance: most sweeps go without.
-static void ball_line_least(const LineRecord* records, const std::uint32_t* rows,
-                            const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+static void ball_line_least_mixed(const LineRecord* records, const std::uint32_t* rows,
+                                  const std::uint32_t* ids, std::size_t n, PointColumns& points) {
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
     V least = read(points.least + k), nearest = read(points.nearest + k);
@@ -69,6 +98,20 @@ static void ball_line_least(const LineRecord* records, const std::uint32_t* rows
       take_closer(vsqrt(squared) - c[7], splat(static_cast<double>(ids[i])), least, nearest);
     }
     store(points.least + k, least), store(points.nearest + k, nearest);
+  }
+}
+
+static void ball_line_least(const LineRecord* records, const std::uint32_t* rows,
+                            const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+  for (std::size_t from = 0; from < n; from += kSquares) {
+    const std::size_t some = n - from < kSquares ? n - from : kSquares;
+    const double radius = records[rows[from]].c[7];
+    bool one = true;
+    for (std::size_t i = from; i < from + some; ++i) one = one && records[rows[i]].c[7] == radius;
+    if (one)
+      ball_line_least_of(radius, records, rows + from, ids + from, some, points);
+    else
+      ball_line_least_mixed(records, rows + from, ids + from, some, points);
   }
 }
 
