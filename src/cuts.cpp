@@ -18,10 +18,11 @@ CutList join_cuts(const CutHistory& history, const Program& program) {
   return list;
 }
 
-OwnerTable owner_table(const std::set<std::int32_t>& owners, const CutHistory& cuts) {
+OwnerTable owner_table(const std::vector<std::int32_t>& owners, const CutHistory& cuts) {
   OwnerTable table;
   table.files = cuts.files;
   for (const Tool& tool : cuts.tools) table.tools.push_back(tool.id);
+  table.origins.reserve(owners.size());
   for (const std::int32_t owner : owners) {
     if (owner < 0) continue;
     const Motion& motion = cuts.motions[static_cast<std::size_t>(owner)];

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct CutList {
 /// Joins a stock's history and a program. A motion's index in the list is its owner number.
 CutList join_cuts(const CutHistory& history, const Program& program);
 
-/// What these owners of faces stand for.
-OwnerTable owner_table(const std::set<std::int32_t>& owners, const CutHistory& cuts);
+/// What these owners of faces, ascending, stand for.
+OwnerTable owner_table(const std::vector<std::int32_t>& owners, const CutHistory& cuts);
 
 }  // namespace mrsim

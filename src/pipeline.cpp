@@ -9,7 +9,6 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
-#include "mesh/palette.h"
 #include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "mesh/solid_repair.h"
@@ -194,7 +193,7 @@ void summarize_part(JobResult& result, PartMesh& part, const CutHistory& cuts, d
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
-  part.set_origin(owner_table(owners_of(part.source()), cuts));
+  part.set_origin(owner_table(part.owners(), cuts));
   result.triangles = part.source().triangles();
   result.volume = s.volume - excess;
   result.removed_volume = result.stock_volume - result.volume;
@@ -274,8 +273,7 @@ void make_mesh(JobResult& result, PartMesh& part, const Stock& stock, const Mesh
   extract_mesh(stock, options, part, &found);
   if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
   if (stock.in_slabs()) report_slabs(result, part, stock);
-  const std::set<std::int32_t> owners = owners_of(part.source());
-  if (*owners.rbegin() < 0)
+  if (part.owners().back() < 0)
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
