@@ -85,8 +85,8 @@ void add_general(Program& program, Severity severity, const char* code, const st
 }  // namespace
 
 void add_collisions(Program& program, const CutList& cuts, CollisionReport& report) {
-  for (Collision& c : report.lines) c.motion -= cuts.inherited;
-  const int inherited = static_cast<int>(cuts.all.tools.size() - program.tools.size());
+  for (Collision& c : report.lines) c.motion -= cuts.inherited();
+  const int inherited = static_cast<int>(cuts.tools().size() - program.tools.size());
   for (int& tool : report.shapeless) tool -= inherited;
   const LineTexts texts = read_lines(program, report.lines);
   for (const Collision& c : report.lines) program.diagnostics.push_back(finding(program, c, texts));

@@ -34,7 +34,7 @@ TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   MeshOptions mesh_options;
   mesh_options.threads = threads;
   TriMesh mesh = extract_mesh(stock, mesh_options);
-  mesh.origin = owner_table(owners_of(MemoryMesh(mesh)), cuts);
+  mesh.origin = owner_table(owners_of(MemoryMesh(mesh)), CutList(cuts));
   if (note != nullptr)
     *note = fmt::format("{}: meshed with its voxel of {:.4g} mm", path, recipe.voxel);
   return mesh;

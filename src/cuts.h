@@ -5,21 +5,39 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace mrsim {
 
-struct CutList {
-  CutHistory all;             ///< motions index its files and tools
-  std::size_t inherited = 0;  ///< motions that come from the stock's history
+/// A motion's index in the list is its owner number. What it was made from must outlive it: a
+/// program's motions are used where they are unless the stock has been cut before.
+class CutList {
+ public:
+  CutList(const CutHistory& history, const Program& program);
+  explicit CutList(const CutHistory& history) : CutList(history, history.motions) {}
+  CutList(const CutList&) = delete;
+  CutList& operator=(const CutList&) = delete;
+
+  const std::vector<std::string>& files() const { return files_; }
+  const std::vector<Tool>& tools() const { return tools_; }
+  std::span<const Motion> motions() const { return motions_; }  ///< index files() and tools()
+  /// Motions that come from the stock's history.
+  std::size_t inherited() const { return inherited_; }
+  /// What the next setup must know; a copy.
+  CutHistory history() const;
+
+ private:
+  CutList(const CutHistory& history, std::span<const Motion> motions);
+  std::vector<std::string> files_;
+  std::vector<Tool> tools_;
+  std::vector<Motion> joined_;  ///< where there is a history
+  std::span<const Motion> motions_;
+  std::size_t inherited_;
 };
 
-/// Joins a stock's history and a program. A motion's index in the list is its owner number.
-CutList join_cuts(const CutHistory& history, const Program& program);
-
-/// What these owners of faces stand for.
-OwnerTable owner_table(const std::set<std::int32_t>& owners, const CutHistory& cuts);
+/// What these owners of faces, ascending, stand for.
+OwnerTable owner_table(const std::vector<std::int32_t>& owners, const CutList& cuts);
 
 }  // namespace mrsim

@@ -10,6 +10,7 @@ PartMesh::PartMesh(const std::optional<std::string>& folder, int threads)
 void PartMesh::take(const MeshBlock& block) {
   ++blocks_;
   audit_.take(block);
+  owners_.add(block.owners);
   if (spilled_)
     spilled_->take(block);
   else
@@ -19,6 +20,7 @@ void PartMesh::take(const MeshBlock& block) {
 void PartMesh::restart() {
   blocks_ = 0;
   audit_.restart();
+  owners_.clear();
   collector_.restart();
   if (spilled_) spilled_->restart();
 }
@@ -38,6 +40,8 @@ void PartMesh::keep(const Piece& piece) {
     piece_ = std::move(chosen);
   else
     collector_.mesh() = collected(*chosen);
+  owners_.clear();
+  source().for_each_block([this](const MeshBlock& block) { owners_.add(block.owners); });
 }
 
 void PartMesh::set_origin(const OwnerTable& origin) {

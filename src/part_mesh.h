@@ -5,11 +5,14 @@
 #include "mesh/mesh_audit.h"
 #include "mesh/mesh_source.h"
 #include "mesh/mesh_spill.h"
+#include "mesh/owner_set.h"
 #include "mesh/pieces.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mrsim {
 
@@ -28,6 +31,8 @@ class PartMesh final : public MeshSink {
   /// The figures of what is left.
   MeshSummary summary() const;
   void keep(const Piece& piece);
+  /// Of what is left, ascending.
+  std::vector<std::int32_t> owners() const { return owners_.sorted(); }
   void set_origin(const OwnerTable& origin);
   /// The mesh where it is in memory, else none.
   TriMesh& in_memory() { return collector_.mesh(); }
@@ -39,6 +44,7 @@ class PartMesh final : public MeshSink {
   std::unique_ptr<SpilledMesh> spilled_;
   std::unique_ptr<PieceOfMesh> piece_;
   std::vector<bool> kept_;
+  OwnerSet owners_;
   std::size_t blocks_ = 0;
 };
 

@@ -9,7 +9,6 @@
 #include "interp/interpreter.h"
 #include "mesh/check.h"
 #include "mesh/extract.h"
-#include "mesh/palette.h"
 #include "mesh/pieces.h"
 #include "mesh/render.h"
 #include "mesh/solid_repair.h"
@@ -130,18 +129,18 @@ StockShape choose_stock(const Job& job, JobResult& result) {
 
 // The tools' smallest radius, from one cut of each tool: the sweeps of a long program are made once
 // only.
-double smallest_radius(const CutHistory& cuts) {
-  std::vector<bool> seen(cuts.tools.size(), false);
+double smallest_radius(const CutList& cuts) {
+  std::vector<bool> seen(cuts.tools().size(), false);
   std::vector<Motion> samples;
-  for (const Motion& motion : cuts.motions) {
+  for (const Motion& motion : cuts.motions()) {
     if (!is_cut(motion) || motion.tool < 0 || seen[static_cast<std::size_t>(motion.tool)]) continue;
     seen[static_cast<std::size_t>(motion.tool)] = true;
     samples.push_back(motion);
   }
-  return SweepTable(samples, cuts.tools, 0).smallest_radius();
+  return SweepTable(samples, cuts.tools(), 0).smallest_radius();
 }
 
-void choose_voxel(CarveOptions& options, const CutHistory& cuts, JobResult& result) {
+void choose_voxel(CarveOptions& options, const CutList& cuts, JobResult& result) {
   result.voxel_reason = "--voxel";
   if (options.voxel == 0) {
     const VoxelChoice choice = default_voxel(result.stock, smallest_radius(cuts));
@@ -172,9 +171,9 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
 }
 
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
-double volume_before(const StockShape& shape, const CarveOptions& options,
-                     const MeshOptions& mesh) {
+double volume_before(const StockShape& shape, CarveOptions options, const MeshOptions& mesh) {
   if (!shape.history.motions.empty()) {
+    options.keep_grid = false;
     ContourReport found;
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
     MeshAudit audit(mesh.threads);
@@ -189,12 +188,12 @@ double volume_before(const StockShape& shape, const CarveOptions& options,
 }
 
 // `excess`: what the mesh holds more than the exact part, mm^3.
-void summarize_part(JobResult& result, PartMesh& part, const CutHistory& cuts, double excess) {
+void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess) {
   result.summary = part.summary();
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
-  part.set_origin(owner_table(owners_of(part.source()), cuts));
+  part.set_origin(owner_table(part.owners(), cuts));
   result.triangles = part.source().triangles();
   result.volume = s.volume - excess;
   result.removed_volume = result.stock_volume - result.volume;
@@ -274,8 +273,7 @@ void make_mesh(JobResult& result, PartMesh& part, const Stock& stock, const Mesh
   extract_mesh(stock, options, part, &found);
   if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
   if (stock.in_slabs()) report_slabs(result, part, stock);
-  const std::set<std::int32_t> owners = owners_of(part.source());
-  if (*owners.rbegin() < 0)
+  if (part.owners().back() < 0)
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
@@ -335,21 +333,22 @@ JobResult simulate(const Job& job) {
   require_cuts(job, result);
 
   result.stock = choose_stock(job, result);
-  const CutList cuts = join_cuts(result.stock.history, result.program);
+  const CutList cuts(result.stock.history, result.program);
   CarveOptions options = job.carve;
-  choose_voxel(options, cuts.all, result);
+  choose_voxel(options, cuts, result);
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
+  options.keep_grid = std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 
-  const Stock stock = carve(result.stock, cuts.all.motions, cuts.all.tools, options);
+  const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options);
   result.active_voxels = stock.active_voxels();
   result.expected_memory = static_cast<std::size_t>(stock.memory_expected());
   clock.done("carve");
   result.collisions =
-      find_collisions(stock, cuts.all.motions, cuts.all.tools, cuts.inherited, job.collisions);
+      find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
   ContourReport contour_report;
@@ -357,12 +356,11 @@ JobResult simulate(const Job& job) {
                 mesh_options.tolerance > 0 ? mesh_options.threads : 1);
   make_mesh(result, part, stock, mesh_options, contour_report);
   clock.done("mesh");
-  options.keep_grid = false;
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, part, job);
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
-  summarize_part(result, part, cuts.all, is_whole ? contour_report.volume_excess : 0);
+  summarize_part(result, part, cuts, is_whole ? contour_report.volume_excess : 0);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
   if (job.inspect) {
@@ -370,8 +368,11 @@ JobResult simulate(const Job& job) {
     clock.done("inspect");
   }
 
-  StockRecipe recipe{result.stock, result.voxel};
-  recipe.shape.history = cuts.all;
+  StockRecipe recipe;
+  if (options.keep_grid) {
+    recipe = {result.stock, result.voxel};
+    recipe.shape.history = cuts.history();
+  }
   MeshFileOptions files = job.files;
   files.threads = job.mesh.threads;
   write_outputs(job.outputs, part.source(), stock, recipe, files);

@@ -1,8 +1,9 @@
 #include "mesh/palette.h"
 
+#include "mesh/owner_set.h"
+
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -91,7 +92,7 @@ std::string owner_label(const OwnerTable& table, std::int32_t owner) {
   return label;
 }
 
-OwnerColors color_owners(const std::set<std::int32_t>& owners, const OwnerTable& table,
+OwnerColors color_owners(const std::vector<std::int32_t>& owners, const OwnerTable& table,
                          ColorBy by) {
   OwnerColors out;
   if (by == ColorBy::none || owners.empty()) return out;
@@ -116,14 +117,10 @@ OwnerColors color_owners(const std::set<std::int32_t>& owners, const OwnerTable&
   return out;
 }
 
-std::set<std::int32_t> owners_of(const MeshSource& mesh) {
-  std::set<std::int32_t> owners;
-  mesh.for_each_block([&](const MeshBlock& block) {
-    std::optional<std::int32_t> last;
-    for (const std::int32_t owner : block.owners)
-      if (owner != last) last = *owners.insert(owner).first;
-  });
-  return owners;
+std::vector<std::int32_t> owners_of(const MeshSource& mesh) {
+  OwnerSet owners;
+  mesh.for_each_block([&](const MeshBlock& block) { owners.add(block.owners); });
+  return owners.sorted();
 }
 
 FacePalette make_palette(const TriMesh& mesh, ColorBy by) {

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -37,10 +36,12 @@ struct OwnerColors {
   bool empty() const { return entry_of.empty(); }
   std::uint32_t entry(std::int32_t owner) const { return entry_of.at(owner < -1 ? -1 : owner); }
 };
-OwnerColors color_owners(const std::set<std::int32_t>& owners, const OwnerTable& table, ColorBy by);
+/// `owners`: ascending, each once.
+OwnerColors color_owners(const std::vector<std::int32_t>& owners, const OwnerTable& table,
+                         ColorBy by);
 
-/// The owners that a mesh names.
-std::set<std::int32_t> owners_of(const MeshSource& mesh);
+/// The owners that a mesh names, ascending.
+std::vector<std::int32_t> owners_of(const MeshSource& mesh);
 
 /// Tools: a set of colours made for colour blindness (after Okabe and Ito), by the order of the
 /// tool list. Lines: a ramp from blue to ochre that grows steadily lighter, from the first line to

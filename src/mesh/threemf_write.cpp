@@ -6,7 +6,7 @@
 #include "mesh/zip.h"
 
 #include <map>
-#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ constexpr const char* kRelations =
 
 using Bases = std::map<std::int32_t, std::size_t>;  // each owner with its base material
 
-Bases bases_of(const std::set<std::int32_t>& owners) {
+Bases bases_of(const std::vector<std::int32_t>& owners) {
   Bases base;
   for (const std::int32_t owner : owners) base.emplace(owner, base.size());
   return base;
@@ -82,7 +82,7 @@ void write_geometry(const MeshSource& mesh, const Bases& bases, int threads, con
 }  // namespace
 
 void write_3mf(const MeshSource& mesh, ColorBy color, const ByteSink& out, int threads) {
-  const std::set<std::int32_t> owners = owners_of(mesh);
+  const std::vector<std::int32_t> owners = owners_of(mesh);
   const Bases bases = bases_of(owners);
   std::string head = kXml;
   head +=

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "removal/collision_probe.h"
 #include "removal/collision_search.h"
 #include "removal/stock_grid.h"
 
@@ -86,32 +87,43 @@ void Check::step(std::size_t total) {
     throw Error("cancelled", "the run was stopped");
 }
 
-// One hit for each mover: that of its first block.
+// One hit for each mover: the probe's, else that of its first block.
 void Check::detect(std::size_t part, std::vector<Hit>& hits) {
   const Movers& movers = movers_[part];
   if (movers.motions.empty()) return;
   const CollisionScene scene = this->scene(part);
+  const double near = kBandVoxels * grid_.voxel;
+  std::vector<char> known(movers.motions.size(), 0);
+  const auto add = [&](const CollisionHit& hit) {
+    if (known[hit.mover] == 0) hits.push_back({movers.motions[hit.mover], part, hit});
+    known[hit.mover] = 1;
+  };
+  const auto box_of = [&](std::uint32_t mover) {
+    const Box3 bounds = movers.sweeps.bounds(mover);
+    return search_box(bounds, bounds);
+  };
+  for (const CollisionHit& hit : probe_movers(scene, *grid_.index, near, box_of, options_.threads))
+    add(hit);
+  if (std::find(known.begin(), known.end(), 0) == known.end()) return;
   const BlockIndex index(*grid_.index, movers.sweeps);
   std::vector<std::vector<CollisionHit>> found(index.size());
   blocks_ = 0;
   parallel_for(index.size(), options_.threads, [&](std::size_t b) {
-    const auto here = index.sweeps(b);
+    Candidates here;
+    for (const std::uint32_t mover : index.sweeps(b))
+      if (known[mover] == 0) here.push_back(mover);
     Box3 bounds;
     for (const std::uint32_t mover : here) extend(bounds, movers.sweeps.bounds(mover));
     const Box3 box = here.empty() ? Box3{} : search_box(index.box(b), bounds);
     if (!is_empty(box)) {
-      const Box3 near = inflated(index.box(b), kBandVoxels * grid_.voxel);
+      const Box3 around = inflated(index.box(b), near);
       found[b] = CollisionDetector(scene).detect(
-          box, grid_.field->sweeps().opened(grid_.index->sweeps(b), near), here);
+          box, grid_.field->sweeps().opened(grid_.index->sweeps(b), around), here);
     }
     step(index.size());
   });
-  std::vector<char> known(movers.motions.size(), 0);
   for (const std::vector<CollisionHit>& block : found)
-    for (const CollisionHit& hit : block) {
-      if (known[hit.mover] == 0) hits.push_back({movers.motions[hit.mover], part, hit});
-      known[hit.mover] = 1;
-    }
+    for (const CollisionHit& hit : block) add(hit);
 }
 
 // In the order of their first motions; the hits of a line by motion.
