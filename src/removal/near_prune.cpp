@@ -339,4 +339,29 @@ bool SweepTable::prune(const PruneRegion& region, double reach, double band, con
   return true;
 }
 
+bool SweepTable::open_packs(const PruneRegion& region, double reach, std::size_t most,
+                            std::vector<std::uint32_t>& ids) const {
+  static thread_local TurnTree::Packs packs;
+  static thread_local std::vector<TurnTree::Member> members;
+  const std::size_t plain = columns_->sweeps_of(ids).size();
+  if (plain == ids.size()) return true;
+  const TurnTree& tree = columns_->turn_tree;
+  const TurnRegion at = turn_region(region);
+  packs.clear(), members.clear();
+  for (std::size_t k = plain; k < ids.size(); ++k) {
+    packs.push_back(ids[k] - static_cast<std::uint32_t>(size()));
+    if (packs.size() > most || !tree.is_leaf(packs.back())) return false;
+  }
+  TurnTree::Nearest best;
+  for (const std::uint32_t pack : packs) tree.nearest(pack, at.center.x, at.center.y, best);
+  tree.members(at, best, reach, 2 * max_error() + kRounding, packs, members);
+  if (members.size() > most) return false;
+  ids.resize(plain);
+  for (const TurnTree::Member& m : members) ids.push_back(m.sweep);
+  std::sort(ids.begin(), ids.end());
+  // A sweep and its mirror image are one.
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return true;
+}
+
 }  // namespace mrsim
