@@ -23,7 +23,9 @@ struct Case {
 
 constexpr Case kCases[] = {{"raster-10000", 0.25, 0},    {"raster-100000", 0.25, 0},
                            {"raster-1000000", 0.1, 0},   {"arcs-5000", 0.25, 0},
-                           {"raster-10000", 0.25, 0.02}, {"arcs-5000", 0.25, 0.02}};
+                           {"turn-1000", 0.25, 0},       {"turn-10000", 0.25, 0},
+                           {"raster-10000", 0.25, 0.02}, {"arcs-5000", 0.25, 0.02},
+                           {"turn-100", 0.25, 0.02},     {"turn-1000", 0.25, 0.02}};
 
 // The stock of the last case, carved once.
 const Stock& stock_of(const Case& c) {
@@ -47,6 +49,7 @@ void mesh(benchmark::State& state, const Case& c, int threads) {
                         {.tolerance = c.tolerance, .threads = threads, .progress = {}}, &report)
                     .triangles.size();
   state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["cells"] = static_cast<double>(report.cells);
   for (const auto& [step, seconds] : report.seconds) state.counters[step] = 1e3 * seconds;
 }
 

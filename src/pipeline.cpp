@@ -173,7 +173,7 @@ void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
 double volume_before(const StockShape& shape, CarveOptions options, const MeshOptions& mesh) {
   if (!shape.history.motions.empty()) {
-    options.keep_grid = false;
+    options.keep_grid = false;  // of a stock that only its volume is asked of
     ContourReport found;
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
     MeshAudit audit(mesh.threads);
@@ -339,7 +339,6 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
-  options.keep_grid = std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 
@@ -369,7 +368,7 @@ JobResult simulate(const Job& job) {
   }
 
   StockRecipe recipe;
-  if (options.keep_grid) {
+  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb)) {
     recipe = {result.stock, result.voxel};
     recipe.shape.history = cuts.history();
   }

@@ -58,8 +58,7 @@ struct CarveOptions {
   // simulate() sets the following.
   /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
   bool grid_mesh = false;
-  /// Keep the narrow band, for a .vdb, unless the run is done in slabs: without it its voxels are
-  /// only counted.
+  /// Keep the narrow band, unless the run is done in slabs: without it its voxels are only counted.
   bool keep_grid = true;
   /// What keeps a run that does not fit from being done in slabs, a sentence for its refusal;
   /// empty: it can be.

@@ -16,8 +16,7 @@ namespace {
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
 // active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
 // cells of a mesh with a tolerance are there while it is made.
-constexpr double kProgram = 60e6, kMotion = 750, kThread = 30e6;
-constexpr double kRecipeMotion = 350;  ///< in a .vdb
+constexpr double kProgram = 60e6, kMotion = 850, kThread = 30e6;
 constexpr double kGridColumn = 160, kMeshColumn = 70, kToleranceColumn = 306;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
@@ -44,8 +43,7 @@ struct Need {
 
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
-    const double per_motion = kMotion + (options.keep_grid ? kRecipeMotion : 0);
-    const double always = kProgram + per_motion * static_cast<double>(motions);
+    const double always = kProgram + kMotion * static_cast<double>(motions);
     const double grid = options.keep_grid && !in_slabs ? columns * kGridColumn : 0;
     if (!options.grid_mesh) return always + std::max(grid, columns * kToleranceColumn);
     const double working =

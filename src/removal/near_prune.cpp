@@ -360,4 +360,31 @@ bool SweepTable::prune(const PruneRegion& region, double reach, double band, con
          prune_once(*this, *columns_, region, reach, band, opened, out);
 }
 
+bool SweepTable::open_turned(const PruneRegion& region, double reach, std::size_t most,
+                             std::vector<std::uint32_t>& ids) const {
+  static thread_local TurnTree::Packs packs;
+  static thread_local std::vector<TurnTree::Member> members;
+  const auto numbers = columns_->numbers_of(ids);
+  if (numbers.turned.empty()) return true;
+  if (!numbers.packs.empty()) return false;
+  const std::size_t plain = numbers.sweeps.size();
+  const TurnTree& tree = columns_->turn_tree;
+  const TurnRegion at = turn_region(region);
+  packs.clear(), members.clear();
+  for (std::size_t k = plain; k < ids.size(); ++k) {
+    packs.push_back(ids[k] - static_cast<std::uint32_t>(size()));
+    if (packs.size() > most || !tree.is_leaf(packs.back())) return false;
+  }
+  TurnTree::Nearest best;
+  for (const std::uint32_t pack : packs) tree.nearest(pack, at.center.x, at.center.y, best);
+  tree.members(at, best, reach, 2 * max_error() + kRounding, packs, members);
+  if (members.size() > most) return false;
+  ids.resize(plain);
+  for (const TurnTree::Member& m : members) ids.push_back(m.sweep);
+  std::sort(ids.begin(), ids.end());
+  // A sweep and its mirror image are one.
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return true;
+}
+
 }  // namespace mrsim

@@ -15,6 +15,7 @@ constexpr double kRounding = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
+constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
 
 // The first of the points, as many as there is room for.
 void fill(PointColumns& columns, std::span<const Vec3> points) {
@@ -45,24 +46,33 @@ class NearDescent final : public ExactField::Descent {
     if (levels_.size() <= level) levels_.resize(level + 1);
     Level& own = levels_[level];
     own.in_stock = levels_[level - 1].in_stock;
-    PruneRegion region = region_of(box);
-    region.open = last;
-    return field_.restrict_to(region, band, levels_[level - 1].left, own.in_stock, own.left);
+    own.region = region_of(box);
+    own.region.open = last;
+    own.reach = own.region.radius + band + field_.slack();
+    return field_.restrict_to(own.region, band, levels_[level - 1].left, own.in_stock, own.left);
   }
   bool is_short(std::size_t level) const override {
     const NearList& left = levels_[level].left;
-    return left.size() <= (left.closed ? kShort : 1);
+    if (left.closed) return left.size() <= kShort;
+    static thread_local Candidates opened;
+    return left.size() <= 1 || list(levels_[level], opened);
   }
-  void candidates(std::size_t level, Candidates& out) const override {
-    out.clear();
-    append_ids(levels_[level].left, out);
-  }
+  void candidates(std::size_t level, Candidates& out) const override { list(levels_[level], out); }
 
  private:
   struct Level {
     NearList left;
+    PruneRegion region;
+    double reach = 0;
     bool in_stock = false;
   };
+  // Turning sweeps by name where they are few: asked side by side they cost less than their tree.
+  // False where packs are left.
+  bool list(const Level& level, Candidates& out) const {
+    out.clear();
+    append_ids(level.left, out);
+    return field_.sweeps().open_turned(level.region, level.reach, kShortTurned, out);
+  }
   // A cube about it bounds a box that is nearly one more sharply than its ball.
   static PruneRegion region_of(const Box3& box) {
     const Vec3 half = 0.5 * (box.hi - box.lo), center = box.lo + half;

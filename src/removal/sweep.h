@@ -102,6 +102,12 @@ class SweepTable {
   bool prune(const PruneRegion& region, double reach, double band, const NearList& in,
              NearList& out) const;
 
+  /// Puts those turning sweeps that prune() for this region and `reach` would leave in place of the
+  /// packs of a list, if they are at most `most`; false, and nothing, where they are more or where
+  /// packs of milling sweeps are left.
+  bool open_turned(const PruneRegion& region, double reach, std::size_t most,
+                   std::vector<std::uint32_t>& ids) const;
+
   /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
   /// distance().
   void least(const NearList& list, PointColumns& points) const;
@@ -127,6 +133,7 @@ class SweepTable {
   bool open(const PruneRegion& region, const NearList& in, NearList& out) const;
   void least_of(std::uint32_t id, PointColumns& points) const;
   void least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const;
+  void least_of_turns(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
   struct Columns;
   std::unique_ptr<Columns> columns_;

@@ -28,7 +28,7 @@ ToolColumns tool_columns(const Profile& tool) {
 SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, std::uint32_t form) {
   SweepClass k;
   k.form = static_cast<SweepClass::Form>(form);
-  if (ref.frame != 0 || ref.kind == SweepKind::path) return k;
+  if (ref.frame != 0 || ref.kind == SweepKind::path || ref.kind == SweepKind::turn) return k;
   const bool strip = ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
   k.kind = strip ? SweepClass::Kind::solid : SweepClass::Kind::plan;
   k.group = 2 * ref.shape + (strip ? 1 : 0);
@@ -89,7 +89,6 @@ void SweepColumns::classify() {
   std::uint32_t last_class = 0;
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const SweepRef& ref = refs[i];
-    if (ref.kind == SweepKind::turn) continue;  // by packs
     const std::uint32_t form = tags[i] >> kTagShift;
     const SweepClass k = class_of_sweep(*this, ref, form);
     const Key key{k.group, form, ref.shape, -1};

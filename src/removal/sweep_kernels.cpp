@@ -3,11 +3,17 @@
 // is never among them (contraction would change bits).
 #include "removal/sweep_kernels.h"
 
+#include "core/error.h"
+#include "core/suggest.h"
 #include "removal/sweep_lane_scalar.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define MRSIM_X86 1
@@ -210,11 +216,18 @@ const SweepKernels* sweep_kernels(SimdLevel level) {
 }
 
 SimdLevel best_simd_level() {
+  static constexpr std::string_view kNames[] = {"scalar", "avx2", "avx512"};
   const char* set = std::getenv("MRSIM_SIMD");
-  const std::string_view most = set == nullptr ? "" : set;
-  if (most != "scalar" && most != "avx2" && has_simd(SimdLevel::avx512)) return SimdLevel::avx512;
-  if (most != "scalar" && has_simd(SimdLevel::avx2)) return SimdLevel::avx2;
-  return SimdLevel::scalar;
+  const std::string_view most = set == nullptr || *set == 0 ? kNames[2] : set;
+  const auto* name = std::find(std::begin(kNames), std::end(kNames), most);
+  if (name == std::end(kNames))
+    throw Error("simd-unknown",
+                fmt::format("MRSIM_SIMD={} in the environment is none of scalar, avx2 and avx512{}",
+                            most, suggestion(most, kNames)),
+                Error::Kind::usage);
+  auto level = static_cast<int>(name - std::begin(kNames));
+  while (!has_simd(static_cast<SimdLevel>(level))) --level;
+  return static_cast<SimdLevel>(level);
 }
 
 const SweepKernels& sweep_kernels() {

@@ -67,8 +67,8 @@ bool has_simd(SimdLevel level);
 const SweepKernels* sweep_kernels(SimdLevel level);
 /// The best ones; chosen once.
 const SweepKernels& sweep_kernels();
-/// The best level of this machine; with MRSIM_SIMD=scalar or avx2 in the environment none above
-/// that (tests and benchmarks compare them).
+/// The best level of this machine; with MRSIM_SIMD=scalar, avx2 or avx512 in the environment none
+/// above that (tests and benchmarks compare them). Throws Error "simd-unknown" for any other value.
 SimdLevel best_simd_level();
 /// The entry for a level that this build and this machine have, else null: tables are scalar, AVX2,
 /// AVX-512, null where the build has none.

@@ -171,14 +171,22 @@ void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points)
     for (std::size_t k = 0; k < part.n; ++k) some[k] = ids[part.places[k]];
     form.least(records.data(), part.rows, some, part.n, points);
   };
+  static thread_local std::vector<std::uint32_t> turns;
+  turns.clear();
   for (; !ids.empty(); ids = ids.subspan(std::min(kChunk, ids.size()))) {
     Parts parts;
-    for (std::size_t k = 0; k < std::min(kChunk, ids.size()); ++k)
-      if (!parts.add(c.tags[ids[k]], k)) least_of(ids[k], points);
+    for (std::size_t k = 0; k < std::min(kChunk, ids.size()); ++k) {
+      if (parts.add(c.tags[ids[k]], k)) continue;
+      if (c.refs[ids[k]].kind == SweepKind::turn)
+        turns.push_back(ids[k]);
+      else
+        least_of(ids[k], points);
+    }
     run(kernels.ball_line, c.ball_lines, parts.forms[0]);
     run(kernels.plane_line, c.plane_lines, parts.forms[1]);
     run(kernels.plane_arc, c.plane_arcs, parts.forms[2]);
   }
+  if (!turns.empty()) least_of_turns(turns, points);
 }
 
 void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
@@ -193,6 +201,25 @@ void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
     points.least[k] = d;
     points.nearest[k] = id;
   }
+}
+
+void SweepTable::least_of_turns(std::span<const std::uint32_t> ids, PointColumns& points) const {
+  static thread_local PointColumns turned;
+  static thread_local std::vector<TurnTree::Member> members;
+  members.clear();
+  for (const std::uint32_t id : ids)
+    columns_->turn_tree.append_sides(id, columns_->refs[id].row, members);
+  turned.count = points.count;
+  const std::size_t padded =
+      (points.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
+  for (std::size_t k = 0; k < padded; ++k) {
+    turned.x[k] = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
+    turned.y[k] = 0, turned.z[k] = points.z[k];
+    turned.least[k] = points.least[k], turned.nearest[k] = points.nearest[k];
+  }
+  columns_->turn_tree.least(members, turned);
+  std::copy(turned.least, turned.least + padded, points.least);
+  std::copy(turned.nearest, turned.nearest + padded, points.nearest);
 }
 
 void SweepTable::least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const {

@@ -351,6 +351,12 @@ void TurnTree::members(const TurnRegion& region, const Nearest& best, double lim
   for (const std::uint32_t pack : in) narrowing.members(pack, out);
 }
 
+void TurnTree::append_sides(std::uint32_t sweep, std::uint32_t row,
+                            std::vector<Member>& out) const {
+  out.push_back({sweep, row, false});
+  if (!turns_[row].one_sided) out.push_back({sweep, row, true});
+}
+
 void TurnTree::least(std::span<const Member> members, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   for (const Member& m : members) {

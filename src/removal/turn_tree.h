@@ -54,6 +54,8 @@ class TurnTree {
 
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
+  /// The pack holds sweeps, not packs.
+  bool is_leaf(std::uint32_t pack) const { return packs_[pack / 2].leaf; }
   /// Indices of the sweeps of a pack, in no order.
   void append_sweeps(std::uint32_t pack, std::vector<std::uint32_t>& out) const;
 
@@ -70,6 +72,9 @@ class TurnTree {
   /// Appends those sweeps of what narrow() has left that may be nearest somewhere in the region.
   void members(const TurnRegion& region, const Nearest& best, double limit, double slack,
                std::span<const std::uint32_t> in, std::vector<Member>& out) const;
+
+  /// Appends sweep `sweep` of row `row`, and its mirror image where that counts.
+  void append_sides(std::uint32_t sweep, std::uint32_t row, std::vector<Member>& out) const;
 
   /// Brings `points`, as (rho, 0, z), up to date with some sweeps, the bits of turn_distance.
   void least(std::span<const Member> members, PointColumns& points) const;

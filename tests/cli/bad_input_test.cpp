@@ -27,6 +27,25 @@ TEST_F(BadInput, Program) {
   expect_failure("error.MPF --tool 4=endmill:d=5 --stock block.stl -o part.stl", 1, "error.MPF:6:");
 }
 
+TEST_F(BadInput, Environment) {
+  const auto run_with = [this](const char* level) {
+    ::setenv("MRSIM_SIMD", level, 1);
+    const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 1 -o part.stl");
+    ::unsetenv("MRSIM_SIMD");
+    return outcome;
+  };
+  for (const char* level : {"avx", "AVX2", "none"}) {
+    const Outcome outcome = run_with(level);
+    EXPECT_EQ(outcome.code, 2) << level << outcome.err;
+    EXPECT_NE(outcome.err.find("none of scalar, avx2 and avx512"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("[simd-unknown]"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(exists("part.stl"));
+  }
+  for (const char* level : {"", "scalar", "avx2", "avx512"})
+    EXPECT_EQ(run_with(level).code, 0) << level;
+}
+
 TEST_F(BadInput, UnknownTool) {
   write("tool.MPF",
         "G54\nTRANS X50 Y-30 Z10\nT9 M6\nS3200 F200 M3\nG0 X0 Y0 Z5\nG1 Z-2\nG1 X10\nM30\n");

@@ -77,6 +77,58 @@ TEST(TurnTree, PruningNeverChangesABit) {
   }
 }
 
+// Packs of a small region, opened: as many sweeps as decide its points, in any list.
+TEST(TurnTree, OpenedPacksGiveTheSameBits) {
+  Random r(7);
+  const std::vector<Tool> tools = inserts();
+  int opened = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools, 50);
+    const Vec3 center = somewhere(r);
+    const double half = r(0.01, 0.3), band = 3 * half;
+    const PruneRegion region = PruneRegion::block(center, half);
+    const double reach = region.radius + band + 1e-9;
+    NearList all, left;
+    sweeps.list(sweeps.all(), center, all);
+    if (!sweeps.prune(region, reach, band, all, left)) continue;
+    std::vector<std::uint32_t> ids;
+    for (const NearList::Run& run : left.runs())
+      for (std::size_t k = 0; k < run.count; ++k) ids.push_back(left.id(run.first + k));
+    const std::vector<std::uint32_t> packs = ids;
+    if (!sweeps.open_turned(region, reach, 20, ids)) {
+      EXPECT_EQ(ids, packs);
+      continue;
+    }
+    opened += ids.size() > 1;
+    for (const std::uint32_t id : ids) ASSERT_LT(id, sweeps.size());
+    // The list is a list like others: it can be pruned on.
+    NearList named, again;
+    sweeps.list(ids, center, named);
+    ASSERT_TRUE(sweeps.prune(region, reach, band, named, again));
+    PointColumns points{}, pruned{};
+    points.count = 8;
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const Vec3 p = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
+      points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z, points.least[k] = INFINITY;
+    }
+    pruned = points;
+    sweeps.least(ids, points);
+    sweeps.least(again, pruned);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const Vec3 p{points.x[k], points.y[k], points.z[k]};
+      const SweepTable::Nearest expected = of_all(sweeps, p), alone = sweeps.nearest(ids, p);
+      if (std::fabs(expected.distance) >= band) continue;
+      ASSERT_EQ(expected.distance, points.least[k]) << "round " << round;
+      ASSERT_EQ(expected.sweep, points.nearest[k]) << "round " << round;
+      ASSERT_EQ(expected.distance, alone.distance);
+      ASSERT_EQ(expected.sweep, alone.sweep);
+      ASSERT_EQ(expected.distance, pruned.least[k]);
+      ASSERT_EQ(expected.sweep, pruned.nearest[k]);
+    }
+  }
+  EXPECT_GT(opened, 100);
+}
+
 // A long smooth contour asks for few of its sweeps anywhere.
 TEST(TurnTree, OpenedListsHoldWhatMeetsABox) {
   std::vector<Motion> contour;
