@@ -11,7 +11,6 @@ namespace mrsim::detail {
 namespace {
 
 constexpr int kRounds = 6;
-constexpr double kOnSurface = 5e-7;  ///< mm
 
 }  // namespace
 

@@ -1,0 +1,130 @@
+#include "mesh/contour_search.h"
+
+#include <cmath>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr double kMargin = 1e-6;     ///< share of a cell that its vertex keeps from its sides
+constexpr double kCrossing = 1e-10;  ///< mm: what crossings are found to
+constexpr int kCrossingSteps = 80, kFaceSteps = 4;
+
+struct Line {
+  const Vec3 &from, &along;
+};
+// Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance and
+// `normal` at t.
+double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Line& line,
+                    Vec3 normal, double t) {
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 p = line.from + t * line.along;
+    if (k > 0) f = field.patch_distance(p, face) + kInsideTolerance;
+    if (std::abs(f) < 0.2 * kCrossing) return t;
+    if (k > 0) normal = field.gradient(p, face);
+    const double slope = dot(normal, line.along);
+    if (!(slope > 0)) return t;
+    t -= f / slope;
+  }
+  return t;
+}
+
+}  // namespace
+
+bool strictly_inside(const Vec3& p, const Box3& room, int flat) {
+  for (int a = 0; a < 3; ++a) {
+    if (a == flat) continue;
+    const double lo = component(room.lo, a), hi = component(room.hi, a), m = kMargin * (hi - lo);
+    if (!(component(p, a) > lo + m && component(p, a) < hi - m)) return false;
+  }
+  return true;
+}
+
+bool in_reach(const Vec3& p, const Box3& room) {
+  const Vec3 half = 0.5 * (room.hi - room.lo), off = p - 0.5 * (room.lo + room.hi);
+  return dot(off, off) <= dot(half, half);
+}
+
+CrossingSearch::CrossingSearch(const SegmentEnd& inside, const SegmentEnd& outside)
+    : from_(inside.position),
+      along_(outside.position - inside.position),
+      size_(length(along_)),
+      fa_(inside.offset),
+      fb_(outside.offset),
+      t_(fb_ > fa_ ? -fa_ / (fb_ - fa_) : 0.5) {
+  if (!(t_ > a_ && t_ < b_)) t_ = 0.5;
+  point_ = from_ + t_ * along_;
+}
+
+bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
+  const double f = sample.distance + kInsideTolerance;
+  const bool has_normal = steps_ > 0 && steps_ <= kFaceSteps && same_face(sample, at_);
+  at_ = sample;
+  if (std::abs(f) < kCrossing || (b_ - a_) * size_ <= kCrossing || steps_ == kCrossingSteps) {
+    if (!has_normal) normal_ = field.gradient(point_, at_);
+    return true;
+  }
+  if (f < 0) {
+    a_ = t_;
+    fa_ = f;
+    if (side_ < 0) fb_ *= 0.5;
+    side_ = -1;
+  } else {
+    b_ = t_;
+    fb_ = f;
+    if (side_ > 0) fa_ *= 0.5;
+    side_ = 1;
+  }
+  // The zero of the face that decides here; then Illinois; plain halving when that is slow.
+  if (steps_ < kFaceSteps) {
+    normal_ = field.gradient(point_, at_);
+    t_ = zero_on_line(field, at_, f, {from_, along_}, normal_, t_);
+  } else {
+    t_ = steps_ < 24 && fb_ > fa_ ? a_ + (b_ - a_) * (-fa_ / (fb_ - fa_)) : 0.5 * (a_ + b_);
+  }
+  if (!(t_ > a_ && t_ < b_)) t_ = 0.5 * (a_ + b_);
+  point_ = from_ + t_ * along_;
+  ++steps_;
+  return false;
+}
+
+Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+  CrossingSearch search({inside, probe.offset(inside)}, {outside, probe.offset(outside)});
+  run_together(probe, std::span(&search, 1));
+  return search.point();
+}
+
+SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,
+                           const FieldSample* face)
+    : room_(room), point_(start) {
+  if (face != nullptr) follow(field, *face, field.patch_distance(start, *face));
+}
+
+// Newton's iteration on one face, at distance d from it.
+void SmoothSearch::follow(const ExactField& field, const FieldSample& face, double d) {
+  for (int i = 0; i < 3 && std::abs(d) > 1e-10; ++i) {
+    point_ = point_ - d * field.gradient(point_, face);
+    d = field.patch_distance(point_, face);
+  }
+}
+
+bool SmoothSearch::take(const ExactField& field, const FieldSample& sample) {
+  at_ = sample;
+  if (std::abs(sample.distance) > 1e-9 && steps_ < kNewtonSteps) {
+    follow(field, sample, sample.distance);
+    ++steps_;
+    return !in_reach(point_, room_);
+  }
+  found_ = strictly_inside(point_, room_, -1) && std::abs(at_.distance) <= kOnSurface;
+  return true;
+}
+
+SurfacePoint SmoothSearch::result() const {
+  SurfacePoint result;
+  if (!found_) return result;
+  result.position = point_;
+  result.faces[0] = at_;
+  result.count = 1;
+  return result;
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,114 @@
+// Searches for points of the exact surface that say where they want d next, so that those with the
+// same list of sweeps are sampled together: on an edge of the grid, and in a cell along one face.
+#pragma once
+
+#include "mesh/contour_lattice.h"
+#include "removal/field.h"
+
+#include <span>
+#include <vector>
+
+namespace mrsim::detail {
+
+inline constexpr double kOnSurface = 5e-7;  ///< mm: |d| at which a point counts as exact
+inline constexpr int kNewtonSteps = 24;
+
+inline bool same_face(const FieldSample& a, const FieldSample& b) {
+  return a.owner == b.owner && a.patch == b.patch;
+}
+
+/// The field with the sweeps that matter here.
+struct Probe {
+  const ExactField& field;
+  std::span<const std::uint32_t> candidates;
+  double shallow = 0;  ///< mm: creases that need not be found if cutting them off moves less
+
+  FieldSample sample(const Vec3& p) const { return field.sample(p, candidates); }
+  double offset(const Vec3& p) const { return sample(p).distance + kInsideTolerance; }
+};
+
+/// A point of the surface and the faces of the part that meet in it.
+struct SurfacePoint {
+  Vec3 position;
+  FieldSample faces[3];
+  int count = 0;  ///< 1 smooth, 2 crease, 3 corner; 0 = none found
+};
+
+/// One end of a segment that the surface crosses, with d + kInsideTolerance there, which may be
+/// rounded.
+struct SegmentEnd {
+  Vec3 position;
+  double offset = 0;
+};
+
+/// Where the surface crosses the segment from `inside` to `outside`, to 1e-10 mm. Requires d to
+/// differ in side. Follows the face that decides d: two samples in most cases.
+class CrossingSearch {
+ public:
+  CrossingSearch(const SegmentEnd& inside, const SegmentEnd& outside);
+
+  const Vec3& point() const { return point_; }  ///< where d is wanted; when done, the crossing
+  const FieldSample& at() const { return at_; }
+  const Vec3& normal() const { return normal_; }  ///< of the surface, nearly there
+  /// Takes the sample at point(); true when that is the crossing.
+  bool take(const ExactField& field, const FieldSample& sample);
+
+ private:
+  Vec3 from_, along_, point_, normal_;
+  FieldSample at_;
+  double size_, a_ = 0, b_ = 1, fa_, fb_, t_;
+  int side_ = 0, steps_ = 0;
+};
+Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
+
+/// A point of the surface strictly inside `room`, from `start` on, along whatever face decides d:
+/// creases are met only by chance.
+class SmoothSearch {
+ public:
+  /// `face`: what decides d at the start, null where that is not known.
+  SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,
+               const FieldSample* face = nullptr);
+
+  const Vec3& point() const { return point_; }  ///< where d is wanted
+  /// Takes the sample at point(); true when the search has ended.
+  bool take(const ExactField& field, const FieldSample& sample);
+  /// What was found; count = 0: nothing.
+  SurfacePoint result() const;
+
+ private:
+  void follow(const ExactField& field, const FieldSample& face, double d);
+
+  Box3 room_;
+  Vec3 point_;
+  FieldSample at_;
+  int steps_ = 0;
+  bool found_ = false;
+};
+
+/// Runs searches that share their candidates to their ends, sampling for all of them at once.
+template <class Search>
+void run_together(const Probe& probe, std::span<Search> searches) {
+  static thread_local std::vector<std::size_t> open;
+  static thread_local std::vector<Vec3> points;
+  static thread_local std::vector<FieldSample> samples;
+  open.clear();
+  for (std::size_t k = 0; k < searches.size(); ++k) open.push_back(k);
+  while (!open.empty()) {
+    points.clear();
+    for (const std::size_t k : open) points.push_back(searches[k].point());
+    samples.resize(points.size());
+    probe.field.samples(points, probe.candidates, samples.data());
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (!searches[open[i]].take(probe.field, samples[i])) open[left++] = open[i];
+    open.resize(left);
+  }
+}
+
+/// In the room, off its sides by 1e-6 of it (`flat`: the axis on which it has no extent, or -1).
+bool strictly_inside(const Vec3& p, const Box3& room, int flat);
+
+/// In the ball about the room, beyond which other sweeps may matter than the probe's.
+bool in_reach(const Vec3& p, const Box3& room);
+
+}  // namespace mrsim::detail
