@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "mesh/mesh_io.h"
+#include "mesh/stl.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>
@@ -52,19 +53,48 @@ std::string spill_folder(const std::vector<std::string>& paths) {
   return folder.empty() ? "." : folder;
 }
 
-void write_outputs(const std::vector<std::string>& paths, const MeshSource& mesh,
-                   const Stock& stock, const StockRecipe& recipe, const MeshFileOptions& options) {
-  std::vector<OutputFile> files;
+struct Outputs::File {
+  explicit File(const std::string& path) : draft(path) {}
+  DraftFile draft;
+  std::unique_ptr<StlStream> stream;  ///< that has taken the blocks
+};
+
+Outputs::Outputs(const std::vector<std::string>& paths, const MeshFileOptions& options, int threads)
+    : options_(options) {
   for (const std::string& path : paths) {
-    if (is_vdb(path)) {
-      files.push_back({path, [&](const ByteSink& out) { write_vdb(stock, recipe, out); }});
-      continue;
-    }
-    files.push_back({path, [&, format = mesh_format_of(path)](const ByteSink& out) {
-                       encode_mesh(mesh, format, options, out);
-                     }});
+    File& file = *files_.emplace_back(std::make_unique<File>(path));
+    if (!is_vdb(path) && mesh_format_of(path) == MeshFormat::stl && !options.ascii)
+      file.stream = std::make_unique<StlStream>(file.draft, threads);
   }
-  write_files_atomically(files);
+}
+
+Outputs::~Outputs() = default;
+
+void Outputs::take(const MeshBlock& block) {
+  for (const auto& file : files_)
+    if (file->stream) file->stream->take(block);
+}
+
+void Outputs::restart() {
+  for (const auto& file : files_)
+    if (file->stream) file->stream->restart();
+}
+
+void Outputs::complete(File& file, const MeshSource& mesh, const Stock& stock,
+                       const StockRecipe& recipe) {
+  if (file.stream && !replaced_) return file.stream->finish();
+  if (file.stream) file.draft.clear();
+  const std::string& path = file.draft.path();
+  if (is_vdb(path))
+    write_vdb(stock, recipe, file.draft.sink());
+  else
+    encode_mesh(mesh, mesh_format_of(path), options_, file.draft.sink());
+  file.draft.finish();
+}
+
+void Outputs::finish(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe) {
+  for (const auto& file : files_) complete(*file, mesh, stock, recipe);
+  for (const auto& file : files_) file->draft.publish();
 }
 
 TriMesh read_mesh(const std::string& path) { return load_mesh(path); }

@@ -7,6 +7,7 @@
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,29 @@ std::string whole_output(const std::vector<std::string>& paths);
 /// Where the mesh may be kept while it is made: the folder of the first output.
 std::string spill_folder(const std::vector<std::string>& paths);
 
-/// Writes the part under every name, or under none.
-void write_outputs(const std::vector<std::string>& paths, const MeshSource& mesh,
-                   const Stock& stock, const StockRecipe& recipe,
-                   const MeshFileOptions& options = {});
+/// The files of a run, none of which appears before all are complete. An STL is written while the
+/// mesh is made, the others in finish().
+class Outputs final : public MeshSink {
+ public:
+  /// `threads`: of what is written while the mesh is made.
+  Outputs(const std::vector<std::string>& paths, const MeshFileOptions& options, int threads);
+  ~Outputs() override;
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  void take(const MeshBlock& block) override;
+  void restart() override;
+  /// The mesh is not the one whose blocks came.
+  void replace_mesh() { replaced_ = true; }
+  /// Writes the part under every name, or under none.
+  void finish(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe);
+
+ private:
+  struct File;
+  void complete(File& file, const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe);
+  MeshFileOptions options_;
+  std::vector<std::unique_ptr<File>> files_;
+  bool replaced_ = false;
+};
 
 }  // namespace mrsim

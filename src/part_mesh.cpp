@@ -2,8 +2,8 @@
 
 namespace mrsim {
 
-PartMesh::PartMesh(const std::optional<std::string>& folder, int threads)
-    : audit_(threads), collected_(collector_.mesh()) {
+PartMesh::PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next)
+    : next_(next), audit_(threads), collected_(collector_.mesh()) {
   if (folder) spilled_ = std::make_unique<SpilledMesh>(*folder);
 }
 
@@ -15,6 +15,7 @@ void PartMesh::take(const MeshBlock& block) {
     spilled_->take(block);
   else
     collector_.take(block);
+  next_.take(block);
 }
 
 void PartMesh::restart() {
@@ -23,6 +24,7 @@ void PartMesh::restart() {
   owners_.clear();
   collector_.restart();
   if (spilled_) spilled_->restart();
+  next_.restart();
 }
 
 const MeshSource& PartMesh::source() const {

@@ -18,8 +18,9 @@ namespace mrsim {
 
 class PartMesh final : public MeshSink {
  public:
-  /// `folder`: where it is kept on disk; none: in memory. `threads`: of checks.
-  PartMesh(const std::optional<std::string>& folder, int threads);
+  /// `folder`: where it is kept on disk; none: in memory. `threads`: of checks. `next` takes the
+  /// blocks too.
+  PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next);
 
   void take(const MeshBlock& block) override;
   void restart() override;
@@ -38,6 +39,7 @@ class PartMesh final : public MeshSink {
   TriMesh& in_memory() { return collector_.mesh(); }
 
  private:
+  MeshSink& next_;
   MeshAudit audit_;
   MeshCollector collector_;
   MemoryMesh collected_;

@@ -351,14 +351,20 @@ JobResult simulate(const Job& job) {
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
   ContourReport contour_report;
+  MeshFileOptions files = job.files;
+  files.threads = job.mesh.threads;
+  // Blocks on the voxels come while the threads make the next ones.
+  const int block_threads = mesh_options.tolerance > 0 ? mesh_options.threads : 1;
+  Outputs outputs(job.outputs, files, block_threads);
   PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
-                mesh_options.tolerance > 0 ? mesh_options.threads : 1);
+                block_threads, outputs);
   make_mesh(result, part, stock, mesh_options, contour_report);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, part, job);
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
+  if (!is_whole) outputs.replace_mesh();
   summarize_part(result, part, cuts, is_whole ? contour_report.volume_excess : 0);
   clock.done("check");
   if (is_faulty(result, job.strict)) return result;
@@ -372,9 +378,7 @@ JobResult simulate(const Job& job) {
     recipe = {result.stock, result.voxel};
     recipe.shape.history = cuts.history();
   }
-  MeshFileOptions files = job.files;
-  files.threads = job.mesh.threads;
-  write_outputs(job.outputs, part.source(), stock, recipe, files);
+  outputs.finish(part.source(), stock, recipe);
   clock.done("write");
   result.mesh = std::move(part.in_memory());
   result.stock.mesh = {};

@@ -31,11 +31,6 @@ class FileDescriptor {
     if (fd_ >= 0) ::close(fd_);
   }
   int get() const { return fd_; }
-  int close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result;
-  }
 
  private:
   int fd_;
@@ -50,76 +45,6 @@ std::string folder_of(const std::string& path) {
   const std::string code = error == ENOSPC ? "output-full" : "output-unwritable";
   throw Error(code, fmt::format("cannot write {}: {}", path, std::strerror(error)));
 }
-
-void write_all(int fd, const std::string& path, const char* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t n = ::write(fd, data, size);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail_output(path, errno);
-    data += n;
-    size -= static_cast<std::size_t>(n);
-  }
-}
-
-void sync_folder(const std::string& folder) {
-  const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0) ::fsync(fd.get());  // best effort: some file systems refuse to sync a folder
-}
-
-// A file beside `path` that takes its place when it is whole, and goes away otherwise.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& path)
-      : path_(path), name_(folder_of(path) + "/.mrsim-XXXXXX"), fd_(create(path, name_)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (!name_.empty()) ::unlink(name_.c_str());
-  }
-
-  void fill(const std::function<void(const ByteSink&)>& writer) {
-    constexpr std::size_t kBuffer = std::size_t(1) << 20;
-    std::string buffer;
-    buffer.reserve(kBuffer);
-    const auto flush = [&] {
-      write_all(fd_.get(), path_, buffer.data(), buffer.size());
-      buffer.clear();
-    };
-    writer([&](const void* data, std::size_t size) {
-      if (buffer.size() + size > kBuffer) flush();
-      if (size >= kBuffer)
-        write_all(fd_.get(), path_, static_cast<const char*>(data), size);
-      else
-        buffer.append(static_cast<const char*>(data), size);
-    });
-    flush();
-    // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
-    struct stat old {};
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    const mode_t mode = ::stat(path_.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
-    if (::fchmod(fd_.get(), mode) != 0 || ::fsync(fd_.get()) != 0 || fd_.close() != 0)
-      fail_output(path_, errno);
-  }
-
-  void take_its_place() {
-    if (::rename(name_.c_str(), path_.c_str()) != 0) fail_output(path_, errno);
-    name_.clear();
-    sync_folder(folder_of(path_));
-  }
-
- private:
-  static int create(const std::string& path, std::string& name) {
-    check_writable(path);
-    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
-    if (fd < 0) fail_output(path, errno);
-    return fd;
-  }
-
-  std::string path_;
-  std::string name_;
-  FileDescriptor fd_;
-};
 
 // Length of the UTF-8 sequence at the head of `s`, 0 when it is not one (overlong forms and
 // surrogates included).
@@ -239,12 +164,13 @@ void check_writable(const std::string& path) {
 }
 
 void write_files_atomically(std::span<const OutputFile> files) {
-  std::vector<std::unique_ptr<TemporaryFile>> written;
+  std::vector<std::unique_ptr<DraftFile>> drafts;
   for (const OutputFile& file : files) {
-    written.push_back(std::make_unique<TemporaryFile>(file.path));
-    written.back()->fill(file.writer);
+    drafts.push_back(std::make_unique<DraftFile>(file.path));
+    file.writer(drafts.back()->sink());
+    drafts.back()->finish();
   }
-  for (const auto& file : written) file->take_its_place();
+  for (const auto& draft : drafts) draft->publish();
 }
 
 void write_file_atomically(const std::string& path,

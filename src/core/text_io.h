@@ -1,6 +1,8 @@
 // Numbers and files, independent of the locale. Reads have a limit, writes are whole or not at all.
 #pragma once
 
+#include "core/draft_file.h"
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -18,10 +20,7 @@ std::optional<double> parse_number(std::string_view text, bool exponent = false)
 /// "file-too-large" (over `limit` bytes).
 std::string read_file(const std::string& path, std::size_t limit = std::size_t(4) << 30);
 
-/// Takes the bytes of an output file, in order.
-using ByteSink = std::function<void(const void* data, std::size_t size)>;
-
-/// Writes `path` whole or not at all: a temporary file beside it, fsync, rename. On any exception,
+/// Writes `path` whole or not at all: a draft beside it, fsync, rename. On any exception,
 /// from `writer` too, the old file is untouched and nothing is left behind. Throws Error
 /// "output-folder", "output-unwritable", "output-full".
 void write_file_atomically(const std::string& path,
@@ -33,7 +32,7 @@ struct OutputFile {
   std::function<void(const ByteSink&)> writer;
 };
 
-/// Writes all files or none: every temporary file is complete before the first is renamed. Throws
+/// Writes all files or none: every draft is complete before the first is renamed. Throws
 /// what write_file_atomically throws.
 void write_files_atomically(std::span<const OutputFile> files);
 

@@ -164,6 +164,25 @@ char* store_point(char* at, const std::array<float, 3>& point) {
   return at;
 }
 
+std::string header_of(std::uint64_t triangles) {
+  if (triangles > 0xffffffff)
+    throw Error("stl-too-large", "the mesh has more triangles than an STL file counts");
+  std::string header = "mrsim binary STL, mm";
+  header.resize(80, ' ');
+  detail::store(header, std::uint32_t(triangles));
+  return header;
+}
+
+void write_triangles(const MeshBlock& block, int threads, const ByteSink& out) {
+  detail::write_items(block.triangles.size(), threads, out, [&](std::string& text, std::size_t f) {
+    const auto& t = block.triangles[f];
+    char record[kTriangle] = {};
+    char* at = store_point(record, facet_normal(block, t));
+    for (const std::uint32_t v : t) at = store_point(at, block.points[v]);
+    text.append(record, kTriangle);
+  });
+}
+
 void append_point(std::string& text, const std::array<float, 3>& point) {
   for (const float x : point) {
     text += ' ';
@@ -196,22 +215,29 @@ TriMesh parse_stl(std::string_view bytes, const std::string& name) {
 }
 
 void write_stl(const MeshSource& mesh, const ByteSink& out, int threads) {
-  if (mesh.triangles() > 0xffffffff)
-    throw Error("stl-too-large", "the mesh has more triangles than an STL file counts");
-  std::string header = "mrsim binary STL, mm";
-  header.resize(80, ' ');
-  detail::store(header, std::uint32_t(mesh.triangles()));
-  detail::write_text(header, out);
-  mesh.for_each_block([&](const MeshBlock& block) {
-    detail::write_items(block.triangles.size(), threads, out,
-                        [&](std::string& text, std::size_t f) {
-                          const auto& t = block.triangles[f];
-                          char record[kTriangle] = {};
-                          char* at = store_point(record, facet_normal(block, t));
-                          for (const std::uint32_t v : t) at = store_point(at, block.points[v]);
-                          text.append(record, kTriangle);
-                        });
-  });
+  detail::write_text(header_of(mesh.triangles()), out);
+  mesh.for_each_block([&](const MeshBlock& block) { write_triangles(block, threads, out); });
+}
+
+StlStream::StlStream(DraftFile& draft, int threads)
+    : draft_(draft), sink_(draft.sink()), threads_(threads) {
+  detail::write_text(header_of(0), sink_);
+}
+
+void StlStream::take(const MeshBlock& block) {
+  write_triangles(block, threads_, sink_);
+  triangles_ += block.triangles.size();
+}
+
+void StlStream::restart() {
+  draft_.clear();
+  triangles_ = 0;
+  detail::write_text(header_of(0), sink_);
+}
+
+void StlStream::finish() {
+  draft_.patch(header_of(triangles_));
+  draft_.finish();
 }
 
 void write_stl_ascii(const MeshSource& mesh, const ByteSink& out, int threads) {

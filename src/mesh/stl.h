@@ -26,6 +26,23 @@ inline void write_stl(const TriMesh& mesh, const ByteSink& out) {
   write_stl(MemoryMesh(mesh), out);
 }
 
+/// The same bytes while the mesh is made, from its blocks as they come.
+class StlStream final : public MeshSink {
+ public:
+  /// Writes to `draft`, which must outlive it, on `threads` threads.
+  StlStream(DraftFile& draft, int threads);
+  void take(const MeshBlock& block) override;
+  void restart() override;
+  /// The count is known, the draft complete. Throws Error "stl-too-large".
+  void finish();
+
+ private:
+  DraftFile& draft_;
+  ByteSink sink_;
+  int threads_;
+  std::uint64_t triangles_ = 0;
+};
+
 /// ASCII STL; numbers are the shortest that read back to the same float.
 void write_stl_ascii(const MeshSource& mesh, const ByteSink& out, int threads = 0);
 inline void write_stl_ascii(const TriMesh& mesh, const ByteSink& out) {

@@ -44,6 +44,27 @@ TEST_F(Pieces, LargestDropsTheOthersAndSaysSo) {
   EXPECT_NEAR(number_after(outcome.out, "removed"), 320, 0.01) << outcome.out;
 }
 
+// The STL was written while the mesh was made, all pieces of it: the piece is written anew.
+TEST_F(Pieces, LargestLeavesNothingOfTheOthersInTheFile) {
+  const Outcome outcome = split("--keep largest -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto triangles = std::size_t(number_after(outcome.out, "triangles"));
+  EXPECT_EQ(read("part.stl").size(), 84 + 50 * triangles);
+}
+
+// Found when the STL is complete but for its name.
+TEST_F(Pieces, StrictRunsThatFailLeaveTheOldFile) {
+  write("old.stl", "old");
+  const Outcome outcome = split("--strict -o old.stl");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_EQ(read("old.stl"), "old");
+  expect_failure(
+      "split.MPF --machine mill --stock box:0,0,-4,20,10,0 --tool 1=endmill:d=40 "
+      "--voxel 0.25 -o old.stl",
+      1, "nothing is left");
+  EXPECT_EQ(read("old.stl"), "old");
+}
+
 TEST_F(Pieces, OnePieceIsNotWorthAWord) {
   const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 1 --keep largest -o a.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

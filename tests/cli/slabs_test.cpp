@@ -44,12 +44,13 @@ TEST_F(Slabs, GiveTheSameBytes) {
 }
 
 TEST_F(Slabs, DropPieces) {
-  ASSERT_EQ(split("--keep largest -o whole.ply").code, 0);
+  ASSERT_EQ(split("--keep largest -o whole.ply -o whole.stl").code, 0);
   const Outcome outcome =
-      split("--keep largest --threads 1 --max-memory " + limit(1) + " -o slabs.ply");
+      split("--keep largest --threads 1 --max-memory " + limit(1) + " -o slabs.ply -o slabs.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "note: done in ")) << outcome.err;
   EXPECT_TRUE(read("slabs.ply") == read("whole.ply"));
+  EXPECT_TRUE(read("slabs.stl") == read("whole.stl"));
 }
 
 TEST_F(Slabs, AreRefusedWithWhatToDo) {

@@ -5,6 +5,7 @@
 #include "support/shapes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,25 @@ TEST(Stl, ReadsBackWhatItWrites) {
     EXPECT_EQ(testing::corners_of(back), testing::corners_of(kBox));
     testing::expect_closed_manifold(back);
   }
+}
+
+TEST(Stl, StreamGivesTheSameBytes) {
+  const std::string path = ::testing::TempDir() + "mrsim-stream.stl";
+  for (const int threads : {1, 2}) {
+    DraftFile draft(path);
+    StlStream stream(draft, threads);
+    stream.take(whole_block(box_mesh({0, 0, 0}, {1, 1, 1})));
+    stream.restart();
+    MeshBlock first = whole_block(kBox), second = first;
+    first.triangles = first.triangles.first(5);
+    second.triangles = second.triangles.subspan(5);
+    stream.take(first);
+    stream.take(second);
+    stream.finish();
+    draft.publish();
+    EXPECT_EQ(read_file(path), binary(kBox));
+  }
+  std::remove(path.c_str());
 }
 
 TEST(Stl, HasTheSizeOfItsTriangles) { EXPECT_EQ(binary(kBox).size(), 84u + 12 * 50); }

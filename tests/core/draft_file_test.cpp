@@ -1,0 +1,140 @@
+#include "core/draft_file.h"
+
+#include "core/error.h"
+#include "core/text_io.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+namespace mrsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Drafts : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "mrsim-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::size_t files() const {
+    return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  fs::path folder_;
+};
+
+TEST_F(Drafts, AppearWhole) {
+  DraftFile draft(path("a"));
+  draft.append("hello", 5);
+  draft.finish();
+  EXPECT_FALSE(fs::exists(path("a")));
+  draft.publish();
+  EXPECT_EQ(read_file(path("a")), "hello");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(Drafts, LeaveNothingWhenTheyAreGivenUp) {
+  std::ofstream(path("a")) << "old";
+  for (const bool finished : {false, true}) {
+    DraftFile draft(path("a"));
+    draft.append("new", 3);
+    if (finished) draft.finish();
+  }
+  EXPECT_EQ(read_file(path("a")), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+// Small pieces are collected, large ones are not; both keep their order.
+TEST_F(Drafts, KeepTheOrderOfTheirPieces) {
+  std::string whole;
+  DraftFile draft(path("a"));
+  for (const std::size_t size : {1u, 70000u, 10u, 65535u, 65536u, 3000000u, 5u, 20000000u, 7u}) {
+    std::string piece(size, char('a' + whole.size() % 23));
+    piece.back() = '\n';
+    draft.append(piece.data(), piece.size());
+    whole += piece;
+  }
+  draft.patch("head");
+  whole.replace(0, 4, "head");
+  draft.finish();
+  draft.publish();
+  EXPECT_TRUE(read_file(path("a")) == whole);
+}
+
+TEST_F(Drafts, BeginAnew) {
+  DraftFile draft(path("a"));
+  const std::string large(100000, 'x');
+  draft.append(large.data(), large.size());
+  draft.append("small", 5);
+  draft.clear();
+  draft.append("other", 5);
+  draft.finish();
+  draft.publish();
+  EXPECT_EQ(read_file(path("a")), "other");
+}
+
+TEST_F(Drafts, KeepTheModeOfTheFileTheyReplace) {
+  const auto mode = [&](const char* name) {
+    struct stat info {};
+    EXPECT_EQ(::stat(path(name).c_str(), &info), 0);
+    return info.st_mode & 07777;
+  };
+  std::ofstream(path("a")) << "old";
+  ::chmod(path("a").c_str(), 0640);
+  const mode_t mask = ::umask(022);
+  for (const char* name : {"a", "b"}) {
+    DraftFile draft(path(name));
+    draft.finish();
+    draft.publish();
+  }
+  ::umask(mask);
+  EXPECT_EQ(mode("a"), 0640u);
+  EXPECT_EQ(mode("b"), 0644u);
+}
+
+// As on a full disk, a write comes back short and the next one fails.
+TEST_F(Drafts, FailWhereThereIsNoRoom) {
+  std::ofstream(path("a")) << "old";
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{100000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::string code;
+  try {
+    DraftFile draft(path("a"));
+    const std::string large(200000, 'x');
+    draft.append(large.data(), large.size());
+  } catch (const Error& error) {
+    code = error.code();
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(code, "output-unwritable");
+  EXPECT_EQ(read_file(path("a")), "old");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(Drafts, AreRefusedWhereNoFileCanBe) {
+  const auto code_of = [](const std::string& name) -> std::string {
+    try {
+      const DraftFile draft(name);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return "";
+  };
+  EXPECT_EQ(code_of(path("no/such/folder")), "output-folder");
+  EXPECT_EQ(code_of(folder_.string()), "output-unwritable");
+}
+
+}  // namespace
+}  // namespace mrsim
