@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "removal/sweep_columns.h"
 #include "removal/sweep_lane_scalar.h"
+#include "removal/sweep_motion.h"
 
 #include <cmath>
 
@@ -203,17 +204,34 @@ SweepTable::~SweepTable() = default;
 std::size_t SweepTable::size() const { return columns_->refs.size(); }
 std::int32_t SweepTable::motion(std::size_t i) const { return columns_->refs[i].motion; }
 Box3 SweepTable::bounds(std::size_t i) const {
-  if (i < size()) return columns_->bounds[i];
+  if (i < size()) return columns_->bounds_of(columns_->refs[i]);
   if (i >= kFirstPack) return columns_->packs[static_cast<std::uint32_t>(i)].bounds;
   std::vector<std::uint32_t> sweeps;
   columns_->turn_tree.append_sweeps(static_cast<std::uint32_t>(i - size()), sweeps);
   Box3 box;
-  for (const std::uint32_t s : sweeps) extend(box, columns_->bounds[s]);
+  for (const std::uint32_t s : sweeps) extend(box, columns_->bounds_of(columns_->refs[s]));
   return box;
 }
 const TurnTree& SweepTable::turn_tree() const { return columns_->turn_tree; }
 double SweepTable::max_error() const { return columns_->max_error; }
 double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
+
+Box3 SweepColumns::bounds_of(const SweepRef& ref) const {
+  const bool ball = ref.kind == SweepKind::ball_line;
+  if (!ball && ref.kind != SweepKind::plane_line)
+    return bounds[static_cast<std::size_t>(ref.kind)][ref.row];
+  const Profile& tool = cutter(ref);
+  const double* c = (ball ? ball_lines : plane_lines)[ref.row].c;
+  Box3 path;
+  if (ball) {
+    extend(path, Vec3{c[0], c[1], c[2] - c[7]});
+    extend(path, Vec3{c[0] + c[3] * c[5], c[1] + c[4] * c[5], c[2] - c[7] + c[6] * c[5]});
+  } else {
+    extend(path, Vec3{c[0], c[1], c[4] - c[6]});
+    extend(path, Vec3{c[0] + c[2], c[1] + c[3], c[4] - c[6]});
+  }
+  return sweep_bounds(tool, path, ref.frame > 0 ? &frames[ref.frame - 1] : nullptr);
+}
 
 double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
   switch (ref.kind) {

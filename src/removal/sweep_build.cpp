@@ -1,9 +1,8 @@
 // Motions into rows: chooses the form of each sweep.
 #include "core/error.h"
-#include "core/heap.h"
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_columns.h"
+#include "removal/sweep_builder.h"
 #include "removal/sweep_motion.h"
 #include "removal/sweep_upright.h"
 
@@ -23,43 +22,10 @@ constexpr double kClosedError =
               "line " + std::to_string(m.line) + ", tool " + tool.id + ": " + why);
 }
 
-class Builder {
- public:
-  Builder(SweepColumns& columns, std::span<const Tool> tools, const SweepSelection& selection)
-      : columns_(columns), tools_(tools), selection_(selection), shapes_of_(tools.size()) {}
-
-  void add(const Motion& m, std::int32_t index);
-
- private:
-  struct ShapeRange {
-    int first = -1, count = 0;
-  };
-  bool wanted(const Motion& m) const;
-  ShapeRange shapes(const Motion& m);
-  int drawn_out(int shape, double travel);
-  std::uint16_t frame(const Vec3& axis);
-  void add_milling(SweepRef ref, const Motion& m, const Tool& tool);
-  void add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool);
-  void add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool);
-  bool add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool);
-  void add_path(SweepRef& ref, LocalMotion l, const Profile& tool);
-  void add_turning(SweepRef ref, const Motion& m, const Tool& tool);
-  // A long program is mostly of one form: room for all of it at once (pages are not touched).
-  void append(std::vector<LineRecord>& column, const LineRecord& row) const {
-    if (column.empty()) reserve_large(column, columns_.refs.capacity());
-    column.push_back(row);
-  }
-  void allow(double error) { columns_.max_error = std::max(columns_.max_error, error); }
-
-  SweepColumns& columns_;
-  std::span<const Tool> tools_;
-  SweepSelection selection_;
-  std::vector<ShapeRange> shapes_of_;
-  std::map<std::pair<int, double>, int> drawn_out_;
-};
+}  // namespace
 
 // The shapes of the selected part of a motion's tool: one, or a piece of shank or holder each.
-Builder::ShapeRange Builder::shapes(const Motion& m) {
+SweepBuilder::ShapeRange SweepBuilder::shapes(const Motion& m) {
   if (m.tool < 0 || static_cast<std::size_t>(m.tool) >= tools_.size())
     throw Error("tool-missing", "line " + std::to_string(m.line) + ": no tool is in use");
   ShapeRange& range = shapes_of_[m.tool];
@@ -74,22 +40,28 @@ Builder::ShapeRange Builder::shapes(const Motion& m) {
   }
   range.first = static_cast<int>(columns_.shapes.size());
   if (selection_.part != SweepSelection::Part::cutter) {
+    std::int32_t piece_number = 0;
     for (Profile& piece :
          selection_.part == SweepSelection::Part::shank ? made.shank : made.holder) {
       ToolShape shape;
       shape.cutter = std::move(piece);
-      columns_.shapes.push_back(std::move(shape));
+      add_shape(std::move(shape), {m.tool, piece_number++, 0});
     }
   } else {
     double& least = columns_.smallest_radius;
     if (made.radius > 0 && (least == 0 || made.radius < least)) least = made.radius;
-    columns_.shapes.push_back(std::move(made));
+    add_shape(std::move(made), {m.tool, 0, 0});
   }
   range.count = static_cast<int>(columns_.shapes.size()) - range.first;
   return range;
 }
 
-std::uint16_t Builder::frame(const Vec3& axis) {
+void SweepBuilder::add_shape(ToolShape&& shape, const ShapeKey& key) {
+  columns_.shapes.push_back(std::move(shape));
+  keys_.push_back(key);
+}
+
+std::uint16_t SweepBuilder::frame(const Vec3& axis) {
   if (axis == Vec3{0, 0, 1}) return 0;
   const Vec3 z = normalized(axis);
   auto& frames = columns_.frames;
@@ -102,7 +74,7 @@ std::uint16_t Builder::frame(const Vec3& axis) {
   return static_cast<std::uint16_t>(frames.size());
 }
 
-bool Builder::wanted(const Motion& m) const {
+bool SweepBuilder::wanted(const Motion& m) const {
   if (m.assumed_start) return false;
   if (m.kind == MotionKind::arc) return selection_.cuts && m.sweep != 0;
   if (m.start == m.end) return false;
@@ -110,7 +82,7 @@ bool Builder::wanted(const Motion& m) const {
   return selection_.cuts;
 }
 
-void Builder::add(const Motion& m, std::int32_t index) {
+void SweepBuilder::add(const Motion& m, std::int32_t index) {
   if (!wanted(m)) return;
   const ShapeRange range = shapes(m);
   for (int i = 0; i < range.count; ++i) {
@@ -124,7 +96,7 @@ void Builder::add(const Motion& m, std::int32_t index) {
   }
 }
 
-void Builder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
+void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
   if (!(length(m.tool_axis) > 0.5)) unsupported(m, tool, "the tool has no axis direction");
   ref.frame = frame(m.tool_axis);
   const Frame* local = ref.frame > 0 ? &columns_.frames[ref.frame - 1] : nullptr;
@@ -135,17 +107,19 @@ void Builder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
   const double rise = l.rise.z * l.sweep;
   const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
   allow(kClosedError);
-  columns_.bounds.push_back(sweep_bounds(cutter, l, local));  // first: shapes may move in memory
+  const Box3 bounds = sweep_bounds(cutter, l, local);  // first: shapes may move in memory
   if (l.arc ? about_z && rise > -kLevel && rise < kLevel : lean < kLevel)
     add_level(ref, l, cutter);
   else if (!l.arc && dx * dx + dy * dy < kLevel * kLevel)
     add_upright(ref, l, cutter);
   else
     add_path(ref, l, cutter);
+  if (ref.kind != SweepKind::ball_line && ref.kind != SweepKind::plane_line)
+    columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(bounds);
   columns_.refs.push_back(ref);
 }
 
-void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
+void SweepBuilder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
   const double z = std::min(l.start.z, l.arc ? l.start.z : l.end.z);
   const double radius = std::sqrt(dot(l.u, l.u));
   ref.split = l.arc && l.sweep < kTwoPi && (l.sweep > kPi || tool.max_radius() > radius);
@@ -178,13 +152,13 @@ void Builder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool
     row.c[7] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
-    append(columns_.plane_lines, row);
+    columns_.plane_lines.push_back(row);
   }
 }
 
 // Up and down: a cutter that never narrows upwards counts at its lowest; one that widens once and
 // narrows again is drawn out at its widest.
-void Builder::add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
+void SweepBuilder::add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
   const LocalMotion& low = l;
   LocalMotion at = low;
   at.start.z = at.end.z = std::min(l.start.z, l.end.z);
@@ -202,14 +176,16 @@ void Builder::add_upright(SweepRef& ref, const LocalMotion& l, const Profile& to
 }
 
 // The shape whose profile is drawn out by `travel`; holes of one depth share one.
-int Builder::drawn_out(int shape, double travel) {
+int SweepBuilder::drawn_out(int shape, double travel) {
   const auto [at, added] =
       drawn_out_.try_emplace({shape, travel}, static_cast<int>(columns_.shapes.size()));
   if (added) {
     ToolShape made;
     made.cutter = columns_.shapes[shape].cutter.drawn_out(travel);
     made.radius = columns_.shapes[shape].radius;
-    columns_.shapes.push_back(std::move(made));
+    ShapeKey key = keys_[static_cast<std::size_t>(shape)];
+    key.travel = travel;
+    add_shape(std::move(made), key);
   }
   return at->second;
 }
@@ -222,7 +198,7 @@ bool is_upright(const LocalMotion& l) {
 }
 
 // A ball on an arc in an upright plane: false if it is none.
-bool Builder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
+bool SweepBuilder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
   if (!tool.is_ball_end() || !is_upright(l)) return false;
   const Vec3 axis = cross(l.u, l.v);
   const double reach = std::sqrt(length(axis));
@@ -247,7 +223,7 @@ bool Builder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& to
   return true;
 }
 
-void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
+void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
   if (add_curtain(ref, l, tool)) return;
   if (!l.arc && tool.is_ball_end()) {
     LineRecord row;
@@ -261,7 +237,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     row.c[7] = tool.round();
     ref.kind = SweepKind::ball_line;
     ref.row = static_cast<std::uint32_t>(columns_.ball_lines.size());
-    append(columns_.ball_lines, row);
+    columns_.ball_lines.push_back(row);
     return;
   }
   ToolPath path;
@@ -293,7 +269,7 @@ void Builder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
   columns_.paths.push_back(path);
 }
 
-void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
+void SweepBuilder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
   const double off = std::max({std::fabs(m.start.y), std::fabs(m.end.y), std::fabs(m.center.y)});
   if (off > 1e-9) unsupported(m, tool, "a turning tool moves in the plane of X and Z only");
   if (m.lead != 0) unsupported(m, tool, "thread cutting is not simulated");
@@ -315,36 +291,8 @@ void Builder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
   ref.kind = SweepKind::turn;
   ref.row = static_cast<std::uint32_t>(columns_.turns.size() - 1);
   columns_.refs.push_back(ref);
-  columns_.bounds.push_back({{-reach, -reach, s.lo.y}, {reach, reach, s.hi.y}});
-}
-
-}  // namespace
-
-void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
-                         const SweepSelection& selection, int threads) {
-  Builder builder(*this, tools, selection);
-  reserve_large(refs, motions.size());
-  reserve_large(bounds, motions.size());
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    builder.add(motions[i], static_cast<std::int32_t>(i));
-  static_assert(static_cast<int>(SweepKind::ball_line) == 0 &&
-                static_cast<int>(SweepKind::plane_arc) == 2);
-  uniform = !refs.empty();
-  reserve_large(tags, refs.size());
-  for (std::size_t i = 0; i < refs.size(); ++i) {
-    const SweepRef& ref = refs[i];
-    const auto form = static_cast<std::uint32_t>(ref.kind);
-    const bool listed = ref.frame == 0 && form < kOtherForm && ref.row <= kTagRow;
-    tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
-    uniform = uniform && ref.kind == refs[0].kind && ref.frame == 0 && ref.row == i;
-  }
-  packs = SweepPacks(*this, threads);
-  classify();
-  std::vector<TurnTree::Item> items;
-  for (std::size_t i = 0; i < refs.size(); ++i)
-    if (refs[i].kind == SweepKind::turn)
-      items.push_back({static_cast<std::uint32_t>(i), refs[i].row, refs[i].shape});
-  turn_tree = TurnTree(turns, shapes, std::move(items));
+  columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(
+      {{-reach, -reach, s.lo.y}, {reach, reach, s.hi.y}});
 }
 
 }  // namespace mrsim

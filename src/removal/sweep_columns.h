@@ -33,6 +33,7 @@ enum class SweepKind : std::uint8_t {
   path,        ///< any profile on any other path
   turn         ///< insert
 };
+inline constexpr std::size_t kSweepKinds = 7;
 
 /// The number of a tip's height as a column holds it: exact, or NaN, which equals nothing.
 inline double sweep_level(std::uint32_t number) {
@@ -69,7 +70,7 @@ inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << 
 struct SweepColumns {
   std::vector<SweepRef> refs;
   std::vector<std::uint32_t> tags;  ///< form and row of each sweep, all that lists have to read
-  std::vector<Box3> bounds;
+  std::vector<Box3> bounds[kSweepKinds];  ///< by kind and row; lines have none: bounds_of
   std::vector<LineRecord> ball_lines, plane_lines;
   std::vector<ArcRecord> plane_arcs;
   std::vector<BallArc> ball_arcs;
@@ -91,6 +92,8 @@ struct SweepColumns {
   void build(std::span<const Motion> motions, std::span<const Tool> tools,
              const SweepSelection& selection, int threads);
   double distance(const SweepRef& ref, const Vec3& p) const;
+  /// A box that holds a sweep.
+  Box3 bounds_of(const SweepRef& ref) const;
   /// Finds classes and levels, of packs too.
   void classify();
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is

@@ -101,7 +101,7 @@ std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> lis
   for (const std::uint32_t id : numbers.turned)
     columns_->turn_tree.append_sweeps(id - static_cast<std::uint32_t>(size()), sweeps);
   std::erase_if(sweeps, [&](std::uint32_t i) {
-    const Box3& b = columns_->bounds[i];
+    const Box3 b = columns_->bounds_of(columns_->refs[i]);
     return is_empty({max(b.lo, box.lo), min(b.hi, box.hi)});
   });
   // A pack and its mirror image hold the same sweeps.

@@ -70,7 +70,10 @@ LocalMotion localized(const Motion& m, const Frame* frame) {
 }
 
 Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame) {
-  Box3 b = path_bounds(l);
+  return sweep_bounds(tool, path_bounds(l), frame);
+}
+
+Box3 sweep_bounds(const Profile& tool, Box3 b, const Frame* frame) {
   const double r = tool.max_radius();
   b.lo = b.lo + Vec3{-r, -r, tool.bottom()};
   b.hi = b.hi + Vec3{r, r, tool.open_top() ? 0 : tool.top()};

@@ -19,6 +19,8 @@ LocalMotion localized(const Motion& m, const Frame* frame);
 
 /// A box around what the tool sweeps, in the stock's coordinates.
 Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame);
+/// Of a path in this box of the tool's frame.
+Box3 sweep_bounds(const Profile& tool, Box3 path, const Frame* frame);
 
 /// Coefficients of line_rho and arc_rho (sweep_lanes.inl): c[0..3], c[0..6].
 void line_in_plan(const Vec3& a, const Vec3& b, double* c);

@@ -1,7 +1,7 @@
 #include "removal/sweep_packs.h"
 
 #include "core/heap.h"
-#include "core/parallel.h"
+#include "core/ordered.h"
 #include "core/vec.h"
 #include "removal/sweep_columns.h"
 
@@ -163,8 +163,9 @@ class SweepPacks::Builder {
       pack.count = static_cast<std::uint32_t>(items.size());
     }
     for (const Item& child : items)
-      extend(pack.bounds, child.number < kFirstPack ? columns_.bounds[child.number]
-                                                    : packs_[child.number].bounds);
+      extend(pack.bounds, child.number < kFirstPack
+                              ? columns_.bounds_of(columns_.refs[child.number])
+                              : packs_[child.number].bounds);
     const LineRecord chord = chord_of(columns_, first, item.end);
     PackColumns& children = packs_.children_.emplace_back();
     for (std::size_t k = 0; k < items.size(); ++k)
@@ -185,24 +186,29 @@ class SweepPacks::Builder {
 };
 
 SweepPacks::SweepPacks(const SweepColumns& columns, int threads) {
-  const std::size_t sweeps = columns.refs.size(), parts = (sweeps + kPart - 1) / kPart;
-  std::vector<SweepPacks> made(parts);
-  parallel_for(parts, threads, [&](std::size_t k) {
-    made[k] = Builder(columns).build(static_cast<std::uint32_t>(k * kPart),
-                                     static_cast<std::uint32_t>(std::min((k + 1) * kPart, sweeps)));
-  });
-  std::size_t count = 0;
-  for (const SweepPacks& part : made) count += part.size();
-  reserve_large(packs_, count), reserve_large(chords_, count), reserve_large(children_, count);
-  for (SweepPacks& part : made) {
-    const auto base = static_cast<std::uint32_t>(packs_.size());
-    for (SweepPack& pack : part.packs_) pack.child += base;
-    for (const std::uint32_t root : part.roots_) roots_.push_back(base + root);
-    packs_.insert(packs_.end(), part.packs_.begin(), part.packs_.end());
-    chords_.insert(chords_.end(), part.chords_.begin(), part.chords_.end());
-    children_.insert(children_.end(), part.children_.begin(), part.children_.end());
-    part = {};
+  const std::size_t sweeps = columns.refs.size();
+  make_in_order((sweeps + kPart - 1) / kPart, threads,
+                [&](std::size_t k) {
+                  return Builder(columns).build(
+                      static_cast<std::uint32_t>(k * kPart),
+                      static_cast<std::uint32_t>(std::min((k + 1) * kPart, sweeps)));
+                },
+                [&](const SweepPacks& part) { append(part, sweeps); });
+}
+
+void SweepPacks::append(const SweepPacks& part, std::size_t sweeps) {
+  if (packs_.empty() && part.size() > 0) {
+    const std::size_t most = sweeps / (kLeast - 1) + 1;  // pages are not touched
+    reserve_large(packs_, most), reserve_large(chords_, most), reserve_large(children_, most);
   }
+  const auto base = static_cast<std::uint32_t>(packs_.size());
+  for (SweepPack pack : part.packs_) {
+    pack.child += base;
+    packs_.push_back(pack);
+  }
+  for (const std::uint32_t root : part.roots_) roots_.push_back(base + root);
+  chords_.insert(chords_.end(), part.chords_.begin(), part.chords_.end());
+  children_.insert(children_.end(), part.children_.begin(), part.children_.end());
 }
 
 }  // namespace mrsim

@@ -68,6 +68,7 @@ class SweepPacks {
 
  private:
   class Builder;
+  void append(const SweepPacks& part, std::size_t sweeps);
   std::vector<SweepPack> packs_;
   std::vector<LineRecord> chords_;
   std::vector<PackColumns> children_;
