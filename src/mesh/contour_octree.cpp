@@ -201,7 +201,9 @@ bool ContourOctree::must_split(std::int32_t n) {
 }
 
 // A guess that saves rounds of splitting: the turn of the normals of the faces seen, from corner to
-// corner, as a curvature k; a chord across the cell then leaves the surface by about k s^2 / 4.
+// corner, as a curvature k; a chord across the cell then leaves the surface by about k s^2 / 4. A
+// face continued beyond its end (the nose of a short turning move) turns where the part does not:
+// what the part shows at the two corners must turn as well.
 bool ContourOctree::bends_too_much(std::int32_t n, const Box3& b, const FieldSample& middle) const {
   constexpr double kShare = 0.15;
   const OctreeNode& a = node(n);
@@ -209,7 +211,10 @@ bool ContourOctree::bends_too_much(std::int32_t n, const Box3& b, const FieldSam
   for (int k = 0; k < 4; ++k) {
     const Vec3 p{k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, b.lo.z};
     const Vec3 q = b.lo + b.hi - p;
-    for (const FieldSample& face : {middle, sample(a.corners[k]), sample(a.corners[7 - k])}) {
+    const FieldSample &first = sample(a.corners[k]), &last = sample(a.corners[7 - k]);
+    const Vec3 seen = field_.gradient(q, last) - field_.gradient(p, first);
+    if (dot(seen, seen) <= 3 * limit * limit) continue;
+    for (const FieldSample& face : {middle, first, last}) {
       const Vec3 turn = field_.gradient(q, face) - field_.gradient(p, face);
       if (dot(turn, turn) > 3 * limit * limit) return true;
     }

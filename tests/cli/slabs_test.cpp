@@ -1,5 +1,11 @@
 // Runs whose memory is limited: done in slabs with the same files, or refused with what to do.
+#include "../support/crossed_slots.h"
 #include "run_program.h"
+
+#include <algorithm>
+#include <csignal>
+
+#include <sys/resource.h>
 
 namespace mrsim {
 namespace {
@@ -68,6 +74,84 @@ TEST_F(Slabs, AreRefusedWithWhatToDo) {
   EXPECT_EQ(none.code, 1);
   EXPECT_TRUE(contains(none.err, "in slabs")) << none.err;
   EXPECT_FALSE(exists("part.stl"));
+}
+
+// Milled, turned, and out of a mesh; and slots that cross in every voxel, where tiles are made
+// again (tests/mesh/slabs_test.cpp).
+TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
+  std::string slots = "G54\nTRANS X0 Y0\nG17 G90 G71\nT1 M6\nF100\n";
+  const auto number = [](double value) { return std::to_string(value); };
+  for (const auto& s : mrsim::testing::crossed_slots())
+    slots += "G0 Z9\nG0 X" + number(s[0]) + " Y" + number(s[1]) + "\nG1 Z" + number(s[4]) +
+             "\nG1 X" + number(s[2]) + " Y" + number(s[3]) + "\n";
+  write("slots.MPF", slots + "G0 Z9\nM30\n");
+  const std::pair<std::string, std::string> scenes[] = {
+      {"milled", "PRIMER_2F.MPF --stock block.stl --voxel 0.25"},
+      {"turned", "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel 0.25"},
+      {"mesh", "PRIMER_2F.MPF --stock block.stl --stock-exact off --voxel 0.5"},
+      {"crossed",
+       "slots.MPF --machine mill --stock box:0,0,0,50,10,4 --tool 1=endmill:d=0.25 --voxel 0.5"}};
+  for (const auto& [name, arguments] : scenes)
+    for (const std::string threads : {"1", "2"}) {
+      const std::string command = arguments + " --threads " + threads;
+      const Outcome whole = run(command + " -o whole.stl");
+      ASSERT_EQ(whole.code, 0) << name << whole.err;
+      // In slabs it takes less.
+      const double expected = number_after(whole.out, "at most  (");
+      const std::string limit = std::to_string(static_cast<int>((1e6 * expected - 2e5) / 1024));
+      const Outcome outcome = run(command + " --max-memory " + limit + "K -o slabs.stl");
+      ASSERT_EQ(outcome.code, 0) << name << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, "note: done in ")) << name << limit << outcome.err;
+      EXPECT_TRUE(read("slabs.stl") == read("whole.stl")) << name << ", threads " << threads;
+    }
+}
+
+TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
+  const Outcome outcome = split("--threads 1 --max-memory 89M -o part.stl");
+  ASSERT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, " in slabs")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+  const std::size_t end = outcome.err.find(" mm would fit");
+  ASSERT_NE(end, std::string::npos) << outcome.err;
+  const std::size_t begin = outcome.err.rfind(' ', end - 1) + 1;
+  const std::string voxel = outcome.err.substr(begin, end - begin);
+  EXPECT_GT(std::stod(voxel), 0.1);
+  // The figure is rounded.
+  const std::string larger = std::to_string(1.001 * std::stod(voxel));
+  const Outcome fits =
+      run("split.MPF --machine mill --stock box:0,0,-4,60,20,0 --tool 1=endmill:d=2 --threads 1 "
+          "--max-memory 89M -o part.stl --voxel " +
+          larger);
+  EXPECT_EQ(fits.code, 0) << fits.err;
+}
+
+// No room for the scratch file, or for the output once the mesh is made: an error, the file that
+// was there stays, nothing else does.
+TEST_F(Slabs, FullDiskLeavesWhatWasThere) {
+  write("part.stl", "old");
+  struct sigaction ignore {
+  }, before{};
+  ignore.sa_handler = SIG_IGN;  // inherited: a write above the limit fails then
+  ::sigaction(SIGXFSZ, &ignore, &before);
+  rlimit old_limit{};
+  ::getrlimit(RLIMIT_FSIZE, &old_limit);
+  for (const std::size_t bytes : {std::size_t(100'000), std::size_t(1) << 40}) {
+    const rlimit small{std::min<rlim_t>(bytes, old_limit.rlim_max), old_limit.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const Outcome outcome = split("--threads 1 --max-memory " + limit(1) + " -o part.stl");
+    ::setrlimit(RLIMIT_FSIZE, &old_limit);
+    if (bytes < 1'000'000) {
+      EXPECT_EQ(outcome.code, 1) << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, "[output-")) << outcome.err;
+      EXPECT_EQ(read("part.stl"), "old");
+    } else {
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
+  }
+  ::sigaction(SIGXFSZ, &before, nullptr);
+  EXPECT_EQ(split("--threads 1 --max-memory " + limit(1) + " -o none/part.stl").code, 1);
 }
 
 }  // namespace

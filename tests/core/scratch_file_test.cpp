@@ -1,0 +1,66 @@
+#include "core/scratch_file.h"
+
+#include "core/error.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+namespace mrsim {
+namespace {
+
+class ScratchFileTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "mrsim-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string folder_;
+};
+
+std::string code_of(const std::function<void()>& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return {};
+}
+
+TEST_F(ScratchFileTest, HasNoNameAndOutlivesItsFolder) {
+  ScratchFile file(folder_);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  file.append("abc", 3);
+  std::filesystem::remove_all(folder_);
+  file.append("defg", 4);
+  EXPECT_EQ(file.size(), 7u);
+  char read[4];
+  file.read(2, read, 4);
+  EXPECT_EQ(std::string(read, 4), "cdef");
+}
+
+TEST_F(ScratchFileTest, BeginsAnew) {
+  ScratchFile file(folder_);
+  file.append("abcdef", 6);
+  file.clear();
+  EXPECT_EQ(file.size(), 0u);
+  file.append("xy", 2);
+  char read[2];
+  file.read(0, read, 2);
+  EXPECT_EQ(std::string(read, 2), "xy");
+}
+
+TEST_F(ScratchFileTest, FaultsHaveACode) {
+  EXPECT_EQ(code_of([&] { const ScratchFile file(folder_ + "/none"); }), "output-unwritable");
+  ScratchFile file(folder_);
+  file.append("abc", 3);
+  char read[4];
+  EXPECT_EQ(code_of([&] { file.read(0, read, 4); }), "output-unwritable");  // cut short
+}
+
+}  // namespace
+}  // namespace mrsim

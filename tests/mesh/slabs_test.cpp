@@ -1,0 +1,91 @@
+// Meshes kept in a file while they are made, as runs in slabs do: the same files as from memory,
+// also where the tiles have to be made again.
+#include "core/vec.h"
+#include "mesh/check.h"
+#include "mesh/contour.h"
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_spill.h"
+#include "removal/part_field.h"
+#include "support/crossed_slots.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+PartField crossed_part() {
+  StockShape stock;
+  stock.box = {{0, 0, 0}, {kCrossedSize[0], kCrossedSize[1], kCrossedSize[2]}};
+  Tool tool;
+  tool.type = ToolType::endmill;
+  tool.diameter = kCrossedMill;
+  std::vector<Motion> motions;
+  for (const auto& s : crossed_slots()) {
+    Motion m;
+    m.kind = MotionKind::line;
+    m.tool = 0;
+    m.line = static_cast<std::int32_t>(motions.size()) + 1;
+    m.start = {s[0], s[1], s[4]}, m.end = {s[2], s[3], s[4]};
+    motions.push_back(m);
+  }
+  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z)};
+}
+
+std::string encoded(const MeshSource& mesh, MeshFormat format, bool ascii) {
+  std::string out;
+  MeshFileOptions options;
+  options.ascii = ascii;
+  encode_mesh(mesh, format, options, [&](const void* data, std::size_t size) {
+    out.append(static_cast<const char*>(data), size);
+  });
+  return out;
+}
+
+/// Counts how often the mesh began anew.
+class CountingSpill final : public MeshSink {
+ public:
+  CountingSpill() : spilled(std::filesystem::temp_directory_path().string()) {}
+  void take(const MeshBlock& block) override {
+    ++blocks;
+    spilled.take(block);
+  }
+  void restart() override {
+    ++restarts;
+    blocks = 0;
+    spilled.restart();
+  }
+  SpilledMesh spilled;
+  int blocks = 0, restarts = 0;
+};
+
+TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
+  const PartField part = crossed_part();
+  for (const int threads : {1, 2}) {
+    MeshOptions options;
+    options.threads = threads;
+    ContourReport report;
+    const TriMesh whole = contour(part, kCrossedVoxel, options, &report);
+    EXPECT_EQ(report.passes, 2u);
+    const MeshSummary summary = check_mesh(whole);
+    EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
+    CountingSpill slabs;
+    contour(part, kCrossedVoxel, options, slabs);
+    EXPECT_EQ(slabs.restarts, 1);
+    EXPECT_GT(slabs.blocks, 0);
+    ASSERT_EQ(slabs.spilled.triangles(), whole.triangles.size());
+    for (const char* name : {"a.stl", "a.ply", "a.obj", "a.off", "a.3mf"})
+      for (const bool ascii : {false, true}) {
+        const MeshFormat format = mesh_format_of(name);
+        EXPECT_TRUE(encoded(slabs.spilled, format, ascii) ==
+                    encoded(MemoryMesh(whole), format, ascii))
+            << name << (ascii ? ", text" : "") << ", threads " << threads;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
