@@ -279,7 +279,12 @@ class UniformContour {
         notes.splits.push_back({node.origin, node.size});
     }
     std::vector<MinimalEdge> doubtful = tree.doubtful_edges();
-    std::erase_if(doubtful, [](const MinimalEdge& e) { return !e.owned; });
+    std::erase_if(doubtful, [&](const MinimalEdge& e) {
+      const auto cell = [&](int a) {
+        return (component(e.start, a) - component(part.origin, a)) / unit();
+      };
+      return !ContourTile::tests_edge({cell(0), cell(1), cell(2)}, e.axis);
+    });
     notes.thin = thin_features(field_, tree, doubtful);
     return mesh;
   }
