@@ -200,14 +200,15 @@ std::vector<MinimalEdge> ContourTile::crossing_edges() const {
 }
 
 // A surface that passes beside an edge shows itself by offsets that rise or fall evenly over the
-// edge and its two neighbours on the line; a wall or gap across it does not.
+// edge and its two neighbours on the line; a wall or gap across it does not. Where a neighbour was
+// not sampled, nothing is shown.
 bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
   const float f[4] = {offset(low - step), offset_[static_cast<std::size_t>(low)],
                       offset_[static_cast<std::size_t>(low + step)], offset(low + 2 * step)};
   const float rise = f[2] - f[1];
   const float even = kEven * static_cast<float>(lattice().voxel());
   for (const float next : {f[1] - f[0], f[3] - f[2]})
-    if (!std::isinf(next) && (next * rise < 0 || std::abs(next - rise) > even)) return false;
+    if (!(next * rise >= 0 && std::abs(next - rise) <= even)) return false;
   return true;
 }
 
@@ -220,18 +221,19 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
                voxel &&
            !runs_evenly(low, step);
   };
-  for (std::int32_t x = kFirstOwned; x < kCells; ++x)
-    for (std::int32_t y = kFirstOwned; y < kCells; ++y) {
+  for (std::int32_t x = kFirstTested; x < kEndOwned; ++x)
+    for (std::int32_t y = kFirstTested; y < kEndOwned; ++y) {
       const Column& own = column(x, y);
       if (own.near == 0) continue;
       // One of two ends whose offsets come to no more than a voxel is within half of it.
-      const auto alike = [&](const Column& end, int shift, std::int32_t z_end) {
+      const auto alike = [&](int axis, const Column& end, int shift) {
+        if (!is_tested(x, axis == 0) || !is_tested(y, axis == 1)) return std::uint64_t(0);
         return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &
-               ~(own.inside ^ end.inside >> shift) & run(kFirstOwned, z_end - kFirstOwned);
+               ~(own.inside ^ end.inside >> shift) &
+               run(axis == 2 ? kFirstTested : kFirstOwned, kOwned);
       };
-      const std::uint64_t bits[3] = {x < kCells - 2 ? alike(column(x + 1, y), 0, kCells) : 0,
-                                     y < kCells - 2 ? alike(column(x, y + 1), 0, kCells) : 0,
-                                     alike(own, 1, kCells - 2)};
+      const std::uint64_t bits[3] = {alike(0, column(x + 1, y), 0), alike(1, column(x, y + 1), 0),
+                                     alike(2, own, 1)};
       for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
         const std::int32_t z = std::countr_zero(left);
         for (int axis = 0; axis < 3; ++axis)

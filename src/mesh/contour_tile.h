@@ -18,6 +18,7 @@ class ContourTile final : public ContourCells {
   static constexpr std::int32_t kCells = 64;  ///< on a side, with the rings
   static constexpr std::int32_t kOwned = 61;  ///< from the third on
   static constexpr std::int32_t kFirstOwned = 2;
+  static constexpr std::int32_t kEndOwned = kFirstOwned + kOwned;
 
   ContourTile(const ExactField& field, const Lattice& lattice);
 
@@ -41,10 +42,18 @@ class ContourTile final : public ContourCells {
   EdgeEnds ends(const MinimalEdge& edge) const override;
 
   /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
-  /// leaves room. Owned ones only.
+  /// leaves room. Of those for which tests_edge() holds.
   std::vector<MinimalEdge> doubtful_edges() const;
+  /// Whether a thin feature on an edge of this axis that starts in the cell is looked for here: by
+  /// one tile of all, which knows the samples before and behind it on its line. So it starts where
+  /// edges are owned, or one cell before that along its axis.
+  static bool tests_edge(const LatticePoint& cell, int axis) {
+    return is_tested(cell.x, axis == 0) && is_tested(cell.y, axis == 1) &&
+           is_tested(cell.z, axis == 2);
+  }
 
  private:
+  static constexpr std::int32_t kFirstTested = kFirstOwned - 1;  ///< along an edge's own axis
   static constexpr std::int32_t kNode = 2;  ///< cells on a side that share a list of candidates;
                                             ///< twice as many where that is short
   static constexpr std::int32_t kNodes = kCells / kNode;
@@ -66,8 +75,12 @@ class ContourTile final : public ContourCells {
     return {id / (kCells * kCells), id / kCells & kLast, id & kLast};
   }
   static bool is_owned(const LatticePoint& p) {
-    const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kFirstOwned + kOwned; };
+    const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kEndOwned; };
     return in(p.x) && in(p.y) && in(p.z);
+  }
+  static bool is_tested(std::int32_t i, bool along) {
+    const std::int32_t first = along ? kFirstTested : kFirstOwned;
+    return i >= first && i < first + kOwned;
   }
   /// What is known of the corners (x, y, 0..63), a bit for each.
   struct Column {

@@ -5,6 +5,7 @@
 #include "mesh/contour_surface.h"
 #include "mesh/contour_thin.h"
 #include "mesh/contour_tile.h"
+#include "mesh/contour_tiles.h"
 #include "mesh/contour_timer.h"
 #include "mesh/crowded_cells.h"
 #include "mesh/tile_mesh.h"
@@ -21,16 +22,9 @@ namespace {
 
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
-constexpr std::int64_t kLargeParts = 32;  ///< that the tiles are looked for in at once
-constexpr std::size_t kBatch = 8;         ///< tiles a thread between two blocks of the mesh
+constexpr std::size_t kBatch = 8;      ///< tiles a thread between two blocks of the mesh
 constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
                        kFirstOwned = ContourTile::kFirstOwned;
-
-struct Tile {
-  LatticePoint place;  ///< in tiles
-  LatticePoint first;  ///< of its cells, voxels
-  Candidates candidates;
-};
 
 /// What is remembered of a tile when its mesh has gone to the sink.
 struct TileNotes {
@@ -38,15 +32,6 @@ struct TileNotes {
   std::vector<CellPlace> splits;  ///< of owned cells
   std::vector<FoundThin> thin;
   std::size_t cells = 0, triangles = 0;
-};
-
-// Boxes of tiles, halved until they are single ones.
-struct TileRange {
-  LatticePoint low, high;  ///< tiles, half open
-};
-struct TilePart {
-  TileRange range;
-  Candidates candidates;
 };
 
 /// A thread's memory for the tiles it makes.
@@ -66,14 +51,15 @@ class UniformContour {
         lattice_(lattice),
         options_(options),
         report_(report),
-        timer_(report, {}) {}  // progress is told by tiles
+        timer_(report, {}),  // progress is told by tiles
+        set_(find_tiles(field, lattice, options.threads)),
+        notes_(set_.tiles.size()) {
+    timer_.step("tiles");
+  }
 
   // The blocks go out as they are made. Should cells turn out to be crossed, which is rare, all
   // tiles are made again once it is known which cells are to be split.
   void run(MeshSink& sink) {
-    find_tiles();
-    notes_.resize(tiles_.size());
-    timer_.step("tiles");
     make_all(sink);
     timer_.step("cells");
     bool is_split = false;
@@ -93,84 +79,14 @@ class UniformContour {
  private:
   std::int32_t unit() const { return lattice_.per_voxel(); }
 
-  Box3 box(const TileRange& range) const {
-    const auto corner = [&](const LatticePoint& tile, std::int32_t more) {
-      return lattice_.position({(tile.x * kOwned + more) * unit(),
-                                (tile.y * kOwned + more) * unit(),
-                                (tile.z * kOwned + more) * unit()});
-    };
-    return {corner(range.low, 0), corner(range.high, kCells - kOwned)};
-  }
-
-  TileRange whole() const {
-    TileRange range;
-    const LatticePoint last = lattice_.floor(field_.bounds().hi);
-    for (int a = 0; a < 3; ++a)
-      component(range.high, a) = (component(last, a) / unit() + 1) / kOwned + 1;
-    return range;
-  }
-
-  // Large parts one after another, then the tiles of each on their own.
-  void find_tiles() {
-    const Box3 bounds = field_.bounds();
-    const TileRange range = whole();
-    std::vector<TilePart> large;
-    const auto descent = field_.descent(0.5 * (bounds.lo + bounds.hi), field_.all());
-    find_parts(*descent, range, 1, std::max<std::int64_t>(1, count(range) / kLargeParts), large);
-    std::vector<std::vector<TilePart>> single(large.size());
-    parallel_for(large.size(), options_.threads, [&](std::size_t k) {
-      const Box3 b = box(large[k].range);
-      const auto own = field_.descent(0.5 * (b.lo + b.hi), large[k].candidates);
-      find_parts(*own, large[k].range, 1, 1, single[k]);
-    });
-    for (std::vector<TilePart>& parts : single)
-      for (TilePart& part : parts) {
-        const LatticePoint& at = part.range.low;
-        tiles_.push_back(
-            {at, {at.x * kOwned, at.y * kOwned, at.z * kOwned}, std::move(part.candidates)});
-      }
-    std::stable_sort(order_.axes.begin(), order_.axes.end(),
-                     [&](int a, int b) { return extent(range, a) > extent(range, b); });
-    std::sort(tiles_.begin(), tiles_.end(), [this](const Tile& a, const Tile& b) {
-      return order_.key(a.place) < order_.key(b.place);
-    });
-  }
-
-  // The parts of up to `most` tiles that the surface may pass.
-  void find_parts(ExactField::Descent& descent, const TileRange& range, std::size_t level,
-                  std::int64_t most, std::vector<TilePart>& out) const {
-    if (descent.enter(level, inflated(box(range), kQuantum), kSurfaceBand, false) !=
-        ExactField::Region::mixed)
-      return;
-    if (count(range) <= most) {
-      out.push_back({range, {}});
-      descent.candidates(level, out.back().candidates);
-      return;
-    }
-    int axis = 0;
-    for (const int a : {1, 2})
-      if (extent(range, a) > extent(range, axis)) axis = a;
-    TileRange low = range, high = range;
-    component(low.high, axis) = component(high.low, axis) =
-        component(low.low, axis) + extent(range, axis) / 2;
-    find_parts(descent, low, level + 1, most, out);
-    find_parts(descent, high, level + 1, most, out);
-  }
-  static std::int64_t count(const TileRange& range) {
-    return std::int64_t(extent(range, 0)) * extent(range, 1) * extent(range, 2);
-  }
-  static std::int32_t extent(const TileRange& range, int axis) {
-    return component(range.high, axis) - component(range.low, axis);
-  }
-
   // Makes the tiles by batches; while one is made, a thread joins and hands on the one before.
   void make_all(MeshSink& sink) {
     ++report_.passes;
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
-    TileMerger merger(order_);
+    TileMerger merger(set_.order);
     std::vector<TileMesh> made, meshes;
-    for (std::size_t first = 0; first <= tiles_.size(); first += batch) {
-      std::vector<std::size_t> wanted(std::min(batch, tiles_.size() - first));
+    for (std::size_t first = 0; first <= set_.tiles.size(); first += batch) {
+      std::vector<std::size_t> wanted(std::min(batch, set_.tiles.size() - first));
       for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = first + i;
       meshes.clear();
       meshes.resize(wanted.size());
@@ -178,15 +94,16 @@ class UniformContour {
       std::swap(made, meshes);
       if (wanted.size() < batch) break;
     }
-    hand_on(made, tiles_.size() - made.size(), merger, sink);
+    hand_on(made, set_.tiles.size() - made.size(), merger, sink);
   }
 
   void hand_on(const std::vector<TileMesh>& meshes, std::size_t first, TileMerger& merger,
                MeshSink& sink) {
     if (meshes.empty()) return;
     const std::size_t end = first + meshes.size();
-    for (std::size_t i = first; i < end; ++i) merger.add(tiles_[i].place, meshes[i - first]);
-    sink.take(merger.block(end < tiles_.size() ? order_.key(tiles_[end].place) : kNoTile));
+    for (std::size_t i = first; i < end; ++i) merger.add(set_.tiles[i].place, meshes[i - first]);
+    sink.take(
+        merger.block(end < set_.tiles.size() ? set_.order.key(set_.tiles[end].place) : kNoTile));
     show_progress(end);
   }
 
@@ -208,7 +125,7 @@ class UniformContour {
   }
 
   TileMesh make_tile(std::size_t i, TileMaker& maker) {
-    const Tile& tile = tiles_[i];
+    const Tile& tile = set_.tiles[i];
     if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
     maker.cells.build(tile.first, tile.candidates);
     maker.surface.find_loops(crossed_grid(maker.cells));
@@ -231,7 +148,7 @@ class UniformContour {
   }
 
   void show_progress(std::size_t done) {
-    const double share = static_cast<double>(done) / static_cast<double>(tiles_.size());
+    const double share = static_cast<double>(done) / static_cast<double>(set_.tiles.size());
     if (options_.progress && !options_.progress("meshing", share))
       throw Error("cancelled", "the run was stopped");
   }
@@ -279,7 +196,12 @@ class UniformContour {
         notes.splits.push_back({node.origin, node.size});
     }
     std::vector<MinimalEdge> doubtful = tree.doubtful_edges();
-    std::erase_if(doubtful, [](const MinimalEdge& e) { return !e.owned; });
+    std::erase_if(doubtful, [&](const MinimalEdge& e) {
+      const auto cell = [&](int a) {
+        return (component(e.start, a) - component(part.origin, a)) / unit();
+      };
+      return !ContourTile::tests_edge({cell(0), cell(1), cell(2)}, e.axis);
+    });
     notes.thin = thin_features(field_, tree, doubtful);
     return mesh;
   }
@@ -366,9 +288,9 @@ class UniformContour {
           throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
       forced_.insert(fresh.begin(), fresh.end());
       std::vector<std::size_t> again;
-      for (std::size_t i = 0; i < tiles_.size(); ++i)
+      for (std::size_t i = 0; i < set_.tiles.size(); ++i)
         if (std::any_of(fresh.begin(), fresh.end(), [&](const CellPlace& cell) {
-              return covers(tiles_[i], cell.origin, 0, kCells);
+              return covers(set_.tiles[i], cell.origin, 0, kCells);
             }))
           again.push_back(i);
       std::vector<TileMesh> unused(again.size());
@@ -397,8 +319,7 @@ class UniformContour {
   ContourReport& report_;
   ContourTimer timer_;
   std::mutex mutex_;
-  TileOrder order_;
-  std::vector<Tile> tiles_;  ///< in their order
+  const TileSet set_;
   std::vector<TileNotes> notes_;
   std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
   std::set<CellPlace> forced_;                      ///< cells that must be split

@@ -4,6 +4,7 @@
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -165,6 +166,40 @@ TEST(Contour, ThinWallsAndGapsAreReported) {
   ContourReport none;
   contour(primer_2f(), 0.5, {}, &none);
   EXPECT_TRUE(none.thin.empty());
+}
+
+// A wall of 0.15 voxels between two slots, everywhere in the voxels of a row that is longer than a
+// A wall of 0.15 voxels between two slots, in every voxel of a row that is longer than a tile: in
+// its first and last planes too, and wherever it lies in a node that shares a list.
+TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
+  constexpr double kVoxel = 0.5, kHalf = 0.075 * kVoxel, kRadius = 1.5;
+  for (const int axis : {0, 1})
+    for (int voxel = 8; voxel < 74; ++voxel)
+      for (const double share : {0.05, 0.3, 0.55, 0.8}) {
+        const double at = (voxel + share) * kVoxel;
+        const auto on_axis = [&](double along, double across) {
+          return axis == 0 ? Vec2{along, across} : Vec2{across, along};
+        };
+        const auto slot = [&](double side) {
+          const double along = at + side * (kRadius + kHalf);
+          return flat_line(on_axis(along, 1), on_axis(along, 5), kRadius, 1);
+        };
+        const Vec2 size = on_axis(40, 6);
+        const AnalyticField part({{0, 0, 0}, {size.x, size.y, 3}}, false, {slot(-1), slot(1)});
+        ContourReport report;
+        const TriMesh mesh = contour(part, kVoxel, {}, &report);
+        const bool is_kept =  // a plane of the grid lies in it
+            std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
+              return std::abs(component(vec(v), axis) - at) < 2 * kHalf && v[2] > 1.5 && v[2] < 2.5;
+            });
+        // The first edge of each pair of owners is told, where the slots' round ends may be.
+        const auto is_wall = [&](const ThinFeature& f) {
+          return f.wall && f.owner[0] == 0 && f.owner[1] == 1 && f.thickness < kVoxel &&
+                 std::abs(component(f.place, axis) - at) < kVoxel / 2;
+        };
+        EXPECT_TRUE(is_kept || std::any_of(report.thin.begin(), report.thin.end(), is_wall))
+            << "axis " << axis << ", voxel " << voxel + share;
+      }
 }
 
 TEST(Contour, RefusesWhatItCanNotMesh) {

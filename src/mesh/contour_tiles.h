@@ -1,0 +1,28 @@
+// Which tiles of the uniform grid the surface may pass (docs/mesh.md, Tiles).
+#pragma once
+
+#include "mesh/contour_lattice.h"
+#include "mesh/tile_mesh.h"
+#include "removal/field.h"
+
+#include <vector>
+
+namespace mrsim::detail {
+
+struct Tile {
+  LatticePoint place;     ///< in tiles
+  LatticePoint first;     ///< of its cells, voxels
+  Candidates candidates;  ///< what can matter in it
+};
+
+/// Tiles in their order.
+struct TileSet {
+  TileOrder order;
+  std::vector<Tile> tiles;
+};
+
+/// The tiles that the surface may pass, their order along the part's axes by length, the longest
+/// one last to grow. The same for any number of threads.
+TileSet find_tiles(const ExactField& field, const Lattice& lattice, int threads);
+
+}  // namespace mrsim::detail
