@@ -9,17 +9,21 @@
 namespace mrsim {
 namespace {
 
-// What a list is to hold.
+// What a list is to hold. Runs ascend by class, and by sweep where they can: what is asked for
+// points must, or has to be sorted again.
 struct Entry {
   std::uint32_t of = 0;  ///< class
   std::uint32_t number = 0;
-  bool children = false;  ///< those of the pack, not itself
+  std::uint32_t first = 0;  ///< sweep
+  bool children = false;    ///< those of the pack, not itself
 };
 using ByClass = std::vector<Entry>;
 void sort_by_class(ByClass& entries) {
-  const auto less = [](const Entry& a, const Entry& b) { return a.of < b.of; };
+  const auto less = [](const Entry& a, const Entry& b) {
+    return a.of != b.of ? a.of < b.of : a.first < b.first;
+  };
   if (!std::is_sorted(entries.begin(), entries.end(), less))
-    std::stable_sort(entries.begin(), entries.end(), less);
+    std::sort(entries.begin(), entries.end(), less);
 }
 
 // Writes entries of a list; keeps track of the largest value.
@@ -155,9 +159,15 @@ class RunWriter {
   double extent_ = 0;
 };
 
-// The entries of a run k with wanted(k).
+void copy_run(const NearList& in, const NearList::Run& run, NearList& out) {
+  const std::size_t first = out.open_run(run.of, run.numbers);
+  for (std::size_t i = 0; i < kNearColumns; ++i)
+    std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
+  out.close_run(run.count);
+}
+// The entries k with wanted(k).
 template <typename Wanted>
-void copy_run(const NearList& in, const NearList::Run& run, NearList& out, Wanted wanted) {
+void copy_some(const NearList& in, const NearList::Run& run, NearList& out, Wanted wanted) {
   const std::size_t first = out.open_run(run.of, run.numbers);
   std::size_t count = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
@@ -202,8 +212,9 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
   entries.clear();
   const bool one = c.class_of.empty() && packs.empty();
   for (std::size_t k = 0; !one && k < sweeps.size(); ++k)
-    entries.push_back({c.class_index(sweeps[k]), sweeps[k]});
-  for (const std::uint32_t pack : packs) entries.push_back({c.packs[pack].of, pack});
+    entries.push_back({c.class_index(sweeps[k]), sweeps[k], sweeps[k]});
+  for (const std::uint32_t pack : packs)
+    entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
   sort_by_class(entries);
   std::size_t runs = 2;
   for (std::size_t k = 1; k < entries.size(); ++k) runs += entries[k].of != entries[k - 1].of;
@@ -230,29 +241,34 @@ bool SweepTable::open(const PruneRegion& region, const NearList& in, NearList& o
   const auto is_large = [&](std::uint32_t pack) {
     return region.open || region.radius < c.packs[pack].open_below;
   };
+  const auto may_be_large = [&](const NearList::Run& run) {
+    const SweepClass& type = c.classes[run.of];
+    return type.packs && (region.open || region.radius < type.open_below);
+  };
   static thread_local ByClass opened;
   std::size_t room = in.size();
   const auto append = [&](const auto& self, std::uint32_t number) -> void {
     const SweepPack& pack = c.packs[number];
     room += pack.size();
-    if (pack.count == 0) return opened.push_back({c.class_index(pack.first), number, true});
+    if (pack.count == 0)
+      return opened.push_back({c.class_index(pack.first), number, pack.first, true});
     bool alike = true;
     const std::uint32_t first = kFirstPack + pack.child;
     c.packs.for_each_child(number, [&](std::uint32_t child) {
       alike = alike && !is_large(child) && c.packs[child].of == c.packs[first].of;
     });
-    if (alike) return opened.push_back({c.packs[first].of, number, true});
+    if (alike) return opened.push_back({c.packs[first].of, number, pack.first, true});
     c.packs.for_each_child(number, [&](std::uint32_t child) {
       if (is_large(child))
         self(self, child);
       else
-        opened.push_back({c.packs[child].of, child, false});
+        opened.push_back({c.packs[child].of, child, c.packs[child].first, false});
     });
   };
   opened.clear();
   const auto& runs = in.runs();
   for (const NearList::Run& run : runs)
-    for (std::size_t k = 0; c.classes[run.of].packs && k < run.count; ++k)
+    for (std::size_t k = 0; k < run.count && may_be_large(run); ++k)
       if (const std::uint32_t number = in.number(run, k); is_large(number)) append(append, number);
   if (opened.empty()) return false;
   sort_by_class(opened);
@@ -262,10 +278,11 @@ bool SweepTable::open(const PruneRegion& region, const NearList& in, NearList& o
   RunWriter writer(out, c);
   auto next = opened.cbegin();
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const bool packs = c.classes[runs[i].of].packs;
     const std::int32_t group = c.classes[runs[i].of].group;
-    copy_run(in, runs[i], out,
-             [&](std::size_t k) { return !packs || !is_large(in.number(runs[i], k)); });
+    if (!may_be_large(runs[i]))
+      copy_run(in, runs[i], out);
+    else if (!region.open)
+      copy_some(in, runs[i], out, [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
     if (i + 1 < runs.size() && c.classes[runs[i + 1].of].group == group) continue;
     while (next != opened.cend() && c.classes[next->of].group == group)
       next = writer.run(next, opened.cend());
