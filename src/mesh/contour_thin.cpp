@@ -12,26 +12,41 @@ namespace {
 constexpr int kSearchSteps = 14;
 constexpr int kBlock = 8;  ///< voxels
 
+struct EdgeEnd {
+  Vec3 position;
+  double distance = 0;
+};
+
 // A point between a and b that lies on the other side than both, by sections of the golden rule on
-// |d|; false where none is found.
-bool find_between(const Probe& probe, const Vec3& a, const Vec3& b, bool ends_inside, Vec3& out) {
+// |d|; false where none is found. As d is 1-Lipschitz, its values tell early that there is none in
+// what is left.
+bool find_between(const Probe& probe, const EdgeEnd& a, const EdgeEnd& b, bool ends_inside,
+                  Vec3& out) {
   constexpr double kGolden = 0.3819660112501051;
+  const double size = distance(a.position, b.position), side = ends_inside ? -1 : 1;
   double low = 0, high = 1, depth[2], t[2] = {kGolden, 1 - kGolden};
+  double at_low = side * a.distance, at_high = side * b.distance;
   const auto measure = [&](double at) {
-    out = lerp(a, b, at);
-    const double d = probe.sample(out).distance;
-    return ends_inside ? -d : d;
+    out = lerp(a.position, b.position, at);
+    return side * probe.sample(out).distance;
   };
   const auto through = [&](double d) {
     return ends_inside ? d <= kInsideTolerance : d < -kInsideTolerance;
+  };
+  const auto may_pass = [&](double from, double to, double share) {
+    return from + to - share * size < 4 * kInsideTolerance;
   };
   for (int k = 0; k < 2; ++k) {
     depth[k] = measure(t[k]);
     if (through(depth[k])) return true;
   }
   for (int k = 0; k < kSearchSteps; ++k) {
+    if (!may_pass(at_low, depth[0], t[0] - low) && !may_pass(depth[0], depth[1], t[1] - t[0]) &&
+        !may_pass(depth[1], at_high, high - t[1]))
+      return false;
     const bool left = depth[0] < depth[1];
     (left ? high : low) = left ? t[1] : t[0];
+    (left ? at_high : at_low) = left ? depth[1] : depth[0];
     const int keep = left ? 0 : 1;
     t[1 - keep] = t[keep];
     depth[1 - keep] = depth[keep];
@@ -52,9 +67,12 @@ std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells
     const EdgeEnds ends = cells.ends(e);
     const Vec3 a = ends.low, b = high_end(ends, e.axis);
     const Probe probe{field, cells.candidates(e.cells[0]), 0};
-    const std::int32_t low = probe.sample(a).owner, high = probe.sample(b).owner;
+    const FieldSample at_a = probe.sample(a), at_b = probe.sample(b);
+    const std::int32_t low = at_a.owner, high = at_b.owner;
     Vec3 middle;
-    if (low == high || !find_between(probe, a, b, e.low_inside, middle)) continue;
+    if (low == high ||
+        !find_between(probe, {a, at_a.distance}, {b, at_b.distance}, e.low_inside, middle))
+      continue;
     const Vec3 from =
         e.low_inside ? find_crossing(probe, a, middle) : find_crossing(probe, middle, a);
     const Vec3 to =

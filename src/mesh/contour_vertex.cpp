@@ -45,11 +45,26 @@ std::size_t distinct_faces(std::span<const FieldSample> in, FieldSample* out, st
   return n;
 }
 
+// Sine of the angle below which a crease may be cut off by a cell: a chord of length s across a
+// crease of angle w leaves it by at most s w / 4.
+double smooth_angle(const Probe& probe, double size) {
+  return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
+}
+
+// Of faces with these unit normals.
+bool join_smoothly(const Probe& probe, const Vec3& n, const Vec3& m, double size) {
+  const Vec3 c = cross(n, m);
+  const double limit = smooth_angle(probe, size);
+  return dot(n, m) > 0 && dot(c, c) < limit * limit;
+}
+
+// `normals`: of the faces at the start.
 SurfacePoint try_faces(const Probe& probe, const Box3& room, const Vec3& start,
-                       std::span<const FieldSample> faces) {
+                       std::span<const FieldSample> faces, const Vec3* normals) {
   SurfacePoint result;
   Vec3 p = start;
-  if (!solve_faces(probe.field, faces, -1, room, p) || !accept(probe, p, room, -1)) return result;
+  if (!solve_faces(probe.field, faces, -1, room, p, normals) || !accept(probe, p, room, -1))
+    return result;
   result.position = p;
   result.count = static_cast<int>(faces.size());
   std::copy(faces.begin(), faces.end(), result.faces);
@@ -62,6 +77,7 @@ SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start
   struct Triple {
     double det;
     std::array<FieldSample, 3> faces;
+    std::array<Vec3, 3> normals;
   };
   std::array<Vec3, 8> normals;
   for (std::size_t k = 0; k < faces.size(); ++k) normals[k] = probe.field.gradient(start, faces[k]);
@@ -70,23 +86,30 @@ SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (std::size_t c = b + 1; c < faces.size(); ++c) {
         const double det = std::abs(dot(normals[a], cross(normals[b], normals[c])));
-        if (det > 1e-4) triples.push_back({det, {faces[a], faces[b], faces[c]}});
+        if (det > 1e-4)
+          triples.push_back(
+              {det, {faces[a], faces[b], faces[c]}, {normals[a], normals[b], normals[c]}});
       }
   std::stable_sort(triples.begin(), triples.end(),
                    [](const Triple& x, const Triple& y) { return x.det > y.det; });
   for (std::size_t k = 0; k < triples.size() && k < 6; ++k)
-    if (SurfacePoint s = try_faces(probe, room, start, triples[k].faces); s.count > 0) return s;
+    if (SurfacePoint s = try_faces(probe, room, start, triples[k].faces, triples[k].normals.data());
+        s.count > 0)
+      return s;
   return {};
 }
 
 SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const Vec3> starts,
                          std::span<const FieldSample> faces) {
+  const double size = length(room.hi - room.lo);
   for (std::size_t a = 0; a < faces.size(); ++a)
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (const Vec3& start : starts) {
-        if (join_smoothly(probe, start, faces[a], faces[b], length(room.hi - room.lo))) continue;
         const FieldSample pair[2] = {faces[a], faces[b]};
-        if (SurfacePoint s = try_faces(probe, room, start, pair); s.count > 0) return s;
+        const Vec3 normals[2] = {probe.field.gradient(start, pair[0]),
+                                 probe.field.gradient(start, pair[1])};
+        if (join_smoothly(probe, normals[0], normals[1], size)) continue;
+        if (SurfacePoint s = try_faces(probe, room, start, pair, normals); s.count > 0) return s;
       }
   return {};
 }
@@ -151,12 +174,6 @@ SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const Cel
   return {};
 }
 
-// Sine of the angle below which a crease may be cut off by a cell: a chord of length s across a
-// crease of angle w leaves it by at most s w / 4.
-double smooth_angle(const Probe& probe, double size) {
-  return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
-}
-
 SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
   SmoothSearch search(probe.field, room, start);
   run_together(probe, std::span(&search, 1));
@@ -184,14 +201,11 @@ bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceEl
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
                    double size) {
   if (same_face(a, b)) return true;
-  const Vec3 n = probe.field.gradient(p, a), m = probe.field.gradient(p, b);
-  const Vec3 c = cross(n, m);
-  const double limit = smooth_angle(probe, size);
-  return dot(n, m) > 0 && dot(c, c) < limit * limit;
+  return join_smoothly(probe, probe.field.gradient(p, a), probe.field.gradient(p, b), size);
 }
 
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
-                 const Box3& room, Vec3& p) {
+                 const Box3& room, Vec3& p, const Vec3* normals) {
   const double reach = 2 * length(room.hi - room.lo);
   const Vec3 middle = 0.5 * (room.lo + room.hi);
   const int rows = static_cast<int>(faces.size());
@@ -204,7 +218,9 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
       worst = std::max(worst, std::abs(g[i]));
     }
     if (worst < 1e-9) return true;
-    for (int i = 0; i < rows; ++i) n[i] = field.gradient(p, faces[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < rows; ++i)
+      n[i] = k == 0 && normals != nullptr ? normals[i]
+                                          : field.gradient(p, faces[static_cast<std::size_t>(i)]);
     int all = rows;
     if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
     if (!newton_step(n, g, all, step)) return worst < kOnSurface;
@@ -287,14 +303,19 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   FieldSample faces[8];
   const std::size_t n = distinct_faces(hints.faces, faces, 8);
   const Vec3 mean = mean_of(hints.crossings);
-  const Vec3 start = hints.creases.empty() ? mean : mean_of(hints.creases);
+  const std::size_t ends = hints.creases.size();
+  const Vec3 start = ends == 0 ? mean : mean_of(hints.creases);
   if (n >= 3)
     if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;
   if (n >= 2) {
+    // Without ends of creases both starts are the same; one end is the start.
     const Vec3 starts[2] = {start, mean};
-    if (SurfacePoint s = try_creases(probe, room, starts, {faces, n}); s.count > 0) return s;
+    const std::span<const Vec3> means(starts, ends == 0 ? 1 : 2);
+    if (SurfacePoint s = try_creases(probe, room, means, {faces, n}); s.count > 0) return s;
     // The crease may be hidden by other faces between its ends: start at each of them.
-    if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0) return s;
+    if (ends > 1)
+      if (SurfacePoint s = try_creases(probe, room, hints.creases, {faces, n}); s.count > 0)
+        return s;
     if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
   }
   return try_smooth(probe, room, mean);
