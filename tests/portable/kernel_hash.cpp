@@ -174,7 +174,7 @@ void hash_sweeps(const Kind& kind) {
       bits.add(std::uint64_t(table.prune(region, region.radius + 1, 1, all, left)));
       for (const NearList::Run& run : left.runs())
         for (std::size_t k2 = 0; k2 < run.count; ++k2)
-          bits.add(std::uint64_t(left.id(run.first + k2)));
+          bits.add(std::uint64_t(left.number(run, k2)));
     }
   }
   bits.print("sweeps", kind.name);

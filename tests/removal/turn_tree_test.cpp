@@ -93,7 +93,7 @@ TEST(TurnTree, OpenedPacksGiveTheSameBits) {
     if (!sweeps.prune(region, reach, band, all, left)) continue;
     std::vector<std::uint32_t> ids;
     for (const NearList::Run& run : left.runs())
-      for (std::size_t k = 0; k < run.count; ++k) ids.push_back(left.id(run.first + k));
+      for (std::size_t k = 0; k < run.count; ++k) ids.push_back(left.number(run, k));
     const std::vector<std::uint32_t> packs = ids;
     if (!sweeps.open_turned(region, reach, 20, ids)) {
       EXPECT_EQ(ids, packs);
