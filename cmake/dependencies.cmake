@@ -24,7 +24,7 @@ find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)
 target_link_libraries(mrsim_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)
 
-# STEP input. Open CASCADE is large, so a build may go without.
+# STEP input. Open CASCADE is large, so a build may go without; only the module that reads STEP files is linked against it.
 add_library(mrsim_step INTERFACE)
 option(MRSIM_STEP "Read STEP files (needs Open CASCADE)" ON)
 if(MRSIM_STEP)
@@ -34,6 +34,7 @@ if(MRSIM_STEP)
     target_link_libraries(mrsim_step INTERFACE TKSTEP TKXSBase TKMesh TKTopAlgo TKBRep TKPrim TKBO
                                                TKShHealing TKG3d TKMath TKernel)
     target_compile_definitions(mrsim_step INTERFACE MRSIM_HAS_STEP)
+    set(MRSIM_STEP_MODULE TRUE)
   else()
     message(STATUS "Open CASCADE was not found: STEP files will not be read")
   endif()

@@ -38,6 +38,8 @@ THIRD_PARTY = {
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "embree3/": r"src/(mesh|compare)/[^/]*\.cpp",
+    "STEPControl_": r"src/compare/step/module\.cpp|tests/(compare|cli)/.*",
+    "BRep": r"src/compare/step/module\.cpp|tests/(compare|cli)/.*",
     "png.h": r"src/mesh/[^/]*\.cpp|tests/mesh/.*",
     "CLI/": r"src/cli/[^/]*\.cpp",
     "toml++/": r"src/setup/[^/]*\.cpp",

@@ -1,92 +1,102 @@
-// STEP files through Open CASCADE, the only source that sees it.
+// STEP files through the module that reads them, opened when the first one is asked for.
+#include "compare/step/module.h"
 #include "core/text_io.h"
 #include "mesh/check.h"
+#include "mesh/weld.h"
 #include <mrsim/solid_files.h>
 
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <string>
+#include <system_error>
 
-#include <fmt/format.h>
-
-#ifdef MRSIM_HAS_STEP
-
-#include "mesh/weld.h"
-
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRep_Tool.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_PrinterOStream.hxx>
-#include <Poly_Triangulation.hxx>
-#include <STEPControl_Reader.hxx>
-#include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Shape.hxx>
-#include <UnitsMethods.hxx>
+#include <dlfcn.h>
 
 namespace mrsim {
 namespace {
 
-constexpr double kAngle = 0.2;  // radians between neighbouring facets at most
+#ifdef MRSIM_HAS_STEP
 
-// The library talks to stdout on its own account.
-void silence() {
-  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+struct StepModule {
+  ReadStepFacets* read;
+  FreeStepFacets* free;
+};
+
+[[noreturn]] void fail_module(const std::string& why) {
+  throw Error("step-module",
+              "the module that reads STEP files cannot be opened: " + why +
+                  "; install mrsim with all its files and Open CASCADE's libraries, build it "
+                  "again where they have changed, or export the model as STL or 3MF");
 }
 
-TopoDS_Shape read_shape(const std::string& path) {
-  // Looked at first: the library's messages for files that are not STEP say little.
-  const std::string head = read_file(path).substr(0, 4096);
-  if (head.find("ISO-10303-21") == std::string::npos)
-    throw Error("step-unreadable", path + " is not a STEP file: it has no ISO-10303-21 header");
-  silence();
-  STEPControl_Reader reader;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Error("step-unreadable", path + " cannot be read as STEP: its data section is damaged");
-  reader.TransferRoots();
-  return reader.OneShape();
+// Beside the library (or the program that holds its stages), wherever that was moved to.
+std::string module_path() {
+  Dl_info self{};
+  if (dladdr(reinterpret_cast<const void*>(&module_path), &self) == 0 || !self.dli_fname)
+    fail_module("the system does not tell where the library lies");
+  std::error_code ignored;
+  const std::filesystem::path library = std::filesystem::weakly_canonical(self.dli_fname, ignored);
+  return (library.parent_path() / "mrsim" / "step.so").string();
 }
 
-// Triangles of one face; a reversed face turns them.
-void add_face(const TopoDS_Face& face, const std::string& path, Welder& welder, TriMesh& mesh) {
-  TopLoc_Location place;
-  const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, place);
-  if (facets.IsNull())
-    throw Error("step-open", path + " has a face that Open CASCADE cannot tessellate");
-  std::vector<std::uint32_t> index;
-  for (int i = 1; i <= facets->NbNodes(); ++i) {
-    const gp_Pnt p = facets->Node(i).Transformed(place.Transformation());
-    index.push_back(welder.add({float(p.X()), float(p.Y()), float(p.Z())}));
+// Stays open: Open CASCADE keeps tables that point into its libraries.
+StepModule open_module() {
+  const std::string path = module_path();
+  void* module = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (!module) fail_module(dlerror());
+  const StepModule functions{reinterpret_cast<ReadStepFacets*>(dlsym(module, kReadStepFacets)),
+                             reinterpret_cast<FreeStepFacets*>(dlsym(module, kFreeStepFacets))};
+  if (!functions.read || !functions.free)
+    fail_module(path + " belongs to another version of mrsim");
+  return functions;
+}
+
+TriMesh weld_facets(const StepFacets& facets) {
+  Welder welder;
+  std::vector<std::uint32_t> index(facets.point_count);
+  for (std::size_t i = 0; i < facets.point_count; ++i) {
+    const float* p = facets.points + 3 * i;
+    index[i] = welder.add({p[0], p[1], p[2]});
   }
-  for (int i = 1; i <= facets->NbTriangles(); ++i) {
-    int a = 0, b = 0, c = 0;
-    facets->Triangle(i).Get(a, b, c);
-    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
-    const std::array<std::uint32_t, 3> t{index[std::size_t(a - 1)], index[std::size_t(b - 1)],
-                                         index[std::size_t(c - 1)]};
+  TriMesh mesh;
+  for (std::size_t i = 0; i < facets.triangle_count; ++i) {
+    const std::uint32_t* corners = facets.triangles + 3 * i;
+    const std::array<std::uint32_t, 3> t{index[corners[0]], index[corners[1]], index[corners[2]]};
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
   }
-}
-
-TriMesh tessellate(const TopoDS_Shape& shape, const std::string& path, double deflection) {
-  Welder welder;
-  TriMesh mesh;
-  bool any = false;
-  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
-    any = true;
-    BRepMesh_IncrementalMesh mesher(solid.Current(), deflection, Standard_False, kAngle);
-    for (TopExp_Explorer face(solid.Current(), TopAbs_FACE); face.More(); face.Next())
-      add_face(TopoDS::Face(face.Current()), path, welder, mesh);
-  }
-  if (!any)
-    throw Error("step-no-solid", path +
-                                     " has no solid: surfaces or wires alone bound no part. "
-                                     "Export the body as a solid (AP203, AP214 or AP242)");
   mesh.vertices = welder.take();
   return mesh;
 }
+
+// A file that is no STEP never reaches the module, whose messages for such files say little.
+void require_step_header(const std::string& path) {
+  const std::string head = read_file(path).substr(0, 4096);
+  if (head.find("ISO-10303-21") == std::string::npos)
+    throw Error("step-unreadable", path + " is not a STEP file: it has no ISO-10303-21 header");
+}
+
+TriMesh read_solids(const std::string& path, double deflection) {
+  require_step_header(path);
+  static const StepModule module = open_module();
+  const std::unique_ptr<const StepFacets, FreeStepFacets*> facets(
+      module.read(path.c_str(), deflection), module.free);
+  if (!facets) throw std::bad_alloc();
+  if (facets->code) throw Error(facets->code, path + facets->text);
+  return weld_facets(*facets);
+}
+
+#else
+
+TriMesh read_solids(const std::string& path, double) {
+  throw Error("step-unsupported",
+              path +
+                  ": this mrsim was built without Open CASCADE (MRSIM_STEP) and reads no STEP; "
+                  "export the model as STL or 3MF");
+}
+
+#endif
 
 }  // namespace
 
@@ -94,13 +104,7 @@ TriMesh read_step(const std::string& path, double deflection) {
   if (!(deflection > 0) || !std::isfinite(deflection))
     throw Error("deflection-invalid", "the deflection of a STEP file is a length above 0 mm",
                 Error::Kind::usage);
-  TriMesh mesh;
-  try {
-    mesh = tessellate(read_shape(path), path, deflection);
-  } catch (const Standard_Failure& failure) {
-    throw Error("step-unreadable",
-                fmt::format("{}: Open CASCADE gave up ({})", path, failure.GetMessageString()));
-  }
+  TriMesh mesh = read_solids(path, deflection);
   const MeshSummary summary = check_mesh(mesh);
   if (!summary.closed || !summary.oriented)
     throw Error("step-open", path + ": the solids' faces do not join: " + summary.first_fault);
@@ -108,18 +112,3 @@ TriMesh read_step(const std::string& path, double deflection) {
 }
 
 }  // namespace mrsim
-
-#else
-
-namespace mrsim {
-
-TriMesh read_step(const std::string& path, double) {
-  throw Error("step-unsupported",
-              path +
-                  ": this mrsim was built without Open CASCADE (MRSIM_STEP) and reads no STEP; "
-                  "export the model as STL or 3MF");
-}
-
-}  // namespace mrsim
-
-#endif

@@ -32,10 +32,10 @@ class CliTest : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// `arguments` as typed after "mrsim" in a shell.
-  Outcome run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" MRSIM_PROGRAM "' " +
-                                arguments + " >.out 2>.err </dev/null";
+  /// `arguments` as typed after "mrsim" in a shell, `variables` before it.
+  Outcome run(const std::string& arguments, const std::string& variables = "") {
+    const std::string command = "cd '" + folder_.string() + "' && " + variables +
+                                " '" MRSIM_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 100 + status;
