@@ -16,7 +16,7 @@ namespace {
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
 // active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
 // cells of a mesh with a tolerance are there while it is made.
-constexpr double kProgram = 60e6, kMotion = 850, kThread = 30e6;
+constexpr double kProgram = 60e6, kMotion = 560, kThread = 25e6;
 constexpr double kGridColumn = 160, kMeshColumn = 70, kToleranceColumn = 306;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
