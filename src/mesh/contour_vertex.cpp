@@ -114,10 +114,10 @@ SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const V
   return {};
 }
 
-// Moves p onto the surface, in the plane of the given axis (-1: freely).
-bool project(const Probe& probe, const Box3& room, int axis, Vec3& p) {
+// Moves p onto the surface, in the plane of the given axis (-1: freely); s: the sample there.
+bool project(const Probe& probe, const Box3& room, int axis, Vec3& p, FieldSample& s) {
   for (int k = 0; k < 12; ++k) {
-    const FieldSample s = probe.sample(p);
+    s = probe.sample(p);
     if (std::abs(s.distance) < 1e-8) return true;
     Vec3 n = probe.field.gradient(p, s);
     if (axis >= 0) component(n, axis) = 0;
@@ -140,8 +140,8 @@ SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, cons
   const double reach = length(room.hi - room.lo);
   for (int k = 0; k < 20; ++k) {
     Vec3 m = 0.5 * (low + high);
-    if (!project(probe, room, axis, m)) return result;
-    const FieldSample s = probe.sample(m);
+    FieldSample s;
+    if (!project(probe, room, axis, m, s)) return result;
     if (same_face(s, a)) {
       low = m;
     } else {
