@@ -110,7 +110,9 @@ TEST(CollisionProbe, TellsTheTruthWithAnyThreads) {
   const std::vector<CollisionHit> hits = scene.probe();
   EXPECT_GE(hits.size(), 20u);
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (i > 0) EXPECT_LT(hits[i - 1].mover, hits[i].mover);
+    if (i > 0) {
+      EXPECT_LT(hits[i - 1].mover, hits[i].mover);
+    }
     EXPECT_LE(scene.movers().sweeps.distance(hits[i].mover, hits[i].place), 1e-6);
     EXPECT_GT(scene.depth(hits[i].mover, hits[i].place), kTouch);
   }
