@@ -102,6 +102,37 @@ TEST(SweepTable, ShankHolderAndRapidsAreSelected) {
   EXPECT_NEAR(holder.distance(1, {0, 0, 30}), 10, 1e-9);
 }
 
+// More motions than one part holds, of many forms; each is what it is on its own.
+TEST(SweepTable, LongProgramsAreMadeInParts) {
+  Random r(5);
+  const std::vector<Tool> tools = {ballmill(6), endmill(8), endmill(6, 1, 5)};
+  std::vector<Motion> motions;
+  Vec3 at;
+  for (int i = 0; i < 140000; ++i) {
+    const int kind = i % 1000 < 900 ? 0 : r.pick(5);
+    const Vec3 to = at + Vec3{r(-0.2, 0.2), r(-0.2, 0.2), kind == 1 ? 0.5 : kind == 2 ? 0.1 : 0};
+    Motion m = kind == 3 ? arc(at, to, {0, 0, 1}, 1) : line(at, to);
+    if (kind == 4) m.tool_axis = normalized(Vec3{0.1 * r.pick(3), 0, 1});
+    m.tool = i / 50000;
+    motions.push_back(m);
+    at = m.end;
+  }
+  const SweepTable table(motions, tools, 10), parts(motions, tools, 10, {}, 2);
+  ASSERT_EQ(table.size(), parts.size());
+  for (int round = 0; round < 3000; ++round) {
+    const auto i = static_cast<std::size_t>(r.pick(static_cast<int>(table.size())));
+    const Motion& m = motions[static_cast<std::size_t>(table.motion(i))];
+    const Vec3 p = m.start + Vec3{r(-5, 5), r(-5, 5), r(-5, 5)};
+    const SweepTable alone({&m, 1}, tools, 10);
+    ASSERT_EQ(alone.size(), 1u);
+    ASSERT_EQ(table.motion(i), parts.motion(i));
+    ASSERT_EQ(table.distance(i, p), alone.distance(0, p));
+    ASSERT_EQ(parts.distance(i, p), alone.distance(0, p));
+    ASSERT_EQ(table.bounds(i).lo, alone.bounds(0).lo);
+    ASSERT_EQ(table.bounds(i).hi, alone.bounds(0).hi);
+  }
+}
+
 TEST(SweepTable, MissingToolIsAnError) {
   Motion m = line({0, 0, 0}, {1, 0, 0});
   m.tool = -1;
