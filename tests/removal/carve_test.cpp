@@ -136,6 +136,38 @@ TEST(Carve, DominanceNeverChangesABit) {
   expect_reference(flat, short_moves(4, 60, false));  // no closed form: the reference is slow
 }
 
+// Rows of short moves along smooth curves, some of them twice, which lists hold in packs.
+std::vector<Motion> smooth_rows(std::uint64_t seed, bool level) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> bend(-0.3, 0.3);
+  std::vector<Motion> motions;
+  for (int row = 0; row < 16; ++row) {
+    const std::size_t first = motions.size();
+    const double turn = bend(random), lift = level ? 0 : bend(random);
+    double heading = 2 * bend(random) + (row % 2 ? kPi : 0);
+    Vec3 at{row % 2 ? 15.0 : 5.0, 2.0 + row, 3.0 + double(random() % 3)};
+    for (int i = 0; i < 60; ++i, heading += 0.15 * turn) {
+      const Vec3 to = at + Vec3{0.15 * std::cos(heading), 0.15 * std::sin(heading),
+                                0.1 * lift * std::cos(0.2 * i)};
+      motions.push_back(line(at, to, i));
+      at = to;
+    }
+    if (row % 5 == 0)
+      for (std::size_t i = 0; i < 60; ++i) motions.push_back(motions[first + i]);
+  }
+  return motions;
+}
+
+TEST(Carve, PacksNeverChangeABit) {
+  Tool bull = mill(ToolType::bullmill, 5);
+  bull.corner_radius = 1;
+  const Tool flat = mill(ToolType::endmill, 5), ball = mill(ToolType::ballmill, 5);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (const Tool& tool : {flat, bull, ball}) expect_reference(tool, smooth_rows(seed, true));
+    expect_reference(ball, smooth_rows(seed, false));
+  }
+}
+
 // A spiral of narrow arcs at two levels, with lines across: arcs beat arcs, and lines them.
 TEST(Carve, ArcsAreDroppedWithoutChangingABit) {
   for (const ToolType type : {ToolType::endmill, ToolType::bullmill}) {
