@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/text_io.h"
+#include "support/temp_folder.h"
 
 #include <csignal>
 #include <filesystem>
@@ -16,19 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Drafts : public ::testing::Test {
+class Drafts : public TempFolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "mrsim-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::size_t files() const {
     return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
-  fs::path folder_;
 };
 
 TEST_F(Drafts, AppearWhole) {
@@ -124,16 +117,11 @@ TEST_F(Drafts, FailWhereThereIsNoRoom) {
 }
 
 TEST_F(Drafts, AreRefusedWhereNoFileCanBe) {
-  const auto code_of = [](const std::string& name) -> std::string {
-    try {
-      const DraftFile draft(name);
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return "";
+  const auto code_at = [](const std::string& name) {
+    return code_of([&] { const DraftFile draft(name); });
   };
-  EXPECT_EQ(code_of(path("no/such/folder")), "output-folder");
-  EXPECT_EQ(code_of(folder_.string()), "output-unwritable");
+  EXPECT_EQ(code_at(path("no/such/folder")), "output-folder");
+  EXPECT_EQ(code_at(folder_.string()), "output-unwritable");
 }
 
 }  // namespace

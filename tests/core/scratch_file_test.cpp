@@ -1,6 +1,6 @@
 #include "core/scratch_file.h"
 
-#include "core/error.h"
+#include "support/temp_folder.h"
 
 #include <filesystem>
 #include <string>
@@ -11,28 +11,10 @@
 namespace mrsim {
 namespace {
 
-class ScratchFileTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "mrsim-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string folder_;
-};
-
-std::string code_of(const std::function<void()>& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return {};
-}
+class ScratchFileTest : public TempFolderTest {};
 
 TEST_F(ScratchFileTest, HasNoNameAndOutlivesItsFolder) {
-  ScratchFile file(folder_);
+  ScratchFile file(folder_.string());
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
   file.append("abc", 3);
   std::filesystem::remove_all(folder_);
@@ -44,7 +26,7 @@ TEST_F(ScratchFileTest, HasNoNameAndOutlivesItsFolder) {
 }
 
 TEST_F(ScratchFileTest, BeginsAnew) {
-  ScratchFile file(folder_);
+  ScratchFile file(folder_.string());
   file.append("abcdef", 6);
   file.clear();
   EXPECT_EQ(file.size(), 0u);
@@ -55,8 +37,8 @@ TEST_F(ScratchFileTest, BeginsAnew) {
 }
 
 TEST_F(ScratchFileTest, FaultsHaveACode) {
-  EXPECT_EQ(code_of([&] { const ScratchFile file(folder_ + "/none"); }), "output-unwritable");
-  ScratchFile file(folder_);
+  EXPECT_EQ(code_of([&] { const ScratchFile file(path("none")); }), "output-unwritable");
+  ScratchFile file(folder_.string());
   file.append("abc", 3);
   char read[4];
   EXPECT_EQ(code_of([&] { file.read(0, read, 4); }), "output-unwritable");  // cut short

@@ -1,6 +1,6 @@
 #include "core/text_io.h"
 
-#include "core/error.h"
+#include "support/temp_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -13,25 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class TextIo : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "mrsim-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  static std::string code_of(const std::function<void()>& body) {
-    try {
-      body();
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return "";
-  }
-  fs::path folder_;
-};
+class TextIo : public TempFolderTest {};
 
 TEST(ParseNumber, TakesWhatControlsTake) {
   EXPECT_EQ(parse_number("12"), 12.0);
