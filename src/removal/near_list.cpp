@@ -178,6 +178,84 @@ void copy_some(const NearList& in, const NearList::Run& run, NearList& out, Want
   }
   out.close_run(count);
 }
+
+// Puts children in place of the packs of a list that are large beside a region.
+class PackOpener {
+ public:
+  PackOpener(const SweepColumns& columns, const PruneRegion& region)
+      : c_(columns), region_(region), opened_(scratch()) {
+    opened_.clear();
+  }
+
+  // False where there is no such pack.
+  bool find(const NearList& in) {
+    room_ = in.size();
+    for (const NearList::Run& run : in.runs())
+      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k)
+        if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
+    sort_by_class(opened_);
+    return !opened_.empty();
+  }
+
+  // Children come after all runs of their group, so that the group stays together.
+  void write(const NearList& in, NearList& out) const {
+    const auto& runs = in.runs();
+    out.reset(NearList::room(room_, runs.size() + c_.classes.size()), in.origin);
+    out.closed = in.closed;
+    RunWriter writer(out, c_);
+    auto next = opened_.cbegin();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!may_be_large(runs[i]))
+        copy_run(in, runs[i], out);
+      else if (!region_.open)
+        copy_some(in, runs[i], out,
+                  [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
+      const std::int32_t group = c_.classes[runs[i].of].group;
+      if (i + 1 < runs.size() && c_.classes[runs[i + 1].of].group == group) continue;
+      while (next != opened_.cend() && c_.classes[next->of].group == group)
+        next = writer.run(next, opened_.cend());
+    }
+    out.extent = std::max(in.extent, writer.extent());
+  }
+
+ private:
+  static ByClass& scratch() {
+    static thread_local ByClass entries;  // its memory serves all lists
+    return entries;
+  }
+  bool is_large(std::uint32_t pack) const {
+    return region_.open || region_.radius < c_.packs[pack].open_below;
+  }
+  bool may_be_large(const NearList::Run& run) const {
+    const SweepClass& type = c_.classes[run.of];
+    return type.packs && (region_.open || region_.radius < type.open_below);
+  }
+
+  // The children of a large pack, or theirs.
+  void append(std::uint32_t number) {
+    const SweepPack& pack = c_.packs[number];
+    room_ += pack.size();
+    if (pack.count == 0)
+      return opened_.push_back({c_.class_index(pack.first), number, pack.first, true});
+    bool alike = true;
+    const std::uint32_t first = kFirstPack + pack.child;
+    c_.packs.for_each_child(number, [&](std::uint32_t child) {
+      alike = alike && !is_large(child) && c_.packs[child].of == c_.packs[first].of;
+    });
+    if (alike) return opened_.push_back({c_.packs[first].of, number, pack.first, true});
+    c_.packs.for_each_child(number, [&](std::uint32_t child) {
+      if (is_large(child))
+        append(child);
+      else
+        opened_.push_back({c_.packs[child].of, child, c_.packs[child].first, false});
+    });
+  }
+
+  const SweepColumns& c_;
+  const PruneRegion& region_;
+  ByClass& opened_;
+  std::size_t room_ = 0;
+};
 }  // namespace
 
 void NearList::reset(std::size_t slots, const Vec3& about) {
@@ -235,59 +313,10 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
   out.close_run(turned.size());
 }
 
-// Children of packs come after all runs of their group, so that the group stays together.
 bool SweepTable::open(const PruneRegion& region, const NearList& in, NearList& out) const {
-  const Columns& c = *columns_;
-  const auto is_large = [&](std::uint32_t pack) {
-    return region.open || region.radius < c.packs[pack].open_below;
-  };
-  const auto may_be_large = [&](const NearList::Run& run) {
-    const SweepClass& type = c.classes[run.of];
-    return type.packs && (region.open || region.radius < type.open_below);
-  };
-  static thread_local ByClass opened;
-  std::size_t room = in.size();
-  const auto append = [&](const auto& self, std::uint32_t number) -> void {
-    const SweepPack& pack = c.packs[number];
-    room += pack.size();
-    if (pack.count == 0)
-      return opened.push_back({c.class_index(pack.first), number, pack.first, true});
-    bool alike = true;
-    const std::uint32_t first = kFirstPack + pack.child;
-    c.packs.for_each_child(number, [&](std::uint32_t child) {
-      alike = alike && !is_large(child) && c.packs[child].of == c.packs[first].of;
-    });
-    if (alike) return opened.push_back({c.packs[first].of, number, pack.first, true});
-    c.packs.for_each_child(number, [&](std::uint32_t child) {
-      if (is_large(child))
-        self(self, child);
-      else
-        opened.push_back({c.packs[child].of, child, c.packs[child].first, false});
-    });
-  };
-  opened.clear();
-  const auto& runs = in.runs();
-  for (const NearList::Run& run : runs)
-    for (std::size_t k = 0; k < run.count && may_be_large(run); ++k)
-      if (const std::uint32_t number = in.number(run, k); is_large(number)) append(append, number);
-  if (opened.empty()) return false;
-  sort_by_class(opened);
-
-  out.reset(NearList::room(room, runs.size() + c.classes.size()), in.origin);
-  out.closed = in.closed;
-  RunWriter writer(out, c);
-  auto next = opened.cbegin();
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::int32_t group = c.classes[runs[i].of].group;
-    if (!may_be_large(runs[i]))
-      copy_run(in, runs[i], out);
-    else if (!region.open)
-      copy_some(in, runs[i], out, [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
-    if (i + 1 < runs.size() && c.classes[runs[i + 1].of].group == group) continue;
-    while (next != opened.cend() && c.classes[next->of].group == group)
-      next = writer.run(next, opened.cend());
-  }
-  out.extent = std::max(in.extent, writer.extent());
+  PackOpener opener(*columns_, region);
+  if (!opener.find(in)) return false;
+  opener.write(in, out);
   return true;
 }
 }  // namespace mrsim
