@@ -23,6 +23,9 @@ class PartMesh final : public MeshSink {
   PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next);
 
   void take(const MeshBlock& block) override;
+  void expect(std::size_t vertices, std::size_t triangles) override {
+    if (!spilled_) collector_.expect(vertices, triangles);
+  }
   void restart() override;
 
   const MeshAudit& audit() const { return audit_; }

@@ -82,6 +82,7 @@ class UniformContour {
   // Makes the tiles by batches; while one is made, a thread joins and hands on the one before.
   void make_all(MeshSink& sink) {
     ++report_.passes;
+    handed_on_ = 0;
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
     TileMerger merger(set_.order);
     std::vector<TileMesh> made, meshes;
@@ -102,8 +103,14 @@ class UniformContour {
     if (meshes.empty()) return;
     const std::size_t end = first + meshes.size();
     for (std::size_t i = first; i < end; ++i) merger.add(set_.tiles[i].place, meshes[i - first]);
-    sink.take(
-        merger.block(end < set_.tiles.size() ? set_.order.key(set_.tiles[end].place) : kNoTile));
+    const bool is_last = end == set_.tiles.size();
+    const MeshBlock block = merger.block(is_last ? kNoTile : set_.order.key(set_.tiles[end].place));
+    handed_on_ += block.triangles.size();
+    const auto in_all = [&](std::size_t so_far) {
+      return so_far * set_.tiles.size() / end * 9 / 8;  // tiles are more or less alike
+    };
+    sink.expect(in_all(block.first_new + block.fresh().size()), in_all(handed_on_));
+    sink.take(block);
     show_progress(end);
   }
 
@@ -321,6 +328,7 @@ class UniformContour {
   std::mutex mutex_;
   const TileSet set_;
   std::vector<TileNotes> notes_;
+  std::size_t handed_on_ = 0;                       ///< triangles
   std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
   std::set<CellPlace> forced_;                      ///< cells that must be split
 };

@@ -8,12 +8,13 @@
 namespace mrsim {
 namespace {
 
-// Grows by doubling into huge pages: small ones take longer to come than to be filled.
+// Grows to what is expected, or by doubling, into huge pages: small ones take longer to come than
+// to be filled.
 template <class T>
-void append(std::vector<T>& all, std::span<const T> more) {
+void append(std::vector<T>& all, std::span<const T> more, std::size_t expected) {
   if (all.size() + more.size() > all.capacity()) {
     std::vector<T> larger;
-    reserve_large(larger, std::max(all.size() + more.size(), 2 * all.size()));
+    reserve_large(larger, std::max({all.size() + more.size(), 2 * all.size(), expected}));
     larger.insert(larger.end(), all.begin(), all.end());
     std::swap(all, larger);
   }
@@ -22,12 +23,17 @@ void append(std::vector<T>& all, std::span<const T> more) {
 
 }  // namespace
 
+void MeshCollector::expect(std::size_t vertices, std::size_t triangles) {
+  expected_vertices_ = vertices;
+  expected_triangles_ = triangles;
+}
+
 void MeshCollector::take(const MeshBlock& block) {
-  append(mesh_.vertices, block.fresh());
-  append(mesh_.colors, block.colors);
-  append(mesh_.owners, block.owners);
+  append(mesh_.vertices, block.fresh(), expected_vertices_);
+  append(mesh_.colors, block.colors, expected_vertices_);
+  append(mesh_.owners, block.owners, expected_triangles_);
   const std::size_t first = mesh_.triangles.size();
-  append(mesh_.triangles, block.triangles);
+  append(mesh_.triangles, block.triangles, expected_triangles_);
   for (std::size_t t = first; t < mesh_.triangles.size(); ++t)
     for (std::uint32_t& v : mesh_.triangles[t]) v = block.number(v);
 }

@@ -45,6 +45,10 @@ class MeshSink {
  public:
   virtual ~MeshSink() = default;
   virtual void take(const MeshBlock& block) = 0;
+  /// About how much there will be in all, as far as can be told; before any block.
+  virtual void expect(std::size_t vertices, std::size_t triangles) {
+    static_cast<void>(vertices), static_cast<void>(triangles);
+  }
   /// Forgets what it took: the blocks come anew.
   virtual void restart() = 0;
 
@@ -58,11 +62,13 @@ class MeshSink {
 class MeshCollector final : public MeshSink {
  public:
   void take(const MeshBlock& block) override;
+  void expect(std::size_t vertices, std::size_t triangles) override;
   void restart() override { mesh_ = {}; }
   TriMesh& mesh() { return mesh_; }
 
  private:
   TriMesh mesh_;
+  std::size_t expected_vertices_ = 0, expected_triangles_ = 0;
 };
 
 }  // namespace mrsim
