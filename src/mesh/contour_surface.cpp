@@ -195,11 +195,11 @@ void ContourSurface::place_loops_of(std::span<const std::int32_t> loops) {
 }
 
 void ContourSurface::finish_loop(std::int32_t id) {
-  static thread_local std::vector<Vec3> crossings, creases;
-  static thread_local std::vector<FieldSample> faces;
   Loop& loop = loops_[static_cast<std::size_t>(id)];
   const Box3 box = cells_.box(loop.cell);
   if (loop.point.count == 0 || options_.sharpen) {
+    static thread_local std::vector<Vec3> crossings, creases;
+    static thread_local std::vector<FieldSample> faces;
     crossings.clear();
     creases.clear();
     faces.clear();
@@ -328,7 +328,7 @@ void ContourSurface::add_triangle(std::int32_t crossing, std::uint32_t a, std::u
 }
 
 // Two triangles (or one) without a vertex on the edge itself, if both separate the edge's ends.
-bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring,
+bool ContourSurface::add_flat_polygon(const Crossing& c, std::span<const std::uint32_t> ring,
                                       std::int32_t id) {
   Vec3 from = c.low_end(), to = c.high_end();
   if (!c.edge.low_inside) std::swap(from, to);
@@ -359,20 +359,21 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, const std::vector<std::
 void ContourSurface::add_polygon(std::int32_t id) {
   const Crossing& c = at(crossings_, id);
   const bool up = c.edge.low_inside;
-  static thread_local std::vector<std::uint32_t> ring;
-  ring.clear();
+  std::uint32_t vertices[8];  // of four cells and the faces between them
+  std::size_t count = 0;
   bool plain = true;
   for (int k = 0; k < 4; ++k) {
     const int i = up ? k : 3 - k;
     const auto loop = static_cast<std::uint32_t>(c.loops[i]);
-    if (ring.empty() || ring.back() != loop) ring.push_back(loop);
+    if (count == 0 || vertices[count - 1] != loop) vertices[count++] = loop;
     const std::int32_t s = up ? c.segments[i] : c.segments[(i + 3) & 3];
     if (s >= 0 && at(segments_, s).vertex >= 0) {
-      ring.push_back(static_cast<std::uint32_t>(at(segments_, s).vertex));
+      vertices[count++] = static_cast<std::uint32_t>(at(segments_, s).vertex);
       plain = false;
     }
   }
-  if (ring.back() == ring.front()) ring.pop_back();
+  if (vertices[count - 1] == vertices[0]) --count;
+  const std::span<const std::uint32_t> ring(vertices, count);
   if (plain && add_flat_polygon(c, ring, id)) return;
   const auto apex = static_cast<std::uint32_t>(mesh_.vertices.size());
   mesh_.vertices.push_back(c.position);

@@ -171,7 +171,7 @@ class ContourSurface {
   SurfacePoint point_between(const CellFace& face, const Box3& box, const Crossing& a,
                              const Crossing& b) const;
   void add_polygon(std::int32_t crossing);
-  bool add_flat_polygon(const Crossing& c, const std::vector<std::uint32_t>& ring, std::int32_t id);
+  bool add_flat_polygon(const Crossing& c, std::span<const std::uint32_t> ring, std::int32_t id);
   void add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   const ExactField& field_;
