@@ -14,6 +14,15 @@ namespace mrsim::detail {
 /// mm: how near d = 0 the surface -kInsideTolerance is looked for.
 inline constexpr double kSurfaceBand = 4 * kInsideTolerance;
 
+/// Share of a cell's size: how far beyond a cell its points of the surface are searched for, and so
+/// how far beyond it its list of candidates holds.
+inline constexpr double kReach = 1.0 / 16;
+
+/// Where candidates must hold for cells of size `cell` mm in the box.
+inline Box3 reach_of(const Box3& box, double cell) {
+  return inflated(box, kReach * cell + kQuantum);
+}
+
 /// One edge of the grid that no smaller cell divides, and the four cells about it (equal where one
 /// cell spans two quadrants).
 struct MinimalEdge {

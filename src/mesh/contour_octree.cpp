@@ -123,11 +123,10 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
         const auto n = static_cast<std::size_t>(pending[k]);
         OctreeNode& a = nodes_[n];
         const Box3 b = box(pending[k]);
-        const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
         const Candidates whole = a.parent < 0 ? std::move(lists_[n]) : Candidates{};
         const std::span<const std::uint32_t> in =
             a.parent < 0 ? std::span<const std::uint32_t>(whole) : candidates(a.parent);
-        a.region = field_.restrict_to(0.5 * (b.lo + b.hi), radius, kSurfaceBand, in, lists_[n]);
+        a.region = field_.restrict_to(reach_of(b, b.hi.x - b.lo.x), kSurfaceBand, in, lists_[n]);
       },
       64);
 }

@@ -1,5 +1,8 @@
 #include "mesh/contour_search.h"
 
+#include "mesh/contour_cells.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim::detail {
@@ -40,8 +43,13 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat) {
 }
 
 bool in_reach(const Vec3& p, const Box3& room) {
-  const Vec3 half = 0.5 * (room.hi - room.lo), off = p - 0.5 * (room.lo + room.hi);
-  return dot(off, off) <= dot(half, half);
+  const Vec3 size = room.hi - room.lo;
+  const double beyond = kReach * std::max({size.x, size.y, size.z});
+  for (int a = 0; a < 3; ++a)
+    if (!(component(p, a) >= component(room.lo, a) - beyond &&
+          component(p, a) <= component(room.hi, a) + beyond))
+      return false;
+  return true;
 }
 
 CrossingSearch::CrossingSearch(const SegmentEnd& inside, const SegmentEnd& outside)

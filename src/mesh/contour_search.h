@@ -108,7 +108,7 @@ void run_together(const Probe& probe, std::span<Search> searches) {
 /// In the room, off its sides by 1e-6 of it (`flat`: the axis on which it has no extent, or -1).
 bool strictly_inside(const Vec3& p, const Box3& room, int flat);
 
-/// In the ball about the room, beyond which other sweeps may matter than the probe's.
+/// No farther beyond the room, a cell or a face of one, than the probe's candidates hold.
 bool in_reach(const Vec3& p, const Box3& room);
 
 }  // namespace mrsim::detail

@@ -57,12 +57,14 @@ Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const 
 }
 
 void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
-  const auto region =
-      descent_->enter(level, inflated(node_box(origin, size), kQuantum), kSurfaceBand,
-                      /*last=*/size <= 2 * kNode);
+  const Box3 reach = reach_of(node_box(origin, size), lattice().voxel());
+  const auto region = size == kNode
+                          ? descent_->finish(level, reach, kSurfaceBand, list_)
+                          : descent_->enter(level, reach, kSurfaceBand, /*last=*/size == 2 * kNode);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
-  if (size == kNode || (size == 2 * kNode && descent_->is_short(level))) {
+  if (size == kNode) return sample_node(origin, size, list_);
+  if (size == 2 * kNode && descent_->is_short(level)) {
     descent_->candidates(level, list_);
     return sample_node(origin, size, list_);
   }

@@ -48,9 +48,8 @@ TileRange whole(const ExactField& field, const Lattice& lattice) {
 // The parts of up to `most` tiles that the surface may pass.
 void find_parts(const Lattice& lattice, ExactField::Descent& descent, const TileRange& range,
                 std::size_t level, std::int64_t most, std::vector<TilePart>& out) {
-  if (descent.enter(level, inflated(box(lattice, range), kQuantum), kSurfaceBand, false) !=
-      ExactField::Region::mixed)
-    return;
+  const Box3 reach = reach_of(box(lattice, range), lattice.voxel());
+  if (descent.enter(level, reach, kSurfaceBand, false) != ExactField::Region::mixed) return;
   if (count(range) <= most) {
     out.push_back({range, {}});
     descent.candidates(level, out.back().candidates);

@@ -48,25 +48,34 @@ class BlockCarver : LeafWriter {
 
   // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their eighths;
   // without a closed form evaluation is the costly part.
-  static bool evaluate_now(int size, const NearList& sweeps) {
-    return size == 2 || (size == 4 && sweeps.size() <= (sweeps.closed ? 16u : 4u));
+  static bool is_short(const NearList& sweeps) {
+    return sweeps.size() <= (sweeps.closed ? 16u : 4u);
   }
 
   // The list of the block is lists_[depth]; what is left of it goes to the next.
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    if (size == 2) return finish(origin, size, depth, in_stock);
     NearList& left = lists_[depth + 1];
     PruneRegion block = PruneRegion::block(center(origin, size), half(size));
-    block.open = size <= 4;
+    block.open = size == 4;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
     if (size == kLeafVoxels && region != ExactField::Region::air) leaf_ = new_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
-      if (evaluate_now(size, left))
+      if (size == 4 && is_short(left))
         evaluate(origin, size, left, in_stock);
       else
         visit_children(origin, size / 2, depth + 1, in_stock);
     }
     if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
+  }
+
+  void finish(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
+    block.open = true;
+    const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, ids_);
+    if (region == ExactField::Region::material) fill_material(origin, size);
+    if (region == ExactField::Region::mixed) evaluate(origin, size, ids_, in_stock);
   }
 
   void visit_children(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
@@ -96,7 +105,9 @@ class BlockCarver : LeafWriter {
     });
   }
 
-  void evaluate(const openvdb::Coord& origin, int size, const NearList& sweeps, bool in_stock) {
+  // `sweeps`: a NearList or Candidates.
+  template <typename List>
+  void evaluate(const openvdb::Coord& origin, int size, const List& sweeps, bool in_stock) {
     double axis[3][4];
     for (int i = 0; i < size; ++i) {
       axis[0][i] = lattice_position(voxel_, origin.x() + i, kLatticeShift.x);
@@ -121,6 +132,7 @@ class BlockCarver : LeafWriter {
   Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
+  Candidates ids_;
 };
 
 class ProgressMeter {

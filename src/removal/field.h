@@ -7,7 +7,7 @@
 //
 // Candidates. A caller that works its way down from large blocks to small ones keeps, for each, the
 // list of sweeps that can matter in it (restrict_to). Every query takes such a list; a longer list
-// never changes a result inside the ball it was made for.
+// never changes a result inside the box it was made for.
 #pragma once
 
 #include <mrsim/types.h>
@@ -48,11 +48,11 @@ class ExactField {
   /// All sweeps: the candidates of the whole space.
   virtual Candidates all() const = 0;
 
-  /// Which of `in` can decide d within `radius` mm of `center`, or within `band` beyond the surface
-  /// there. Region air (or material): d > band (or < -band) in the whole ball, `out` is then empty.
-  /// `out` may not alias `in`.
-  virtual Region restrict_to(const Vec3& center, double radius, double band,
-                             std::span<const std::uint32_t> in, Candidates& out) const = 0;
+  /// Which of `in` can decide d within `band` mm of the surface in the box. Region air (or
+  /// material): d > band (or < -band) in the whole box, `out` is then empty. `out` may not alias
+  /// `in`. Sharpest for cubes.
+  virtual Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
+                             Candidates& out) const = 0;
 
   /// A way down from a region to its parts that keeps what was found on each level, so that lists
   /// are narrowed without being made anew. For one thread.
@@ -62,10 +62,13 @@ class ExactField {
     Descent(const Descent&) = delete;
     Descent& operator=(const Descent&) = delete;
     virtual ~Descent() = default;
-    /// As restrict_to for the ball about `box`, narrowing what level - 1 has left. Requires: the
+    /// As restrict_to, narrowing what level - 1 has left. Requires: the
     /// last region entered at level - 1 holds this one; level >= 1. What is left may stand for more
     /// than it says, unless d is going to be asked of it (`last`).
     virtual Region enter(std::size_t level, const Box3& box, double band, bool last) = 0;
+    /// The same for a region without parts: what is left goes to `out`, ascending. Requires: the
+    /// last region was entered at level - 1 as one that is going to be asked.
+    virtual Region finish(std::size_t level, const Box3& box, double band, Candidates& out) = 0;
     /// True where so little is left that looking closer costs more than it saves.
     virtual bool is_short(std::size_t level) const = 0;
     /// What the last region entered at this level has left, ascending.
@@ -112,12 +115,11 @@ class ListDescent final : public ExactField::Descent {
       : field_(field), lists_(1, Candidates(in.begin(), in.end())) {}
   ExactField::Region enter(std::size_t level, const Box3& box, double band, bool) override {
     if (lists_.size() <= level) lists_.resize(level + 1);
-    const Vec3 half{0.5 * (box.hi.x - box.lo.x), 0.5 * (box.hi.y - box.lo.y),
-                    0.5 * (box.hi.z - box.lo.z)};
-    const Vec3 center{box.lo.x + half.x, box.lo.y + half.y, box.lo.z + half.z};
-    return field_.restrict_to(center,
-                              std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z), band,
-                              lists_[level - 1], lists_[level]);
+    return field_.restrict_to(box, band, lists_[level - 1], lists_[level]);
+  }
+  ExactField::Region finish(std::size_t level, const Box3& box, double band,
+                            Candidates& out) override {
+    return field_.restrict_to(box, band, lists_[level - 1], out);
   }
   bool is_short(std::size_t level) const override { return lists_[level].size() <= 1; }
   void candidates(std::size_t level, Candidates& out) const override { out = lists_[level]; }

@@ -85,6 +85,16 @@ struct NearKernels {
   /// more.
   std::size_t (*keep)(const KeepArgs& a, const NearRows& rows, const NearColumns& in, std::size_t n,
                       std::size_t columns, float* out, std::size_t out_stride);
+
+  // Strips of one tool for a region without parts, where nothing but their numbers is wanted.
+  /// Squared distances to the skeletons; the least.
+  float (*strip_squares)(const NearColumns& c, std::size_t n, const NearArgs& a, float* squared);
+  /// Strip k as what others have to be compared with.
+  Beater (*strip_beater)(const NearColumns& c, std::size_t k, const NearArgs& a);
+  /// Writes the indices (as bits) of those with a squared distance up to `limit` that are not
+  /// beaten to `ids`, and up to a register more; how many.
+  std::size_t (*strip_ids)(const NearColumns& c, std::size_t n, const NearArgs& a, const Beater& j,
+                           float limit, float* ids);
 };
 
 /// The kernels of a level, null where the machine or the compiler has none.

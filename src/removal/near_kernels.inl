@@ -23,10 +23,14 @@ MRSIM_LANE V margin(const NearArgs& a, V squared, V root) {
 // Bounds are rounded up.
 MRSIM_LANE V above(V x) { return x * splat(1.00001f); }
 
-// On a segment of direction d (|d|^2 = size) and length `end` d: the least of t^2 size - 2 t g.
-MRSIM_LANE V short_rest(V g, V inverse, V size, V end) {
-  const V t = vmin(g * inverse, end);
-  return t * (g + g - t * size);
+// On a segment of direction d (|d|^2 = size) and length `end` d, whose nearest point lies at `t` and
+// would at `raw` on the whole line: the most that a step from there on the segment gains, towards
+// an offset whose product with d is up to g. Beyond an end the segment leads away from the region.
+MRSIM_LANE V short_rest(const NearArgs& a, V g, V raw, V t, V inverse, V size, V end) {
+  const V away = vabs(raw - t) * size - splat(2 * a.delta) * (splat(1) + size);
+  const V gain = vmax(g - vmax(away, splat(0)), splat(0));
+  const V step = vmin(gain * inverse, vmax(t, end - t));
+  return step * (gain + gain - step * size);
 }
 
 MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
@@ -36,7 +40,7 @@ MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a)
   const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k), w = splat(a.z) - az;
   const V u = dx * ux + dy * uy, v = dx * uy - dy * ux;
   const V uc = clamped(u, zero, end), du = u - uc;
-  const V t = clamped((u + s * w) * inverse, zero, end);
+  const V raw = (u + s * w) * inverse, t = clamped(raw, zero, end);
   const V eu = u - t, ew = w - s * t;
   const M over = less_equal(s * uc, w);
   const V along = select(over, uc, t);
@@ -50,7 +54,7 @@ MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a)
   const V wide = a.cube ? plan * plan + splat(a.half * a.half) : splat(a.radius * a.radius);
   // Below all of the path the nearest points lie on its segment.
   const M below = less_equal(splat(a.z + a.half + 2 * a.delta), az + vmin(zero, s * end));
-  const V segment = short_rest(reach_of(a, ux, uy, s), inverse, one + s * s, end);
+  const V segment = short_rest(a, reach_of(a, ux, uy, s), raw, t, inverse, one + s * s, end);
   r.rest = above(select(below, vmin(segment, wide), wide)) + margin(a, r.squared, root);
   r.level = zero;
   return r;
@@ -72,13 +76,14 @@ MRSIM_LANE Row line_row(const NearColumns& c, std::size_t k, const NearArgs& a) 
   const V zero = splat(0), one = splat(1);
   const V px = load(c[2] + k), py = load(c[3] + k), inverse = load(c[4] + k);
   const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
-  const V t = clamped((dx * px + dy * py) * inverse, zero, one);
+  const V raw = (dx * px + dy * py) * inverse, t = clamped(raw, zero, one);
   Row r;
   r.x = t * px - dx, r.y = t * py - dy, r.z = load(c[5] + k), r.level = load(c[6] + k);
   r.squared = r.x * r.x + r.y * r.y;
   const V root = vsqrt(r.squared);
   r.distance = slab(a, root, r.z);
-  r.rest = above(short_rest(reach_of(a, px, py), inverse, px * px + py * py, one)) +
+  const V size = px * px + py * py;
+  r.rest = above(short_rest(a, reach_of(a, px, py), raw, t, inverse, size, one)) +
            margin(a, r.squared, root);
   return r;
 }
@@ -205,5 +210,35 @@ static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColum
   return kept;
 }
 
-static const NearKernels kKernels = {near_strip, near_line,    near_arc,
-                                     find,       plan_beaters, keep};
+static float strip_squares(const NearColumns& c, std::size_t n, const NearArgs& a, float* squared) {
+  V least = splat(kInfinity);
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    const V own = select(first_lanes(n - k), strip_row(c, k, a).squared, splat(kInfinity));
+    store(squared + k, own);
+    least = vmin(least, own);
+  }
+  return least_lane(least);
+}
+
+static Beater strip_beater(const NearColumns& c, std::size_t k, const NearArgs& a) {
+  const Row r = strip_row(c, k, a);
+  float slots[4][kLanes];
+  store(slots[0], r.squared), store(slots[1], r.x), store(slots[2], r.y), store(slots[3], r.z);
+  return {slots[0][0], slots[1][0], slots[2][0], slots[3][0], 0, 0};
+}
+
+static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs& a,
+                             const Beater& j, float limit, float* ids) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    const Row r = strip_row(c, k, a);
+    const V far = reach_of(a, r.x - splat(j.x), r.y - splat(j.y), r.z - splat(j.z));
+    const M beaten = less(above(far + far), r.squared - r.rest - splat(j.squared));
+    const M near = both(first_lanes(n - k), less_equal(r.squared, splat(limit)));
+    kept += compress(ids + kept, load(c[kIdColumn] + k), without(near, beaten));
+  }
+  return kept;
+}
+
+static const NearKernels kKernels = {near_strip, near_line,     near_arc,     find,     plan_beaters,
+                                     keep,       strip_squares, strip_beater, strip_ids};

@@ -235,8 +235,10 @@ class PackOpener {
   void append(std::uint32_t number) {
     const SweepPack& pack = c_.packs[number];
     room_ += pack.size();
-    if (pack.count == 0)
+    if (pack.count == 0) {
+      c_.packs.prefetch(number);
       return opened_.push_back({c_.class_index(pack.first), number, pack.first, true});
+    }
     bool alike = true;
     const std::uint32_t first = kFirstPack + pack.child;
     c_.packs.for_each_child(number, [&](std::uint32_t child) {

@@ -1,5 +1,5 @@
 // Lists of sweeps, pruned for the parts of their blocks.
-#include "removal/near_list.h"
+#include "removal/near_args.h"
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
@@ -10,16 +10,10 @@ namespace mrsim {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kHalfUlp = 1.0 / (1 << 24);  // of a float, relative
 
 // Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
 constexpr std::size_t kFewOthers = 6;
-constexpr double kRoom = 1e-3;      // mm: far above the slack of rounding
-constexpr double kRounding = 1e-9;  // mm: of coordinates up to 10 m in a distance, with room
-
-float largest(double a, double b, double c) {
-  return static_cast<float>(std::max({std::fabs(a), std::fabs(b), std::fabs(c)}));
-}
+constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
 
 // Rows of all slots of a list.
 class Rows {
@@ -70,7 +64,7 @@ TurnRegion turn_region(const PruneRegion& region) {
   const double near_x = std::max(x - h, 0.0), near_y = std::max(y - h, 0.0);
   const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
   const double farthest = std::sqrt((x + h) * (x + h) + (y + h) * (y + h));
-  r.half.x = std::max(rho - nearest, farthest - rho) + kRounding;
+  r.half.x = std::max(rho - nearest, farthest - rho) + kPruneRounding;
   return r;
 }
 
@@ -120,14 +114,9 @@ class Pruner {
         in_(in),
         kernels_(near_kernels()),
         region_(region),
-        slack_(2 * table.max_error() + kRounding),
-        deep_(-reach) {
-    const Vec3 c = region.center - in.origin;
-    at_.x = static_cast<float>(c.x), at_.y = static_cast<float>(c.y);
-    at_.z = static_cast<float>(c.z);
-    at_.half = static_cast<float>(region.half * 1.000001);
-    at_.radius = static_cast<float>(region.radius * 1.000001);
-    at_.cube = region.cube;
+        slack_(2 * table.max_error() + kPruneRounding),
+        deep_(-reach),
+        at_(near_args(region, in.origin)) {
     measure(table, region);
   }
 
@@ -138,11 +127,11 @@ class Pruner {
 
   void keep(double limit, double band, NearList& out) {
     if (has_packs()) {
-      Scratch& s = scratch();
-      columns_.turn_tree.narrow(turn_region(region_), s.turned, limit, slack_, s.packs, s.left);
+      columns_.turn_tree.narrow(turn_region(region_), scratch_.turned, limit, slack_,
+                                scratch_.packs, scratch_.left);
     }
     const std::size_t slots = in_.runs().empty() ? 0 : end_of(in_.runs().back());
-    out.reset(slots + NearList::room(has_packs() ? scratch().left.size() : 0, 1), in_.origin);
+    out.reset(slots + NearList::room(has_packs() ? scratch_.left.size() : 0, 1), in_.origin);
     out.extent = in_.extent;
     out.closed = in_.closed;
     const auto& runs = in_.runs();
@@ -161,7 +150,7 @@ class Pruner {
  private:
   static std::size_t end_of(const NearList::Run& run) { return run.first + run.count; }
   const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
-  NearRows rows(std::size_t run) { return scratch().rows.at(in_.runs()[run].first); }
+  NearRows rows(std::size_t run) { return scratch_.rows.at(in_.runs()[run].first); }
   /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
   /// before its last one.
   Beater beater_at(std::size_t run, std::size_t k) {
@@ -178,7 +167,7 @@ class Pruner {
   }
 
   void keep_packs(std::uint32_t of, NearList& out) {
-    const std::vector<std::uint32_t>& left = scratch().left;
+    const std::vector<std::uint32_t>& left = scratch_.left;
     const std::size_t first = out.open_run(of);
     const auto base = static_cast<std::uint32_t>(columns_.refs.size());
     for (std::size_t k = 0; k < left.size(); ++k)
@@ -188,34 +177,32 @@ class Pruner {
 
   // The nearest of all packs; its distance.
   NearLeast near_packs(const NearList::Run& run) {
-    Scratch& s = scratch();
-    s.packs.clear(), s.turned = {};
+    scratch_.packs.clear(), scratch_.turned = {};
     const Vec3& c = region_.center;
     const double rho = std::sqrt(c.x * c.x + c.y * c.y);
     for (std::size_t k = 0; k < run.count; ++k) {
-      s.packs.push_back(in_.number(run, k) - static_cast<std::uint32_t>(columns_.refs.size()));
-      columns_.turn_tree.nearest(s.packs.back(), rho, c.z, s.turned);
+      scratch_.packs.push_back(in_.number(run, k) -
+                               static_cast<std::uint32_t>(columns_.refs.size()));
+      columns_.turn_tree.nearest(scratch_.packs.back(), rho, c.z, scratch_.turned);
     }
-    return {static_cast<float>(s.turned.distance), kInfinity, kInfinity};
+    return {static_cast<float>(scratch_.turned.distance), kInfinity, kInfinity};
   }
 
   void measure(const SweepTable& table, const PruneRegion& region) {
-    Scratch& s = scratch();
-    s.least.clear();
+    scratch_.least.clear();
     if (in_.runs().empty()) return;
-    s.rows.resize(end_of(in_.runs().back()) + NearList::kPad);
-    double extent = std::max<double>(in_.extent, largest(at_.x, at_.y, at_.z));
+    scratch_.rows.resize(end_of(in_.runs().back()) + NearList::kPad);
+    double extent = near_extent(at_, in_);
     for (std::size_t i = 0; i < in_.runs().size(); ++i)
       if (type(i).form == SweepClass::Form::other)
         extent = std::max(extent, near_others(table, columns_, in_, in_.runs()[i], region, -deep_));
       else
-        s.least.push_back({});
+        scratch_.least.push_back({});
     if (has_packs()) {
-      s.least.back() = near_packs(in_.runs().back());
-      extent = std::max(extent, std::fabs(s.turned.distance));
+      scratch_.least.back() = near_packs(in_.runs().back());
+      extent = std::max(extent, std::fabs(scratch_.turned.distance));
     }
-    // The loops err by less than 64 half ulps of the largest value (docs/removal.md).
-    at_.delta = static_cast<float>(64 * kHalfUlp * (extent + region.radius));
+    set_delta(at_, extent, region.radius);
     for (const NearList::Run& run : in_.runs())
       spread_ = std::max(spread_, columns_.classes[run.of].spread);
     for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
@@ -223,13 +210,9 @@ class Pruner {
 
   void measure_run(std::size_t i) {
     const NearList::Run& run = in_.runs()[i];
-    NearLeast& least = scratch().least[i];
+    NearLeast& least = scratch_.least[i];
     at_.tool = type(i).tool;
-    // What the skeletons of two packs differ from their chords: the distances of a point from them,
-    // and their squares by that times twice the larger one.
-    const auto spread = static_cast<float>(1.0001 * (type(i).spread + spread_));
-    at_.fixed = at_.delta * (4 * at_.radius + 16 * at_.delta) + 1e-9f + 2 * spread * at_.radius;
-    at_.per_root = 4 * at_.delta + 2 * spread;
+    set_margin(at_, static_cast<float>(1.0001 * (type(i).spread + spread_)));
     if (type(i).form == SweepClass::Form::turn) {
       least_ = std::min(least_, least.distance);
       return;
@@ -247,7 +230,7 @@ class Pruner {
     least = {kInfinity, kInfinity, kInfinity};
     for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
       const NearLeast some = kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether),
-                                    at_, scratch().rows.at(run.first + k));
+                                    at_, scratch_.rows.at(run.first + k));
       least.distance = std::min(least.distance, some.distance);
       least.squared = std::min(least.squared, some.squared);
       least.z = std::min(least.z, some.z);
@@ -284,7 +267,7 @@ class Pruner {
     Beater& best = args.beater[0];
     best.squared = kInfinity;
     for (std::size_t i = from; i < to; ++i) {
-      const float squared = scratch().least[i].squared;
+      const float squared = scratch_.least[i].squared;
       const std::size_t k = kernels_.find(rows(i).squared, in_.runs()[i].count, squared);
       if (squared < best.squared) best = beater_at(i, k);
     }
@@ -297,7 +280,7 @@ class Pruner {
     const float slack = lateral(at_) + 2 * at_.delta + 1e-5f + spread;
     // Over the flat end, and farther inside its rim than above its floor, the floor decides.
     float lowest_tip = kInfinity;
-    for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch().least[i].z);
+    for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch_.least[i].z);
     const float above = at_.z + at_.half + 2 * at_.delta - lowest_tip;
     const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
     const bool covers = band > 0 && tool.rising && inside > 0;
@@ -309,7 +292,7 @@ class Pruner {
       const std::size_t n = in_.runs()[i].count;
       const NearRows r = rows(i);
       const PlanBeaters found =
-          kernels_.plan(r, n, scratch().least[i], covers ? inside * inside : -1.0f);
+          kernels_.plan(r, n, scratch_.least[i], covers ? inside * inside : -1.0f);
       const auto take = [&](std::size_t k) { return beater_at(i, k); };
       if (found.nearest < n && r.squared[found.nearest] < nearest.squared)
         nearest = take(found.nearest);
@@ -327,6 +310,7 @@ class Pruner {
 
   const SweepColumns& columns_;
   const NearList& in_;
+  Scratch& scratch_ = scratch();
   const NearKernels& kernels_;
   const PruneRegion& region_;
   double slack_;  // mm: what rounding may change in a difference of two distances
@@ -345,7 +329,7 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
   }
   const double least = pruner.least(), delta = pruner.delta();
   // A sweep farther than 2r beyond the nearest one loses to it everywhere (both are 1-Lipschitz).
-  const double slack = 2 * table.max_error() + kRounding;
+  const double slack = 2 * table.max_error() + kPruneRounding;
   pruner.keep(std::min(reach, least + delta + 2 * region.radius + slack) + delta, band, out);
   return true;
 }
@@ -377,7 +361,7 @@ bool SweepTable::open_turned(const PruneRegion& region, double reach, std::size_
   }
   TurnTree::Nearest best;
   for (const std::uint32_t pack : packs) tree.nearest(pack, at.center.x, at.center.y, best);
-  tree.members(at, best, reach, 2 * max_error() + kRounding, packs, members);
+  tree.members(at, best, reach, 2 * max_error() + kPruneRounding, packs, members);
   if (members.size() > most) return false;
   ids.resize(plain);
   for (const TurnTree::Member& m : members) ids.push_back(m.sweep);

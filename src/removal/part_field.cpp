@@ -13,6 +13,7 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box
 constexpr std::size_t kTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
 constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
@@ -29,10 +30,22 @@ void fill(PointColumns& columns, std::span<const Vec3> points) {
   }
 }
 
+void sort_if_needed(Candidates& list) {
+  if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
+}
+
 void append_ids(const NearList& list, Candidates& out) {
   for (const NearList::Run& run : list.runs())
     for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.number(run, k));
-  if (!std::is_sorted(out.begin(), out.end())) std::sort(out.begin(), out.end());
+  sort_if_needed(out);
+}
+
+// A cube about it bounds a box that is nearly one more sharply than its ball.
+PruneRegion region_of(const Box3& box) {
+  const Vec3 half = 0.5 * (box.hi - box.lo), center = box.lo + half;
+  const double most = std::max({half.x, half.y, half.z}), radius = length(half);
+  const PruneRegion cube = PruneRegion::block(center, most);
+  return cube.radius <= kNearlyCube * radius ? cube : PruneRegion::ball(center, radius);
 }
 
 class NearDescent final : public ExactField::Descent {
@@ -50,6 +63,20 @@ class NearDescent final : public ExactField::Descent {
     own.region.open = last;
     own.reach = own.region.radius + band + field_.slack();
     return field_.restrict_to(own.region, band, levels_[level - 1].left, own.in_stock, own.left);
+  }
+  ExactField::Region finish(std::size_t level, const Box3& box, double band,
+                            Candidates& out) override {
+    const Level& whole = levels_[level - 1];
+    bool in_stock = whole.in_stock;
+    if (field_.sweeps().is_of_strips(whole.left)) {
+      PruneRegion region = region_of(box);
+      region.open = true;
+      return field_.restrict_to(region, band, whole.left, in_stock, out);
+    }
+    const ExactField::Region found = enter(level, box, band, true);
+    out.clear();
+    if (found == ExactField::Region::mixed) candidates(level, out);
+    return found;
   }
   bool is_short(std::size_t level) const override {
     const NearList& left = levels_[level].left;
@@ -73,14 +100,6 @@ class NearDescent final : public ExactField::Descent {
     append_ids(level.left, out);
     return field_.sweeps().open_turned(level.region, level.reach, kShortTurned, out);
   }
-  // A cube about it bounds a box that is nearly one more sharply than its ball.
-  static PruneRegion region_of(const Box3& box) {
-    const Vec3 half = 0.5 * (box.hi - box.lo), center = box.lo + half;
-    const double most = std::max({half.x, half.y, half.z}), radius = length(half);
-    const PruneRegion cube = PruneRegion::block(center, most);
-    return cube.radius <= radius * (1 + 1e-6) ? cube : PruneRegion::ball(center, radius);
-  }
-
   const PartField& field_;
   std::vector<Level> levels_;
 };
@@ -99,31 +118,47 @@ PartField::PartField(StockSolid solid, SweepTable sweeps)
 
 Candidates PartField::all() const { return sweeps_.all(); }
 
+bool PartField::reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const {
+  if (in_stock) return true;
+  const double stock = solid_.distance(region.center);
+  in_stock = stock < -reach;
+  return stock <= reach;
+}
+
 ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
                                           const NearList& in, bool& in_stock, NearList& out) const {
   const double reach = region.radius + band + slack_;
-  if (!in_stock) {
-    const double stock = solid_.distance(region.center);
-    if (stock > reach) return Region::air;
-    in_stock = stock < -reach;
-  }
+  if (!reaches_stock(region, reach, in_stock)) return Region::air;
   if (!sweeps_.prune(region, reach, band, in, out)) return Region::air;
   return out.empty() && in_stock ? Region::material : Region::mixed;
 }
 
-ExactField::Region PartField::restrict_to(const Vec3& center, double radius, double band,
+ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
+                                          const NearList& in, bool& in_stock,
+                                          Candidates& out) const {
+  static thread_local NearList left;
+  out.clear();
+  const double reach = region.radius + band + slack_;
+  if (!reaches_stock(region, reach, in_stock)) return Region::air;
+  if (sweeps_.is_of_strips(in)) {
+    if (!sweeps_.prune_strips(region, reach, in, out)) return Region::air;
+  } else {
+    if (!sweeps_.prune(region, reach, band, in, left)) return Region::air;
+    append_ids(left, out);
+  }
+  sort_if_needed(out);
+  return out.empty() && in_stock ? Region::material : Region::mixed;
+}
+
+ExactField::Region PartField::restrict_to(const Box3& box, double band,
                                           std::span<const std::uint32_t> in,
                                           Candidates& out) const {
-  static thread_local NearList list, left;
-  out.clear();
-  sweeps_.list(in, center, list);
-  bool in_stock = false;
-  PruneRegion region = PruneRegion::ball(center, radius);
+  static thread_local NearList list;
+  PruneRegion region = region_of(box);
   region.open = true;
-  const Region found = restrict_to(region, band, list, in_stock, left);
-  if (found != Region::mixed) return found;
-  append_ids(left, out);
-  return found;
+  sweeps_.list(in, region.center, list);
+  bool in_stock = false;
+  return restrict_to(region, band, list, in_stock, out);
 }
 
 std::unique_ptr<ExactField::Descent> PartField::descent(const Vec3& origin,
@@ -145,7 +180,7 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
 
 void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                         FieldSample* out) const {
-  static thread_local PointColumns columns;
+  PointColumns columns;
   if (points.size() < kTogether) return ExactField::samples(points, candidates, out);
   for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
     fill(columns, points);
@@ -157,7 +192,7 @@ void PartField::samples(std::span<const Vec3> points, std::span<const std::uint3
 
 void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                           double* out) const {
-  static thread_local PointColumns columns;
+  PointColumns columns;
   double stock[PointColumns::kMost];
   for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
     fill(columns, points);

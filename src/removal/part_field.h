@@ -13,12 +13,16 @@ class PartField final : public ExactField {
   PartField(StockSolid solid, SweepTable sweeps);
 
   Candidates all() const override;
-  Region restrict_to(const Vec3& center, double radius, double band,
-                     std::span<const std::uint32_t> in, Candidates& out) const override;
+  Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
+                     Candidates& out) const override;
   /// The same for a list that was made for a larger region. `in_stock`: the whole region lies deep
   /// in the stock, which then never decides; kept from the larger region, set for this one.
   Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
                      NearList& out) const;
+  /// The same for a region without parts: indices of sweeps, ascending. `in` has no packs of
+  /// milling sweeps.
+  Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
+                     Candidates& out) const;
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
@@ -36,6 +40,8 @@ class PartField final : public ExactField {
   double slack() const { return slack_; }
 
  private:
+  /// Whether the stock leaves anything: false for air. Finds `in_stock`.
+  bool reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const;
   FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
   std::size_t sweep_of(std::int32_t motion) const {
     return sweep_of_[static_cast<std::size_t>(motion)];

@@ -102,6 +102,12 @@ class SweepTable {
   bool prune(const PruneRegion& region, double reach, double band, const NearList& in,
              NearList& out) const;
 
+  /// As prune() for a list of nothing but lines of one ball (is_of_strips), in a region without
+  /// parts: the indices of what is left, in the order of the list.
+  bool prune_strips(const PruneRegion& region, double reach, const NearList& in,
+                    std::vector<std::uint32_t>& out) const;
+  bool is_of_strips(const NearList& list) const;
+
   /// Puts those turning sweeps that prune() for this region and `reach` would leave in place of the
   /// packs of a list, if they are at most `most`; false, and nothing, where they are more or where
   /// packs of milling sweeps are left.

@@ -121,9 +121,8 @@ struct SweepColumns {
     if (number < kFirstPack) return out.push_back(number);
     for (std::uint32_t i = packs[number].first; i <= packs[number].last; ++i) out.push_back(i);
   }
-  /// The sweeps of a list, those of its packs as well; in `opened` if there are such.
-  std::span<const std::uint32_t> sweeps_of(const Numbers& list,
-                                           std::vector<std::uint32_t>& opened) const;
+  /// The sweeps of a list, those of its packs as well; valid until the thread's next call.
+  std::span<const std::uint32_t> sweeps_of(const Numbers& list) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
 struct SweepTable::Columns : SweepColumns {};

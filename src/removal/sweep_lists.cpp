@@ -47,6 +47,7 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 }  // namespace
 
 SweepColumns::Numbers SweepColumns::numbers_of(std::span<const std::uint32_t> list) const {
+  if (list.empty() || list.back() < refs.size()) return {list, {}, {}};
   const auto below = [&](std::size_t limit) {
     return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), limit) -
                                     list.begin());
@@ -55,9 +56,9 @@ SweepColumns::Numbers SweepColumns::numbers_of(std::span<const std::uint32_t> li
   return {list.first(sweeps), list.subspan(sweeps, turned - sweeps), list.subspan(turned)};
 }
 
-std::span<const std::uint32_t> SweepColumns::sweeps_of(const Numbers& list,
-                                                       std::vector<std::uint32_t>& opened) const {
+std::span<const std::uint32_t> SweepColumns::sweeps_of(const Numbers& list) const {
   if (list.packs.empty()) return list.sweeps;
+  static thread_local std::vector<std::uint32_t> opened;
   opened.assign(list.sweeps.begin(), list.sweeps.end());
   for (const std::uint32_t pack : list.packs) append_sweeps(pack, opened);
   return opened;
@@ -95,8 +96,7 @@ std::vector<std::uint32_t> SweepTable::all(double longest) const {
 std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
                                               const Box3& box) const {
   const auto numbers = columns_->numbers_of(list);
-  std::vector<std::uint32_t> opened;
-  const auto plain = columns_->sweeps_of(numbers, opened);
+  const auto plain = columns_->sweeps_of(numbers);
   std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
   for (const std::uint32_t id : numbers.turned)
     columns_->turn_tree.append_sweeps(id - static_cast<std::uint32_t>(size()), sweeps);
@@ -111,15 +111,16 @@ std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> lis
 }
 
 SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
-  static thread_local std::vector<double> d;
-  static thread_local std::vector<std::uint32_t> opened;
   const auto numbers = columns_->numbers_of(list);
-  const auto plain = columns_->sweeps_of(numbers, opened);
-  d.resize(plain.size());
-  distances(plain, p, d.data());
+  std::span<const std::uint32_t> plain = columns_->sweeps_of(numbers);
   TurnTree::Nearest best;
-  for (std::size_t k = 0; k < plain.size(); ++k)
-    if (d[k] < best.distance) best.distance = d[k], best.sweep = plain[k];
+  double d[kChunk];
+  for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
+    const auto some = plain.first(std::min(kChunk, plain.size()));
+    distances(some, p, d);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      if (d[k] < best.distance) best.distance = d[k], best.sweep = some[k];
+  }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)
     columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, p.z, best);
@@ -156,10 +157,9 @@ void SweepTable::least(const NearList& list, PointColumns& points) const {
 void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
   const SweepKernels& kernels = sweep_kernels();
   const Columns& c = *columns_;
-  static thread_local std::vector<std::uint32_t> opened;
   const auto numbers = c.numbers_of(ids);
   if (!numbers.turned.empty()) least_of_packs(numbers.turned, points);
-  ids = c.sweeps_of(numbers, opened);
+  ids = c.sweeps_of(numbers);
   if (ids.empty()) return;
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
     return kernels.ball_line.least(c.ball_lines.data(), ids.data(), ids.data(), ids.size(), points);

@@ -107,6 +107,13 @@ TEST(NearList, PruningNeverChangesABit) {
       expect_same(r, table, all, small, inner, band);
       if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
       before += all.size(), after += small.size();
+      if (!table.is_of_strips(large)) continue;
+      ASSERT_TRUE(table.prune_strips(inner, inner.radius + band + 1e-9, large, ids));
+      EXPECT_EQ(ids.size(), small.size()) << scene.name << ", round " << round;
+      NearList strips;
+      table.list(ids, center, strips);
+      expect_same(r, table, all, strips, inner, band);
+      if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
     }
     EXPECT_LT(after * 3, before) << scene.name << ": hardly anything was dropped";
   }
@@ -224,6 +231,17 @@ std::vector<float> one_step(const NearKernels& kernels, const Table& table, int 
   if (args.has_cover) args.cover = beater(j.cover);
   const std::size_t left = kernels.keep(args, rows, c, n, 9, kept.slots[0], kSlots);
   std::vector<float> result(kept.slots[kIdColumn], kept.slots[kIdColumn] + left);
+  if (form == 0) {
+    float squared[kSlots], ids[kSlots + NearList::kPad];
+    const float nearest = kernels.strip_squares(c, n, args.at, squared);
+    result.push_back(nearest);
+    const Beater strip =
+        kernels.strip_beater({c.base + kernels.find(squared, n, nearest), c.stride}, 0, args.at);
+    for (const float value : {strip.squared, strip.x, strip.y, strip.z}) result.push_back(value);
+    const std::size_t some = kernels.strip_ids(c, n, args.at, strip, nearest + 4, ids);
+    result.insert(result.end(), ids, ids + some);
+    result.insert(result.end(), squared, squared + n);
+  }
   for (const auto& row : found.slots) result.insert(result.end(), row, row + n);
   return result;
 }

@@ -132,5 +132,51 @@ TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
   }
 }
 
+// A list that was narrowed for a box, or level by level towards it, gives the same bits in it.
+TEST(PartField, ListsHoldInTheWholeBox) {
+  std::vector<Motion> motions;
+  for (int row = 0; row < 40; ++row)
+    for (int k = 0; k < 40; ++k) {
+      const auto at = [&](int i) {
+        return Vec3{-4 + 0.2 * i, -4 + 0.2 * row, 0.3 * std::sin(0.2 * i + 0.1 * row)};
+      };
+      motions.push_back(line(at(k), at(k + 1)));
+    }
+  motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
+  Tool ball;
+  ball.type = ToolType::ballmill;
+  ball.diameter = 6;
+  StockShape shape;
+  shape.box = {{-8, -8, -5}, {8, 8, 4}};
+  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}, 4));
+  const Candidates all = field.all();
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::size_t mixed = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Vec3 center{6 * u(random), 6 * u(random), 2 * u(random)};
+    const Vec3 half = (round % 2 ? 0.3 : 0.1) * Vec3{1, round % 5 ? 1.001 : 0.6, 1};
+    const Box3 box{center - half, center + half};
+    const auto descent = field.descent(center, all);
+    Candidates lists[2];
+    if (descent->enter(1, inflated(box, 0.2), 0.01, true) != ExactField::Region::mixed) continue;
+    const auto region = descent->finish(2, box, 0.01, lists[1]);
+    EXPECT_EQ(field.restrict_to(box, 0.01, all, lists[0]), region);
+    if (region != ExactField::Region::mixed) continue;
+    ++mixed;
+    for (int k = 0; k < 40; ++k) {
+      const Vec3 p = center + Vec3{half.x * u(random), half.y * u(random), half.z * u(random)};
+      const FieldSample s = field.sample(p, all);
+      if (std::abs(s.distance) > 0.01) continue;
+      for (const Candidates& list : lists) {
+        const FieldSample t = field.sample(p, list);
+        EXPECT_EQ(s.distance, t.distance);
+        EXPECT_EQ(s.owner, t.owner);
+      }
+    }
+  }
+  EXPECT_GT(mixed, 50u);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -117,9 +117,11 @@ class AnalyticField final : public ExactField {
     return ids;
   }
 
-  Region restrict_to(const Vec3& c, double radius, double band, std::span<const std::uint32_t> in,
+  Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
                      Candidates& out) const override {
     out.clear();
+    const Vec3 c = 0.5 * (box.lo + box.hi);
+    const double radius = 0.5 * length(box.hi - box.lo);
     const double reach = radius + band + 1e-9, stock = stock_value(c).first;
     if (stock > reach) return Region::air;
     double most = -std::numeric_limits<double>::infinity();

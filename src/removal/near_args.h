@@ -1,0 +1,45 @@
+// A region as the pruning loops see it, with what single precision may err by (docs/removal.md).
+#pragma once
+
+#include "removal/near_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+
+inline constexpr double kHalfUlp = 1.0 / (1 << 24);  ///< of a float, relative
+inline constexpr double kPruneRounding = 1e-9;  ///< mm: of coordinates up to 10 m in a distance,
+                                                ///< with room
+
+/// About the list's origin; without errors.
+inline NearArgs near_args(const PruneRegion& region, const Vec3& origin) {
+  NearArgs a;
+  a.x = static_cast<float>(region.center.x - origin.x);
+  a.y = static_cast<float>(region.center.y - origin.y);
+  a.z = static_cast<float>(region.center.z - origin.z);
+  a.half = static_cast<float>(region.half * 1.000001);
+  a.radius = static_cast<float>(region.radius * 1.000001);
+  a.cube = region.cube;
+  return a;
+}
+
+/// The largest coordinate or size that the loops meet, of those known before.
+inline double near_extent(const NearArgs& a, const NearList& list) {
+  return std::max<double>({list.extent, std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+}
+
+/// The loops err by less than 64 half ulps of the largest value.
+inline void set_delta(NearArgs& a, double extent, double radius) {
+  a.delta = static_cast<float>(64 * kHalfUlp * (extent + radius));
+}
+
+/// Margin of dominance. The skeletons of two packs differ from their chords by up to `spread` mm
+/// together: so do the distances of a point from them, and their squares by that times twice the
+/// larger one.
+inline void set_margin(NearArgs& a, float spread) {
+  a.fixed = a.delta * (4 * a.radius + 16 * a.delta) + 1e-9f + 2 * spread * a.radius;
+  a.per_root = 4 * a.delta + 2 * spread;
+}
+
+}  // namespace mrsim
