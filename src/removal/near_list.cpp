@@ -18,12 +18,30 @@ struct Entry {
   bool children = false;    ///< those of the pack, not itself
 };
 using ByClass = std::vector<Entry>;
+bool is_less(const Entry& a, const Entry& b) {
+  return a.of != b.of ? a.of < b.of : a.first < b.first;
+}
+// Merges stretches that ascend, two by two: those of the runs that the entries came from.
 void sort_by_class(ByClass& entries) {
-  const auto less = [](const Entry& a, const Entry& b) {
-    return a.of != b.of ? a.of < b.of : a.first < b.first;
-  };
-  if (!std::is_sorted(entries.begin(), entries.end(), less))
-    std::sort(entries.begin(), entries.end(), less);
+  static thread_local ByClass merged;
+  static thread_local std::vector<std::size_t> ends;
+  ends.assign(1, 0);
+  for (std::size_t k = 1; k < entries.size(); ++k)
+    if (is_less(entries[k], entries[k - 1])) ends.push_back(k);
+  ends.push_back(entries.size());
+  while (ends.size() > 2) {
+    merged.resize(entries.size());
+    std::size_t left = 1;
+    const auto at = [&](std::size_t k) { return entries.begin() + std::ptrdiff_t(ends[k]); };
+    auto to = merged.begin();
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const std::size_t last = std::min(k + 2, ends.size() - 1);
+      to = std::merge(at(k), at(k + 1), at(k + 1), at(last), to, is_less);
+      ends[left++] = ends[last];
+    }
+    ends.resize(left);
+    entries.swap(merged);
+  }
 }
 
 // Writes entries of a list; keeps track of the largest value.
@@ -80,8 +98,9 @@ class RunWriter {
       common[6] = static_cast<float>(level_of(pack.first));
     }
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
-      float* to = to_ + i * stride_ + slot_;
-      for (std::size_t k = 0; k < PackColumns::kLanes; ++k) to[k] = children.c[i][k] + common[i];
+      float sums[PackColumns::kLanes];  // in registers
+      for (std::size_t k = 0; k < PackColumns::kLanes; ++k) sums[k] = children.c[i][k] + common[i];
+      std::copy_n(sums, PackColumns::kLanes, to_ + i * stride_ + slot_);
     }
     columns_.packs.for_each_child(number, [&](std::uint32_t child) {
       if (child >= kFirstPack) put(kPackColumn, child);
