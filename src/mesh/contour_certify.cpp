@@ -3,6 +3,7 @@
 #include "mesh/contour_vertex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -13,7 +14,7 @@ constexpr double kIntrusion = 1.5;  ///< factor on the distance of a face that i
 constexpr double kFlat = 2e-5;      ///< mm: deviations that rounding of coordinates explains
 constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
-constexpr int kRefinements = 2;        ///< of a triangle into quarters
+constexpr int kRefinements = 3;        ///< of a triangle into quarters
 constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
 
 // Node (i, j): i quarters towards b, j towards c.
@@ -55,22 +56,37 @@ Vec3 node_at(const Vec3& a, const Vec3& b, const Vec3& c, double i, double j) {
 
 double largest_of(const FaceRange& range) { return std::max(-range.lo, range.hi); }
 
+using Quarters = std::array<Corners3, 4>;
+
+Quarters quarters(const Corners3& t) {
+  const Corners3 m{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]), 0.5 * (t[0] + t[1])};
+  return {m, {t[0], m[2], m[1]}, {m[2], t[1], m[0]}, {m[1], m[0], t[2]}};
+}
+
 // Encloses the quarters of a triangle, and theirs, until they are within the limit or a value of g
-// shows that it is not.
+// shows that it is not. Infinite where a part is left for which nothing is known.
 double refined(const ExactField& field, const FieldSample& face, const Corners3& t, double limit,
                int depth) {
-  const Corners3 m{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]), 0.5 * (t[0] + t[1])};
-  for (const Vec3& p : m)
+  const Quarters parts = quarters(t);
+  for (const Vec3& p : parts[0])
     if (const double g = std::abs(field.patch_distance(p, face)); g > limit) return g;
   double most = 0;
-  for (const Corners3& part :
-       {Corners3{m[0], m[1], m[2]}, {t[0], m[2], m[1]}, {m[2], t[1], m[0]}, {m[1], m[0], t[2]}}) {
+  for (const Corners3& part : parts) {
     double enclosed = largest_of(field.patch_range(part, face));
     if (enclosed > limit && depth > 1) enclosed = refined(field, face, part, limit, depth - 1);
     most = std::max(most, enclosed);
     if (most > limit) break;
   }
   return most;
+}
+
+// Whether anything is known of a quarter: the faces of some sweeps are never enclosed, others only
+// where the triangle is small.
+bool has_known_part(const ExactField& field, const FieldSample& face, const Corners3& t) {
+  const Quarters parts = quarters(t);
+  return std::any_of(parts.begin(), parts.end(), [&](const Corners3& part) {
+    return std::isfinite(largest_of(field.patch_range(part, face)));
+  });
 }
 
 double sampled_bound(const ExactField& field, const FieldSample& face, const Vec3& a, const Vec3& b,
@@ -127,8 +143,12 @@ TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, c
                              const Vec3& b, const Vec3& c, double limit) {
   const Corners3 t{a, b, c};
   const double enclosed = largest_of(field.patch_range(t, face));
-  if (enclosed <= limit) return {enclosed, true};
-  if (std::isfinite(enclosed)) return {refined(field, face, t, limit, kRefinements), true};
+  if (enclosed <= limit) {
+    if (std::isfinite(enclosed)) return {enclosed, true};
+  } else if (std::isfinite(enclosed) || has_known_part(field, face, t)) {
+    const double found = refined(field, face, t, limit, kRefinements);
+    if (std::isfinite(found)) return {found, true};
+  }
   return {sampled_bound(field, face, a, b, c, limit), false};
 }
 

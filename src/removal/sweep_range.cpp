@@ -89,7 +89,10 @@ class RangeOf {
       const std::int32_t wall = tool.round() > 0 ? 0 : 1;
       if (face > wall) return range_of(heights(local_, z + tool.top()));
       if (tool.round() == 0 && face == 0) return negated(range_of(height));
-      if (!arc || sees_one_end(c, side)) return convex();
+      const ArcView view = arc ? view_of(c) : ArcView{ArcView::Part::end, 0};
+      if (view.side != 0 && side != 0 && view.side != side) return {};
+      if (view.part == ArcView::Part::end) return convex();
+      if (view.part == ArcView::Part::both && tool.round() > 0) return bent(c, tool.round());
     }
     const Envelope rho =
         arc ? arc_envelope(c, local_, tool.round() > 0, side) : line_envelope(c, local_);
@@ -98,12 +101,32 @@ class RangeOf {
     return tool.is_rounded() ? slab_range(tool, s) : tool.face_range(s, face);
   }
 
-  // Beyond an end of its path a convex tool stands still.
-  bool sees_one_end(const double* c, int side) const {
+  // Beyond an end of its path a convex tool stands still: that is convex, too.
+  ArcView view_of(const double* c) const {
     Corners2 w;
     for (int k = 0; k < 3; ++k) w[k] = {local_[k].x - c[0], local_[k].y - c[1]};
-    const ArcView view = arc_view(c, w);
-    return view.part == ArcView::Part::end && (side == 0 || view.side == side);
+    return arc_view(c, w);
+  }
+
+  // The distance s from the path's core, from where the tool passes to where it has stopped: its
+  // second derivatives are at most 1 / s, and, about the arc's axis, 1 / w. s^2 less the square of
+  // the place is concave, whatever the core is, which bounds s from below.
+  FaceRange bent(const double* c, double round) const {
+    const Envelope w = length_envelope({Vec2{local_[0].x - c[0], local_[0].y - c[1]},
+                                        {local_[1].x - c[0], local_[1].y - c[1]},
+                                        {local_[2].x - c[0], local_[2].y - c[1]}});
+    const double circle = smallest_circle(t_).squared;
+    std::array<double, 3> value, squares;
+    for (std::size_t k = 0; k < 3; ++k) {
+      value[k] = table_.patch_distance(i_, t_[k], patch_);
+      const double s = std::max(0.0, value[k] + round);
+      squares[k] = s * s;
+    }
+    const double least =
+        std::min(std::sqrt(std::max(0.0, range_of(squares).lo - circle)), whole_range(w).lo);
+    if (!(least > 0)) return {};
+    const FaceRange corners = range_of(value);
+    return {corners.lo - 0.5 * circle / least, corners.hi + 0.5 * circle / least};
   }
 
   FaceRange ball_arc() const {
