@@ -30,17 +30,41 @@ bool same_circle(const ProfileEdge& e, const ProfileEdge& f) {
   return is_arc(e) && e.center == f.center && e.radius == f.radius && e.convex == f.convex;
 }
 
+// Direction of travel at the ends of an edge that is a line or bulges out.
+Vec2 along(const ProfileEdge& e, Vec2 at) {
+  return is_arc(e) ? (1 / e.radius) * Vec2{e.center.y - at.y, at.x - e.center.x} : e.direction;
+}
+Vec2 start_of(const ProfileEdge& e) { return along(e, e.a); }
+Vec2 end_of(const ProfileEdge& e) { return along(e, e.b); }
+
 }  // namespace
 
+// Arcs that bulge out and lines that join smoothly, and never go down, bound a convex region of the
+// plane when the ends are continued: the distance is that from the region, a convex function. True
+// where the nearest point of its border is not on what is added: between the normals at the ends,
+// less deep than an arc's centre.
 FaceRange Profile::face_range(const Section& s, std::int32_t patch) const {
   const auto of_patch = [patch](const ProfileEdge& e) { return e.patch == patch; };
   const auto first = std::find_if(edges_.begin(), edges_.end(), of_patch);
   if (first == edges_.end()) return {};
-  const auto last = std::find_if_not(first, edges_.end(), of_patch);
-  if (std::all_of(first, last,
+  const auto last = std::prev(std::find_if_not(first, edges_.end(), of_patch));
+  if (std::all_of(first, last + 1,
                   [&](const ProfileEdge& e) { return &e == &*first || same_circle(*first, e); }))
     return edge_range(*first, s);
-  return {};
+  double least_radius = std::numeric_limits<double>::infinity();
+  for (auto e = first; e <= last; ++e) {
+    if (is_arc(*e) && !e->convex) return {};
+    if (is_arc(*e)) least_radius = std::min(least_radius, e->radius);
+  }
+  const bool from_axis = first->a.x == 0 && start_of(*first).y == 0;
+  for (const Vec2& q : s.hull) {
+    if (!from_axis && dot(q - first->a, start_of(*first)) < -kBorder) return {};
+    if (!std::isinf(last->b.y) && dot(q - last->b, end_of(*last)) > kBorder) return {};
+  }
+  const FaceRange range = convex_section_range(
+      s, least_radius, [&](Vec2 q) { return face_distance(q, patch); },
+      [&](Vec2 q) { return gradient(q, patch); });
+  return range.lo > -least_radius ? range : FaceRange{};
 }
 
 double Profile::support(Vec2 n) const {

@@ -1,5 +1,5 @@
 // Enclosures of faces on triangles against dense samples: random tools, moves and triangles of all
-// sizes about the surface.
+// sizes about the surface, some of them with corners off it.
 #include "removal/face_range.h"
 
 #include "core/units.h"
@@ -22,7 +22,7 @@ constexpr double kRounding = 2e-9;  // mm, and searches that stop at 1e-13 of a 
 
 struct Count {
   int triangles = 0, known = 0;
-  double tightness = 0;  // sum of what was found / what was promised
+  double tightness = 0;  // sum of largest sample / largest bound
 
   void operator+=(const Count& o) {
     triangles += o.triangles, known += o.known, tightness += o.tightness;
@@ -130,13 +130,11 @@ PartField block(const std::vector<Motion>& motions, const Tool& tool) {
   return PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 20));
 }
 
-void report(const Count& count, const std::string& what, double least_known) {
+// Most triangles are enclosed, and as closely as samples on a tenth of their size tell.
+void expect_useful(const Count& count, double least_known, const std::string& what) {
   EXPECT_GT(count.triangles, 100) << what;
-  const double share = double(count.known) / count.triangles;
-  EXPECT_GE(share, least_known) << what;
-  ::testing::Test::RecordProperty(what, std::to_string(share));
-  std::printf("%s: %.3f known, tightness %.3f\n", what.c_str(), share,
-              count.tightness / std::max(count.known, 1));
+  EXPECT_GE(count.known, least_known * count.triangles) << what;
+  EXPECT_GE(count.tightness, 0.75 * count.known) << what;
 }
 
 TEST(FaceRange, LevelLinesArcsAndPlunges) {
@@ -144,7 +142,7 @@ TEST(FaceRange, LevelLinesArcsAndPlunges) {
   for (const Tool& tool : mills()) {
     Count lines, arcs;
     for (int round = 0; round < 20; ++round) {
-      const std::string what = "tool " + std::to_string(int(tool.type));
+      const std::string what = "tool " + std::to_string(static_cast<int>(tool.type));
       const auto at = [&](double z) { return Vec3{random(0, 40), random(0, 40), z}; };
       const double z = random(4, 18);
       const Vec3 a = at(z);
@@ -158,8 +156,8 @@ TEST(FaceRange, LevelLinesArcsAndPlunges) {
       const Vec3 start = center + radius * Vec3{std::cos(angle), std::sin(angle), 0};
       arcs += check_faces(block({arc(start, center, {0, 0, 1}, turn)}, tool), random, 60, what);
     }
-    report(lines, "lines, tool " + std::to_string(int(tool.type)), 0);
-    report(arcs, "arcs, tool " + std::to_string(int(tool.type)), 0);
+    expect_useful(lines, 0.85, "lines, tool " + std::to_string(static_cast<int>(tool.type)));
+    expect_useful(arcs, 0.8, "arcs, tool " + std::to_string(static_cast<int>(tool.type)));
   }
 }
 
@@ -179,8 +177,8 @@ TEST(FaceRange, BallsOnSlantedLinesAndUprightArcs) {
       const double sweep = random(0.3, round % 4 ? kPi / 2 : kTwoPi);
       arcs += check_faces(block({arc(start, center, axis, sweep)}, tool), random, 60, "upright");
     }
-    report(lines, "slanted", 0);
-    report(arcs, "upright", 0);
+    expect_useful(lines, 1, "slanted lines");
+    expect_useful(arcs, tool.type == ToolType::ballmill ? 0.5 : 0, "upright arcs");
   }
 }
 
@@ -211,8 +209,8 @@ TEST(FaceRange, TurnedFaces) {
         (is_arc ? arcs : lines) += check_faces(field, random, 60, is_arc ? "arc" : "line");
       }
     }
-    report(lines, "turned lines", 0);
-    report(arcs, "turned arcs", 0);
+    expect_useful(lines, 1, "turned lines");
+    expect_useful(arcs, 0.8, "turned arcs");
   }
 }
 
