@@ -86,7 +86,7 @@ Count check_faces(const ExactField& field, Random& random, int triangles, const 
   for (int k = 0; k < 40 * triangles && count.triangles < triangles; ++k) {
     const Vec3 p = lo + Vec3{random(0, 1) * size.x, random(0, 1) * size.y, random(0, 1) * size.z};
     const FieldSample face = field.sample(p, all);
-    if (face.owner == kStockOwner && k % 64 != 0) continue;
+    if (face.owner == kStockOwner && !field.all().empty() && k % 64 != 0) continue;
     const double reach = std::pow(10, random(-2, 1));
     Corners3 t;
     bool on = true;
@@ -211,6 +211,35 @@ TEST(FaceRange, TurnedFaces) {
     }
     expect_useful(lines, 1, "turned lines");
     expect_useful(arcs, 0.8, "turned arcs");
+  }
+}
+
+TEST(FaceRange, Stocks) {
+  StockShape tube;
+  tube.kind = StockShape::Kind::tube;
+  tube.axis_point = {3, -2, 0};
+  tube.outer_radius = 25, tube.inner_radius = 8;
+  tube.box = {{-22, -27, 0}, {28, 23, 50}};
+  StockShape box;
+  box.box = {{0, 0, 0}, {40, 30, 20}};
+  Random random(4);
+  for (const StockShape& shape : {tube, box}) {
+    const PartField field(StockSolid(shape), SweepTable({}, {}, 50));
+    expect_useful(check_faces(field, random, 1000, "stock"), 1, "stock");
+  }
+}
+
+TEST(FaceRange, TiltedTools) {
+  Random random(5);
+  for (const ToolType type : {ToolType::endmill, ToolType::ballmill}) {
+    Count count;
+    for (int round = 0; round < 20; ++round) {
+      const auto at = [&] { return Vec3{random(5, 35), random(5, 35), random(4, 18)}; };
+      Motion m = line(at(), at());
+      m.tool_axis = normalized(Vec3{random(-1, 1), random(-1, 1), 1.5});
+      count += check_faces(block({m}, mill(type, 6)), random, 60, "tilted");
+    }
+    expect_useful(count, 1, "tilted");
   }
 }
 
