@@ -234,6 +234,7 @@ void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
 
 void report_mesh(JobResult& result, const ContourReport& found) {
   result.mesh_bound = found.bound;
+  result.mesh_sampled = found.sampled;
   if (found.unresolved > 0)
     report(result, Severity::warning, "tolerance-missed",
            fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",

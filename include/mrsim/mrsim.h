@@ -110,6 +110,8 @@ struct JobResult {
   double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
   std::string tolerance_reason;
   double mesh_bound = 0;  ///< mm: certified distance between mesh and part, 0 without tolerance
+  std::size_t mesh_sampled =
+      0;  ///< triangles of the mesh for which samples stand for a proof of it
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;

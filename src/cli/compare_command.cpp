@@ -225,7 +225,8 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
                {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
   if (result.mesh_bound > 0)
     out.facts.emplace_back("Mesh",
-                           fmt::format("within {:.4g} mm of the exact part", result.mesh_bound));
+                           fmt::format("within {:.4g} mm of the exact part{}", result.mesh_bound,
+                                       result.mesh_sampled > 0 ? ", by samples in places" : ""));
   out.times = result.stage_seconds;
   out.tools = result.program.tools;
   out.diagnostics = result.program.diagnostics;

@@ -94,6 +94,21 @@ void add_program(Sheet& sheet, const Program& program) {
   }
 }
 
+// Two digits, rounded up: a bound stays true when it is printed.
+double printed_bound(double bound) {
+  const double unit = std::pow(10, std::floor(std::log10(bound)) - 1);
+  return std::ceil(bound / unit * (1 - 1e-9)) * unit;
+}
+
+std::string bound_text(const JobResult& result) {
+  if (!(result.mesh_bound > 0)) return "";
+  const std::string bound =
+      fmt::format(", within {:.2g} mm of the exact part", printed_bound(result.mesh_bound));
+  if (result.mesh_sampled == 0) return bound;
+  return bound + fmt::format(", by samples on {} of them",
+                             grouped(static_cast<double>(result.mesh_sampled), 0));
+}
+
 void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const MeshSummary& summary = result.summary;
   const bool from_field = std::abs(result.volume - summary.volume) >= 5e-4;
@@ -102,10 +117,7 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.triangles), 0),
-            "closed, oriented, 2-manifold" +
-                (result.mesh_bound > 0
-                     ? fmt::format(", within {:.2g} mm of the exact part", result.mesh_bound)
-                     : std::string()));
+            "closed, oriented, 2-manifold" + bound_text(result));
   if (result.pieces.size() > 1)
     sheet.row("pieces", grouped(static_cast<double>(result.pieces.size()), 0),
               result.pieces[1].kept ? "all kept" : "the largest kept");

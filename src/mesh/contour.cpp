@@ -29,6 +29,7 @@ using detail::Crossing;
 using detail::LabelledMesh;
 using detail::Lattice;
 using detail::PlaceHash;
+using detail::TriangleBound;
 
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
@@ -63,7 +64,7 @@ class Contour {
     }
     report_.triangles_before = mesh.triangles.size();
     mesh = simplified(mesh);
-    report_.bound = largest_bound(mesh);
+    report_bound(mesh);
     report_.volume_excess = volume_excess(mesh);
     timer_.step("certify");
     report_.cells = surface_.loops().size();
@@ -97,21 +98,25 @@ class Contour {
     return mesh;
   }
 
-  double bound(const LabelledMesh& mesh, std::size_t t, double limit) const {
+  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit) const {
     const auto& x = mesh.triangles[t];
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
     const FieldSample& label = mesh.faces[mesh.labels[t]];
-    const double face = detail::triangle_bound(field_, label, a, b, c, limit);
-    if (face > limit) return face;
-    return std::max(face, detail::largest_distance(field_, tree_, label, a, b, c, limit));
+    TriangleBound found = detail::triangle_bound(field_, label, a, b, c, limit);
+    if (found.distance > limit) return found;
+    found.distance =
+        std::max(found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit));
+    return found;
   }
 
   // From the face of the part, or from the nearest corner, which is exact.
-  double certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
+  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
     const auto& x = mesh.triangles[t];
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    return std::min(bound(mesh, t, limit), kNearestCorner * longest);
+    const TriangleBound found = bound(mesh, t, limit);
+    const double corner = kNearestCorner * longest;
+    return corner <= found.distance ? TriangleBound{corner, true} : found;
   }
 
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
@@ -168,7 +173,7 @@ class Contour {
         [&](std::size_t t) {
           hashes[t] = triangle_hash(mesh, t);
           if (passed_.count(hashes[t]) > 0) return;
-          if (certified(mesh, t, limit) > limit) failed[t] = guilty_cells(mesh, base, t);
+          if (certified(mesh, t, limit).distance > limit) failed[t] = guilty_cells(mesh, base, t);
         },
         64);
     for (std::size_t t = 0; t < hashes.size(); ++t)
@@ -250,17 +255,22 @@ class Contour {
     }
   }
 
-  double largest_bound(const LabelledMesh& mesh) const {
-    std::vector<double> bounds(mesh.triangles.size());
+  // What a triangle above the tolerance is measured by need not be a bound, unless asked without.
+  TriangleBound reached(const LabelledMesh& mesh, std::size_t t) const {
+    const TriangleBound found = certified(mesh, t, options_.tolerance);
+    return found.distance <= options_.tolerance
+               ? found
+               : certified(mesh, t, std::numeric_limits<double>::infinity());
+  }
+
+  void report_bound(const LabelledMesh& mesh) {
+    std::vector<TriangleBound> bounds(mesh.triangles.size());
     parallel_for(
-        bounds.size(), options_.threads,
-        [&](std::size_t t) {
-          bounds[t] = certified(mesh, t, std::numeric_limits<double>::infinity());
-        },
-        64);
-    double most = 0;
-    for (const double b : bounds) most = std::max(most, b);
-    return most;
+        bounds.size(), options_.threads, [&](std::size_t t) { bounds[t] = reached(mesh, t); }, 64);
+    for (const TriangleBound& b : bounds) {
+      report_.bound = std::max(report_.bound, b.distance);
+      report_.sampled += !b.is_proven;
+    }
   }
 
   // The integral of d over the mesh.

@@ -30,8 +30,9 @@ struct ThinFeature {
 };
 
 struct ContourReport {
-  double bound = 0;  ///< mm: largest certified distance of the mesh from the part; 0 without
-                     ///< tolerance
+  double bound = 0;         ///< mm: largest certified distance of the mesh from the part; 0 without
+                            ///< tolerance
+  std::size_t sampled = 0;  ///< triangles whose distance from their face is not proven, but sampled
   double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
                              ///< (docs/mesh.md, Volume); 0 without tolerance
   std::size_t cells = 0;     ///< cells that the surface passes

@@ -3,6 +3,7 @@
 #include "mesh/contour_vertex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -13,6 +14,7 @@ constexpr double kIntrusion = 1.5;  ///< factor on the distance of a face that i
 constexpr double kFlat = 2e-5;      ///< mm: deviations that rounding of coordinates explains
 constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
+constexpr int kRefinements = 3;        ///< of a triangle into quarters
 constexpr int kSides = 4;              ///< nodes at quarters of the sides and between
 
 // Node (i, j): i quarters towards b, j towards c.
@@ -52,6 +54,60 @@ Vec3 node_at(const Vec3& a, const Vec3& b, const Vec3& c, double i, double j) {
   return (1.0 / kSides) * ((kSides - i - j) * a + i * b + j * c);
 }
 
+double largest_of(const FaceRange& range) { return std::max(-range.lo, range.hi); }
+
+using Quarters = std::array<Corners3, 4>;
+
+Quarters quarters(const Corners3& t) {
+  const Corners3 m{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]), 0.5 * (t[0] + t[1])};
+  return {m, {t[0], m[2], m[1]}, {m[2], t[1], m[0]}, {m[1], m[0], t[2]}};
+}
+
+// Encloses the quarters of a triangle, and theirs, until they are within the limit or a value of g
+// shows that it is not. Infinite where a part is left for which nothing is known.
+double refined(const ExactField& field, const FieldSample& face, const Corners3& t, double limit,
+               int depth) {
+  const Quarters parts = quarters(t);
+  for (const Vec3& p : parts[0])
+    if (const double g = std::abs(field.patch_distance(p, face)); g > limit) return g;
+  double most = 0;
+  for (const Corners3& part : parts) {
+    double enclosed = largest_of(field.patch_range(part, face));
+    if (enclosed > limit && depth > 1) enclosed = refined(field, face, part, limit, depth - 1);
+    most = std::max(most, enclosed);
+    if (most > limit) break;
+  }
+  return most;
+}
+
+// Whether anything is known of a quarter: the faces of some sweeps are never enclosed, others only
+// where the triangle is small.
+bool has_known_part(const ExactField& field, const FieldSample& face, const Corners3& t) {
+  const Quarters parts = quarters(t);
+  return std::any_of(parts.begin(), parts.end(), [&](const Corners3& part) {
+    return std::isfinite(largest_of(field.patch_range(part, face)));
+  });
+}
+
+double sampled_bound(const ExactField& field, const FieldSample& face, const Vec3& a, const Vec3& b,
+                     const Vec3& c, double limit) {
+  Nodes nodes;
+  double most = 0;
+  const auto measure = [&](int i, int j) {
+    const Vec3 p = node_at(a, b, c, i, j);
+    nodes.value[i][j] = field.patch_distance(p, face);
+    most = std::max(most, std::abs(nodes.value[i][j]));
+  };
+  for (int i = 0; i <= kSides; i += kSides / 2)
+    for (int j = 0; i + j <= kSides; j += kSides / 2) measure(i, j);
+  measure(1, 1);
+  if (most > limit || most < kFlat) return most;
+  for (int i = 0; i <= kSides; ++i)
+    for (int j = 0; i + j <= kSides; ++j)
+      if ((i % 2 || j % 2) && !(i == 1 && j == 1)) measure(i, j);
+  return nodes.largest() + nodes.remainder();
+}
+
 }  // namespace
 
 double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
@@ -83,23 +139,17 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
   return most;
 }
 
-double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
-                      const Vec3& b, const Vec3& c, double limit) {
-  Nodes nodes;
-  double most = 0;
-  const auto measure = [&](int i, int j) {
-    const Vec3 p = node_at(a, b, c, i, j);
-    nodes.value[i][j] = field.patch_distance(p, face);
-    most = std::max(most, std::abs(nodes.value[i][j]));
-  };
-  for (int i = 0; i <= kSides; i += kSides / 2)
-    for (int j = 0; i + j <= kSides; j += kSides / 2) measure(i, j);
-  measure(1, 1);
-  if (most > limit || most < kFlat) return most;
-  for (int i = 0; i <= kSides; ++i)
-    for (int j = 0; i + j <= kSides; ++j)
-      if ((i % 2 || j % 2) && !(i == 1 && j == 1)) measure(i, j);
-  return nodes.largest() + nodes.remainder();
+TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+                             const Vec3& b, const Vec3& c, double limit) {
+  const Corners3 t{a, b, c};
+  const double enclosed = largest_of(field.patch_range(t, face));
+  if (enclosed <= limit) {
+    if (std::isfinite(enclosed)) return {enclosed, true};
+  } else if (std::isfinite(enclosed) || has_known_part(field, face, t)) {
+    const double found = refined(field, face, t, limit, kRefinements);
+    if (std::isfinite(found)) return {found, true};
+  }
+  return {sampled_bound(field, face, a, b, c, limit), false};
 }
 
 double excess_over(const ExactField& field, const ContourOctree& tree, const FieldSample& face,

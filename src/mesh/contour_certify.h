@@ -5,11 +5,16 @@
 
 namespace mrsim::detail {
 
-/// Upper bound in mm of |g| on the triangle, where g is the distance of one smooth face of the
-/// part: the largest value at 15 nodes (quarters of the sides), and what g can do between them by
-/// its second differences there. Stops early once it is above `limit`.
-double triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
-                      const Vec3& b, const Vec3& c, double limit);
+/// Upper bound in mm of |g| on a triangle, where g is the distance of one smooth face of the part.
+struct TriangleBound {
+  double distance = 0;
+  bool is_proven = false;  ///< by ExactField::patch_range; else from samples of g
+};
+/// Proven where the field encloses g: as close as it takes to tell whether g stays below `limit`.
+/// Else the largest value at 15 nodes (quarters of the sides), and what g can do between them by
+/// its second differences there. Above `limit` it may be a value of g instead of a bound.
+TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+                             const Vec3& b, const Vec3& c, double limit);
 
 /// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
 /// once it is above `limit`. Finds triangles that leave the face they are measured by.

@@ -196,7 +196,8 @@ class Simplifier {
     const FieldSample& face = mesh_.faces[mesh_.labels[s.triangle]];
     const Vec3 center = (1.0 / 3) * (a + b + c);
     if (!(dot(n, field_.gradient(center, face)) > kLeastCosine * area)) return false;
-    if (triangle_bound(field_, face, a, b, c, limits_.tolerance) > limits_.tolerance) return false;
+    const double off = triangle_bound(field_, face, a, b, c, limits_.tolerance).distance;
+    if (off > limits_.tolerance) return false;
     return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance) <= limits_.tolerance;
   }
 

@@ -12,9 +12,11 @@
 
 #include <mrsim/types.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,6 +34,14 @@ struct FieldSample {
   std::int32_t owner =
       kStockOwner;         ///< index of the motion whose sweep decides d here, or kStockOwner
   std::int32_t patch = 0;  ///< smooth face of the owner (a mill's wall or floor, a side of the box)
+};
+
+using Corners3 = std::array<Vec3, 3>;  ///< of a triangle
+
+/// Values that a function does not leave; infinite where nothing is known.
+struct FaceRange {
+  double lo = -std::numeric_limits<double>::infinity();
+  double hi = std::numeric_limits<double>::infinity();
 };
 
 using Candidates = std::vector<std::uint32_t>;  ///< indices of sweeps, ascending
@@ -103,6 +113,12 @@ class ExactField {
   /// on the other side of the crease (a box's side: the distance of its plane; a slot's wall: R -
   /// rho; its floor: z - z_floor, all with d's sign).
   virtual double patch_distance(const Vec3& p, const FieldSample& at) const = 0;
+
+  /// Encloses patch_distance(p, face) for all p of a triangle, mm: proven up to rounding, not
+  /// sampled (removal/face_range.h). Infinite where no bound is known: for other faces than planes
+  /// and those drawn by lines and circles, and where the triangle reaches a crease of
+  /// patch_distance. Costs four to ten values of it.
+  virtual FaceRange patch_range(const Corners3&, const FieldSample&) const { return {}; }
 
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;

@@ -1,6 +1,7 @@
 #include "removal/part_field.h"
 
 #include "core/vec.h"
+#include "removal/face_range.h"
 #include "removal/sweep_kernels.h"
 
 #include <algorithm>
@@ -211,6 +212,11 @@ Vec3 PartField::gradient(const Vec3& p, const FieldSample& at) const {
 double PartField::patch_distance(const Vec3& p, const FieldSample& at) const {
   if (at.owner == kStockOwner) return solid_.patch_distance(p, at.patch);
   return -sweeps_.patch_distance(sweep_of(at.owner), p, at.patch);
+}
+
+FaceRange PartField::patch_range(const Corners3& t, const FieldSample& face) const {
+  if (face.owner == kStockOwner) return solid_.patch_range(t, face.patch);
+  return negated(sweeps_.patch_range(sweep_of(face.owner), t, face.patch));
 }
 
 }  // namespace mrsim

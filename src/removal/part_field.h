@@ -32,6 +32,7 @@ class PartField final : public ExactField {
                  double* out) const override;
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
   double patch_distance(const Vec3& p, const FieldSample& at) const override;
+  FaceRange patch_range(const Corners3& t, const FieldSample& face) const override;
   Box3 bounds() const override { return solid_.bounds(); }
 
   const StockSolid& solid() const { return solid_; }

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "core/vec.h"
+#include "removal/face_range.h"
 
 #include <algorithm>
 
@@ -151,6 +152,20 @@ double StockSolid::patch_distance(const Vec3& p, std::int32_t patch) const {
   if (patch == kRoundTop) return p.z - b.hi.z;
   return patch == kRoundBore ? shape_.inner_radius - radius_at(p)
                              : radius_at(p) - shape_.outer_radius;
+}
+
+FaceRange StockSolid::patch_range(const Corners3& t, std::int32_t patch) const {
+  const bool round =
+      shape_.kind == StockShape::Kind::cylinder || shape_.kind == StockShape::Kind::tube;
+  if (!round || patch == kRoundBottom || patch == kRoundTop)
+    return range_of(
+        {patch_distance(t[0], patch), patch_distance(t[1], patch), patch_distance(t[2], patch)});
+  const Vec3& axis = shape_.axis_point;
+  const FaceRange rho = whole_range(length_envelope({Vec2{t[0].x - axis.x, t[0].y - axis.y},
+                                                     {t[1].x - axis.x, t[1].y - axis.y},
+                                                     {t[2].x - axis.x, t[2].y - axis.y}}));
+  if (patch == kRoundBore) return {shape_.inner_radius - rho.hi, shape_.inner_radius - rho.lo};
+  return {rho.lo - shape_.outer_radius, rho.hi - shape_.outer_radius};
 }
 
 double StockSolid::volume() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/triangle_tree.h"
+#include "removal/field.h"
 #include <mrsim/types.h>
 
 #include <memory>
@@ -44,6 +45,8 @@ class StockSolid {
   Vec3 gradient(const Vec3& p, std::int32_t patch) const;
   /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
   double patch_distance(const Vec3& p, std::int32_t patch) const;
+  /// Encloses patch_distance() on a triangle.
+  FaceRange patch_range(const Corners3& t, std::int32_t patch) const;
   const Box3& bounds() const { return shape_.box; }
   /// A cylinder or tube about the Z axis: the same at every angle.
   bool is_turned() const;

@@ -6,6 +6,7 @@
 // point can be asked of many sweeps, or many points of one, at a few nanoseconds each.
 #pragma once
 
+#include "removal/field.h"
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -78,6 +79,9 @@ class SweepTable {
   /// Signed distance of p from the face `patch`, continued smoothly beyond its creases: what
   /// gradient(i, p, patch) is the gradient of. Positive outside of the sweep.
   double patch_distance(std::size_t i, const Vec3& p, std::int32_t patch) const;
+
+  /// Encloses patch_distance(i, ., patch) on a triangle (field.h, patch_range).
+  FaceRange patch_range(std::size_t i, const Corners3& t, std::int32_t patch) const;
 
   /// out[k] = distance(ids[k], p), the same bits.
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;

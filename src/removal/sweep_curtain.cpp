@@ -5,11 +5,15 @@
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/face_range.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
 namespace {
+
+constexpr double kLevelEnd = 1e-9;  // of the radius: rounding of ends at the height of the centre
 
 bool on_arc(const Curtain& c, double x, double y) {
   const double along = x * c.mid_x + y * c.mid_y, off = c.mid_x * y - c.mid_y * x;
@@ -109,6 +113,39 @@ BallArcFoot ball_arc_foot(const BallArc& s, const Curtain& part, const Vec3& p) 
   const CurtainFoot f = curtain_foot(part, l.q);
   return {l.beside * l.beside + f.squared,
           s.center + Vec3{f.point.x * s.along_x, f.point.x * s.along_y, f.point.y}};
+}
+
+bool is_valley(const Curtain& c) {
+  return c.cos_half >= 0 && c.mid_y < 0 && std::all_of(c.hems, c.hems + c.hem_count, [&c](Vec2 h) {
+           return h.y <= kLevelEnd * c.radius;
+         });
+}
+
+// The circle is left by whatever rises from its upper half, so that under the path the path itself
+// is nearest.
+FaceRange hill_range(const BallArc& s, const Curtain& part, const Corners3& t) {
+  if (!std::all_of(part.hems, part.hems + part.hem_count,
+                   [&](Vec2 h) { return h.y >= -kLevelEnd * part.radius; }))
+    return {};
+  Corners2 q;
+  std::array<double, 3> beside;
+  for (int k = 0; k < 3; ++k) {
+    const Local l = local(s, t[k]);
+    q[k] = l.q, beside[k] = l.beside;
+  }
+  const double c[] = {0, 0, part.radius, part.mid_x, part.mid_y, part.cos_half, part.sin_half};
+  if (arc_view(c, q).part != ArcView::Part::arc) return {};
+  Envelope v = length_envelope(q);
+  if (whole_range(v).hi > part.radius) return {};
+  for (std::array<double, 3>* side : {&v.at, &v.low, &v.high})
+    for (double& x : *side) x = part.radius - x;
+  std::swap(v.low, v.high);
+  return convex_section_range(
+      section_of(v, beside), s.ball, [&](Vec2 w) { return length(w) - s.ball; },
+      [](Vec2 w) {
+        const double n = length(w);
+        return n > 0 ? (1 / n) * w : Vec2{};
+      });
 }
 
 int ball_arc_half(const BallArc& s, const Vec3& p) {

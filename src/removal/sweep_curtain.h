@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/field.h"
 
 namespace mrsim {
 
@@ -43,6 +44,11 @@ struct BallArcFoot {
 BallArcFoot ball_arc_foot(const BallArc& s, const Curtain& part, const Vec3& p);
 double ball_arc_distance(const BallArc& s, const Curtain& part, const Vec3& p);
 Vec3 ball_arc_gradient(const BallArc& s, const Curtain& part, const Vec3& p);
+/// Whether all of the path lies on the lower half of its circle: the curtain is convex then.
+bool is_valley(const Curtain& c);
+/// Encloses ball_arc_distance() on a triangle under a path on the upper half of its circle;
+/// infinite elsewhere.
+FaceRange hill_range(const BallArc& s, const Curtain& part, const Corners3& t);
 /// The half that is nearer: 0 or 1.
 int ball_arc_half(const BallArc& s, const Vec3& p);
 

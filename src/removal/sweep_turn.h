@@ -58,6 +58,8 @@ double turn_distance(const TurnSweep& s, const Vec3& p);
 double section_distance(const TurnSweep& s, Vec2 q);
 SweepSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
+/// Encloses turn_face_distance() on a triangle.
+FaceRange turn_face_range(const TurnSweep& s, const Corners3& t, std::int32_t patch);
 /// Signed distance to one piece, continued beyond its ends: what turn_gradient is the gradient of.
 double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 

@@ -1,0 +1,178 @@
+// SweepTable::patch_range: which faces have an enclosure, and from what it follows
+// (docs/mesh.md, Tolerance).
+#include "removal/face_range.h"
+#include "removal/sweep_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kUpright = 1e-12;  // sine: rounding of a wall's normal
+
+std::array<double, 3> heights(const Corners3& t, double z) {
+  return {t[0].z - z, t[1].z - z, t[2].z - z};
+}
+
+// The wall, floor or chain of floor, quarter circle and wall of a tool with is_rounded().
+FaceRange slab_range(const Profile& tool, const Section& s) {
+  const double core = tool.core(), round = tool.round();
+  if (round == 0)
+    return widened({std::min({s.at[0].x, s.at[1].x, s.at[2].x}) - core,
+                    std::max({s.at[0].x, s.at[1].x, s.at[2].x}) - core},
+                   s, {1, 1});
+  const bool under = std::all_of(s.hull.begin(), s.hull.end(), [&](Vec2 q) {
+    return std::fabs(q.x) <= core && round - q.y >= 0;
+  });
+  if (under) return negated(range_of({s.at[0].y, s.at[1].y, s.at[2].y}));
+  return convex_section_range(
+      s, round, [&](Vec2 q) { return slab_face_distance(tool, std::fabs(q.x), q.y, 0); },
+      [&](Vec2 q) {
+        const Vec2 g = slab_face_gradient(tool, std::fabs(q.x), q.y, 0);
+        return Vec2{q.x < 0 ? -g.x : g.x, g.y};
+      });
+}
+
+class RangeOf {
+ public:
+  RangeOf(const SweepTable& table, const SweepColumns& columns, std::size_t i, const Corners3& t,
+          std::int32_t patch)
+      : table_(table), columns_(columns), ref_(columns.refs[i]), i_(i), t_(t), patch_(patch) {
+    local_ = t;
+    if (ref_.frame > 0)
+      for (Vec3& p : local_) p = columns.frames[ref_.frame - 1].in(p);
+  }
+
+  FaceRange operator()() const {
+    switch (ref_.kind) {
+      case SweepKind::ball_line:  // within R of a convex set
+        return convex();
+      case SweepKind::ball_arc:
+        return ball_arc();
+      case SweepKind::path:
+        return path();
+      case SweepKind::turn:
+        return turn_face_range(columns_.turns[ref_.row], local_, patch_);
+      case SweepKind::plane_line:
+        return level(false, columns_.plane_lines[ref_.row].c,
+                     columns_.plane_lines[ref_.row].c[4] - columns_.plane_lines[ref_.row].c[6]);
+      case SweepKind::plane_arc:
+        return level(true, columns_.plane_arcs[ref_.row].c,
+                     columns_.plane_arcs[ref_.row].c[7] - columns_.plane_arcs[ref_.row].c[9]);
+      case SweepKind::profile: {
+        const ProfileRow& row = columns_.profiles[ref_.row];
+        return level(row.arc, row.c, row.z);
+      }
+    }
+    return {};
+  }
+
+ private:
+  // patch_distance being a convex function of space.
+  FaceRange convex() const {
+    const Vec3 m = weighted(smallest_circle(t_), t_);
+    return convex_range(
+        t_,
+        {table_.patch_distance(i_, t_[0], patch_), table_.patch_distance(i_, t_[1], patch_),
+         table_.patch_distance(i_, t_[2], patch_)},
+        m, table_.patch_distance(i_, m, patch_), table_.gradient(i_, m, patch_));
+  }
+
+  // A function of the distance in plan from the path and of the height above the tip.
+  FaceRange level(bool arc, const double* c, double z) const {
+    const Profile& tool = columns_.cutter(ref_);
+    const std::int32_t face = patch_ & (kBranchPatch - 1);
+    const std::array<double, 3> height = heights(local_, z);
+    const int side = !ref_.split ? 0 : patch_ >= kBranchPatch ? 1 : -1;
+    if (tool.is_rounded()) {
+      const std::int32_t wall = tool.round() > 0 ? 0 : 1;
+      if (face > wall) return range_of(heights(local_, z + tool.top()));
+      if (tool.round() == 0 && face == 0) return negated(range_of(height));
+      const ArcView view = arc ? view_of(c) : ArcView{ArcView::Part::end, 0};
+      if (view.side != 0 && side != 0 && view.side != side) return {};
+      if (view.part == ArcView::Part::end) return convex();
+      if (view.part == ArcView::Part::both && tool.round() > 0) return bent(c, tool.round());
+    }
+    const Envelope rho =
+        arc ? arc_envelope(c, local_, tool.round() > 0, side) : line_envelope(c, local_);
+    if (!rho.is_known) return {};
+    const Section s = section_of(rho, height);
+    return tool.is_rounded() ? slab_range(tool, s) : tool.face_range(s, face);
+  }
+
+  // Beyond an end of its path a convex tool stands still: that is convex, too.
+  ArcView view_of(const double* c) const {
+    Corners2 w;
+    for (int k = 0; k < 3; ++k) w[k] = {local_[k].x - c[0], local_[k].y - c[1]};
+    return arc_view(c, w);
+  }
+
+  // The distance s from the path's core, from where the tool passes to where it has stopped: its
+  // second derivatives are at most 1 / s, and, about the arc's axis, 1 / w. s^2 less the square of
+  // the place is concave, whatever the core is, which bounds s from below.
+  FaceRange bent(const double* c, double round) const {
+    const Envelope w = length_envelope({Vec2{local_[0].x - c[0], local_[0].y - c[1]},
+                                        {local_[1].x - c[0], local_[1].y - c[1]},
+                                        {local_[2].x - c[0], local_[2].y - c[1]}});
+    const double circle = smallest_circle(t_).squared;
+    std::array<double, 3> value, squares;
+    for (std::size_t k = 0; k < 3; ++k) {
+      value[k] = table_.patch_distance(i_, t_[k], patch_);
+      const double s = std::max(0.0, value[k] + round);
+      squares[k] = s * s;
+    }
+    const double least =
+        std::min(std::sqrt(std::max(0.0, range_of(squares).lo - circle)), whole_range(w).lo);
+    if (!(least > 0)) return {};
+    const FaceRange corners = range_of(value);
+    return {corners.lo - 0.5 * circle / least, corners.hi + 0.5 * circle / least};
+  }
+
+  FaceRange ball_arc() const {
+    const BallArc& arc = columns_.ball_arcs[ref_.row];
+    const Curtain& part = columns_.ball_arc_face(ref_, patch_);
+    if (is_valley(part)) return convex();
+    return hill_range(arc, part, local_);
+  }
+
+  FaceRange path() const {
+    const bool moved_body = !columns_.paths[ref_.row].arc && columns_.cutter(ref_).is_convex();
+    return moved_body ? straight(columns_.cutter(ref_), columns_.paths[ref_.row]) : FaceRange{};
+  }
+
+  // A convex tool on a line sweeps a convex body: its signed distance is at most that of the
+  // corners, and at least that of any half space about the body, here one that touches it near the
+  // triangle.
+  FaceRange straight(const Profile& tool, const ToolPath& path) const {
+    const Vec3 at = weighted(smallest_circle(t_), t_);
+    Vec3 n = table_.gradient(i_, at, table_.patch(i_, at));
+    if (ref_.frame > 0) n = columns_.frames[ref_.frame - 1].in(n);
+    if (std::fabs(n.z) < kUpright) n.z = 0;
+    const double ahead = std::max(0.0, dot(n, path.travel));
+    const double body =
+        dot(n, path.start) + ahead + tool.support({std::sqrt(n.x * n.x + n.y * n.y), n.z});
+    FaceRange range;
+    range.lo = range_of({dot(n, local_[0]), dot(n, local_[1]), dot(n, local_[2])}).lo - body;
+    range.hi = range_of({table_.distance(i_, t_[0]), table_.distance(i_, t_[1]),
+                         table_.distance(i_, t_[2])})
+                   .hi;
+    return range;
+  }
+
+  const SweepTable& table_;
+  const SweepColumns& columns_;
+  const SweepRef& ref_;
+  const std::size_t i_;
+  const Corners3& t_;
+  const std::int32_t patch_;
+  Corners3 local_;  ///< in the tool's frame
+};
+
+}  // namespace
+
+FaceRange SweepTable::patch_range(std::size_t i, const Corners3& t, std::int32_t patch) const {
+  return RangeOf(*this, *columns_, i, t, patch)();
+}
+
+}  // namespace mrsim

@@ -1,0 +1,85 @@
+// Enclosures of the faces of a tool at rest: chains of lines and arcs that join smoothly.
+#include "removal/face_range.h"
+#include "removal/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+bool is_arc(const ProfileEdge& e) { return e.radius > 0; }
+
+FaceRange edge_range(const ProfileEdge& e, const Section& s) {
+  if (!is_arc(e)) {
+    const auto side = [&e](Vec2 q) { return -cross(e.direction, q - e.a); };
+    return widened(range_of({side(s.at[0]), side(s.at[1]), side(s.at[2])}), s,
+                   {e.direction.y, e.direction.y});
+  }
+  const FaceRange circle = convex_section_range(
+      s, e.radius, [&](Vec2 q) { return length(q - e.center) - e.radius; },
+      [&](Vec2 q) {
+        const double n = length(q - e.center);
+        return n > 0 ? (1 / n) * (q - e.center) : Vec2{};
+      });
+  return e.convex ? circle : negated(circle);
+}
+
+bool same_circle(const ProfileEdge& e, const ProfileEdge& f) {
+  return is_arc(e) && e.center == f.center && e.radius == f.radius && e.convex == f.convex;
+}
+
+// Direction of travel at the ends of an edge that is a line or bulges out.
+Vec2 along(const ProfileEdge& e, Vec2 at) {
+  return is_arc(e) ? (1 / e.radius) * Vec2{e.center.y - at.y, at.x - e.center.x} : e.direction;
+}
+Vec2 start_of(const ProfileEdge& e) { return along(e, e.a); }
+Vec2 end_of(const ProfileEdge& e) { return along(e, e.b); }
+
+}  // namespace
+
+// Arcs that bulge out and lines that join smoothly, and never go down, bound a convex region of the
+// plane when the ends are continued: the distance is that from the region, a convex function. True
+// where the nearest point of its border is not on what is added: between the normals at the ends,
+// less deep than an arc's centre.
+FaceRange Profile::face_range(const Section& s, std::int32_t patch) const {
+  const auto of_patch = [patch](const ProfileEdge& e) { return e.patch == patch; };
+  const auto first = std::find_if(edges_.begin(), edges_.end(), of_patch);
+  if (first == edges_.end()) return {};
+  const auto last = std::prev(std::find_if_not(first, edges_.end(), of_patch));
+  if (std::all_of(first, last + 1,
+                  [&](const ProfileEdge& e) { return &e == &*first || same_circle(*first, e); }))
+    return edge_range(*first, s);
+  double least_radius = std::numeric_limits<double>::infinity();
+  for (auto e = first; e <= last; ++e) {
+    if (is_arc(*e) && !e->convex) return {};
+    if (is_arc(*e)) least_radius = std::min(least_radius, e->radius);
+  }
+  const bool from_axis = first->a.x == 0 && start_of(*first).y == 0;
+  for (const Vec2& q : s.hull) {
+    if (!from_axis && dot(q - first->a, start_of(*first)) < -kBorder) return {};
+    if (!std::isinf(last->b.y) && dot(q - last->b, end_of(*last)) > kBorder) return {};
+  }
+  const FaceRange range = convex_section_range(
+      s, least_radius, [&](Vec2 q) { return face_distance(q, patch); },
+      [&](Vec2 q) { return gradient(q, patch); });
+  return range.lo > -least_radius ? range : FaceRange{};
+}
+
+double Profile::support(Vec2 n) const {
+  if (open_top_ && n.y > 0) return std::numeric_limits<double>::infinity();
+  const double size = length(n);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const ProfileEdge& e : edges_) {
+    most = std::max(most, dot(n, e.a));
+    if (!std::isinf(e.b.y)) most = std::max(most, dot(n, e.b));
+    if (!is_arc(e) || !e.convex || size == 0) continue;
+    // What a whole circle has only where its point in this direction is the arc's.
+    const Vec2 far = e.center + (e.radius / size) * n;
+    if (far.y >= e.a.y && far.y <= e.b.y) most = std::max(most, dot(n, far));
+  }
+  return most;
+}
+
+}  // namespace mrsim

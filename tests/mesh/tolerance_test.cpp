@@ -1,0 +1,164 @@
+// The bound that is reported, against dense samples of every triangle: random tools and moves, and
+// places where a face ends or its curvature changes within a triangle.
+#include "core/units.h"
+#include "core/vec.h"
+#include "mesh/contour.h"
+#include "removal/part_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kFloats = 1e-5;  // mm: coordinates of the corners
+
+Motion line(Vec3 a, Vec3 b) {
+  Motion m;
+  m.kind = MotionKind::line;
+  m.start = a;
+  m.end = b;
+  m.tool = 0;
+  return m;
+}
+
+Motion arc(Vec3 center, double radius, double from, double sweep) {
+  Motion m;
+  m.kind = MotionKind::arc;
+  m.start = center + radius * Vec3{std::cos(from), std::sin(from), 0};
+  m.end = center + radius * Vec3{std::cos(from + sweep), std::sin(from + sweep), 0};
+  m.center = center;
+  m.axis = {0, 0, 1};
+  m.radius = radius;
+  m.sweep = sweep;
+  m.tool = 0;
+  return m;
+}
+
+Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+// Largest |d| over the mesh, 30 samples to a side of a triangle at most.
+double largest_distance(const PartField& field, const TriMesh& mesh) {
+  const Candidates all = field.all();
+  double most = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = vec(mesh.vertices[t[0]]), b = vec(mesh.vertices[t[1]]),
+               c = vec(mesh.vertices[t[2]]);
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const int n = std::clamp(static_cast<int>(longest / 0.1), 4, 30);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const Vec3 p = (1.0 / n) * ((n - i - j) * a + i * b + j * c);
+        most = std::max(most, std::abs(field.sample(p, all).distance));
+      }
+  }
+  return most;
+}
+
+// The report of a mesh of these moves in a block of 20 x 20 x 8 mm.
+ContourReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& tool,
+                                 double tolerance, const std::string& what) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 8));
+  MeshOptions options;
+  options.tolerance = tolerance;
+  ContourReport report;
+  const TriMesh mesh = contour(field, 0.5, options, &report);
+  EXPECT_LE(largest_distance(field, mesh), report.bound + kFloats) << what;
+  if (report.unresolved == 0) {
+    EXPECT_LE(report.bound, tolerance) << what;
+  }
+  return report;
+}
+
+Tool mill(ToolType type, double diameter) {
+  Tool tool;
+  tool.type = type;
+  tool.diameter = diameter;
+  return tool;
+}
+
+Tool random_mill(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> u(0, 1);
+  switch (random() % 5) {
+    case 0:
+      return mill(ToolType::endmill, 2 + 4 * u(random));
+    case 1:
+      return mill(ToolType::ballmill, 2 + 4 * u(random));
+    case 2: {
+      Tool tool = mill(ToolType::bullmill, 3 + 3 * u(random));
+      tool.corner_radius = 0.2 + 0.9 * u(random);
+      return tool;
+    }
+    case 3: {
+      Tool tool = mill(ToolType::drill, 2 + 4 * u(random));
+      tool.tip_angle = radians(60 + 80 * u(random));
+      return tool;
+    }
+    default: {
+      Tool tool = mill(ToolType::chamfer, 4 + 3 * u(random));
+      tool.tip_angle = radians(90), tool.tip_diameter = 1;
+      return tool;
+    }
+  }
+}
+
+TEST(Tolerance, BoundHoldsOnRandomPrograms) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int k = 0; k < 10; ++k) {
+    const Tool tool = random_mill(random);
+    const auto at = [&](double z) { return Vec3{20 * u(random), 20 * u(random), z}; };
+    std::vector<Motion> motions;
+    for (int m = 0; m < 4; ++m) {
+      const double z = 4 + 3 * u(random);
+      const Vec3 a = at(z);
+      if (m == 0) motions.push_back(line({a.x, a.y, 9}, a));
+      if (m == 1) motions.push_back(line(a, at(z)));
+      if (m == 2) motions.push_back(line(a, at(4 + 3 * u(random))));
+      if (m == 3)
+        motions.push_back(arc(a, 0.5 + 8 * u(random), kTwoPi * u(random), 6 * u(random) + 0.2));
+    }
+    const double tolerance = k % 2 ? 0.02 : 0.005;
+    expect_bound_holds(motions, tool, tolerance, "program " + std::to_string(k));
+  }
+}
+
+// Arcs of a few degrees, which end within triangles; arcs smaller than the tool, whose torus passes
+// its own axis; cone tips; balls that begin and end in the material.
+TEST(Tolerance, BoundHoldsWhereFacesEndWithinTriangles) {
+  Tool bull = mill(ToolType::bullmill, 5);
+  bull.corner_radius = 1;
+  Tool drill = mill(ToolType::drill, 6);
+  drill.tip_angle = radians(118);
+  for (const Tool& tool : {mill(ToolType::endmill, 4), mill(ToolType::ballmill, 4), bull, drill}) {
+    std::vector<Motion> chain, small, tips;
+    for (int k = 0; k < 6; ++k) chain.push_back(arc({10, 10, 5}, 6, 0.1 * k, 0.1));
+    for (const double radius : {0.3, 1.0, 1.9, 2.0, 2.1})
+      small.push_back(arc({4 + 6 * radius, 10, 5}, radius, 0.3, 4));
+    for (int k = 0; k < 3; ++k)
+      tips.push_back(line({5.0 + 5 * k, 10, 9}, {5.0 + 5 * k, 10.1 * k, 4 + 0.1 * k}));
+    const std::string name = "tool " + std::to_string(static_cast<int>(tool.type));
+    expect_bound_holds(chain, tool, 0.01, name + ", chain of arcs");
+    expect_bound_holds(small, tool, 0.01, name + ", small arcs");
+    expect_bound_holds(tips, tool, 0.01, name + ", tips");
+  }
+}
+
+// Flat, ball and bull-nose mills on lines and level arcs leave nothing to samples.
+TEST(Tolerance, IsProvenOnLinesAndArcs) {
+  Tool bull = mill(ToolType::bullmill, 5);
+  bull.corner_radius = 1;
+  const std::vector<Motion> motions{line({-5, 4, 6}, {25, 6, 6}), line({3, 12, 7}, {9, 15, 4}),
+                                    arc({13, 12, 5}, 4, 0.4, 2.5)};
+  for (const Tool& tool : {mill(ToolType::endmill, 4), mill(ToolType::ballmill, 4), bull})
+    EXPECT_EQ(expect_bound_holds(motions, tool, 0.01, "lines and arcs").sampled, 0u);
+}
+
+}  // namespace
+}  // namespace mrsim
