@@ -101,6 +101,18 @@ class ExactField {
   /// rho; its floor: z - z_floor, all with d's sign).
   virtual double patch_distance(const Vec3& p, const FieldSample& at) const = 0;
 
+  /// What stands for this owner's sweep alone in a list of candidates. Requires: not the stock.
+  virtual std::uint32_t candidate(std::int32_t owner) const = 0;
+
+  /// `candidates` with each sweep by itself, where some stand for many, less those that can not
+  /// decide d within `radius` mm of `center`, or within `band` beyond the surface there. False
+  /// where they are too many to be of use.
+  virtual bool by_name(const Vec3& center, double radius, double band,
+                       std::span<const std::uint32_t> candidates, Candidates& out) const = 0;
+
+  /// True where d, with these candidates, depends on the distance from the Z axis and on z alone.
+  virtual bool is_turned(std::span<const std::uint32_t>) const { return false; }
+
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;
 };
