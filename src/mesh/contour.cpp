@@ -9,12 +9,12 @@
 #include "mesh/contour_thin.h"
 #include "mesh/contour_timer.h"
 #include "mesh/contour_uniform.h"
+#include "mesh/flat_map.h"
 #include "mesh/self_intersection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <unordered_set>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -26,6 +26,7 @@ using detail::ContourOctree;
 using detail::ContourSurface;
 using detail::ContourTimer;
 using detail::Crossing;
+using detail::Detail;
 using detail::LabelledMesh;
 using detail::Lattice;
 using detail::PlaceHash;
@@ -36,6 +37,7 @@ constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before 
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
 constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
 constexpr int kLockRounds = 12;
+constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 
 class Contour {
  public:
@@ -46,28 +48,31 @@ class Contour {
         report_(report),
         timer_(report, options.progress),
         tree_(field, lattice, options.tolerance, options.threads),
-        surface_(field, tree_,
-                 {.shallow = options.tolerance / 8,
-                  .sharpen = true,
-                  .remember = true,
-                  .threads = options.threads}) {
+        surface_(std::in_place, field, tree_,
+                 ContourSurface::Options{.shallow = options.tolerance / 8,
+                                         .sharpen = true,
+                                         .remember = true,
+                                         .threads = options.threads}) {
     timer_.step("tree");
   }
 
   TriMesh run() {
     find_topology();
-    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_.crowded()) > 0; ++k) find_topology();
+    for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
+      find_topology();
     LabelledMesh mesh = triangles();
     while (split_failed()) {
       find_topology();
       mesh = triangles();
     }
     report_.triangles_before = mesh.triangles.size();
+    report_.cells = surface_->loops().size();
+    surface_.reset();
+    passed_ = detail::FlatMap();
     mesh = simplified(mesh);
     report_bound(mesh);
     report_.volume_excess = volume_excess(mesh);
     timer_.step("certify");
-    report_.cells = surface_.loops().size();
     report_.thin = detail::distinct(detail::thin_features(field_, tree_, tree_.doubtful_edges()));
     timer_.step("thin");
     return to_mesh(mesh);
@@ -78,7 +83,7 @@ class Contour {
   void find_topology() {
     detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
     timer_.step("tree");
-    surface_.find_loops(std::move(grid));
+    surface_->find_loops(std::move(grid));
     ++report_.passes;
     timer_.step("loops");
   }
@@ -87,13 +92,15 @@ class Contour {
     LabelledMesh mesh;
     mesh.vertices = base.vertices;
     mesh.triangles = base.triangles;
-    std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> ids;
+    mesh.labels.reserve(base.crossings.size());
+    detail::FlatMap ids;
     for (const std::int32_t c : base.crossings) {
-      const FieldSample& at = surface_.crossings()[static_cast<std::size_t>(c)].at;
-      const auto [it, is_new] =
-          ids.try_emplace({at.owner, at.patch}, static_cast<std::uint32_t>(mesh.faces.size()));
+      const FieldSample& at = surface_->crossings()[static_cast<std::size_t>(c)].at;
+      const std::uint64_t key = static_cast<std::uint64_t>(at.owner - kStockOwner) << 32 |
+                                static_cast<std::uint32_t>(at.patch);
+      const auto [id, is_new] = ids.insert(key, static_cast<std::int32_t>(mesh.faces.size()));
       if (is_new) mesh.faces.push_back(at);
-      mesh.labels.push_back(it->second);
+      mesh.labels.push_back(static_cast<std::uint32_t>(id));
     }
     return mesh;
   }
@@ -103,10 +110,12 @@ class Contour {
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
     const FieldSample& label = mesh.faces[mesh.labels[t]];
     TriangleBound found = detail::triangle_bound(field_, label, a, b, c, limit);
-    if (found.distance > limit) return found;
-    found.distance =
-        std::max(found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit));
-    return found;
+    if (found.distance <= limit)
+      found.distance =
+          std::max(found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit));
+    if (found.distance <= options_.tolerance) return found;
+    const double part = detail::part_bound(field_, tree_, a, b, c, limit);
+    return part < found.distance ? TriangleBound{part, false} : found;
   }
 
   // From the face of the part, or from the nearest corner, which is exact.
@@ -122,14 +131,14 @@ class Contour {
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
   LabelledMesh triangles() {
     for (;;) {
-      surface_.make_triangles();
+      surface_->make_triangles();
       timer_.step("surface");
       const std::vector<std::int32_t> bad = crossed_cells();
       timer_.step("check");
       if (bad.empty()) {
-        surface_.sharpen(tree_);
+        surface_->sharpen(tree_);
         timer_.step("sharpen");
-        return label(surface_.mesh());
+        return label(surface_->mesh());
       }
       if (tree_.split(bad) == 0)
         throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
@@ -139,13 +148,13 @@ class Contour {
 
   // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
   std::vector<std::int32_t> crossed_cells() const {
-    if (surface_.crowded().empty()) return {};
+    if (surface_->crowded().empty()) return {};
     std::vector<char> is_crowded(tree_.size(), 0);
-    for (const std::int32_t c : surface_.crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
-    const BaseMesh& mesh = surface_.mesh();
+    for (const std::int32_t c : surface_->crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
+    const BaseMesh& mesh = surface_->mesh();
     const auto crowded_cell = [&](std::uint32_t v) {
-      if (v >= surface_.loops().size()) return -1;
-      const std::int32_t c = surface_.loops()[v].cell;
+      if (v >= surface_->loops().size()) return -1;
+      const std::int32_t c = surface_->loops()[v].cell;
       return is_crowded[static_cast<std::size_t>(c)] ? c : -1;
     };
     std::vector<std::array<std::uint32_t, 3>> some;
@@ -163,21 +172,32 @@ class Contour {
   // Splits cells whose triangles are not within the tolerance. False when none is left that can be
   // split.
   bool split_failed() {
-    const BaseMesh& base = surface_.mesh();
+    const BaseMesh& base = surface_->mesh();
     const LabelledMesh mesh = label(base);
     const double limit = kBaseShare * options_.tolerance;
     std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());
     std::vector<std::uint64_t> hashes(mesh.triangles.size());
+    std::vector<Detail> wanted(mesh.triangles.size(), Detail::flat);
     parallel_for(
         mesh.triangles.size(), options_.threads,
         [&](std::size_t t) {
           hashes[t] = triangle_hash(mesh, t);
-          if (passed_.count(hashes[t]) > 0) return;
-          if (certified(mesh, t, limit).distance > limit) failed[t] = guilty_cells(mesh, base, t);
+          if (passed_.find(hashes[t]) >= 0) return;
+          const double bound = certified(mesh, t, limit).distance;
+          if (bound <= limit) return;
+          if (!misses_crease(mesh, t)) wanted[t] = detail_for(base, t, bound / limit);
+          if (wanted[t] == Detail::flat) failed[t] = guilty_cells(mesh, base, t);
         },
         64);
+    std::size_t refined = 0;
     for (std::size_t t = 0; t < hashes.size(); ++t)
-      if (failed[t].empty()) passed_.insert(hashes[t]);
+      if (wanted[t] != Detail::flat) {
+        surface_->refine(surface_->crossings()[static_cast<std::size_t>(base.crossings[t])],
+                         wanted[t]);
+        ++refined;
+      } else if (failed[t].empty()) {
+        passed_.insert(hashes[t], 0);
+      }
     std::vector<std::int32_t> cells;
     report_.unresolved = 0;
     for (const auto& f : failed) {
@@ -188,9 +208,32 @@ class Contour {
     }
     timer_.step("certify");
     const std::size_t count = tree_.split(std::move(cells));
+    if (is_late()) tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
     timer_.step("tree");
-    return count > 0;
+    return count + refined > 0;
   }
+
+  // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
+  // in these cells, however finely the surface is drawn in them.
+  bool misses_crease(const LabelledMesh& mesh, std::size_t t) const {
+    const auto& x = mesh.triangles[t];
+    return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
+      return std::abs(field_.patch_distance(mesh.vertices[v], mesh.faces[mesh.labels[t]])) >
+             options_.tolerance;
+    });
+  }
+
+  // How finely the surface about a triangle that misses the tolerance by `factor` has to be drawn
+  // in the same cells: with the square of the length of its edges the distance falls by two from
+  // step to step. Flat: cells must be split.
+  Detail detail_for(const BaseMesh& base, std::size_t t, double factor) const {
+    const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
+    if (c.detail == Detail::flat && factor <= 2 && !is_late()) return Detail::fan;
+    return c.detail != Detail::full && factor <= 4 ? Detail::full : Detail::flat;
+  }
+
+  // By then few triangles fail, and a round costs more than what too many cells about them do.
+  bool is_late() const { return report_.passes > kCarefulRounds; }
 
   // Tells a triangle from all others of former rounds, which need not be certified again.
   static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
@@ -204,13 +247,13 @@ class Contour {
   std::vector<std::int32_t> guilty_cells(const LabelledMesh& mesh, const BaseMesh& base,
                                          std::size_t t) const {
     std::vector<std::int32_t> cells;
-    const auto& loops = surface_.loops();
+    const auto& loops = surface_->loops();
     for (const std::uint32_t v : mesh.triangles[t])
       if (v < loops.size() &&
           std::abs(field_.patch_distance(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > kExact)
         cells.push_back(loops[v].cell);
     if (!cells.empty()) return cells;
-    const Crossing& c = surface_.crossings()[static_cast<std::size_t>(base.crossings[t])];
+    const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
     std::int32_t largest = 0;
     for (const std::int32_t cell : c.edge.cells) largest = std::max(largest, tree_.node(cell).size);
     for (const std::int32_t cell : c.edge.cells)
@@ -307,8 +350,8 @@ class Contour {
   ContourReport& report_;
   ContourTimer timer_;
   ContourOctree tree_;
-  ContourSurface surface_;
-  std::unordered_set<std::uint64_t> passed_;  ///< hashes of triangles within the tolerance
+  std::optional<ContourSurface> surface_;  ///< until its triangles are final
+  detail::FlatMap passed_;                 ///< by hashes of triangles within the tolerance
 };
 
 // Cells down to half the tolerance, in which any triangle is within it, but not so small that

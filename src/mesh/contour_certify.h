@@ -26,6 +26,12 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
 double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
                     const Vec3& a, const Vec3& b);
 
+/// The same of |d| itself, whatever faces decide it under the triangle: for one that lies over
+/// several faces that join nearly smoothly; infinite where they do not: a wall may taper off there.
+/// Requires: its corners lie on the surface.
+double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3& a, const Vec3& b,
+                  const Vec3& c, double limit);
+
 /// Volume in mm^3 between the triangle and the part's surface, positive where the triangle lies in
 /// the air: the integral of d over it, exact where d is a polynomial of degree 4 on the triangle
 /// [Dunavant 1985]. d is that of `face` where it is below `limit`.

@@ -105,6 +105,11 @@ void ContourSurface::find_loops(CrossedGrid grid) {
   list_loops();
 }
 
+void ContourSurface::refine(const Crossing& crossing, Detail detail) {
+  Detail& known = found_[static_cast<std::size_t>(known_.find(edge_key(crossing.edge)))].detail;
+  known = std::max(known, detail);
+}
+
 void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   crossings_.assign(edges.size(), {});
   std::vector<std::int32_t> ids(options_.remember ? edges.size() : 0), fresh;
@@ -127,6 +132,7 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
         c.position = found.position;
         c.normal = found.normal;
         c.at = found.at;
+        c.detail = found.detail;
       }
     }
     if (is_new) fresh.push_back(static_cast<std::int32_t>(k));

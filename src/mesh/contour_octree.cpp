@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace mrsim::detail {
 namespace {
 
 constexpr int kLargestCell = 64;  ///< voxels
-constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet
+constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
+constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 
 }  // namespace
 
@@ -129,6 +131,10 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
         a.region = field_.restrict_to(reach_of(b, b.hi.x - b.lo.x), kSurfaceBand, in, lists_[n]);
       },
       64);
+  // Lists are narrowed once.
+  for (const std::int32_t n : pending)
+    if (const std::int32_t parent = node(n).parent; parent >= 0)
+      Candidates().swap(lists_[static_cast<std::size_t>(parent)]);
 }
 
 void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
@@ -164,81 +170,71 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   }
 }
 
-// A cell above a voxel stays whole only where everything that could matter in it shows itself at
-// its corners or centre: one smooth face; or, in cells of a few voxels, faces of owners that are
-// all seen.
+// A cell above a voxel stays whole only where it is known not to hide anything: all that can decide
+// d in it shows itself at its corners, its centre or on its edges, or what does not is shallow at
+// every point of the voxel lattice.
 bool ContourOctree::must_split(std::int32_t n) {
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-  if (!(tolerance_ > 0) || a.corners[0] < 0) return a.size > lattice().per_voxel();
+  const bool above_voxel = a.size > lattice().per_voxel();
+  if (!(tolerance_ > 0) || a.corners[0] < 0) return above_voxel;
   const Box3 b = box(n);
+  const std::span<const std::uint32_t> list = candidates(n);
+  double corners[8];
+  for (int k = 0; k < 8; ++k) corners[k] = sample(a.corners[k]).distance;
+  CellSurface surface;
+  if (a.signs_differ) surface = surface_of(field_, list, b, corners);
+  const Bend bend = bend_of(field_, surface, b.hi.x - b.lo.x, tolerance_);
+  if (bend == Bend::face && can_split(n)) return true;
+
+  static thread_local Candidates seen;
+  const Sight sight = look_at(n, b, surface, seen);
+  a.plain = sight.one_face && sight.is_alone;
+  if (!above_voxel || (sight.one_face && sight.owners_seen && sight.stock_seen)) return false;
+  const bool large = a.size > kMixedCell * lattice().per_voxel();
+  if (bend == Bend::crease && large) return true;
+  const CellView view{a.origin,
+                      a.size / lattice().per_voxel(),
+                      is_inside(corners[0]),
+                      surface,
+                      list,
+                      seen,
+                      sight.owners_seen,
+                      sight.stock_seen};
+  if (!a.signs_differ) return hides_surface(field_, lattice(), view, kShallow * tolerance_);
+  return shows_more(field_, lattice(), view,
+                    {tolerance_, kShallow * tolerance_,
+                     large ? tolerance_ : std::numeric_limits<double>::infinity()});
+}
+
+// What decides d at the corners, at the centre and on the edges, as candidates by name.
+ContourOctree::Sight ContourOctree::look_at(std::int32_t n, const Box3& b,
+                                            const CellSurface& surface, Candidates& seen) {
+  static thread_local Candidates names;
+  OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
   const Vec3 center = 0.5 * (b.lo + b.hi);
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
-  const std::span<const std::uint32_t> list = candidates(n);
-  const FieldSample middle = field_.sample(center, list);
+  a.face = field_.sample(center, candidates(n));
   const bool near_stock = std::abs(field_.sample(center, {}).distance) <= radius + kSurfaceBand;
-
-  std::int32_t owners[9];
-  std::size_t seen = 0;
-  bool one_face = true, stock_seen = false;
-  for (int k = 0; k < 9; ++k) {
-    const FieldSample& s = k < 8 ? sample(a.corners[k]) : middle;
-    one_face = one_face && same_face(s, middle);
+  Sight sight;
+  sight.one_face = true;
+  sight.stock_seen = !near_stock;
+  seen.clear();
+  const auto add = [&](const FieldSample& s) {
+    sight.one_face = sight.one_face && same_face(s, a.face);
     if (s.owner == kStockOwner)
-      stock_seen = true;
-    else if (std::find(owners, owners + seen, s.owner) == owners + seen)
-      owners[seen++] = s.owner;
-  }
-  a.plain = one_face && list.size() + near_stock <= 1;
-  a.face = middle;
-  if (a.signs_differ && can_split(n) && bends_too_much(n, b, middle)) return true;
-  if (a.size <= lattice().per_voxel()) return false;
-  if (seen < list.size() || near_stock != stock_seen)
-    if (a.size > kMixedCell * lattice().per_voxel() || shows_more(n, {owners, seen}, stock_seen))
-      return true;
-  if (one_face) return false;
-  return !a.signs_differ || a.size > kMixedCell * lattice().per_voxel();
-}
-
-// A guess that saves rounds of splitting: the turn of the normals of the faces seen, from corner to
-// corner, as a curvature k; a chord across the cell then leaves the surface by about k s^2 / 4. A
-// face continued beyond its end (the nose of a short turning move) turns where the part does not:
-// what the part shows at the two corners must turn as well.
-bool ContourOctree::bends_too_much(std::int32_t n, const Box3& b, const FieldSample& middle) const {
-  constexpr double kShare = 0.15;
-  const OctreeNode& a = node(n);
-  const double limit = tolerance_ / (kShare * (b.hi.x - b.lo.x));  // turn over a cell's side
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 p{k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, b.lo.z};
-    const Vec3 q = b.lo + b.hi - p;
-    const FieldSample &first = sample(a.corners[k]), &last = sample(a.corners[7 - k]);
-    const Vec3 seen = field_.gradient(q, last) - field_.gradient(p, first);
-    if (dot(seen, seen) <= 3 * limit * limit) continue;
-    for (const FieldSample& face : {middle, first, last}) {
-      const Vec3 turn = field_.gradient(q, face) - field_.gradient(p, face);
-      if (dot(turn, turn) > 3 * limit * limit) return true;
-    }
-  }
-  return false;
-}
-
-// True where a sample on the lattice of voxels within the cell has an owner that is not among those
-// seen so far: features are resolved at the voxel, whatever the size of cells.
-bool ContourOctree::shows_more(std::int32_t n, std::span<const std::int32_t> seen,
-                               bool stock_seen) const {
-  const OctreeNode& a = node(n);
-  const std::int32_t step = lattice().per_voxel(), count = a.size / step;
-  const std::span<const std::uint32_t> list = candidates(n);
-  for (std::int32_t x = 0; x <= count; ++x)
-    for (std::int32_t y = 0; y <= count; ++y)
-      for (std::int32_t z = 0; z <= count; ++z) {
-        if ((x % count == 0) && (y % count == 0) && (z % count == 0)) continue;
-        const LatticePoint p{a.origin.x + x * step, a.origin.y + y * step, a.origin.z + z * step};
-        const FieldSample s = field_.sample(lattice().position(p), list);
-        if (s.owner == kStockOwner ? !stock_seen
-                                   : std::find(seen.begin(), seen.end(), s.owner) == seen.end())
-          return true;
-      }
-  return false;
+      sight.stock_seen = true;
+    else
+      seen.push_back(field_.candidate(s.owner));
+  };
+  add(a.face);
+  for (const std::int32_t corner : a.corners) add(sample(corner));
+  for (const CellSurface::Point& p : surface.all()) add(p.at);
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  const bool known = field_.by_name(inflated(b, kQuantum), kSurfaceBand, candidates(n), names);
+  sight.owners_seen = known && std::includes(seen.begin(), seen.end(), names.begin(), names.end());
+  sight.is_alone = sight.owners_seen && names.size() + near_stock <= 1;
+  return sight;
 }
 
 bool ContourOctree::is_complete(std::int32_t cell) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/contour_cells.h"
+#include "mesh/contour_scan.h"
 #include "mesh/flat_map.h"
 #include "removal/field.h"
 
@@ -46,7 +47,7 @@ class ContourOctree final : public ContourCells {
   std::int32_t size_of(std::int32_t cell) const override { return node(cell).size; }
   const FieldSample& sample(std::int32_t i) const { return samples_[static_cast<std::size_t>(i)]; }
 
-  /// The sweeps that can decide d in the cell.
+  /// The sweeps that can decide d in the leaf.
   std::span<const std::uint32_t> candidates(std::int32_t node) const override;
   /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two. Faster where
   /// `near` is a cell close to it.
@@ -85,8 +86,12 @@ class ContourOctree final : public ContourCells {
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
   bool must_split(std::int32_t node);
-  bool bends_too_much(std::int32_t node, const Box3& box, const FieldSample& middle) const;
-  bool shows_more(std::int32_t node, std::span<const std::int32_t> seen, bool stock_seen) const;
+  /// What of the part shows itself in a cell.
+  struct Sight {
+    bool one_face = false, owners_seen = false, stock_seen = false;
+    bool is_alone = false;  ///< nothing but the centre's owner can decide d
+  };
+  Sight look_at(std::int32_t node, const Box3& box, const CellSurface& surface, Candidates& seen);
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
 
   const ExactField& field_;

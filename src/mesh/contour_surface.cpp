@@ -264,7 +264,10 @@ void ContourSurface::choose_explicit() {
       segments_.size(), options_.threads,
       [&](std::size_t k) {
         const CellFace& face = at(faces_, segments_[k].face);
-        chosen[k] = face.low_complete && face.high_complete && !may_be_implicit(segments_[k]);
+        const Segment& s = segments_[k];
+        const bool is_full = at(crossings_, s.from).detail == Detail::full ||
+                             at(crossings_, s.to).detail == Detail::full;
+        chosen[k] = face.low_complete && face.high_complete && (is_full || !may_be_implicit(s));
       },
       256);
   std::vector<std::int32_t> ids;
@@ -361,7 +364,7 @@ void ContourSurface::add_polygon(std::int32_t id) {
   const bool up = c.edge.low_inside;
   std::uint32_t vertices[8];  // of four cells and the faces between them
   std::size_t count = 0;
-  bool plain = true;
+  bool plain = c.detail == Detail::flat;
   for (int k = 0; k < 4; ++k) {
     const int i = up ? k : 3 - k;
     const auto loop = static_cast<std::uint32_t>(c.loops[i]);

@@ -11,6 +11,11 @@
 
 namespace mrsim::detail {
 
+/// How finely the surface about an edge of the grid is drawn: by the vertices of its cells alone
+/// where that can not meet other triangles; about the crossing; with the vertices of its faces as
+/// well, as finely as cells of half the size would.
+enum class Detail : std::uint8_t { flat, fan, full };
+
 /// Where the surface crosses an edge of the grid. Ring places 0..3 run counter-clockwise about the
 /// edge's axis; `segments[i]` lies in the face between places i and i + 1 (-1: one cell spans
 /// both).
@@ -21,6 +26,7 @@ struct Crossing {
   FieldSample at;
   std::int32_t segments[4] = {-1, -1, -1, -1};
   std::int32_t loops[4] = {-1, -1, -1, -1};
+  Detail detail = Detail::flat;
 
   std::int32_t cell(int place) const { return ring_cell(edge, place); }
   Vec3 low_end() const { return end(low); }
@@ -119,6 +125,10 @@ class ContourSurface {
   /// Places vertices and makes triangles.
   const BaseMesh& make_triangles();
 
+  /// Draws the surface about an edge at least that finely from the next find_loops() on. Requires:
+  /// Options::remember.
+  void refine(const Crossing& crossing, Detail detail);
+
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet.
   /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
   void sharpen(const ContourOctree& tree);
@@ -131,6 +141,7 @@ class ContourSurface {
   struct Found {
     Vec3 position, normal;
     FieldSample at;
+    Detail detail = Detail::flat;
   };
 
   void find_crossings(const std::vector<MinimalEdge>& edges);

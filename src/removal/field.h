@@ -120,6 +120,18 @@ class ExactField {
   /// patch_distance. Costs four to ten values of it.
   virtual FaceRange patch_range(const Corners3&, const FieldSample&) const { return {}; }
 
+  /// What stands for this owner's sweep alone in a list of candidates. Requires: not the stock.
+  virtual std::uint32_t candidate(std::int32_t owner) const = 0;
+
+  /// `candidates` with each sweep by itself, where some stand for many, less those of these that
+  /// can not decide d within `band` mm of the surface in the box. False where they are too many to
+  /// be of use.
+  virtual bool by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
+                       Candidates& out) const = 0;
+
+  /// True where d, with these candidates, depends on the distance from the Z axis and on z alone.
+  virtual bool is_turned(std::span<const std::uint32_t>) const { return false; }
+
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;
 };

@@ -167,6 +167,13 @@ std::unique_ptr<ExactField::Descent> PartField::descent(const Vec3& origin,
   return std::make_unique<NearDescent>(*this, origin, in);
 }
 
+bool PartField::by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
+                        Candidates& out) const {
+  out.assign(candidates.begin(), candidates.end());
+  const PruneRegion region = region_of(box);
+  return sweeps_.open_turned(region, region.radius + band + slack_, kShortTurned, out);
+}
+
 // d at p from the distance of the nearest sweep.
 FieldSample PartField::decide(const Vec3& p, double cut, std::uint32_t sweep) const {
   const StockSolid::Sample stock = solid_.sample(p);

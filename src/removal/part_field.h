@@ -5,6 +5,7 @@
 #include "removal/near_list.h"
 #include "removal/stock_solid.h"
 #include "removal/sweep.h"
+#include "removal/sweep_packs.h"
 
 namespace mrsim {
 
@@ -33,6 +34,15 @@ class PartField final : public ExactField {
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
   double patch_distance(const Vec3& p, const FieldSample& at) const override;
   FaceRange patch_range(const Corners3& t, const FieldSample& face) const override;
+  std::uint32_t candidate(std::int32_t owner) const override {
+    return static_cast<std::uint32_t>(sweep_of(owner));
+  }
+  bool by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
+               Candidates& out) const override;
+  bool is_turned(std::span<const std::uint32_t> candidates) const override {
+    return solid_.is_turned() && (candidates.empty() || (candidates.front() >= sweeps_.size() &&
+                                                         candidates.back() < kFirstPack));
+  }
   Box3 bounds() const override { return solid_.bounds(); }
 
   const StockSolid& solid() const { return solid_; }

@@ -5,6 +5,7 @@
 #include "support/mesh_asserts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -125,6 +126,32 @@ TEST(Contour, Primer2sTakesFewTriangles) {
   EXPECT_LE(mesh.triangles.size(), 45000u);
   EXPECT_NEAR(check_mesh(mesh).volume, kPrimer2sVolume, 25);
   EXPECT_LE(largest_mesh_error(part, mesh, 6), 0.005);
+}
+
+// A ball of 3 mm along rows of moves that are shorter than the cells the tolerance asks for, on a
+// wave of small steps; rows are `apart` mm apart. With cells of a voxel they would be 2600.
+AnalyticField raster_of_short_moves(double apart) {
+  std::vector<Cut> cuts;
+  for (double y = 0; y <= 8; y += apart)
+    for (double x = 0; x < 8; x += 0.3)
+      cuts.push_back(ball_line({x, y}, {x + 0.3, y}, 3, 8 + std::sin(x / 4) * std::cos(y / 5)));
+  return AnalyticField({{0, 0, 0}, {8, 8, 10}}, false, std::move(cuts));
+}
+
+TEST(Contour, ShortMovesTakeFewCells) {
+  for (const double apart : {1.0, 0.3}) {
+    const AnalyticField part = raster_of_short_moves(apart);
+    ContourReport report;
+    const TriMesh mesh = contour(part, 0.25, with_tolerance(0.02, 2), &report);
+    expect_solid(mesh);
+    const double error = largest_mesh_error(part, mesh, 6);
+    EXPECT_LE(error, 0.02) << apart;
+    EXPECT_LE(error, report.bound) << apart;
+    EXPECT_LE(report.bound, 0.02) << apart;
+    EXPECT_LE(report.cells, 1300u) << apart;  // half of the voxels on the surface
+    EXPECT_LE(largest_vertex_error(part, mesh), 2e-5) << apart;
+    EXPECT_TRUE(same_bytes(mesh, contour(part, 0.25, with_tolerance(0.02, 1)))) << apart;
+  }
 }
 
 TEST(Contour, SameBytesForAnyNumberOfThreads) {

@@ -113,6 +113,43 @@ TEST(PartField, FacesOfTurningSweeps) {
 }
 
 // Arcs that meet their neighbours in corners: there the nose leaves its own circle on the part.
+TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
+  Tool tool;
+  tool.type = ToolType::turning;
+  tool.insert_angle = radians(35);
+  tool.lead_angle = radians(93);
+  tool.edge_length = 16;
+  tool.nose_radius = 0.4;
+  std::vector<Motion> motions;
+  for (int i = 0; i < 40; ++i)
+    motions.push_back(
+        line({20 + 0.2 * (i % 2), 0, 50.0 - i}, {20 + 0.2 * (1 - i % 2), 0, 49.0 - i}));
+  StockShape shape;
+  shape.kind = StockShape::Kind::cylinder;
+  shape.outer_radius = 25;
+  shape.box = {{-25, -25, 0}, {25, 25, 51}};
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 51));
+  const Candidates all = field.all();
+  EXPECT_TRUE(field.is_turned(all));
+  EXPECT_FALSE(field.is_turned(std::vector<std::uint32_t>{0}));
+  Candidates list, names;
+  for (const double z : {15.2, 30.0, 44.9}) {
+    const Vec3 center{12, 16, z};
+    const Vec3 half{0.35, 0.35, 0.35};
+    const Box3 box{center - half, center + half};
+    ASSERT_EQ(field.restrict_to(box, 1e-5, all, list), ExactField::Region::mixed);
+    ASSERT_TRUE(field.by_name(box, 1e-5, list, names));
+    ASSERT_LE(names.size(), 8u);
+    for (int k = -4; k <= 4; ++k) {
+      const Vec3 p = center + Vec3{0.05 * k, -0.05 * k, 0.08 * k};
+      const FieldSample s = field.sample(p, list);
+      EXPECT_EQ(s.distance, field.sample(p, names).distance);
+      const std::uint32_t alone = field.candidate(s.owner);
+      EXPECT_EQ(s.distance, field.sample(p, {&alone, 1}).distance);
+    }
+  }
+}
+
 TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;

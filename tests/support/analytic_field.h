@@ -150,6 +150,14 @@ class AnalyticField final : public ExactField {
   double patch_distance(const Vec3& p, const FieldSample& at) const override {
     return face(p, at).distance;
   }
+  bool by_name(const Box3&, double, std::span<const std::uint32_t> candidates,
+               Candidates& out) const override {
+    out.assign(candidates.begin(), candidates.end());
+    return true;
+  }
+  std::uint32_t candidate(std::int32_t owner) const override {
+    return static_cast<std::uint32_t>(owner);
+  }
   Box3 bounds() const override {
     return round_ ? Box3{{-box_.hi.x, -box_.hi.x, box_.lo.z}, {box_.hi.x, box_.hi.x, box_.hi.z}}
                   : box_;
