@@ -116,6 +116,8 @@ void SmoothSearch::follow(const ExactField& field, const FieldSample& face, doub
 }
 
 bool SmoothSearch::take(const ExactField& field, const FieldSample& sample) {
+  // The face at the start may have led to where the sample lacks sweeps.
+  if (!in_reach(point_, room_)) return true;
   at_ = sample;
   if (std::abs(sample.distance) > 1e-9 && steps_ < kNewtonSteps) {
     follow(field, sample, sample.distance);

@@ -42,4 +42,13 @@ inline void set_margin(NearArgs& a, float spread) {
   a.per_root = 4 * a.delta + 2 * spread;
 }
 
+/// mm: how far from the centre sweeps may be that are kept, where the nearest one is at most at
+/// `least`, or nearer by up to `unsure`; `slack`: of a difference of distances. One farther than 2r
+/// beyond it loses to it everywhere, as both are 1-Lipschitz: so d is exact in all of the region,
+/// however deep in the material. Where none comes within `reach`, none is wanted.
+inline double kept_within(double least, double unsure, const PruneRegion& region, double reach,
+                          double slack) {
+  return least - unsure > reach ? reach : least + 2 * region.radius + slack;
+}
+
 }  // namespace mrsim

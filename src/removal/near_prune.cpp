@@ -85,7 +85,7 @@ double near_others(const SweepTable& table, const SweepColumns& c, const NearLis
   // Where a sweep is dropped by its distance, its nearest point is not asked for.
   const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
   const double limit =
-      run.count < kFewOthers ? -reach : std::min(reach, nearest + 2 * region.radius + kRoom);
+      run.count < kFewOthers || nearest > reach ? -reach : nearest + 2 * region.radius + kRoom;
   double extent = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
     const SweepColumns::Foot f =
@@ -121,7 +121,9 @@ class Pruner {
   }
 
   float least() const { return least_; }
-  float delta() const { return at_.delta; }
+  double delta() const { return at_.delta; }
+  /// By how much the nearest sweep may be nearer than least() + delta(): packs count from above.
+  double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
   /// The whole region is deep in one sweep; the others were not asked.
   bool is_swept() const { return double(least_) + at_.delta < deep_; }
 
@@ -327,10 +329,9 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
     out.reset(0, in.origin);
     return false;
   }
-  const double least = pruner.least(), delta = pruner.delta();
-  // A sweep farther than 2r beyond the nearest one loses to it everywhere (both are 1-Lipschitz).
-  const double slack = 2 * table.max_error() + kPruneRounding;
-  pruner.keep(std::min(reach, least + delta + 2 * region.radius + slack) + delta, band, out);
+  const double slack = 2 * table.max_error() + kPruneRounding, delta = pruner.delta();
+  pruner.keep(kept_within(pruner.least() + delta, pruner.unsure(), region, reach, slack) + delta,
+              band, out);
   return true;
 }
 

@@ -51,11 +51,11 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
   set_delta(at, near_extent(at, in), region.radius);
   set_margin(at, 0);
   const Found nearest = nearest_strip(in, at);
-  const double least = std::sqrt(double(nearest.squared)) - double(at.tool.round);
-  if (least + double(at.delta) < -reach) return false;
+  const double delta = at.delta, round = at.tool.round;
+  const double least = std::sqrt(double(nearest.squared)) - round + delta;
+  if (least < -reach) return false;
   const double slack = 2 * max_error() + kPruneRounding;
-  const double limit = std::min(reach, least + double(at.delta) + 2 * region.radius + slack) +
-                       double(at.delta) + double(at.tool.round);
+  const double limit = kept_within(least, 2 * delta, region, reach, slack) + delta + round;
   if (limit < 0) return true;
   const Beater beater = kernels.strip_beater(in.columns(nearest.slot), 0, at);
   const auto farthest = static_cast<float>(limit * limit * (1 + 1e-6));
