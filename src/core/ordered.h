@@ -4,45 +4,83 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace mrsim {
 
-/// Calls take(make(k)) for k = 0, 1, ... count - 1, one after another, while the next parts are
-/// made; at most two parts a thread are there at once. Throws what the first part at fault throws.
+/// Calls take(make(k)) for k = 0, 1, ... count - 1, one after another, while other parts are made;
+/// nobody waits for a part to be done but where there is nothing else to do. Parts are taken by
+/// `together`, as soon as so many are there; at most twice as many and two a thread are there at
+/// once. Throws what the first part at fault throws.
 template <typename Make, typename Take>
-void make_in_order(std::size_t count, int threads, Make make, Take take) {
+void make_in_order(std::size_t count, int threads, Make make, Take take, std::size_t together = 1) {
   struct Part {
     std::optional<decltype(make(std::size_t{}))> made;
     std::exception_ptr error;
   };
-  const auto together = static_cast<std::size_t>(resolve_threads(threads));
-  std::vector<Part> parts, before;
-  const auto take_before = [&] {
-    for (Part& part : before) {
+  const std::size_t workers = std::min(static_cast<std::size_t>(resolve_threads(threads)), count);
+  std::vector<Part> parts(2 * (together + workers) - 2);  // of part k: number k modulo its size
+  std::vector<char> done(parts.size(), 0);
+  std::mutex mutex;  // of `done` and all below
+  std::condition_variable changed;
+  std::size_t next = 0, ready = 0, taken = 0;  // not begun, not known to be done, not taken
+  bool is_taking = false, failed = false;
+
+  const auto make_next = [&](std::unique_lock<std::mutex>& lock) {
+    const std::size_t k = next++;
+    lock.unlock();
+    Part& part = parts[k % parts.size()];
+    try {
+      part.made.emplace(make(k));
+    } catch (...) {
+      part.error = std::current_exception();
+    }
+    lock.lock();
+    done[k % parts.size()] = 1;
+    while (ready < next && done[ready % parts.size()]) ++ready;
+  };
+  const auto take_some = [&](std::unique_lock<std::mutex>& lock) {
+    const std::size_t first = taken, end = std::min(first + together, ready);
+    is_taking = true;
+    lock.unlock();
+    for (std::size_t k = first; k < end; ++k) {
+      Part part = std::move(parts[k % parts.size()]);
+      parts[k % parts.size()] = {};
       if (part.error) std::rethrow_exception(part.error);
       take(std::move(*part.made));
-      part.made.reset();
     }
+    lock.lock();
+    for (std::size_t k = first; k < end; ++k) done[k % parts.size()] = 0;
+    taken = end;
+    is_taking = false;
   };
-  for (std::size_t first = 0; first < count; first += together) {
-    parts.clear();
-    parts.resize(std::min(together, count - first));
-    parallel_for(parts.size() + 1, threads, [&](std::size_t k) {
-      if (k == 0) return take_before();
-      try {
-        parts[k - 1].made.emplace(make(first + k - 1));
-      } catch (...) {
-        parts[k - 1].error = std::current_exception();
+  parallel_for(workers, threads, [&](std::size_t) {
+    std::unique_lock<std::mutex> lock(mutex);
+    try {
+      while (taken < count && !failed) {
+        if (!is_taking && (ready >= taken + together || (ready == count && ready > taken))) {
+          take_some(lock);
+        } else if (next < count && next < taken + parts.size()) {
+          make_next(lock);
+        } else {
+          changed.wait(lock);
+          continue;
+        }
+        changed.notify_all();
       }
-    });
-    std::swap(parts, before);
-  }
-  take_before();
+    } catch (...) {
+      if (!lock.owns_lock()) lock.lock();
+      failed = true;
+      changed.notify_all();
+      throw;
+    }
+  });
 }
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "mesh/contour_uniform.h"
 
 #include "core/error.h"
+#include "core/ordered.h"
 #include "core/parallel.h"
 #include "mesh/contour_surface.h"
 #include "mesh/contour_thin.h"
@@ -11,8 +12,6 @@
 #include "mesh/tile_mesh.h"
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -79,56 +78,41 @@ class UniformContour {
  private:
   std::int32_t unit() const { return lattice_.per_voxel(); }
 
-  // Makes the tiles by batches; while one is made, a thread joins and hands on the one before.
+  // The mesh goes on in blocks of as many tiles, whoever has made them.
   void make_all(MeshSink& sink) {
     ++report_.passes;
-    handed_on_ = 0;
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
     TileMerger merger(set_.order);
-    std::vector<TileMesh> made, meshes;
-    for (std::size_t first = 0; first <= set_.tiles.size(); first += batch) {
-      std::vector<std::size_t> wanted(std::min(batch, set_.tiles.size() - first));
-      for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = first + i;
-      meshes.clear();
-      meshes.resize(wanted.size());
-      make(wanted, meshes, [&] { hand_on(made, first - made.size(), merger, sink); });
-      std::swap(made, meshes);
-      if (wanted.size() < batch) break;
-    }
-    hand_on(made, set_.tiles.size() - made.size(), merger, sink);
+    std::size_t joined = 0, triangles = 0;
+    make_in_order(
+        set_.tiles.size(), options_.threads, [&](std::size_t i) { return make_tile(i); },
+        [&](const TileMesh& tile) {
+          merger.add(set_.tiles[joined++].place, tile);
+          if (joined % batch == 0 || joined == set_.tiles.size())
+            hand_on(merger, joined, triangles, sink);
+        },
+        batch);
   }
 
-  void hand_on(const std::vector<TileMesh>& meshes, std::size_t first, TileMerger& merger,
-               MeshSink& sink) {
-    if (meshes.empty()) return;
-    const std::size_t end = first + meshes.size();
-    for (std::size_t i = first; i < end; ++i) merger.add(set_.tiles[i].place, meshes[i - first]);
-    const bool is_last = end == set_.tiles.size();
-    const MeshBlock block = merger.block(is_last ? kNoTile : set_.order.key(set_.tiles[end].place));
-    handed_on_ += block.triangles.size();
+  void hand_on(TileMerger& merger, std::size_t joined, std::size_t& triangles, MeshSink& sink) {
+    const bool is_last = joined == set_.tiles.size();
+    const MeshBlock block =
+        merger.block(is_last ? kNoTile : set_.order.key(set_.tiles[joined].place));
+    triangles += block.triangles.size();
     const auto in_all = [&](std::size_t so_far) {
-      return so_far * set_.tiles.size() / end * 9 / 8;  // tiles are more or less alike
+      return so_far * set_.tiles.size() / joined * 9 / 8;  // tiles are more or less alike
     };
-    sink.expect(in_all(block.first_new + block.fresh().size()), in_all(handed_on_));
+    sink.expect(in_all(block.first_new + block.fresh().size()), in_all(triangles));
     sink.take(block);
-    show_progress(end);
+    show_progress(joined);
   }
 
-  // Each thread has a tile of its own, whose memory it uses again. `meanwhile` is done by one of
-  // them.
-  void make(const std::vector<std::size_t>& wanted, std::vector<TileMesh>& meshes,
-            const std::function<void()>& meanwhile) {
-    std::atomic<std::size_t> next{0};
-    const auto threads = static_cast<std::size_t>(resolve_threads(options_.threads));
-    parallel_for(std::min(threads, wanted.size() + 1), options_.threads, [&](std::size_t) {
-      std::unique_ptr<TileMaker> maker = take_maker();
-      for (std::size_t k = next++; k < wanted.size() + 1; k = next++)
-        if (k == 0)
-          meanwhile();
-        else
-          meshes[k - 1] = make_tile(wanted[k - 1], *maker);
-      give_maker(std::move(maker));
-    });
+  // A thread has a tile's memory for itself, which is used again.
+  TileMesh make_tile(std::size_t i) {
+    std::unique_ptr<TileMaker> maker = take_maker();
+    TileMesh mesh = make_tile(i, *maker);
+    give_maker(std::move(maker));
+    return mesh;
   }
 
   TileMesh make_tile(std::size_t i, TileMaker& maker) {
@@ -300,8 +284,7 @@ class UniformContour {
               return covers(set_.tiles[i], cell.origin, 0, kCells);
             }))
           again.push_back(i);
-      std::vector<TileMesh> unused(again.size());
-      make(again, unused, [] {});
+      parallel_for(again.size(), options_.threads, [&](std::size_t k) { make_tile(again[k]); });
       fresh.clear();
       for (const std::size_t i : again)
         for (const CellPlace& cell : notes_[i].splits)
