@@ -143,11 +143,11 @@ ExactField::Region PartField::restrict_to(const PruneRegion& region, double band
   if (!reaches_stock(region, reach, in_stock)) return Region::air;
   if (sweeps_.is_of_strips(in)) {
     if (!sweeps_.prune_strips(region, reach, in, out)) return Region::air;
+    sort_if_needed(out);
   } else {
     if (!sweeps_.prune(region, reach, band, in, left)) return Region::air;
     append_ids(left, out);
   }
-  sort_if_needed(out);
   return out.empty() && in_stock ? Region::material : Region::mixed;
 }
 

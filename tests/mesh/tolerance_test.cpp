@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "mesh/contour.h"
 #include "removal/part_field.h"
+#include "support/moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +16,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFloats = 1e-5;  // mm: coordinates of the corners
+using test::line;
 
-Motion line(Vec3 a, Vec3 b) {
-  Motion m;
-  m.kind = MotionKind::line;
-  m.start = a;
-  m.end = b;
-  m.tool = 0;
-  return m;
-}
+constexpr double kFloats = 1e-5;  // mm: coordinates of the corners
 
 Motion arc(Vec3 center, double radius, double from, double sweep) {
   Motion m;

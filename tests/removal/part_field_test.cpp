@@ -2,6 +2,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/moves.h"
 
 #include <random>
 
@@ -10,14 +11,7 @@
 namespace mrsim {
 namespace {
 
-Motion line(Vec3 a, Vec3 b) {
-  Motion m;
-  m.kind = MotionKind::line;
-  m.start = a;
-  m.end = b;
-  m.tool = 0;
-  return m;
-}
+using test::line;
 
 Motion arc(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double rise) {
   Motion m;

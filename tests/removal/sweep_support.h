@@ -4,6 +4,7 @@
 
 #include "removal/sweep.h"
 #include "removal/tool.h"
+#include "support/moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,16 +27,6 @@ class Random {
  private:
   std::uint64_t state_;
 };
-
-inline Motion line(Vec3 a, Vec3 b) {
-  Motion m;
-  m.kind = MotionKind::line;
-  m.start = a;
-  m.end = b;
-  m.tool = 0;
-  m.line = 1;
-  return m;
-}
 
 /// Rotation of v about a unit axis (Rodrigues), with libm.
 inline Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
