@@ -87,17 +87,9 @@ class ContourCells {
   virtual bool is_complete(std::int32_t cell) const = 0;
   /// Counted here, not by another tile.
   virtual bool is_owned_cell(std::int32_t cell) const = 0;
-  /// All cells are of one size, so that four different ones lie about every edge.
-  virtual bool is_uniform() const = 0;
 
-  /// All edges whose ends lie on different sides of the surface, in an order that depends on their
-  /// places alone.
-  virtual std::vector<MinimalEdge> crossing_edges() const = 0;
-  /// The faces about these edges, each with its crossings, in the order of the edges. Requires:
-  /// edges in the order of crossing_edges().
-  virtual std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const = 0;
   /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite).
-  /// Requires: the edge is one of crossing_edges().
+  /// Requires: the surface crosses the edge.
   virtual std::pair<double, double> offsets(const MinimalEdge& edge) const = 0;
   virtual EdgeEnds ends(const MinimalEdge& edge) const = 0;
 

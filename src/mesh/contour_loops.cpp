@@ -20,6 +20,10 @@ std::uint64_t edge_key(const MinimalEdge& e) {
   return key(p) | static_cast<std::uint64_t>(e.axis) << 62;
 }
 
+// Of the two ring places about a face, cells come by low and high in the first half of the ring.
+int low_place(int place) { return place < 2 ? place : (place + 1) & 3; }
+int high_place(int place) { return place < 2 ? place + 1 : place; }
+
 std::int32_t find(std::vector<std::int32_t>& parent, std::int32_t i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
     auto& p = parent[static_cast<std::size_t>(i)];
@@ -82,6 +86,13 @@ std::vector<std::int32_t> badly_crossed(const ContourCells& cells, const Crossed
   return bad;
 }
 
+CrossedGrid crossed_grid(const ContourOctree& tree) {
+  CrossedGrid grid;
+  grid.edges = tree.crossing_edges();
+  grid.faces = tree.faces(grid.edges);
+  return grid;
+}
+
 }  // namespace
 
 CrossedGrid split_badly_crossed(ContourOctree& tree) {
@@ -102,7 +113,8 @@ void ContourSurface::find_loops(CrossedGrid grid) {
   find_crossings(grid.edges);
   find_segments();
   join_loops();
-  list_loops();
+  list_crossings();
+  list_segments();
 }
 
 void ContourSurface::refine(const Crossing& crossing, Detail detail) {
@@ -230,6 +242,13 @@ void ContourSurface::find_segments() {
     else
       pair_four(static_cast<std::int32_t>(f));
   }
+  parallel_for(
+      segments_.size(), options_.threads,
+      [&](std::size_t k) {
+        Segment& s = segments_[k];
+        s.is_crease = is_crease(at(faces_, s.face), at(crossings_, s.from), at(crossings_, s.to));
+      },
+      256);
 }
 
 // `from`, `to`: which crossings of the face.
@@ -271,28 +290,33 @@ void ContourSurface::pair_four(std::int32_t f) {
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }
 
+Loop& ContourSurface::new_loop(std::int32_t cell) {
+  if (++loops_in_cell_[static_cast<std::size_t>(cell)] == 2 && cells_.is_complete(cell))
+    crowded_.push_back(cell);
+  Loop& loop = loops_.emplace_back();
+  loop.cell = cell;
+  return loop;
+}
+
+void ContourSurface::begin_loops() {
+  loops_.clear();
+  loops_in_cell_.assign(cells_.size(), 0);
+  crowded_.clear();
+}
+
 void ContourSurface::join_loops() {
   std::vector<std::int32_t> parent(4 * crossings_.size());
   std::iota(parent.begin(), parent.end(), 0);
-  // Of the two ring places about a face, cells come by low and high in the first half of the ring.
-  const auto low_slot = [](std::int32_t crossing, int place) {
-    return 4 * crossing + (place < 2 ? place : (place + 1) & 3);
-  };
-  const auto high_slot = [](std::int32_t crossing, int place) {
-    return 4 * crossing + (place < 2 ? place + 1 : place);
-  };
-  for (std::size_t k = 0; k < crossings_.size() && !cells_.is_uniform(); ++k)
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i)
       if (crossings_[k].cell(i) == crossings_[k].cell((i + 1) & 3))
         join(parent, static_cast<std::int32_t>(4 * k) + i,
              static_cast<std::int32_t>(4 * k) + ((i + 1) & 3));
   for (const Segment& s : segments_) {
-    join(parent, low_slot(s.from, s.from_place), low_slot(s.to, s.to_place));
-    join(parent, high_slot(s.from, s.from_place), high_slot(s.to, s.to_place));
+    join(parent, 4 * s.from + low_place(s.from_place), 4 * s.to + low_place(s.to_place));
+    join(parent, 4 * s.from + high_place(s.from_place), 4 * s.to + high_place(s.to_place));
   }
-  loops_.clear();
-  loops_in_cell_.assign(cells_.size(), 0);
-  crowded_.clear();
+  begin_loops();
   std::vector<std::int32_t> loop_of_root(parent.size(), -1);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
@@ -300,55 +324,58 @@ void ContourSurface::join_loops() {
       std::int32_t& id = loop_of_root[static_cast<std::size_t>(root)];
       if (id < 0) {
         id = static_cast<std::int32_t>(loops_.size());
-        loops_.emplace_back();
-        loops_.back().cell = crossings_[k].cell(i);
-        if (++loops_in_cell_[static_cast<std::size_t>(loops_.back().cell)] == 2 &&
-            cells_.is_complete(loops_.back().cell))
-          crowded_.push_back(loops_.back().cell);
+        new_loop(crossings_[k].cell(i));
       }
       crossings_[k].loops[i] = id;
     }
-  for (Segment& s : segments_) {
-    const Crossing& c = at(crossings_, s.from);
-    s.low = c.loops[low_slot(0, s.from_place)];
-    s.high = c.loops[high_slot(0, s.from_place)];
-  }
 }
 
-// What each loop consists of, each in the order of all.
-void ContourSurface::list_loops() {
+// What crossings each loop has, in the order of all.
+void ContourSurface::list_crossings() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
-  const bool all_differ = cells_.is_uniform();
-  const auto is_first = [all_differ](const Crossing& c, int i) {
-    for (int j = 0; j < i && !all_differ; ++j)
+  const auto is_first = [](const Crossing& c, int i) {
+    for (int j = 0; j < i; ++j)
       if (c.loops[j] == c.loops[i]) return false;
     return true;
   };
   for (const Crossing& c : crossings_)
     for (int i = 0; i < 4; ++i)
       if (is_first(c, i)) ++loop(c.loops[i]).crossings;
-  for (const Segment& s : segments_) {
-    ++loop(s.low).segments;
-    ++loop(s.high).segments;
-  }
-  std::uint32_t crossings = 0, segments = 0;
+  std::uint32_t crossings = 0;
   for (Loop& l : loops_) {
     l.first_crossing = crossings;
-    l.first_segment = segments;
     crossings += l.crossings;
-    segments += l.segments;
-    l.crossings = l.segments = 0;
+    l.crossings = 0;
   }
   loop_crossings_.resize(crossings);
-  loop_segments_.resize(segments);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i)
       if (is_first(crossings_[k], i)) {
         Loop& l = loop(crossings_[k].loops[i]);
         loop_crossings_[l.first_crossing + l.crossings++] = static_cast<std::int32_t>(k);
       }
+}
+
+// The loops on both sides of each segment, and what segments each has, in the order of all.
+void ContourSurface::list_segments() {
+  const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
+  for (Segment& s : segments_) {
+    const Crossing& c = at(crossings_, s.from);
+    s.low = c.loops[low_place(s.from_place)];
+    s.high = c.loops[high_place(s.from_place)];
+    for (const std::int32_t i : {s.low, s.high})
+      if (i >= 0) ++loop(i).segments;
+  }
+  std::uint32_t segments = 0;
+  for (Loop& l : loops_) {
+    l.first_segment = segments;
+    segments += l.segments;
+    l.segments = 0;
+  }
+  loop_segments_.resize(segments);
   for (std::size_t k = 0; k < segments_.size(); ++k)
     for (const std::int32_t i : {segments_[k].low, segments_[k].high}) {
+      if (i < 0) continue;
       Loop& l = loop(i);
       loop_segments_[l.first_segment + l.segments++] = static_cast<std::int32_t>(k);
     }

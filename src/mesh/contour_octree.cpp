@@ -278,6 +278,14 @@ std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) c
       }
       out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), place);
     }
+  if (is_whole()) return out;
+  const auto plane = [&](const CellFace& face) {
+    const int axis = face.axis;
+    return component(node(face.high).origin, axis);
+  };
+  std::stable_sort(out.begin(), out.end(), [&](const CellFace& a, const CellFace& b) {
+    return a.axis != b.axis ? a.axis < b.axis : plane(a) < plane(b);
+  });
   return out;
 }
 

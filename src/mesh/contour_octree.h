@@ -54,7 +54,6 @@ class ContourOctree final : public ContourCells {
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
-  bool is_uniform() const override { return false; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
   bool is_owned(const LatticePoint& edge_start) const {
     return is_whole() || in_range(edge_start, part_.owned);
@@ -64,9 +63,12 @@ class ContourOctree final : public ContourCells {
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
   std::size_t split(std::vector<std::int32_t> leaves);
 
-  /// In the order of the tree; of a part: in the order of their places.
-  std::vector<MinimalEdge> crossing_edges() const override;
-  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
+  /// All edges that no smaller cell divides and whose ends lie on different sides of the surface,
+  /// in the order of the tree; of a part: in the order of their places.
+  std::vector<MinimalEdge> crossing_edges() const;
+  /// The faces about these edges, each with its crossings, in the order of the edges; of a part:
+  /// by axis and plane.
+  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
   /// The same about the given leaves and those that share an edge with them; `nearby` is set for

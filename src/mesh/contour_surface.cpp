@@ -15,6 +15,8 @@
 namespace mrsim::detail {
 namespace {
 
+constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
+
 template <class T>
 const T& at(const std::vector<T>& v, std::int32_t i) {
   return v[static_cast<std::size_t>(i)];
@@ -54,14 +56,11 @@ const BaseMesh& ContourSurface::make_triangles() {
 // Segments between faces of the part that meet in a crease, and where it passes the faces of the
 // cells.
 void ContourSurface::find_creases() {
-  std::vector<std::uint8_t> found(segments_.size());
-  parallel_for(
-      segments_.size(), options_.threads,
-      [&](std::size_t k) { found[k] = is_crease(segments_[k]); }, 256);
   creases_.clear();
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    segments_[k].crease = found[k] ? static_cast<std::int32_t>(creases_.size()) : -1;
-    if (found[k]) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    Segment& s = segments_[k];
+    s.crease = s.is_crease ? static_cast<std::int32_t>(creases_.size()) : -1;
+    if (s.is_crease) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
   }
   std::vector<std::uint64_t> fresh(creases_.size(), 0);  // keys of what is not known yet
   parallel_for(
@@ -82,13 +81,11 @@ void ContourSurface::find_creases() {
     if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
 }
 
-bool ContourSurface::is_crease(const Segment& s) const {
-  const CellFace& face = at(faces_, s.face);
-  const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-  if (same_face(a.at, b.at) || !face.has_all_edges()) return false;
-  const Box3 box = face_box(face);
-  const double size = length(box.hi - box.lo);
-  const Probe p = probe(face_cell(face));
+bool ContourSurface::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
+  if (same_face(a.at, b.at)) return false;
+  const std::int32_t cell = face_cell(face);
+  const double size = kDiagonal * cells_.lattice().fine() * cells_.size_of(cell);
+  const Probe p = probe(cell);
   return !is_nearly_flat(p, {a.position, a.normal}, {b.position, b.normal}, size) &&
          !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/contour_octree.h"
+#include "mesh/contour_tile.h"
 #include "mesh/contour_vertex.h"
 #include "mesh/flat_map.h"
 
@@ -45,7 +46,8 @@ struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
   std::int8_t from_place = 0, to_place = 0;  ///< of the face, in the rings of these crossings
   std::int32_t low = -1, high = -1;          ///< loops of the cells on both sides of the face
-  std::int32_t crease = -1;  ///< its ends lie on faces of the part that meet in a crease
+  bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
+  std::int32_t crease = -1;  ///< where it is one
   std::int32_t vertex = -1;  ///< its own one, -1 where the mesh needs none
 };
 
@@ -75,13 +77,6 @@ struct CrossedGrid {
   std::vector<MinimalEdge> edges;
   std::vector<CellFace> faces;
 };
-
-inline CrossedGrid crossed_grid(const ContourCells& cells) {
-  CrossedGrid grid;
-  grid.edges = cells.crossing_edges();
-  grid.faces = cells.faces(grid.edges);
-  return grid;
-}
 
 /// Splits cells about faces on whose sides the crossings can not be joined in one way: more than
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
@@ -120,6 +115,9 @@ class ContourSurface {
 
   /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
   void find_loops(CrossedGrid grid);
+  /// The same of a tile, where segments between crossings of one face of the part, which need no
+  /// vertex, are left out.
+  void find_loops(const ContourTile& tile);
   /// Cells that hold more than one loop.
   const std::vector<std::int32_t>& crowded() const { return crowded_; }
   /// Places vertices and makes triangles.
@@ -150,8 +148,17 @@ class ContourSurface {
                  std::vector<SegmentEnd>& out) const;
   void find_segments();
   void pair_four(std::int32_t face);
+  void begin_loops();
+  Loop& new_loop(std::int32_t cell);
   void join_loops();
-  void list_loops();
+  void list_crossings();
+  void list_segments();
+  std::vector<std::uint64_t> add_plain_loops(const ContourTile& tile);
+  void add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
+                std::uint32_t edges);
+  void add_segments(const ContourTile& tile, int axis, const std::vector<std::uint64_t>& crowded);
+  void add_segment_if(CellFace& face, bool is_needed);
+  void add_crowded_loops(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z);
   void add_segment(std::int32_t face, int from, int to);
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
@@ -160,7 +167,7 @@ class ContourSurface {
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
   void find_creases();
-  bool is_crease(const Segment& s) const;
+  bool is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const;
   void place_crease(Crease& crease) const;
   void place_loops();
   void place_loops_of(std::span<const std::int32_t> loops);

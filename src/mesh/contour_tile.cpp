@@ -24,8 +24,7 @@ ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
       field_(field),
       columns_(kCells * kCells),
       offset_(kCount),
-      list_of_(kNodes * kNodes * kNodes),
-      face_of_(kFaceSlots * 3) {
+      list_of_(kNodes * kNodes * kNodes) {
   for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
   for (auto& ranges : inner_) ranges.resize(kCells);
 }
@@ -46,6 +45,7 @@ void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
   visit({0, 0, 0}, kCells, 1);
+  find_crossed();
 }
 
 Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const {
@@ -106,7 +106,7 @@ void ContourTile::sample_node(const LatticePoint& origin, std::int32_t size,
   for (std::int32_t x = origin.x; x < origin.x + size; ++x)
     for (std::int32_t y = origin.y; y < origin.y + size; ++y) {
       Column& own = column(x, y);
-      float* out = &offset_[static_cast<std::size_t>(id(x, y, 0))];
+      float* out = &offset_[static_cast<std::size_t>(cell_at(x, y, 0))];
       own.sampled |= run(origin.z, size);
       for (std::int32_t z = origin.z; z < origin.z + size; ++z) {
         out[z] = static_cast<float>(*d++ + kInsideTolerance);
@@ -158,7 +158,7 @@ bool ContourTile::is_complete(std::int32_t cell) const {
 }
 
 MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
-  const std::int32_t n = id(p.x, p.y, p.z);
+  const std::int32_t n = cell_at(p.x, p.y, p.z);
   const std::int32_t u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];
   const std::int32_t unit = lattice().per_voxel();
   MinimalEdge e;
@@ -176,29 +176,31 @@ MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
   return e;
 }
 
-// An edge that starts at a corner that was not sampled is not crossed: it lies in its corner's
-// node, which the surface does not pass.
-std::vector<MinimalEdge> ContourTile::crossing_edges() const {
-  std::vector<MinimalEdge> out;
+// Corners that were not sampled lie in nodes that the surface does not pass, and so do edges that
+// start there. Edges have cells on both sides.
+void ContourTile::find_crossed() {
+  crossed_.clear();
+  const std::uint64_t above = run(1, kCells - 1), below = run(0, kCells - 1);
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y) {
       const Column& own = column(x, y);
-      const auto crossed = [&](std::uint64_t ends, std::uint64_t from) {
-        return (own.inside ^ ends) & own.sampled & from;
+      const auto crossed = [&](bool exist, std::uint64_t ends, std::uint64_t from) {
+        return exist ? (own.inside ^ ends) & own.sampled & from : 0;
       };
-      if (own.sampled == 0) continue;
-      const std::uint64_t above = run(1, kCells - 1);  // cells lie about the edge on both sides
-      const std::uint64_t bits[3] = {
-          x < kCells - 1 && y > 0 ? crossed(column(x + 1, y).inside, above) : 0,
-          y < kCells - 1 && x > 0 ? crossed(column(x, y + 1).inside, above) : 0,
-          x > 0 && y > 0 ? crossed(own.inside >> 1, run(0, kCells - 1)) : 0};
-      for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
-        const std::int32_t z = std::countr_zero(left);
-        for (int axis = 0; axis < 3; ++axis)
-          if (has(bits[axis], z)) out.push_back(edge_at({x, y, z}, axis));
-      }
+      const std::int32_t right = x < kCells - 1 ? x + 1 : x, back = y < kCells - 1 ? y + 1 : y;
+      crossed_.add(0, x, y, crossed(right > x && y > 0, column(right, y).inside, above));
+      crossed_.add(1, x, y, crossed(back > y && x > 0, column(x, back).inside, above));
+      crossed_.add(2, x, y, crossed(x > 0 && y > 0, own.inside >> 1, below));
     }
-  return out;
+}
+
+void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
+  out.reserve(out.size() + static_cast<std::size_t>(crossed_.size()));
+  for (std::int32_t x = 0; x < kCells; ++x)
+    for (std::int32_t y = 0; y < kCells; ++y)
+      for (int axis = 0; axis < 3; ++axis)
+        for (std::uint64_t left = crossed_.bits(axis, x, y); left != 0; left &= left - 1)
+          out.push_back(edge_at({x, y, std::countr_zero(left)}, axis));
 }
 
 // A surface that passes beside an edge shows itself by offsets that rise or fall evenly over the
@@ -239,33 +241,9 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
       for (std::uint64_t left = bits[0] | bits[1] | bits[2]; left != 0; left &= left - 1) {
         const std::int32_t z = std::countr_zero(left);
         for (int axis = 0; axis < 3; ++axis)
-          if (has(bits[axis], z) && is_doubtful(id(x, y, z), kStep[axis]))
+          if (has(bits[axis], z) && is_doubtful(cell_at(x, y, z), kStep[axis]))
             out.push_back(edge_at({x, y, z}, axis));
       }
-    }
-  return out;
-}
-
-// The faces about an edge have their higher cells in its layer of x or in the one before, and edges
-// come by layers: a slot for every cell of two layers is enough. What it holds of earlier layers
-// and tiles is told by its cell.
-std::vector<CellFace> ContourTile::faces(std::span<const MinimalEdge> edges) const {
-  std::vector<CellFace> out;
-  out.reserve(2 * edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (int place = 0; place < 4; ++place) {
-      CellFace face = face_of(edges[k], place);
-      std::int32_t& slot =
-          face_of_[static_cast<std::size_t>(3 * (face.high % kFaceSlots) + face.axis)];
-      auto known = static_cast<std::size_t>(slot);
-      if (known >= out.size() || out[known].high != face.high || out[known].axis != face.axis) {
-        known = out.size();
-        slot = static_cast<std::int32_t>(known);
-        face.low_complete = is_complete(face.low);
-        face.high_complete = is_complete(face.high);
-        out.push_back(face);
-      }
-      out[known].add(static_cast<std::int32_t>(k), place);
     }
   return out;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "mesh/contour_cells.h"
+#include "mesh/contour_tile_edges.h"
 
 #include <memory>
 #include <vector>
@@ -34,12 +35,19 @@ class ContourTile final : public ContourCells {
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
-  bool is_uniform() const override { return true; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
-  std::vector<MinimalEdge> crossing_edges() const override;
-  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const override;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
+
+  /// The edges whose ends lie on different sides of the surface, and what lies about them.
+  const TileEdges& crossed() const { return crossed_; }
+  /// These edges by their numbers, added to `out`.
+  void append_crossed(std::vector<MinimalEdge>& out) const;
+  /// Bits of the corners (x, y, z), z a bit: in the material.
+  std::uint64_t inside(std::int32_t x, std::int32_t y) const { return column(x, y).inside; }
+  static std::int32_t cell_at(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return (x * kCells + y) * kCells + z;
+  }
 
   /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
   /// leaves room. Of those for which tests_edge() holds.
@@ -58,15 +66,11 @@ class ContourTile final : public ContourCells {
                                             ///< twice as many where that is short
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
-  static constexpr std::int32_t kFaceSlots = 2 * kCells * kCells;
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
 
   struct List {
     std::uint32_t begin = 0, end = 0;
   };
-  static std::int32_t id(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return (x * kCells + y) * kCells + z;
-  }
   static std::int32_t node_id(std::int32_t x, std::int32_t y, std::int32_t z) {
     return (x * kNodes + y) * kNodes + z;
   }
@@ -87,7 +91,7 @@ class ContourTile final : public ContourCells {
     std::uint64_t sampled = 0, inside = 0;
     std::uint64_t near = 0, very_near = 0;  ///< |offset| up to a voxel, half a voxel
   };
-  static_assert(kCells == 64);
+  static_assert(kCells == TileEdges::kCells);
 
   Column& column(std::int32_t x, std::int32_t y) {
     return columns_[static_cast<std::size_t>(x * kCells + y)];
@@ -100,6 +104,7 @@ class ContourTile final : public ContourCells {
   void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
+  void find_crossed();
   void sample_node(const LatticePoint& origin, std::int32_t size,
                    std::span<const std::uint32_t> list);
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
@@ -118,7 +123,7 @@ class ContourTile final : public ContourCells {
   Candidates list_;
   std::vector<Vec3> points_;
   std::vector<double> distance_;
-  mutable std::vector<std::int32_t> face_of_;  ///< the last one by slot, see faces()
+  TileEdges crossed_;
 };
 
 }  // namespace mrsim::detail

@@ -119,7 +119,7 @@ class UniformContour {
     const Tile& tile = set_.tiles[i];
     if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
     maker.cells.build(tile.first, tile.candidates);
-    maker.surface.find_loops(crossed_grid(maker.cells));
+    maker.surface.find_loops(maker.cells);
     maker.surface.make_triangles();
     TileMesh mesh = collect(maker.surface, maker.cells, tile, notes_[i]);
     notes_[i].thin = thin_features(field_, maker.cells, maker.cells.doubtful_edges());

@@ -6,6 +6,7 @@
 #include "removal/part_field.h"
 #include "support/analytic_field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -43,27 +44,54 @@ PartField raster(const Vec3& origin, double diameter, bool steep) {
 
 using Place = std::tuple<int, int, int, int>;
 
-// All that a tile finds, by place: crossings by edge, vertices by cell (axis -1).
-std::map<Place, std::vector<std::tuple<double, double, double, int, int>>> found(
-    const PartField& field, const Lattice& lattice, const LatticePoint& first) {
-  ContourTile tile(field, lattice);
-  ContourSurface surface(field, tile, {.shallow = lattice.voxel() / 64, .threads = 1});
-  tile.build(first, field.all());
-  surface.find_loops(crossed_grid(tile));
-  surface.make_triangles();
-  std::map<Place, std::vector<std::tuple<double, double, double, int, int>>> out;
+using Found = std::map<Place, std::vector<std::tuple<double, double, double, int, int>>>;
+
+// All of a surface, by place: crossings by edge, vertices by cell (axis -1).
+Found all_of(const ContourSurface& surface, const ContourCells& cells) {
+  Found out;
   for (const Crossing& c : surface.crossings()) {
     const LatticePoint& p = c.edge.start;
     const Vec3& x = c.position;
     out[{p.x, p.y, p.z, c.edge.axis}].emplace_back(x.x, x.y, x.z, c.at.owner, c.at.patch);
   }
   for (const Loop& loop : surface.loops()) {
-    if (!tile.is_complete(loop.cell)) continue;
-    const LatticePoint p = lattice.nearest(tile.box(loop.cell).lo);
+    if (!cells.is_complete(loop.cell)) continue;
+    const LatticePoint p = cells.lattice().nearest(cells.box(loop.cell).lo);
     const Vec3& x = loop.point.position;
     out[{p.x, p.y, p.z, -1}].emplace_back(x.x, x.y, x.z, loop.point.count, 0);
   }
+  for (auto& [place, values] : out) std::sort(values.begin(), values.end());
   return out;
+}
+
+ContourSurface::Options options(const Lattice& lattice) {
+  return {.shallow = lattice.voxel() / 64, .threads = 1};
+}
+
+Found found(const PartField& field, const Lattice& lattice, const LatticePoint& first) {
+  ContourTile tile(field, lattice);
+  ContourSurface surface(field, tile, options(lattice));
+  tile.build(first, field.all());
+  surface.find_loops(tile);
+  surface.make_triangles();
+  return all_of(surface, tile);
+}
+
+// The same cells, as a tree with leaves of one size.
+Found found_by_tree(const PartField& field, const Lattice& lattice, const LatticePoint& first) {
+  const std::int32_t unit = lattice.per_voxel();
+  OctreePart part;
+  part.origin = {first.x * unit, first.y * unit, first.z * unit};
+  part.size = ContourTile::kCells * unit;
+  const Candidates all = field.all();
+  part.candidates = all;
+  part.complete[0] = unit, part.complete[1] = part.size - unit;
+  part.owned[0] = ContourTile::kFirstOwned * unit, part.owned[1] = ContourTile::kEndOwned * unit;
+  ContourOctree tree(field, lattice, part);
+  ContourSurface surface(field, tree, options(lattice));
+  surface.find_loops(split_badly_crossed(tree));
+  surface.make_triangles();
+  return all_of(surface, tree);
 }
 
 TEST(ContourTile, TilesAgreeOnWhatTheyShare) {
@@ -84,6 +112,28 @@ TEST(ContourTile, TilesAgreeOnWhatTheyShare) {
       }
       EXPECT_GT(shared, 8000u);
     }
+}
+
+// Tiles next to one of which cells are split are made by a tree.
+TEST(ContourTile, FindsWhatATreeFinds) {
+  int round = 0;
+  for (const double diameter : {6.0, 0.9, 0.4}) {
+    ++round;
+    const PartField field = raster({-3.3, 100.37, -20.1}, diameter, round != 1);
+    const Lattice lattice(field.bounds(), 0.17, 2, 4);
+    const Found tile = found(field, lattice, {2, 1, 0});
+    const Found tree = found_by_tree(field, lattice, {2, 1, 0});
+    std::size_t creases = 0;
+    for (const auto& [place, values] : tile) {
+      const auto known = tree.find(place);
+      ASSERT_NE(known, tree.end());
+      ASSERT_EQ(values, known->second) << "round " << round;
+      creases += std::get<3>(place) < 0 && std::get<3>(values[0]) > 1;
+    }
+    EXPECT_EQ(tile.size(), tree.size());
+    EXPECT_GT(tile.size(), 8000u);
+    EXPECT_GT(creases, 300u);
+  }
 }
 
 // Beyond the reach of a cell its list may lack sweeps, so nothing is concluded from samples there.

@@ -1,0 +1,241 @@
+// Loops of a tile: the signs at a cell's corners tell all of them but for few cells, whose segments
+// are followed.
+#include "core/error.h"
+#include "mesh/contour_surface.h"
+
+#include <array>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr std::int32_t kCells = ContourTile::kCells;
+
+// An edge of a cell: the corner it starts at, by sides of the cell, and the cell's place in its
+// ring.
+struct CellEdge {
+  int d[3], axis, place;
+};
+
+constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
+  CellEdge e{{x, y, z}, axis, 0};
+  // The cell lies on the high side of an edge on its own low side.
+  const int beside = 1 - e.d[(axis + 1) % 3], above = 1 - e.d[(axis + 2) % 3];
+  e.place = above ? 3 - beside : beside;
+  return e;
+}
+
+// In the order of all edges: by place, then axis.
+constexpr CellEdge kEdges[12] = {
+    cell_edge(0, 0, 0, 0), cell_edge(0, 0, 0, 1), cell_edge(0, 0, 0, 2), cell_edge(0, 0, 1, 0),
+    cell_edge(0, 0, 1, 1), cell_edge(0, 1, 0, 0), cell_edge(0, 1, 0, 2), cell_edge(0, 1, 1, 0),
+    cell_edge(1, 0, 0, 1), cell_edge(1, 0, 0, 2), cell_edge(1, 0, 1, 1), cell_edge(1, 1, 0, 2)};
+
+// What the signs at the corners of a cell (bits 4 x + 2 y + z) tell of it.
+struct CellCase {
+  std::uint16_t edges = 0;  ///< crossed ones, by kEdges
+  bool is_plain = false;    ///< they are one loop
+};
+
+constexpr CellCase cell_case(unsigned corners) {
+  CellCase c;
+  int part[12] = {}, parts = 0;
+  for (int e = 0; e < 12; ++e) {
+    const int* d = kEdges[e].d;
+    const int low = 4 * d[0] + 2 * d[1] + d[2], high = low + (4 >> kEdges[e].axis);
+    part[e] = e;
+    if ((corners >> low & 1) == (corners >> high & 1)) continue;
+    c.edges = static_cast<std::uint16_t>(c.edges | 1u << e);
+    ++parts;
+  }
+  c.is_plain = true;
+  for (int face = 0; face < 6; ++face) {
+    int on[4] = {}, n = 0;
+    for (int e = 0; e < 12; ++e)
+      if ((c.edges >> e & 1) != 0 && kEdges[e].axis != face / 2 &&
+          kEdges[e].d[face / 2] == face % 2)
+        on[n++] = e;
+    if (n == 4) c.is_plain = false;
+    if (n != 2 || part[on[0]] == part[on[1]]) continue;
+    const int from = part[on[0]], to = part[on[1]];
+    for (int& p : part)
+      if (p == from) p = to;
+    --parts;
+  }
+  c.is_plain = c.is_plain && parts == 1;
+  return c;
+}
+
+constexpr std::array<CellCase, 256> cell_cases() {
+  std::array<CellCase, 256> cases{};
+  for (unsigned corners = 0; corners < cases.size(); ++corners) cases[corners] = cell_case(corners);
+  return cases;
+}
+constexpr std::array<CellCase, 256> kCases = cell_cases();
+
+// An edge of a face by its axis, where it starts beside the face's low corner, and the place before
+// the face in its ring; in the order of all edges.
+struct FaceEdge {
+  int axis, d[3], place;
+};
+constexpr FaceEdge kFaceEdges[3][4] = {
+    {{1, {0, 0, 0}, 1}, {2, {0, 0, 0}, 2}, {1, {0, 0, 1}, 3}, {2, {0, 1, 0}, 0}},
+    {{0, {0, 0, 0}, 2}, {2, {0, 0, 0}, 1}, {0, {0, 0, 1}, 0}, {2, {1, 0, 0}, 3}},
+    {{0, {0, 0, 0}, 1}, {1, {0, 0, 0}, 2}, {0, {0, 1, 0}, 3}, {1, {1, 0, 0}, 0}}};
+
+bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
+
+// Bits 1 .. last.
+std::uint64_t up_to(std::int32_t last) {
+  return ~std::uint64_t(1) & ~std::uint64_t(0) >> (63 - last);
+}
+
+}  // namespace
+
+void ContourSurface::find_loops(const ContourTile& tile) {
+  std::vector<MinimalEdge> edges;
+  tile.append_crossed(edges);
+  find_crossings(edges);
+  begin_loops();
+  loop_crossings_.clear();
+  faces_.clear();
+  segments_.clear();
+  const std::vector<std::uint64_t> crowded = add_plain_loops(tile);
+  for (int axis = 0; axis < 3; ++axis) add_segments(tile, axis, crowded);
+  for (std::int32_t x = 1; x < kCells - 1; ++x)
+    for (std::int32_t y = 1; y < kCells - 1; ++y)
+      for (std::uint64_t left = crowded[static_cast<std::size_t>(x * kCells + y)]; left != 0;
+           left &= left - 1)
+        add_crowded_loops(tile, x, y, std::countr_zero(left));
+  list_segments();
+}
+
+// The loops of cells that have one; bits of the others.
+std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& tile) {
+  std::vector<std::uint64_t> crowded(kCells * kCells);
+  for (std::int32_t x = 1; x < kCells - 1; ++x)
+    for (std::int32_t y = 1; y < kCells - 1; ++y) {
+      const std::uint64_t corners[4] = {tile.inside(x, y), tile.inside(x, y + 1),
+                                        tile.inside(x + 1, y), tile.inside(x + 1, y + 1)};
+      std::uint64_t any = 0, all = ~any;
+      for (const std::uint64_t c : corners) any |= c | c >> 1, all &= c & c >> 1;
+      for (std::uint64_t left = any & ~all & up_to(kCells - 2); left != 0; left &= left - 1) {
+        const std::int32_t z = std::countr_zero(left);
+        unsigned signs = 0;
+        for (unsigned k = 0; k < 4; ++k)
+          signs |= static_cast<unsigned>(corners[k] >> z & 3) << 2 * k;
+        // Bit 0 of each pair is the lower corner.
+        if (kCases[signs].is_plain)
+          add_loop(tile, x, y, z, kCases[signs].edges);
+        else
+          crowded[static_cast<std::size_t>(x * kCells + y)] |= std::uint64_t(1) << z;
+      }
+    }
+  return crowded;
+}
+
+// `edges`: bits by kEdges.
+void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y,
+                              std::int32_t z, std::uint32_t edges) {
+  const auto id = static_cast<std::int32_t>(loops_.size());
+  Loop& loop = new_loop(ContourTile::cell_at(x, y, z));
+  loop.first_crossing = static_cast<std::uint32_t>(loop_crossings_.size());
+  for (; edges != 0; edges &= edges - 1) {
+    const CellEdge& e = kEdges[std::countr_zero(edges)];
+    const std::int32_t k = tile.crossed().number(e.axis, x + e.d[0], y + e.d[1], z + e.d[2]);
+    crossings_[static_cast<std::size_t>(k)].loops[e.place] = id;
+    loop_crossings_.push_back(k);
+  }
+  loop.crossings = static_cast<std::uint32_t>(loop_crossings_.size()) - loop.first_crossing;
+}
+
+// Segments in faces that are flat on the axis, about complete cells: where they are creases or help
+// to follow loops.
+void ContourSurface::add_segments(const ContourTile& tile, int axis,
+                                  const std::vector<std::uint64_t>& crowded) {
+  const TileEdges& edges = tile.crossed();
+  const auto last = [&](int a) { return a == axis ? kCells - 1 : kCells - 2; };
+  const auto crowded_at = [&](std::int32_t x, std::int32_t y) {
+    return crowded[static_cast<std::size_t>(x * kCells + y)];
+  };
+  for (std::int32_t x = 1; x <= last(0); ++x)
+    for (std::int32_t y = 1; y <= last(1); ++y) {
+      std::uint64_t bits[4], any = 0, all = ~any;
+      for (int k = 0; k < 4; ++k) {
+        const FaceEdge& e = kFaceEdges[axis][k];
+        bits[k] = edges.bits(e.axis, x + e.d[0], y + e.d[1]) >> e.d[2];
+        any |= bits[k], all &= bits[k];
+      }
+      any &= up_to(last(2));
+      if (any == 0) continue;
+      const std::uint64_t own = crowded_at(x, y);
+      const std::uint64_t needed = all | own |
+                                   (axis == 0   ? crowded_at(x - 1, y)
+                                    : axis == 1 ? crowded_at(x, y - 1)
+                                                : own << 1);
+      for (; any != 0; any &= any - 1) {
+        const std::int32_t z = std::countr_zero(any);
+        CellFace face;
+        for (int k = 0; k < 4; ++k) {
+          if (!has(bits[k], z)) continue;
+          const FaceEdge& e = kFaceEdges[axis][k];
+          face.add(edges.number(e.axis, x + e.d[0], y + e.d[1], z + e.d[2]), e.place);
+        }
+        face.axis = axis;
+        face.high = ContourTile::cell_at(x, y, z);
+        face.low = ContourTile::cell_at(x - (axis == 0), y - (axis == 1), z - (axis == 2));
+        add_segment_if(face, has(needed, z));
+      }
+    }
+}
+
+void ContourSurface::add_segment_if(CellFace& face, bool is_needed) {
+  const auto crossing = [&](int i) -> const Crossing& {
+    return crossings_[static_cast<std::size_t>(face.crossing(i))];
+  };
+  if (!is_needed && same_face(crossing(0).at, crossing(1).at)) return;
+  const bool crease = face.count == 2 && is_crease(face, crossing(0), crossing(1));
+  if (!is_needed && !crease) return;
+  face.low_complete = cells_.is_complete(face.low);
+  face.high_complete = cells_.is_complete(face.high);
+  const auto f = static_cast<std::int32_t>(faces_.size());
+  faces_.push_back(face);
+  if (face.count == 4) return pair_four(f);
+  add_segment(f, 0, 1);
+  segments_.back().is_crease = crease;
+}
+
+// Follows the segments about the cell.
+void ContourSurface::add_crowded_loops(const ContourTile& tile, std::int32_t x, std::int32_t y,
+                                       std::int32_t z) {
+  std::int32_t ids[12];
+  std::uint32_t open = 0;
+  for (int k = 0; k < 12; ++k) {
+    const CellEdge& e = kEdges[k];
+    const std::int32_t at[3] = {x + e.d[0], y + e.d[1], z + e.d[2]};
+    ids[k] = -1;
+    if (!has(tile.crossed().bits(e.axis, at[0], at[1]), at[2])) continue;
+    ids[k] = tile.crossed().number(e.axis, at[0], at[1], at[2]);
+    open |= 1u << k;
+  }
+  while (open != 0) {
+    std::uint32_t loop = 0;
+    for (std::uint32_t next = open & ~(open - 1); next != 0;) {
+      const int k = std::countr_zero(next);
+      next &= next - 1;
+      loop |= 1u << k;
+      const Crossing& c = crossings_[static_cast<std::size_t>(ids[k])];
+      for (const int place : {kEdges[k].place, kEdges[k].place + 3}) {
+        const std::int32_t s = c.segments[place & 3];
+        MRSIM_ASSERT(s >= 0);
+        const Segment& segment = segments_[static_cast<std::size_t>(s)];
+        const std::int32_t other = segment.from == ids[k] ? segment.to : segment.from;
+        for (int j = 0; j < 12; ++j)
+          if (ids[j] == other && (loop >> j & 1) == 0) next |= 1u << j;
+      }
+    }
+    add_loop(tile, x, y, z, loop);
+    open &= ~loop;
+  }
+}
+
+}  // namespace mrsim::detail
