@@ -166,9 +166,13 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
 // rounded ones or none, and the result may not depend on which.
 void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
                                std::vector<SegmentEnd>& out) const {
-  static thread_local std::vector<std::size_t> unknown;
-  static thread_local std::vector<Vec3> points;
-  static thread_local std::vector<double> distances;
+  struct Memory {
+    std::vector<std::size_t> unknown;
+    std::vector<Vec3> points;
+    std::vector<double> distances;
+  };
+  static thread_local Memory memory;
+  auto& [unknown, points, distances] = memory;
   unknown.clear();
   points.clear();
   out.clear();
@@ -192,8 +196,12 @@ void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> cro
 
 // Crossings with the same candidates.
 void ContourSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
-  static thread_local std::vector<CrossingSearch> searches;
-  static thread_local std::vector<SegmentEnd> ends;
+  struct Memory {
+    std::vector<CrossingSearch> searches;
+    std::vector<SegmentEnd> ends;
+  };
+  static thread_local Memory memory;
+  auto& [searches, ends] = memory;
   const Probe p = probe(at(crossings_, crossings[0]).edge.smallest_cell());
   find_ends(p, crossings, ends);
   searches.clear();

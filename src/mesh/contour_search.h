@@ -85,12 +85,23 @@ class SmoothSearch {
   bool found_ = false;
 };
 
-/// Runs searches that share their candidates to their ends, sampling for all of them at once.
+/// Runs searches that share their candidates to their ends, sampling for all of them at once where
+/// there is anything but the stock.
 template <class Search>
 void run_together(const Probe& probe, std::span<Search> searches) {
-  static thread_local std::vector<std::size_t> open;
-  static thread_local std::vector<Vec3> points;
-  static thread_local std::vector<FieldSample> samples;
+  if (probe.candidates.empty()) {
+    for (Search& search : searches)
+      while (!search.take(probe.field, probe.sample(search.point()))) {
+      }
+    return;
+  }
+  struct Memory {
+    std::vector<std::size_t> open;
+    std::vector<Vec3> points;
+    std::vector<FieldSample> samples;
+  };
+  static thread_local Memory memory;
+  auto& [open, points, samples] = memory;
   open.clear();
   for (std::size_t k = 0; k < searches.size(); ++k) open.push_back(k);
   while (!open.empty()) {

@@ -169,8 +169,12 @@ Vec3 ContourSurface::mean_crossing(const Loop& loop) const {
 
 // Loops of cells with the same candidates.
 void ContourSurface::place_loops_of(std::span<const std::int32_t> loops) {
-  static thread_local std::vector<SmoothSearch> searches;
-  static thread_local std::vector<std::int32_t> searched;
+  struct Memory {
+    std::vector<SmoothSearch> searches;
+    std::vector<std::int32_t> searched;
+  };
+  static thread_local Memory memory;
+  auto& [searches, searched] = memory;
   searches.clear();
   searched.clear();
   for (const std::int32_t k : loops) {
@@ -341,16 +345,17 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, std::span<const std::ui
     add_triangle(id, ring[0], ring[1], ring[2]);
     return true;
   }
-  bool valid[2];
-  for (std::uint32_t d = 0; d < 2; ++d)
-    valid[d] = separates(ring[d], ring[d + 1], ring[d + 2]) &&
-               separates(ring[d], ring[d + 2], ring[(d + 3) & 3]);
+  // The diagonal nearer to the surface, if it can be, else the other.
+  const auto is_valid = [&](std::uint32_t d) {
+    return separates(ring[d], ring[d + 1], ring[d + 2]) &&
+           separates(ring[d], ring[d + 2], ring[(d + 3) & 3]);
+  };
   const auto error = [&](std::uint32_t d) {
     const Vec3 middle = 0.5 * (mesh_.vertices[ring[d]] + mesh_.vertices[ring[d + 2]]);
     return std::abs(field_.patch_distance(middle, c.at));
   };
-  if (!valid[0] && !valid[1]) return false;
-  const std::uint32_t d = !valid[0] || (valid[1] && error(1) < error(0)) ? 1 : 0;
+  std::uint32_t d = error(1) < error(0) ? 1 : 0;
+  if (!is_valid(d) && !is_valid(d = 1 - d)) return false;
   add_triangle(id, ring[d], ring[d + 1], ring[d + 2]);
   add_triangle(id, ring[d], ring[d + 2], ring[(d + 3) & 3]);
   return true;

@@ -156,7 +156,8 @@ class ContourSurface {
   std::vector<std::uint64_t> add_plain_loops(const ContourTile& tile);
   void add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
                 std::uint32_t edges);
-  void add_segments(const ContourTile& tile, int axis, const std::vector<std::uint64_t>& crowded);
+  template <int kAxis>
+  void add_segments(const ContourTile& tile, const std::vector<std::uint64_t>& crowded);
   void add_segment_if(CellFace& face, bool is_needed);
   void add_crowded_loops(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z);
   void add_segment(std::int32_t face, int from, int to);

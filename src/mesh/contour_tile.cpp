@@ -9,6 +9,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t kSign = 1u << 31;
 constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
 
 // Bits begin .. begin + count - 1.
@@ -24,6 +25,7 @@ ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
       field_(field),
       columns_(kCells * kCells),
       offset_(kCount),
+      decider_(kCount),
       list_of_(kNodes * kNodes * kNodes) {
   for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
   for (auto& ranges : inner_) ranges.resize(kCells);
@@ -63,10 +65,10 @@ void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size
                           : descent_->enter(level, reach, kSurfaceBand, /*last=*/size == 2 * kNode);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
-  if (size == kNode) return sample_node(origin, size, list_);
+  if (size == kNode) return sample_node<kNode>(origin, list_);
   if (size == 2 * kNode && descent_->is_short(level)) {
     descent_->candidates(level, list_);
-    return sample_node(origin, size, list_);
+    return sample_node<2 * kNode>(origin, list_);
   }
   const std::int32_t half = size / 2;
   for (int k = 0; k < 8; ++k)
@@ -82,39 +84,54 @@ void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool insid
       column(x, y).inside |= run(origin.z, size);
 }
 
-void ContourTile::sample_node(const LatticePoint& origin, std::int32_t size,
-                              std::span<const std::uint32_t> list) {
-  for (std::int32_t x = origin.x; x < origin.x + size; x += kNode)
-    for (std::int32_t y = origin.y; y < origin.y + size; y += kNode)
-      for (std::int32_t z = origin.z; z < origin.z + size; z += kNode)
-        list_of_[static_cast<std::size_t>(node_id(x / kNode, y / kNode, z / kNode))] =
-            static_cast<std::int32_t>(lists_.size());
-  lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
-                    static_cast<std::uint32_t>(ids_.size() + list.size())});
-  ids_.insert(ids_.end(), list.begin(), list.end());
-  points_.clear();
-  for (std::int32_t x = origin.x; x < origin.x + size; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + size; ++y)
-      for (std::int32_t z = origin.z; z < origin.z + size; ++z)
-        points_.push_back({planes_[0][static_cast<std::size_t>(x)],
-                           planes_[1][static_cast<std::size_t>(y)],
-                           planes_[2][static_cast<std::size_t>(z)]});
-  distance_.resize(points_.size());
-  field_.distances(points_, list, distance_.data());
-  const double* d = distance_.data();
-  const auto voxel = static_cast<float>(lattice().voxel());
-  for (std::int32_t x = origin.x; x < origin.x + size; ++x)
-    for (std::int32_t y = origin.y; y < origin.y + size; ++y) {
-      Column& own = column(x, y);
-      float* out = &offset_[static_cast<std::size_t>(cell_at(x, y, 0))];
-      own.sampled |= run(origin.z, size);
-      for (std::int32_t z = origin.z; z < origin.z + size; ++z) {
-        out[z] = static_cast<float>(*d++ + kInsideTolerance);
-        const float size_of_it = std::abs(out[z]);
-        own.inside |= std::uint64_t(std::signbit(out[z])) << z;
-        own.near |= std::uint64_t(size_of_it <= voxel) << z;
-        own.very_near |= std::uint64_t(size_of_it <= 0.5f * voxel) << z;
+template <std::int32_t kSize>
+void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
+  constexpr std::size_t kPoints = std::size_t(kSize) * kSize * kSize;
+  std::int32_t number = 0;
+  if (!list.empty()) {
+    number = static_cast<std::int32_t>(lists_.size());
+    lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
+                      static_cast<std::uint32_t>(ids_.size() + list.size())});
+    ids_.insert(ids_.end(), list.begin(), list.end());
+  }
+  for (std::int32_t x = origin.x; x < origin.x + kSize; x += kNode)
+    for (std::int32_t y = origin.y; y < origin.y + kSize; y += kNode)
+      for (std::int32_t z = origin.z; z < origin.z + kSize; z += kNode)
+        list_of_[static_cast<std::size_t>(node_id(x / kNode, y / kNode, z / kNode))] = number;
+  Vec3 points[kPoints];
+  double distances[kPoints];
+  std::uint32_t deciders[kPoints];
+  const double* planes[3];
+  for (int a = 0; a < 3; ++a)
+    planes[a] = &planes_[a][static_cast<std::size_t>(component(origin, a))];
+  Vec3* point = points;
+  for (int x = 0; x < kSize; ++x)
+    for (int y = 0; y < kSize; ++y)
+      for (int z = 0; z < kSize; ++z) *point++ = {planes[0][x], planes[1][y], planes[2][z]};
+  field_.distances(points, list, distances, deciders);
+  // Sizes of floats compare as their bits do.
+  const auto voxel_length = static_cast<float>(lattice().voxel());
+  const auto voxel = std::bit_cast<std::uint32_t>(voxel_length),
+             half_voxel = std::bit_cast<std::uint32_t>(0.5f * voxel_length);
+  const double* d = distances;
+  for (std::int32_t x = 0; x < kSize; ++x)
+    for (std::int32_t y = 0; y < kSize; ++y) {
+      const auto first = static_cast<std::size_t>(cell_at(origin.x + x, origin.y + y, origin.z));
+      std::copy_n(deciders + (d - distances), kSize, &decider_[first]);
+      Column found;
+      for (std::int32_t z = 0; z < kSize; ++z) {
+        const auto offset = static_cast<float>(*d++ + kInsideTolerance);
+        offset_[first + static_cast<std::size_t>(z)] = offset;
+        const auto bits = std::bit_cast<std::uint32_t>(offset), size = bits & ~kSign;
+        found.inside |= std::uint64_t(bits >> 31) << z;
+        found.near |= std::uint64_t(size <= voxel) << z;
+        found.very_near |= std::uint64_t(size <= half_voxel) << z;
       }
+      Column& own = column(origin.x + x, origin.y + y);
+      own.sampled |= run(origin.z, kSize);
+      own.inside |= found.inside << origin.z;
+      own.near |= found.near << origin.z;
+      own.very_near |= found.very_near << origin.z;
     }
 }
 
@@ -188,9 +205,11 @@ void ContourTile::find_crossed() {
         return exist ? (own.inside ^ ends) & own.sampled & from : 0;
       };
       const std::int32_t right = x < kCells - 1 ? x + 1 : x, back = y < kCells - 1 ? y + 1 : y;
-      crossed_.add(0, x, y, crossed(right > x && y > 0, column(right, y).inside, above));
-      crossed_.add(1, x, y, crossed(back > y && x > 0, column(x, back).inside, above));
-      crossed_.add(2, x, y, crossed(x > 0 && y > 0, own.inside >> 1, below));
+      crossed_.add(TileEdges::column(0, x, y),
+                   crossed(right > x && y > 0, column(right, y).inside, above));
+      crossed_.add(TileEdges::column(1, x, y),
+                   crossed(back > y && x > 0, column(x, back).inside, above));
+      crossed_.add(TileEdges::column(2, x, y), crossed(x > 0 && y > 0, own.inside >> 1, below));
     }
 }
 
@@ -199,7 +218,8 @@ void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y)
       for (int axis = 0; axis < 3; ++axis)
-        for (std::uint64_t left = crossed_.bits(axis, x, y); left != 0; left &= left - 1)
+        for (std::uint64_t left = crossed_.bits(TileEdges::column(axis, x, y)); left != 0;
+             left &= left - 1)
           out.push_back(edge_at({x, y, std::countr_zero(left)}, axis));
 }
 
@@ -220,7 +240,9 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
   std::vector<MinimalEdge> out;
   const auto voxel = static_cast<float>(lattice().voxel());
   const auto is_doubtful = [&](std::int32_t low, std::int32_t step) {
-    return std::abs(offset_[static_cast<std::size_t>(low)]) +
+    return decider_[static_cast<std::size_t>(low)] !=
+               decider_[static_cast<std::size_t>(low + step)] &&
+           std::abs(offset_[static_cast<std::size_t>(low)]) +
                    std::abs(offset_[static_cast<std::size_t>(low + step)]) <=
                voxel &&
            !runs_evenly(low, step);

@@ -49,8 +49,8 @@ class ContourTile final : public ContourCells {
     return (x * kCells + y) * kCells + z;
   }
 
-  /// Edges with ends on the same side between which the surface may pass twice: |d| at both ends
-  /// leaves room. Of those for which tests_edge() holds.
+  /// Edges with ends on the same side between which the surface may pass twice: different sweeps
+  /// decide at the ends, and |d| there leaves room. Of those for which tests_edge() holds.
   std::vector<MinimalEdge> doubtful_edges() const;
   /// Whether a thin feature on an edge of this axis that starts in the cell is looked for here: by
   /// one tile of all, which knows the samples before and behind it on its line. So it starts where
@@ -105,8 +105,8 @@ class ContourTile final : public ContourCells {
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void find_crossed();
-  void sample_node(const LatticePoint& origin, std::int32_t size,
-                   std::span<const std::uint32_t> list);
+  template <std::int32_t kSize>
+  void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
   MinimalEdge edge_at(const LatticePoint& p, int axis) const;
 
@@ -115,14 +115,13 @@ class ContourTile final : public ContourCells {
   std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
   std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
   std::vector<Column> columns_;
-  std::vector<float> offset_;          ///< d + kInsideTolerance at corners, where sampled
-  std::vector<std::int32_t> list_of_;  ///< by node, 0 (empty) where the surface does not pass
+  std::vector<float> offset_;           ///< d + kInsideTolerance at corners, where sampled
+  std::vector<std::uint32_t> decider_;  ///< of d there
+  std::vector<std::int32_t> list_of_;   ///< by node, 0 (empty) where no sweep can decide
   std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
   std::unique_ptr<ExactField::Descent> descent_;
   Candidates list_;
-  std::vector<Vec3> points_;
-  std::vector<double> distance_;
   TileEdges crossed_;
 };
 

@@ -2,7 +2,6 @@
 // has which number (docs/mesh.md, Tiles).
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,26 +12,29 @@ class TileEdges {
  public:
   static constexpr std::int32_t kCells = 64;  ///< on a side: a bit each
 
-  TileEdges() {
-    for (std::vector<Column>& columns : columns_) columns.resize(kCells * kCells);
+  TileEdges() : columns_(3 * kCells * kCells) {}
+
+  /// Of the edges along an axis that start at (x, y, z), z a bit. Sums of such numbers are the
+  /// columns of sums of places.
+  static constexpr std::int32_t column(int axis, std::int32_t x, std::int32_t y) {
+    return (axis * kCells + x) * kCells + y;
   }
 
   void clear() { count_ = 0; }
-  /// The next column: edges of this axis that start at (x, y, z), z a bit. Columns come by x, y and
-  /// axis, all of them.
-  void add(int axis, std::int32_t x, std::int32_t y, std::uint64_t bits) {
-    column(axis, x, y) = {bits, count_};
-    count_ += std::popcount(bits);
+  /// The next column in the order of numbers: all come once.
+  void add(std::int32_t column, std::uint64_t bits) {
+    columns_[static_cast<std::size_t>(column)] = {bits, count_};
+    count_ += count(bits);
   }
 
   std::int32_t size() const { return count_; }
-  std::uint64_t bits(int axis, std::int32_t x, std::int32_t y) const {
-    return column(axis, x, y).bits;
+  std::uint64_t bits(std::int32_t column) const {
+    return columns_[static_cast<std::size_t>(column)].bits;
   }
   /// Requires: its bit is set.
-  std::int32_t number(int axis, std::int32_t x, std::int32_t y, std::int32_t z) const {
-    const Column& c = column(axis, x, y);
-    return c.first + std::popcount(c.bits & ((std::uint64_t(1) << z) - 1));
+  std::int32_t number(std::int32_t column, std::int32_t z) const {
+    const Column& c = columns_[static_cast<std::size_t>(column)];
+    return c.first + count(c.bits & ((std::uint64_t(1) << z) - 1));
   }
 
  private:
@@ -40,13 +42,15 @@ class TileEdges {
     std::uint64_t bits = 0;
     std::int32_t first = 0;
   };
-  Column& column(int axis, std::int32_t x, std::int32_t y) {
-    return columns_[axis][static_cast<std::size_t>(x * kCells + y)];
+  // Without the instruction, which not all processors have, and without a call.
+  static std::int32_t count(std::uint64_t bits) {
+    if ((bits & (bits - 1)) == 0) return bits != 0;
+    bits -= bits >> 1 & 0x5555555555555555u;
+    bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
+    bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    return static_cast<std::int32_t>(bits * 0x0101010101010101u >> 56);
   }
-  const Column& column(int axis, std::int32_t x, std::int32_t y) const {
-    return columns_[axis][static_cast<std::size_t>(x * kCells + y)];
-  }
-  std::vector<Column> columns_[3];
+  std::vector<Column> columns_;
   std::int32_t count_ = 0;
 };
 

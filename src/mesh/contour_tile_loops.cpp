@@ -10,14 +10,16 @@ namespace {
 
 constexpr std::int32_t kCells = ContourTile::kCells;
 
-// An edge of a cell: the corner it starts at, by sides of the cell, and the cell's place in its
-// ring.
+// An edge of a cell: the corner it starts at, by sides of the cell, the same as a column, and the
+// cell's place in its ring.
 struct CellEdge {
-  int d[3], axis, place;
+  int d[3], axis;
+  std::int32_t column;
+  int place;
 };
 
 constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
-  CellEdge e{{x, y, z}, axis, 0};
+  CellEdge e{{x, y, z}, axis, TileEdges::column(axis, x, y), 0};
   // The cell lies on the high side of an edge on its own low side.
   const int beside = 1 - e.d[(axis + 1) % 3], above = 1 - e.d[(axis + 2) % 3];
   e.place = above ? 3 - beside : beside;
@@ -72,15 +74,21 @@ constexpr std::array<CellCase, 256> cell_cases() {
 }
 constexpr std::array<CellCase, 256> kCases = cell_cases();
 
-// An edge of a face by its axis, where it starts beside the face's low corner, and the place before
-// the face in its ring; in the order of all edges.
+// An edge of a face by the column and the place on z where it starts beside the face's low corner,
+// and the place before the face in its ring; in the order of all edges.
 struct FaceEdge {
-  int axis, d[3], place;
+  std::int32_t column;
+  int z, place;
 };
-constexpr FaceEdge kFaceEdges[3][4] = {
-    {{1, {0, 0, 0}, 1}, {2, {0, 0, 0}, 2}, {1, {0, 0, 1}, 3}, {2, {0, 1, 0}, 0}},
-    {{0, {0, 0, 0}, 2}, {2, {0, 0, 0}, 1}, {0, {0, 0, 1}, 0}, {2, {1, 0, 0}, 3}},
-    {{0, {0, 0, 0}, 1}, {1, {0, 0, 0}, 2}, {0, {0, 1, 0}, 3}, {1, {1, 0, 0}, 0}}};
+constexpr FaceEdge face_edge(int axis, int x, int y, int z, int place) {
+  return {TileEdges::column(axis, x, y), z, place};
+}
+constexpr FaceEdge kFaceEdges[3][4] = {{face_edge(1, 0, 0, 0, 1), face_edge(2, 0, 0, 0, 2),
+                                        face_edge(1, 0, 0, 1, 3), face_edge(2, 0, 1, 0, 0)},
+                                       {face_edge(0, 0, 0, 0, 2), face_edge(2, 0, 0, 0, 1),
+                                        face_edge(0, 0, 0, 1, 0), face_edge(2, 1, 0, 0, 3)},
+                                       {face_edge(0, 0, 0, 0, 1), face_edge(1, 0, 0, 0, 2),
+                                        face_edge(0, 0, 1, 0, 3), face_edge(1, 1, 0, 0, 0)}};
 
 bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
@@ -100,7 +108,9 @@ void ContourSurface::find_loops(const ContourTile& tile) {
   faces_.clear();
   segments_.clear();
   const std::vector<std::uint64_t> crowded = add_plain_loops(tile);
-  for (int axis = 0; axis < 3; ++axis) add_segments(tile, axis, crowded);
+  add_segments<0>(tile, crowded);
+  add_segments<1>(tile, crowded);
+  add_segments<2>(tile, crowded);
   for (std::int32_t x = 1; x < kCells - 1; ++x)
     for (std::int32_t y = 1; y < kCells - 1; ++y)
       for (std::uint64_t left = crowded[static_cast<std::size_t>(x * kCells + y)]; left != 0;
@@ -139,9 +149,10 @@ void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int3
   const auto id = static_cast<std::int32_t>(loops_.size());
   Loop& loop = new_loop(ContourTile::cell_at(x, y, z));
   loop.first_crossing = static_cast<std::uint32_t>(loop_crossings_.size());
+  const std::int32_t column = TileEdges::column(0, x, y);
   for (; edges != 0; edges &= edges - 1) {
     const CellEdge& e = kEdges[std::countr_zero(edges)];
-    const std::int32_t k = tile.crossed().number(e.axis, x + e.d[0], y + e.d[1], z + e.d[2]);
+    const std::int32_t k = tile.crossed().number(column + e.column, z + e.d[2]);
     crossings_[static_cast<std::size_t>(k)].loops[e.place] = id;
     loop_crossings_.push_back(k);
   }
@@ -150,39 +161,40 @@ void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int3
 
 // Segments in faces that are flat on the axis, about complete cells: where they are creases or help
 // to follow loops.
-void ContourSurface::add_segments(const ContourTile& tile, int axis,
+template <int kAxis>
+void ContourSurface::add_segments(const ContourTile& tile,
                                   const std::vector<std::uint64_t>& crowded) {
+  constexpr const FaceEdge(&kOn)[4] = kFaceEdges[kAxis];
+  constexpr auto last = [](int axis) { return axis == kAxis ? kCells - 1 : kCells - 2; };
   const TileEdges& edges = tile.crossed();
-  const auto last = [&](int a) { return a == axis ? kCells - 1 : kCells - 2; };
-  const auto crowded_at = [&](std::int32_t x, std::int32_t y) {
-    return crowded[static_cast<std::size_t>(x * kCells + y)];
-  };
   for (std::int32_t x = 1; x <= last(0); ++x)
     for (std::int32_t y = 1; y <= last(1); ++y) {
+      const std::int32_t column = TileEdges::column(0, x, y);
       std::uint64_t bits[4], any = 0, all = ~any;
       for (int k = 0; k < 4; ++k) {
-        const FaceEdge& e = kFaceEdges[axis][k];
-        bits[k] = edges.bits(e.axis, x + e.d[0], y + e.d[1]) >> e.d[2];
+        bits[k] = edges.bits(column + kOn[k].column) >> kOn[k].z;
         any |= bits[k], all &= bits[k];
       }
       any &= up_to(last(2));
       if (any == 0) continue;
-      const std::uint64_t own = crowded_at(x, y);
+      const auto crowded_at = [&](std::int32_t i) { return crowded[static_cast<std::size_t>(i)]; };
+      const std::uint64_t own = crowded_at(column);
       const std::uint64_t needed = all | own |
-                                   (axis == 0   ? crowded_at(x - 1, y)
-                                    : axis == 1 ? crowded_at(x, y - 1)
-                                                : own << 1);
+                                   (kAxis == 0   ? crowded_at(column - kCells)
+                                    : kAxis == 1 ? crowded_at(column - 1)
+                                                 : own << 1);
       for (; any != 0; any &= any - 1) {
         const std::int32_t z = std::countr_zero(any);
         CellFace face;
-        for (int k = 0; k < 4; ++k) {
-          if (!has(bits[k], z)) continue;
-          const FaceEdge& e = kFaceEdges[axis][k];
-          face.add(edges.number(e.axis, x + e.d[0], y + e.d[1], z + e.d[2]), e.place);
-        }
-        face.axis = axis;
+        for (int k = 0; k < 4; ++k)
+          if (has(bits[k], z))
+            face.add(edges.number(column + kOn[k].column, z + kOn[k].z), kOn[k].place);
+        if (!has(needed, z) && same_face(crossings_[static_cast<std::size_t>(face.crossing(0))].at,
+                                         crossings_[static_cast<std::size_t>(face.crossing(1))].at))
+          continue;
+        face.axis = kAxis;
         face.high = ContourTile::cell_at(x, y, z);
-        face.low = ContourTile::cell_at(x - (axis == 0), y - (axis == 1), z - (axis == 2));
+        face.low = ContourTile::cell_at(x - (kAxis == 0), y - (kAxis == 1), z - (kAxis == 2));
         add_segment_if(face, has(needed, z));
       }
     }
@@ -192,7 +204,6 @@ void ContourSurface::add_segment_if(CellFace& face, bool is_needed) {
   const auto crossing = [&](int i) -> const Crossing& {
     return crossings_[static_cast<std::size_t>(face.crossing(i))];
   };
-  if (!is_needed && same_face(crossing(0).at, crossing(1).at)) return;
   const bool crease = face.count == 2 && is_crease(face, crossing(0), crossing(1));
   if (!is_needed && !crease) return;
   face.low_complete = cells_.is_complete(face.low);
@@ -211,10 +222,10 @@ void ContourSurface::add_crowded_loops(const ContourTile& tile, std::int32_t x, 
   std::uint32_t open = 0;
   for (int k = 0; k < 12; ++k) {
     const CellEdge& e = kEdges[k];
-    const std::int32_t at[3] = {x + e.d[0], y + e.d[1], z + e.d[2]};
+    const std::int32_t column = TileEdges::column(0, x, y) + e.column;
     ids[k] = -1;
-    if (!has(tile.crossed().bits(e.axis, at[0], at[1]), at[2])) continue;
-    ids[k] = tile.crossed().number(e.axis, at[0], at[1], at[2]);
+    if (!has(tile.crossed().bits(column), z + e.d[2])) continue;
+    ids[k] = tile.crossed().number(column, z + e.d[2]);
     open |= 1u << k;
   }
   while (open != 0) {

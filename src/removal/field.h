@@ -28,6 +28,8 @@ namespace mrsim {
 inline constexpr double kInsideTolerance = 1e-6;
 
 inline constexpr std::int32_t kStockOwner = -1;
+/// Stands among candidates for the stock, which is none of them.
+inline constexpr std::uint32_t kStockDecides = ~std::uint32_t(0);
 
 struct FieldSample {
   double distance = 0;  ///< mm
@@ -96,10 +98,16 @@ class ExactField {
                        FieldSample* out) const {
     for (std::size_t k = 0; k < points.size(); ++k) out[k] = sample(points[k], candidates);
   }
-  /// out[k] = sample(points[k], candidates).distance, the same bits.
+  /// out[k] = sample(points[k], candidates).distance, the same bits. `deciders`, where not null:
+  /// what decides each, one of the candidates, or a sweep that one of them stands for, or the
+  /// stock.
   virtual void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
-                         double* out) const {
-    for (std::size_t k = 0; k < points.size(); ++k) out[k] = sample(points[k], candidates).distance;
+                         double* out, std::uint32_t* deciders = nullptr) const {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const FieldSample s = sample(points[k], candidates);
+      out[k] = s.distance;
+      if (deciders) deciders[k] = s.owner == kStockOwner ? kStockDecides : candidate(s.owner);
+    }
   }
 
   /// Gradient of d at p for the owner and patch that sample(p) gave: unit length, out of the

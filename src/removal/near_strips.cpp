@@ -59,7 +59,8 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
   if (limit < 0) return true;
   const Beater beater = kernels.strip_beater(in.columns(nearest.slot), 0, at);
   const auto farthest = static_cast<float>(limit * limit * (1 + 1e-6));
-  static thread_local std::vector<float> bits;
+  static thread_local std::vector<float> memory;
+  std::vector<float>& bits = memory;
   for (const NearList::Run& run : in.runs()) {
     bits.resize(std::max(bits.size(), run.count + NearList::kPad));
     const std::size_t left =

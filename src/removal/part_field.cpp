@@ -182,6 +182,7 @@ FieldSample PartField::decide(const Vec3& p, double cut, std::uint32_t sweep) co
 }
 
 FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
+  if (candidates.empty()) return decide(p, kInfinity, 0);
   const SweepTable::Nearest cut = sweeps_.nearest(candidates, p);
   return decide(p, cut.distance, cut.sweep);
 }
@@ -199,15 +200,25 @@ void PartField::samples(std::span<const Vec3> points, std::span<const std::uint3
 }
 
 void PartField::distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
-                          double* out) const {
+                          double* out, std::uint32_t* deciders) const {
   PointColumns columns;
   double stock[PointColumns::kMost];
   for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
     fill(columns, points);
+    if (candidates.empty()) {
+      solid_.distances(columns.count, columns.x, columns.y, columns.z, out);
+      if (deciders != nullptr) deciders = std::fill_n(deciders, columns.count, kStockDecides);
+      continue;
+    }
     sweeps_.least(candidates, columns);
     solid_.distances(columns.count, columns.x, columns.y, columns.z, stock);
     for (std::size_t k = 0; k < columns.count; ++k)
       out[k] = stock[k] >= -columns.least[k] ? stock[k] : -columns.least[k];
+    if (deciders == nullptr) continue;
+    for (std::size_t k = 0; k < columns.count; ++k)
+      deciders[k] = stock[k] >= -columns.least[k] ? kStockDecides
+                                                  : static_cast<std::uint32_t>(columns.nearest[k]);
+    deciders += columns.count;
   }
 }
 

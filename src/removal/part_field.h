@@ -30,7 +30,7 @@ class PartField final : public ExactField {
   void samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                FieldSample* out) const override;
   void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
-                 double* out) const override;
+                 double* out, std::uint32_t* deciders) const override;
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
   double patch_distance(const Vec3& p, const FieldSample& at) const override;
   FaceRange patch_range(const Corners3& t, const FieldSample& face) const override;

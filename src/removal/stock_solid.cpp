@@ -91,15 +91,17 @@ void StockSolid::distances(std::size_t n, const double* x, const double* y, cons
 StockSolid::Sample StockSolid::sample_box(const Vec3& p) const {
   const Box3& b = shape_.box;
   // Signed distances of the six half spaces; of each opposite pair the larger one counts.
-  const double face[6] = {b.lo.x - p.x, p.x - b.hi.x, b.lo.y - p.y,
-                          p.y - b.hi.y, b.lo.z - p.z, p.z - b.hi.z};
-  std::int32_t patch = 0;
-  for (std::int32_t i = 1; i < 6; ++i)
-    if (face[i] > face[patch]) patch = i;
-  if (face[patch] <= 0) return {face[patch], patch};
-  const double x = std::max({face[0], face[1], 0.0}), y = std::max({face[2], face[3], 0.0}),
-               z = std::max({face[4], face[5], 0.0});
-  return {std::sqrt(x * x + y * y + z * z), patch};
+  const auto larger = [](double low, double high, std::int32_t patch) {
+    return high > low ? Sample{high, patch + 1} : Sample{low, patch};
+  };
+  const Sample x = larger(b.lo.x - p.x, p.x - b.hi.x, 0), y = larger(b.lo.y - p.y, p.y - b.hi.y, 2),
+               z = larger(b.lo.z - p.z, p.z - b.hi.z, 4);
+  Sample most = y.distance > x.distance ? y : x;
+  if (z.distance > most.distance) most = z;
+  if (most.distance <= 0) return most;
+  const double u = std::max(x.distance, 0.0), v = std::max(y.distance, 0.0),
+               w = std::max(z.distance, 0.0);
+  return {std::sqrt(u * u + v * v + w * w), most.patch};
 }
 
 StockSolid::Sample StockSolid::sample_round(const Vec3& p) const {

@@ -56,29 +56,50 @@ MRSIM_LEAST(plane_arc, ArcRecord, 11)
 
 // Balls of one radius: the least square tells the nearest one, so nothing waits for roots or
 // branches. Roots are taken of those that rounding could make equal to it.
-static void ball_line_least_of(double radius, const LineRecord* records, const std::uint32_t* rows,
-                               const std::uint32_t* ids, std::size_t n, PointColumns& points) {
-  V squares[kSquares];
+template <std::size_t kGroups>
+static void ball_line_least_at(std::size_t first, double radius, const LineRecord* records,
+                               const std::uint32_t* rows, const std::uint32_t* ids,
+                               const double* scales, std::size_t n, PointColumns& points) {
+  V squares[kSquares][kGroups], x[kGroups], y[kGroups], z[kGroups], lowest[kGroups];
   const V r = splat(radius);
-  for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-    V lowest = splat(std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < n; ++i) {
-      const double* record = records[rows[i]].c;
-      V c[8];
-      for (std::size_t j = 0; j < 8; ++j) c[j] = splat(record[j]);
-      const V scale = splat(1.0 / (1.0 + record[6] * record[6]));
-      squares[i] = strip_foot(c, scale, x, y, z).squared;
-      lowest = vmin(squares[i], lowest);
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    const std::size_t k = first + g * kLanes;
+    x[g] = read(points.x + k), y[g] = read(points.y + k), z[g] = read(points.z + k);
+    lowest[g] = splat(std::numeric_limits<double>::infinity());
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* record = records[rows[i]].c;
+    V c[8];
+    for (std::size_t j = 0; j < 8; ++j) c[j] = splat(record[j]);
+    const V scale = splat(scales[i]);
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      squares[i][g] = strip_foot(c, scale, x[g], y[g], z[g]).squared;
+      lowest[g] = vmin(squares[i][g], lowest[g]);
     }
+  }
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    const std::size_t k = first + g * kLanes;
     V least = read(points.least + k), nearest = read(points.nearest + k);
-    const V root = vsqrt(lowest), reach = root + splat(1e-15) * (root + r);
+    const V root = vsqrt(lowest[g]), reach = root + splat(1e-15) * (root + r);
     const V most = reach * reach * splat(1 + 1e-14);
     for (std::size_t i = 0; i < n; ++i)
-      if (bits(less_equal(squares[i], most)) != 0)
-        take_closer(vsqrt(squares[i]) - r, splat(static_cast<double>(ids[i])), least, nearest);
+      if (bits(less_equal(squares[i][g], most)) != 0)
+        take_closer(vsqrt(squares[i][g]) - r, splat(static_cast<double>(ids[i])), least, nearest);
     store(points.least + k, least), store(points.nearest + k, nearest);
   }
+}
+
+static void ball_line_least_of(double radius, const LineRecord* records, const std::uint32_t* rows,
+                               const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+  double scales[kSquares];
+  for (std::size_t i = 0; i < n; ++i) {
+    const double s = records[rows[i]].c[6];
+    scales[i] = 1.0 / (1.0 + s * s);
+  }
+  std::size_t k = 0;
+  for (; k + kLanes < points.count; k += 2 * kLanes)
+    ball_line_least_at<2>(k, radius, records, rows, ids, scales, n, points);
+  if (k < points.count) ball_line_least_at<1>(k, radius, records, rows, ids, scales, n, points);
 }
 
 // The root is taken only where the square leaves room for a least distance: most sweeps go without.
