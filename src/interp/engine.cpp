@@ -30,18 +30,6 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
   rebuild_frame();
 }
 
-const Word* Engine::find(Address a) const {
-  const Slot& slot = slots_[static_cast<std::size_t>(a)];
-  return slot.epoch == epoch_ ? &block_.words[slot.index] : nullptr;
-}
-
-const Word* Engine::take(Address a) {
-  Slot& slot = slots_[static_cast<std::size_t>(a)];
-  if (slot.epoch != epoch_) return nullptr;
-  slot.used = true;
-  return &block_.words[slot.index];
-}
-
 std::string Engine::text_of(const Word& word) const {
   return std::string(block_.line.substr(static_cast<std::size_t>(word.column),
                                         static_cast<std::size_t>(std::min(word.length, 40))));

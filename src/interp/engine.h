@@ -36,8 +36,16 @@ class Engine {
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool report_unused();
-  const Word* find(Address a) const;
-  const Word* take(Address a);
+  const Word* find(Address a) const {
+    const Slot& slot = slots_[static_cast<std::size_t>(a)];
+    return slot.epoch == epoch_ ? &block_.words[slot.index] : nullptr;
+  }
+  const Word* take(Address a) {
+    Slot& slot = slots_[static_cast<std::size_t>(a)];
+    if (slot.epoch != epoch_) return nullptr;
+    slot.used = true;
+    return &block_.words[slot.index];
+  }
   const Word* take(char c) { return take(letter(c)); }
   const Word* peek(char c) const { return find(letter(c)); }
   std::string text_of(const Word& word) const;

@@ -60,6 +60,31 @@ void scan_line(std::string_view line, LineScan& out) {
   }
 }
 
+bool read_plain(std::string_view line, PlainLine& out) {
+  out = {};
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t from = i;
+    const char c = line[i++];
+    if (c == ' ' || c == '\t') continue;
+    const std::size_t digits = i;
+    while (i < line.size() && starts_number(line[i])) ++i;
+    const std::string_view number = line.substr(digits, i - digits);
+    if (number.empty()) return false;
+    if (c == 'G') {
+      const bool apart = from == 0 || line[from - 1] == ' ' || line[from - 1] == '\t';
+      const bool known = number.size() == 1 || (number.size() == 2 && number[0] == '0');
+      if (!apart || !known || number.back() < '0' || number.back() > '3') return false;
+      (number.back() < '2' ? out.line : out.arc) = true;
+    } else if (c == 'Y' || c == 'J') {
+      out.second = true;
+    } else if (!(c == 'X' || c == 'Z' || c == 'I' || c == 'K' || c == 'F' || c == 'S' ||
+                 (c == 'N' && from == 0))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool has(std::string_view text, std::string_view token) {
   for (std::size_t i = text.find(token); i != std::string_view::npos; i = text.find(token, i + 1))
     if (i == 0 || !(is_letter(text[i - 1]) || text[i - 1] == '_')) return true;

@@ -18,6 +18,17 @@ struct LineScan {
 /// comment.
 void scan_line(std::string_view line, LineScan& out);
 
+/// What a line of plain motion says of its control.
+struct PlainLine {
+  bool line = false;    ///< G0, G1
+  bool arc = false;     ///< G2, G3
+  bool second = false;  ///< Y, J
+};
+
+/// True for a line of N, G0 to G3 and X Y Z I J K F S alone, as most lines of a long program are:
+/// what else scan_line() and the functions below find is not in it. Costs a few of their calls.
+bool read_plain(std::string_view line, PlainLine& out);
+
 /// True when `token` stands in the text with no letter before it.
 bool has(std::string_view text, std::string_view token);
 /// Letter followed by exactly this number.

@@ -11,6 +11,8 @@ class MachineSigns {
   void line(const LineScan& s, int n, Dialect dialect);
   /// A sign was seen that needs no other.
   bool settled() const { return !mill_.empty() || !lathe_.empty(); }
+  /// Y and J say no more.
+  bool knows_mill() const { return !mill_.empty(); }
   /// Sets machine and reason for the dialect of `out`.
   void judge(const InterpOptions& options, Recognition& out) const;
 

@@ -196,8 +196,43 @@ void Parser::strange_character(Block& block) {
   fault(block, "character", fmt::format("{} has no meaning here", c), from, p_);
 }
 
+// A number of at most 15 digits that ends where its digits do, as nearly all are. False, and p_
+// where it was, for any other.
+bool Parser::plain_number(Word& word, bool exponent) {
+  const char *const begin = line_.data() + p_, *const end = line_.data() + line_.size();
+  const char* p = begin;
+  const bool negative = p < end && *p == '-';
+  if (p < end && (*p == '-' || *p == '+')) ++p;
+  std::uint64_t mantissa = 0;
+  const auto read_digits = [&] {
+    const char* const first = p;
+    for (; p < end && is_digit(*p); ++p)
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
+    return static_cast<std::size_t>(p - first);
+  };
+  std::size_t digits = read_digits(), fraction = 0;
+  const bool point = p < end && *p == '.';
+  if (point) {
+    ++p;
+    fraction = read_digits();
+    digits += fraction;
+  }
+  if (digits == 0 || digits > 15) return false;
+  if (glued_blanks_)
+    while (p < end && blank(*p)) ++p;
+  if (p < end && (starts_number(*p) || (exponent && upper(*p) == 'E'))) return false;
+  while (glued_blanks_ && blank(p[-1])) --p;
+  const double value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
+  if (value > kLargest) return false;
+  word.value = negative ? -value : value;
+  word.point = point;
+  p_ += static_cast<std::size_t>(p - begin);
+  return true;
+}
+
 // The number at p_. Requires: starts_number(at(p_)) or the fault is reported.
 bool Parser::number(Block& block, Word& word, bool exponent) {
+  if (plain_number(word, exponent)) return true;
   const std::size_t from = p_;
   bool negative = false;
   if (at(p_) == '+' || at(p_) == '-') negative = line_[p_++] == '-';

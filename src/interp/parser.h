@@ -37,6 +37,7 @@ class Parser {
   void codesys_name(Block& block);
   bool macro_word(Block& block);
   void check_inner_blanks(const Block& block, std::size_t from);
+  bool plain_number(Word& word, bool exponent);
   bool number(Block& block, Word& word, bool exponent);
   bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);
   void read_comment(Block& block, char close);

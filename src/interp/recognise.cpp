@@ -16,6 +16,7 @@ namespace mrsim {
 namespace {
 
 constexpr int kDialectLines = 20000;  // enough to tell a control; the machine may need the rest
+constexpr std::size_t kLongestScan = 4000;  // bytes of a line
 
 std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
 
@@ -157,8 +158,10 @@ void weigh_iso(const LineScan& s, std::string_view raw, int line, Evidence& e) {
 /// Text before the first % of a tape is no program: how many lines, once content follows the mark.
 class Leader {
  public:
+  static constexpr int kLines = 100;  ///< no mark is looked for behind them
+
   void line(std::string_view raw, const LineScan& s, int n) {
-    if (n > 100 || done_) return;
+    if (n > kLines || done_) return;
     if (mark_ == 0 && !raw.empty() && raw[0] == '%') {
       mark_ = n;
     } else if (mark_ > 0) {
@@ -216,7 +219,15 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
         options.dialect == Dialect::automatic && n <= kDialectLines && !evidence.certain();
     if (!out.empty && !wants_dialect && n > 200 && (!wants_machine || machine.settled())) break;
     if (raw.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    scan_line(raw.substr(0, 4000), scan);
+    PlainLine plain;
+    if (n > Leader::kLines && raw.size() <= kLongestScan && read_plain(raw, plain) &&
+        (!plain.second || !wants_machine || machine.knows_mill())) {
+      out.empty = false;
+      if (plain.arc) arcs = true;
+      if (plain.line) arcs = false;
+      continue;
+    }
+    scan_line(raw.substr(0, kLongestScan), scan);
     leader.line(raw, scan, n);
     if (!scan.code.empty() || !scan.comment.empty()) out.empty = false;
     if (wants_dialect) {
