@@ -2,6 +2,7 @@
 
 #include "collision_findings.h"
 #include "core/error.h"
+#include "core/heap.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -29,6 +30,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -38,6 +41,14 @@ namespace {
 
 class Collector : public MotionSink {
  public:
+  // Room for a program of short lines: growing would copy all motions, and touch new pages for
+  // them, again and again.
+  explicit Collector(const std::string& path) {
+    constexpr std::uintmax_t kLineBytes = 24;
+    std::error_code failed;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, failed);
+    if (!failed) reserve_large(motions, bytes / kLineBytes);
+  }
   void motion(const Motion& motion) override { motions.push_back(motion); }
   void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
   std::vector<Motion> motions;
@@ -289,7 +300,7 @@ void require_cuts(const Job& job, const JobResult& result) {
 }  // namespace
 
 Program interpret(const std::string& path, const InterpOptions& options) {
-  Collector collector;
+  Collector collector(path);
   Program program = interpret(path, options, collector);
   program.motions = std::move(collector.motions);
   program.diagnostics = std::move(collector.diagnostics);
