@@ -110,6 +110,10 @@ void count_motions(JobResult& result) {
   }
 }
 
+bool writes_vdb(const Job& job) {
+  return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
+}
+
 // The stock that was given, else the one the program states, else one round its cuts.
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
@@ -227,7 +231,7 @@ void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
   report(result, Severity::note, "pieces-dropped",
          fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
                      found));
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb))
+  if (writes_vdb(job))
     report(result, Severity::note, "pieces-in-vdb",
            "the .vdb holds all pieces: it is the stock and its cuts");
 }
@@ -340,6 +344,7 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
+  options.keep_grid = options.grid_mesh || writes_vdb(job);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 
@@ -375,7 +380,7 @@ JobResult simulate(const Job& job) {
   }
 
   StockRecipe recipe;
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb)) {
+  if (writes_vdb(job)) {
     recipe = {result.stock, result.voxel};
     recipe.shape.history = cuts.history();
   }
