@@ -350,7 +350,6 @@ JobResult simulate(const Job& job) {
 
   const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options);
   result.active_voxels = stock.active_voxels();
-  result.expected_memory = static_cast<std::size_t>(stock.memory_expected());
   clock.done("carve");
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
@@ -364,7 +363,11 @@ JobResult simulate(const Job& job) {
   Outputs outputs(job.outputs, files, block_threads);
   PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
                 block_threads, outputs);
+  mesh_options.max_memory =
+      stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
   make_mesh(result, part, stock, mesh_options, contour_report);
+  result.expected_memory =
+      static_cast<std::size_t>(stock.memory_expected() + contour_report.memory);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, part, job);

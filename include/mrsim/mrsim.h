@@ -126,7 +126,7 @@ struct JobResult {
   double volume = 0, stock_volume = 0, removed_volume = 0;
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes
-  std::size_t expected_memory = 0;  ///< bytes, as estimated before the run
+  std::size_t expected_memory = 0;  ///< bytes, as estimated before the mesh was made
   bool ok = false;                  ///< false: the program has errors, nothing was written
 };
 

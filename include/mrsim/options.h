@@ -82,6 +82,9 @@ struct MeshOptions {
   /// simulate() then takes 0.017 % of the longest side unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
+  /// Bytes of memory that a mesh with a tolerance may take while it is made, 0 = any amount; more,
+  /// by an estimate from its first cells, is an Error "memory". simulate() sets it.
+  std::size_t max_memory = 0;
   Progress progress;
 };
 
