@@ -121,6 +121,10 @@ void count_motions(JobResult& result) {
   }
 }
 
+bool writes_vdb(const Job& job) {
+  return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
+}
+
 // The stock that was given, else the one the program states, else one round its cuts.
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
@@ -238,7 +242,7 @@ void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
   report(result, Severity::note, "pieces-dropped",
          fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
                      found));
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb))
+  if (writes_vdb(job))
     report(result, Severity::note, "pieces-in-vdb",
            "the .vdb holds all pieces: it is the stock and its cuts");
 }
@@ -351,12 +355,12 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
+  options.keep_grid = options.grid_mesh || writes_vdb(job);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 
   const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options);
   result.active_voxels = stock.active_voxels();
-  result.expected_memory = static_cast<std::size_t>(stock.memory_expected());
   clock.done("carve");
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
@@ -370,7 +374,11 @@ JobResult simulate(const Job& job) {
   Outputs outputs(job.outputs, files, block_threads);
   PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
                 block_threads, outputs);
+  mesh_options.max_memory =
+      stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
   make_mesh(result, part, stock, mesh_options, contour_report);
+  result.expected_memory =
+      static_cast<std::size_t>(stock.memory_expected() + contour_report.memory);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, part, job);
@@ -386,7 +394,7 @@ JobResult simulate(const Job& job) {
   }
 
   StockRecipe recipe;
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb)) {
+  if (writes_vdb(job)) {
     recipe = {result.stock, result.voxel};
     recipe.shape.history = cuts.history();
   }

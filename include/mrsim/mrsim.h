@@ -114,11 +114,11 @@ struct JobResult {
       0;  ///< triangles of the mesh for which samples stand for a proof of it
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
-  std::size_t active_voxels = 0;
-  CollisionReport collisions;  ///< each a warning among the diagnostics as well
-  TriMesh mesh;                ///< empty where the run was done in slabs
-  std::size_t triangles = 0;   ///< of the part
-  std::size_t slabs = 0;       ///< 0: the mesh was in memory
+  std::size_t active_voxels = 0;    ///< 0 where none were sampled: CarveOptions::keep_grid
+  CollisionReport collisions;       ///< each a warning among the diagnostics as well
+  TriMesh mesh;                     ///< empty where the run was done in slabs
+  std::size_t triangles = 0;        ///< of the part
+  std::size_t slabs = 0;            ///< 0: the mesh was in memory
   MeshSummary summary;
   std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
   /// mm^3, of the exact part where the mesh has a tolerance and no piece was dropped (docs/mesh.md,
@@ -126,7 +126,7 @@ struct JobResult {
   double volume = 0, stock_volume = 0, removed_volume = 0;
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes
-  std::size_t expected_memory = 0;  ///< bytes, as estimated before the run
+  std::size_t expected_memory = 0;  ///< bytes, as estimated before the mesh was made
   bool ok = false;                  ///< false: the program has errors, nothing was written
 };
 

@@ -58,7 +58,8 @@ struct CarveOptions {
   // simulate() sets the following.
   /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
   bool grid_mesh = false;
-  /// Keep the narrow band, unless the run is done in slabs: without it its voxels are only counted.
+  /// Sample the part into a narrow band and keep it, unless the run is done in slabs: without it
+  /// no voxel is sampled. simulate() wants it for a mesh on the voxels and for a .vdb.
   bool keep_grid = true;
   /// What keeps a run that does not fit from being done in slabs, a sentence for its refusal;
   /// empty: it can be.
@@ -81,6 +82,9 @@ struct MeshOptions {
   /// simulate() then takes 0.017 % of the longest side unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
+  /// Bytes of memory that a mesh with a tolerance may take while it is made, 0 = any amount; more,
+  /// by an estimate from its first cells, is an Error "memory". simulate() sets it.
+  std::size_t max_memory = 0;
   Progress progress;
 };
 

@@ -125,7 +125,8 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
     sheet.row("area", grouped(summary.area, 3) + " mm²");
     sheet.row("surfaces",
               fmt::format("{}, Euler characteristic {}", summary.components, summary.euler));
-    sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
+    if (result.active_voxels > 0)
+      sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
   }
   for (const std::string& path : arguments.outputs) {
     std::error_code ignored;

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "mesh/contour_certify.h"
 #include "mesh/contour_hash.h"
+#include "mesh/contour_memory.h"
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
 #include "mesh/contour_thin.h"
@@ -47,7 +48,7 @@ class Contour {
         options_(options),
         report_(report),
         timer_(report, options.progress),
-        tree_(field, lattice, options.tolerance, options.threads),
+        tree_(field, lattice, options.tolerance, options.threads, options.max_memory),
         surface_(std::in_place, field, tree_,
                  ContourSurface::Options{.shallow = options.tolerance / 8,
                                          .sharpen = true,
@@ -57,14 +58,17 @@ class Contour {
   }
 
   TriMesh run() {
+    report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
+    detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
     find_topology();
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
-    LabelledMesh mesh = triangles();
+    make_triangles();
     while (split_failed()) {
       find_topology();
-      mesh = triangles();
+      make_triangles();
     }
+    LabelledMesh mesh = label(surface_->mesh());
     report_.triangles_before = mesh.triangles.size();
     report_.cells = surface_->loops().size();
     surface_.reset();
@@ -129,7 +133,7 @@ class Contour {
   }
 
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
-  LabelledMesh triangles() {
+  void make_triangles() {
     for (;;) {
       surface_->make_triangles();
       timer_.step("surface");
@@ -138,7 +142,7 @@ class Contour {
       if (bad.empty()) {
         surface_->sharpen(tree_);
         timer_.step("sharpen");
-        return label(surface_->mesh());
+        return;
       }
       if (tree_.split(bad) == 0)
         throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");

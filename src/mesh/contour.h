@@ -35,6 +35,8 @@ struct ContourReport {
   std::size_t sampled = 0;  ///< triangles whose distance from their face is not proven, but sampled
   double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
                              ///< (docs/mesh.md, Volume); 0 without tolerance
+  double memory = 0;         ///< bytes that the mesher was expected to take once its first cells
+                             ///< were known; 0 without tolerance
   std::size_t cells = 0;     ///< cells that the surface passes
   std::size_t passes = 0;    ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification
@@ -45,8 +47,8 @@ struct ContourReport {
 
 /// The surface of `field`, with the owner of each triangle. `voxel` (mm) is the size of features to
 /// resolve, and the edge of all cells where options.tolerance is 0. Throws Error "part-empty",
-/// "voxel-invalid", "tolerance-invalid"; "mesh-unresolved" rather than give a mesh that breaks a
-/// guarantee.
+/// "voxel-invalid", "tolerance-invalid", "memory" (options.max_memory); "mesh-unresolved" rather
+/// than give a mesh that breaks a guarantee.
 TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options = {},
                 ContourReport* report = nullptr);
 

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "mesh/contour_edge_walk.h"
+#include "mesh/contour_memory.h"
 #include "mesh/contour_vertex.h"
 
 #include <algorithm>
@@ -19,8 +20,12 @@ constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 }  // namespace
 
 ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance,
-                             int threads)
-    : ContourCells(lattice), field_(field), tolerance_(tolerance), threads_(threads) {
+                             int threads, std::size_t max_memory)
+    : ContourCells(lattice),
+      field_(field),
+      tolerance_(tolerance),
+      threads_(threads),
+      max_memory_(max_memory) {
   part_.size = static_cast<std::int32_t>(lattice.size());
   part_.complete[1] = part_.owned[1] = part_.size;
   OctreeNode root;
@@ -101,6 +106,7 @@ std::size_t ContourOctree::split(std::vector<std::int32_t> leaves) {
 void ContourOctree::refine(std::vector<std::int32_t> pending) {
   new_leaves_.clear();
   while (!pending.empty()) {
+    require_memory(kNodeMemory * static_cast<double>(size()), max_memory_, tolerance_);
     find_regions(pending);
     std::vector<std::int32_t> mixed, next;
     for (const std::int32_t n : pending)

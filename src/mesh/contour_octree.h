@@ -37,8 +37,10 @@ struct OctreePart {
 class ContourOctree final : public ContourCells {
  public:
   /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
-  /// cells that the surface may pass are voxels.
-  ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads);
+  /// cells that the surface may pass are voxels. Throws Error "memory", when it is split as well,
+  /// once its nodes take more than `max_memory` bytes; 0 = any amount.
+  ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads,
+                std::size_t max_memory = 0);
   /// One part of it, without a tolerance.
   ContourOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
 
@@ -100,6 +102,7 @@ class ContourOctree final : public ContourCells {
   OctreePart part_;
   double tolerance_;
   int threads_;
+  std::size_t max_memory_ = 0;
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node

@@ -178,6 +178,33 @@ void collect(std::vector<std::vector<LeafPair>>& blocks, StockGrid& grid, int th
   openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
 }
 
+// Samples the exact part block by block. Throws Error "cancelled".
+void sample(StockGrid& grid, const CarveOptions& options) {
+  openvdb::initialize();
+  const PartField& field = *grid.field;
+  const BlockIndex& index = *grid.index;
+  std::vector<std::vector<LeafPair>> blocks(index.size());
+  std::atomic<std::size_t> active{0};
+  ProgressMeter meter(options.progress, index.size());
+  with_threads(options.threads, [&] {
+    const bool turned = field.solid().is_turned() && !field.sweeps().turn_tree().roots().empty();
+    std::optional<TurnLayers> layers;
+    if (turned) layers.emplace(field, grid.voxel, kBandVoxels * grid.voxel, options.threads);
+    parallel_for(index.size(), options.threads, [&](std::size_t b) {
+      static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
+      const auto sweeps = index.sweeps(b);
+      if (turned && (sweeps.empty() || sweeps.front() >= field.sweeps().size()))
+        blocks[b] = TurnedCarver(field, grid.voxel, *layers).carve(index.origin(b));
+      else
+        blocks[b] = BlockCarver(field, grid.voxel, lists).carve(index.origin(b), sweeps);
+      for (const LeafPair& leaf : blocks[b]) active += leaf.distance->onVoxelCount();
+      meter.step();
+    });
+    collect(blocks, grid, options.threads);
+  });
+  grid.active = active;
+}
+
 }  // namespace
 
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
@@ -195,31 +222,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   grid->voxel = chosen.voxel;
   grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel,
                                              grid->plan.limit, chosen.threads);
-  const BlockIndex& index = *grid->index;
-  const bool keep = chosen.keep_grid && !grid->plan.in_slabs;
-
-  openvdb::initialize();
-  std::vector<std::vector<LeafPair>> blocks(index.size());
-  std::atomic<std::size_t> active{0};
-  ProgressMeter meter(chosen.progress, index.size());
-  with_threads(chosen.threads, [&] {
-    const bool turned = field.solid().is_turned() && !field.sweeps().turn_tree().roots().empty();
-    std::optional<TurnLayers> layers;
-    if (turned) layers.emplace(field, grid->voxel, kBandVoxels * grid->voxel, chosen.threads);
-    parallel_for(index.size(), chosen.threads, [&](std::size_t b) {
-      static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
-      const auto sweeps = index.sweeps(b);
-      if (turned && (sweeps.empty() || sweeps.front() >= field.sweeps().size()))
-        blocks[b] = TurnedCarver(field, grid->voxel, *layers).carve(index.origin(b));
-      else
-        blocks[b] = BlockCarver(field, grid->voxel, lists).carve(index.origin(b), sweeps);
-      for (const LeafPair& leaf : blocks[b]) active += leaf.distance->onVoxelCount();
-      if (!keep) std::vector<LeafPair>().swap(blocks[b]);
-      meter.step();
-    });
-    if (keep) collect(blocks, *grid, chosen.threads);
-  });
-  grid->active = active;
+  if (chosen.keep_grid && !grid->plan.in_slabs) sample(*grid, chosen);
   return Stock(std::move(grid));
 }
 

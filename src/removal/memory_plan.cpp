@@ -14,10 +14,10 @@ namespace mrsim {
 namespace {
 
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
-// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
-// cells of a mesh with a tolerance are there while it is made.
-constexpr double kProgram = 60e6, kMotion = 560, kThread = 25e6;
-constexpr double kGridColumn = 160, kMeshColumn = 70, kToleranceColumn = 306;
+// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels.
+constexpr double kProgram = 40e6, kMotion = 560;
+constexpr double kGridProgram = 20e6, kGridColumn = 160;
+constexpr double kThread = 25e6, kMeshColumn = 70;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
 
@@ -45,9 +45,9 @@ struct Need {
     const double columns = stock.area() / (voxel * voxel);
     const double always = kProgram + kMotion * static_cast<double>(motions);
     const double grid = options.keep_grid && !in_slabs ? columns * kGridColumn : 0;
-    if (!options.grid_mesh) return always + std::max(grid, columns * kToleranceColumn);
-    const double working =
-        kThread * resolve_threads(options.threads) + section_tiles(stock, voxel) * kFrontTile;
+    if (!options.grid_mesh) return always + grid;
+    const double working = kGridProgram + kThread * resolve_threads(options.threads) +
+                           section_tiles(stock, voxel) * kFrontTile;
     return always + grid + working + (in_slabs ? 0 : columns * kMeshColumn);
   }
 };

@@ -1,4 +1,5 @@
 // How much memory a run takes, told before it, and whether it is done in one piece or in slabs.
+// What a mesh with a tolerance takes besides is told by its first cells (mesh/contour_memory.h).
 #pragma once
 
 #include "removal/stock_solid.h"
@@ -10,7 +11,7 @@ namespace mrsim {
 
 struct MemoryPlan {
   std::size_t limit = 0;  ///< bytes
-  double expected = 0;    ///< bytes at the peak, as planned
+  double expected = 0;    ///< bytes at the peak, as planned; without a mesh that has a tolerance
   double whole = 0;       ///< the same in one piece
   bool in_slabs = false;
 };

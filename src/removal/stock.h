@@ -1,6 +1,6 @@
-// The stock: what is left after the sweeps, as an OpenVDB level set with an owner for every active
-// voxel, together with the recipe it was made from (shape, tools, motions), so that exact questions
-// can still be asked of it.
+// The stock: what is left after the sweeps. Exact questions are asked of the recipe it was made
+// from (shape, tools, motions); beside it there may be an OpenVDB level set, with an owner for
+// every active voxel.
 #pragma once
 
 #include "removal/field.h"
@@ -24,12 +24,12 @@ class Stock {
   Stock& operator=(Stock&&) noexcept;
   ~Stock();
 
-  double voxel() const;             ///< mm
-  const ExactField& field() const;  ///< the exact part
-  std::size_t active_voxels() const;
-  std::size_t memory() const;      ///< bytes of the grids and their lists
-  double memory_expected() const;  ///< bytes of the whole run, as estimated before it
-  double memory_whole() const;     ///< the same, were it done in one piece
+  double voxel() const;               ///< mm
+  const ExactField& field() const;    ///< the exact part
+  std::size_t active_voxels() const;  ///< 0 where none were sampled
+  std::size_t memory() const;         ///< bytes of the grids and their lists
+  double memory_expected() const;     ///< bytes of the run, as MemoryPlan tells them
+  double memory_whole() const;        ///< the same, were it done in one piece
   std::size_t memory_limit() const;
   bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
   const StockGrid& grid() const { return *grid_; }
@@ -50,9 +50,11 @@ struct VoxelChoice {
 };
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 
-/// Subtracts every cutting motion from the stock. Cost grows with the surface, not with the volume,
-/// and slowly with the number of motions. Throws Error "voxel-invalid", "memory" (the estimate is
-/// above the limit, in slabs too), and what SweepTable throws.
+/// Subtracts every cutting motion from the stock; samples what is left where the grid is to be
+/// kept. Cost: that of the sweeps and their index, and of the samples, which grows with the
+/// surface, not with the volume, and slowly with the number of motions. Throws Error
+/// "voxel-invalid", "memory" (the estimate is above the limit, in slabs too), and what SweepTable
+/// throws.
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options = {});
 

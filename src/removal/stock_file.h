@@ -24,7 +24,8 @@ struct StockRecipe {
   double voxel = 0;
 };
 
-/// Writes `stock`, made from `recipe`, to `out`. The same recipe gives the same bytes.
+/// Writes `stock`, made from `recipe`, to `out`. The same recipe gives the same bytes. Requires:
+/// its grid was kept.
 void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& out);
 
 /// The recipe of a file that write_vdb wrote. `name` is for messages. Throws Error "vdb-foreign"

@@ -17,7 +17,7 @@ namespace mrsim {
 struct StockGrid {
   double voxel = 0;  ///< mm
   MemoryPlan plan;
-  std::size_t active = 0;            ///< voxels
+  std::size_t active = 0;            ///< voxels; 0 where none were sampled
   openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set;
                                      ///< null where it was not to be kept
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion

@@ -43,6 +43,19 @@ TEST_F(Cli, ReportSaysWhatWasDecidedAndWhy) {
   EXPECT_FALSE(contains(outcome.err, "%")) << "no progress bar in a pipe";
 }
 
+// A mesh with a tolerance is that of the exact part: voxels are sampled where they are asked for.
+TEST_F(Cli, VoxelsAreReportedWhereThereAreAny) {
+  for (const auto& [options, sampled] : {std::pair<const char*, bool>{"--tolerance 0.1", false},
+                                         {"--voxel 1 --tolerance 0.1", false},
+                                         {"--voxel 1", true},
+                                         {"--tolerance 0.1 -o part.vdb", true}}) {
+    const Outcome outcome =
+        run("PRIMER_2F.MPF --stock block.stl --verbose -o part.stl " + std::string(options));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contains(outcome.out, " active\n"), sampled) << options << outcome.out;
+  }
+}
+
 TEST_F(Cli, QuietPrintsNothing) {
   const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 1 -q -o part.stl");
   EXPECT_EQ(outcome.code, 0);

@@ -64,7 +64,7 @@ TEST_F(Slabs, AreRefusedWithWhatToDo) {
   for (const auto& [more, advice] :
        {std::pair<const char*, const char*>{"-o part.vdb", "without it the run is done in slabs"},
         {"-o part.glb", ".stl .ply .obj .off and .3mf are written in slabs"},
-        {"--tolerance 0.001 -o part.stl", "with --voxel and no --tolerance"},
+        {"--tolerance 0.0001 -o part.stl", "with --voxel and no --tolerance"},
         {"--report report.html -o part.stl", "report needs the whole mesh"}}) {
     const Outcome outcome = split(little + " " + more);
     EXPECT_EQ(outcome.code, 1) << more;

@@ -321,6 +321,28 @@ TEST(Carve, EveryActiveVoxelKnowsItsOwner) {
   }
 }
 
+// Exact questions need no grid.
+TEST(Carve, SamplesNothingThatIsNotKept) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
+  const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3})};
+  const StockShape shape = box({0, 0, 0}, {20, 10, 5});
+  const Stock kept = carve(shape, motions, tools, {.voxel = 0.25});
+  EXPECT_GT(kept.active_voxels(), 0u);
+  CarveOptions slabs{.voxel = 0.25, .threads = 1, .grid_mesh = true, .no_slabs = ""};
+  slabs.max_memory =
+      static_cast<std::size_t>(carve(shape, motions, tools, slabs).memory_whole()) - 1;
+  for (const CarveOptions& options : {CarveOptions{.voxel = 0.25, .keep_grid = false}, slabs}) {
+    const Stock stock = carve(shape, motions, tools, options);
+    EXPECT_EQ(stock.in_slabs(), options.keep_grid);
+    EXPECT_EQ(stock.active_voxels(), 0u);
+    EXPECT_EQ(stock.grid().distance, nullptr);
+    for (const Vec3& p : {Vec3{10, 5, 4}, Vec3{10, 2, 4}, Vec3{1, 9, 1}}) {
+      EXPECT_EQ(stock.distance(p), kept.distance(p));
+      EXPECT_EQ(stock.owner(p), kept.owner(p));
+    }
+  }
+}
+
 TEST(DefaultVoxel, FollowsTheRule) {
   EXPECT_EQ(default_voxel(box({0, -60, 0}, {100, 0, 10}), 2.5).voxel, 0.25);
   EXPECT_EQ(default_voxel(box({0, 0, 0}, {51, 51, 51}), 0).voxel, 0.1);

@@ -1,0 +1,24 @@
+// How much memory a mesh with a tolerance is going to take, told from its first cells
+// (docs/removal.md, Memory).
+#pragma once
+
+#include "removal/field.h"
+
+#include <cstddef>
+
+namespace mrsim::detail {
+
+class ContourOctree;
+
+/// Bytes that a node of the octree takes.
+inline constexpr double kNodeMemory = 320;
+
+/// Bytes at the mesher's peak, an estimate: within a factor of 1.5 where it was measured. Looks at
+/// some thousands of the cells. Requires: a tree as it was made, before any split().
+double expected_memory(const ExactField& field, const ContourOctree& tree, double tolerance,
+                       int threads);
+
+/// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
+void require_memory(double needed, std::size_t available, double tolerance);
+
+}  // namespace mrsim::detail

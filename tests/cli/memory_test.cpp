@@ -1,0 +1,58 @@
+// What a run takes against what was expected of it, and runs that may not take it.
+#include "run_program.h"
+
+namespace mrsim {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
+#else
+constexpr bool kIsPlain = true;
+#endif
+
+class Memory : public CliTest {
+ protected:
+  // Rows of short moves of a ball mill, 1 mm apart, over waves: cells with many faces.
+  void SetUp() override {
+    CliTest::SetUp();
+    std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
+    for (int row = 0; row <= 20; ++row)
+      for (int i = 0; i <= 20; ++i) {
+        const int x = row % 2 != 0 ? 20 - i : i;
+        const int height = (x * x + 3 * x * row + row * row) % 11;
+        text += "G1 X" + std::to_string(x) + " Y" + std::to_string(row) + " Z-" +
+                std::to_string(2 + 0.05 * height) + " F500\n";
+      }
+    write("raster.MPF", text + "G0 Z9\nM30\n");
+  }
+};
+
+TEST_F(Memory, IsWithinAFactorOfWhatWasExpected) {
+  if (!kIsPlain) GTEST_SKIP();
+  for (const char* arguments :
+       {"PRIMER_2F.MPF --stock block.stl", "PRIMER_2F.MPF --stock block.stl --tolerance 0.001",
+        "PRIMER_2F.MPF --stock block.stl --tolerance 0.05 -o part.vdb",
+        "PRIMER_2S.MPF --stock bar.stl", "PRIMER_2S.MPF --stock bar.stl --tolerance 0.003",
+        "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --tolerance 0.02",
+        "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --tolerance 0.005"}) {
+    const Outcome outcome = run(std::string(arguments) + " --threads 2 --verbose -o part.stl");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const double peak = number_after(outcome.out, "  memory "),
+                 expected = number_after(outcome.out, "at most  (");
+    EXPECT_LT(expected, 1.5 * peak) << arguments;  // both in MB
+    EXPECT_GT(expected, peak / 1.5) << arguments;
+  }
+}
+
+// A mesh with a tolerance is refused once its cells are known, or too many.
+TEST_F(Memory, LimitsMeshesWithATolerance) {
+  const std::string primer = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";
+  EXPECT_EQ(run(primer + "0.01 --max-memory 300M").code, 0);
+  std::filesystem::remove(folder_ / "part.stl");
+  expect_failure(primer + "0.001 --max-memory 300M", 1, "a larger --tolerance takes less");
+  expect_failure(primer + "0.00001 --max-memory 300M", 1, "a larger --tolerance takes less");
+  expect_failure(primer + "0.01 --max-memory 20M", 1, "with --voxel and no --tolerance");
+}
+
+}  // namespace
+}  // namespace mrsim
