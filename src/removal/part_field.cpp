@@ -121,7 +121,13 @@ Candidates PartField::all() const { return sweeps_.all(); }
 
 bool PartField::reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const {
   if (in_stock) return true;
-  const double stock = solid_.distance(region.center);
+  double stock = 0;
+  if (region.cube && solid_.is_box()) {
+    stock = solid_.plane_distance(region.center);
+    reach += region.half - region.radius;
+  } else {
+    stock = solid_.distance(region.center);
+  }
   in_stock = stock < -reach;
   return stock <= reach;
 }

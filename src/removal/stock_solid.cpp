@@ -88,6 +88,11 @@ void StockSolid::distances(std::size_t n, const double* x, const double* y, cons
   }
 }
 
+double StockSolid::plane_distance(const Vec3& p) const {
+  const Vec3 &lo = shape_.box.lo, &hi = shape_.box.hi;
+  return std::max({lo.x - p.x, p.x - hi.x, lo.y - p.y, p.y - hi.y, lo.z - p.z, p.z - hi.z});
+}
+
 StockSolid::Sample StockSolid::sample_box(const Vec3& p) const {
   const Box3& b = shape_.box;
   // Signed distances of the six half spaces; of each opposite pair the larger one counts.

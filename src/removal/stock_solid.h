@@ -37,6 +37,10 @@ class StockSolid {
   explicit StockSolid(StockShape shape);
 
   double distance(const Vec3& p) const { return sample(p).distance; }
+  bool is_box() const { return shape_.kind == StockShape::Kind::box; }
+  /// The largest signed distance from a box's six planes: distance() inside, no more than that
+  /// outside, and it changes by no more than any coordinate. Requires: is_box().
+  double plane_distance(const Vec3& p) const;
   /// out[k] = distance({x[k], y[k], z[k]}), the same bits.
   void distances(std::size_t n, const double* x, const double* y, const double* z,
                  double* out) const;
