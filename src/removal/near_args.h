@@ -51,4 +51,18 @@ inline double kept_within(double least, double unsure, const PruneRegion& region
   return least - unsure > reach ? reach : least + 2 * region.radius + slack;
 }
 
+/// mm: how far the points of the region are at most from a point at (x, y, z) beside its centre.
+inline double farthest(const PruneRegion& region, double x, double y, double z) {
+  if (!region.cube) return std::sqrt(x * x + y * y + z * z) + region.radius;
+  const double dx = std::fabs(x) + region.half, dy = std::fabs(y) + region.half,
+               dz = std::fabs(z) + region.half;
+  return std::sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+/// mm: what comes_within() of the loops is asked, so that errors do not matter: the distance from a
+/// skeleton at which a region ends to be deep in the material.
+inline float surely_within(const NearArgs& a, const PruneRegion& region, double reach) {
+  return static_cast<float>(1.000001 * (a.tool.round + reach - region.radius)) + 16 * a.delta;
+}
+
 }  // namespace mrsim

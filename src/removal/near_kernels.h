@@ -62,6 +62,7 @@ struct KeepArgs {
   NearArgs at;
   float limit = 0;   ///< largest distance that is kept
   float beyond = 0;  ///< plan: squared distance from which two equal tips differ strictly
+  float within = 0;  ///< solid strips: the distance from a skeleton that is asked about, see keep
   bool plan = false, rising = false, has_cover = false;
   int beaters = 0;
   Beater beater[2], cover;
@@ -82,9 +83,10 @@ struct NearKernels {
   /// `inside`.
   PlanBeaters (*plan)(const NearRows& rows, std::size_t n, const NearLeast& least, float inside);
   /// Copies what is not beaten to `out` (same stride rules); how many. Writes up to a register
-  /// more.
+  /// more. `reaches` is set where the region comes within a.within of a skeleton that is kept,
+  /// which must be convex.
   std::size_t (*keep)(const KeepArgs& a, const NearRows& rows, const NearColumns& in, std::size_t n,
-                      std::size_t columns, float* out, std::size_t out_stride);
+                      std::size_t columns, float* out, std::size_t out_stride, bool& reaches);
 
   // Strips of one tool for a region without parts, where nothing but their numbers is wanted.
   /// Squared distances to the skeletons; the least.
@@ -92,9 +94,9 @@ struct NearKernels {
   /// Strip k as what others have to be compared with.
   Beater (*strip_beater)(const NearColumns& c, std::size_t k, const NearArgs& a);
   /// Writes the indices (as bits) of those with a squared distance up to `limit` that are not
-  /// beaten to `ids`, and up to a register more; how many.
+  /// beaten to `ids`, and up to a register more; how many. `reaches` as in keep.
   std::size_t (*strip_ids)(const NearColumns& c, std::size_t n, const NearArgs& a, const Beater& j,
-                           float limit, float* ids);
+                           float limit, float within, float* ids, bool& reaches);
 };
 
 /// The kernels of a level, null where the machine or the compiler has none.

@@ -17,12 +17,18 @@ MRSIM_LANE V reach_of(const NearArgs& a, V x, V y, V z) {
   return splat(a.radius) * vsqrt(x * x + y * y + z * z);
 }
 
-MRSIM_LANE V margin(const NearArgs& a, V squared, V root) {
-  return splat(a.fixed) + splat(a.per_root) * root + splat(1e-9f) * squared;
-}
 // Bounds are rounded up.
 MRSIM_LANE V above(V x) { return x * splat(1.00001f); }
 
+// Whether the region comes within a distance of a convex skeleton whose nearest point is at (x, y, z):
+// the distance is convex, so that it falls by no more than its slope says.
+MRSIM_LANE M comes_within(const NearArgs& a, float within, V squared, V x, V y, V z) {
+  return less_equal(squared - above(reach_of(a, x, y, z)), splat(within) * vsqrt(squared));
+}
+
+MRSIM_LANE V margin(const NearArgs& a, V squared, V root) {
+  return splat(a.fixed) + splat(a.per_root) * root + splat(1e-9f) * squared;
+}
 // On a segment of direction d (|d|^2 = size) and length `end` d, whose nearest point lies at `t` and
 // would at `raw` on the whole line: the most that a step from there on the segment gains, towards
 // an offset whose product with d is up to g. Beyond an end the segment leads away from the region.
@@ -182,7 +188,8 @@ MRSIM_LANE M tip_allows(const KeepArgs& a, const Beater& j, V z, V level, M firs
 }
 
 static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColumns& in,
-                        std::size_t n, std::size_t columns, float* out, std::size_t out_stride) {
+                        std::size_t n, std::size_t columns, float* out, std::size_t out_stride,
+                        bool& reaches) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; k += kLanes) {
     M stay = less_equal(load(rows.distance + k), splat(a.limit));
@@ -203,6 +210,7 @@ static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColum
     }
     if (a.has_cover)
       stay = without(stay, tip_allows(a, a.cover, z, level, less(splat(a.cover.id), id)));
+    if (!reaches) reaches = any(both(stay, comes_within(a.at, a.within, squared, x, y, z)));
     for (std::size_t i = 0; i < columns; ++i)
       compress(out + i * out_stride + kept, load(in[i] + k), stay);
     kept += compress(out + kIdColumn * out_stride + kept, id, stay);
@@ -228,14 +236,17 @@ static Beater strip_beater(const NearColumns& c, std::size_t k, const NearArgs& 
 }
 
 static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs& a,
-                             const Beater& j, float limit, float* ids) {
+                             const Beater& j, float limit, float within, float* ids,
+                             bool& reaches) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const Row r = strip_row(c, k, a);
     const V far = reach_of(a, r.x - splat(j.x), r.y - splat(j.y), r.z - splat(j.z));
     const M beaten = less(above(far + far), r.squared - r.rest - splat(j.squared));
-    const M near = both(first_lanes(n - k), less_equal(r.squared, splat(limit)));
-    kept += compress(ids + kept, load(c[kIdColumn] + k), without(near, beaten));
+    const M stay =
+        without(both(first_lanes(n - k), less_equal(r.squared, splat(limit))), beaten);
+    if (!reaches) reaches = any(both(stay, comes_within(a, within, r.squared, r.x, r.y, r.z)));
+    kept += compress(ids + kept, load(c[kIdColumn] + k), stay);
   }
   return kept;
 }

@@ -126,7 +126,22 @@ class Pruner {
   double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
   /// The whole region is deep in one sweep; the others were not asked.
   bool is_swept() const { return double(least_) + at_.delta < deep_; }
+  /// The same, as the nearest strip tells by where its nearest point lies.
+  bool is_swept_by_nearest() {
+    const double band = -deep_ - region_.radius;
+    if (!(double(least_) + at_.delta < -band)) return false;
+    const auto& runs = in_.runs();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!is_strip(i) || scratch_.least[i].distance > least_) continue;
+      const std::size_t k = kernels_.find(rows(i).distance, runs[i].count, least_);
+      if (k == runs[i].count) continue;
+      const NearRows r = rows(i);
+      return farthest(region_, r.x[k], r.y[k], r.z[k]) - type(i).tool.round + 2 * at_.delta < -band;
+    }
+    return false;
+  }
 
+  /// What is not beaten within the limit; nothing where the region comes near none of it.
   void keep(double limit, double band, NearList& out) {
     if (has_packs()) {
       columns_.turn_tree.narrow(turn_region(region_), scratch_.turned, limit, slack_,
@@ -147,11 +162,15 @@ class Pruner {
         keep_group(from, to, limit, band, out);
       from = to;
     }
+    if (!reaches_) out.reset(0, in_.origin);
   }
 
  private:
   static std::size_t end_of(const NearList::Run& run) { return run.first + run.count; }
   const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
+  bool is_strip(std::size_t run) const {
+    return type(run).form == SweepClass::Form::strip && !type(run).packs;
+  }
   NearRows rows(std::size_t run) { return scratch_.rows.at(in_.runs()[run].first); }
   /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
   /// before its last one.
@@ -174,6 +193,7 @@ class Pruner {
     const auto base = static_cast<std::uint32_t>(columns_.refs.size());
     for (std::size_t k = 0; k < left.size(); ++k)
       out.column(kIdColumn)[first + k] = std::bit_cast<float>(base + left[k]);
+    reaches_ = reaches_ || !left.empty();
     out.close_run(left.size());
   }
 
@@ -259,8 +279,13 @@ class Pruner {
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(i)), kInfinity);
       float* to_slot = out.column(0) + out.open_run(run.of, run.numbers);
-      out.close_run(kernels_.keep(args, rows(i), in_.columns(run.first), run.count, columns,
-                                  to_slot, out.stride()));
+      at_.tool = type(i).tool;
+      args.within = surely_within(at_, region_, -deep_);
+      bool reaches = reaches_ || !is_strip(i);
+      const std::size_t kept = kernels_.keep(args, rows(i), in_.columns(run.first), run.count,
+                                             columns, to_slot, out.stride(), reaches);
+      reaches_ = reaches_ || (reaches && kept > 0);
+      out.close_run(kept);
     }
   }
 
@@ -319,13 +344,14 @@ class Pruner {
   double deep_;
   NearArgs at_;
   float least_ = kInfinity;
-  double spread_ = 0;  // mm: the largest of a pack
+  double spread_ = 0;     // mm: the largest of a pack
+  bool reaches_ = false;  // the region may come near what is kept
 };
 
 bool prune_once(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
                 double reach, double band, const NearList& in, NearList& out) {
   Pruner pruner(table, columns, region, reach, in);
-  if (pruner.is_swept()) {
+  if (pruner.is_swept() || pruner.is_swept_by_nearest()) {
     out.reset(0, in.origin);
     return false;
   }

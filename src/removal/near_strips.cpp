@@ -58,15 +58,20 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
   const double limit = kept_within(least, 2 * delta, region, reach, slack) + delta + round;
   if (limit < 0) return true;
   const Beater beater = kernels.strip_beater(in.columns(nearest.slot), 0, at);
-  const auto farthest = static_cast<float>(limit * limit * (1 + 1e-6));
+  const double band = reach - region.radius;
+  if (farthest(region, beater.x, beater.y, beater.z) - round + 2 * delta < -band) return false;
+  const auto limits = static_cast<float>(limit * limit * (1 + 1e-6));
+  const float within = surely_within(at, region, reach);
+  bool reaches = false;
   static thread_local std::vector<float> memory;
   std::vector<float>& bits = memory;
   for (const NearList::Run& run : in.runs()) {
     bits.resize(std::max(bits.size(), run.count + NearList::kPad));
-    const std::size_t left =
-        kernels.strip_ids(in.columns(run.first), run.count, at, beater, farthest, bits.data());
+    const std::size_t left = kernels.strip_ids(in.columns(run.first), run.count, at, beater, limits,
+                                               within, bits.data(), reaches);
     for (std::size_t k = 0; k < left; ++k) out.push_back(std::bit_cast<std::uint32_t>(bits[k]));
   }
+  if (!reaches) out.clear();
   return true;
 }
 

@@ -229,8 +229,11 @@ std::vector<float> one_step(const NearKernels& kernels, const Table& table, int 
   args.beaters = 2, args.beater[0] = beater(j.nearest), args.beater[1] = beater(j.lowest);
   args.has_cover = form > 0 && j.cover < n;
   if (args.has_cover) args.cover = beater(j.cover);
-  const std::size_t left = kernels.keep(args, rows, c, n, 9, kept.slots[0], kSlots);
+  args.within = least.distance + 1.1f;
+  bool reaches = false;
+  const std::size_t left = kernels.keep(args, rows, c, n, 9, kept.slots[0], kSlots, reaches);
   std::vector<float> result(kept.slots[kIdColumn], kept.slots[kIdColumn] + left);
+  result.push_back(reaches);
   if (form == 0) {
     float squared[kSlots], ids[kSlots + NearList::kPad];
     const float nearest = kernels.strip_squares(c, n, args.at, squared);
@@ -238,8 +241,11 @@ std::vector<float> one_step(const NearKernels& kernels, const Table& table, int 
     const Beater strip =
         kernels.strip_beater({c.base + kernels.find(squared, n, nearest), c.stride}, 0, args.at);
     for (const float value : {strip.squared, strip.x, strip.y, strip.z}) result.push_back(value);
-    const std::size_t some = kernels.strip_ids(c, n, args.at, strip, nearest + 4, ids);
+    bool strips_reach = false;
+    const std::size_t some =
+        kernels.strip_ids(c, n, args.at, strip, nearest + 4, std::sqrt(nearest), ids, strips_reach);
     result.insert(result.end(), ids, ids + some);
+    result.push_back(strips_reach);
     result.insert(result.end(), squared, squared + n);
   }
   for (const auto& row : found.slots) result.insert(result.end(), row, row + n);

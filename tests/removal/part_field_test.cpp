@@ -209,5 +209,47 @@ TEST(PartField, ListsHoldInTheWholeBox) {
   EXPECT_GT(mixed, 50u);
 }
 
+// A cube is told from what the surface passes by its shape, not by the ball about it, and never
+// wrongly.
+TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Motion> motions;
+  for (int row = 0; row < 9; ++row)
+    for (int k = -20; k < 20; ++k) {
+      const auto at = [&](int i) {
+        return Vec3{0.25 * i, 0.4 * row - 1.6, 0.3 * std::sin(0.6 * i) + 0.05 * row};
+      };
+      motions.push_back(line(at(k), at(k + 1)));
+    }
+  Tool ball;
+  ball.type = ToolType::ballmill;
+  ball.diameter = 4;
+  StockShape shape;
+  shape.box = {{-5, -5, -4}, {5, 5, 2}};
+  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}, 4));
+  const Candidates all = field.all();
+  Candidates left;
+  constexpr double kHalf = 0.1, kBand = 1e-3, kRadius = kHalf * 1.7320508075688774;
+  int decided = 0, beside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 c{5.2 * u(random), 5.2 * u(random), -1 + 3.2 * u(random)};
+    const double d = field.sample(c, all).distance;
+    if (std::abs(d) > kRadius + kBand || std::abs(d) < kHalf) continue;
+    ++beside;  // where the ball about the cube meets the surface
+    const auto region = field.restrict_to(
+        {c - Vec3{kHalf, kHalf, kHalf}, c + Vec3{kHalf, kHalf, kHalf}}, kBand, all, left);
+    if (region == ExactField::Region::mixed) continue;
+    ++decided;
+    for (int k = 0; k < 27; ++k) {
+      const Vec3 corner{kHalf * (k % 3 - 1), kHalf * (k / 3 % 3 - 1), kHalf * (k / 9 - 1)};
+      const double there = field.sample(c + corner, all).distance;
+      ASSERT_GT(region == ExactField::Region::air ? there : -there, kBand);
+    }
+  }
+  EXPECT_GT(beside, 500);
+  EXPECT_GT(decided, beside / 3);
+}
+
 }  // namespace
 }  // namespace mrsim
