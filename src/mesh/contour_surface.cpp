@@ -40,7 +40,9 @@ void add(PlaceHash& hash, const Crossing& c) {
 }  // namespace
 
 const BaseMesh& ContourSurface::make_triangles() {
-  mesh_ = {};
+  mesh_.vertices.clear();
+  mesh_.triangles.clear();
+  mesh_.crossings.clear();
   find_creases();
   place_loops();
   mesh_.vertices.reserve(2 * loops_.size());

@@ -129,6 +129,7 @@ void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::u
       }
       Column& own = column(origin.x + x, origin.y + y);
       own.sampled |= run(origin.z, kSize);
+      if (!list.empty()) own.cut |= run(origin.z, kSize);
       own.inside |= found.inside << origin.z;
       own.near |= found.near << origin.z;
       own.very_near |= found.very_near << origin.z;
@@ -255,7 +256,7 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
       const auto alike = [&](int axis, const Column& end, int shift) {
         if (!is_tested(x, axis == 0) || !is_tested(y, axis == 1)) return std::uint64_t(0);
         return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &
-               ~(own.inside ^ end.inside >> shift) &
+               (own.cut | end.cut >> shift) & ~(own.inside ^ end.inside >> shift) &
                run(axis == 2 ? kFirstTested : kFirstOwned, kOwned);
       };
       const std::uint64_t bits[3] = {alike(0, column(x + 1, y), 0), alike(1, column(x, y + 1), 0),

@@ -89,6 +89,7 @@ class ContourTile final : public ContourCells {
   /// What is known of the corners (x, y, 0..63), a bit for each.
   struct Column {
     std::uint64_t sampled = 0, inside = 0;
+    std::uint64_t cut = 0;                  ///< d may be decided by a sweep
     std::uint64_t near = 0, very_near = 0;  ///< |offset| up to a voxel, half a voxel
   };
   static_assert(kCells == TileEdges::kCells);
