@@ -16,8 +16,10 @@ constexpr double kFlat = 2e-5;      ///< mm: deviations that rounding of coordin
 constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
 constexpr double kAlong = 0.9;   ///< cosine between a triangle and faces that join nearly smoothly
+constexpr double kTaper = -0.5;  ///< cosine below which a face across a crease makes a sharp edge
 constexpr int kRefinements = 3;  ///< of a triangle into quarters
 constexpr int kSides = 4;        ///< nodes at quarters of the sides and between
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 // Node (i, j): i quarters towards b, j towards c.
 struct Nodes {
@@ -110,6 +112,20 @@ double sampled_bound(const ExactField& field, const FieldSample& face, const Vec
   return nodes.largest() + nodes.remainder();
 }
 
+// The distance of a node on a triangle's side from the crease on which the side lies: where the
+// face `across` that decides d there meets the one that runs along the triangle, as seen `depth` mm
+// beneath it; with the sign of the latter. Infinite where nothing there does, or where a wall
+// tapers off.
+double crease_distance(const ExactField& field, const ContourOctree& tree, const Vec3& p,
+                       const FieldSample& across, const Vec3& normal, double depth) {
+  const Vec3 out = field.gradient(p, across);
+  if (!(dot(normal, out) > kTaper * length(normal))) return kUnknown;
+  const Vec3 beneath = p - (std::max(across.distance, 0.0) + depth) * out;
+  const FieldSample along = field.sample(beneath, tree.candidates(tree.locate(beneath)));
+  if (!(dot(normal, field.gradient(beneath, along)) > kAlong * length(normal))) return kUnknown;
+  return std::copysign(crease_bound(field, along, across, p, p), field.patch_distance(p, along));
+}
+
 }  // namespace
 
 double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
@@ -164,6 +180,10 @@ double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3
   nodes.value[0][0] = nodes.value[kSides][0] = nodes.value[0][kSides] = 0;  // vertices are exact
   const Vec3 normal = cross(b - a, c - a);
   const double area = length(normal);
+  const double depth =
+      std::min(limit, std::max({distance(a, b), distance(b, c), distance(c, a)}) / kSides);
+  FieldSample face;  // the first along the triangle
+  bool has_face = false, has_several = false, has_crease = false;
   std::int32_t cell = 0;
   double most = 0;
   int k = 0;
@@ -173,13 +193,24 @@ double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3
       const Vec3 p = node_at(a, b, c, i, j);
       cell = tree.locate(p, cell);
       const FieldSample s = field.sample(p, tree.candidates(cell));
-      if (!(dot(normal, field.gradient(p, s)) > kAlong * area))
-        return std::numeric_limits<double>::infinity();
-      nodes.value[i][j] = s.distance;
-      most = std::max(most, std::abs(s.distance));
+      double& value = nodes.value[i][j];
+      value = s.distance;
+      if (dot(normal, field.gradient(p, s)) > kAlong * area) {
+        if (!has_face) face = s;
+        has_face = true;
+        has_several = has_several || !same_face(s, face);
+      } else {
+        const bool is_on_side = i == 0 || j == 0 || i + j == kSides;
+        value = is_on_side ? crease_distance(field, tree, p, s, normal, depth) : kUnknown;
+        if (!std::isfinite(value)) return kUnknown;
+        has_crease = true;
+      }
+      most = std::max(most, std::abs(value));
     }
     if (most > limit) return most;
   }
+  // One face that ends in a crease is measured by itself.
+  if (has_crease && !has_several) return kUnknown;
   return most + nodes.remainder();
 }
 

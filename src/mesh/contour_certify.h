@@ -27,8 +27,9 @@ double crease_bound(const ExactField& field, const FieldSample& f, const FieldSa
                     const Vec3& a, const Vec3& b);
 
 /// The same of |d| itself, whatever faces decide it under the triangle: for one that lies over
-/// several faces that join nearly smoothly; infinite where they do not: a wall may taper off there.
-/// Requires: its corners lie on the surface.
+/// several faces that join nearly smoothly. A side may run along a crease in which these end,
+/// unless it is sharper than 60 degrees, and is measured from the crease. Infinite in all other
+/// cases: a wall may taper off there. Requires: its corners lie on the surface.
 double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit);
 

@@ -1,0 +1,77 @@
+// What a tolerance costs where short moves end at the stock's sides, and that bounds hold there.
+#include "core/units.h"
+#include "core/vec.h"
+#include "mesh/contour.h"
+#include "mesh/contour_certify.h"
+#include "removal/part_field.h"
+#include "support/analytic_field.h"
+#include "support/mesh_asserts.h"
+#include "support/moves.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+using test::line;
+
+ContourReport report_of(const PartField& field, double tolerance) {
+  MeshOptions options;
+  options.tolerance = tolerance;
+  ContourReport report;
+  expect_closed_manifold(contour(field, 0.4, options, &report));
+  EXPECT_LE(report.bound, tolerance);
+  return report;
+}
+
+// Two slots whose walls turn by 5 degrees, and a triangle over both with a side in the plane of the
+// block's top: d = 0 all along it, and yet it is off the walls by its sagitta.
+TEST(Certify, SideOnACreaseIsMeasuredFromTheCrease) {
+  constexpr double kTop = 10, kLength = 1, kRadius = 1;
+  const double turn = radians(5), sagitta = kLength * std::sin(turn / 2);
+  const Vec2 bend{10, 10}, along{std::cos(turn), std::sin(turn)};
+  const AnalyticField part(
+      {{0, 0, 0}, {20, 20, kTop}}, false,
+      {flat_line({2, 10}, bend, kRadius, 5), flat_line(bend, bend + 8 * along, kRadius, 5)});
+  const detail::ContourOctree tree(part, detail::Lattice(part.bounds(), 0.5, 4), 0.1, 1);
+  const Vec3 edge{bend.x - kRadius * std::tan(turn / 2), bend.y + kRadius, kTop};
+  const Vec3 a = edge - Vec3{kLength, 0, 0}, b = edge + kLength * Vec3{along.x, along.y, 0};
+  for (const double height : {0.3, 1.0, 3.0}) {
+    const Vec3 c = edge - Vec3{0, 0, height};
+    const double bound = detail::part_bound(part, tree, b, a, c, 0.1);
+    EXPECT_GE(bound, 0.999 * sagitta) << height;
+    EXPECT_LE(bound, 2 * sagitta) << height;
+    EXPECT_GT(detail::part_bound(part, tree, b, a, c, 0.9 * sagitta), 0.9 * sagitta) << height;
+  }
+}
+
+// Rows of loops of short moves, as adaptive clearing makes them: where their walls meet the side of
+// the stock, tips of thin material end on the floor.
+TEST(Certify, LoopsThatLeaveTheStockTakeFewCells) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 24, 12}};
+  Tool tool;
+  tool.type = ToolType::endmill;
+  tool.diameter = 10;
+  std::vector<Motion> motions;
+  for (const double y : {4.0, 12.0, 20.0}) {
+    Vec3 last{4, y, 6};
+    for (int i = 1; i <= 20; ++i) {
+      const double turn = kTwoPi * i / 20;
+      const Vec3 next{2.0 * i + 4 * std::cos(turn), y + 4 * std::sin(turn), 6};
+      motions.push_back(line(last, next));
+      last = next;
+    }
+  }
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 12));
+  const ContourReport report = report_of(field, 0.034);
+  EXPECT_LE(report.passes, 8u);
+  EXPECT_LE(report.cells, 1000u);
+}
+
+}  // namespace
+}  // namespace mrsim
