@@ -6,6 +6,7 @@
 #include "programs.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
+#include "removal/vdb/vdb_grid.h"
 
 #include <memory>
 
@@ -58,9 +59,10 @@ void volume_to_mesh(benchmark::State& state, const Case& c, int threads) {
   const Stock& stock = stock_of(c);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
+  const auto& grid = static_cast<const VdbGrid&>(*stock.grid().voxels);
   for (auto _ : state) {
     openvdb::tools::VolumeToMesh mesher(0);
-    mesher(*stock.grid().distance);
+    mesher(*grid.distance);
     benchmark::DoNotOptimize(mesher.pointListSize());
   }
 }

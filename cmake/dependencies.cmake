@@ -17,8 +17,7 @@ add_library(mrsim_openvdb INTERFACE)
 target_link_libraries(mrsim_openvdb INTERFACE OpenVDB::openvdb)
 # Hidden copies of its template statics mix with those of the library: openvdb::initialize() then
 # reads a name that the other copy has set, and crashes.
-set(MRSIM_OPENVDB_OPTIONS -fvisibility=default)
-target_compile_options(mrsim_openvdb INTERFACE ${MRSIM_OPENVDB_OPTIONS})
+target_compile_options(mrsim_openvdb INTERFACE -fvisibility=default)
 
 find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)

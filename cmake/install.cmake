@@ -1,13 +1,12 @@
-# What `cmake --install` lays down: the program, the library with its module and headers, the CMake package, pkg-config,
+# What `cmake --install` lays down: the program, the library with its modules and headers, the CMake package, pkg-config,
 # manual, completion and documents. Consumers: find_package(mrsim), target mrsim::mrsim.
 include(CMakePackageConfigHelpers)
 
 set(mrsim_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mrsim)
 install(TARGETS mrsim EXPORT mrsimTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-if(TARGET mrsim_step_module)
-  install(TARGETS mrsim_step_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mrsim)
-endif()
+get_property(mrsim_modules GLOBAL PROPERTY MRSIM_MODULES)
+install(TARGETS ${mrsim_modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mrsim)
 install(TARGETS mrsim_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/mrsim DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT mrsimTargets NAMESPACE mrsim:: DESTINATION ${mrsim_package_dir})

@@ -22,7 +22,8 @@ STAGES = {
     "mesh": ("core/", "mesh/", "removal/stock.h", "removal/sweep.h", "removal/field.h", "removal/lattice.h"),
     "compare": ("core/", "compare/", "mesh/"),
     "cli": ("core/", "cli/"),
-    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "part_mesh.h", "collision_findings.h"),
+    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "part_mesh.h", "collision_findings.h",
+         "voxel_module.h"),
 }
 # Exceptions to the rule above.
 PRIVATE = {}
@@ -32,7 +33,7 @@ FACADE_PARTS = {"src/interp/motion_text.h", "src/interp/path_picture.h"}
 
 # Third-party header prefix -> files that may include it (regular expressions on the path).
 THIRD_PARTY = {
-    "openvdb/": r"src/removal/[^/]*\.cpp|src/removal/stock_grid\.h|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
+    "openvdb/": r"src/removal/vdb/.*|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
     "CGAL/": r"src/(removal|mesh|compare)/[^/]*\.cpp|tests/.*|bench/compare_bench\.cpp",
     "OpenMesh/": r"src/mesh/[^/]*\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",

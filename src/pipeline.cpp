@@ -25,6 +25,7 @@
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "setup/tools_file.h"
+#include "voxel_module.h"
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
@@ -163,6 +164,11 @@ void choose_voxel(CarveOptions& options, const CutList& cuts, JobResult& result)
     result.voxel_reason = choice.reason;
   }
   result.voxel = options.voxel;
+}
+
+// A mesh on the voxels, or a file of them.
+bool keeps_grid(const Job& job) {
+  return (job.carve.voxel != 0 && job.mesh.tolerance == 0) || writes_vdb(job);
 }
 
 // Default tolerance of the mesh, as a share of the longest side: a turned part of the usual shape
@@ -342,6 +348,7 @@ JobResult simulate(const Job& job) {
   JobResult result;
   StageClock clock(result);
   check_outputs(job.outputs);
+  const std::future<void> opening = keeps_grid(job) ? open_voxel_module() : std::future<void>();
   result.program = interpret(job.program, job.interp);
   count_motions(result);
   clock.done("read");
@@ -355,7 +362,7 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
-  options.keep_grid = options.grid_mesh || writes_vdb(job);
+  options.keep_grid = keeps_grid(job);
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 

@@ -1,18 +1,15 @@
 // STEP files through the module that reads them, opened when the first one is asked for.
 #include "compare/step/module.h"
+#include "core/module.h"
 #include "core/text_io.h"
 #include "mesh/check.h"
 #include "mesh/weld.h"
 #include <mrsim/solid_files.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <string>
-#include <system_error>
-
-#include <dlfcn.h>
 
 namespace mrsim {
 namespace {
@@ -20,38 +17,12 @@ namespace {
 #ifdef MRSIM_HAS_STEP
 
 struct StepModule {
-  ReadStepFacets* read;
-  FreeStepFacets* free;
+  Module module{{"step", "step-module", "reads STEP files",
+                 "install mrsim with all its files and Open CASCADE's libraries, build it again "
+                 "where they have changed, or export the model as STL or 3MF"}};
+  ReadStepFacets* read = module.function<ReadStepFacets>(kReadStepFacets);
+  FreeStepFacets* free = module.function<FreeStepFacets>(kFreeStepFacets);
 };
-
-[[noreturn]] void fail_module(const std::string& why) {
-  throw Error("step-module",
-              "the module that reads STEP files cannot be opened: " + why +
-                  "; install mrsim with all its files and Open CASCADE's libraries, build it "
-                  "again where they have changed, or export the model as STL or 3MF");
-}
-
-// Beside the library (or the program that holds its stages), wherever that was moved to.
-std::string module_path() {
-  Dl_info self{};
-  if (dladdr(reinterpret_cast<const void*>(&module_path), &self) == 0 || !self.dli_fname)
-    fail_module("the system does not tell where the library lies");
-  std::error_code ignored;
-  const std::filesystem::path library = std::filesystem::weakly_canonical(self.dli_fname, ignored);
-  return (library.parent_path() / "mrsim" / "step.so").string();
-}
-
-// Stays open: Open CASCADE keeps tables that point into its libraries.
-StepModule open_module() {
-  const std::string path = module_path();
-  void* module = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-  if (!module) fail_module(dlerror());
-  const StepModule functions{reinterpret_cast<ReadStepFacets*>(dlsym(module, kReadStepFacets)),
-                             reinterpret_cast<FreeStepFacets*>(dlsym(module, kFreeStepFacets))};
-  if (!functions.read || !functions.free)
-    fail_module(path + " belongs to another version of mrsim");
-  return functions;
-}
 
 TriMesh weld_facets(const StepFacets& facets) {
   Welder welder;
@@ -79,7 +50,7 @@ void require_step_header(const std::string& path) {
 
 TriMesh read_solids(const std::string& path, double deflection) {
   require_step_header(path);
-  static const StepModule module = open_module();
+  static const StepModule module;
   const std::unique_ptr<const StepFacets, FreeStepFacets*> facets(
       module.read(path.c_str(), deflection), module.free);
   if (!facets) throw std::bad_alloc();

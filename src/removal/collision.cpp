@@ -5,6 +5,7 @@
 #include "core/vec.h"
 #include "removal/collision_probe.h"
 #include "removal/collision_search.h"
+#include "removal/lattice.h"
 #include "removal/stock_grid.h"
 
 #include <algorithm>

@@ -15,7 +15,8 @@ namespace {
 
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
 // active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels.
-constexpr double kProgram = 40e6, kMotion = 560;
+constexpr double kProgram = 10e6, kMotion = 560;
+constexpr double kOpenVdb = 30e6;  ///< its library
 constexpr double kGridProgram = 20e6, kGridColumn = 160;
 constexpr double kThread = 25e6, kMeshColumn = 70;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
@@ -44,7 +45,7 @@ struct Need {
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
     const double always = kProgram + kMotion * static_cast<double>(motions);
-    const double grid = options.keep_grid && !in_slabs ? columns * kGridColumn : 0;
+    const double grid = options.keep_grid ? kOpenVdb + (in_slabs ? 0 : columns * kGridColumn) : 0;
     if (!options.grid_mesh) return always + grid;
     const double working = kGridProgram + kThread * resolve_threads(options.threads) +
                            section_tiles(stock, voxel) * kFrontTile;

@@ -42,11 +42,11 @@ Stock::~Stock() = default;
 
 double Stock::voxel() const { return grid_->voxel; }
 const ExactField& Stock::field() const { return *grid_->field; }
-std::size_t Stock::active_voxels() const { return grid_->active; }
+std::size_t Stock::active_voxels() const {
+  return grid_->voxels ? grid_->voxels->active_voxels() : 0;
+}
 std::size_t Stock::memory() const {
-  const std::size_t grids =
-      grid_->distance ? grid_->distance->memUsage() + grid_->owner->memUsage() : 0;
-  return grids + grid_->index->memory();
+  return (grid_->voxels ? grid_->voxels->memory() : 0) + grid_->index->memory();
 }
 
 double Stock::memory_expected() const { return grid_->plan.expected; }

@@ -14,8 +14,7 @@
 
 namespace mrsim {
 
-struct StockGrid;  // removal/stock_grid.h: the OpenVDB side, for src/removal and
-                   // src/mesh/extract.cpp only
+struct StockGrid;  // removal/stock_grid.h, for src/removal only
 
 class Stock {
  public:
@@ -54,7 +53,7 @@ VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 /// kept. Cost: that of the sweeps and their index, and of the samples, which grows with the
 /// surface, not with the volume, and slowly with the number of motions. Throws Error
 /// "voxel-invalid", "memory" (the estimate is above the limit, in slabs too), and what SweepTable
-/// throws.
+/// and sample_voxels throw.
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options = {});
 

@@ -11,7 +11,6 @@
 #include <streambuf>
 
 #include <fmt/format.h>
-#include <openvdb/io/Stream.h>
 
 namespace mrsim {
 namespace {
@@ -66,9 +65,7 @@ void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& ou
   identity.update(encoded.data(), encoded.size());
   SinkBuffer buffer(out, hash, identity.uuid());
   std::ostream stream(&buffer);
-  openvdb::io::Stream archive(stream);
-  archive.setCompression(openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_ACTIVE_MASK);
-  archive.write(openvdb::GridCPtrVec{stock.grid().distance, stock.grid().owner});
+  stock.grid().voxels->write(stream);
   if (!stream) throw Error("output-unwritable", "cannot write the .vdb file");
 
   hash.update(encoded.data(), encoded.size());

@@ -108,37 +108,6 @@ TEST_F(StepFiles, BadOnesLeaveNothing) {
   fails(cut + "block.stl --nominal inch.step", "25.4");
 }
 
-TEST_F(StepFiles, AreReadByAModuleBesideTheLibrary) {
-  write_step(box(0, 0, 0, 30, 20, 10), "box.step");
-  const std::filesystem::path library = MRSIM_LIBRARY;
-  const std::filesystem::path moved = folder_ / "moved";
-  std::filesystem::create_directories(moved / "mrsim");
-  std::filesystem::copy(library, moved / "libmrsim.so.0");
-  const std::string there = "LD_LIBRARY_PATH='" + moved.string() + "'";
-  const std::string compare = "compare box.step box.step";
-  const auto says = [&](const std::string& text) {
-    const Outcome o = run(compare, there);
-    EXPECT_EQ(o.code, 1) << o.err;
-    EXPECT_NE(o.err.find("step-module"), std::string::npos) << o.err;
-    EXPECT_NE(o.err.find(text), std::string::npos) << o.err;
-  };
-  says("moved/mrsim/step.so");
-  write("moved/mrsim/step.so", "no module");
-  says("moved/mrsim/step.so");
-  std::filesystem::remove(moved / "mrsim" / "step.so");
-  std::filesystem::create_symlink(moved / "libmrsim.so.0", moved / "mrsim" / "step.so");
-  says("another version");
-  std::filesystem::remove(moved / "mrsim" / "step.so");
-  std::filesystem::copy(library.parent_path() / "mrsim" / "step.so", moved / "mrsim" / "step.so");
-  EXPECT_EQ(run(compare, there).code, 0);
-}
-
-TEST_F(StepFiles, OtherRunsDoWithoutOpenCascade) {
-  const Outcome o = run("--version", "LD_TRACE_LOADED_OBJECTS=1");
-  EXPECT_NE(o.out.find("libmrsim"), std::string::npos) << o.out;
-  EXPECT_EQ(o.out.find("libTK"), std::string::npos) << o.out;
-}
-
 #else
 
 TEST_F(SolidFiles, IsSaidToBeMissing) {

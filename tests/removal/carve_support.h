@@ -7,6 +7,7 @@
 #include "removal/stock_grid.h"
 #include "removal/stock_solid.h"
 #include "removal/sweep.h"
+#include "removal/vdb/vdb_grid.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,11 +16,15 @@
 
 namespace mrsim::test {
 
+inline const VdbGrid& grids(const Stock& stock) {
+  return static_cast<const VdbGrid&>(*stock.grid().voxels);
+}
+
 using Voxel = std::tuple<openvdb::Coord, float, std::int32_t>;
 inline std::vector<Voxel> voxels(const Stock& stock) {
   std::vector<Voxel> list;
-  openvdb::tree::ValueAccessor<const openvdb::Int32Tree> owner(stock.grid().owner->tree());
-  for (auto it = stock.grid().distance->cbeginValueOn(); it; ++it)
+  openvdb::tree::ValueAccessor<const openvdb::Int32Tree> owner(grids(stock).owner->tree());
+  for (auto it = grids(stock).distance->cbeginValueOn(); it; ++it)
     list.emplace_back(it.getCoord(), it.getValue(), owner.getValue(it.getCoord()));
   std::sort(list.begin(), list.end());
   return list;

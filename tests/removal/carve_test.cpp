@@ -60,8 +60,8 @@ Motion half_circle(Vec3 a, double radius, double sweep) {
 double counted_volume(const Stock& stock) {
   const double h = stock.voxel();
   double sum = 0;
-  const auto& tree = stock.grid().distance->tree();
-  const openvdb::CoordBBox box = stock.grid().distance->evalActiveVoxelBoundingBox();
+  const auto& tree = grids(stock).distance->tree();
+  const openvdb::CoordBBox box = grids(stock).distance->evalActiveVoxelBoundingBox();
   openvdb::tree::ValueAccessor<const openvdb::FloatTree> at(tree);
   for (auto it = box.begin(); it; ++it) sum += std::clamp(0.5 - at.getValue(*it) / h, 0.0, 1.0);
   return sum * h * h * h;
@@ -335,7 +335,7 @@ TEST(Carve, SamplesNothingThatIsNotKept) {
     const Stock stock = carve(shape, motions, tools, options);
     EXPECT_EQ(stock.in_slabs(), options.keep_grid);
     EXPECT_EQ(stock.active_voxels(), 0u);
-    EXPECT_EQ(stock.grid().distance, nullptr);
+    EXPECT_EQ(stock.grid().voxels, nullptr);
     for (const Vec3& p : {Vec3{10, 5, 4}, Vec3{10, 2, 4}, Vec3{1, 9, 1}}) {
       EXPECT_EQ(stock.distance(p), kept.distance(p));
       EXPECT_EQ(stock.owner(p), kept.owner(p));

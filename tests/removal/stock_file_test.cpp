@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
 
 namespace mrsim {
 namespace {

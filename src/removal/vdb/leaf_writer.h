@@ -1,13 +1,16 @@
 // What the carvers of blocks share: samples at some points, and the leaves they are written to.
 #pragma once
 
+#include "removal/block_index.h"
 #include "removal/lattice.h"
-#include "removal/stock_grid.h"
+#include "removal/part_field.h"
 #include "removal/sweep_kernels.h"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
+
+#include <openvdb/openvdb.h>
 
 namespace mrsim {
 

@@ -2,8 +2,8 @@
 // voxels in the order of their distance from the axis.
 #pragma once
 
-#include "removal/leaf_writer.h"
 #include "removal/turn_layers.h"
+#include "removal/vdb/leaf_writer.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "removal/turned_carver.h"
+#include "removal/vdb/turned_carver.h"
 
 #include <cmath>
 

@@ -1,0 +1,213 @@
+// Samples the exact part into a narrow-band level set: blocks from large to small, each with the
+// list of sweeps that can matter in it (docs/removal.md). A voxel is a pure function of stock,
+// motions and its position, so that the result does not depend on the order of the work.
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "removal/vdb/turned_carver.h"
+#include "removal/vdb/vdb_grid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include <openvdb/tools/SignedFloodFill.h>
+
+namespace mrsim {
+namespace {
+
+// One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
+class BlockCarver : LeafWriter {
+ public:
+  using Lists = std::array<NearList, 7>;  // by depth, from 64 voxels to what is left at 2
+
+  BlockCarver(const PartField& field, double voxel, Lists& lists)
+      : LeafWriter(field, voxel), lists_(lists) {}
+
+  std::vector<LeafPair> carve(const std::array<std::int32_t, 3>& origin,
+                              std::span<const std::uint32_t> sweeps) {
+    leaves_.clear();
+    const openvdb::Coord first(origin[0], origin[1], origin[2]);
+    field_.sweeps().list(sweeps, center(first, kBlockVoxels), lists_[0]);
+    visit(first, kBlockVoxels, 0, false);
+    return std::move(leaves_);
+  }
+
+ private:
+  double half(int size) const { return 0.5 * (size - 1) * voxel_; }
+  Vec3 center(const openvdb::Coord& origin, int size) const {
+    return Vec3{lattice_position(voxel_, origin.x(), kLatticeShift.x),
+                lattice_position(voxel_, origin.y(), kLatticeShift.y),
+                lattice_position(voxel_, origin.z(), kLatticeShift.z)} +
+           Vec3{half(size), half(size), half(size)};
+  }
+
+  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their eighths;
+  // without a closed form evaluation is the costly part.
+  static bool is_short(const NearList& sweeps) {
+    return sweeps.size() <= (sweeps.closed ? 16u : 4u);
+  }
+
+  // The list of the block is lists_[depth]; what is left of it goes to the next.
+  void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    if (size == 2) return finish(origin, size, depth, in_stock);
+    NearList& left = lists_[depth + 1];
+    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
+    block.open = size == 4;
+    const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
+    if (size == kLeafVoxels && region != ExactField::Region::air) leaf_ = new_leaf(origin);
+    if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
+    if (region == ExactField::Region::mixed) {
+      if (size == 4 && is_short(left))
+        evaluate(origin, size, left, in_stock);
+      else
+        visit_children(origin, size / 2, depth + 1, in_stock);
+    }
+    if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
+  }
+
+  void finish(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
+    block.open = true;
+    const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, ids_);
+    if (region == ExactField::Region::material) fill_material(origin, size);
+    if (region == ExactField::Region::mixed) evaluate(origin, size, ids_, in_stock);
+  }
+
+  void visit_children(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
+    for (int child = 0; child < 8; ++child)
+      visit(origin.offsetBy(child >> 2 & 1 ? size : 0, child >> 1 & 1 ? size : 0,
+                            child & 1 ? size : 0),
+            size, depth, in_stock);
+  }
+
+  void close_leaf() {
+    if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
+  }
+
+  // Calls body(index of the voxel, x, y, z) for each voxel of a block, z fastest.
+  template <typename Body>
+  static void for_each_voxel(int size, Body body) {
+    std::size_t k = 0;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z) body(k++, x, y, z);
+  }
+
+  void fill_material(const openvdb::Coord& origin, int size) {
+    float* distance = leaf_.distance->buffer().data();
+    for_each_voxel(size, [&](std::size_t, int x, int y, int z) {
+      distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] = -static_cast<float>(band_);
+    });
+  }
+
+  // `sweeps`: a NearList or Candidates.
+  template <typename List>
+  void evaluate(const openvdb::Coord& origin, int size, const List& sweeps, bool in_stock) {
+    double axis[3][4];
+    for (int i = 0; i < size; ++i) {
+      axis[0][i] = lattice_position(voxel_, origin.x() + i, kLatticeShift.x);
+      axis[1][i] = lattice_position(voxel_, origin.y() + i, kLatticeShift.y);
+      axis[2][i] = lattice_position(voxel_, origin.z() + i, kLatticeShift.z);
+    }
+    points_.count = static_cast<std::size_t>(size * size * size);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      points_.x[k] = axis[0][x], points_.y[k] = axis[1][y], points_.z[k] = axis[2][z];
+      points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
+    });
+    field_.sweeps().least(sweeps, points_);
+    combine_stock(in_stock);
+    const openvdb::Index first = FloatLeaf::coordToOffset(origin);
+    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+      store(
+          leaf_, k,
+          first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels + z));
+    });
+  }
+
+  Lists& lists_;
+  std::vector<LeafPair> leaves_;
+  LeafPair leaf_;
+  Candidates ids_;
+};
+
+class ProgressMeter {
+ public:
+  ProgressMeter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
+  void step() {
+    const std::size_t done = ++done_;
+    if (!progress_ || done % 16 != 0) return;
+    const std::scoped_lock lock(mutex_);
+    if (!progress_("removal", static_cast<double>(done) / static_cast<double>(total_)))
+      throw Error("cancelled", "the run was stopped");
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t total_;
+  std::atomic<std::size_t> done_{0};
+  std::mutex mutex_;
+};
+
+std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, double voxel,
+                                 int threads) {
+  auto made = std::make_unique<VdbGrid>();
+  VdbGrid& grid = *made;
+  const double band = kBandVoxels * voxel;
+  const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
+  transform->postTranslate(voxel *
+                           openvdb::Vec3d(kLatticeShift.x, kLatticeShift.y, kLatticeShift.z));
+  grid.distance = openvdb::FloatGrid::create(static_cast<float>(band));
+  grid.distance->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid.distance->setName("distance");
+  grid.distance->setTransform(transform);
+  grid.owner = openvdb::Int32Grid::create(kStockOwner);
+  grid.owner->setName("owner");
+  grid.owner->setTransform(transform);
+  // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
+  parallel_for(2, threads, [&](std::size_t tree) {
+    for (std::vector<LeafPair>& leaves : blocks)
+      for (LeafPair& leaf : leaves)
+        if (tree == 0)
+          grid.distance->tree().addLeaf(leaf.distance.release());
+        else
+          grid.owner->tree().addLeaf(leaf.owner.release());
+  });
+  // Leaves hold all their signs: only the tiles between them are to be filled.
+  openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
+  return made;
+}
+
+}  // namespace
+
+std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
+                                         double voxel, const CarveOptions& options) {
+  openvdb::initialize();
+  std::vector<std::vector<LeafPair>> blocks(index.size());
+  std::unique_ptr<VdbGrid> grid;
+  std::atomic<std::size_t> active{0};
+  ProgressMeter meter(options.progress, index.size());
+  with_threads(options.threads, [&] {
+    const bool turned = field.solid().is_turned() && !field.sweeps().turn_tree().roots().empty();
+    std::optional<TurnLayers> layers;
+    if (turned) layers.emplace(field, voxel, kBandVoxels * voxel, options.threads);
+    parallel_for(index.size(), options.threads, [&](std::size_t b) {
+      static thread_local BlockCarver::Lists lists;  // their memory serves all blocks
+      const auto sweeps = index.sweeps(b);
+      if (turned && (sweeps.empty() || sweeps.front() >= field.sweeps().size()))
+        blocks[b] = TurnedCarver(field, voxel, *layers).carve(index.origin(b));
+      else
+        blocks[b] = BlockCarver(field, voxel, lists).carve(index.origin(b), sweeps);
+      for (const LeafPair& leaf : blocks[b]) active += leaf.distance->onVoxelCount();
+      meter.step();
+    });
+    grid = collect(blocks, voxel, options.threads);
+    grid->active = active;
+  });
+  return grid;
+}
+
+}  // namespace mrsim

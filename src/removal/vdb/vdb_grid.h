@@ -1,0 +1,22 @@
+// The grids of a stock, as OpenVDB holds them.
+#pragma once
+
+#include "removal/voxel_grid.h"
+
+#include <cstdint>
+
+#include <openvdb/openvdb.h>
+
+namespace mrsim {
+
+struct VdbGrid final : VoxelGrid {
+  openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
+  openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
+  std::size_t active = 0;            ///< voxels
+
+  std::size_t active_voxels() const override { return active; }
+  std::size_t memory() const override;
+  void write(std::ostream& out) const override;
+};
+
+}  // namespace mrsim

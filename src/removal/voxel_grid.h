@@ -1,0 +1,34 @@
+// The border to OpenVDB, which src/removal/vdb alone knows: the samples of a part in a narrow band.
+//
+// What lies behind it is linked in, as the stages' tests do, or stands in a module that the library
+// opens when the first samples are wanted (src/voxel_module.h): binding the 69 000 symbols of
+// OpenVDB takes 35 ms, and most runs need no grid.
+#pragma once
+
+#include "removal/block_index.h"
+#include "removal/part_field.h"
+#include <mrsim/options.h>
+
+#include <cstddef>
+#include <memory>
+#include <ostream>
+
+namespace mrsim {
+
+class VoxelGrid {
+ public:
+  virtual ~VoxelGrid() = default;
+  virtual std::size_t active_voxels() const = 0;
+  virtual std::size_t memory() const = 0;  ///< bytes
+  /// As a stream of OpenVDB: two grids, "distance" (mm, level set) and "owner". Faults of `out`
+  /// are left in its state.
+  virtual void write(std::ostream& out) const = 0;
+};
+
+/// Samples the exact part block by block, voxels of `voxel` mm, kBandVoxels each way of the
+/// surface. Cost: grows with the surface. Throws Error "cancelled"; "vdb-module" where the module
+/// cannot be opened.
+std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
+                                         double voxel, const CarveOptions& options);
+
+}  // namespace mrsim
