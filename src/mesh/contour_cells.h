@@ -88,8 +88,8 @@ class ContourCells {
   /// Counted here, not by another tile.
   virtual bool is_owned_cell(std::int32_t cell) const = 0;
 
-  /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite).
-  /// Requires: the surface crosses the edge.
+  /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite,
+  /// NaN). Requires: the surface crosses the edge.
   virtual std::pair<double, double> offsets(const MinimalEdge& edge) const = 0;
   virtual EdgeEnds ends(const MinimalEdge& edge) const = 0;
 

@@ -182,7 +182,7 @@ void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> cro
     out.push_back({c.low_end(), static_cast<float>(low)});
     out.push_back({c.high_end(), static_cast<float>(high)});
     for (std::size_t i = out.size() - 2; i < out.size(); ++i) {
-      if (!std::isinf(out[i].offset)) continue;
+      if (std::isfinite(out[i].offset)) continue;
       unknown.push_back(i);
       points.push_back(out[i].position);
     }

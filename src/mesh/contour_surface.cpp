@@ -111,8 +111,7 @@ void ContourSurface::place_loops() {
   outside_.assign(options_.sharpen ? loops_.size() : 0, {});
   for (std::size_t k = 0; k < loops_.size(); ++k) {
     Loop& loop = loops_[k];
-    loop.point = {};
-    if (!cells_.is_complete(loop.cell)) continue;
+    if (loop.point.count > 0 || !cells_.is_complete(loop.cell)) continue;
     if (options_.remember) {
       keys[k] = key_of(loop);
       if (const PlacedPoints::Place* known = placed_loops_.find(keys[k])) {
@@ -380,6 +379,7 @@ void ContourSurface::add_polygon(std::int32_t id) {
     }
   }
   if (vertices[count - 1] == vertices[0]) --count;
+  if (count < 3) return;  // within a square of cells, or on its side
   const std::span<const std::uint32_t> ring(vertices, count);
   if (plain && add_flat_polygon(c, ring, id)) return;
   const auto apex = static_cast<std::uint32_t>(mesh_.vertices.size());

@@ -153,6 +153,7 @@ class ContourSurface {
   void join_loops();
   void list_crossings();
   void list_segments();
+  void add_square(const ContourTile& tile, const TileSquare& square);
   std::vector<std::uint64_t> add_plain_loops(const ContourTile& tile);
   void add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
                 std::uint32_t edges);

@@ -9,13 +9,10 @@ namespace mrsim::detail {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
+constexpr float kWhenAsked = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kSign = 1u << 31;
 constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
 
-// Bits begin .. begin + count - 1.
-std::uint64_t run(std::int32_t begin, std::int32_t count) {
-  return ~std::uint64_t(0) >> (64 - count) << begin;
-}
 bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
 }  // namespace
@@ -26,12 +23,14 @@ ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
       columns_(kCells * kCells),
       offset_(kCount),
       decider_(kCount),
-      list_of_(kNodes * kNodes * kNodes) {
+      list_of_(kNodes * kNodes * kNodes),
+      merged_(kCells * kCells) {
   for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
   for (auto& ranges : inner_) ranges.resize(kCells);
 }
 
-void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates) {
+void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates,
+                        FlatCells flat) {
   first_ = first;
   for (int a = 0; a < 3; ++a) {
     for (std::int32_t i = 0; i <= kCells; ++i)
@@ -40,14 +39,34 @@ void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t
     for (std::size_t i = 0; i < inner_[a].size(); ++i)
       inner_[a][i] = inner(planes_[a][i], planes_[a][i + 1]);
   }
+  find_stock();
   ids_.clear();
   lists_.assign(1, {});
   std::fill(columns_.begin(), columns_.end(), Column{});
   std::fill(list_of_.begin(), list_of_.end(), 0);
+  squares_.clear();
+  std::fill(merged_.begin(), merged_.end(), 0);
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
   visit({0, 0, 0}, kCells, 1);
   find_crossed();
+  if (is_box_ && flat == FlatCells::merged) merge_flat_cells();
+  crossed_.number();
+}
+
+// Which planes lie between the box's sides, as its distance has it.
+void ContourTile::find_stock() {
+  is_box_ = field_.has_box_stock();
+  if (!is_box_) return;
+  const Box3 box = field_.bounds();
+  for (int a = 0; a < 3; ++a) {
+    const double lo = mrsim::component(box.lo, a), hi = mrsim::component(box.hi, a);
+    within_[a] = 0;
+    for (std::int32_t i = 0; i < kCells; ++i) {
+      const double p = planes_[a][static_cast<std::size_t>(i)];
+      if (std::max(lo - p, p - hi) + kInsideTolerance < 0) within_[a] |= run(i, 1);
+    }
+  }
 }
 
 Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const {
@@ -88,7 +107,9 @@ template <std::int32_t kSize>
 void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
   constexpr std::size_t kPoints = std::size_t(kSize) * kSize * kSize;
   std::int32_t number = 0;
-  if (!list.empty()) {
+  if (list.empty()) {
+    if (is_box_) return mark_stock_node<kSize>(origin);  // its lists are 0 from the start
+  } else {
     number = static_cast<std::int32_t>(lists_.size());
     lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
                       static_cast<std::uint32_t>(ids_.size() + list.size())});
@@ -136,11 +157,37 @@ void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::u
     }
 }
 
-float ContourTile::offset(std::int32_t corner) const {
+// A node in which the box alone decides: what its planes do not tell is sampled when asked for.
+template <std::int32_t kSize>
+void ContourTile::mark_stock_node(const LatticePoint& origin) {
+  const std::uint64_t all = run(origin.z, kSize);
+  for (std::int32_t x = origin.x; x < origin.x + kSize; ++x)
+    for (std::int32_t y = origin.y; y < origin.y + kSize; ++y) {
+      const auto first = static_cast<std::size_t>(cell_at(x, y, origin.z));
+      std::fill_n(&decider_[first], kSize, kStockDecides);
+      std::fill_n(&offset_[first], kSize, kWhenAsked);
+      Column& own = column(x, y);
+      own.sampled |= all, own.near |= all, own.very_near |= all;
+      if (has(within_[0], x) && has(within_[1], y)) own.inside |= all & within_[2];
+    }
+}
+
+Vec3 ContourTile::position(const LatticePoint& p) const {
+  return {planes_[0][static_cast<std::size_t>(p.x)], planes_[1][static_cast<std::size_t>(p.y)],
+          planes_[2][static_cast<std::size_t>(p.z)]};
+}
+
+float ContourTile::known_offset(std::int32_t corner) const {
   const LatticePoint p = place(corner);
   const Column& own = column(p.x, p.y);
   if (has(own.sampled, p.z)) return offset_[static_cast<std::size_t>(corner)];
   return has(own.inside, p.z) ? -kUnknown : kUnknown;
+}
+
+float ContourTile::offset(std::int32_t corner) const {
+  const float known = known_offset(corner);
+  if (!std::isnan(known)) return known;
+  return static_cast<float>(field_.sample(position(place(corner)), {}).distance + kInsideTolerance);
 }
 
 Box3 ContourTile::box(std::int32_t cell) const {
@@ -197,7 +244,6 @@ MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
 // Corners that were not sampled lie in nodes that the surface does not pass, and so do edges that
 // start there. Edges have cells on both sides.
 void ContourTile::find_crossed() {
-  crossed_.clear();
   const std::uint64_t above = run(1, kCells - 1), below = run(0, kCells - 1);
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y) {
@@ -206,11 +252,11 @@ void ContourTile::find_crossed() {
         return exist ? (own.inside ^ ends) & own.sampled & from : 0;
       };
       const std::int32_t right = x < kCells - 1 ? x + 1 : x, back = y < kCells - 1 ? y + 1 : y;
-      crossed_.add(TileEdges::column(0, x, y),
+      crossed_.set(TileEdges::column(0, x, y),
                    crossed(right > x && y > 0, column(right, y).inside, above));
-      crossed_.add(TileEdges::column(1, x, y),
+      crossed_.set(TileEdges::column(1, x, y),
                    crossed(back > y && x > 0, column(x, back).inside, above));
-      crossed_.add(TileEdges::column(2, x, y), crossed(x > 0 && y > 0, own.inside >> 1, below));
+      crossed_.set(TileEdges::column(2, x, y), crossed(x > 0 && y > 0, own.inside >> 1, below));
     }
 }
 
@@ -228,8 +274,7 @@ void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
 // edge and its two neighbours on the line; a wall or gap across it does not. Where a neighbour was
 // not sampled, nothing is shown.
 bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
-  const float f[4] = {offset(low - step), offset_[static_cast<std::size_t>(low)],
-                      offset_[static_cast<std::size_t>(low + step)], offset(low + 2 * step)};
+  const float f[4] = {offset(low - step), offset(low), offset(low + step), offset(low + 2 * step)};
   const float rise = f[2] - f[1];
   const float even = kEven * static_cast<float>(lattice().voxel());
   for (const float next : {f[1] - f[0], f[3] - f[2]})
@@ -243,10 +288,7 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
   const auto is_doubtful = [&](std::int32_t low, std::int32_t step) {
     return decider_[static_cast<std::size_t>(low)] !=
                decider_[static_cast<std::size_t>(low + step)] &&
-           std::abs(offset_[static_cast<std::size_t>(low)]) +
-                   std::abs(offset_[static_cast<std::size_t>(low + step)]) <=
-               voxel &&
-           !runs_evenly(low, step);
+           std::abs(offset(low)) + std::abs(offset(low + step)) <= voxel && !runs_evenly(low, step);
   };
   for (std::int32_t x = kFirstTested; x < kEndOwned; ++x)
     for (std::int32_t y = kFirstTested; y < kEndOwned; ++y) {
@@ -272,15 +314,12 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
 }
 
 std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
-  return {offset_[static_cast<std::size_t>(e.low)], offset(e.high)};
+  return {known_offset(e.low), known_offset(e.high)};
 }
 
 EdgeEnds ContourTile::ends(const MinimalEdge& e) const {
   const LatticePoint p = place(e.low);
-  const auto plane = [&](int axis, std::int32_t i) {
-    return planes_[axis][static_cast<std::size_t>(i)];
-  };
-  return {{plane(0, p.x), plane(1, p.y), plane(2, p.z)}, plane(e.axis, component(p, e.axis) + 1)};
+  return {position(p), planes_[e.axis][static_cast<std::size_t>(component(p, e.axis) + 1)]};
 }
 
 }  // namespace mrsim::detail

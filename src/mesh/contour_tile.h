@@ -8,11 +8,24 @@
 
 #include "mesh/contour_cells.h"
 #include "mesh/contour_tile_edges.h"
+#include "mesh/flat_squares.h"
 
 #include <memory>
 #include <vector>
 
 namespace mrsim::detail {
+
+/// Cells that are one: a square of a layer, which the surface crosses on the edges along `axis`.
+struct TileSquare {
+  int axis = 0;
+  std::int32_t layer = 0;
+  CellSquare cells;  ///< rows and columns: the other two axes, in order
+
+  LatticePoint cell(std::int32_t row, std::int32_t column) const {
+    if (axis == 0) return {layer, row, column};
+    return axis == 1 ? LatticePoint{row, layer, column} : LatticePoint{row, column, layer};
+  }
+};
 
 class ContourTile final : public ContourCells {
  public:
@@ -23,9 +36,13 @@ class ContourTile final : public ContourCells {
 
   ContourTile(const ExactField& field, const Lattice& lattice);
 
+  /// `merged`: squares of cells are one each where no sweep can decide and the stock is a box. Of
+  /// their edges only those at corners of squares count as crossed.
+  enum class FlatCells : std::uint8_t { kept, merged };
+
   /// Moves to the cube whose first cell is `first` (in voxels, counted by the lattice).
   /// `candidates`: what can matter in it.
-  void build(const LatticePoint& first, std::span<const std::uint32_t> candidates);
+  void build(const LatticePoint& first, std::span<const std::uint32_t> candidates, FlatCells flat);
 
   std::size_t size() const override { return kCount; }
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
@@ -43,6 +60,11 @@ class ContourTile final : public ContourCells {
   const TileEdges& crossed() const { return crossed_; }
   /// These edges by their numbers, added to `out`.
   void append_crossed(std::vector<MinimalEdge>& out) const;
+  std::span<const TileSquare> squares() const { return squares_; }
+  /// Bits of the cells (x, y, z), z a bit: in a square.
+  std::uint64_t merged(std::int32_t x, std::int32_t y) const {
+    return merged_[static_cast<std::size_t>(x * kCells + y)];
+  }
   /// Bits of the corners (x, y, z), z a bit: in the material.
   std::uint64_t inside(std::int32_t x, std::int32_t y) const { return column(x, y).inside; }
   static std::int32_t cell_at(std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -82,6 +104,10 @@ class ContourTile final : public ContourCells {
     const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kEndOwned; };
     return in(p.x) && in(p.y) && in(p.z);
   }
+  /// Bits begin .. begin + count - 1.
+  static std::uint64_t run(std::int32_t begin, std::int32_t count) {
+    return ~std::uint64_t(0) >> (64 - count) << begin;
+  }
   static bool is_tested(std::int32_t i, bool along) {
     const std::int32_t first = along ? kFirstTested : kFirstOwned;
     return i >= first && i < first + kOwned;
@@ -100,12 +126,20 @@ class ContourTile final : public ContourCells {
   const Column& column(std::int32_t x, std::int32_t y) const {
     return columns_[static_cast<std::size_t>(x * kCells + y)];
   }
-  float offset(std::int32_t corner) const;
+  float known_offset(std::int32_t corner) const;
+  float offset(std::int32_t corner) const;  ///< infinite where not sampled
+  Vec3 position(const LatticePoint& corner) const;
 
   void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
+  void find_stock();
+  template <std::int32_t kSize>
+  void mark_stock_node(const LatticePoint& origin);
   void find_crossed();
+  void merge_flat_cells();
+  void add_square(const TileSquare& square);
+  void remove_edges(int axis, std::int32_t layer, const CellRows& edges);
   template <std::int32_t kSize>
   void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
@@ -116,14 +150,19 @@ class ContourTile final : public ContourCells {
   std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
   std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
   std::vector<Column> columns_;
-  std::vector<float> offset_;           ///< d + kInsideTolerance at corners, where sampled
+  std::vector<float> offset_;           ///< d + kInsideTolerance at corners, where sampled; NaN: of
+                                        ///< the stock, when asked for
   std::vector<std::uint32_t> decider_;  ///< of d there
   std::vector<std::int32_t> list_of_;   ///< by node, 0 (empty) where no sweep can decide
   std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
   std::unique_ptr<ExactField::Descent> descent_;
   Candidates list_;
+  bool is_box_ = false;        ///< the stock is
+  std::uint64_t within_[3]{};  ///< the box: bits of the planes
   TileEdges crossed_;
+  std::vector<TileSquare> squares_;
+  std::vector<std::uint64_t> merged_;  ///< bits of cells, by column
 };
 
 }  // namespace mrsim::detail

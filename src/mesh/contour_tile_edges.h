@@ -20,11 +20,21 @@ class TileEdges {
     return (axis * kCells + x) * kCells + y;
   }
 
-  void clear() { count_ = 0; }
-  /// The next column in the order of numbers: all come once.
-  void add(std::int32_t column, std::uint64_t bits) {
-    columns_[static_cast<std::size_t>(column)] = {bits, count_};
-    count_ += count(bits);
+  void set(std::int32_t column, std::uint64_t bits) {
+    columns_[static_cast<std::size_t>(column)].bits = bits;
+  }
+  void remove(std::int32_t column, std::uint64_t bits) {
+    columns_[static_cast<std::size_t>(column)].bits &= ~bits;
+  }
+  /// Numbers them by x, y, axis, z.
+  void number() {
+    count_ = 0;
+    for (std::int32_t xy = 0; xy < kCells * kCells; ++xy)
+      for (int axis = 0; axis < 3; ++axis) {
+        Column& c = columns_[static_cast<std::size_t>(axis * kCells * kCells + xy)];
+        c.first = count_;
+        count_ += count(c.bits);
+      }
   }
 
   std::int32_t size() const { return count_; }
@@ -53,5 +63,27 @@ class TileEdges {
   std::vector<Column> columns_;
   std::int32_t count_ = 0;
 };
+
+/// An edge of a cell: the corner it starts at, by sides of the cell, the same as a column, and the
+/// cell's place in its ring.
+struct CellEdge {
+  int d[3], axis;
+  std::int32_t column;
+  int place;
+};
+
+constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
+  CellEdge e{{x, y, z}, axis, TileEdges::column(axis, x, y), 0};
+  // The cell lies on the high side of an edge on its own low side.
+  const int beside = 1 - e.d[(axis + 1) % 3], above = 1 - e.d[(axis + 2) % 3];
+  e.place = above ? 3 - beside : beside;
+  return e;
+}
+
+/// In the order of all edges: by place, then axis.
+inline constexpr CellEdge kCellEdges[12] = {
+    cell_edge(0, 0, 0, 0), cell_edge(0, 0, 0, 1), cell_edge(0, 0, 0, 2), cell_edge(0, 0, 1, 0),
+    cell_edge(0, 0, 1, 1), cell_edge(0, 1, 0, 0), cell_edge(0, 1, 0, 2), cell_edge(0, 1, 1, 0),
+    cell_edge(1, 0, 0, 1), cell_edge(1, 0, 0, 2), cell_edge(1, 0, 1, 1), cell_edge(1, 1, 0, 2)};
 
 }  // namespace mrsim::detail

@@ -10,31 +10,9 @@ namespace {
 
 constexpr std::int32_t kCells = ContourTile::kCells;
 
-// An edge of a cell: the corner it starts at, by sides of the cell, the same as a column, and the
-// cell's place in its ring.
-struct CellEdge {
-  int d[3], axis;
-  std::int32_t column;
-  int place;
-};
-
-constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
-  CellEdge e{{x, y, z}, axis, TileEdges::column(axis, x, y), 0};
-  // The cell lies on the high side of an edge on its own low side.
-  const int beside = 1 - e.d[(axis + 1) % 3], above = 1 - e.d[(axis + 2) % 3];
-  e.place = above ? 3 - beside : beside;
-  return e;
-}
-
-// In the order of all edges: by place, then axis.
-constexpr CellEdge kEdges[12] = {
-    cell_edge(0, 0, 0, 0), cell_edge(0, 0, 0, 1), cell_edge(0, 0, 0, 2), cell_edge(0, 0, 1, 0),
-    cell_edge(0, 0, 1, 1), cell_edge(0, 1, 0, 0), cell_edge(0, 1, 0, 2), cell_edge(0, 1, 1, 0),
-    cell_edge(1, 0, 0, 1), cell_edge(1, 0, 0, 2), cell_edge(1, 0, 1, 1), cell_edge(1, 1, 0, 2)};
-
 // What the signs at the corners of a cell (bits 4 x + 2 y + z) tell of it.
 struct CellCase {
-  std::uint16_t edges = 0;  ///< crossed ones, by kEdges
+  std::uint16_t edges = 0;  ///< crossed ones, by kCellEdges
   bool is_plain = false;    ///< they are one loop
 };
 
@@ -42,8 +20,8 @@ constexpr CellCase cell_case(unsigned corners) {
   CellCase c;
   int part[12] = {}, parts = 0;
   for (int e = 0; e < 12; ++e) {
-    const int* d = kEdges[e].d;
-    const int low = 4 * d[0] + 2 * d[1] + d[2], high = low + (4 >> kEdges[e].axis);
+    const int* d = kCellEdges[e].d;
+    const int low = 4 * d[0] + 2 * d[1] + d[2], high = low + (4 >> kCellEdges[e].axis);
     part[e] = e;
     if ((corners >> low & 1) == (corners >> high & 1)) continue;
     c.edges = static_cast<std::uint16_t>(c.edges | 1u << e);
@@ -53,8 +31,8 @@ constexpr CellCase cell_case(unsigned corners) {
   for (int face = 0; face < 6; ++face) {
     int on[4] = {}, n = 0;
     for (int e = 0; e < 12; ++e)
-      if ((c.edges >> e & 1) != 0 && kEdges[e].axis != face / 2 &&
-          kEdges[e].d[face / 2] == face % 2)
+      if ((c.edges >> e & 1) != 0 && kCellEdges[e].axis != face / 2 &&
+          kCellEdges[e].d[face / 2] == face % 2)
         on[n++] = e;
     if (n == 4) c.is_plain = false;
     if (n != 2 || part[on[0]] == part[on[1]]) continue;
@@ -107,6 +85,7 @@ void ContourSurface::find_loops(const ContourTile& tile) {
   loop_crossings_.clear();
   faces_.clear();
   segments_.clear();
+  for (const TileSquare& square : tile.squares()) add_square(tile, square);
   const std::vector<std::uint64_t> crowded = add_plain_loops(tile);
   add_segments<0>(tile, crowded);
   add_segments<1>(tile, crowded);
@@ -119,6 +98,36 @@ void ContourSurface::find_loops(const ContourTile& tile) {
   list_segments();
 }
 
+// Its vertex lies in the middle, on the plane of the face that its crossings are on.
+void ContourSurface::add_square(const ContourTile& tile, const TileSquare& square) {
+  const auto id = static_cast<std::int32_t>(loops_.size());
+  const CellSquare& s = square.cells;
+  const LatticePoint middle = square.cell(s.row + s.size / 2, s.column + s.size / 2);
+  const std::int32_t cell = ContourTile::cell_at(middle.x, middle.y, middle.z);
+  Loop& loop = new_loop(cell);
+  const Crossing* on = nullptr;
+  for (std::int32_t row = 0; row < s.size; ++row)
+    for (std::int32_t column = 0; column < s.size; ++column) {
+      if (row > 0 && row < s.size - 1 && column == 1) column = s.size - 1;  // no edges inside
+      const LatticePoint p = square.cell(s.row + row, s.column + column);
+      for (const CellEdge& e : kCellEdges) {
+        const std::int32_t edges = TileEdges::column(0, p.x, p.y) + e.column, z = p.z + e.d[2];
+        if (e.axis != square.axis || !has(tile.crossed().bits(edges), z)) continue;
+        Crossing& c = crossings_[static_cast<std::size_t>(tile.crossed().number(edges, z))];
+        c.loops[e.place] = id;
+        on = &c;
+      }
+    }
+  MRSIM_ASSERT(on != nullptr);  // at its corners
+  const int axis = square.axis;
+  loop.point.position = tile.box(cell).lo;
+  mrsim::component(loop.point.position, axis) =
+      snap(mrsim::component(on->position, axis) -
+           field_.patch_distance(on->position, on->at) * mrsim::component(on->normal, axis));
+  loop.point.faces[0] = on->at;
+  loop.point.count = 1;
+}
+
 // The loops of cells that have one; bits of the others.
 std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& tile) {
   std::vector<std::uint64_t> crowded(kCells * kCells);
@@ -128,7 +137,8 @@ std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& ti
                                         tile.inside(x + 1, y), tile.inside(x + 1, y + 1)};
       std::uint64_t any = 0, all = ~any;
       for (const std::uint64_t c : corners) any |= c | c >> 1, all &= c & c >> 1;
-      for (std::uint64_t left = any & ~all & up_to(kCells - 2); left != 0; left &= left - 1) {
+      for (std::uint64_t left = any & ~all & ~tile.merged(x, y) & up_to(kCells - 2); left != 0;
+           left &= left - 1) {
         const std::int32_t z = std::countr_zero(left);
         unsigned signs = 0;
         for (unsigned k = 0; k < 4; ++k)
@@ -143,7 +153,7 @@ std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& ti
   return crowded;
 }
 
-// `edges`: bits by kEdges.
+// `edges`: bits by kCellEdges.
 void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y,
                               std::int32_t z, std::uint32_t edges) {
   const auto id = static_cast<std::int32_t>(loops_.size());
@@ -151,7 +161,7 @@ void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int3
   loop.first_crossing = static_cast<std::uint32_t>(loop_crossings_.size());
   const std::int32_t column = TileEdges::column(0, x, y);
   for (; edges != 0; edges &= edges - 1) {
-    const CellEdge& e = kEdges[std::countr_zero(edges)];
+    const CellEdge& e = kCellEdges[std::countr_zero(edges)];
     const std::int32_t k = tile.crossed().number(column + e.column, z + e.d[2]);
     crossings_[static_cast<std::size_t>(k)].loops[e.place] = id;
     loop_crossings_.push_back(k);
@@ -175,7 +185,12 @@ void ContourSurface::add_segments(const ContourTile& tile,
         bits[k] = edges.bits(column + kOn[k].column) >> kOn[k].z;
         any |= bits[k], all &= bits[k];
       }
-      any &= up_to(last(2));
+      // A side of a square needs none.
+      const std::uint64_t square = tile.merged(x, y);
+      any &= up_to(last(2)) & ~square;
+      any &= ~(kAxis == 0   ? tile.merged(x - 1, y)
+               : kAxis == 1 ? tile.merged(x, y - 1)
+                            : square << 1);
       if (any == 0) continue;
       const auto crowded_at = [&](std::int32_t i) { return crowded[static_cast<std::size_t>(i)]; };
       const std::uint64_t own = crowded_at(column);
@@ -221,7 +236,7 @@ void ContourSurface::add_crowded_loops(const ContourTile& tile, std::int32_t x, 
   std::int32_t ids[12];
   std::uint32_t open = 0;
   for (int k = 0; k < 12; ++k) {
-    const CellEdge& e = kEdges[k];
+    const CellEdge& e = kCellEdges[k];
     const std::int32_t column = TileEdges::column(0, x, y) + e.column;
     ids[k] = -1;
     if (!has(tile.crossed().bits(column), z + e.d[2])) continue;
@@ -235,7 +250,7 @@ void ContourSurface::add_crowded_loops(const ContourTile& tile, std::int32_t x, 
       next &= next - 1;
       loop |= 1u << k;
       const Crossing& c = crossings_[static_cast<std::size_t>(ids[k])];
-      for (const int place : {kEdges[k].place, kEdges[k].place + 3}) {
+      for (const int place : {kCellEdges[k].place, kCellEdges[k].place + 3}) {
         const std::int32_t s = c.segments[place & 3];
         MRSIM_ASSERT(s >= 0);
         const Segment& segment = segments_[static_cast<std::size_t>(s)];

@@ -118,7 +118,7 @@ class UniformContour {
   TileMesh make_tile(std::size_t i, TileMaker& maker) {
     const Tile& tile = set_.tiles[i];
     if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
-    maker.cells.build(tile.first, tile.candidates);
+    maker.cells.build(tile.first, tile.candidates, ContourTile::FlatCells::merged);
     maker.surface.find_loops(maker.cells);
     maker.surface.make_triangles();
     TileMesh mesh = collect(maker.surface, maker.cells, tile, notes_[i]);

@@ -140,6 +140,9 @@ class ExactField {
   /// True where d, with these candidates, depends on the distance from the Z axis and on z alone.
   virtual bool is_turned(std::span<const std::uint32_t>) const { return false; }
 
+  /// The stock before the first cut is a box with sides along the axes.
+  virtual bool has_box_stock() const { return false; }
+
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;
 };

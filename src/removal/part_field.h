@@ -43,6 +43,7 @@ class PartField final : public ExactField {
     return solid_.is_turned() && (candidates.empty() || (candidates.front() >= sweeps_.size() &&
                                                          candidates.back() < kFirstPack));
   }
+  bool has_box_stock() const override { return solid_.is_box(); }
   Box3 bounds() const override { return solid_.bounds(); }
 
   const StockSolid& solid() const { return solid_; }

@@ -71,7 +71,7 @@ ContourSurface::Options options(const Lattice& lattice) {
 Found found(const PartField& field, const Lattice& lattice, const LatticePoint& first) {
   ContourTile tile(field, lattice);
   ContourSurface surface(field, tile, options(lattice));
-  tile.build(first, field.all());
+  tile.build(first, field.all(), ContourTile::FlatCells::kept);
   surface.find_loops(tile);
   surface.make_triangles();
   return all_of(surface, tile);
@@ -134,6 +134,65 @@ TEST(ContourTile, FindsWhatATreeFinds) {
     EXPECT_GT(tile.size(), 8000u);
     EXPECT_GT(creases, 300u);
   }
+}
+
+struct TileMeasure {
+  double area = 0, volume = 0;  ///< of the cones from a point
+  std::size_t triangles = 0;
+  std::map<std::pair<Place, Place>, int> sides;  ///< of triangles, less those of neighbours
+};
+
+TileMeasure measured(const PartField& field, const Lattice& lattice, const LatticePoint& first,
+                     ContourTile::FlatCells flat) {
+  ContourTile tile(field, lattice);
+  ContourSurface surface(field, tile, options(lattice));
+  tile.build(first, field.all(), flat);
+  surface.find_loops(tile);
+  const BaseMesh& mesh = surface.make_triangles();
+  const Vec3 middle = field.bounds().lo;
+  TileMeasure out;
+  const auto place = [&](std::uint32_t v) {
+    const Vec3& p = mesh.vertices[v];
+    const auto steps = [](double x) { return static_cast<int>(x * (1 << 20)); };
+    return Place{steps(p.x), steps(p.y), steps(p.z), 0};
+  };
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices[t[0]] - middle, b = mesh.vertices[t[1]] - middle,
+               c = mesh.vertices[t[2]] - middle;
+    out.area += 0.5 * length(cross(b - a, c - a));
+    out.volume += dot(a, cross(b, c)) / 6;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Place from = place(t[k]), to = place(t[(k + 1) % 3]);
+      if (--out.sides[{to, from}] == 0) out.sides.erase({to, from});
+      if (++out.sides[{from, to}] == 0) out.sides.erase({from, to});
+    }
+  }
+  out.triangles = mesh.triangles.size();
+  return out;
+}
+
+// Squares of cells cover what their cells would: the border of the tile's surface stays, and so do
+// its area and what lies beneath it.
+TEST(ContourTile, FlatCellsAreMergedWithoutATrace) {
+  int round = 0;
+  double before = 0, after = 0;
+  for (const Vec3& origin : {Vec3{}, Vec3{1000, -500, 3}, Vec3{-3.3, 100.37, -20.1}})
+    for (const double voxel : {0.17, 0.05}) {
+      ++round;
+      const PartField field = raster(origin, 0.9, round % 2 == 0);
+      const Lattice lattice(field.bounds(), voxel, 2, 4);
+      for (const LatticePoint first : {LatticePoint{2, 1, 0}, LatticePoint{40, 20, 40}}) {
+        const TileMeasure all = measured(field, lattice, first, ContourTile::FlatCells::kept);
+        const TileMeasure some = measured(field, lattice, first, ContourTile::FlatCells::merged);
+        if (all.triangles == 0) continue;
+        EXPECT_EQ(all.sides, some.sides);
+        EXPECT_NEAR(all.area, some.area, 1e-9 * all.area) << "round " << round;
+        EXPECT_NEAR(all.volume, some.volume, 1e-9 * std::abs(all.volume));
+        before += static_cast<double>(all.triangles);
+        after += static_cast<double>(some.triangles);
+      }
+    }
+  EXPECT_LT(after, 0.8 * before);
 }
 
 // Beyond the reach of a cell its list may lack sweeps, so nothing is concluded from samples there.
