@@ -14,11 +14,12 @@ namespace mrsim {
 namespace {
 
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
-// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels.
-constexpr double kProgram = 10e6, kMotion = 560;
+// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
+// flat sides that a box keeps have few.
+constexpr double kProgram = 10e6, kMotion = 400;
 constexpr double kOpenVdb = 30e6;  ///< its library
-constexpr double kGridProgram = 20e6, kGridColumn = 160;
-constexpr double kThread = 25e6, kMeshColumn = 70;
+constexpr double kGridProgram = 10e6, kGridColumn = 110;
+constexpr double kThread = 15e6, kMeshColumn = 70, kBoxMeshColumn = 40;
 constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
 
@@ -49,7 +50,8 @@ struct Need {
     if (!options.grid_mesh) return always + grid;
     const double working = kGridProgram + kThread * resolve_threads(options.threads) +
                            section_tiles(stock, voxel) * kFrontTile;
-    return always + grid + working + (in_slabs ? 0 : columns * kMeshColumn);
+    return always + grid + working +
+           (in_slabs ? 0 : columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn));
   }
 };
 

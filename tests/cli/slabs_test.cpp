@@ -31,7 +31,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 // Between what the run takes in slabs and in one piece, for that many threads.
-std::string limit(int threads) { return std::to_string(60 + 25 * threads + 18) + "M"; }
+std::string limit(int threads) { return std::to_string(50 + 15 * threads + 20) + "M"; }
 
 TEST_F(Slabs, GiveTheSameBytes) {
   for (const char* format : {"stl", "ply", "obj", "off", "3mf"}) {
@@ -107,7 +107,7 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
 }
 
 TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
-  const Outcome outcome = split("--threads 1 --max-memory 84M -o part.stl");
+  const Outcome outcome = split("--threads 1 --max-memory 66M -o part.stl");
   ASSERT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, " in slabs")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
@@ -120,7 +120,7 @@ TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
   const std::string larger = std::to_string(1.001 * std::stod(voxel));
   const Outcome fits =
       run("split.MPF --machine mill --stock box:0,0,-4,60,20,0 --tool 1=endmill:d=2 --threads 1 "
-          "--max-memory 84M -o part.stl --voxel " +
+          "--max-memory 66M -o part.stl --voxel " +
           larger);
   EXPECT_EQ(fits.code, 0) << fits.err;
 }
