@@ -36,8 +36,8 @@ class FlatLayers {
 // The edges between cells (row - 1 or row, column - 1 or column) that a square holds, or that lie
 // on the side which two squares share.
 CellRows edges_within(const std::vector<CellSquare>& squares) {
-  CellRows along{}, across{},
-      out{};  // pairs of cells in one square: (.., column - 1), (row - 1, ..)
+  // Cells that are in one square with the cell before them in the row, in the column.
+  CellRows along{}, across{}, out{};
   for (const CellSquare& s : squares) {
     const std::uint64_t columns = (std::uint64_t(1) << s.size) - 1 << s.column;
     for (std::int32_t i = s.row; i < s.row + s.size; ++i) {
