@@ -114,7 +114,7 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
     sample_corners(mixed);
     std::vector<char> split(mixed.size());
     parallel_for(
-        mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 256);
+        mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 8);
     for (std::size_t k = 0; k < mixed.size(); ++k)
       if (split[k])
         add_children(mixed[k], next);

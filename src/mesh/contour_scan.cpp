@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <memory>
 
 namespace mrsim::detail {
 namespace {
@@ -12,6 +14,7 @@ constexpr std::int32_t kTogether = 3;  ///< points to a side that are sampled to
 constexpr int kSecants = 2;            ///< the second is near enough to see the face that decides
 constexpr double kBendShare = 0.15;    ///< of k s^2, that a cell's triangles leave the surface by
 constexpr std::size_t kMost = kTogether * kTogether * kTogether;
+constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed than asked
 
 // The points of a cell that are looked at: those of the voxel lattice, by voxels from its origin.
 // Of a turned part, in each layer, points on a line from the axis outwards, at most 0.71 voxels
@@ -62,39 +65,63 @@ struct Range {
   std::int32_t side(int axis) const { return hi[axis] - lo[axis] + 1; }
 };
 
+using List = std::span<const std::uint32_t>;
+
+Box3 box_about(const Vec3& a, const Vec3& b) {
+  const Vec3 lo{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+      hi{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+  return inflated(Box3{lo, hi}, kQuantum);
+}
+
 // Goes through the points, without those of whole ranges that `Judge` tells to be far from what is
-// looked for, until it finds that.
+// looked for, until it finds that. Lists of candidates become shorter on the way; they hold for all
+// d from -Judge::band() up, and tell no more than that of what lies deeper.
 template <class Judge>
 class Scan {
  public:
-  Scan(const Points& points, const Judge& judge) : points_(points), judge_(judge) {}
+  Scan(const ExactField& field, const Points& points, const Judge& judge)
+      : field_(field), points_(points), judge_(judge) {}
 
-  bool finds() const {
-    return finds({{0, 0, 0}, {points_.last(0), points_.last(1), points_.last(2)}});
+  bool finds(List candidates) {
+    const Range all{{0, 0, 0}, {points_.last(0), points_.last(1), points_.last(2)}};
+    if (candidates.size() > kLong)
+      descent_ = field_.descent(0.5 * (points_.place(all.lo) + points_.place(all.hi)), candidates);
+    return finds(all, candidates, 1);
   }
 
  private:
-  bool finds(const Range& range) const {
+  // `level`: the first one that holds none of the regions about the range.
+  bool finds(const Range& range, List list, std::size_t level) {
     const int axis = range.longest();
-    if (range.side(axis) <= kTogether) return finds_among(range);
-    if (judge_.is_far({points_.place(range.lo), points_.place(range.hi)})) return false;
+    if (range.side(axis) <= kTogether) return finds_among(range, list);
+    const Vec3 first = points_.place(range.lo), last = points_.place(range.hi);
+    if (judge_.is_far({first, last}, list)) return false;
+    if (list.size() > kLong && descent_->enter(level, box_about(first, last), judge_.band(),
+                                               true) == ExactField::Region::mixed) {
+      if (lists_.size() <= level) lists_.resize(level + 1);
+      descent_->candidates(level, lists_[level]);
+      list = lists_[level++];
+    }
     Range low = range, high = range;
     low.hi[axis] = range.lo[axis] + range.side(axis) / 2 - 1;
     high.lo[axis] = low.hi[axis] + 1;
-    return finds(low) || finds(high);
+    return finds(low, list, level) || finds(high, list, level);
   }
-  bool finds_among(const Range& range) const {
+  bool finds_among(const Range& range, List list) const {
     Vec3 places[kMost];
     std::size_t n = 0;
     for (std::int32_t x = range.lo[0]; x <= range.hi[0]; ++x)
       for (std::int32_t y = range.lo[1]; y <= range.hi[1]; ++y)
         for (std::int32_t z = range.lo[2]; z <= range.hi[2]; ++z)
           places[n++] = points_.place({x, y, z});
-    return judge_.finds({places, n});
+    return judge_.finds({places, n}, list);
   }
 
+  const ExactField& field_;
   const Points& points_;
   const Judge& judge_;
+  std::unique_ptr<ExactField::Descent> descent_;
+  std::deque<Candidates> lists_;  ///< by level; they stay where they are
 };
 
 // Half of the diagonal of the box that two opposite corners span, whichever these are.
@@ -118,19 +145,22 @@ struct Views {
   const CellLimits& limits;
   MeanPlane plane{cell.surface};
 
+  // Deeper than that, d differs from a plane near the surface by more than the limit as well.
+  double band() const { return 2 * limits.near + kQuantum; }
+
   // All material, or all air, by more than the limits, in whatever way it is told.
-  bool is_far(const Box3& box) const {
+  bool is_far(const Box3& box, List list) const {
     const Vec3 center = 0.5 * (box.lo + box.hi);
-    const double d = field.sample(center, cell.candidates).distance;
+    const double d = field.sample(center, list).distance;
     const double room = radius(box) + limits.near;
     if (std::abs(d) <= room) return false;
     if (d > 0 && field.sample(center, cell.seen).distance <= room) return false;
     return limits.bend > limits.near || (d > 0 ? plane(center) > room : plane(center) < -room);
   }
 
-  bool finds(std::span<const Vec3> places) const {
+  bool finds(std::span<const Vec3> places, List list) const {
     FieldSample all[kMost];
-    field.samples(places, cell.candidates, all);
+    field.samples(places, list, all);
     Vec3 doubtful[kMost];
     double least[kMost], seen[kMost];
     std::size_t n = 0;
@@ -160,13 +190,15 @@ struct Sides {
   const CellView& cell;
   double sign, depth;
 
-  bool is_far(const Box3& box) const {
+  double band() const { return depth + kQuantum; }
+
+  bool is_far(const Box3& box, List list) const {
     const Vec3 center = 0.5 * (box.lo + box.hi);
-    return sign * field.sample(center, cell.candidates).distance - radius(box) > -depth;
+    return sign * field.sample(center, list).distance - radius(box) > -depth;
   }
-  bool finds(std::span<const Vec3> places) const {
+  bool finds(std::span<const Vec3> places, List list) const {
     double d[kMost];
-    field.distances(places, cell.candidates, d);
+    field.distances(places, list, d);
     return std::any_of(d, d + places.size(), [&](double x) { return sign * x < -depth; });
   }
 };
@@ -221,14 +253,14 @@ bool shows_more(const ExactField& field, const Lattice& lattice, const CellView&
                 const CellLimits& limits) {
   const Points points(lattice, cell, field.is_turned(cell.candidates));
   const Views views{field, cell, limits};
-  return Scan(points, views).finds();
+  return Scan(field, points, views).finds(cell.candidates);
 }
 
 bool hides_surface(const ExactField& field, const Lattice& lattice, const CellView& cell,
                    double depth) {
   const Points points(lattice, cell, field.is_turned(cell.candidates));
   const Sides sides{field, cell, cell.is_inside ? -1.0 : 1.0, depth};
-  return Scan(points, sides).finds();
+  return Scan(field, points, sides).finds(cell.candidates);
 }
 
 }  // namespace mrsim::detail

@@ -39,7 +39,7 @@ CellRows edges_within(const std::vector<CellSquare>& squares) {
   // Cells that are in one square with the cell before them in the row, in the column.
   CellRows along{}, across{}, out{};
   for (const CellSquare& s : squares) {
-    const std::uint64_t columns = (std::uint64_t(1) << s.size) - 1 << s.column;
+    const std::uint64_t columns = ((std::uint64_t(1) << s.size) - 1) << s.column;
     for (std::int32_t i = s.row; i < s.row + s.size; ++i) {
       along[static_cast<std::size_t>(i)] |= columns & columns << 1;
       if (i > s.row) across[static_cast<std::size_t>(i)] |= columns;
