@@ -13,6 +13,12 @@ struct VdbGrid final : VoxelGrid {
   openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
   std::size_t active = 0;            ///< voxels
+  int threads = 0;                   ///< that may take it down, 0 = all cores
+
+  VdbGrid() = default;
+  VdbGrid(const VdbGrid&) = delete;
+  VdbGrid& operator=(const VdbGrid&) = delete;
+  ~VdbGrid() override;
 
   std::size_t active_voxels() const override { return active; }
   std::size_t memory() const override;
