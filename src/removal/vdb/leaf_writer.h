@@ -5,6 +5,7 @@
 #include "removal/lattice.h"
 #include "removal/part_field.h"
 #include "removal/sweep_kernels.h"
+#include "removal/vdb/vdb_grid.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,12 +13,7 @@
 #include <limits>
 #include <memory>
 
-#include <openvdb/openvdb.h>
-
 namespace mrsim {
-
-using FloatLeaf = openvdb::FloatTree::LeafNodeType;
-using OwnerLeaf = openvdb::Int32Tree::LeafNodeType;
 
 inline constexpr int kLeafVoxels = 8;
 

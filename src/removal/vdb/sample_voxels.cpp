@@ -176,6 +176,9 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
   grid.owner = openvdb::Int32Grid::create(kStockOwner);
   grid.owner->setName("owner");
   grid.owner->setTransform(transform);
+  for (const std::vector<LeafPair>& leaves : blocks)
+    for (const LeafPair& leaf : leaves)
+      grid.leaves.emplace_back(leaf.distance.get(), leaf.owner.get());
   // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
   parallel_for(2, threads, [&](std::size_t tree) {
     for (std::vector<LeafPair>& leaves : blocks)
