@@ -24,14 +24,23 @@ ToolColumns tool_columns(const Profile& tool) {
   return t;
 }
 
+bool is_strip(const SweepRef& ref) {
+  return ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
+}
+
 // Two groups a tool: strips and plans are never compared.
+std::int32_t group_of(const SweepRef& ref) {
+  if (ref.frame != 0 || ref.kind == SweepKind::path || ref.kind == SweepKind::turn)
+    return SweepClass{}.group;
+  return 2 * ref.shape + (is_strip(ref) ? 1 : 0);
+}
+
 SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, std::uint32_t form) {
   SweepClass k;
   k.form = static_cast<SweepClass::Form>(form);
-  if (ref.frame != 0 || ref.kind == SweepKind::path || ref.kind == SweepKind::turn) return k;
-  const bool strip = ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
-  k.kind = strip ? SweepClass::Kind::solid : SweepClass::Kind::plan;
-  k.group = 2 * ref.shape + (strip ? 1 : 0);
+  if (group_of(ref) == k.group) return k;
+  k.kind = is_strip(ref) ? SweepClass::Kind::solid : SweepClass::Kind::plan;
+  k.group = group_of(ref);
   k.tool = tool_columns(c.cutter(ref));
   return k;
 }
@@ -90,9 +99,8 @@ void SweepColumns::classify() {
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const SweepRef& ref = refs[i];
     const std::uint32_t form = tags[i] >> kTagShift;
-    const SweepClass k = class_of_sweep(*this, ref, form);
-    const Key key{k.group, form, ref.shape, -1};
-    if (key != last) last = key, last_class = number_of(key, k);
+    const Key key{group_of(ref), form, ref.shape, -1};
+    if (key != last) last = key, last_class = number_of(key, class_of_sweep(*this, ref, form));
     class_of[i] = last_class;
     if (!is_plan(ref)) continue;
     if (levels.empty()) levels.resize(refs.size());

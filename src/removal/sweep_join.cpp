@@ -10,7 +10,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kPart = 1 << 16;  // motions; their rows stay in the cache
+constexpr std::size_t kPart = 1 << 13;  // motions; their rows stay in the cache
 
 // Appends parts to a table, in their order.
 class Joiner {

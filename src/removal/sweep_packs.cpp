@@ -15,7 +15,7 @@ constexpr std::size_t kMost = 8, kLeast = 4;  // members of a pack
 constexpr double kStraight = 1.0 / 16;        // of the chord: the largest spread
 constexpr double kJoined = 1e-9;              // mm: ends of moves that follow one another
 constexpr double kShortest = 1e-3;            // mm in plan: shorter chords have no direction
-constexpr std::size_t kPart = 1 << 15;        // sweeps that are packed on their own
+constexpr std::size_t kPart = 1 << 13;        // sweeps that are packed on their own
 constexpr double kOpen = 0.7;                 // of a pack: smaller regions see its members
 
 // A sweep or a pack, to be packed.

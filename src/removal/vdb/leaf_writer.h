@@ -5,17 +5,15 @@
 #include "removal/lattice.h"
 #include "removal/part_field.h"
 #include "removal/sweep_kernels.h"
+#include "removal/vdb/vdb_grid.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
-#include <openvdb/openvdb.h>
-
 namespace mrsim {
-
-using FloatLeaf = openvdb::FloatTree::LeafNodeType;
-using OwnerLeaf = openvdb::Int32Tree::LeafNodeType;
 
 inline constexpr int kLeafVoxels = 8;
 
@@ -35,28 +33,37 @@ class LeafWriter {
             std::make_unique<OwnerLeaf>(origin, kStockOwner, false)};
   }
 
-  // Deep in the stock it never decides within the band.
+  // What each of the points is to hold, from the sweep nearest to it. Deep in the stock this never
+  // decides within the band.
   void combine_stock(bool in_stock) {
+    double stock[PointColumns::kMost];
     if (in_stock)
-      std::fill_n(stock_, points_.count, -std::numeric_limits<double>::infinity());
+      std::fill_n(stock, points_.count, -std::numeric_limits<double>::infinity());
     else
-      field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock_);
+      field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock);
+    active_ = cut_ = 0;
     for (std::size_t k = 0; k < points_.count; ++k) {
-      const double cut = -points_.least[k];
-      from_stock_[k] = stock_[k] >= cut;
-      points_.least[k] = stock_[k] >= cut ? stock_[k] : cut;
+      const double cut = -points_.least[k], d = std::max(stock[k], cut);
+      distance_[k] = static_cast<float>(std::clamp(d, -band_, band_));
+      const bool is_active = -band_ < d && d < band_;
+      active_ |= std::uint64_t(is_active) << k;
+      cut_ |= std::uint64_t(is_active && stock[k] < cut) << k;
     }
   }
 
-  void store(LeafPair& leaf, std::size_t k, openvdb::Index offset) const {
-    const double d = points_.least[k];
-    leaf.distance->buffer().data()[offset] = static_cast<float>(std::clamp(d, -band_, band_));
-    if (d >= band_ || d <= -band_) return;
-    leaf.distance->getValueMask().setOn(offset);
-    leaf.owner->getValueMask().setOn(offset);
-    if (!from_stock_[k])
-      leaf.owner->buffer().data()[offset] =
-          field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k]));
+  // Points k, k + 1, ... of a row along z.
+  void store(LeafPair& leaf, std::size_t k, openvdb::Index offset, std::size_t count) const {
+    std::copy_n(distance_ + k, count, leaf.distance->buffer().data() + offset);
+    const std::uint64_t row = (std::uint64_t(1) << count) - 1, active = active_ >> k & row;
+    if (active == 0) return;
+    const openvdb::Index word = offset / 64, bit = offset % 64;
+    leaf.distance->getValueMask().getWord<std::uint64_t>(word) |= active << bit;
+    leaf.owner->getValueMask().getWord<std::uint64_t>(word) |= active << bit;
+    std::int32_t* owner = leaf.owner->buffer().data() + offset;
+    for (std::uint64_t cut = cut_ >> k & row; cut != 0; cut &= cut - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(cut));
+      owner[i] = field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k + i]));
+    }
   }
 
   const PartField& field_;
@@ -64,8 +71,10 @@ class LeafWriter {
   PointColumns points_;
 
  private:
-  double stock_[PointColumns::kMost];
-  bool from_stock_[PointColumns::kMost];
+  static_assert(PointColumns::kMost <= 64);
+  float distance_[PointColumns::kMost];  // within the band
+  std::uint64_t active_ = 0;             // bit k: point k lies in the band
+  std::uint64_t cut_ = 0;                // and a sweep decides there, not the stock
 };
 
 }  // namespace mrsim

@@ -58,7 +58,7 @@ class BlockCarver : LeafWriter {
     PruneRegion block = PruneRegion::block(center(origin, size), half(size));
     block.open = size == 4;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
-    if (size == kLeafVoxels && region != ExactField::Region::air) leaf_ = new_leaf(origin);
+    if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
     if (region == ExactField::Region::mixed) {
       if (size == 4 && is_short(left))
@@ -84,6 +84,15 @@ class BlockCarver : LeafWriter {
             size, depth, in_stock);
   }
 
+  // The last leaf, where it has been found to hold no active voxels: one in three.
+  void open_leaf(const openvdb::Coord& origin) {
+    if (!leaf_.distance) {
+      leaf_ = new_leaf(origin);
+      return;
+    }
+    leaf_.distance->setOrigin(origin), leaf_.owner->setOrigin(origin);
+    leaf_.distance->buffer().fill(static_cast<float>(band_));
+  }
   void close_leaf() {
     if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
   }
@@ -120,12 +129,11 @@ class BlockCarver : LeafWriter {
     });
     field_.sweeps().least(sweeps, points_);
     combine_stock(in_stock);
-    const openvdb::Index first = FloatLeaf::coordToOffset(origin);
-    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
-      store(
-          leaf_, k,
-          first + static_cast<openvdb::Index>(x * kLeafVoxels * kLeafVoxels + y * kLeafVoxels + z));
-    });
+    const auto row = static_cast<std::size_t>(size);
+    std::size_t k = 0;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y, k += row)
+        store(leaf_, k, FloatLeaf::coordToOffset(origin.offsetBy(x, y, 0)), row);
   }
 
   Lists& lists_;
@@ -156,6 +164,7 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
                                  int threads) {
   auto made = std::make_unique<VdbGrid>();
   VdbGrid& grid = *made;
+  grid.threads = threads;
   const double band = kBandVoxels * voxel;
   const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
   transform->postTranslate(voxel *
@@ -167,6 +176,9 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
   grid.owner = openvdb::Int32Grid::create(kStockOwner);
   grid.owner->setName("owner");
   grid.owner->setTransform(transform);
+  for (const std::vector<LeafPair>& leaves : blocks)
+    for (const LeafPair& leaf : leaves)
+      grid.leaves.emplace_back(leaf.distance.get(), leaf.owner.get());
   // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
   parallel_for(2, threads, [&](std::size_t tree) {
     for (std::vector<LeafPair>& leaves : blocks)

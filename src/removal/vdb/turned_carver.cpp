@@ -96,7 +96,7 @@ void TurnedCarver::evaluate(const openvdb::Coord& slab, int z, std::span<const C
     LeafPair& leaf = slab_[x / kLeafVoxels * kSlabSide + y / kLeafVoxels];
     if (!leaf.distance)
       leaf = signed_leaf(slab, x / kLeafVoxels * kLeafVoxels, y / kLeafVoxels * kLeafVoxels);
-    store(leaf, k, FloatLeaf::coordToOffset({static_cast<int>(x), static_cast<int>(y), z}));
+    store(leaf, k, FloatLeaf::coordToOffset({static_cast<int>(x), static_cast<int>(y), z}), 1);
   }
 }
 

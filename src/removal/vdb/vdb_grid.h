@@ -4,15 +4,28 @@
 #include "removal/voxel_grid.h"
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include <openvdb/openvdb.h>
 
 namespace mrsim {
 
+using FloatLeaf = openvdb::FloatTree::LeafNodeType;
+using OwnerLeaf = openvdb::Int32Tree::LeafNodeType;
+
 struct VdbGrid final : VoxelGrid {
   openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
   std::size_t active = 0;            ///< voxels
+  int threads = 0;                   ///< that may take it down, 0 = all cores
+  /// What the two trees own, in the order in which it was made.
+  std::vector<std::pair<FloatLeaf*, OwnerLeaf*>> leaves;
+
+  VdbGrid() = default;
+  VdbGrid(const VdbGrid&) = delete;
+  VdbGrid& operator=(const VdbGrid&) = delete;
+  ~VdbGrid() override;
 
   std::size_t active_voxels() const override { return active; }
   std::size_t memory() const override;
