@@ -105,6 +105,33 @@ TEST(Thin, ShortWallsAreKeptOrReported) {
       }
 }
 
+// Slots whose round ends come through the side of the stock, by little, beside each other: thin
+// edges at the side end on the floor.
+std::vector<Cut> scallops() {
+  std::vector<Cut> cuts;
+  for (const double x : {4.0, 9.3, 14.6, 19.9, 25.2})
+    cuts.push_back(flat_line({x, 10}, {x, kRadius - 0.15}, kRadius, kFloor));
+  return cuts;
+}
+
+TEST(Thin, TipsThatTheMeshHoldsAreNotReported) {
+  for (const double tolerance : {0.01, 0.034, 0.1})
+    EXPECT_TRUE(made({kStock, false, scallops()}, tolerance).report.thin.empty()) << tolerance;
+}
+
+TEST(Thin, WallsBesideSuchTipsAreReported) {
+  const Place at{{17.2, 15.1}, {0, 1}};
+  for (const double tolerance : {0.01, 0.034, 0.1}) {
+    std::vector<Cut> cuts = scallops();
+    for (const Cut& cut : short_wall(at, 0.9 * kVoxel)) cuts.push_back(cut);
+    const Made part = made({kStock, false, cuts}, tolerance);
+    if (held(part.mesh, at, 0.8 * kVoxel) == kPoints) continue;
+    ASSERT_FALSE(part.report.thin.empty()) << tolerance;
+    for (const ThinFeature& f : part.report.thin)
+      EXPECT_LT(length(Vec2{f.place.x, f.place.y} - at.middle), kVoxel) << tolerance;
+  }
+}
+
 // What the grid shows of a part with walls or gaps, and what of it other parts' meshes have lost.
 class Lost : public ::testing::Test {
  protected:
