@@ -77,9 +77,11 @@ class Contour {
     report_bound(mesh);
     report_.volume_excess = volume_excess(mesh);
     timer_.step("certify");
-    report_.thin = detail::distinct(detail::thin_features(field_, tree_, tree_.doubtful_edges()));
+    TriMesh out = to_mesh(mesh);
+    report_.thin = detail::distinct(detail::lost_features(
+        field_, tree_, tree_.doubtful_edges(), out, options_.tolerance, options_.threads));
     timer_.step("thin");
-    return to_mesh(mesh);
+    return out;
   }
 
  private:

@@ -7,7 +7,8 @@
 // stays below it on resolved features, and the bound that was reached is reported.
 //
 // Not guaranteed: features that no edge of the grid meets (a needle between the samples); walls and
-// gaps thinner than a voxel are found where an edge of the grid shows them, and listed.
+// gaps thinner than a voxel are found where an edge of the grid shows them, and listed; with a
+// tolerance, those that the mesh does not hold within it.
 #pragma once
 
 #include "mesh/mesh_block.h"
@@ -25,7 +26,7 @@ namespace mrsim {
 struct ThinFeature {
   Vec3 place;             ///< mm, on or in the feature
   bool wall = false;      ///< material between air; else a gap
-  double thickness = 0;   ///< mm, along the edge of the grid
+  double thickness = 0;   ///< mm of the edge of the grid that lie in it
   std::int32_t owner[2];  ///< what bounds it: motion or kStockOwner
 };
 
@@ -41,7 +42,7 @@ struct ContourReport {
   std::size_t passes = 0;    ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification
   std::size_t unresolved = 0;     ///< places that stayed above the tolerance at the smallest cell
-  std::vector<ThinFeature> thin;  ///< in the order of their places on the lattice
+  std::vector<ThinFeature> thin;  ///< in the order of the grid's edges
   std::vector<std::pair<std::string, double>> seconds;  ///< by step
 };
 

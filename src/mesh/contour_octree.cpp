@@ -309,7 +309,35 @@ std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
   EdgeWalk walk(*this, nullptr, nullptr, out);
   walk.doubtful();
   walk.cell(0);
+  add_doubtful_inside(out);
   return out;
+}
+
+// In cells above a voxel in which more than one owner can decide d.
+void ContourOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
+  const std::int32_t voxel = lattice().per_voxel();
+  std::vector<std::int32_t> large;
+  for (std::size_t n = 0; n < size(); ++n)
+    if (const OctreeNode& a = nodes_[n];
+        a.child < 0 && a.region == ExactField::Region::mixed && a.size > voxel && !a.plain)
+      large.push_back(static_cast<std::int32_t>(n));
+  std::vector<std::vector<VoxelEdge>> inside(large.size());
+  parallel_for(
+      large.size(), threads_,
+      [&](std::size_t k) {
+        const OctreeNode& a = node(large[k]);
+        inside[k] = doubtful_inside(field_, lattice(), candidates(large[k]), a.origin,
+                                    a.size / voxel, !a.signs_differ);
+      },
+      16);
+  for (std::size_t k = 0; k < large.size(); ++k)
+    for (const VoxelEdge& edge : inside[k]) {
+      MinimalEdge& e = out.emplace_back();
+      std::fill_n(e.cells, 4, large[k]);
+      e.start = edge.start;
+      e.axis = edge.axis;
+      e.length = voxel;
+    }
 }
 
 std::vector<MinimalEdge> ContourOctree::crossing_edges_near(std::span<const std::int32_t> leaves,

@@ -78,7 +78,8 @@ class ContourOctree final : public ContourCells {
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
-  /// enough to the surface for it to pass twice between them.
+  /// enough to the surface for it to pass twice between them; in cells above a voxel, those of
+  /// doubtful_inside() (contour_scan.h).
   std::vector<MinimalEdge> doubtful_edges() const;
   /// Leaves made by the last split.
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
@@ -97,6 +98,7 @@ class ContourOctree final : public ContourCells {
   };
   Sight look_at(std::int32_t node, const Box3& box, const CellSurface& surface, Candidates& seen);
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
+  void add_doubtful_inside(std::vector<MinimalEdge>& out) const;
 
   const ExactField& field_;
   OctreePart part_;

@@ -1,6 +1,7 @@
 #include "mesh/contour_scan.h"
 
 #include "core/vec.h"
+#include "mesh/contour_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -203,6 +204,75 @@ struct Sides {
   }
 };
 
+// Edges of the voxel lattice in a cell, eighth by eighth, without those parts that the surface does
+// not pass.
+struct DoubtfulSearch {
+  const ExactField& field;
+  const Lattice& lattice;
+  bool alike;
+  std::vector<VoxelEdge>& out;
+
+  void look(const LatticePoint& at, std::int32_t voxels,
+            std::span<const std::uint32_t> candidates) const {
+    const Box3 box{place(at, 0, 0, 0), place(at, voxels, voxels, voxels)};
+    Candidates own;
+    if (field.restrict_to(inflated(box, kQuantum), kSurfaceBand, candidates, own) !=
+            ExactField::Region::mixed ||
+        is_alone(box, own))
+      return;
+    if (voxels <= kSampled) return look_closely(at, voxels, own);
+    const std::int32_t half = voxels / 2;
+    for (int k = 0; k < 8; ++k)
+      look(shifted(at, k & 1 ? half : 0, k & 2 ? half : 0, k & 4 ? half : 0), half, own);
+  }
+
+ private:
+  static constexpr std::int32_t kSampled = 2;  // voxels to a side
+  static constexpr std::size_t kMostPoints = (kSampled + 1) * (kSampled + 1) * (kSampled + 1);
+
+  // One owner alone can decide d: edges with different owners there are none.
+  bool is_alone(const Box3& box, std::span<const std::uint32_t> candidates) const {
+    static thread_local Candidates names;
+    const double room = radius(box) + kSurfaceBand;
+    const bool near_stock = std::abs(field.sample(0.5 * (box.lo + box.hi), {}).distance) <= room;
+    return !alike && field.by_name(inflated(box, kQuantum), kSurfaceBand, candidates, names) &&
+           names.size() + near_stock <= 1;
+  }
+
+  LatticePoint shifted(const LatticePoint& p, std::int32_t x, std::int32_t y,
+                       std::int32_t z) const {
+    const std::int32_t step = lattice.per_voxel();
+    return {p.x + x * step, p.y + y * step, p.z + z * step};
+  }
+  Vec3 place(const LatticePoint& p, std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return lattice.position(shifted(p, x, y, z));
+  }
+
+  void look_closely(const LatticePoint& at, std::int32_t n,
+                    std::span<const std::uint32_t> candidates) const {
+    Vec3 places[kMostPoints];
+    FieldSample samples[kMostPoints];
+    std::size_t count = 0;
+    for (std::int32_t x = 0; x <= n; ++x)
+      for (std::int32_t y = 0; y <= n; ++y)
+        for (std::int32_t z = 0; z <= n; ++z) places[count++] = place(at, x, y, z);
+    field.samples({places, count}, candidates, samples);
+    const std::int32_t stride[3] = {(n + 1) * (n + 1), n + 1, 1};
+    for (std::int32_t x = 0; x < n; ++x)
+      for (std::int32_t y = 0; y < n; ++y)
+        for (std::int32_t z = 0; z < n; ++z) {
+          const std::int32_t i = x * stride[0] + y * stride[1] + z;
+          for (int axis = 0; axis < 3; ++axis)
+            if (is_doubtful(samples[i], samples[i + stride[axis]]))
+              out.push_back({shifted(at, x, y, z), axis});
+        }
+  }
+  bool is_doubtful(const FieldSample& a, const FieldSample& b) const {
+    if (is_inside(a.distance) != is_inside(b.distance)) return alike;
+    return a.owner != b.owner && std::abs(a.distance) + std::abs(b.distance) <= lattice.voxel();
+  }
+};
+
 }  // namespace
 
 CellSurface surface_of(const ExactField& field, std::span<const std::uint32_t> candidates,
@@ -261,6 +331,15 @@ bool hides_surface(const ExactField& field, const Lattice& lattice, const CellVi
   const Points points(lattice, cell, field.is_turned(cell.candidates));
   const Sides sides{field, cell, cell.is_inside ? -1.0 : 1.0, depth};
   return Scan(field, points, sides).finds(cell.candidates);
+}
+
+std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& lattice,
+                                       std::span<const std::uint32_t> candidates,
+                                       const LatticePoint& origin, std::int32_t voxels,
+                                       bool alike) {
+  std::vector<VoxelEdge> out;
+  DoubtfulSearch{field, lattice, alike, out}.look(origin, voxels, candidates);
+  return out;
 }
 
 }  // namespace mrsim::detail

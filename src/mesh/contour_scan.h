@@ -6,6 +6,7 @@
 #include "removal/field.h"
 
 #include <span>
+#include <vector>
 
 namespace mrsim::detail {
 
@@ -58,5 +59,20 @@ bool shows_more(const ExactField& field, const Lattice& lattice, const CellView&
 /// corners, which lie on one.
 bool hides_surface(const ExactField& field, const Lattice& lattice, const CellView& cell,
                    double depth);
+
+/// An edge of the voxel lattice, a voxel long.
+struct VoxelEdge {
+  LatticePoint start;
+  int axis = 0;
+};
+
+/// Edges of the voxel lattice in a cell above a voxel, but for those on its high sides, that show
+/// what the cell may hide: whose ends lie on the same side of the surface, have different owners,
+/// and are near enough to it for it to pass twice between them; and, where all corners of the cell
+/// lie on one side (`alike`), those that the surface passes once. The surface's area in voxels
+/// tells what it costs: some eight samples for each.
+std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& lattice,
+                                       std::span<const std::uint32_t> candidates,
+                                       const LatticePoint& origin, std::int32_t voxels, bool alike);
 
 }  // namespace mrsim::detail

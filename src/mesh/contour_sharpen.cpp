@@ -1,6 +1,8 @@
 // Ridges whose tips pass between the edges of the grid: the crease lies outside of the cells that
-// see both flanks. Their vertices are moved there, where that makes no triangles meet; it is the
-// one step that leaves the envelopes, so it is tested exactly.
+// see both flanks, and the corner in which it ends outside of those that see three faces. Their
+// vertices are moved there, where that makes no triangles meet; it is the one step that leaves the
+// envelopes, so it is tested exactly.
+#include "core/parallel.h"
 #include "mesh/contour_surface.h"
 #include "mesh/exact_predicates.h"
 #include "mesh/self_intersection.h"
@@ -29,7 +31,20 @@ void ContourSurface::sharpen(const ContourOctree& tree) {
     moved[v] = 1;
     any = true;
   };
-  for (std::size_t k = 0; k < outside_.size(); ++k) move(k, outside_[k]);
+  std::vector<SurfacePoint> tips = outside_;
+  parallel_for(
+      tips.size(), options_.threads,
+      [&](std::size_t k) {
+        const Loop& loop = loops_[k];
+        if (tips[k].count > 0 || loop.point.count >= 3) return;
+        static thread_local std::vector<FieldSample> faces;
+        faces.clear();
+        for (const std::int32_t c : crossings_of(loop))
+          faces.push_back(crossings_[static_cast<std::size_t>(c)].at);
+        tips[k] = corner_near(probe(loop.cell), cells_.box(loop.cell), loop.point.position, faces);
+      },
+      64);
+  for (std::size_t k = 0; k < tips.size(); ++k) move(k, tips[k]);
   for (const Crease& c : creases_)
     if (const std::int32_t v = segments_[static_cast<std::size_t>(c.segment)].vertex; v >= 0)
       move(static_cast<std::size_t>(v), c.outside);

@@ -1,8 +1,11 @@
 #include "mesh/contour_thin.h"
 
+#include "core/parallel.h"
+#include "core/triangle_tree.h"
 #include "mesh/contour_vertex.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -10,11 +13,20 @@ namespace mrsim::detail {
 namespace {
 
 constexpr int kSearchSteps = 14;
-constexpr int kBlock = 8;  ///< voxels
+constexpr int kBlock = 8;         ///< voxels
+constexpr int kBeside = 4;        ///< lines beside an edge are apart by this share of its length
+constexpr int kMostPassages = 4;  ///< on one edge, one after the other, that a mesh may hold
 
 struct EdgeEnd {
   Vec3 position;
-  double distance = 0;
+  FieldSample at;
+};
+EdgeEnd sampled(const Probe& probe, const Vec3& p) { return {p, probe.sample(p)}; }
+
+/// What passes a segment whose ends lie on one side of the surface.
+struct Passage {
+  Vec3 from, to;  ///< where the segment enters and leaves it
+  Vec3 middle;    ///< between them, on the other side
 };
 
 // A point between a and b that lies on the other side than both, by sections of the golden rule on
@@ -25,7 +37,7 @@ bool find_between(const Probe& probe, const EdgeEnd& a, const EdgeEnd& b, bool e
   constexpr double kGolden = 0.3819660112501051;
   const double size = distance(a.position, b.position), side = ends_inside ? -1 : 1;
   double low = 0, high = 1, depth[2], t[2] = {kGolden, 1 - kGolden};
-  double at_low = side * a.distance, at_high = side * b.distance;
+  double at_low = side * a.at.distance, at_high = side * b.at.distance;
   const auto measure = [&](double at) {
     out = lerp(a.position, b.position, at);
     return side * probe.sample(out).distance;
@@ -57,31 +69,149 @@ bool find_between(const Probe& probe, const EdgeEnd& a, const EdgeEnd& b, bool e
   return false;
 }
 
+// `ends_inside`: the side on which both ends lie.
+std::optional<Passage> find_passage(const Probe& probe, const EdgeEnd& a, const EdgeEnd& b,
+                                    bool ends_inside) {
+  Passage found;
+  if (a.at.owner == b.at.owner || !find_between(probe, a, b, ends_inside, found.middle)) return {};
+  const auto crossing = [&](const Vec3& end) {
+    return ends_inside ? find_crossing(probe, end, found.middle)
+                       : find_crossing(probe, found.middle, end);
+  };
+  found.from = crossing(a.position);
+  found.to = crossing(b.position);
+  return found;
+}
+
+FoundThin feature_of(const ContourCells& cells, const MinimalEdge& e, const EdgeEnd& a,
+                     const EdgeEnd& b, const Passage& passage, bool is_wall) {
+  const std::int32_t block = kBlock * cells.lattice().per_voxel();
+  const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
+  const auto [low, high] = std::minmax(a.at.owner, b.at.owner);
+  const double thickness = distance(passage.from, passage.to);
+  return {{passage.middle, is_wall, thickness, {low, high}}, key(place)};
+}
+
+// Looks for what a mesh has lost. A closed mesh has a point on the side that the pseudonormal at
+// its nearest point tells, so that no threshold is needed: a wall is held on an edge of the grid
+// where a point in it is in the mesh, and the two points in which the edge passes the wall's sides
+// are no farther than the tolerance from the mesh. Two pieces of surface of the mesh then pass the
+// edge where the part's do. That the tip of a wall is held on one edge does not say how much of it
+// is, so the same is asked on lines beside the edge, in all cells about it. There, near the end of
+// a tip, points of the part may be missing that are no farther than the tolerance from the mesh.
+class LostSearch {
+ public:
+  LostSearch(const ExactField& field, const ContourCells& cells, const TriMesh& mesh,
+             double tolerance)
+      : field_(field), cells_(cells), mesh_(mesh), tolerance_(tolerance) {}
+
+  std::optional<FoundThin> on_edge(const MinimalEdge& e) const {
+    const EdgeEnds ends = cells_.ends(e);
+    const Vec3 low = ends.low, high = high_end(ends, e.axis);
+    bool found = false;
+    std::optional<FoundThin> lost = on_line(e, e.cells[0], low, high, kOnSurface, found);
+    const double step = (ends.high - mrsim::component(low, e.axis)) / kBeside;
+    for (int i = 1 - kBeside; found && i < kBeside; ++i)
+      for (int j = 1 - kBeside; !lost && j < kBeside; ++j) {
+        Vec3 beside;
+        mrsim::component(beside, (e.axis + 1) % 3) = i * step;
+        mrsim::component(beside, (e.axis + 2) % 3) = j * step;
+        const std::int32_t cell = e.cells[(i >= 0 ? 1 : 0) | (j >= 0 ? 2 : 0)];
+        lost = on_line(e, cell, low + beside, high + beside, -tolerance_, found);
+      }
+    return lost;
+  }
+
+ private:
+  // `found`: set where the line passes something thin.
+  std::optional<FoundThin> on_line(const MinimalEdge& e, std::int32_t cell, const Vec3& low,
+                                   const Vec3& high, double least, bool& found) const {
+    const Probe probe{field_, cells_.candidates(cell), 0};
+    const EdgeEnd a = sampled(probe, low), b = sampled(probe, high);
+    if (is_inside(a.at.distance) != is_inside(b.at.distance)) return at_end(e, probe, a, b);
+    return between(e, probe, a, b, least, kMostPassages, found);
+  }
+
+  // Of a line with ends on different sides: one that the mesh has on the wrong side.
+  std::optional<FoundThin> at_end(const MinimalEdge& e, const Probe& probe, const EdgeEnd& a,
+                                  const EdgeEnd& b) const {
+    for (const EdgeEnd* end : {&a, &b}) {
+      const bool is_wall = is_inside(end->at.distance);
+      if (is_held(end->position, is_wall, -tolerance_)) continue;
+      const Vec3 &p = end->position, &q = end == &a ? b.position : a.position;
+      const Vec3 from = is_wall ? find_crossing(probe, p, q) : find_crossing(probe, q, p);
+      return feature_of(cells_, e, a, b, {from, p, p}, is_wall);
+    }
+    return {};
+  }
+
+  std::optional<FoundThin> between(const MinimalEdge& e, const Probe& probe, const EdgeEnd& a,
+                                   const EdgeEnd& b, double least, int most, bool& found) const {
+    const bool ends_inside = is_inside(a.at.distance);
+    const std::optional<Passage> passage = find_passage(probe, a, b, ends_inside);
+    if (!passage) return {};
+    found = true;
+    if (most == 0 || !is_held(probe, *passage, !ends_inside, least))
+      return feature_of(cells_, e, a, b, *passage, !ends_inside);
+    const auto rest = [&](const EdgeEnd& end, const Vec3& side) -> std::optional<FoundThin> {
+      const double left = distance(side, end.position);
+      if (left <= kSurfaceBand) return {};
+      const EdgeEnd next = sampled(probe, lerp(side, end.position, kSurfaceBand / left));
+      if (is_inside(next.at.distance) != ends_inside) return {};
+      return between(e, probe, end, next, least, most - 1, found);
+    };
+    const std::optional<FoundThin> lost = rest(a, passage->from);
+    return lost ? lost : rest(b, passage->to);
+  }
+
+  bool is_held(const Probe& probe, const Passage& passage, bool is_wall, double least) const {
+    const Vec3 half = 0.5 * (passage.from + passage.to);
+    const bool is_in = is_inside(probe.sample(half).distance) == is_wall;
+    return is_near(passage.from) && is_near(passage.to) &&
+           is_held(is_in ? half : passage.middle, is_wall, least);
+  }
+  // The mesh has p on this side, by more than `least` (negative: it lies no farther off).
+  bool is_held(const Vec3& p, bool inside, double least) const {
+    const double d = mesh_.signed_distance(p);
+    return (inside ? -d : d) > least;
+  }
+  bool is_near(const Vec3& p) const {
+    return mesh_.nearest(p).distance2 <= tolerance_ * tolerance_;
+  }
+
+  const ExactField& field_;
+  const ContourCells& cells_;
+  TriangleTree mesh_;
+  double tolerance_;
+};
+
 }  // namespace
 
 std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
                                      std::span<const MinimalEdge> doubtful) {
   std::vector<FoundThin> out;
-  const std::int32_t block = kBlock * cells.lattice().per_voxel();
   for (const MinimalEdge& e : doubtful) {
     const EdgeEnds ends = cells.ends(e);
-    const Vec3 a = ends.low, b = high_end(ends, e.axis);
     const Probe probe{field, cells.candidates(e.cells[0]), 0};
-    const FieldSample at_a = probe.sample(a), at_b = probe.sample(b);
-    const std::int32_t low = at_a.owner, high = at_b.owner;
-    Vec3 middle;
-    if (low == high ||
-        !find_between(probe, {a, at_a.distance}, {b, at_b.distance}, e.low_inside, middle))
-      continue;
-    const Vec3 from =
-        e.low_inside ? find_crossing(probe, a, middle) : find_crossing(probe, middle, a);
-    const Vec3 to =
-        e.low_inside ? find_crossing(probe, b, middle) : find_crossing(probe, middle, b);
-    const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
-    out.push_back(
-        {{middle, !e.low_inside, distance(from, to), {std::min(low, high), std::max(low, high)}},
-         key(place)});
+    const EdgeEnd a = sampled(probe, ends.low), b = sampled(probe, high_end(ends, e.axis));
+    if (const std::optional<Passage> found = find_passage(probe, a, b, e.low_inside))
+      out.push_back(feature_of(cells, e, a, b, *found, !e.low_inside));
   }
+  return out;
+}
+
+std::vector<FoundThin> lost_features(const ExactField& field, const ContourCells& cells,
+                                     std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
+                                     double tolerance, int threads) {
+  if (doubtful.empty()) return {};
+  if (mesh.triangles.empty()) return thin_features(field, cells, doubtful);
+  const LostSearch search(field, cells, mesh, tolerance);
+  std::vector<std::optional<FoundThin>> lost(doubtful.size());
+  parallel_for(
+      doubtful.size(), threads, [&](std::size_t k) { lost[k] = search.on_edge(doubtful[k]); }, 16);
+  std::vector<FoundThin> out;
+  for (const std::optional<FoundThin>& f : lost)
+    if (f) out.push_back(*f);
   return out;
 }
 

@@ -19,6 +19,13 @@ struct FoundThin {
 std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
                                      std::span<const MinimalEdge> doubtful);
 
+/// Those of them that a mesh of the part does not hold within `tolerance` mm, on the edge or on
+/// lines beside it, in the order of the edges. Requires: the mesh is closed and oriented. Costs
+/// some hundred samples and searches in the mesh for each thin feature.
+std::vector<FoundThin> lost_features(const ExactField& field, const ContourCells& cells,
+                                     std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
+                                     double tolerance, int threads);
+
 /// One for each pair of owners in each block.
 std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 

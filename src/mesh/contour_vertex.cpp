@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
 constexpr double kLargestShallow = 0.05;  ///< sine
+constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
+constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
   return strictly_inside(p, room, flat) && std::abs(probe.sample(p).distance) <= kOnSurface;
@@ -71,9 +73,10 @@ SurfacePoint try_faces(const Probe& probe, const Box3& room, const Vec3& start,
   return result;
 }
 
-// Where three faces or more meet the cell: the corner of the three with the largest determinant.
+// Where three faces or more meet the cell: the corner of the three with the largest determinant of
+// their normals, above `least`.
 SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start,
-                         std::span<const FieldSample> faces) {
+                         std::span<const FieldSample> faces, double least = kLeastDeterminant) {
   struct Triple {
     double det;
     std::array<FieldSample, 3> faces;
@@ -86,7 +89,7 @@ SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (std::size_t c = b + 1; c < faces.size(); ++c) {
         const double det = std::abs(dot(normals[a], cross(normals[b], normals[c])));
-        if (det > 1e-4)
+        if (det > least)
           triples.push_back(
               {det, {faces[a], faces[b], faces[c]}, {normals[a], normals[b], normals[c]}});
       }
@@ -297,6 +300,15 @@ SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const V
       return result;
     }
   return result;
+}
+
+SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
+                         std::span<const FieldSample> faces) {
+  FieldSample some[8];
+  const std::size_t n = distinct_faces(faces, some, 8);
+  return n < 3 ? SurfacePoint{}
+               : try_corners(probe, inflated(room, length(room.hi - room.lo)), start, {some, n},
+                             kClearDeterminant);
 }
 
 SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints) {

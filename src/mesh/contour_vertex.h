@@ -60,6 +60,10 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
 SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                          std::span<const FieldSample> faces);
 
+/// The same of a corner of three of the faces, in no plane.
+SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
+                         std::span<const FieldSample> faces);
+
 /// p rounded, in the interior of the rectangle, which is flat on `axis`.
 Vec3 snap_inside(const Vec3& p, const Box3& room, int axis);
 

@@ -1,0 +1,209 @@
+// Walls and gaps below the voxel: a mesh with a tolerance holds them, or the report names them.
+#include "core/triangle_tree.h"
+#include "core/vec.h"
+#include "mesh/contour.h"
+#include "mesh/contour_octree.h"
+#include "mesh/contour_thin.h"
+#include "support/analytic_field.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+using detail::ContourOctree;
+using detail::FoundThin;
+using detail::Lattice;
+using detail::MinimalEdge;
+
+constexpr double kVoxel = 0.5, kTop = 10, kFloor = 5, kRadius = 3;
+constexpr Box3 kStock{{0, 0, 0}, {30, 20, kTop}};
+constexpr double kHalfWall = 0.075 * kVoxel;
+constexpr int kPoints = 21;
+
+struct Made {
+  TriMesh mesh;
+  ContourReport report;
+};
+
+Made made(const AnalyticField& part, double tolerance, double voxel = kVoxel) {
+  MeshOptions options;
+  options.tolerance = tolerance;
+  Made out;
+  out.mesh = contour(part, voxel, options, &out.report);
+  return out;
+}
+
+// A place in plan, and the direction of a wall through it.
+struct Place {
+  Vec2 middle, along;
+  Vec2 across() const { return {-along.y, along.x}; }
+};
+
+Place place(int k, double turn) {
+  return {{15 + 0.07 * k * kVoxel, 10 + 0.19 * k * kVoxel}, {std::cos(turn), std::sin(turn)}};
+}
+
+// A slot of 6 mm along `way` that comes no nearer to the middle than `off`, on the side of its
+// sign.
+Cut slot_beside(const Place& at, Vec2 way, double off) {
+  const Vec2 side{-way.y, way.x};
+  const Vec2 center = at.middle + (off + (off > 0 ? kRadius : -kRadius)) * side;
+  return flat_line(center - 3.0 * way, center + 3.0 * way, kRadius, kFloor);
+}
+
+std::vector<Cut> wall(const Place& at, double half = kHalfWall) {
+  return {slot_beside(at, at.along, -half), slot_beside(at, at.along, half)};
+}
+
+// What two slots across a wall leave of it.
+std::vector<Cut> short_wall(const Place& at, double half_length) {
+  std::vector<Cut> cuts = wall(at);
+  cuts.push_back(slot_beside(at, at.across(), -half_length));
+  cuts.push_back(slot_beside(at, at.across(), half_length));
+  return cuts;
+}
+
+// How many of the points along a wall the mesh holds.
+int held(const TriMesh& mesh, const Place& at, double half_length) {
+  const TriangleTree tree(mesh);
+  int count = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vec2 p = at.middle + (0.1 * i - 1) * half_length * at.along;
+    count += tree.signed_distance({p.x, p.y, 0.5 * (kFloor + kTop)}) < 0;
+  }
+  return count;
+}
+
+// Wherever they lie in the cells, which may be larger than a voxel.
+TEST(Thin, WallsAreReportedWhereTheyAreLostAndOnlyThere) {
+  for (const double tolerance : {0.05, 0.2})
+    for (const double turn : {0.0, 0.02, 0.4})
+      for (int k = 0; k < 6; ++k) {
+        const Place at = place(k, turn);
+        const Made part = made({kStock, false, wall(at)}, tolerance);
+        EXPECT_EQ(held(part.mesh, at, 2.5) == kPoints, part.report.thin.empty())
+            << tolerance << " " << turn << " " << k;
+      }
+}
+
+// No cell need have a corner or an edge near them: the lattice in large cells shows them.
+TEST(Thin, ShortWallsAreKeptOrReported) {
+  constexpr double kHalfLength = 0.9 * kVoxel;
+  for (const double tolerance : {0.01, 0.05})
+    for (const double turn : {0.0, 0.02, 0.4})
+      for (int k = 0; k < 12; ++k) {
+        const Place at = place(k, turn);
+        const Made part = made({kStock, false, short_wall(at, kHalfLength)}, tolerance);
+        EXPECT_TRUE(held(part.mesh, at, 0.8 * kHalfLength) == kPoints || !part.report.thin.empty())
+            << tolerance << " " << turn << " " << k;
+      }
+}
+
+// Slots whose round ends come through the side of the stock, by little, beside each other: thin
+// edges at the side end on the floor.
+std::vector<Cut> scallops() {
+  std::vector<Cut> cuts;
+  for (const double x : {4.0, 9.3, 14.6, 19.9, 25.2})
+    cuts.push_back(flat_line({x, 10}, {x, kRadius - 0.15}, kRadius, kFloor));
+  return cuts;
+}
+
+TEST(Thin, TipsThatTheMeshHoldsAreNotReported) {
+  for (const double tolerance : {0.01, 0.034, 0.1})
+    EXPECT_TRUE(made({kStock, false, scallops()}, tolerance).report.thin.empty()) << tolerance;
+}
+
+TEST(Thin, WallsBesideSuchTipsAreReported) {
+  const Place at{{17.2, 15.1}, {0, 1}};
+  for (const double tolerance : {0.01, 0.034, 0.1}) {
+    std::vector<Cut> cuts = scallops();
+    for (const Cut& cut : short_wall(at, 0.9 * kVoxel)) cuts.push_back(cut);
+    const Made part = made({kStock, false, cuts}, tolerance);
+    if (held(part.mesh, at, 0.8 * kVoxel) == kPoints) continue;
+    ASSERT_FALSE(part.report.thin.empty()) << tolerance;
+    for (const ThinFeature& f : part.report.thin)
+      EXPECT_LT(length(Vec2{f.place.x, f.place.y} - at.middle), kVoxel) << tolerance;
+  }
+}
+
+// What the grid shows of a part with walls or gaps, and what of it other parts' meshes have lost.
+class Lost : public ::testing::Test {
+ protected:
+  static constexpr double kTolerance = 0.01;
+
+  explicit Lost(const std::vector<Cut>& cuts = wall(place(1, 0)))
+      : part_(kStock, false, cuts), tree_(part_, lattice_, 0, 1), edges_(tree_.doubtful_edges()) {}
+
+  std::size_t shown() const { return detail::thin_features(part_, tree_, edges_).size(); }
+  std::vector<FoundThin> lost(const std::vector<Cut>& cuts,
+                              const std::vector<MinimalEdge>& edges) const {
+    const TriMesh mesh = made({kStock, false, cuts}, kTolerance, kVoxel / 8).mesh;
+    return detail::lost_features(part_, tree_, edges, mesh, kTolerance, 1);
+  }
+  std::size_t lost(const std::vector<Cut>& cuts) const { return lost(cuts, edges_).size(); }
+
+  Lattice lattice_{kStock, kVoxel, 4};
+  AnalyticField part_;
+  ContourOctree tree_;
+  std::vector<MinimalEdge> edges_;
+};
+
+TEST_F(Lost, NothingByItsOwnMesh) {
+  EXPECT_GT(shown(), 20u);
+  EXPECT_EQ(lost(wall(place(1, 0))), 0u);
+}
+
+TEST_F(Lost, WallThatIsNotThere) {
+  std::vector<Cut> cuts = wall(place(1, 0));
+  cuts.push_back(flat_line({12, 10}, {18, 10}, kRadius, kFloor));
+  EXPECT_EQ(lost(cuts), shown());
+}
+
+TEST_F(Lost, WallElsewhere) {
+  Place moved = place(1, 0);
+  moved.middle.y += 2 * kTolerance;
+  EXPECT_EQ(lost(wall(moved)), shown());
+  EXPECT_EQ(lost(wall(place(1, 0), kHalfWall + 2 * kTolerance)), shown());
+}
+
+// Between this plane of the grid and the next, so that all edges that show the wall are held.
+TEST_F(Lost, WallThatEndsBesideAnEdge) {
+  const Place at = place(1, 0);
+  const std::int32_t voxel = lattice_.per_voxel();
+  const auto plane = static_cast<std::int32_t>((at.middle.x - lattice_.coordinate(0, 0)) / kVoxel);
+  std::vector<Cut> cuts = wall(at);
+  const Place end{{lattice_.coordinate(0, plane * voxel) + 0.4 * kVoxel, at.middle.y}, at.along};
+  cuts.push_back(slot_beside(end, {0, -1}, 1e-9));
+  for (const int before : {0, 2}) {
+    std::vector<MinimalEdge> edges;
+    for (const MinimalEdge& e : edges_)
+      if (e.axis == 1 && e.start.x == (plane - before) * voxel) edges.push_back(e);
+    ASSERT_FALSE(detail::thin_features(part_, tree_, edges).empty());
+    EXPECT_EQ(lost(cuts, edges).empty(), before > 0);
+  }
+}
+
+std::vector<Cut> gap() {
+  return {flat_line({5, 10}, {25, 10}, 0.04, kFloor),
+          flat_line({5, 10.03}, {25, 10.03}, 0.04, kFloor)};
+}
+
+class LostGap : public Lost {
+ protected:
+  LostGap() : Lost(gap()) {}
+};
+
+TEST_F(LostGap, IsReported) {
+  EXPECT_GT(shown(), 20u);
+  EXPECT_EQ(lost(gap()), 0u);
+  EXPECT_EQ(lost({flat_line({5, 10.6}, {25, 10.6}, 0.04, kFloor)}), shown());
+}
+
+}  // namespace
+}  // namespace mrsim
