@@ -15,6 +15,7 @@ constexpr std::int32_t kTogether = 3;  ///< points to a side that are sampled to
 constexpr int kSecants = 2;            ///< the second is near enough to see the face that decides
 constexpr double kBendShare = 0.15;    ///< of k s^2, that a cell's triangles leave the surface by
 constexpr std::size_t kMost = kTogether * kTogether * kTogether;
+constexpr double kEven = 0.3;      ///< of a voxel: second differences of an even run of distances
 constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed than asked
 
 // The points of a cell that are looked at: those of the voxel lattice, by voxels from its origin.
@@ -205,72 +206,102 @@ struct Sides {
 };
 
 // Edges of the voxel lattice in a cell, eighth by eighth, without those parts that the surface does
-// not pass.
-struct DoubtfulSearch {
-  const ExactField& field;
-  const Lattice& lattice;
-  bool alike;
-  std::vector<VoxelEdge>& out;
+// not pass. Of the points next to a part those in the cell are looked at as well.
+class DoubtfulSearch {
+ public:
+  DoubtfulSearch(const ExactField& field, const Lattice& lattice, const LatticePoint& origin,
+                 std::int32_t voxels, bool alike, std::vector<VoxelEdge>& out)
+      : field_(field),
+        lattice_(lattice),
+        origin_(origin),
+        voxels_(voxels),
+        alike_(alike),
+        out_(out) {}
 
-  void look(const LatticePoint& at, std::int32_t voxels,
-            std::span<const std::uint32_t> candidates) const {
-    const Box3 box{place(at, 0, 0, 0), place(at, voxels, voxels, voxels)};
-    Candidates own;
-    if (field.restrict_to(inflated(box, kQuantum), kSurfaceBand, candidates, own) !=
-            ExactField::Region::mixed ||
-        is_alone(box, own))
-      return;
-    if (voxels <= kSampled) return look_closely(at, voxels, own);
-    const std::int32_t half = voxels / 2;
-    for (int k = 0; k < 8; ++k)
-      look(shifted(at, k & 1 ? half : 0, k & 2 ? half : 0, k & 4 ? half : 0), half, own);
+  void look(std::span<const std::uint32_t> candidates) const {
+    look({{0, 0, 0}, {voxels_, voxels_, voxels_}}, candidates);
   }
 
  private:
-  static constexpr std::int32_t kSampled = 2;  // voxels to a side
-  static constexpr std::size_t kMostPoints = (kSampled + 1) * (kSampled + 1) * (kSampled + 1);
+  static constexpr std::int32_t kSampled = 4;  // voxels to a side
+  static constexpr std::size_t kMostPoints = (kSampled + 3) * (kSampled + 3) * (kSampled + 3);
+
+  void look(const Range& part, std::span<const std::uint32_t> candidates) const {
+    Range near = part;
+    for (int a = 0; a < 3; ++a) {
+      near.lo[a] = std::max(part.lo[a] - 1, 0);
+      near.hi[a] = std::min(part.hi[a] + 1, voxels_);
+    }
+    const Box3 box = inflated(
+        Box3{place(near.lo[0], near.lo[1], near.lo[2]), place(near.hi[0], near.hi[1], near.hi[2])},
+        kQuantum);
+    Candidates own;
+    if (field_.restrict_to(box, kSurfaceBand, candidates, own) != ExactField::Region::mixed ||
+        is_alone(box, own))
+      return;
+    const std::int32_t size = part.hi[0] - part.lo[0];
+    if (size <= kSampled) return look_closely(part, near, own);
+    for (int k = 0; k < 8; ++k) {
+      Range eighth = part;
+      for (int a = 0; a < 3; ++a) (k >> a & 1 ? eighth.lo : eighth.hi)[a] = part.lo[a] + size / 2;
+      look(eighth, own);
+    }
+  }
 
   // One owner alone can decide d: edges with different owners there are none.
   bool is_alone(const Box3& box, std::span<const std::uint32_t> candidates) const {
     static thread_local Candidates names;
     const double room = radius(box) + kSurfaceBand;
-    const bool near_stock = std::abs(field.sample(0.5 * (box.lo + box.hi), {}).distance) <= room;
-    return !alike && field.by_name(inflated(box, kQuantum), kSurfaceBand, candidates, names) &&
+    const bool near_stock = std::abs(field_.sample(0.5 * (box.lo + box.hi), {}).distance) <= room;
+    return !alike_ && field_.by_name(box, kSurfaceBand, candidates, names) &&
            names.size() + near_stock <= 1;
   }
 
-  LatticePoint shifted(const LatticePoint& p, std::int32_t x, std::int32_t y,
-                       std::int32_t z) const {
-    const std::int32_t step = lattice.per_voxel();
-    return {p.x + x * step, p.y + y * step, p.z + z * step};
+  LatticePoint point(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    const std::int32_t step = lattice_.per_voxel();
+    return {origin_.x + x * step, origin_.y + y * step, origin_.z + z * step};
   }
-  Vec3 place(const LatticePoint& p, std::int32_t x, std::int32_t y, std::int32_t z) const {
-    return lattice.position(shifted(p, x, y, z));
+  Vec3 place(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return lattice_.position(point(x, y, z));
   }
 
-  void look_closely(const LatticePoint& at, std::int32_t n,
+  void look_closely(const Range& part, const Range& near,
                     std::span<const std::uint32_t> candidates) const {
     Vec3 places[kMostPoints];
-    FieldSample samples[kMostPoints];
+    double d[kMostPoints];
+    std::uint32_t deciders[kMostPoints];
     std::size_t count = 0;
-    for (std::int32_t x = 0; x <= n; ++x)
-      for (std::int32_t y = 0; y <= n; ++y)
-        for (std::int32_t z = 0; z <= n; ++z) places[count++] = place(at, x, y, z);
-    field.samples({places, count}, candidates, samples);
-    const std::int32_t stride[3] = {(n + 1) * (n + 1), n + 1, 1};
-    for (std::int32_t x = 0; x < n; ++x)
-      for (std::int32_t y = 0; y < n; ++y)
-        for (std::int32_t z = 0; z < n; ++z) {
-          const std::int32_t i = x * stride[0] + y * stride[1] + z;
-          for (int axis = 0; axis < 3; ++axis)
-            if (is_doubtful(samples[i], samples[i + stride[axis]]))
-              out.push_back({shifted(at, x, y, z), axis});
+    for (std::int32_t x = near.lo[0]; x <= near.hi[0]; ++x)
+      for (std::int32_t y = near.lo[1]; y <= near.hi[1]; ++y)
+        for (std::int32_t z = near.lo[2]; z <= near.hi[2]; ++z) places[count++] = place(x, y, z);
+    field_.distances({places, count}, candidates, d, deciders);
+    const std::int32_t stride[3] = {near.side(1) * near.side(2), near.side(2), 1};
+    for (std::int32_t x = part.lo[0]; x < part.hi[0]; ++x)
+      for (std::int32_t y = part.lo[1]; y < part.hi[1]; ++y)
+        for (std::int32_t z = part.lo[2]; z < part.hi[2]; ++z) {
+          const std::int32_t at[3] = {x, y, z};
+          std::int32_t i = 0;
+          for (int a = 0; a < 3; ++a) i += (at[a] - near.lo[a]) * stride[a];
+          for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t step = stride[axis], j = i + step;
+            if (is_inside(d[i]) != is_inside(d[j])) {
+              if (alike_) out_.push_back({point(x, y, z), axis});
+              continue;
+            }
+            const bool is_known = at[axis] > near.lo[axis] && at[axis] + 2 <= near.hi[axis];
+            if (deciders[i] != deciders[j] && std::abs(d[i]) + std::abs(d[j]) <= lattice_.voxel() &&
+                !(is_known && run_evenly({d[i - step], d[i], d[j], d[j + step]}, lattice_.voxel())))
+              out_.push_back({point(x, y, z), axis});
+          }
         }
   }
-  bool is_doubtful(const FieldSample& a, const FieldSample& b) const {
-    if (is_inside(a.distance) != is_inside(b.distance)) return alike;
-    return a.owner != b.owner && std::abs(a.distance) + std::abs(b.distance) <= lattice.voxel();
-  }
+
+  const ExactField& field_;
+  const Lattice& lattice_;
+  LatticePoint origin_;
+  std::int32_t voxels_;
+  bool alike_;
+  std::vector<VoxelEdge>& out_;
 };
 
 }  // namespace
@@ -326,6 +357,13 @@ bool shows_more(const ExactField& field, const Lattice& lattice, const CellView&
   return Scan(field, points, views).finds(cell.candidates);
 }
 
+bool run_evenly(const std::array<double, 4>& d, double voxel) {
+  const double rise = d[2] - d[1];
+  for (const double next : {d[1] - d[0], d[3] - d[2]})
+    if (!(next * rise >= 0 && std::abs(next - rise) <= kEven * voxel)) return false;
+  return true;
+}
+
 bool hides_surface(const ExactField& field, const Lattice& lattice, const CellView& cell,
                    double depth) {
   const Points points(lattice, cell, field.is_turned(cell.candidates));
@@ -338,7 +376,7 @@ std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& l
                                        const LatticePoint& origin, std::int32_t voxels,
                                        bool alike) {
   std::vector<VoxelEdge> out;
-  DoubtfulSearch{field, lattice, alike, out}.look(origin, voxels, candidates);
+  DoubtfulSearch(field, lattice, origin, voxels, alike, out).look(candidates);
   return out;
 }
 

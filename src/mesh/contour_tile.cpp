@@ -1,5 +1,7 @@
 #include "mesh/contour_tile.h"
 
+#include "mesh/contour_scan.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace {
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr float kWhenAsked = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kSign = 1u << 31;
-constexpr float kEven = 0.3f;  ///< of a voxel: second differences of an even run of offsets
 
 bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
@@ -270,16 +271,10 @@ void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
           out.push_back(edge_at({x, y, std::countr_zero(left)}, axis));
 }
 
-// A surface that passes beside an edge shows itself by offsets that rise or fall evenly over the
-// edge and its two neighbours on the line; a wall or gap across it does not. Where a neighbour was
-// not sampled, nothing is shown.
+// Where a neighbour was not sampled, nothing is shown.
 bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
-  const float f[4] = {offset(low - step), offset(low), offset(low + step), offset(low + 2 * step)};
-  const float rise = f[2] - f[1];
-  const float even = kEven * static_cast<float>(lattice().voxel());
-  for (const float next : {f[1] - f[0], f[3] - f[2]})
-    if (!(next * rise >= 0 && std::abs(next - rise) <= even)) return false;
-  return true;
+  return run_evenly({offset(low - step), offset(low), offset(low + step), offset(low + 2 * step)},
+                    lattice().voxel());
 }
 
 std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
