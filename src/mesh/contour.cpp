@@ -116,9 +116,10 @@ class Contour {
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
     const FieldSample& label = mesh.faces[mesh.labels[t]];
     TriangleBound found = detail::triangle_bound(field_, label, a, b, c, limit);
+    std::int32_t cell = 0;
     if (found.distance <= limit)
-      found.distance =
-          std::max(found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit));
+      found.distance = std::max(
+          found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit, cell));
     if (found.distance <= options_.tolerance) return found;
     const double part = detail::part_bound(field_, tree_, a, b, c, limit);
     return part < found.distance ? TriangleBound{part, false} : found;

@@ -129,7 +129,8 @@ double crease_distance(const ExactField& field, const ContourOctree& tree, const
 }  // namespace
 
 double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
-                        const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit,
+                        std::int32_t& cell) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
   // The same for every order of the corners: centroid, middles, inner nodes, quarters, eighths.
   static constexpr double kThird = 4.0 / 3;
@@ -141,7 +142,6 @@ double largest_distance(const ExactField& field, const ContourOctree& tree, cons
   const double voxel = tree.lattice().voxel();
   const int count = longest <= voxel ? 1 : longest <= 4 * voxel ? 4 : 19;
   double most = 0;
-  std::int32_t cell = 0;
   for (int k = 0; k < count; ++k) {
     const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
     cell = tree.locate(p, cell);

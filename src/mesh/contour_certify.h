@@ -17,9 +17,11 @@ TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, c
                              const Vec3& b, const Vec3& c, double limit);
 
 /// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
-/// once it is above `limit`. Finds triangles that leave the face they are measured by.
+/// once it is above `limit`. Finds triangles that leave the face they are measured by. `cell`: any
+/// one, from which those of the nodes are looked for, faster where it is near; then the last one.
 double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
-                        const Vec3& a, const Vec3& b, const Vec3& c, double limit);
+                        const Vec3& a, const Vec3& b, const Vec3& c, double limit,
+                        std::int32_t& cell);
 
 /// Upper bound in mm of the distance of the segment's points from the curve in which two faces of
 /// the part meet; from either face where they join smoothly.

@@ -265,35 +265,60 @@ class DoubtfulSearch {
     return lattice_.position(point(x, y, z));
   }
 
-  void look_closely(const Range& part, const Range& near,
-                    std::span<const std::uint32_t> candidates) const {
-    Vec3 places[kMostPoints];
+  // d at the points of a part, and what decides it.
+  struct Samples {
+    Range range;
+    std::int32_t stride[3];
     double d[kMostPoints];
     std::uint32_t deciders[kMostPoints];
+
+    std::int32_t id(const std::int32_t (&at)[3]) const {
+      std::int32_t i = 0;
+      for (int a = 0; a < 3; ++a) i += (at[a] - range.lo[a]) * stride[a];
+      return i;
+    }
+  };
+  void sample(const Range& range, std::span<const std::uint32_t> candidates, Samples& out) const {
+    Vec3 places[kMostPoints];
     std::size_t count = 0;
-    for (std::int32_t x = near.lo[0]; x <= near.hi[0]; ++x)
-      for (std::int32_t y = near.lo[1]; y <= near.hi[1]; ++y)
-        for (std::int32_t z = near.lo[2]; z <= near.hi[2]; ++z) places[count++] = place(x, y, z);
-    field_.distances({places, count}, candidates, d, deciders);
-    const std::int32_t stride[3] = {near.side(1) * near.side(2), near.side(2), 1};
+    for (std::int32_t x = range.lo[0]; x <= range.hi[0]; ++x)
+      for (std::int32_t y = range.lo[1]; y <= range.hi[1]; ++y)
+        for (std::int32_t z = range.lo[2]; z <= range.hi[2]; ++z) places[count++] = place(x, y, z);
+    field_.distances({places, count}, candidates, out.d, out.deciders);
+    out.range = range;
+    out.stride[0] = range.side(1) * range.side(2);
+    out.stride[1] = range.side(2);
+    out.stride[2] = 1;
+  }
+
+  // The points next to the part are asked where an edge in it may be doubtful.
+  void look_closely(const Range& part, const Range& near,
+                    std::span<const std::uint32_t> candidates) const {
+    Samples samples;
+    sample(part, candidates, samples);
+    const std::size_t before = out_.size();
+    add_doubtful(part, samples);
+    if (out_.size() == before) return;
+    out_.resize(before);
+    sample(near, candidates, samples);
+    add_doubtful(part, samples);
+  }
+
+  void add_doubtful(const Range& part, const Samples& samples) const {
     for (std::int32_t x = part.lo[0]; x < part.hi[0]; ++x)
       for (std::int32_t y = part.lo[1]; y < part.hi[1]; ++y)
-        for (std::int32_t z = part.lo[2]; z < part.hi[2]; ++z) {
-          const std::int32_t at[3] = {x, y, z};
-          std::int32_t i = 0;
-          for (int a = 0; a < 3; ++a) i += (at[a] - near.lo[a]) * stride[a];
-          for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t step = stride[axis], j = i + step;
-            if (is_inside(d[i]) != is_inside(d[j])) {
-              if (alike_) out_.push_back({point(x, y, z), axis});
-              continue;
-            }
-            const bool is_known = at[axis] > near.lo[axis] && at[axis] + 2 <= near.hi[axis];
-            if (deciders[i] != deciders[j] && std::abs(d[i]) + std::abs(d[j]) <= lattice_.voxel() &&
-                !(is_known && run_evenly({d[i - step], d[i], d[j], d[j + step]}, lattice_.voxel())))
-              out_.push_back({point(x, y, z), axis});
-          }
-        }
+        for (std::int32_t z = part.lo[2]; z < part.hi[2]; ++z)
+          for (int axis = 0; axis < 3; ++axis)
+            if (is_doubtful(samples, {x, y, z}, axis)) out_.push_back({point(x, y, z), axis});
+  }
+  bool is_doubtful(const Samples& s, const std::int32_t (&at)[3], int axis) const {
+    const std::int32_t step = s.stride[axis], i = s.id(at), j = i + step;
+    const double* d = s.d;
+    if (is_inside(d[i]) != is_inside(d[j])) return alike_;
+    if (s.deciders[i] == s.deciders[j] || std::abs(d[i]) + std::abs(d[j]) > lattice_.voxel())
+      return false;
+    const bool is_known = at[axis] > s.range.lo[axis] && at[axis] + 2 <= s.range.hi[axis];
+    return !is_known || !run_evenly({d[i - step], d[i], d[j], d[j + step]}, lattice_.voxel());
   }
 
   const ExactField& field_;

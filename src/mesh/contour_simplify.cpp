@@ -198,7 +198,8 @@ class Simplifier {
     if (!(dot(n, field_.gradient(center, face)) > kLeastCosine * area)) return false;
     const double off = triangle_bound(field_, face, a, b, c, limits_.tolerance).distance;
     if (off > limits_.tolerance) return false;
-    return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance) <= limits_.tolerance;
+    return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance, cell_) <=
+           limits_.tolerance;
   }
 
   void collapse(std::uint32_t v, std::size_t k) {
@@ -229,6 +230,7 @@ class Simplifier {
   std::vector<Spoke> ring_;
   std::vector<std::size_t> creases_;
   std::vector<std::pair<double, std::size_t>> targets_;
+  mutable std::int32_t cell_ = 0;  ///< of the tree, where the last triangle was measured
 };
 
 LabelledMesh compact(const Simplified& s) {
