@@ -1,6 +1,7 @@
 #include "mesh/contour_octree.h"
 
 #include "core/parallel.h"
+#include "mesh/contour_doubtful.h"
 #include "mesh/contour_edge_walk.h"
 #include "mesh/contour_memory.h"
 #include "mesh/contour_vertex.h"

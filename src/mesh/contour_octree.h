@@ -79,7 +79,7 @@ class ContourOctree final : public ContourCells {
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
   /// enough to the surface for it to pass twice between them; in cells above a voxel, those of
-  /// doubtful_inside() (contour_scan.h).
+  /// doubtful_inside() (contour_doubtful.h).
   std::vector<MinimalEdge> doubtful_edges() const;
   /// Leaves made by the last split.
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }

@@ -1,6 +1,6 @@
 #include "mesh/contour_tile.h"
 
-#include "mesh/contour_scan.h"
+#include "mesh/contour_doubtful.h"
 
 #include <algorithm>
 #include <bit>

@@ -311,7 +311,6 @@ class UniformContour {
   std::mutex mutex_;
   const TileSet set_;
   std::vector<TileNotes> notes_;
-  std::size_t handed_on_ = 0;                       ///< triangles
   std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
   std::set<CellPlace> forced_;                      ///< cells that must be split
 };

@@ -1,0 +1,34 @@
+// Edges of the voxel lattice between whose ends a thin wall or gap may pass (docs/mesh.md, Thin
+// features).
+#pragma once
+
+#include "mesh/contour_lattice.h"
+#include "removal/field.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// Distances at an edge of the voxel lattice and the points before and behind it, on one line: true
+/// where they rise or fall evenly, as those of a surface do that passes beside the edge; a wall or
+/// gap across it does not. False where one is not known (infinite).
+bool run_evenly(const std::array<double, 4>& distances, double voxel);
+
+/// An edge of the voxel lattice, a voxel long.
+struct VoxelEdge {
+  LatticePoint start;
+  int axis = 0;
+};
+
+/// Edges of the voxel lattice in a cell above a voxel, but for those on its high sides, that show
+/// what the cell may hide: whose ends lie on the same side of the surface, have different owners,
+/// and are near enough to it for it to pass twice between them, but for run_evenly(); and, where
+/// all corners of the cell lie on one side (`alike`), those that the surface passes once. The
+/// surface's area in voxels tells what it costs: some eight samples for each.
+std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& lattice,
+                                       std::span<const std::uint32_t> candidates,
+                                       const LatticePoint& origin, std::int32_t voxels, bool alike);
+
+}  // namespace mrsim::detail
