@@ -45,6 +45,8 @@ ConvexPolygon make_polygon(std::span<const Vec2> points) {
     const Vec2 d = h[(i + 1) % h.size()] - h[i];
     const double n = length(d);
     polygon.sides.push_back({h[i], (1 / n) * d, n});
+    // A segment has ends, or the whole line through it would count as inside.
+    if (h.size() == 2) polygon.sides.push_back({h[1 - i], (-1 / n) * right_of(d), 0});
   }
   return polygon;
 }

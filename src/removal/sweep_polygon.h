@@ -10,7 +10,7 @@
 
 namespace mrsim {
 
-/// Counter-clockwise convex polygon: one point, two points (a segment) or more.
+/// Counter-clockwise convex polygon: one point, two points (a rectangle without width) or more.
 struct ConvexPolygon {
   struct Side {
     Vec2 a, direction;

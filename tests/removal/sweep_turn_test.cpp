@@ -68,6 +68,17 @@ TEST(TurnSweep, OutsideEqualsTheLeastDistanceOverAllPositions) {
   }
 }
 
+// A round insert on a line covers a segment, thickened: beyond its ends, too, where a point lies
+// exactly on the line.
+TEST(TurnSweep, NothingIsCutOnTheLineBeyondItsEnds) {
+  const Tool tool = insert("R", 0.2, 9);
+  const Motion m = line({18, 0, 16}, {19, 0, 16});
+  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  for (const double x : {14.5, 17.0, 20.0, 30.0})
+    EXPECT_NEAR(s.distance(0, {x, 0, 16}), std::max(18 - x, x - 19) - 0.2, 1e-12) << x;
+  EXPECT_NEAR(s.distance(0, {18.5, 0, 16}), -0.2, 1e-12);
+}
+
 TEST(TurnSweep, SharpInsertFacesAndTurnsAtTheProgrammedPoint) {
   const Motion m = line({15, 0, -5}, {15, 0, -19});
   const Tool tool = insert("", 0);
