@@ -167,7 +167,7 @@ void add_corner(TurnSweep& s, Vec2 corner, double from, double turn, double cone
   for (int k = -2; k <= 2; ++k) {
     const double lo = std::max(from, cone + k * kTwoPi);
     const double hi = std::min(from + turn, cone + opening + k * kTwoPi);
-    if (lo > hi) continue;
+    if (hi - lo < kTiny) continue;  // one point, which a side ends in
     s.arcs.push_back(make_arc(s.path.center + corner, s.path.radius, lo, hi - lo));
     s.arcs.back().way = way;
   }

@@ -79,6 +79,22 @@ TEST(TurnSweep, NothingIsCutOnTheLineBeyondItsEnds) {
   EXPECT_NEAR(s.distance(0, {18.5, 0, 16}), -0.2, 1e-12);
 }
 
+// A corner that draws nothing but one point of the path has no line through the centre either.
+TEST(TurnSweep, NothingIsCutBehindAnArcThatEndsSquare) {
+  Tool tool = insert("V", 0.8);
+  tool.type = ToolType::grooving;
+  tool.width = 3.027433;
+  tool.edge_length = 3.300770;
+  const Motion m = arc({10.5, 0, 29}, {10.5, 0, 25}, {0, 1, 0}, kPi / 2);
+  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  const InsertOutline o = make_insert(tool);
+  for (const double x : {8.0, 9.35, 10.0})
+    for (const double z : {25.0, 25.8, 25.9}) {
+      const Vec3 p{x, 0, z};
+      EXPECT_NEAR(s.distance(0, p), brute(m, o, p), 1e-4) << x << ' ' << z;
+    }
+}
+
 TEST(TurnSweep, SharpInsertFacesAndTurnsAtTheProgrammedPoint) {
   const Motion m = line({15, 0, -5}, {15, 0, -19});
   const Tool tool = insert("", 0);
