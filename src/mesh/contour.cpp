@@ -12,6 +12,7 @@
 #include "mesh/contour_uniform.h"
 #include "mesh/flat_map.h"
 #include "mesh/self_intersection.h"
+#include "mesh/turned_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -392,6 +393,9 @@ void contour(const ExactField& field, double voxel, const MeshOptions& options, 
   ContourReport& out = report ? *report : ignored;
   out = {};
   const int levels = fine_levels(field.bounds(), voxel, options.tolerance);
+  if (options.tolerance > 0 && field.is_turned(field.all()))
+    if (const std::optional<TriMesh> turned = detail::turned_mesh(field, voxel, options, out))
+      return sink.take(whole_block(*turned));
   if (options.tolerance > 0)
     sink.take(
         whole_block(Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()));

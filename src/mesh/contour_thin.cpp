@@ -13,7 +13,6 @@ namespace mrsim::detail {
 namespace {
 
 constexpr int kSearchSteps = 14;
-constexpr int kBlock = 8;         ///< voxels
 constexpr int kBeside = 4;        ///< lines beside an edge are apart by this share of its length
 constexpr int kMostPassages = 4;  ///< on one edge, one after the other, that a mesh may hold
 
@@ -83,13 +82,15 @@ std::optional<Passage> find_passage(const Probe& probe, const EdgeEnd& a, const 
   return found;
 }
 
+ThinFeature feature_of(const EdgeEnd& a, const EdgeEnd& b, const Passage& passage, bool is_wall) {
+  const auto [low, high] = std::minmax(a.at.owner, b.at.owner);
+  return {passage.middle, is_wall, distance(passage.from, passage.to), {low, high}};
+}
 FoundThin feature_of(const ContourCells& cells, const MinimalEdge& e, const EdgeEnd& a,
                      const EdgeEnd& b, const Passage& passage, bool is_wall) {
-  const std::int32_t block = kBlock * cells.lattice().per_voxel();
+  const std::int32_t block = kThinBlock * cells.lattice().per_voxel();
   const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
-  const auto [low, high] = std::minmax(a.at.owner, b.at.owner);
-  const double thickness = distance(passage.from, passage.to);
-  return {{passage.middle, is_wall, thickness, {low, high}}, key(place)};
+  return {feature_of(a, b, passage, is_wall), key(place)};
 }
 
 // Looks for what a mesh has lost. A closed mesh has a point on the side that the pseudonormal at
@@ -186,6 +187,14 @@ class LostSearch {
 };
 
 }  // namespace
+
+std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high) {
+  const EdgeEnd a = sampled(probe, low), b = sampled(probe, high);
+  const bool ends_inside = is_inside(a.at.distance);
+  const std::optional<Passage> found = find_passage(probe, a, b, ends_inside);
+  if (!found) return {};
+  return feature_of(a, b, *found, !ends_inside);
+}
 
 std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
                                      std::span<const MinimalEdge> doubtful) {

@@ -3,17 +3,26 @@
 
 #include "mesh/contour.h"
 #include "mesh/contour_cells.h"
+#include "mesh/contour_search.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace mrsim::detail {
 
-/// A thin feature and what tells it from others: its owners and its block of 8 voxels.
+/// Edge of the blocks that tell thin features of the same owners from each other, voxels.
+inline constexpr int kThinBlock = 8;
+
+/// A thin feature and what tells it from others: its owners and its block.
 struct FoundThin {
   ThinFeature feature;
   std::uint64_t block = 0;
 };
+
+/// What passes between two points on the same side of the surface, with different owners, if it is
+/// found.
+std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high);
 
 /// Thin walls and gaps on the doubtful edges, in their order.
 std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,

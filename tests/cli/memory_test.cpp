@@ -46,12 +46,22 @@ TEST_F(Memory, IsWithinAFactorOfWhatWasExpected) {
 
 // A mesh with a tolerance is refused once its cells are known, or too many.
 TEST_F(Memory, LimitsMeshesWithATolerance) {
-  const std::string primer = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";
-  EXPECT_EQ(run(primer + "0.01 --max-memory 300M").code, 0);
+  const std::string milled =
+      "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --threads 1 -o part.stl "
+      "--tolerance ";
+  EXPECT_EQ(run(milled + "0.05 --max-memory 300M").code, 0);
   std::filesystem::remove(folder_ / "part.stl");
-  expect_failure(primer + "0.001 --max-memory 300M", 1, "a larger --tolerance takes less");
-  expect_failure(primer + "0.00001 --max-memory 300M", 1, "a larger --tolerance takes less");
-  expect_failure(primer + "0.01 --max-memory 20M", 1, "with --voxel and no --tolerance");
+  expect_failure(milled + "0.0002 --max-memory 300M", 1, "a larger --tolerance takes less");
+  expect_failure(milled + "0.00001 --max-memory 300M", 1, "a larger --tolerance takes less");
+  expect_failure(milled + "0.05 --max-memory 20M", 1, "with --voxel and no --tolerance");
+}
+
+// A turned part, once its rings are counted.
+TEST_F(Memory, LimitsTurnedMeshes) {
+  const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";
+  EXPECT_EQ(run(turned + "0.001 --max-memory 100M").code, 0);
+  std::filesystem::remove(folder_ / "part.stl");
+  expect_failure(turned + "0.0001 --max-memory 100M", 1, "a larger --tolerance takes less");
 }
 
 }  // namespace

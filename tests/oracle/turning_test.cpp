@@ -185,6 +185,18 @@ TEST(TurningOracle, PointsOfRandomProgramsAreWhereTheUnionSays) {
   }
 }
 
+// Knives, needles and notches included: what the mesh does not hold is reported.
+TEST(TurningOracle, VolumeOfRandomPartsIsThatOfPappus) {
+  int compared = 0;
+  for (std::uint64_t seed = 61; seed <= 100; ++seed) {
+    const Turned part = random_part(seed);
+    ContourReport found;
+    expect_volume(part, region_of(part), field_of(part), 0.4, 0.01, std::to_string(seed), found);
+    compared += found.thin.empty();
+  }
+  EXPECT_GE(compared, 36);
+}
+
 // A contour as it is finished: towards the chuck and outwards, in cylinders, cones and quarter
 // circles of both kinds. Rings as sharp as knives, as the programs above leave them, are left to
 // those.

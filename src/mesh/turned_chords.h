@@ -1,0 +1,27 @@
+// The fewest points of an outline that keep its corners and a tolerance.
+#pragma once
+
+#include "mesh/turned_outline.h"
+
+#include <vector>
+
+namespace mrsim::detail {
+
+/// The outline without points amid straight pieces of one face.
+Outline straightened(const Outline& outline);
+
+/// How chords are chosen, mm.
+struct ChordLimits {
+  double height = 0;   ///< from what they stand for
+  double shallow = 0;  ///< corners stay where cutting them off moves more
+  double border = 0;   ///< how far the border between two owners may move
+};
+
+/// Of the points those that are needed; each chord has the face that most of it belongs to, and its
+/// distance from the part. No excess is given.
+Outline fewest_chords(const Outline& outline, const ChordLimits& limits);
+
+/// The same with chords of a curve about equally high.
+Outline even_chords(const Outline& outline, const ChordLimits& limits);
+
+}  // namespace mrsim::detail

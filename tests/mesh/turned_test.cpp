@@ -1,0 +1,226 @@
+// Parts that are the same at every angle: the outline and its mesh, on closed forms and on random
+// programs.
+#include "core/triangle_tree.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "core/vec.h"
+#include "mesh/check.h"
+#include "mesh/contour.h"
+#include "mesh/turned_chords.h"
+#include "mesh/turned_mesh.h"
+#include "removal/part_field.h"
+#include "support/cgal_mesh.h"
+#include "support/moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using test::line;
+
+StockShape bar(double radius, double z0, double z1, double bore = 0) {
+  StockShape shape;
+  shape.kind = bore > 0 ? StockShape::Kind::tube : StockShape::Kind::cylinder;
+  shape.outer_radius = radius;
+  shape.inner_radius = bore;
+  shape.box = {{-radius, -radius, z0}, {radius, radius, z1}};
+  return shape;
+}
+
+PartField cut(const StockShape& stock, const std::vector<Motion>& motions, const Tool& tool) {
+  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z)};
+}
+
+Tool insert(const char* shape, double nose) {
+  Tool tool;
+  tool.type = ToolType::turning;
+  tool.insert.assign(shape);
+  tool.nose_radius = nose;
+  tool.edge_length = 12;
+  return tool;
+}
+
+MeshOptions within(double tolerance, int threads = 1) {
+  MeshOptions options;
+  options.tolerance = tolerance;
+  options.threads = threads;
+  return options;
+}
+
+Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Motion arc_about_y(Vec3 start, Vec3 center, double sweep) {
+  Motion m;
+  m.kind = MotionKind::arc;
+  m.axis = {0, 1, 0};
+  m.start = start;
+  m.center = center;
+  m.radius = distance(start, center);
+  m.sweep = sweep;
+  const SinCos t = sincos(sweep);
+  const Vec3 arm = start - center;
+  m.end = center + Vec3{t.cos * arm.x + t.sin * arm.z, 0, t.cos * arm.z - t.sin * arm.x};
+  m.tool = 0;
+  return m;
+}
+
+std::vector<Motion> random_moves(std::mt19937& random) {
+  const auto number = [&](double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  };
+  std::vector<Motion> moves;
+  Vec3 at{number(6, 16), 0, number(4, 22)};
+  for (int k = 0; k < 5; ++k) {
+    if (k % 3 == 2) {
+      const double radius = number(1, 5), angle = number(-3, 3);
+      const SinCos t = sincos(angle);
+      moves.push_back(
+          arc_about_y(at, at - radius * Vec3{t.cos, 0, t.sin}, number(0.3, 3) * (k % 2 ? 1 : -1)));
+    } else {
+      moves.push_back(line(at, {number(5, 16), 0, number(2, 23)}));
+    }
+    at = moves.back().end;
+  }
+  return moves;
+}
+
+// How far the exact part lies from the mesh, by points of its outline at many angles.
+double farthest_of_part(const PartField& field, const TriMesh& mesh, double voxel) {
+  const TriangleTree tree(mesh);
+  double most = 0;
+  for (const detail::Outline& line : detail::turned_section(field, voxel, 1e-5, 1e-3, 1).outlines)
+    for (std::size_t k = 0; k < line.points.size(); k += 3)
+      for (const double angle : {0.01, 0.5, 1.234, 3.0, 4.4, 6.2}) {
+        const SinCos t = sincos(angle);
+        const Vec3& p = line.points[k].at;
+        most = std::max(most, std::sqrt(tree.nearest({p.x * t.cos, p.x * t.sin, p.z}).distance2));
+      }
+  return most;
+}
+
+double farthest_of_mesh(const PartField& field, const TriMesh& mesh) {
+  const Candidates all = field.all();
+  double most = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = vec(mesh.vertices[t[0]]), b = vec(mesh.vertices[t[1]]),
+               c = vec(mesh.vertices[t[2]]);
+    for (int i = 0; i <= 6; ++i)
+      for (int j = 0; i + j <= 6; ++j) {
+        const Vec3 p = (1.0 / 6) * ((6 - i - j) * a + i * b + j * c);
+        most = std::max(most, std::abs(field.sample(p, all).distance));
+      }
+  }
+  return most;
+}
+
+TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
+  std::mt19937 random(5);
+  const char* shapes[] = {"V", "C", "R", "D"};
+  for (int round = 0; round < 24; ++round) {
+    const double tolerance = round % 3 == 0 ? 0.05 : round % 3 == 1 ? 0.01 : 0.002;
+    const PartField field = cut(bar(15, 0, 24, round % 5 == 0 ? 4 : 0), random_moves(random),
+                                insert(shapes[round % 4], round % 4 == 2 ? 2 : 0.4 * (round % 2)));
+    ContourReport report;
+    const TriMesh mesh = contour(field, 0.25, within(tolerance), &report);
+    const std::string what = "round " + std::to_string(round);
+    EXPECT_LE(report.bound, tolerance) << what;
+    EXPECT_EQ(report.sampled, 0u) << what;
+    EXPECT_LE(farthest_of_mesh(field, mesh), report.bound) << what;
+    if (report.thin.empty()) EXPECT_LE(farthest_of_part(field, mesh, 0.25), report.bound) << what;
+    EXPECT_NO_THROW(require_solid(mesh, what));
+    EXPECT_EQ(testing::self_intersections(mesh), 0u) << what;
+  }
+}
+
+TEST(Turned, SameBytesForAnyNumberOfThreads) {
+  std::mt19937 random(9);
+  const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8));
+  const TriMesh one = contour(field, 0.25, within(0.01, 1)),
+                seven = contour(field, 0.25, within(0.01, 7));
+  EXPECT_EQ(one.vertices, seven.vertices);
+  EXPECT_EQ(one.triangles, seven.triangles);
+  EXPECT_EQ(one.owners, seven.owners);
+}
+
+// Diameters along X and Y are those of the part; steps stay sharp; a face or a cylinder is one
+// strip.
+TEST(Turned, ShoulderIsAsSharpAndAsLargeAsThePart) {
+  const PartField field =
+      cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
+          insert("", 0));
+  ContourReport report;
+  const TriMesh mesh = contour(field, 0.5, within(0.01), &report);
+  std::array<float, 3> lo = mesh.vertices[0], hi = lo;
+  std::size_t at_step = 0;
+  for (const auto& v : mesh.vertices) {
+    for (std::size_t a = 0; a < 3; ++a)
+      lo[a] = std::min(lo[a], v[a]), hi[a] = std::max(hi[a], v[a]);
+    const double radius = std::hypot(v[0], v[1]);
+    EXPECT_TRUE(radius < 1e-6 || std::abs(radius - 12) < 4e-6 || std::abs(radius - 20) < 4e-6);
+    at_step += std::abs(radius - 12) < 4e-6 && v[2] == 30;
+  }
+  EXPECT_EQ(lo, (std::array<float, 3>{-20, -20, 0}));
+  EXPECT_EQ(hi, (std::array<float, 3>{20, 20, 50}));
+  EXPECT_GT(at_step, 20u);
+  EXPECT_EQ(mesh.vertices.size(), 2 + 4 * at_step);  // two poles, four rings
+  EXPECT_NEAR(signed_volume(mesh) - report.volume_excess, kPi * (400 * 30 + 144 * 20), 1e-6);
+}
+
+// What the surface is told of: the move that made each face.
+TEST(Turned, OwnersAreThoseOfTheCuts) {
+  const PartField field =
+      cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
+          insert("", 0));
+  const TriMesh mesh = contour(field, 0.5, within(0.01));
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& t = mesh.triangles[k];
+    const Vec3 middle = (1.0 / 3) * (vec(mesh.vertices[t[0]]) + vec(mesh.vertices[t[1]]) +
+                                     vec(mesh.vertices[t[2]]));
+    const double radius = std::hypot(middle.x, middle.y);
+    const bool is_stock = (radius > 12.5 && middle.z < 29) || middle.z < 1 || middle.z > 49;
+    EXPECT_EQ(mesh.owners[k] == kStockOwner, is_stock) << radius << ' ' << middle.z;
+  }
+}
+
+// A wall of a twelfth of the voxel, between two grooves.
+TEST(Turned, ThinWallsAreDrawnNotReported) {
+  Tool tool = insert("", 0);
+  tool.type = ToolType::grooving;
+  tool.width = 2;
+  const PartField field = cut(
+      bar(20, 0, 50), {line({25, 0, 30}, {15, 0, 30}), line({25, 0, 32.04}, {15, 0, 32.04})}, tool);
+  ContourReport report;
+  const TriMesh mesh = contour(field, 0.5, within(0.01), &report);
+  EXPECT_TRUE(report.thin.empty());
+  EXPECT_NEAR(signed_volume(mesh) - report.volume_excess, kPi * (400 * 50 - 2 * 2 * (400 - 225)),
+              1e-6);
+  EXPECT_LE(farthest_of_part(field, mesh, 0.5), report.bound);
+}
+
+// Chords of an arc are alike, and no fewer would do.
+TEST(Turned, ChordsOfAnArcAreEven) {
+  const PartField field =
+      cut(bar(20, 0, 50), {arc_about_y({10, 0, 50}, {10, 0, 40}, kPi / 2)}, insert("", 0));
+  const detail::TurnedSection section = detail::turned_section(field, 0.5, 1e-4, 1e-3, 1);
+  ASSERT_EQ(section.outlines.size(), 1u);
+  const detail::Outline line =
+      detail::even_chords(detail::straightened(section.outlines[0]), {0.01, 1e-3, 0.25});
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k + 1 < line.points.size(); ++k)
+    if (line.points[k].face.owner == 0)
+      sizes.push_back(distance(line.points[k].at, line.points[k + 1].at));
+  std::sort(sizes.begin(), sizes.end());
+  // The sagitta of 0.01 mm on a radius of 10 mm.
+  const double longest = 2 * std::sqrt(2 * 10 * 0.01);
+  EXPECT_EQ(sizes.size(), static_cast<std::size_t>(std::ceil(kPi / 2 * 10 / longest)));
+  EXPECT_LT(sizes.back(), 1.1 * sizes[1]);
+}
+
+}  // namespace
+}  // namespace mrsim
