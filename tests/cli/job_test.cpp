@@ -15,10 +15,6 @@ class JobRun : public CliTest {
   }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(JobRun, IsTheSameAsTypingItsOptions) {
   const Outcome job = run("jobs/job.toml");
   ASSERT_EQ(job.code, 0) << job.err;

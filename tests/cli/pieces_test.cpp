@@ -21,10 +21,6 @@ class Pieces : public CliTest {
   }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(Pieces, AllAreKeptWithAWarning) {
   const Outcome outcome = split("-o part.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -26,10 +26,6 @@ class Slabs : public CliTest {
   }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // Between what the run takes in slabs and in one piece, for that many threads.
 std::string limit(int threads) { return std::to_string(50 + 15 * threads + 20) + "M"; }
 

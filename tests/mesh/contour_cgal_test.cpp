@@ -6,6 +6,7 @@
 #include "mesh/contour.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
+#include "support/rounds.h"
 
 #include <cstdint>
 
@@ -168,16 +169,19 @@ void expect_sound(const AnalyticField& part, double voxel, double tolerance, std
 }
 
 TEST(ContourCgal, RandomPartsAreSoundAtTheVoxel) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) expect_sound(random_part(seed), 1, 0, seed);
+  for (std::uint64_t seed = 0; seed < rounds(100); ++seed)
+    expect_sound(random_part(seed), 1, 0, seed);
 }
 
 // Several tiles of the uniform grid, with split cells at their borders.
 TEST(ContourCgal, RandomPartsAreSoundAcrossTiles) {
-  for (std::uint64_t seed = 100; seed < 130; ++seed) expect_sound(random_part(seed), 0.35, 0, seed);
+  for (std::uint64_t seed = 100; seed < 100 + rounds(30); ++seed)
+    expect_sound(random_part(seed), 0.35, 0, seed);
 }
 
 TEST(ContourCgal, RandomPartsAreSoundWithinTolerance) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) expect_sound(random_part(seed), 1, 0.1, seed);
+  for (std::uint64_t seed = 0; seed < rounds(12); ++seed)
+    expect_sound(random_part(seed), 1, 0.1, seed);
 }
 
 }  // namespace

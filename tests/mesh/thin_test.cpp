@@ -5,6 +5,7 @@
 #include "mesh/contour_octree.h"
 #include "mesh/contour_thin.h"
 #include "support/analytic_field.h"
+#include "support/rounds.h"
 
 #include <cmath>
 #include <utility>
@@ -84,7 +85,7 @@ int held(const TriMesh& mesh, const Place& at, double half_length) {
 TEST(Thin, WallsAreReportedWhereTheyAreLostAndOnlyThere) {
   for (const double tolerance : {0.05, 0.2})
     for (const double turn : {0.0, 0.02, 0.4})
-      for (int k = 0; k < 6; ++k) {
+      for (unsigned k = 0; k < rounds(6); ++k) {
         const Place at = place(k, turn);
         const Made part = made({kStock, false, wall(at)}, tolerance);
         EXPECT_EQ(held(part.mesh, at, 2.5) == kPoints, part.report.thin.empty())
@@ -97,7 +98,7 @@ TEST(Thin, ShortWallsAreKeptOrReported) {
   constexpr double kHalfLength = 0.9 * kVoxel;
   for (const double tolerance : {0.01, 0.05})
     for (const double turn : {0.0, 0.02, 0.4})
-      for (int k = 0; k < 12; ++k) {
+      for (unsigned k = 0; k < rounds(12); ++k) {
         const Place at = place(k, turn);
         const Made part = made({kStock, false, short_wall(at, kHalfLength)}, tolerance);
         EXPECT_TRUE(held(part.mesh, at, 0.8 * kHalfLength) == kPoints || !part.report.thin.empty())

@@ -5,6 +5,7 @@
 #include "mesh/contour.h"
 #include "removal/part_field.h"
 #include "support/moves.h"
+#include "support/rounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +106,7 @@ Tool random_mill(std::mt19937_64& random) {
 TEST(Tolerance, BoundHoldsOnRandomPrograms) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> u(0, 1);
-  for (int k = 0; k < 10; ++k) {
+  for (unsigned k = 0; k < testing::rounds(10); ++k) {
     const Tool tool = random_mill(random);
     const auto at = [&](double z) { return Vec3{20 * u(random), 20 * u(random), z}; };
     std::vector<Motion> motions;

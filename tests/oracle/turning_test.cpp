@@ -9,6 +9,7 @@
 #include "oracle/random.h"
 #include "removal/part_field.h"
 #include "removal/tool.h"
+#include "support/rounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +179,7 @@ Turned random_part(std::uint64_t seed) {
 }
 
 TEST(TurningOracle, PointsOfRandomProgramsAreWhereTheUnionSays) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= rounds(60); ++seed) {
     const Turned part = random_part(seed);
     expect_membership(part, region_of(part), field_of(part), 1000, seed);
     if (HasFatalFailure()) return;
@@ -230,14 +231,14 @@ Turned contour_part(std::uint64_t seed) {
 }
 
 TEST(TurningOracle, VolumeOfContoursIsThatOfPappus) {
-  int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  unsigned compared = 0;
+  for (std::uint64_t seed = 1; seed <= rounds(8); ++seed) {
     const Turned part = contour_part(seed);
     ContourReport found;
     expect_volume(part, region_of(part), field_of(part), 0.4, 0.01, std::to_string(seed), found);
     compared += found.thin.empty();
   }
-  EXPECT_GE(compared, 6);
+  EXPECT_GE(compared, rounds(6));
 }
 
 class Collector : public MotionSink {

@@ -12,25 +12,17 @@
 namespace mrsim {
 namespace {
 
-void add_polygons(const openvdb::tools::VolumeToMesh& mesher, TriMesh& mesh) {
+// Splits quads along their shorter diagonal; VolumeToMesh runs clockwise.
+void add_quads(const std::vector<openvdb::Vec4I>& quads, TriMesh& mesh) {
   const auto squared = [&](std::uint32_t a, std::uint32_t b) {
     const Vec3 d = to_vec(mesh.vertices[a]) - to_vec(mesh.vertices[b]);
     return dot(d, d);
   };
-  for (std::size_t i = 0; i < mesher.polygonPoolListSize(); ++i) {
-    const openvdb::tools::PolygonPool& pool = mesher.polygonPoolList()[i];
-    for (std::size_t q = 0; q < pool.numQuads(); ++q) {  // VolumeToMesh runs clockwise
-      const openvdb::Vec4I& p = pool.quad(q);
-      if (squared(p[0], p[2]) <= squared(p[1], p[3]))
-        mesh.triangles.insert(mesh.triangles.end(), {{p[0], p[2], p[1]}, {p[0], p[3], p[2]}});
-      else
-        mesh.triangles.insert(mesh.triangles.end(), {{p[1], p[3], p[2]}, {p[1], p[0], p[3]}});
-    }
-    for (std::size_t t = 0; t < pool.numTriangles(); ++t) {
-      const openvdb::Vec3I& p = pool.triangle(t);
-      mesh.triangles.push_back({p[0], p[2], p[1]});
-    }
-  }
+  for (const openvdb::Vec4I& p : quads)
+    if (squared(p[0], p[2]) <= squared(p[1], p[3]))
+      mesh.triangles.insert(mesh.triangles.end(), {{p[0], p[2], p[1]}, {p[0], p[3], p[2]}});
+    else
+      mesh.triangles.insert(mesh.triangles.end(), {{p[1], p[3], p[2]}, {p[1], p[0], p[3]}});
 }
 
 // Owner of the voxel with the least |d| among the eight corners of the cell that holds `at`.
@@ -70,14 +62,14 @@ void add_owners(const openvdb::FloatGrid& distance, const openvdb::Int32Grid& ow
 TriMesh mesh_grid(const openvdb::FloatGrid& distance, const openvdb::Int32Grid* owners,
                   int threads) {
   TriMesh mesh;
-  openvdb::tools::VolumeToMesh mesher(-kInsideTolerance, 0.0);
-  with_threads(threads, [&] { mesher(distance); });
-  mesh.vertices.reserve(mesher.pointListSize());
-  for (std::size_t i = 0; i < mesher.pointListSize(); ++i) {
-    const openvdb::Vec3s& p = mesher.pointList()[i];
-    mesh.vertices.push_back({p[0], p[1], p[2]});
-  }
-  add_polygons(mesher, mesh);
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec4I> quads;  // nothing else without adaptivity
+  // Compiled in the library; its class VolumeToMesh would be compiled here, for a minute.
+  with_threads(threads,
+               [&] { openvdb::tools::volumeToMesh(distance, points, quads, -kInsideTolerance); });
+  mesh.vertices.reserve(points.size());
+  for (const openvdb::Vec3s& p : points) mesh.vertices.push_back({p[0], p[1], p[2]});
+  add_quads(quads, mesh);
   if (distance.getGridClass() != openvdb::GRID_LEVEL_SET)  // taken for a fog: inside out
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   if (owners) add_owners(distance, *owners, threads, mesh);

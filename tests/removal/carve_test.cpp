@@ -5,6 +5,7 @@
 #include "removal/lattice.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
+#include "support/rounds.h"
 #include "turn_scenes.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ TEST(Carve, DominanceNeverChangesABit) {
   taper.taper_angle = 0.2;
   taper.tip_diameter = 2;
   const Tool flat = mill(ToolType::endmill, 5), ball = mill(ToolType::ballmill, 5);
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::rounds(3); ++seed) {
     for (const Tool& tool : {flat, bull, taper, ball})
       expect_reference(tool, short_moves(seed, 400, true));
     expect_reference(ball, short_moves(seed, 400, false));
@@ -162,7 +163,7 @@ TEST(Carve, PacksNeverChangeABit) {
   Tool bull = mill(ToolType::bullmill, 5);
   bull.corner_radius = 1;
   const Tool flat = mill(ToolType::endmill, 5), ball = mill(ToolType::ballmill, 5);
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::rounds(3); ++seed) {
     for (const Tool& tool : {flat, bull, ball}) expect_reference(tool, smooth_rows(seed, true));
     expect_reference(ball, smooth_rows(seed, false));
   }

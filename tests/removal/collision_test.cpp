@@ -5,6 +5,7 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "removal/sweep.h"
+#include "support/rounds.h"
 
 #include <algorithm>
 #include <random>
@@ -293,7 +294,7 @@ TEST(Collisions, AgreeWithDenseSampling) {
   };
   StockShape stock;
   stock.box = {{0, 0, -5}, {20, 20, 0}};
-  for (int scene = 0; scene < 4; ++scene) {
+  for (unsigned scene = 0; scene < testing::rounds(4); ++scene) {
     Tool tool = mill(scene % 2 == 0 ? 3 : 5, 4);
     tool.type = scene % 3 == 0 ? ToolType::ballmill : ToolType::endmill;
     Moves m({10, 10, 1});
