@@ -40,8 +40,9 @@ class PartField final : public ExactField {
   bool by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
                Candidates& out) const override;
   bool is_turned(std::span<const std::uint32_t> candidates) const override {
-    return solid_.is_turned() && (candidates.empty() || (candidates.front() >= sweeps_.size() &&
-                                                         candidates.back() < kFirstPack));
+    return solid_.is_turned() &&
+           (sweeps_.is_turned() || candidates.empty() ||
+            (candidates.front() >= sweeps_.size() && candidates.back() < kFirstPack));
   }
   bool has_box_stock() const override { return solid_.is_box(); }
   Box3 bounds() const override { return solid_.bounds(); }

@@ -6,6 +6,7 @@
 #include "removal/sweep_lane_scalar.h"
 #include "removal/sweep_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
@@ -189,6 +190,13 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
           face_distance(tool, c.rho, c.q.z, face)};
 }
 
+// Up and down on the Z axis, as lathes drill.
+bool is_on_axis(const Motion& m) {
+  const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
+  return m.kind != MotionKind::arc && has_no_plan(m.start) && has_no_plan(m.end) &&
+         has_no_plan(m.tool_axis);
+}
+
 }  // namespace
 
 // An open cutter reaches to infinity, so that `top` is only a promise of the caller.
@@ -196,7 +204,12 @@ SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> to
                        const SweepSelection& selection, int threads)
     : columns_(std::make_unique<Columns>()) {
   columns_->build(motions, tools, selection, threads);
+  columns_->turned = std::all_of(motions.begin(), motions.end(), [&](const Motion& m) {
+    const bool counts = m.tool >= 0 && (selection.rapids || m.kind != MotionKind::rapid);
+    return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || is_on_axis(m);
+  });
 }
+bool SweepTable::is_turned() const { return columns_->turned; }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
 SweepTable::~SweepTable() = default;

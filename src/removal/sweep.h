@@ -123,6 +123,9 @@ class SweepTable {
   void least(const NearList& list, PointColumns& points) const;
   void least(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
+  /// All sweeps are the same at every angle about the Z axis: of inserts, and of other tools that
+  /// move up and down on it.
+  bool is_turned() const;
   /// The turning sweeps; empty where there are none.
   const TurnTree& turn_tree() const;
 

@@ -107,6 +107,27 @@ TEST(PartField, FacesOfTurningSweeps) {
 }
 
 // Arcs that meet their neighbours in corners: there the nose leaves its own circle on the part.
+// A drill on the axis leaves the part turned, one beside it or across it does not.
+TEST(PartField, KnowsWhichDrilledPartsAreTurned) {
+  Tool drill;
+  drill.type = ToolType::drill;
+  drill.diameter = 6;
+  StockShape shape;
+  shape.kind = StockShape::Kind::cylinder;
+  shape.outer_radius = 25;
+  shape.box = {{-25, -25, 0}, {25, 25, 51}};
+  const auto is_turned = [&](Motion m) {
+    const PartField field(StockSolid(shape), SweepTable({&m, 1}, std::span(&drill, 1), 51));
+    return field.is_turned(field.all());
+  };
+  EXPECT_TRUE(is_turned(line({0, 0, 60}, {0, 0, 20})));
+  EXPECT_FALSE(is_turned(line({10, 0, 60}, {10, 0, 20})));
+  EXPECT_FALSE(is_turned(line({0, 0, 60}, {1, 0, 20})));
+  Motion across = line({0, 0, 60}, {0, 0, 20});
+  across.tool_axis = {1, 0, 0};
+  EXPECT_FALSE(is_turned(across));
+}
+
 TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
   Tool tool;
   tool.type = ToolType::turning;
@@ -125,7 +146,7 @@ TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 51));
   const Candidates all = field.all();
   EXPECT_TRUE(field.is_turned(all));
-  EXPECT_FALSE(field.is_turned(std::vector<std::uint32_t>{0}));
+  EXPECT_TRUE(field.is_turned(std::vector<std::uint32_t>{0}));
   Candidates list, names;
   for (const double z : {15.2, 30.0, 44.9}) {
     const Vec3 center{12, 16, z};
