@@ -351,27 +351,4 @@ void TurnTree::members(const TurnRegion& region, const Nearest& best, double lim
   for (const std::uint32_t pack : in) narrowing.members(pack, out);
 }
 
-void TurnTree::append_sides(std::uint32_t sweep, std::uint32_t row,
-                            std::vector<Member>& out) const {
-  out.push_back({sweep, row, false});
-  if (!turns_[row].one_sided) out.push_back({sweep, row, true});
-}
-
-void TurnTree::least(std::span<const Member> members, PointColumns& points) const {
-  const SweepKernels& kernels = sweep_kernels();
-  for (const Member& m : members) {
-    const TurnSweep& s = turns_[m.row];
-    const std::vector<ConvexPolygon::Side>& sides = s.polygon.sides;
-    if (!s.arc && !sides.empty()) {
-      kernels.polygon_least(sides.data(), sides.size(), s.round, m.behind, m.sweep, points);
-      continue;
-    }
-    for (std::size_t k = 0; k < points.count; ++k) {
-      const double d = section_distance(s, {m.behind ? -points.x[k] : points.x[k], points.z[k]});
-      if (d > points.least[k] || (d == points.least[k] && m.sweep > points.nearest[k])) continue;
-      points.least[k] = d, points.nearest[k] = m.sweep;
-    }
-  }
-}
-
 }  // namespace mrsim
