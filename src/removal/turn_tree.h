@@ -50,7 +50,7 @@ class TurnTree {
   /// `turns` stay where they are. `items` ascend. Memory: 2 KB for 7 sweeps of an insert with four
   /// corners.
   TurnTree(std::span<const TurnSweep> turns, std::span<const ToolShape> shapes,
-           std::vector<Item> items);
+           std::vector<Item> items, int threads);
 
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
