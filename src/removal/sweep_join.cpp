@@ -115,9 +115,9 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
   uniform = uniform && !refs.empty();
   packs = SweepPacks(*this, threads);
-  classify();
+  classify(threads);
   std::vector<TurnTree::Item> items;
-  for (std::size_t i = 0; i < refs.size(); ++i)
+  for (std::size_t i = 0; i < refs.size() && !turns.empty(); ++i)
     if (refs[i].kind == SweepKind::turn)
       items.push_back({static_cast<std::uint32_t>(i), refs[i].row, refs[i].shape});
   turn_tree = TurnTree(turns, shapes, std::move(items), threads);

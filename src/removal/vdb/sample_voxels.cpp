@@ -182,12 +182,14 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
       grid.leaves.emplace_back(leaf.distance.get(), leaf.owner.get());
   // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
   parallel_for(2, threads, [&](std::size_t tree) {
+    openvdb::FloatGrid::Accessor distance(grid.distance->tree());
+    openvdb::Int32Grid::Accessor owner(grid.owner->tree());
     for (std::vector<LeafPair>& leaves : blocks)
       for (LeafPair& leaf : leaves)
         if (tree == 0)
-          grid.distance->tree().addLeaf(leaf.distance.release());
+          distance.addLeaf(leaf.distance.release());
         else
-          grid.owner->tree().addLeaf(leaf.owner.release());
+          owner.addLeaf(leaf.owner.release());
   });
   // Leaves hold all their signs: only the tiles between them are to be filled.
   openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);
