@@ -10,8 +10,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   auto grid = std::make_unique<StockGrid>();
   StockSolid solid(shape);
   const double top = solid.bounds().hi.z;
-  grid->field = std::make_unique<PartField>(std::move(solid),
-                                            SweepTable(motions, tools, top, {}, options.threads));
+  grid->field = std::make_unique<PartField>(
+      std::move(solid), SweepTable(motions, tools, top, {}, options.threads), options.threads);
   const PartField& field = *grid->field;
   CarveOptions chosen = options;
   if (chosen.voxel == 0)

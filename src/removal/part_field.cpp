@@ -1,5 +1,6 @@
 #include "removal/part_field.h"
 
+#include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/face_range.h"
 #include "removal/sweep_kernels.h"
@@ -18,6 +19,8 @@ constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a 
 constexpr std::size_t kTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
 constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
+
+constexpr std::size_t kPart = 1 << 16;  ///< sweeps that are worth a thread
 
 // The first of the points, as many as there is room for.
 void fill(PointColumns& columns, std::span<const Vec3> points) {
@@ -107,14 +110,23 @@ class NearDescent final : public ExactField::Descent {
 
 }  // namespace
 
-PartField::PartField(StockSolid solid, SweepTable sweeps)
+PartField::PartField(StockSolid solid, SweepTable sweeps, int threads)
     : solid_(std::move(solid)),
       sweeps_(std::move(sweeps)),
       slack_(2 * sweeps_.max_error() + kRounding) {
-  for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
-    sweep_of_.resize(static_cast<std::size_t>(sweeps_.motion(i)) + 1);
-    sweep_of_.back() = i;
-  }
+  const std::size_t count = sweeps_.size();
+  if (count == 0) return;
+  sweep_of_.resize(static_cast<std::size_t>(sweeps_.motion(count - 1)) + 1);
+  // The last sweep of each motion.
+  parallel_for((count + kPart - 1) / kPart, threads, [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * kPart, count);
+    std::int32_t own = sweeps_.motion(part * kPart);
+    for (std::size_t i = part * kPart; i < end; ++i) {
+      const std::int32_t next = i + 1 < count ? sweeps_.motion(i + 1) : -1;
+      if (next != own) sweep_of_[static_cast<std::size_t>(own)] = static_cast<std::uint32_t>(i);
+      own = next;
+    }
+  });
 }
 
 Candidates PartField::all() const { return sweeps_.all(); }

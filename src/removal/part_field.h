@@ -11,7 +11,7 @@ namespace mrsim {
 
 class PartField final : public ExactField {
  public:
-  PartField(StockSolid solid, SweepTable sweeps);
+  PartField(StockSolid solid, SweepTable sweeps, int threads = 1);
 
   Candidates all() const override;
   Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,

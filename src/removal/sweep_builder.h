@@ -30,7 +30,7 @@ class SweepBuilder {
   void add(const Motion& m, std::int32_t index);
 
   /// What has been made, but tags, classes and packs.
-  const SweepColumns& columns() const { return columns_; }
+  SweepColumns& columns() { return columns_; }
   /// By shape.
   const std::vector<ShapeKey>& keys() const { return keys_; }
 

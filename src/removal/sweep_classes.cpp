@@ -1,7 +1,9 @@
 // Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
+#include "core/parallel.h"
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -10,6 +12,8 @@
 
 namespace mrsim {
 namespace {
+
+constexpr std::size_t kPart = 1 << 16;  // sweeps that are worth a thread
 
 float rounded_down(double x) {
   return std::max(0.0f, std::nextafter(static_cast<float>(x), -1.0f));
@@ -82,7 +86,20 @@ class LevelNumbers {
 
 }  // namespace
 
-void SweepColumns::classify() {
+bool SweepColumns::are_alike(int threads) const {
+  if (refs.empty() || is_plan(refs[0])) return false;
+  const auto key = [this](std::size_t i) {
+    return std::tuple(group_of(refs[i]), tags[i] >> kTagShift, refs[i].shape);
+  };
+  std::atomic<bool> alike = true;
+  parallel_for((refs.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
+    for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, refs.size()); ++i)
+      if (is_plan(refs[i]) || key(i) != key(0)) return alike.store(false);
+  });
+  return alike;
+}
+
+void SweepColumns::classify(int threads) {
   // Group, form, shape; grade of the spread, -1 for sweeps.
   using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t, int>;
   std::map<Key, std::uint32_t> seen;
@@ -92,11 +109,12 @@ void SweepColumns::classify() {
     if (added) found.push_back(k);
     return at->second;
   };
-  class_of.resize(refs.size());
   LevelNumbers numbers;
   Key last{-2, 0, 0, 0};
   std::uint32_t last_class = 0;
-  for (std::size_t i = 0; i < refs.size(); ++i) {
+  const std::size_t told = are_alike(threads) ? 1 : refs.size();  // one tells all
+  class_of.resize(told);
+  for (std::size_t i = 0; i < told; ++i) {
     const SweepRef& ref = refs[i];
     const std::uint32_t form = tags[i] >> kTagShift;
     const Key key{group_of(ref), form, ref.shape, -1};
@@ -108,7 +126,7 @@ void SweepColumns::classify() {
   }
   const std::size_t sweep_classes = found.size();
   for (SweepPack& pack : packs.all()) {
-    SweepClass k = found[class_of[pack.first]];
+    SweepClass k = found[class_of[told == 1 ? 0 : pack.first]];
     const std::uint32_t form = tags[pack.first] >> kTagShift;
     k.packs = true;
     pack.of = number_of({k.group, form, refs[pack.first].shape, spread_grade(pack.spread)}, k);

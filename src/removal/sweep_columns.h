@@ -96,7 +96,9 @@ struct SweepColumns {
   /// A box that holds a sweep.
   Box3 bounds_of(const SweepRef& ref) const;
   /// Finds classes and levels, of packs too.
-  void classify();
+  void classify(int threads);
+  /// All sweeps are of one class, which has no levels.
+  bool are_alike(int threads) const;
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
   /// nothing to compare. Plan: z is that of the tip.
   struct Foot {

@@ -2,9 +2,14 @@
 // search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and upright arcs).
 #pragma once
 
+#include "removal/helix_record.h"
 #include "removal/sweep_path.h"
 
 namespace mrsim {
+
+/// The whole path for the loops of sweep_helix.inl. Requires: lowest_turn, a tool with
+/// is_rounded().
+HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 
 /// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
 /// is_rounded(). None to about five sines.

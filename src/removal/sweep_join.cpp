@@ -5,6 +5,7 @@
 #include "removal/sweep_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace mrsim {
@@ -21,8 +22,8 @@ class Joiner {
     table.uniform = true;
   }
 
-  void append(const SweepBuilder& part) {
-    const SweepColumns& from = part.columns();
+  void append(SweepBuilder& part) {
+    SweepColumns& from = part.columns();
     const std::vector<std::int32_t> shapes = shapes_of(part);
     const std::vector<std::uint16_t> frames = frames_of(from);
     const std::uint32_t first[] = {append(from.ball_lines, table_.ball_lines),
@@ -60,15 +61,16 @@ class Joiner {
  private:
   // A long program is mostly of one form: room for all of it at once (pages are not touched).
   template <class Row>
-  std::uint32_t append(const std::vector<Row>& rows, std::vector<Row>& column) const {
+  std::uint32_t append(std::vector<Row>& rows, std::vector<Row>& column) const {
     const auto first = static_cast<std::uint32_t>(column.size());
     if (column.empty() && !rows.empty() && sizeof(Row) <= sizeof(LineRecord))
       reserve_large(column, table_.refs.capacity());
-    column.insert(column.end(), rows.begin(), rows.end());
+    column.insert(column.end(), std::make_move_iterator(rows.begin()),
+                  std::make_move_iterator(rows.end()));
     return first;
   }
 
-  std::vector<std::int32_t> shapes_of(const SweepBuilder& part) {
+  std::vector<std::int32_t> shapes_of(SweepBuilder& part) {
     std::vector<std::int32_t> places;
     for (std::size_t k = 0; k < part.keys().size(); ++k) {
       const auto next = static_cast<std::int32_t>(table_.shapes.size());
@@ -113,12 +115,12 @@ void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> 
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
   uniform = uniform && !refs.empty();
   packs = SweepPacks(*this, threads);
-  classify();
+  classify(threads);
   std::vector<TurnTree::Item> items;
-  for (std::size_t i = 0; i < refs.size(); ++i)
+  for (std::size_t i = 0; i < refs.size() && !turns.empty(); ++i)
     if (refs[i].kind == SweepKind::turn)
       items.push_back({static_cast<std::uint32_t>(i), refs[i].row, refs[i].shape});
-  turn_tree = TurnTree(turns, shapes, std::move(items));
+  turn_tree = TurnTree(turns, shapes, std::move(items), threads);
 }
 
 }  // namespace mrsim

@@ -5,9 +5,11 @@
 
 #include "core/error.h"
 #include "core/suggest.h"
+#include "core/units.h"
 #include "removal/sweep_lane_scalar.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
@@ -32,10 +34,6 @@ constexpr std::size_t kLanes = 1;
 constexpr const char* kName = "scalar";
 #define MRSIM_LANE inline
 MRSIM_LANE V read(const double* p) { return *p; }
-MRSIM_LANE M less(V a, V b) { return a < b; }
-MRSIM_LANE M both(M a, M b) { return a && b; }
-MRSIM_LANE M either(M a, M b) { return a || b; }
-MRSIM_LANE unsigned bits(M m) { return m ? 1 : 0; }
 MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
   for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
 }
@@ -72,11 +70,13 @@ MRSIM_LANE V read(const double* p) { return _mm256_load_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return _mm256_and_pd(a, b); }
 MRSIM_LANE M either(M a, M b) { return _mm256_or_pd(a, b); }
+MRSIM_LANE M except(M a, M b) { return _mm256_andnot_pd(b, a); }
 MRSIM_LANE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_pd(m)); }
 MRSIM_LANE V vmin(V a, V b) { return _mm256_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm256_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm256_max_pd(a, -a); }
 MRSIM_LANE V vsqrt(V a) { return _mm256_sqrt_pd(a); }
+MRSIM_LANE V vfloor(V a) { return _mm256_floor_pd(a); }
 MRSIM_LANE M less_equal(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
 MRSIM_LANE V select(M m, V a, V b) { return _mm256_blendv_pd(b, a, m); }
 // Four rows of four into four columns.
@@ -111,7 +111,13 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
   _mm256_store_pd(lanes, v);
   for (std::size_t j = 0; j < n; ++j) out[j] = lanes[j];
 }
+#include "core/trig_lanes.inl"
+//
 #include "removal/sweep_lanes.inl"
+//
+#include "removal/sweep_falling.inl"
+//
+#include "removal/sweep_helix.inl"
 //
 #include "removal/sweep_kernels.inl"
 
@@ -137,11 +143,13 @@ MRSIM_LANE V read(const double* p) { return _mm512_load_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return static_cast<M>(a & b); }
 MRSIM_LANE M either(M a, M b) { return static_cast<M>(a | b); }
+MRSIM_LANE M except(M a, M b) { return static_cast<M>(a & ~b); }
 MRSIM_LANE unsigned bits(M m) { return m; }
 MRSIM_LANE V vmin(V a, V b) { return _mm512_min_pd(a, b); }
 MRSIM_LANE V vmax(V a, V b) { return _mm512_max_pd(a, b); }
 MRSIM_LANE V vabs(V a) { return _mm512_max_pd(a, -a); }
 MRSIM_LANE V vsqrt(V a) { return _mm512_sqrt_pd(a); }
+MRSIM_LANE V vfloor(V a) { return _mm512_floor_pd(a); }
 MRSIM_LANE M less_equal(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
 MRSIM_LANE V select(M m, V a, V b) { return _mm512_mask_blend_pd(m, b, a); }
 // Eight rows of eight into eight columns: pairs, then pairs of pairs, then halves.
@@ -185,7 +193,13 @@ MRSIM_LANE void store(double* out, V v) { _mm512_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
   _mm512_mask_storeu_pd(out, static_cast<__mmask8>((1u << n) - 1), v);
 }
+#include "core/trig_lanes.inl"
+//
 #include "removal/sweep_lanes.inl"
+//
+#include "removal/sweep_falling.inl"
+//
+#include "removal/sweep_helix.inl"
 //
 #include "removal/sweep_kernels.inl"
 

@@ -2,6 +2,7 @@
 // instruction set of this machine. All of them give the same bits.
 #pragma once
 
+#include "removal/helix_record.h"
 #include "removal/sweep.h"
 #include "removal/sweep_polygon.h"
 
@@ -49,6 +50,9 @@ struct SweepKernels {
   /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
   /// others.
   std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
+  /// Brings the points `open`, a bit each, up to date with sweep `id`, a lowest turn.
+  void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
+                PointColumns& points);
   /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
   /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
   void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,

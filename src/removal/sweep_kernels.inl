@@ -153,6 +153,28 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   return open;
 }
 
+// The last of the points is repeated where they do not fill a register.
+static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
+                           PointColumns& points) {
+  const M all = less_equal(splat(0.0), splat(0.0));
+  while (open != 0) {
+    alignas(64) double x[kLanes], y[kLanes], z[kLanes], distance[kLanes];
+    std::size_t at[kLanes], n = 0;
+    for (; open != 0 && n < kLanes; open &= open - 1)
+      at[n++] = static_cast<std::size_t>(std::countr_zero(open));
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const std::size_t i = at[k < n ? k : n - 1];
+      x[k] = points.x[i], y[k] = points.y[i], z[k] = points.z[i];
+    }
+    store(distance, helix_least(record, read(x), read(y), read(z), all).distance);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double d = distance[k];
+      double &least = points.least[at[k]], &nearest = points.nearest[at[k]];
+      if (d < least || (d == least && id < nearest)) least = d, nearest = id;
+    }
+  }
+}
+
 // polygon_distance side by side. The least root is the root of the least.
 struct SideSum {
   V most, least;
@@ -211,6 +233,7 @@ static const SweepKernels kKernels = {
     {plane_line_list, plane_line_least},
     {plane_arc_list, plane_arc_least},
     bore_least,
+    helix_least_of,
     polygons,
     polygon_least,
 };

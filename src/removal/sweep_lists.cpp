@@ -1,6 +1,7 @@
 // SweepTable over lists: sorts a list by the form of its sweeps and hands each part to the kernels.
 #include "core/vec.h"
 #include "removal/sweep_columns.h"
+#include "removal/sweep_helix.h"
 
 #include <algorithm>
 #include <bit>
@@ -192,8 +193,13 @@ void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points)
 void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
   const SweepRef& ref = columns_->refs[id];
   std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
-  if (ref.kind == SweepKind::path && ref.frame == 0 && columns_->paths[ref.row].bored)
-    open &= sweep_kernels().bore(columns_->paths[ref.row].bore, id, points);
+  if (ref.kind == SweepKind::path && ref.frame == 0) {
+    const ToolPath& path = columns_->paths[ref.row];
+    const Profile& tool = columns_->cutter(ref);
+    if (path.bored) open &= sweep_kernels().bore(path.bore, id, points);
+    if (path.lowest_turn && tool.is_rounded())
+      return sweep_kernels().helix(helix_record(tool, path), id, open, points);
+  }
   for (; open != 0; open &= open - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(open));
     const double d = distance(id, {points.x[k], points.y[k], points.z[k]});

@@ -56,7 +56,7 @@ struct PathSample {
 inline constexpr double kPathError = 2e-7;
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
 
-/// Whether the distance is found stretch by stretch (sweep_falling.h), without a search.
+/// Whether the distance is found stretch by stretch (sweep_falling.inl), without a search.
 inline bool has_stretches(const Profile& tool, const ToolPath& path) {
   return path.upright || (path.lowest_turn && tool.is_rounded());
 }

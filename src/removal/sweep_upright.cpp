@@ -6,7 +6,7 @@
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_falling.h"
+#include "removal/sweep_lane_scalar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,8 @@
 
 namespace mrsim {
 namespace {
+
+using lane::Place;
 
 constexpr double kAtEnd = 1e-12;  // radians: nearer to an end of the path is the end
 constexpr Vec2 kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -57,17 +59,17 @@ class FallingQuarter {
 
   const Place& first() const { return first_; }
   const Place& last() const { return last_; }
-  Place at(double t, const Place&) const { return place(t); }
+  Place at(double t, const Place&, bool) const { return place(t); }
 
-  Place rim(const Place& a, const Place& b) const {
+  Place rim(const Place& a, const Place& b, bool) const {
     const double half = std::sqrt(std::max(0.0, core_ * core_ - p_.beside * p_.beside));
     return between(a, b, on_circle(q_.below ? x_ - half : x_ + half));
   }
-  Place ground(const Place& a, const Place& b) const {
+  Place ground(const Place& a, const Place& b, bool) const {
     const double z = p_.z / radius_;
     return between(a, b, {std::sqrt(std::max(0.0, 1 - z * z)), z});
   }
-  Place corner(const Place& a, const Place& b) const {
+  Place corner(const Place& a, const Place& b, bool) const {
     const Place x = q_.below ? stationary_below(a, b) : stationary_above(a, b);
     const auto squared = [](const Place& at) { return at.dr * at.dr + at.dz * at.dz; };
     const Place& end = squared(a) < squared(b) ? a : b;
@@ -85,7 +87,7 @@ class FallingQuarter {
   Place place(Vec2 w, double t, double turning) const {
     const double x = radius_ * w.x, z = radius_ * w.y, away = x - x_;
     const double lateral = std::sqrt(away * away + p_.beside * p_.beside);
-    Place at{t, lateral - core_, z - p_.z, 0, -turning * x, w};
+    Place at{t, lateral - core_, z - p_.z, 0, -turning * x, w.x, w.y};
     if (lateral > 0) at.dr_slope = turning * z * away / lateral;
     return at;
   }
@@ -125,7 +127,7 @@ class FallingQuarter {
   // the minimum; Newton's method falls on it from above. Below the centre there is none.
   Place stationary_above(const Place& a, const Place& b) const {
     if (!(p_.z > 0)) return a;
-    const Vec2 end = b.w;
+    const Vec2 end = {b.wx, b.wy};
     double tangent = (x_ + core_ * lean(radius_ * end.x - x_).value) / p_.z;
     if (!(tangent > 0)) return a;
     if (tangent * end.y >= end.x) return b;
@@ -197,10 +199,10 @@ Found least(const Profile& tool, const ToolPath& path, const Vec3& p, int from, 
   for (int branch = from; branch < to; ++branch) {
     const Quarter q = quarter(path, branch);
     const FallingQuarter stretch(q, path.radius, tool.core(), at);
-    if (lower_bound(stretch.first(), stretch.last(), tool.round()) >= best.distance) continue;
-    const Place x = best_place(stretch);
-    const double value = x.value(tool.round());
-    if (value < best.distance) best = {value, branch, x.w};
+    if (lane::lower_bound(stretch.first(), stretch.last(), tool.round()) >= best.distance) continue;
+    const Place x = lane::best_place(stretch, true);
+    const double value = lane::value_of(x, tool.round());
+    if (value < best.distance) best = {value, branch, {x.wx, x.wy}};
   }
   return best;
 }

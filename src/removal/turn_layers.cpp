@@ -12,7 +12,7 @@ namespace mrsim {
 namespace {
 
 // What one more interval costs, in sweeps evaluated at a voxel.
-constexpr double kSplit = 2500;
+constexpr double kSplit = 5000;
 
 // A few registers of voxels are as cheap as one.
 constexpr double kFewVoxels = 32;
@@ -45,23 +45,26 @@ class TurnLayers::Builder {
     TurnTree::Packs left;
     tree_.narrow(region, best, reach, slack, packs, left);
     if (2 * half <= voxel_) {
-      const std::size_t first = out_.members.size();
-      tree_.members(region, best, reach, slack, left, out_.members);
-      const auto count = static_cast<double>(out_.members.size() - first);
+      members_.clear();
+      tree_.members(region, best, reach, slack, left, members_);
+      const auto count = static_cast<double>(members_.size());
       const double voxels = std::max(kFewVoxels, 2 * kTwoPi * rho * half / (voxel_ * voxel_));
       if (count <= 1 || count * voxels <= kSplit || half < kNarrowest) {
-        out_.intervals.push_back({to, static_cast<std::uint32_t>(first),
-                                  static_cast<std::uint32_t>(count), ExactField::Region::mixed,
-                                  in_stock});
-        return;
+        return add_mixed(from, to, in_stock);
       }
-      out_.members.resize(first);
     }
     build(from, rho, left);
     build(rho, to, left);
   }
 
  private:
+  void add_mixed(double from, double to, bool in_stock) {
+    out_.intervals.push_back({to, static_cast<std::uint32_t>(out_.members.size()),
+                              static_cast<std::uint32_t>(members_.size()),
+                              ExactField::Region::mixed, in_stock});
+    for (const TurnTree::Member& m : members_)
+      out_.members.push_back(tree_.facing(m, from, to, z_, out_.sides));
+  }
   void add(double to, ExactField::Region region) {
     std::vector<Interval>& list = out_.intervals;
     if (!list.empty() && list.back().region == region)
@@ -74,6 +77,7 @@ class TurnLayers::Builder {
   const TurnTree& tree_;
   double voxel_, band_, z_;
   Layer& out_;
+  std::vector<TurnTree::Member> members_;
 };
 
 TurnLayers::TurnLayers(const PartField& field, double voxel, double band, int threads) {

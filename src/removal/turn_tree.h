@@ -50,7 +50,7 @@ class TurnTree {
   /// `turns` stay where they are. `items` ascend. Memory: 2 KB for 7 sweeps of an insert with four
   /// corners.
   TurnTree(std::span<const TurnSweep> turns, std::span<const ToolShape> shapes,
-           std::vector<Item> items);
+           std::vector<Item> items, int threads);
 
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
@@ -78,6 +78,19 @@ class TurnTree {
 
   /// Brings `points`, as (rho, 0, z), up to date with some sweeps, the bits of turn_distance.
   void least(std::span<const Member> members, PointColumns& points) const;
+
+  /// A member with what points of one stretch of rho need of it.
+  struct Facing {
+    Member member;
+    std::uint32_t first = 0, count = 0;  ///< its sides in a list; none: an arc, or a point
+    double round = 0;
+  };
+  using Sides = std::vector<ConvexPolygon::Side>;
+  /// For points from (from, z) to (to, z). Appends to `sides` those of a polygon that can decide
+  /// its distance there.
+  Facing facing(const Member& member, double from, double to, double z, Sides& sides) const;
+  /// As the other least(), the same bits, for points of the stretch that `members` were made for.
+  void least(std::span<const Facing> members, const Sides& sides, PointColumns& points) const;
 
  private:
   static constexpr std::size_t kLanes = PolygonSides::kLanes;

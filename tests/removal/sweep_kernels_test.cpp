@@ -137,6 +137,40 @@ TEST(SweepKernels, BoresAreTheSameOnEveryInstructionSet) {
   }
 }
 
+HelixRecord random_helix(Random& r) {
+  HelixRecord h{r(0, 5), r(0, 5), r(-3, 3), 1, 0, 0, 1, r(0.2, 5), r(0.01, 1), r(0, 4)};
+  if (r.pick(2)) h.round = r(0, 1);
+  if (r.pick(4) == 0) h.core = 0;
+  const double a = r(0, 6.28), b = r.pick(2) ? r(a, 6.28) : 6.28;
+  if (r.pick(2)) h.begin = {a, std::sin(a), std::cos(a)};
+  h.end = {b, std::sin(b), std::cos(b)};
+  return h;
+}
+
+TEST(SweepKernels, HelicesAreTheSameOnEveryInstructionSet) {
+  Random r(9);
+  for (int round = 0; round < 2000; ++round) {
+    const HelixRecord helix = random_helix(r);
+    PointColumns one = random_points(r, 8 << round % 4);
+    for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
+    if (round % 8 == 0) one.x[0] = helix.x, one.y[0] = helix.y;  // on the axis
+    const PointColumns before = one;
+    std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - one.count);
+    for (int k = round % 5; k > 0; --k) open &= ~(std::uint64_t(1) << r.pick(64));
+    sweep_kernels(SimdLevel::scalar)->helix(helix, 5, open, one);
+    for (std::size_t k = 0; k < one.count; ++k)
+      if ((open >> k & 1u) == 0) ASSERT_TRUE(same_bits(one.least[k], before.least[k]));
+    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      PointColumns other = before;
+      set->helix(helix, 5, open, other);
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
 TEST(SweepKernels, EveryInstructionSetGivesTheSameBits) {
   Random r(17);
   std::vector<LineRecord> balls, lines;

@@ -1,4 +1,6 @@
 // The tree of turning sweeps against every sweep on its own.
+#include "removal/turn_tree.h"
+
 #include "removal/near_list.h"
 #include "removal/sweep_kernels.h"
 #include "turn_scenes.h"
@@ -75,6 +77,44 @@ TEST(TurnTree, PruningNeverChangesABit) {
       ASSERT_EQ(expected.sweep, points.nearest[k]) << "round " << round;
     }
   }
+}
+
+// Of the polygons' sides those that decide on a stretch of rho: any points of it.
+TEST(TurnTree, FacingSidesGiveTheSameBits) {
+  Random r(11);
+  const std::vector<Tool> tools = inserts();
+  std::size_t left = 0, polygons = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const SweepTable sweeps(turning_moves(r, 20, 10, 20), tools, 50);
+    const TurnTree& tree = sweeps.turn_tree();
+    std::vector<TurnTree::Member> members;
+    for (std::uint32_t i = 0; i < sweeps.size(); ++i) tree.append_sides(i, i, members);
+    const Vec3 at = somewhere(r);
+    const double from = std::fabs(at.x), to = from + (round % 3 ? r(0, 0.3) : r(0, 10));
+    TurnTree::Sides sides;
+    std::vector<TurnTree::Facing> facing;
+    for (const TurnTree::Member& m : members) {
+      facing.push_back(tree.facing(m, from, to, at.z, sides));
+      left += facing.back().count, polygons += facing.back().count > 0;
+    }
+    for (const TurnTree::Member& m : members) {
+      PointColumns one{};
+      one.count = 8;
+      for (std::size_t k = 0; k < one.count; ++k) {
+        one.x[k] = k == 0 ? from : k == 1 ? to : from + r(0, 1) * (to - from);
+        one.z[k] = at.z, one.least[k] = INFINITY;
+      }
+      PointColumns other = one;
+      const auto& near = facing[static_cast<std::size_t>(&m - members.data())];
+      tree.least(std::span(&m, 1), one);
+      tree.least(std::span(&near, 1), sides, other);
+      for (std::size_t k = 0; k < one.count; ++k)
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(one.least[k]),
+                  std::bit_cast<std::uint64_t>(other.least[k]))
+            << "round " << round;
+    }
+  }
+  EXPECT_LT(left, 3 * polygons) << "four to six sides each: the others are left out";
 }
 
 // Packs of a small region, opened: as many sweeps as decide its points, in any list.

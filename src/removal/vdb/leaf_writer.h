@@ -22,6 +22,19 @@ struct LeafPair {
   std::unique_ptr<OwnerLeaf> owner;
 };
 
+/// Where the voxels of a pair lie: asking the leaves costs as much as a write.
+struct LeafView {
+  LeafView() = default;
+  explicit LeafView(const LeafPair& leaf)
+      : distance(leaf.distance->buffer().data()),
+        owner(leaf.owner->buffer().data()),
+        active(&leaf.distance->getValueMask().getWord<std::uint64_t>(0)),
+        owned(&leaf.owner->getValueMask().getWord<std::uint64_t>(0)) {}
+  float* distance = nullptr;
+  std::int32_t* owner = nullptr;
+  std::uint64_t *active = nullptr, *owned = nullptr;  // the masks, 64 voxels a word
+};
+
 class LeafWriter {
  public:
   LeafWriter(const PartField& field, double voxel)
@@ -52,17 +65,17 @@ class LeafWriter {
   }
 
   // Points k, k + 1, ... of a row along z.
-  void store(LeafPair& leaf, std::size_t k, openvdb::Index offset, std::size_t count) const {
-    std::copy_n(distance_ + k, count, leaf.distance->buffer().data() + offset);
+  void store(const LeafView& leaf, std::size_t k, std::size_t offset, std::size_t count) const {
+    std::copy_n(distance_ + k, count, leaf.distance + offset);
     const std::uint64_t row = (std::uint64_t(1) << count) - 1, active = active_ >> k & row;
     if (active == 0) return;
-    const openvdb::Index word = offset / 64, bit = offset % 64;
-    leaf.distance->getValueMask().getWord<std::uint64_t>(word) |= active << bit;
-    leaf.owner->getValueMask().getWord<std::uint64_t>(word) |= active << bit;
-    std::int32_t* owner = leaf.owner->buffer().data() + offset;
+    const std::size_t word = offset / 64, bit = offset % 64;
+    leaf.active[word] |= active << bit;
+    leaf.owned[word] |= active << bit;
     for (std::uint64_t cut = cut_ >> k & row; cut != 0; cut &= cut - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(cut));
-      owner[i] = field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k + i]));
+      leaf.owner[offset + i] =
+          field_.sweeps().motion(static_cast<std::size_t>(points_.nearest[k + i]));
     }
   }
 

@@ -87,11 +87,11 @@ class BlockCarver : LeafWriter {
   // The last leaf, where it has been found to hold no active voxels: one in three.
   void open_leaf(const openvdb::Coord& origin) {
     if (!leaf_.distance) {
-      leaf_ = new_leaf(origin);
+      leaf_ = new_leaf(origin), view_ = LeafView(leaf_);
       return;
     }
     leaf_.distance->setOrigin(origin), leaf_.owner->setOrigin(origin);
-    leaf_.distance->buffer().fill(static_cast<float>(band_));
+    std::fill_n(view_.distance, FloatLeaf::SIZE, static_cast<float>(band_));
   }
   void close_leaf() {
     if (!leaf_.distance->isEmpty()) leaves_.push_back(std::move(leaf_));
@@ -107,9 +107,9 @@ class BlockCarver : LeafWriter {
   }
 
   void fill_material(const openvdb::Coord& origin, int size) {
-    float* distance = leaf_.distance->buffer().data();
     for_each_voxel(size, [&](std::size_t, int x, int y, int z) {
-      distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] = -static_cast<float>(band_);
+      view_.distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] =
+          -static_cast<float>(band_);
     });
   }
 
@@ -133,12 +133,13 @@ class BlockCarver : LeafWriter {
     std::size_t k = 0;
     for (int x = 0; x < size; ++x)
       for (int y = 0; y < size; ++y, k += row)
-        store(leaf_, k, FloatLeaf::coordToOffset(origin.offsetBy(x, y, 0)), row);
+        store(view_, k, FloatLeaf::coordToOffset(origin.offsetBy(x, y, 0)), row);
   }
 
   Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
+  LeafView view_;  // of it
   Candidates ids_;
 };
 
@@ -181,12 +182,14 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
       grid.leaves.emplace_back(leaf.distance.get(), leaf.owner.get());
   // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
   parallel_for(2, threads, [&](std::size_t tree) {
+    openvdb::FloatGrid::Accessor distance(grid.distance->tree());
+    openvdb::Int32Grid::Accessor owner(grid.owner->tree());
     for (std::vector<LeafPair>& leaves : blocks)
       for (LeafPair& leaf : leaves)
         if (tree == 0)
-          grid.distance->tree().addLeaf(leaf.distance.release());
+          distance.addLeaf(leaf.distance.release());
         else
-          grid.owner->tree().addLeaf(leaf.owner.release());
+          owner.addLeaf(leaf.owner.release());
   });
   // Leaves hold all their signs: only the tiles between them are to be filled.
   openvdb::tools::signedFloodFill(grid.distance->tree(), true, 1, 1);

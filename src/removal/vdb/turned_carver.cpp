@@ -10,6 +10,7 @@ std::vector<LeafPair> TurnedCarver::carve(const std::array<std::int32_t, 3>& at)
   if (!meets_surface(origin)) return leaves;
   sort_columns(origin);
   for (int z = 0; z < kBlockVoxels; z += kLeafVoxels) {
+    find_material(origin.offsetBy(0, 0, z));
     for (int i = 0; i < kLeafVoxels; ++i) carve_layer(origin.offsetBy(0, 0, z), i);
     for (LeafPair& leaf : slab_) {
       if (leaf.distance && !leaf.distance->isEmpty()) leaves.push_back(std::move(leaf));
@@ -54,7 +55,13 @@ void TurnedCarver::sort_columns(const openvdb::Coord& origin) {
   std::array<std::uint32_t, kColumns + 1> place{};
   for (const double rho : rho_) ++place[bucket(rho) + 1];
   for (std::size_t b = 1; b <= kColumns; ++b) place[b] += place[b - 1];
-  for (std::uint32_t i = 0; i < kColumns; ++i) columns_[place[bucket(rho_[i])]++] = {rho_[i], i};
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    const std::size_t x = i / kSide, y = i % kSide;
+    columns_[place[bucket(rho_[i])]++] = {
+        rho_[i], static_cast<std::uint16_t>(x / kLeafVoxels * kSlabSide + y / kLeafVoxels),
+        static_cast<std::uint16_t>((x % kLeafVoxels * kLeafVoxels + y % kLeafVoxels) *
+                                   kLeafVoxels)};
+  }
   for (std::size_t i = 1; i < kColumns; ++i) {
     const Column c = columns_[i];
     std::size_t k = i;
@@ -73,15 +80,14 @@ void TurnedCarver::carve_layer(const openvdb::Coord& slab, int z) {
     columns = columns.subspan(within.size());
     while (in.region == ExactField::Region::mixed && !within.empty()) {
       const std::size_t some = std::min(within.size(), PointColumns::kMost);
-      evaluate(slab, z, within.first(some), {layer.members.data() + in.first, in.count},
-               in.in_stock);
+      evaluate(slab, z, within.first(some), layer, in);
       within = within.subspan(some);
     }
   }
 }
 
 void TurnedCarver::evaluate(const openvdb::Coord& slab, int z, std::span<const Column> columns,
-                            std::span<const TurnTree::Member> members, bool in_stock) {
+                            const TurnLayers::Layer& layer, const Interval& in) {
   const double height = lattice_position(voxel_, slab.z() + z, kLatticeShift.z);
   points_.count = (columns.size() + 7) / 8 * 8;
   for (std::size_t k = 0; k < points_.count; ++k) {
@@ -89,35 +95,46 @@ void TurnedCarver::evaluate(const openvdb::Coord& slab, int z, std::span<const C
     points_.z[k] = height;
     points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
   }
-  field_.sweeps().turn_tree().least(members, points_);
-  combine_stock(in_stock);
+  field_.sweeps().turn_tree().least({layer.members.data() + in.first, in.count}, layer.sides,
+                                    points_);
+  combine_stock(in.in_stock);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::uint32_t x = columns[k].at / kSide, y = columns[k].at % kSide;
-    LeafPair& leaf = slab_[x / kLeafVoxels * kSlabSide + y / kLeafVoxels];
-    if (!leaf.distance)
-      leaf = signed_leaf(slab, x / kLeafVoxels * kLeafVoxels, y / kLeafVoxels * kLeafVoxels);
-    store(leaf, k, FloatLeaf::coordToOffset({static_cast<int>(x), static_cast<int>(y), z}), 1);
+    const Column& c = columns[k];
+    if (!slab_[c.leaf].distance) open_leaf(slab, c.leaf);
+    store(views_[c.leaf], k, c.offset + static_cast<std::size_t>(z), 1);
   }
 }
 
-// A new leaf of a slab: what is certain of all its layers.
-LeafPair TurnedCarver::signed_leaf(const openvdb::Coord& slab, std::size_t x0,
-                                   std::size_t y0) const {
-  LeafPair leaf = new_leaf(slab.offsetBy(static_cast<int>(x0), static_cast<int>(y0), 0));
-  float* distance = leaf.distance->buffer().data();
+// What is certain of all layers of a slab.
+void TurnedCarver::find_material(const openvdb::Coord& slab) {
+  Stretch nowhere;
+  nowhere.from.fill(std::numeric_limits<double>::infinity()), nowhere.to.fill(0);
+  material_.clear();
   for (std::size_t z = 0; z < kLeafVoxels; ++z) {
     double from = -1;
+    std::size_t count = 0;
     for (const Interval& in : layers_.at(slab.z() + static_cast<int>(z)).intervals) {
-      if (in.region == ExactField::Region::material)
-        for (std::size_t i = 0; i < kLeafVoxels * kLeafVoxels; ++i) {
-          const double rho = rho_[(x0 + i / kLeafVoxels) * kSide + y0 + i % kLeafVoxels];
-          if (rho > from && rho <= in.end)
-            distance[i * kLeafVoxels + z] = -static_cast<float>(band_);
-        }
+      if (in.region == ExactField::Region::material) {
+        if (count == material_.size()) material_.push_back(nowhere);
+        material_[count].from[z] = from, material_[count].to[z] = in.end, ++count;
+      }
       from = in.end;
     }
   }
-  return leaf;
+}
+
+void TurnedCarver::open_leaf(const openvdb::Coord& slab, std::size_t leaf) {
+  const std::size_t x0 = leaf / kSlabSide * kLeafVoxels, y0 = leaf % kSlabSide * kLeafVoxels;
+  slab_[leaf] = new_leaf(slab.offsetBy(static_cast<int>(x0), static_cast<int>(y0), 0));
+  views_[leaf] = LeafView(slab_[leaf]);
+  const float inside = -static_cast<float>(band_);
+  for (const Stretch& s : material_)
+    for (std::size_t i = 0; i < kLeafVoxels * kLeafVoxels; ++i) {
+      const double rho = rho_[(x0 + i / kLeafVoxels) * kSide + y0 + i % kLeafVoxels];
+      float* row = views_[leaf].distance + i * kLeafVoxels;
+      for (std::size_t z = 0; z < kLeafVoxels; ++z)
+        row[z] = (rho > s.from[z]) & (rho <= s.to[z]) ? inside : row[z];
+    }
 }
 
 }  // namespace mrsim

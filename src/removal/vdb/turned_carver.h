@@ -26,20 +26,27 @@ class TurnedCarver : LeafWriter {
   using Interval = TurnLayers::Interval;
   struct Column {
     double rho;
-    std::uint32_t at;  // x * kSide + y
+    std::uint16_t leaf, offset;  // in a slab; of the lowest voxel in the leaf
+  };
+  // An interval of rho in each layer of a slab.
+  struct Stretch {
+    std::array<double, kLeafVoxels> from, to;
   };
 
   bool meets_surface(const openvdb::Coord& origin) const;
   void sort_columns(const openvdb::Coord& origin);
   void carve_layer(const openvdb::Coord& slab, int z);
   void evaluate(const openvdb::Coord& slab, int z, std::span<const Column> columns,
-                std::span<const TurnTree::Member> members, bool in_stock);
-  LeafPair signed_leaf(const openvdb::Coord& slab, std::size_t x0, std::size_t y0) const;
+                const TurnLayers::Layer& layer, const Interval& in);
+  void find_material(const openvdb::Coord& slab);
+  void open_leaf(const openvdb::Coord& slab, std::size_t leaf);
 
   const TurnLayers& layers_;
   std::array<double, kColumns> rho_;
   std::array<Column, kColumns> columns_;
   std::array<LeafPair, kSlabSide * kSlabSide> slab_;  // the leaves of eight layers
+  std::array<LeafView, kSlabSide * kSlabSide> views_;
+  std::vector<Stretch> material_;  // of the slab
 };
 
 }  // namespace mrsim
