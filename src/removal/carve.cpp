@@ -16,7 +16,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   CarveOptions chosen = options;
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
-  grid->plan = plan_memory(field.solid(), motions.size(), chosen);
+  grid->plan = plan_memory(field, motions.size(), chosen);
   grid->voxel = chosen.voxel;
   grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel,
                                              grid->plan.limit, chosen.threads);

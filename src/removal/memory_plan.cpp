@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "removal/turn_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace {
 // active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
 // flat sides that a box keeps have few.
 constexpr double kProgram = 10e6, kMotion = 400;
+constexpr double kTurn = 1500;     ///< the outline that an insert sweeps, besides
 constexpr double kOpenVdb = 30e6;  ///< its library
 constexpr double kGridProgram = 10e6, kGridColumn = 110;
 constexpr double kThread = 15e6, kMeshColumn = 70, kBoxMeshColumn = 40;
@@ -40,12 +42,13 @@ double section_tiles(const StockSolid& stock, double voxel) {
 
 struct Need {
   const StockSolid& stock;
-  std::size_t motions;
+  std::size_t motions, turns;
   const CarveOptions& options;
 
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
-    const double always = kProgram + kMotion * static_cast<double>(motions);
+    const double always =
+        kProgram + kMotion * static_cast<double>(motions) + kTurn * static_cast<double>(turns);
     const double grid = options.keep_grid ? kOpenVdb + (in_slabs ? 0 : columns * kGridColumn) : 0;
     if (!options.grid_mesh) return always + grid;
     const double working = kGridProgram + kThread * resolve_threads(options.threads) +
@@ -73,12 +76,12 @@ struct Need {
 
 }  // namespace
 
-MemoryPlan plan_memory(const StockSolid& stock, std::size_t motions, const CarveOptions& options) {
+MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options) {
   if (!(options.voxel > 0) || !std::isfinite(options.voxel))
     throw Error("voxel-invalid",
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),
                 Error::Kind::usage);
-  const Need need{stock, motions, options};
+  const Need need{field.solid(), motions, field.sweeps().turn_tree().size(), options};
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);

@@ -2,7 +2,7 @@
 // What a mesh with a tolerance takes besides is told by its first cells (mesh/contour_memory.h).
 #pragma once
 
-#include "removal/stock_solid.h"
+#include "removal/part_field.h"
 #include <mrsim/options.h>
 
 #include <cstddef>
@@ -16,7 +16,8 @@ struct MemoryPlan {
   bool in_slabs = false;
 };
 
-/// Throws Error "voxel-invalid"; "memory" where the run does not fit, with what would.
-MemoryPlan plan_memory(const StockSolid& stock, std::size_t motions, const CarveOptions& options);
+/// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "memory" where the
+/// run does not fit, with what would.
+MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options);
 
 }  // namespace mrsim

@@ -204,12 +204,12 @@ SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> to
                        const SweepSelection& selection, int threads)
     : columns_(std::make_unique<Columns>()) {
   columns_->build(motions, tools, selection, threads);
-  columns_->turned = std::all_of(motions.begin(), motions.end(), [&](const Motion& m) {
+  columns_->all_turned = std::all_of(motions.begin(), motions.end(), [&](const Motion& m) {
     const bool counts = m.tool >= 0 && (selection.rapids || m.kind != MotionKind::rapid);
     return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || is_on_axis(m);
   });
 }
-bool SweepTable::is_turned() const { return columns_->turned; }
+bool SweepTable::is_turned() const { return columns_->all_turned; }
 SweepTable::SweepTable(SweepTable&&) noexcept = default;
 SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
 SweepTable::~SweepTable() = default;

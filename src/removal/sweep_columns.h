@@ -86,7 +86,7 @@ struct SweepColumns {
   std::vector<std::uint32_t> levels;    ///< by sweep: number of the tip's height; empty when none
                                         ///< is compared by it
   bool uniform = false;                 ///< all of one kind, in the stock's frame: row i is sweep i
-  bool turned = false;                  ///< all are the same at every angle about the Z axis
+  bool all_turned = false;              ///< all are the same at every angle about the Z axis
   double max_error = 0;
   double smallest_radius = 0;
 

@@ -52,6 +52,7 @@ class TurnTree {
   TurnTree(std::span<const TurnSweep> turns, std::span<const ToolShape> shapes,
            std::vector<Item> items, int threads);
 
+  std::size_t size() const { return turns_.size(); }  ///< sweeps
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
   /// The pack holds sweeps, not packs.

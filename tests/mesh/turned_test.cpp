@@ -132,7 +132,9 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
     EXPECT_LE(report.bound, tolerance) << what;
     EXPECT_EQ(report.sampled, 0u) << what;
     EXPECT_LE(farthest_of_mesh(field, mesh), report.bound) << what;
-    if (report.thin.empty()) EXPECT_LE(farthest_of_part(field, mesh, 0.25), report.bound) << what;
+    if (report.thin.empty()) {
+      EXPECT_LE(farthest_of_part(field, mesh, 0.25), report.bound) << what;
+    }
     EXPECT_NO_THROW(require_solid(mesh, what));
     EXPECT_EQ(testing::self_intersections(mesh), 0u) << what;
   }

@@ -159,7 +159,9 @@ TEST(SweepKernels, HelicesAreTheSameOnEveryInstructionSet) {
     for (int k = round % 5; k > 0; --k) open &= ~(std::uint64_t(1) << r.pick(64));
     sweep_kernels(SimdLevel::scalar)->helix(helix, 5, open, one);
     for (std::size_t k = 0; k < one.count; ++k)
-      if ((open >> k & 1u) == 0) ASSERT_TRUE(same_bits(one.least[k], before.least[k]));
+      if ((open >> k & 1u) == 0) {
+        ASSERT_TRUE(same_bits(one.least[k], before.least[k]));
+      }
     for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
       const SweepKernels* set = sweep_kernels(level);
       if (set == nullptr) continue;
