@@ -19,7 +19,7 @@ constexpr int kMostHalvings = 16;    ///< of the curve between two points
 constexpr double kAlong = 0.5;       ///< cosine between the ends of a piece, at least
 constexpr double kJoined = 0.98;     ///< the same of pieces over several faces
 constexpr double kSamePlace = 1e-7;  ///< mm
-constexpr double kBandVoxels2 = 2;   ///< where d is the same whatever the list
+constexpr double kSureVoxels = 2;    ///< where d is the same whatever the list
 
 struct Node {
   std::int32_t x = 0, z = 0;
@@ -334,7 +334,7 @@ class Leaves {
   void descend(const Square& q, std::span<const std::uint32_t> in) {
     const Box3 box{lattice_.at(q.low), lattice_.at(q.corner(2))};
     Candidates own;
-    if (field_.restrict_to(reach_of(box, lattice_.voxel()), kBandVoxels2 * lattice_.voxel(), in,
+    if (field_.restrict_to(reach_of(box, lattice_.voxel()), kSureVoxels * lattice_.voxel(), in,
                            own) != ExactField::Region::mixed)
       return;
     if (q.size == lattice_.per_voxel()) {
