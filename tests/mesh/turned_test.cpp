@@ -119,6 +119,12 @@ double farthest_of_mesh(const PartField& field, const TriMesh& mesh) {
   return most;
 }
 
+// No cells in space were needed.
+bool is_turned_outline(const ContourReport& report) {
+  return std::none_of(report.seconds.begin(), report.seconds.end(),
+                      [](const auto& step) { return step.first == "tree"; });
+}
+
 TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
   std::mt19937 random(5);
   const char* shapes[] = {"V", "C", "R", "D"};
@@ -129,6 +135,7 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
     ContourReport report;
     const TriMesh mesh = contour(field, 0.25, within(tolerance), &report);
     const std::string what = "round " + std::to_string(round);
+    EXPECT_TRUE(is_turned_outline(report)) << what;
     EXPECT_LE(report.bound, tolerance) << what;
     EXPECT_EQ(report.sampled, 0u) << what;
     EXPECT_LE(farthest_of_mesh(field, mesh), report.bound) << what;
@@ -199,6 +206,7 @@ TEST(Turned, ThinWallsAreDrawnNotReported) {
       bar(20, 0, 50), {line({25, 0, 30}, {15, 0, 30}), line({25, 0, 32.04}, {15, 0, 32.04})}, tool);
   ContourReport report;
   const TriMesh mesh = contour(field, 0.5, within(0.01), &report);
+  EXPECT_TRUE(is_turned_outline(report));
   EXPECT_TRUE(report.thin.empty());
   EXPECT_NEAR(signed_volume(mesh) - report.volume_excess, kPi * (400 * 50 - 2 * 2 * (400 - 225)),
               1e-6);
