@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::uint32_t kFewestSides = 24;  ///< of a ring: no facet is taken for a face of its own
 constexpr std::uint32_t kMostSides = 1 << 20;
-constexpr double kLowest = 1.0 / 64;     ///< of the tolerance: what the outline itself is known to
-constexpr double kFinest = 1.0 / 8;      ///< of the tolerance: the smallest parts of a voxel
-constexpr double kTriangleMemory = 170;  ///< bytes, as measured
+constexpr double kLowest = 1.0 / 64;  ///< of the tolerance: what the outline itself is known to
+constexpr double kFinest = 1.0 / 8;   ///< of the tolerance: the smallest parts of a voxel
+constexpr double kTriangleMemory = 170, kSquareMemory = 200;  ///< bytes, as measured
 // Shares of the tolerance that chords may take; the sides of rings have the rest.
 constexpr std::array<double, 8> kShares{0.06, 0.12, 0.25, 0.375, 0.5, 0.625, 0.75, 0.85};
 
@@ -240,7 +240,8 @@ class TurnedMesher {
     for (const Care care : {Care::none, Care::sides, Care::all}) {
       const Rings rings = care == Care::all ? rings_of(outlines, limit_, true)
                                             : fewest_rings(outlines, care == Care::sides);
-      report_.memory = kTriangleMemory * static_cast<double>(rings.triangles);
+      report_.memory = kTriangleMemory * static_cast<double>(rings.triangles) +
+                       kSquareMemory * static_cast<double>(section.squares);
       require_memory(report_.memory, options_.max_memory, options_.tolerance);
       if (rings.bound > limit_) return {};
       timer_.step("chords");

@@ -101,6 +101,7 @@ class SquareTracer {
   FieldSample sample(const Vec3& p) const { return field_.sample(p, candidates_); }
 
   void look(const Square& q) {
+    if (is_clear(q)) return;
     const Border border = border_of(q);
     const std::size_t count = border.crossings.size();
     const std::size_t before = strands_.size();
@@ -123,6 +124,13 @@ class SquareTracer {
       strands_.push_back({a.name, b.name, {}, b.at});
       strands_.back().points.push_back({a.at, a.face, 0.5 * distance(a.at, b.at), 0, 0});
     }
+  }
+
+  // The surface is farther from the middle than the corners are.
+  bool is_clear(const Square& q) const {
+    const Vec3 low = lattice_.at(q.low), high = lattice_.at(q.corner(2));
+    return std::abs(sample(0.5 * (low + high)).distance) >
+           0.5 * distance(low, high) + 2 * kInsideTolerance;
   }
 
   Border border_of(const Square& q) {
@@ -431,6 +439,7 @@ TurnedSection turned_section(const ExactField& field, double voxel, double heigh
       },
       8);
   TurnedSection section;
+  section.squares = leaves.all().size();
   std::vector<Strand> strands;
   for (Found& f : found) {
     std::move(f.strands.begin(), f.strands.end(), std::back_inserter(strands));

@@ -5,6 +5,7 @@
 #include "mesh/contour_thin.h"
 #include "removal/field.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace mrsim::detail {
@@ -29,6 +30,7 @@ struct Outline {
 struct TurnedSection {
   std::vector<Outline> outlines;
   std::vector<FoundThin> lost;  ///< walls and gaps that are not in the outlines
+  std::size_t squares = 0;      ///< voxels that were looked at
 };
 
 /// The outlines of the part, of chords whose height is at most `height` mm, but for those a few
