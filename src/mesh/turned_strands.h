@@ -19,14 +19,16 @@ struct LatticeNode {
   std::int32_t x = 0, z = 0;
 };
 
-/// The lattice in the half plane, down to 1 / per_voxel of a voxel; the first line is the axis.
+/// The lattice in the half plane, down to 1 / per_voxel of a voxel; the first line is the axis. At
+/// most kMostVoxels to the longest side: voxels that would be smaller are not.
 class HalfPlaneLattice {
  public:
-  HalfPlaneLattice(const Box3& bounds, double voxel, double finest) : voxel_(voxel) {
-    while (voxel / per_voxel_ > finest && per_voxel_ < kMostParts) per_voxel_ *= 2;
-    first_z_ = lattice_floor(voxel, bounds.lo.z, kLatticeShift.z) - 1;
+  HalfPlaneLattice(const Box3& bounds, double voxel, double finest) {
     const double longest = std::max(bounds.hi.x, bounds.hi.z - bounds.lo.z);
-    while (size_ < longest / voxel + 4) size_ *= 2;
+    voxel_ = std::max(voxel, longest / kMostVoxels);
+    while (voxel_ / per_voxel_ > finest && per_voxel_ < kMostParts) per_voxel_ *= 2;
+    first_z_ = lattice_floor(voxel_, bounds.lo.z, kLatticeShift.z) - 1;
+    while (size_ < longest / voxel_ + 4) size_ *= 2;
   }
   double voxel() const { return voxel_; }
   std::int32_t per_voxel() const { return per_voxel_; }
@@ -39,8 +41,8 @@ class HalfPlaneLattice {
   }
 
  private:
-  static constexpr std::int32_t kMostParts = 1 << 10;
-  double voxel_;
+  static constexpr std::int32_t kMostParts = 1 << 10, kMostVoxels = 1 << 16;
+  double voxel_ = 1;
   std::int32_t per_voxel_ = 1, size_ = 1;
   std::int64_t first_z_ = 0;
 };
