@@ -3,6 +3,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
+#include "mesh/check.h"
 #include "mesh/contour_lattice.h"
 #include "mesh/contour_memory.h"
 #include "mesh/contour_timer.h"
@@ -191,22 +192,16 @@ bool is_sound(const TriMesh& mesh, int threads) {
   return self_intersections(vertices, mesh.triangles, threads).empty();
 }
 
-// By Pappus, of what lies between chords and part, and by tetrahedra.
+// The mesh's volume less that of the part, by Pappus.
 double volume_excess(const std::vector<Outline>& outlines, const TriMesh& mesh) {
-  double exact = 0, turned = 0;
+  double exact = 0;
   for (const Outline& line : outlines)
     for (std::size_t k = 0; k + (line.closed ? 0 : 1) < line.points.size(); ++k) {
       const OutlinePoint& p = line.points[k];
       const Vec3 &a = p.at, &b = line.points[(k + 1) % line.points.size()].at;
       exact += (a.x * a.x + a.x * b.x + b.x * b.x) / 3 * (b.z - a.z) - p.excess * (a.x + b.x);
     }
-  for (const auto& t : mesh.triangles) {
-    Vec3 p[3];
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] = {mesh.vertices[t[i]][0], mesh.vertices[t[i]][1], mesh.vertices[t[i]][2]};
-    turned += dot(p[0], cross(p[1], p[2]));
-  }
-  return turned / 6 - kPi * exact;
+  return signed_volume(mesh) - kPi * exact;
 }
 
 // What keeps thin walls from meeting: rings of equally many sides, so that a section at any angle
@@ -240,10 +235,10 @@ class TurnedMesher {
     for (const Care care : {Care::none, Care::sides, Care::all}) {
       const Rings rings = care == Care::all ? rings_of(outlines, limit_, true)
                                             : fewest_rings(outlines, care == Care::sides);
+      if (rings.bound > limit_) return {};
       report_.memory = kTriangleMemory * static_cast<double>(rings.triangles) +
                        kSquareMemory * static_cast<double>(section.squares);
       require_memory(report_.memory, options_.max_memory, options_.tolerance);
-      if (rings.bound > limit_) return {};
       timer_.step("chords");
       TriMesh mesh = std::move(Turner(rings).mesh());
       timer_.step("surface");

@@ -20,7 +20,7 @@ struct Leaf {
   Candidates candidates;
 };
 
-// The voxels that the surface may pass.
+// The voxels about the surface.
 class Leaves {
  public:
   Leaves(const ExactField& field, const HalfPlaneLattice& lattice)

@@ -4,10 +4,10 @@
 #include "core/vec.h"
 #include "mesh/contour.h"
 #include "removal/part_field.h"
+#include "support/field_distance.h"
 #include "support/moves.h"
 #include "support/rounds.h"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -34,26 +34,6 @@ Motion arc(Vec3 center, double radius, double from, double sweep) {
   return m;
 }
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-// Largest |d| over the mesh, 30 samples to a side of a triangle at most.
-double largest_distance(const PartField& field, const TriMesh& mesh) {
-  const Candidates all = field.all();
-  double most = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = vec(mesh.vertices[t[0]]), b = vec(mesh.vertices[t[1]]),
-               c = vec(mesh.vertices[t[2]]);
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const int n = std::clamp(static_cast<int>(longest / 0.1), 4, 30);
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) {
-        const Vec3 p = (1.0 / n) * ((n - i - j) * a + i * b + j * c);
-        most = std::max(most, std::abs(field.sample(p, all).distance));
-      }
-  }
-  return most;
-}
-
 // The report of a mesh of these moves in a block of 20 x 20 x 8 mm.
 ContourReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& tool,
                                  double tolerance, const std::string& what) {
@@ -64,7 +44,7 @@ ContourReport expect_bound_holds(const std::vector<Motion>& motions, const Tool&
   options.tolerance = tolerance;
   ContourReport report;
   const TriMesh mesh = contour(field, 0.5, options, &report);
-  EXPECT_LE(largest_distance(field, mesh), report.bound + kFloats) << what;
+  EXPECT_LE(testing::largest_distance(field, mesh), report.bound + kFloats) << what;
   if (report.unresolved == 0) {
     EXPECT_LE(report.bound, tolerance) << what;
   }

@@ -10,7 +10,9 @@
 #include "mesh/turned_mesh.h"
 #include "removal/part_field.h"
 #include "support/cgal_mesh.h"
+#include "support/field_distance.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +27,7 @@ namespace {
 using test::line;
 
 StockShape bar(double radius, double z0, double z1, double bore = 0) {
-  StockShape shape;
-  shape.kind = bore > 0 ? StockShape::Kind::tube : StockShape::Kind::cylinder;
-  shape.outer_radius = radius;
-  shape.inner_radius = bore;
-  shape.box = {{-radius, -radius, z0}, {radius, radius, z1}};
-  return shape;
+  return testing::round_stock(radius, bore, z0, z1);
 }
 
 PartField cut(const StockShape& stock, const std::vector<Motion>& motions, const Tool& tool) {
@@ -104,21 +101,6 @@ double farthest_of_part(const PartField& field, const TriMesh& mesh, double voxe
   return most;
 }
 
-double farthest_of_mesh(const PartField& field, const TriMesh& mesh) {
-  const Candidates all = field.all();
-  double most = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = vec(mesh.vertices[t[0]]), b = vec(mesh.vertices[t[1]]),
-               c = vec(mesh.vertices[t[2]]);
-    for (int i = 0; i <= 6; ++i)
-      for (int j = 0; i + j <= 6; ++j) {
-        const Vec3 p = (1.0 / 6) * ((6 - i - j) * a + i * b + j * c);
-        most = std::max(most, std::abs(field.sample(p, all).distance));
-      }
-  }
-  return most;
-}
-
 // No cells in space were needed.
 bool is_turned_outline(const ContourReport& report) {
   return std::none_of(report.seconds.begin(), report.seconds.end(),
@@ -138,7 +120,7 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
     EXPECT_TRUE(is_turned_outline(report)) << what;
     EXPECT_LE(report.bound, tolerance) << what;
     EXPECT_EQ(report.sampled, 0u) << what;
-    EXPECT_LE(farthest_of_mesh(field, mesh), report.bound) << what;
+    EXPECT_LE(testing::largest_distance(field, mesh), report.bound) << what;
     if (report.thin.empty()) {
       EXPECT_LE(farthest_of_part(field, mesh, 0.25), report.bound) << what;
     }

@@ -17,15 +17,6 @@ StockShape box(Vec3 lo, Vec3 hi) {
   return s;
 }
 
-StockShape tube(double outer, double inner, double z0, double z1) {
-  StockShape s;
-  s.kind = inner > 0 ? StockShape::Kind::tube : StockShape::Kind::cylinder;
-  s.outer_radius = outer;
-  s.inner_radius = inner;
-  s.box = {{-outer, -outer, z0}, {outer, outer, z1}};
-  return s;
-}
-
 // The defining properties, on random points: 1-Lipschitz, and gradient of the patch = the numeric
 // one where the patch is the nearest.
 void expect_distance_function(const StockSolid& solid) {
@@ -57,12 +48,12 @@ TEST(StockSolid, BoxIsExact) {
 }
 
 TEST(StockSolid, CylinderAndTubeAreExact) {
-  const StockSolid bar(tube(25, 0, 0, 51));
+  const StockSolid bar(testing::round_stock(25, 0, 0, 51));
   EXPECT_EQ(bar.distance({0, 0, 25.5}), -25);
   EXPECT_EQ(bar.distance({28, 0, 55}), 5);
   EXPECT_NEAR(bar.volume(), kPi * 625 * 51, 1e-9);
   expect_distance_function(bar);
-  const StockSolid pipe(tube(25, 10, -5, 5));
+  const StockSolid pipe(testing::round_stock(25, 10, -5, 5));
   EXPECT_EQ(pipe.distance({0, 0, 0}), 10);
   EXPECT_EQ(pipe.sample({0, 11, 0}).patch, kRoundBore);
   EXPECT_EQ(pipe.gradient({0, 11, 0}, kRoundBore), (Vec3{0, -1, 0}));
@@ -92,7 +83,7 @@ TEST(StockSolid, MeshIsExact) {
 
 TEST(StockSolid, RefusesWhatHasNoVolume) {
   EXPECT_THROW(StockSolid(box({0, 0, 0}, {1, 1, 0})), Error);
-  EXPECT_THROW(StockSolid(tube(5, 5, 0, 1)), Error);
+  EXPECT_THROW(StockSolid(testing::round_stock(5, 5, 0, 1)), Error);
 }
 
 }  // namespace

@@ -104,4 +104,14 @@ inline TriMesh joined(TriMesh a, const TriMesh& b) {
   return a;
 }
 
+/// A bar about the Z axis, or a tube where `inner` is above 0, as an exact stock.
+inline StockShape round_stock(double outer, double inner, double z0, double z1) {
+  StockShape s;
+  s.kind = inner > 0 ? StockShape::Kind::tube : StockShape::Kind::cylinder;
+  s.outer_radius = outer;
+  s.inner_radius = inner;
+  s.box = {{-outer, -outer, z0}, {outer, outer, z1}};
+  return s;
+}
+
 }  // namespace mrsim::testing
