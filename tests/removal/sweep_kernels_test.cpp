@@ -2,6 +2,7 @@
 #include "removal/sweep_kernels.h"
 
 #include "removal/near_list.h"
+#include "support/rounds.h"
 #include "sweep_support.h"
 
 #include <cstring>
@@ -64,7 +65,7 @@ void expect_least(const SweepTable& s, const std::vector<std::uint32_t>& ids, Po
   }
 }
 
-class Lists : public testing::TestWithParam<int> {};  // tool of all moves, -1 = mixed
+class Lists : public ::testing::TestWithParam<int> {};  // tool of all moves, -1 = mixed
 
 TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
   Random r(11);
@@ -89,7 +90,48 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(MixedBallFlatBullClosed, Lists, testing::Values(-1, 0, 1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(MixedBallFlatBullClosed, Lists, ::testing::Values(-1, 0, 1, 2, 3));
+
+// Voxels of a block: columns of equal x and y, `depth` points each.
+PointColumns lattice_points(Random& r, std::size_t side, std::size_t depth, double voxel) {
+  PointColumns points{};
+  const Vec3 first = {r(-2, 2), r(-2, 2), r(-voxel * double(depth), 0)};
+  for (std::size_t x = 0; x < side; ++x)
+    for (std::size_t y = 0; y < side; ++y)
+      for (std::size_t z = 0; z < depth; ++z) {
+        const std::size_t k = points.count++;
+        points.x[k] = first.x + double(x) * voxel, points.y[k] = first.y + double(y) * voxel;
+        points.z[k] = first.z + double(z) * voxel;
+        points.least[k] = INFINITY;
+      }
+  return points;
+}
+
+// Clearing at two levels: most moves reach over the points, and their floors are equally near. Ends
+// lie on a coarse grid, so that walls and ends coincide as well.
+TEST(LevelMoves, OwnTheFloorByTheFirstOfThemThatCoversIt) {
+  Random r(31);
+  for (const Tool& tool : {endmill(6), endmill(6, 1), ballmill(6), endmill(6, 1, 3)}) {
+    std::vector<Motion> motions;
+    const auto place = [&](double z) { return Vec3{r.pick(9) - 4.0, r.pick(9) - 4.0, z}; };
+    for (int i = 0; i < 400; ++i) {
+      const double z = i % 100 < 70 ? 0 : -0.125;
+      const Vec3 a = place(z), b = place(z);
+      motions.push_back(i % 3 == 0 ? line(a, b) : arc(a, {b.x + 0.5, b.y, z}, {0, 0, 1}, r(-3, 3)));
+    }
+    const SweepTable s(motions, {&tool, 1}, 50);
+    std::vector<std::uint32_t> ids;
+    for (unsigned round = 0; round < testing::rounds(120); ++round) {
+      ids.clear();
+      for (std::uint32_t i = 0; i < s.size(); ++i)
+        if (r(0, 1) < 0.2) ids.push_back(i);
+      expect_least(s, ids, lattice_points(r, 4, 4, 0.25));
+      expect_least(s, ids, lattice_points(r, 3, 3, 1e-6));
+      expect_least(s, ids, lattice_points(r, 2, 8, 0.125));
+      expect_least(s, ids, lattice_points(r, 1, 5, 0.5));
+    }
+  }
+}
 
 template <class Record>
 void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
