@@ -62,7 +62,8 @@ struct KeepArgs {
   NearArgs at;
   float limit = 0;   ///< largest distance that is kept
   float beyond = 0;  ///< plan: squared distance from which two equal tips differ strictly
-  float within = 0;  ///< solid strips: the distance from a skeleton that is asked about, see keep
+  float within = 0;  ///< what is asked, see keep: of strips the distance from a skeleton, of level
+                     ///< moves the height of a tip
   bool plan = false, rising = false, has_cover = false;
   int beaters = 0;
   Beater beater[2], cover;
@@ -84,7 +85,7 @@ struct NearKernels {
   PlanBeaters (*plan)(const NearRows& rows, std::size_t n, const NearLeast& least, float inside);
   /// Copies what is not beaten to `out` (same stride rules); how many. Writes up to a register
   /// more. `reaches` is set where the region comes within a.within of a skeleton that is kept,
-  /// which must be convex.
+  /// which must be convex; of level moves, where the tip of one that is kept is no higher.
   std::size_t (*keep)(const KeepArgs& a, const NearRows& rows, const NearColumns& in, std::size_t n,
                       std::size_t columns, float* out, std::size_t out_stride, bool& reaches);
 

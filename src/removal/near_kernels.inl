@@ -210,7 +210,9 @@ static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColum
     }
     if (a.has_cover)
       stay = without(stay, tip_allows(a, a.cover, z, level, less(splat(a.cover.id), id)));
-    if (!reaches) reaches = any(both(stay, comes_within(a.at, a.within, squared, x, y, z)));
+    if (!reaches)
+      reaches = any(both(stay, a.plan ? less_equal(z, splat(a.within))
+                                      : comes_within(a.at, a.within, squared, x, y, z)));
     for (std::size_t i = 0; i < columns; ++i)
       compress(out + i * out_stride + kept, load(in[i] + k), stay);
     kept += compress(out + kIdColumn * out_stride + kept, id, stay);

@@ -141,8 +141,9 @@ class Pruner {
     return false;
   }
 
-  /// What is not beaten within the limit; nothing where the region comes near none of it.
-  void keep(double limit, double band, NearList& out) {
+  /// What is not beaten within the limit; nothing where the region comes near none of it. False
+  /// where the region turns out to be deep in one sweep.
+  bool keep(double limit, double band, NearList& out) {
     if (has_packs()) {
       columns_.turn_tree.narrow(turn_region(region_), scratch_.turned, limit, slack_,
                                 scratch_.packs, scratch_.left);
@@ -158,11 +159,12 @@ class Pruner {
       while (to < runs.size() && group >= 0 && type(to).group == group) ++to;
       if (type(from).form == SweepClass::Form::turn)
         keep_packs(runs[from].of, out);
-      else
-        keep_group(from, to, limit, band, out);
+      else if (!keep_group(from, to, limit, band, out))
+        return false;
       from = to;
     }
     if (!reaches_) out.reset(0, in_.origin);
+    return true;
   }
 
  private:
@@ -170,6 +172,16 @@ class Pruner {
   const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
   bool is_strip(std::size_t run) const {
     return type(run).form == SweepClass::Form::strip && !type(run).packs;
+  }
+  // Below its tip a level move is at least as far as that is high.
+  bool is_level(std::size_t run) const {
+    return type(run).kind == SweepClass::Kind::plan && type(run).form != SweepClass::Form::other;
+  }
+  float bottom() const { return at_.z - at_.half - 2 * at_.delta; }
+  float top() const { return at_.z + at_.half + 2 * at_.delta; }
+  /// mm: beyond that from a surface nothing is wanted; rounded up.
+  float within_band() const {
+    return static_cast<float>(1.000001 * (-deep_ - region_.radius)) + 16 * at_.delta;
   }
   NearRows rows(std::size_t run) { return scratch_.rows.at(in_.runs()[run].first); }
   /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
@@ -263,15 +275,18 @@ class Pruner {
   // Of a pack the distance is known up to it; rounded up.
   float spread_of(std::size_t run) const { return static_cast<float>(1.0001 * type(run).spread); }
 
-  void keep_group(std::size_t from, std::size_t to, double limit, double band, NearList& out) {
+  // False where one of the group covers the region.
+  bool keep_group(std::size_t from, std::size_t to, double limit, double band, NearList& out) {
     KeepArgs args;
     args.at = at_;
     args.plan = type(from).kind == SweepClass::Kind::plan;
     args.rising = args.plan && type(from).tool.rising;
-    if (args.plan)
+    if (args.plan) {
       find_plan_beaters(from, to, band, args);
-    else
+      if (args.has_cover && bottom() - args.cover.z > within_band()) return false;
+    } else {
       find_beater(from, to, args);
+    }
     for (std::size_t i = from; i < to; ++i) {
       const NearList::Run& run = in_.runs()[i];
       static constexpr std::size_t kColumns[] = {8, 7, 9, 0};
@@ -280,13 +295,14 @@ class Pruner {
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(i)), kInfinity);
       float* to_slot = out.column(0) + out.open_run(run.of, run.numbers);
       at_.tool = type(i).tool;
-      args.within = surely_within(at_, region_, -deep_);
-      bool reaches = reaches_ || !is_strip(i);
+      args.within = args.plan ? top() + within_band() : surely_within(at_, region_, -deep_);
+      bool reaches = reaches_ || !(is_strip(i) || is_level(i));
       const std::size_t kept = kernels_.keep(args, rows(i), in_.columns(run.first), run.count,
                                              columns, to_slot, out.stride(), reaches);
       reaches_ = reaches_ || (reaches && kept > 0);
       out.close_run(kept);
     }
+    return true;
   }
 
   void find_beater(std::size_t from, std::size_t to, KeepArgs& args) {
@@ -308,7 +324,7 @@ class Pruner {
     // Over the flat end, and farther inside its rim than above its floor, the floor decides.
     float lowest_tip = kInfinity;
     for (std::size_t i = from; i < to; ++i) lowest_tip = std::min(lowest_tip, scratch_.least[i].z);
-    const float above = at_.z + at_.half + 2 * at_.delta - lowest_tip;
+    const float above = top() - lowest_tip;
     const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
     const bool covers = band > 0 && tool.rising && inside > 0;
     const float beyond = tool.flat + slack;
@@ -356,9 +372,12 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
     return false;
   }
   const double slack = 2 * table.max_error() + kPruneRounding, delta = pruner.delta();
-  pruner.keep(kept_within(pruner.least() + delta, pruner.unsure(), region, reach, slack) + delta,
-              band, out);
-  return true;
+  if (pruner.keep(
+          kept_within(pruner.least() + delta, pruner.unsure(), region, reach, slack) + delta, band,
+          out))
+    return true;
+  out.reset(0, in.origin);
+  return false;
 }
 
 }  // namespace
