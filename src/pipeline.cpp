@@ -166,11 +166,6 @@ void choose_voxel(CarveOptions& options, const CutList& cuts, JobResult& result)
   result.voxel = options.voxel;
 }
 
-// A mesh on the voxels, or a file of them.
-bool keeps_grid(const Job& job) {
-  return (job.carve.voxel != 0 && job.mesh.tolerance == 0) || writes_vdb(job);
-}
-
 // Default tolerance of the mesh, as a share of the longest side: a turned part of the usual shape
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
@@ -348,7 +343,7 @@ JobResult simulate(const Job& job) {
   JobResult result;
   StageClock clock(result);
   check_outputs(job.outputs);
-  const std::future<void> opening = keeps_grid(job) ? open_voxel_module() : std::future<void>();
+  const std::future<void> opening = writes_vdb(job) ? open_voxel_module() : std::future<void>();
   result.program = interpret(job.program, job.interp);
   count_motions(result);
   clock.done("read");
@@ -362,7 +357,7 @@ JobResult simulate(const Job& job) {
   MeshOptions mesh_options = job.mesh;
   choose_tolerance(job, mesh_options, result);
   options.grid_mesh = mesh_options.tolerance == 0;
-  options.keep_grid = keeps_grid(job);
+  options.keep_grid = writes_vdb(job);  // nothing else reads the samples
   options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
 

@@ -59,7 +59,7 @@ struct CarveOptions {
   /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
   bool grid_mesh = false;
   /// Sample the part into a narrow band and keep it, unless the run is done in slabs: without it
-  /// no voxel is sampled. simulate() wants it for a mesh on the voxels and for a .vdb.
+  /// no voxel is sampled. simulate() wants it for a .vdb: meshes come from the exact part.
   bool keep_grid = true;
   /// What keeps a run that does not fit from being done in slabs, a sentence for its refusal;
   /// empty: it can be.

@@ -20,9 +20,10 @@ namespace {
 constexpr double kProgram = 10e6, kMotion = 400;
 constexpr double kTurn = 1500;     ///< the outline that an insert sweeps, besides
 constexpr double kOpenVdb = 30e6;  ///< its library
-constexpr double kGridProgram = 10e6, kGridColumn = 110;
-constexpr double kThread = 15e6, kMeshColumn = 70, kBoxMeshColumn = 40;
-constexpr double kFrontTile = 0.6e6;  ///< a tile on the front of those that are done
+constexpr double kRecipe = 400;    ///< a motion once more, for the file
+constexpr double kGridColumn = 130;
+constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
+constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
 
 std::size_t free_memory() {
@@ -49,10 +50,12 @@ struct Need {
     const double columns = stock.area() / (voxel * voxel);
     const double always =
         kProgram + kMotion * static_cast<double>(motions) + kTurn * static_cast<double>(turns);
-    const double grid = options.keep_grid ? kOpenVdb + (in_slabs ? 0 : columns * kGridColumn) : 0;
+    double grid = options.keep_grid ? kOpenVdb : 0;
+    if (options.keep_grid && !in_slabs)
+      grid += columns * kGridColumn + kRecipe * static_cast<double>(motions);
     if (!options.grid_mesh) return always + grid;
-    const double working = kGridProgram + kThread * resolve_threads(options.threads) +
-                           section_tiles(stock, voxel) * kFrontTile;
+    const double working =
+        kThread * resolve_threads(options.threads) + section_tiles(stock, voxel) * kFrontTile;
     return always + grid + working +
            (in_slabs ? 0 : columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn));
   }

@@ -43,7 +43,7 @@ TEST_F(Cli, ReportSaysWhatWasDecidedAndWhy) {
 TEST_F(Cli, VoxelsAreReportedWhereThereAreAny) {
   for (const auto& [options, sampled] : {std::pair<const char*, bool>{"--tolerance 0.1", false},
                                          {"--voxel 1 --tolerance 0.1", false},
-                                         {"--voxel 1", true},
+                                         {"--voxel 1", false},
                                          {"--tolerance 0.1 -o part.vdb", true}}) {
     const Outcome outcome =
         run("PRIMER_2F.MPF --stock block.stl --verbose -o part.stl " + std::string(options));

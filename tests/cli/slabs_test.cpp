@@ -27,7 +27,7 @@ class Slabs : public CliTest {
 };
 
 // Between what the run takes in slabs and in one piece, for that many threads.
-std::string limit(int threads) { return std::to_string(50 + 15 * threads + 20) + "M"; }
+std::string limit(int threads) { return std::to_string(14 + 12 * threads) + "M"; }
 
 TEST_F(Slabs, GiveTheSameBytes) {
   for (const char* format : {"stl", "ply", "obj", "off", "3mf"}) {
@@ -94,7 +94,7 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
       ASSERT_EQ(whole.code, 0) << name << whole.err;
       // In slabs it takes less.
       const double expected = number_after(whole.out, "at most  (");
-      const std::string limit = std::to_string(static_cast<int>((1e6 * expected - 2e5) / 1024));
+      const std::string limit = std::to_string(static_cast<int>((1e6 * expected - 6e4) / 1024));
       const Outcome outcome = run(command + " --max-memory " + limit + "K -o slabs.stl");
       ASSERT_EQ(outcome.code, 0) << name << outcome.err;
       EXPECT_TRUE(contains(outcome.err, "note: done in ")) << name << limit << outcome.err;
@@ -103,7 +103,7 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
 }
 
 TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
-  const Outcome outcome = split("--threads 1 --max-memory 66M -o part.stl");
+  const Outcome outcome = split("--threads 1 --max-memory 22M -o part.stl");
   ASSERT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, " in slabs")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
@@ -116,7 +116,7 @@ TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
   const std::string larger = std::to_string(1.001 * std::stod(voxel));
   const Outcome fits =
       run("split.MPF --machine mill --stock box:0,0,-4,60,20,0 --tool 1=endmill:d=2 --threads 1 "
-          "--max-memory 66M -o part.stl --voxel " +
+          "--max-memory 22M -o part.stl --voxel " +
           larger);
   EXPECT_EQ(fits.code, 0) << fits.err;
 }
