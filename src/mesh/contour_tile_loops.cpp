@@ -225,9 +225,15 @@ void ContourSurface::add_segment_if(CellFace& face, bool is_needed) {
   face.high_complete = cells_.is_complete(face.high);
   const auto f = static_cast<std::int32_t>(faces_.size());
   faces_.push_back(face);
-  if (face.count == 4) return pair_four(f);
-  add_segment(f, 0, 1);
-  segments_.back().is_crease = crease;
+  if (face.count == 2) {
+    add_segment(f, 0, 1);
+    segments_.back().is_crease = crease;
+    return;
+  }
+  pair_four(f);
+  for (Segment& s : std::span(segments_).last(2))
+    s.is_crease = is_crease(face, crossings_[static_cast<std::size_t>(s.from)],
+                            crossings_[static_cast<std::size_t>(s.to)]);
 }
 
 // Follows the segments about the cell.

@@ -17,9 +17,11 @@ namespace {
 
 using namespace mrsim::testing;
 
-PartField crossed_part() {
+// `around`: mm of stock beside the slots.
+PartField crossed_part(double around) {
   StockShape stock;
-  stock.box = {{0, 0, 0}, {kCrossedSize[0], kCrossedSize[1], kCrossedSize[2]}};
+  stock.box = {{-around, -around, 0},
+               {kCrossedSize[0] + around, kCrossedSize[1] + around, kCrossedSize[2]}};
   Tool tool;
   tool.type = ToolType::endmill;
   tool.diameter = kCrossedMill;
@@ -63,7 +65,7 @@ class CountingSpill final : public MeshSink {
 };
 
 TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
-  const PartField part = crossed_part();
+  const PartField part = crossed_part(0);
   for (const int threads : {1, 2}) {
     MeshOptions options;
     options.threads = threads;
@@ -84,6 +86,18 @@ TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
                     encoded(MemoryMesh(whole), format, ascii))
             << name << (ascii ? ", text" : "") << ", threads " << threads;
       }
+  }
+}
+
+// A tile with cells that were split meets one without: both must see the creases that end on faces
+// with four crossings.
+TEST(Slabs, TilesThatWereSplitMeetTheOthers) {
+  for (const double around : {20.0, 30.0}) {
+    ContourReport report;
+    const MeshSummary summary =
+        check_mesh(contour(crossed_part(around), kCrossedVoxel, {}, &report));
+    EXPECT_EQ(report.passes, 2u);
+    EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
   }
 }
 
