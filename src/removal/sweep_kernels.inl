@@ -99,6 +99,25 @@ static PlanColumns plan_columns(const PointColumns& points) {
   return {depth, points.count / depth};
 }
 
+constexpr std::size_t kFewRecords = 3;  // fewer are asked point by point
+
+template <class Record>
+static void plan_least_of_each(const Record* records, const std::uint32_t* rows,
+                               const std::uint32_t* ids, std::size_t n, PointColumns& points) {
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    V least = read(points.least + k), nearest = read(points.nearest + k);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Record& r = records[rows[i]];
+      const double* c = section_of(r);
+      const Section section{splat(c[0]), splat(c[1]), splat(c[2]), splat(c[3])};
+      take_closer(section_distance(section, plan_rho(r, x, y), z),
+                  splat(static_cast<double>(ids[i])), least, nearest);
+    }
+    store(points.least + k, least), store(points.nearest + k, nearest);
+  }
+}
+
 // Distances grow with the distance in plan, rounded as they are: that is found once for a column,
 // and the least of them tells the least distance at each height. Of those that come to no more the
 // first is the owner.
@@ -154,10 +173,12 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
   }
 }
 
-// In runs of one section whose ids ascend.
+// In runs of one section whose ids ascend; points that fill no more than a register are asked alone.
 template <class Record>
 static void plan_least(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,
                        std::size_t n, PointColumns& points) {
+  if (points.count <= kLanes || n < kFewRecords)
+    return plan_least_of_each(records, rows, ids, n, points);
   const PlanColumns columns = plan_columns(points);
   for (std::size_t from = 0, end = 0; from < n; from = end) {
     const double* own = section_of(records[rows[from]]);
