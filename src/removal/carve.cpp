@@ -1,9 +1,25 @@
+#include "core/vec.h"
 #include "removal/lattice.h"
 #include "removal/memory_plan.h"
 #include "removal/stock.h"
 #include "removal/stock_grid.h"
 
+#include <algorithm>
+
 namespace mrsim {
+namespace {
+
+// Blocks along the longest side that lists and collisions gain by; where voxels are sampled, blocks
+// are theirs.
+constexpr double kMostBlocks = 64;
+
+double index_voxel(const StockSolid& solid, const CarveOptions& options) {
+  if (options.keep_grid) return options.voxel;
+  const Vec3 size = solid.bounds().hi - solid.bounds().lo;
+  return std::max(options.voxel, std::max({size.x, size.y, size.z}) / (kMostBlocks * kBlockVoxels));
+}
+
+}  // namespace
 
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options) {
@@ -18,8 +34,9 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
   grid->plan = plan_memory(field, motions.size(), chosen);
   grid->voxel = chosen.voxel;
-  grid->index = std::make_unique<BlockIndex>(field, grid->voxel, kBandVoxels * grid->voxel,
-                                             grid->plan.limit, chosen.threads);
+  grid->index =
+      std::make_unique<BlockIndex>(field, index_voxel(field.solid(), chosen),
+                                   kBandVoxels * grid->voxel, grid->plan.limit, chosen.threads);
   if (chosen.keep_grid && !grid->plan.in_slabs)
     grid->voxels = sample_voxels(field, *grid->index, grid->voxel, chosen);
   return Stock(std::move(grid));
