@@ -84,31 +84,36 @@ class RunWriter {
   }
   // The children of a pack, all of the class of this run: their paths are near its chord.
   void add_children_of(std::uint32_t number) {
+    constexpr std::size_t kLanes = PackColumns::kLanes;
     const SweepPack& pack = columns_.packs[number];
     const PackColumns& children = columns_.packs.children(number);
     const double* chord = columns_.packs.chord(number).c;
     float common[PackColumns::kColumns] = {static_cast<float>(chord[0] - origin_.x),
                                            static_cast<float>(chord[1] - origin_.y)};
     if (form_ == SweepClass::Form::strip) {
-      widen_strip(chord, pack.spread);
       common[2] = static_cast<float>(chord[2] - origin_.z);
     } else {
-      widen_line(chord, pack.spread);
       common[5] = static_cast<float>(chord[4] - chord[6] - origin_.z);
       common[6] = static_cast<float>(level_of(pack.first));
     }
+    spread_ = std::max(spread_, pack.spread);
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
-      float sums[PackColumns::kLanes];  // in registers
-      for (std::size_t k = 0; k < PackColumns::kLanes; ++k) sums[k] = children.c[i][k] + common[i];
-      std::copy_n(sums, PackColumns::kLanes, to_ + i * stride_ + slot_);
+      float sums[kLanes];  // in registers
+      for (std::size_t k = 0; k < kLanes; ++k) sums[k] = children.c[i][k] + common[i];
+      std::copy_n(sums, kLanes, to_ + i * stride_ + slot_);
     }
-    columns_.packs.for_each_child(number, [&](std::uint32_t child) {
-      if (child >= kFirstPack) put(kPackColumn, child);
-      put(kIdColumn, child >= kFirstPack ? columns_.packs[child].first : child);
-      ++slot_;
-    });
+    if (pack.count == 0)
+      put_numbers(kIdColumn, pack.first);
+    else
+      put_numbers(kPackColumn, kFirstPack + pack.child);
+    for (std::uint32_t k = 0; k < pack.count; ++k)
+      to_[kIdColumn * stride_ + slot_ + k] =
+          std::bit_cast<float>(columns_.packs[kFirstPack + pack.child + k].first);
+    slot_ += pack.size();
   }
   double extent() const { return extent_; }
+  /// The largest of the packs whose children have been added, mm.
+  double spread() const { return spread_; }
 
  private:
   void add_sweep(std::uint32_t id, std::uint32_t row) {
@@ -135,19 +140,19 @@ class RunWriter {
     put({c[0] - origin_.x, c[1] - origin_.y, c[2] - origin_.z, c[3], c[4], c[5], s,
          1 / (1 + s * s)});
   }
-  void widen_strip(const double* c, double spread = 0) {
+  void widen_strip(const double* c) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
-    widen(x, y, z, spread);
-    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5], spread);
+    widen(x, y, z);
+    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5]);
   }
   void line(const double* c, std::uint32_t id) {
     put({c[0] - origin_.x, c[1] - origin_.y, c[2], c[3],
          1 / std::max(c[2] * c[2] + c[3] * c[3], 1e-30), c[4] - c[6] - origin_.z, level_of(id)});
   }
-  void widen_line(const double* c, double spread = 0) {
+  void widen_line(const double* c) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[4] - c[6] - origin_.z;
-    widen(x, y, z, spread);
-    widen(x + c[2], y + c[3], z, spread);
+    widen(x, y, z);
+    widen(x + c[2], y + c[3], z);
   }
   void arc(const double* c, std::uint32_t id) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[7] - c[9] - origin_.z;
@@ -164,8 +169,13 @@ class RunWriter {
   void put(std::size_t column, std::uint32_t number) {
     to_[column * stride_ + slot_] = std::bit_cast<float>(number);
   }
-  void widen(double x, double y, double z, double spread = 0) {
-    extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}) + spread);
+  // Of PackColumns::kLanes entries, as many as there are.
+  void put_numbers(std::size_t column, std::uint32_t first) {
+    float* to = to_ + column * stride_ + slot_;
+    for (std::uint32_t k = 0; k < PackColumns::kLanes; ++k) to[k] = std::bit_cast<float>(first + k);
+  }
+  void widen(double x, double y, double z) {
+    extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}));
   }
 
   NearList& list_;
@@ -176,6 +186,7 @@ class RunWriter {
   SweepClass::Form form_ = SweepClass::Form::other;
   std::size_t first_ = 0, slot_ = 0;
   double extent_ = 0;
+  float spread_ = 0;
 };
 
 void copy_run(const NearList& in, const NearList::Run& run, NearList& out) {
@@ -234,7 +245,8 @@ class PackOpener {
       while (next != opened_.cend() && c_.classes[next->of].group == group)
         next = writer.run(next, opened_.cend());
     }
-    out.extent = std::max(in.extent, writer.extent());
+    // The chords of the packs lie within the extent, their children within the spread of these.
+    out.extent = std::max(in.extent + writer.spread(), writer.extent());
   }
 
  private:

@@ -130,8 +130,8 @@ void SweepColumns::classify(int threads) {
     const std::uint32_t form = tags[pack.first] >> kTagShift;
     k.packs = true;
     pack.of = number_of({k.group, form, refs[pack.first].shape, spread_grade(pack.spread)}, k);
-    found[pack.of].spread = std::max(found[pack.of].spread, pack.spread);
-    found[pack.of].open_below = std::max(found[pack.of].open_below, pack.open_below);
+    found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
+    found[pack.of].open_below = std::max<double>(found[pack.of].open_below, pack.open_below);
   }
   // In the order of the keys: groups come together.
   std::vector<std::uint32_t> place(found.size());

@@ -19,6 +19,7 @@ class Joiner {
   Joiner(SweepColumns& table, std::size_t motions) : table_(table) {
     reserve_large(table.refs, motions);
     reserve_large(table.tags, motions);
+    reserve_large(table.motions, motions);
     table.uniform = true;
   }
 
@@ -52,6 +53,7 @@ class Joiner {
                        (table_.refs.empty() || ref.kind == table_.refs[0].kind);
       table_.refs.push_back(ref);
     }
+    table_.motions.insert(table_.motions.end(), from.motions.begin(), from.motions.end());
     table_.max_error = std::max(table_.max_error, from.max_error);
     double& least = table_.smallest_radius;
     if (from.smallest_radius > 0 && (least == 0 || from.smallest_radius < least))
