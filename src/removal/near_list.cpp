@@ -1,6 +1,7 @@
 // Lists of sweeps, made for a block.
 #include "removal/near_list.h"
 
+#include "core/heap.h"
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
@@ -44,6 +45,20 @@ void sort_by_class(ByClass& entries) {
   }
 }
 
+constexpr std::size_t kAhead = 8;  // entries, to ask for memory in time
+
+// The same where entries ascend but for their classes.
+void sort_by_class(ByClass& entries, std::size_t classes) {
+  static thread_local ByClass sorted;
+  static thread_local std::vector<std::size_t> places;
+  places.assign(classes + 1, 0);
+  for (const Entry& e : entries) ++places[e.of + 1];
+  for (std::size_t of = 1; of < places.size(); ++of) places[of] += places[of - 1];
+  sorted.resize(entries.size());
+  for (const Entry& e : entries) sorted[places[e.of]++] = e;
+  entries.swap(sorted);
+}
+
 // Writes entries of a list; keeps track of the largest value.
 class RunWriter {
  public:
@@ -54,11 +69,14 @@ class RunWriter {
   ByClass::const_iterator run(ByClass::const_iterator at, ByClass::const_iterator end) {
     const std::uint32_t of = at->of;
     open(of);
-    for (; at != end && at->of == of; ++at)
+    for (; at != end && at->of == of; ++at) {
+      if (const auto ahead = at + std::min<std::ptrdiff_t>(kAhead, end - at - 1); !ahead->children)
+        ask_for(ahead->number);
       if (at->children)
         add_children_of(at->number);
       else
         add(at->number);
+    }
     close();
     return at;
   }
@@ -116,6 +134,9 @@ class RunWriter {
   double spread() const { return spread_; }
 
  private:
+  void ask_for(std::uint32_t number) const {
+    if (number >= kFirstPack) prefetch(columns_.packs.chord(number));
+  }
   void add_sweep(std::uint32_t id, std::uint32_t row) {
     if (form_ == SweepClass::Form::strip) strip(columns_.ball_lines[row].c);
     if (form_ == SweepClass::Form::line) line(columns_.plane_lines[row].c, id);
@@ -221,8 +242,10 @@ class PackOpener {
   bool find(const NearList& in) {
     room_ = in.size();
     for (const NearList::Run& run : in.runs())
-      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k)
+      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k) {
+        prefetch(c_.packs[in.number(run, std::min(k + kAhead, run.count - 1))]);
         if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
+      }
     sort_by_class(opened_);
     return !opened_.empty();
   }
@@ -267,7 +290,7 @@ class PackOpener {
     const SweepPack& pack = c_.packs[number];
     room_ += pack.size();
     if (pack.count == 0) {
-      c_.packs.prefetch(number);
+      c_.packs.prefetch_children(number);
       return opened_.push_back({c_.class_index(pack.first), number, pack.first, true});
     }
     bool alike = true;
@@ -326,7 +349,7 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
     entries.push_back({c.class_index(sweeps[k]), sweeps[k], sweeps[k]});
   for (const std::uint32_t pack : packs)
     entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
-  sort_by_class(entries);
+  sort_by_class(entries, c.classes.size());
   std::size_t runs = 2;
   for (std::size_t k = 1; k < entries.size(); ++k) runs += entries[k].of != entries[k - 1].of;
   out.reset(NearList::room(ids.size(), runs), origin);

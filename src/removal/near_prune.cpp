@@ -390,6 +390,10 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
 bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
                        NearList& out) const {
   static thread_local NearList opened;
+  if (in.empty()) {
+    out.reset(0, in.origin);
+    return true;
+  }
   if (!prune_once(*this, *columns_, region, reach, band, in, out)) return false;
   return !open(region, out, opened) ||
          prune_once(*this, *columns_, region, reach, band, opened, out);

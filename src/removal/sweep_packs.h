@@ -4,6 +4,7 @@
 // spread (docs/removal.md). Where a region is small beside a pack, its members take its place.
 #pragma once
 
+#include "core/heap.h"
 #include "removal/sweep_kernels.h"
 #include <mrsim/types.h>
 
@@ -53,13 +54,8 @@ class SweepPacks {
   const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
   const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
   /// Asks for the memory of chord() and children(), which is far from that of other packs.
-  void prefetch(std::uint32_t number) const {
-#if defined(__GNUC__) || defined(__clang__)
-    constexpr std::size_t kLine = 64;
-    const char* at = reinterpret_cast<const char*>(&children(number));
-    for (std::size_t i = 0; i < sizeof(PackColumns); i += kLine) __builtin_prefetch(at + i);
-    __builtin_prefetch(&chord(number));
-#endif
+  void prefetch_children(std::uint32_t number) const {
+    prefetch(children(number)), prefetch(chord(number));
   }
   /// Packs that are in no other, ascending.
   std::span<const std::uint32_t> roots() const { return roots_; }
