@@ -39,7 +39,7 @@ struct PackColumns {
 
 struct SweepColumns;
 
-/// The packs of a table. Memory: some 60 bytes a sweep.
+/// The packs of a table. Memory: some 50 bytes a sweep.
 class SweepPacks {
  public:
   SweepPacks() = default;

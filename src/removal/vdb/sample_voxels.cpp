@@ -48,7 +48,7 @@ class BlockCarver : LeafWriter {
            Vec3{half(size), half(size), half(tall)};
   }
 
-  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their eighths;
+  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their columns;
   // without a closed form evaluation is the costly part.
   static bool is_short(const NearList& sweeps) {
     return sweeps.size() <= (sweeps.closed ? 16u : 4u);
