@@ -15,6 +15,18 @@ void grow_heap_in_large_steps();
 /// Asks for huge pages for a large range that will be touched from end to end.
 void prefer_huge_pages(const void* begin, std::size_t bytes);
 
+/// Asks for the cache lines of something that will be read soon.
+template <class T>
+void prefetch(const T& wanted) {
+#if defined(__GNUC__) || defined(__clang__)
+  constexpr std::size_t kLine = 64;
+  const char* at = reinterpret_cast<const char*>(&wanted);
+  for (std::size_t i = 0; i < sizeof(T); i += kLine) __builtin_prefetch(at + i);
+#else
+  (void)wanted;
+#endif
+}
+
 /// Room for `count` entries that will be filled, in huge pages where that is much.
 template <class T>
 void reserve_large(std::vector<T>& column, std::size_t count) {

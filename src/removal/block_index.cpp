@@ -16,7 +16,7 @@ namespace mrsim {
 namespace {
 
 // Enough parts for the cores of a workstation, each worth a thread.
-constexpr std::size_t kParts = 16, kPartSweeps = 50000;
+constexpr std::size_t kParts = 16, kPartSweeps = 4096;
 
 }  // namespace
 

@@ -19,8 +19,9 @@ inline NearArgs near_args(const PruneRegion& region, const Vec3& origin) {
   a.y = static_cast<float>(region.center.y - origin.y);
   a.z = static_cast<float>(region.center.z - origin.z);
   a.half = static_cast<float>(region.half * 1.000001);
+  a.tall = static_cast<float>(region.tall * 1.000001);
   a.radius = static_cast<float>(region.radius * 1.000001);
-  a.cube = region.cube;
+  a.box = region.box;
   return a;
 }
 
@@ -53,9 +54,9 @@ inline double kept_within(double least, double unsure, const PruneRegion& region
 
 /// mm: how far the points of the region are at most from a point at (x, y, z) beside its centre.
 inline double farthest(const PruneRegion& region, double x, double y, double z) {
-  if (!region.cube) return std::sqrt(x * x + y * y + z * z) + region.radius;
+  if (!region.box) return std::sqrt(x * x + y * y + z * z) + region.radius;
   const double dx = std::fabs(x) + region.half, dy = std::fabs(y) + region.half,
-               dz = std::fabs(z) + region.half;
+               dz = std::fabs(z) + region.tall;
   return std::sqrt(dx * dx + dy * dy + dz * dz);
 }
 

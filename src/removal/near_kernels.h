@@ -35,9 +35,9 @@ struct ToolColumns {
 
 /// The region and the slack of one step.
 struct NearArgs {
-  float x = 0, y = 0, z = 0;  ///< centre about the list's origin
-  float half = 0, radius = 0;
-  bool cube = false;
+  float x = 0, y = 0, z = 0;             ///< centre about the list's origin
+  float half = 0, tall = 0, radius = 0;  ///< of the region
+  bool box = false;
   float delta = 0;     ///< error of a distance or a nearest point
   float fixed = 0;     ///< margin of dominance, mm^2 ...
   float per_root = 0;  ///< ... and per mm of distance

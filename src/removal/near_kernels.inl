@@ -9,11 +9,11 @@ MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
 
 // The largest product of the vector with any offset from the region's centre.
 MRSIM_LANE V reach_of(const NearArgs& a, V x, V y) {
-  if (a.cube) return splat(a.half) * (vabs(x) + vabs(y));
+  if (a.box) return splat(a.half) * (vabs(x) + vabs(y));
   return splat(a.radius) * vsqrt(x * x + y * y);
 }
 MRSIM_LANE V reach_of(const NearArgs& a, V x, V y, V z) {
-  if (a.cube) return splat(a.half) * (vabs(x) + vabs(y) + vabs(z));
+  if (a.box) return splat(a.half) * (vabs(x) + vabs(y)) + splat(a.tall) * vabs(z);
   return splat(a.radius) * vsqrt(x * x + y * y + z * z);
 }
 
@@ -57,9 +57,9 @@ MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a)
   r.x = ux * along - dx, r.y = uy * along - dy, r.z = select(over, zero, zero - ew);
   // Across the strip's plane a point of the region moves no distance.
   const V plan = reach_of(a, ux, uy);
-  const V wide = a.cube ? plan * plan + splat(a.half * a.half) : splat(a.radius * a.radius);
+  const V wide = a.box ? plan * plan + splat(a.tall * a.tall) : splat(a.radius * a.radius);
   // Below all of the path the nearest points lie on its segment.
-  const M below = less_equal(splat(a.z + a.half + 2 * a.delta), az + vmin(zero, s * end));
+  const M below = less_equal(splat(a.z + a.tall + 2 * a.delta), az + vmin(zero, s * end));
   const V segment = short_rest(a, reach_of(a, ux, uy, s), raw, t, inverse, one + s * s, end);
   r.rest = above(select(below, vmin(segment, wide), wide)) + margin(a, r.squared, root);
   r.level = zero;
@@ -114,7 +114,7 @@ MRSIM_LANE Row arc_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
   // Facing the arc, |c - s|^2 = s_i^2 + n / R |s - q|^2 on the whole circle; beyond an end of at
   // most half a turn, the end is the nearest point of the arc's hull. Near the centre the nearest
   // point is not known well enough.
-  const V wide = splat(a.cube ? 2 * a.half * a.half : a.radius * a.radius);
+  const V wide = splat(a.box ? 2 * a.half * a.half : a.radius * a.radius);
   const M clear = less_equal(radius, splat(4) * n);
   const V round = (wide + splat(8 * a.delta * a.radius)) * radius /
                   vmax(n - splat(2 * a.delta), splat(1e-20f));

@@ -1,6 +1,7 @@
 // Lists of sweeps, made for a block.
 #include "removal/near_list.h"
 
+#include "core/heap.h"
 #include "removal/sweep_columns.h"
 
 #include <algorithm>
@@ -44,6 +45,20 @@ void sort_by_class(ByClass& entries) {
   }
 }
 
+constexpr std::size_t kAhead = 8;  // entries, to ask for memory in time
+
+// The same where entries ascend but for their classes.
+void sort_by_class(ByClass& entries, std::size_t classes) {
+  static thread_local ByClass sorted;
+  static thread_local std::vector<std::size_t> places;
+  places.assign(classes + 1, 0);
+  for (const Entry& e : entries) ++places[e.of + 1];
+  for (std::size_t of = 1; of < places.size(); ++of) places[of] += places[of - 1];
+  sorted.resize(entries.size());
+  for (const Entry& e : entries) sorted[places[e.of]++] = e;
+  entries.swap(sorted);
+}
+
 // Writes entries of a list; keeps track of the largest value.
 class RunWriter {
  public:
@@ -54,11 +69,14 @@ class RunWriter {
   ByClass::const_iterator run(ByClass::const_iterator at, ByClass::const_iterator end) {
     const std::uint32_t of = at->of;
     open(of);
-    for (; at != end && at->of == of; ++at)
+    for (; at != end && at->of == of; ++at) {
+      if (const auto ahead = at + std::min<std::ptrdiff_t>(kAhead, end - at - 1); !ahead->children)
+        ask_for(ahead->number);
       if (at->children)
         add_children_of(at->number);
       else
         add(at->number);
+    }
     close();
     return at;
   }
@@ -84,33 +102,41 @@ class RunWriter {
   }
   // The children of a pack, all of the class of this run: their paths are near its chord.
   void add_children_of(std::uint32_t number) {
+    constexpr std::size_t kLanes = PackColumns::kLanes;
     const SweepPack& pack = columns_.packs[number];
     const PackColumns& children = columns_.packs.children(number);
     const double* chord = columns_.packs.chord(number).c;
     float common[PackColumns::kColumns] = {static_cast<float>(chord[0] - origin_.x),
                                            static_cast<float>(chord[1] - origin_.y)};
     if (form_ == SweepClass::Form::strip) {
-      widen_strip(chord, pack.spread);
       common[2] = static_cast<float>(chord[2] - origin_.z);
     } else {
-      widen_line(chord, pack.spread);
       common[5] = static_cast<float>(chord[4] - chord[6] - origin_.z);
       common[6] = static_cast<float>(level_of(pack.first));
     }
+    spread_ = std::max(spread_, pack.spread);
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
-      float sums[PackColumns::kLanes];  // in registers
-      for (std::size_t k = 0; k < PackColumns::kLanes; ++k) sums[k] = children.c[i][k] + common[i];
-      std::copy_n(sums, PackColumns::kLanes, to_ + i * stride_ + slot_);
+      float sums[kLanes];  // in registers
+      for (std::size_t k = 0; k < kLanes; ++k) sums[k] = children.c[i][k] + common[i];
+      std::copy_n(sums, kLanes, to_ + i * stride_ + slot_);
     }
-    columns_.packs.for_each_child(number, [&](std::uint32_t child) {
-      if (child >= kFirstPack) put(kPackColumn, child);
-      put(kIdColumn, child >= kFirstPack ? columns_.packs[child].first : child);
-      ++slot_;
-    });
+    if (pack.count == 0)
+      put_numbers(kIdColumn, pack.first);
+    else
+      put_numbers(kPackColumn, kFirstPack + pack.child);
+    for (std::uint32_t k = 0; k < pack.count; ++k)
+      to_[kIdColumn * stride_ + slot_ + k] =
+          std::bit_cast<float>(columns_.packs[kFirstPack + pack.child + k].first);
+    slot_ += pack.size();
   }
   double extent() const { return extent_; }
+  /// The largest of the packs whose children have been added, mm.
+  double spread() const { return spread_; }
 
  private:
+  void ask_for(std::uint32_t number) const {
+    if (number >= kFirstPack) prefetch(columns_.packs.chord(number));
+  }
   void add_sweep(std::uint32_t id, std::uint32_t row) {
     if (form_ == SweepClass::Form::strip) strip(columns_.ball_lines[row].c);
     if (form_ == SweepClass::Form::line) line(columns_.plane_lines[row].c, id);
@@ -135,19 +161,19 @@ class RunWriter {
     put({c[0] - origin_.x, c[1] - origin_.y, c[2] - origin_.z, c[3], c[4], c[5], s,
          1 / (1 + s * s)});
   }
-  void widen_strip(const double* c, double spread = 0) {
+  void widen_strip(const double* c) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
-    widen(x, y, z, spread);
-    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5], spread);
+    widen(x, y, z);
+    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5]);
   }
   void line(const double* c, std::uint32_t id) {
     put({c[0] - origin_.x, c[1] - origin_.y, c[2], c[3],
          1 / std::max(c[2] * c[2] + c[3] * c[3], 1e-30), c[4] - c[6] - origin_.z, level_of(id)});
   }
-  void widen_line(const double* c, double spread = 0) {
+  void widen_line(const double* c) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[4] - c[6] - origin_.z;
-    widen(x, y, z, spread);
-    widen(x + c[2], y + c[3], z, spread);
+    widen(x, y, z);
+    widen(x + c[2], y + c[3], z);
   }
   void arc(const double* c, std::uint32_t id) {
     const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[7] - c[9] - origin_.z;
@@ -164,8 +190,13 @@ class RunWriter {
   void put(std::size_t column, std::uint32_t number) {
     to_[column * stride_ + slot_] = std::bit_cast<float>(number);
   }
-  void widen(double x, double y, double z, double spread = 0) {
-    extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}) + spread);
+  // Of PackColumns::kLanes entries, as many as there are.
+  void put_numbers(std::size_t column, std::uint32_t first) {
+    float* to = to_ + column * stride_ + slot_;
+    for (std::uint32_t k = 0; k < PackColumns::kLanes; ++k) to[k] = std::bit_cast<float>(first + k);
+  }
+  void widen(double x, double y, double z) {
+    extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}));
   }
 
   NearList& list_;
@@ -176,6 +207,7 @@ class RunWriter {
   SweepClass::Form form_ = SweepClass::Form::other;
   std::size_t first_ = 0, slot_ = 0;
   double extent_ = 0;
+  float spread_ = 0;
 };
 
 void copy_run(const NearList& in, const NearList::Run& run, NearList& out) {
@@ -210,8 +242,10 @@ class PackOpener {
   bool find(const NearList& in) {
     room_ = in.size();
     for (const NearList::Run& run : in.runs())
-      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k)
+      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k) {
+        prefetch(c_.packs[in.number(run, std::min(k + kAhead, run.count - 1))]);
         if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
+      }
     sort_by_class(opened_);
     return !opened_.empty();
   }
@@ -234,7 +268,8 @@ class PackOpener {
       while (next != opened_.cend() && c_.classes[next->of].group == group)
         next = writer.run(next, opened_.cend());
     }
-    out.extent = std::max(in.extent, writer.extent());
+    // The chords of the packs lie within the extent, their children within the spread of these.
+    out.extent = std::max(in.extent + writer.spread(), writer.extent());
   }
 
  private:
@@ -255,7 +290,7 @@ class PackOpener {
     const SweepPack& pack = c_.packs[number];
     room_ += pack.size();
     if (pack.count == 0) {
-      c_.packs.prefetch(number);
+      c_.packs.prefetch_children(number);
       return opened_.push_back({c_.class_index(pack.first), number, pack.first, true});
     }
     bool alike = true;
@@ -314,7 +349,7 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
     entries.push_back({c.class_index(sweeps[k]), sweeps[k], sweeps[k]});
   for (const std::uint32_t pack : packs)
     entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
-  sort_by_class(entries);
+  sort_by_class(entries, c.classes.size());
   std::size_t runs = 2;
   for (std::size_t k = 1; k < entries.size(); ++k) runs += entries[k].of != entries[k - 1].of;
   out.reset(NearList::room(ids.size(), runs), origin);

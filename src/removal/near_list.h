@@ -11,6 +11,7 @@
 #include <mrsim/types.h>
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,19 +34,23 @@ struct SweepClass {
   ToolColumns tool;
 };
 
-/// Where a list is to hold: a cube or a ball.
+/// Where a list is to hold: a box, square in plan, or a ball.
 struct PruneRegion {
   Vec3 center;
-  double half = 0;    ///< of the edge of a cube; of a ball, its radius; mm
+  double half = 0;    ///< of the edges of a box in plan; of a ball, its radius; mm
+  double tall = 0;    ///< half of a box's height, the same
   double radius = 0;  ///< of the ball about all of it, mm
-  bool cube = false;
+  bool box = false;
   bool open = false;  ///< no packs are to be left: what is will be asked for distances
 
   static PruneRegion ball(const Vec3& center, double radius) {
-    return {center, radius, radius, false};
+    return {center, radius, radius, radius, false};
   }
   static PruneRegion block(const Vec3& center, double half) {
-    return {center, half, half * 1.7320508075688774, true};
+    return {center, half, half, half * 1.7320508075688774, true};
+  }
+  static PruneRegion column(const Vec3& center, double half, double tall) {
+    return {center, half, tall, std::sqrt(2 * half * half + tall * tall) * (1 + 1e-15), true};
   }
 };
 

@@ -52,14 +52,14 @@ Scratch& scratch() {
 }
 
 // The in-plane radius of a region.
-float lateral(const NearArgs& a) { return a.cube ? a.half * 1.4142137f : a.radius; }
+float lateral(const NearArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }
 
 // The half plane's part of a region: it holds (rho, z) of all points of the region.
 TurnRegion turn_region(const PruneRegion& region) {
   const Vec3& c = region.center;
   const double rho = std::sqrt(c.x * c.x + c.y * c.y);
-  TurnRegion r{{rho, c.z}, {region.half, region.half}};
-  if (!region.cube) return r;
+  TurnRegion r{{rho, c.z}, {region.half, region.tall}};
+  if (!region.box) return r;
   const double x = std::fabs(c.x), y = std::fabs(c.y), h = region.half;
   const double near_x = std::max(x - h, 0.0), near_y = std::max(y - h, 0.0);
   const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
@@ -177,8 +177,8 @@ class Pruner {
   bool is_level(std::size_t run) const {
     return type(run).kind == SweepClass::Kind::plan && type(run).form != SweepClass::Form::other;
   }
-  float bottom() const { return at_.z - at_.half - 2 * at_.delta; }
-  float top() const { return at_.z + at_.half + 2 * at_.delta; }
+  float bottom() const { return at_.z - at_.tall - 2 * at_.delta; }
+  float top() const { return at_.z + at_.tall + 2 * at_.delta; }
   /// mm: beyond that from a surface nothing is wanted; rounded up.
   float within_band() const {
     return static_cast<float>(1.000001 * (-deep_ - region_.radius)) + 16 * at_.delta;
@@ -239,7 +239,32 @@ class Pruner {
     set_delta(at_, extent, region.radius);
     for (const NearList::Run& run : in_.runs())
       spread_ = std::max(spread_, columns_.classes[run.of].spread);
+    for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) probe_run(i);
     for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
+  }
+
+  using Kernel = decltype(NearKernels::strip);
+  Kernel kernel_of(std::size_t run) const {
+    const SweepClass::Form form = type(run).form;
+    return form == SweepClass::Form::strip  ? kernels_.strip
+           : form == SweepClass::Form::line ? kernels_.line
+                                            : kernels_.arc;
+  }
+
+  // A few sweeps here and there in a long run tell most regions that are deep in one, which is no
+  // farther away than the tool is wide.
+  void probe_run(std::size_t i) {
+    const NearList::Run& run = in_.runs()[i];
+    if (run.count < kLongRun || type(i).form > SweepClass::Form::arc) return;
+    at_.tool = type(i).tool;
+    if (at_.tool.core + at_.tool.round < -deep_) return;
+    const std::size_t stretch = run.count / kProbes / NearList::kPad * NearList::kPad;
+    for (std::size_t k = 0; k < run.count && !is_swept(); k += stretch) {
+      const std::size_t some = std::min(run.count - k, NearList::kPad);
+      const NearLeast found =
+          kernel_of(i)(in_.columns(run.first + k), some, at_, scratch_.rows.at(run.first + k));
+      least_ = std::min(least_, found.distance + spread_of(i));
+    }
   }
 
   void measure_run(std::size_t i) {
@@ -258,9 +283,7 @@ class Pruner {
       least_ = std::min(least_, least.distance);
       return;
     }
-    const auto kernel = type(i).form == SweepClass::Form::strip  ? kernels_.strip
-                        : type(i).form == SweepClass::Form::line ? kernels_.line
-                                                                 : kernels_.arc;
+    const Kernel kernel = kernel_of(i);
     least = {kInfinity, kInfinity, kInfinity};
     for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
       const NearLeast some = kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether),
@@ -350,6 +373,7 @@ class Pruner {
   }
 
   static constexpr std::size_t kTogether = 512;  // a multiple of any register
+  static constexpr std::size_t kLongRun = 512, kProbes = 16;
 
   const SweepColumns& columns_;
   const NearList& in_;
@@ -385,6 +409,10 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
 bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
                        NearList& out) const {
   static thread_local NearList opened;
+  if (in.empty()) {
+    out.reset(0, in.origin);
+    return true;
+  }
   if (!prune_once(*this, *columns_, region, reach, band, in, out)) return false;
   return !open(region, out, opened) ||
          prune_once(*this, *columns_, region, reach, band, opened, out);

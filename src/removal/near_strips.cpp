@@ -1,4 +1,5 @@
 // The last step of pruning long lists of one ball's lines: nothing but their indices is wanted.
+#include "core/heap.h"
 #include "removal/near_args.h"
 #include "removal/sweep_columns.h"
 
@@ -69,7 +70,11 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
     bits.resize(std::max(bits.size(), run.count + NearList::kPad));
     const std::size_t left = kernels.strip_ids(in.columns(run.first), run.count, at, beater, limits,
                                                within, bits.data(), reaches);
-    for (std::size_t k = 0; k < left; ++k) out.push_back(std::bit_cast<std::uint32_t>(bits[k]));
+    for (std::size_t k = 0; k < left; ++k) {
+      out.push_back(std::bit_cast<std::uint32_t>(bits[k]));
+      prefetch(columns_->ball_lines[columns_->tags[out.back()] & kTagRow]);
+      prefetch(columns_->motions[out.back()]);
+    }
   }
   if (!reaches) out.clear();
   return true;

@@ -134,9 +134,9 @@ Candidates PartField::all() const { return sweeps_.all(); }
 bool PartField::reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const {
   if (in_stock) return true;
   double stock = 0;
-  if (region.cube && solid_.is_box()) {
+  if (region.box && solid_.is_box()) {
     stock = solid_.plane_distance(region.center);
-    reach += region.half - region.radius;
+    reach += std::max(region.half, region.tall) - region.radius;
   } else {
     stock = solid_.distance(region.center);
   }

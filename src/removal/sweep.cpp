@@ -215,10 +215,15 @@ SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
 SweepTable::~SweepTable() = default;
 
 std::size_t SweepTable::size() const { return columns_->refs.size(); }
-std::int32_t SweepTable::motion(std::size_t i) const { return columns_->refs[i].motion; }
+std::int32_t SweepTable::motion(std::size_t i) const { return columns_->motions[i]; }
 Box3 SweepTable::bounds(std::size_t i) const {
   if (i < size()) return columns_->bounds_of(columns_->refs[i]);
-  if (i >= kFirstPack) return columns_->packs[static_cast<std::uint32_t>(i)].bounds;
+  if (i >= kFirstPack) {
+    const auto number = static_cast<std::uint32_t>(i);
+    const SweepPack& pack = columns_->packs[number];
+    const SweepRef& ref = columns_->refs[pack.first];
+    return inflated(columns_->bounds_of_line(ref, columns_->packs.chord(number)), pack.spread);
+  }
   std::vector<std::uint32_t> sweeps;
   columns_->turn_tree.append_sweeps(static_cast<std::uint32_t>(i - size()), sweeps);
   Box3 box;
@@ -230,13 +235,16 @@ double SweepTable::max_error() const { return columns_->max_error; }
 double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
 
 Box3 SweepColumns::bounds_of(const SweepRef& ref) const {
-  const bool ball = ref.kind == SweepKind::ball_line;
-  if (!ball && ref.kind != SweepKind::plane_line)
-    return bounds[static_cast<std::size_t>(ref.kind)][ref.row];
+  if (ref.kind == SweepKind::ball_line) return bounds_of_line(ref, ball_lines[ref.row]);
+  if (ref.kind == SweepKind::plane_line) return bounds_of_line(ref, plane_lines[ref.row]);
+  return bounds[static_cast<std::size_t>(ref.kind)][ref.row];
+}
+
+Box3 SweepColumns::bounds_of_line(const SweepRef& ref, const LineRecord& record) const {
   const Profile& tool = cutter(ref);
-  const double* c = (ball ? ball_lines : plane_lines)[ref.row].c;
+  const double* c = record.c;
   Box3 path;
-  if (ball) {
+  if (ref.kind == SweepKind::ball_line) {
     extend(path, Vec3{c[0], c[1], c[2] - c[7]});
     extend(path, Vec3{c[0] + c[3] * c[5], c[1] + c[4] * c[5], c[2] - c[7] + c[6] * c[5]});
   } else {

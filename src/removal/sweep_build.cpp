@@ -88,7 +88,7 @@ void SweepBuilder::add(const Motion& m, std::int32_t index) {
   for (int i = 0; i < range.count; ++i) {
     SweepRef ref;
     ref.shape = range.first + i;
-    ref.motion = index;
+    columns_.motions.push_back(index);
     if (columns_.shapes[ref.shape].turning)
       add_turning(ref, m, tools_[m.tool]);
     else
@@ -107,7 +107,7 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   const double rise = l.rise.z * l.sweep;
   const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
   allow(kClosedError);
-  const Box3 bounds = sweep_bounds(cutter, l, local);  // first: shapes may move in memory
+  const std::int32_t shape = ref.shape;
   if (l.arc ? about_z && rise > -kLevel && rise < kLevel : lean < kLevel)
     add_level(ref, l, cutter);
   else if (!l.arc && dx * dx + dy * dy < kLevel * kLevel)
@@ -115,7 +115,8 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   else
     add_path(ref, l, cutter);
   if (ref.kind != SweepKind::ball_line && ref.kind != SweepKind::plane_line)
-    columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(bounds);
+    columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(
+        sweep_bounds(columns_.shapes[shape].cutter, l, local));  // shapes may have moved
   columns_.refs.push_back(ref);
 }
 

@@ -62,11 +62,12 @@ bool is_plan(const SweepRef& ref) {
                             ref.kind == SweepKind::profile);
 }
 
-// Packs are told apart by powers of four of their spread: each class counts with its largest.
-int spread_grade(double spread) {
+// Packs are told apart by powers of four of their spread, and those of sweeps from those of packs:
+// each class counts with its largest.
+int pack_grade(const SweepPack& pack) {
   int grade = 0;
-  for (double limit = 1; limit >= spread && grade > -16; limit /= 4) --grade;
-  return grade + 16;
+  for (double limit = 1; limit >= pack.spread && grade > -16; limit /= 4) --grade;
+  return 2 * (grade + 16) + (pack.count > 0 ? 1 : 0);
 }
 
 class LevelNumbers {
@@ -100,7 +101,7 @@ bool SweepColumns::are_alike(int threads) const {
 }
 
 void SweepColumns::classify(int threads) {
-  // Group, form, shape; grade of the spread, -1 for sweeps.
+  // Group, form, shape; grade of a pack, -1 for sweeps.
   using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t, int>;
   std::map<Key, std::uint32_t> seen;
   std::vector<SweepClass> found;
@@ -129,9 +130,9 @@ void SweepColumns::classify(int threads) {
     SweepClass k = found[class_of[told == 1 ? 0 : pack.first]];
     const std::uint32_t form = tags[pack.first] >> kTagShift;
     k.packs = true;
-    pack.of = number_of({k.group, form, refs[pack.first].shape, spread_grade(pack.spread)}, k);
-    found[pack.of].spread = std::max(found[pack.of].spread, pack.spread);
-    found[pack.of].open_below = std::max(found[pack.of].open_below, pack.open_below);
+    pack.of = number_of({k.group, form, refs[pack.first].shape, pack_grade(pack)}, k);
+    found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
+    found[pack.of].open_below = std::max<double>(found[pack.of].open_below, pack.open_below);
   }
   // In the order of the keys: groups come together.
   std::vector<std::uint32_t> place(found.size());

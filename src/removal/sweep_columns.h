@@ -61,7 +61,6 @@ struct SweepRef {
   std::uint16_t frame = 0;  ///< index into frames + 1, 0 = the stock's own
   std::uint32_t row = 0;    ///< index into the column of its kind
   std::int32_t shape = 0;   ///< index into shapes
-  std::int32_t motion = 0;
 };
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
@@ -69,7 +68,8 @@ inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << 
 
 struct SweepColumns {
   std::vector<SweepRef> refs;
-  std::vector<std::uint32_t> tags;  ///< form and row of each sweep, all that lists have to read
+  std::vector<std::int32_t> motions;  ///< that make the sweeps
+  std::vector<std::uint32_t> tags;    ///< form and row of each sweep, all that lists have to read
   std::vector<Box3> bounds[kSweepKinds];  ///< by kind and row; lines have none: bounds_of
   std::vector<LineRecord> ball_lines, plane_lines;
   std::vector<ArcRecord> plane_arcs;
@@ -90,11 +90,13 @@ struct SweepColumns {
   double max_error = 0;
   double smallest_radius = 0;
 
-  void build(std::span<const Motion> motions, std::span<const Tool> tools,
+  void build(std::span<const Motion> program, std::span<const Tool> tools,
              const SweepSelection& selection, int threads);
   double distance(const SweepRef& ref, const Vec3& p) const;
   /// A box that holds a sweep.
   Box3 bounds_of(const SweepRef& ref) const;
+  /// The same of a line of its form and tool.
+  Box3 bounds_of_line(const SweepRef& ref, const LineRecord& record) const;
   /// Finds classes and levels, of packs too.
   void classify(int threads);
   /// All sweeps are of one class, which has no levels.

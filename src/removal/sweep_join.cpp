@@ -19,6 +19,7 @@ class Joiner {
   Joiner(SweepColumns& table, std::size_t motions) : table_(table) {
     reserve_large(table.refs, motions);
     reserve_large(table.tags, motions);
+    reserve_large(table.motions, motions);
     table.uniform = true;
   }
 
@@ -52,6 +53,7 @@ class Joiner {
                        (table_.refs.empty() || ref.kind == table_.refs[0].kind);
       table_.refs.push_back(ref);
     }
+    table_.motions.insert(table_.motions.end(), from.motions.begin(), from.motions.end());
     table_.max_error = std::max(table_.max_error, from.max_error);
     double& least = table_.smallest_radius;
     if (from.smallest_radius > 0 && (least == 0 || from.smallest_radius < least))
@@ -101,15 +103,15 @@ class Joiner {
 
 }  // namespace
 
-void SweepColumns::build(std::span<const Motion> motions, std::span<const Tool> tools,
+void SweepColumns::build(std::span<const Motion> program, std::span<const Tool> tools,
                          const SweepSelection& selection, int threads) {
-  Joiner joiner(*this, motions.size());
-  make_in_order((motions.size() + kPart - 1) / kPart, threads,
+  Joiner joiner(*this, program.size());
+  make_in_order((program.size() + kPart - 1) / kPart, threads,
                 [&](std::size_t part) {
                   auto builder = std::make_unique<SweepBuilder>(tools, selection);
                   for (std::size_t i = part * kPart;
-                       i < std::min((part + 1) * kPart, motions.size()); ++i)
-                    builder->add(motions[i], static_cast<std::int32_t>(i));
+                       i < std::min((part + 1) * kPart, program.size()); ++i)
+                    builder->add(program[i], static_cast<std::int32_t>(i));
                   return builder;
                 },
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });

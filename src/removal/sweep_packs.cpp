@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrsim {
 namespace {
@@ -154,18 +155,16 @@ class SweepPacks::Builder {
     item.spread = spread;
     SweepPack pack;
     pack.first = item.first, pack.last = item.last;
-    pack.spread = spread;
-    pack.length = length(item.end - item.start);
+    pack.spread = std::nextafter(static_cast<float>(spread), std::numeric_limits<float>::max());
+    const double chord_length = length(item.end - item.start);
     const double reach = columns_.cutter(columns_.refs[item.first]).max_radius();
-    pack.open_below = kOpen * std::max(pack.length, std::sqrt(8 * spread * reach));
+    pack.length = static_cast<float>(chord_length);
+    pack.open_below =
+        static_cast<float>(kOpen * std::max(chord_length, std::sqrt(8 * spread * reach)));
     if (first.number >= kFirstPack) {
       pack.child = first.number - kFirstPack;
       pack.count = static_cast<std::uint32_t>(items.size());
     }
-    for (const Item& child : items)
-      extend(pack.bounds, child.number < kFirstPack
-                              ? columns_.bounds_of(columns_.refs[child.number])
-                              : packs_[child.number].bounds);
     const LineRecord chord = chord_of(columns_, first, item.end);
     PackColumns& children = packs_.children_.emplace_back();
     for (std::size_t k = 0; k < items.size(); ++k)

@@ -4,6 +4,7 @@
 // spread (docs/removal.md). Where a region is small beside a pack, its members take its place.
 #pragma once
 
+#include "core/heap.h"
 #include "removal/sweep_kernels.h"
 #include <mrsim/types.h>
 
@@ -21,10 +22,9 @@ struct SweepPack {
   std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
   std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
   std::uint32_t of = 0;                ///< index of its class
-  double spread = 0;      ///< mm: how far path and chord are from each other at most, both ways
-  double length = 0;      ///< of the chord, mm
-  double open_below = 0;  ///< mm: radius of regions that are to see its children
-  Box3 bounds;            ///< of its sweeps
+  float spread = 0;      ///< mm: how far path and chord are from each other at most, both ways
+  float length = 0;      ///< of the chord, mm
+  float open_below = 0;  ///< mm: radius of regions that are to see its children
 
   /// Its children.
   std::size_t size() const { return count == 0 ? last - first + 1 : count; }
@@ -39,7 +39,7 @@ struct PackColumns {
 
 struct SweepColumns;
 
-/// The packs of a table. Memory: some 60 bytes a sweep.
+/// The packs of a table. Memory: some 50 bytes a sweep.
 class SweepPacks {
  public:
   SweepPacks() = default;
@@ -54,13 +54,8 @@ class SweepPacks {
   const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
   const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
   /// Asks for the memory of chord() and children(), which is far from that of other packs.
-  void prefetch(std::uint32_t number) const {
-#if defined(__GNUC__) || defined(__clang__)
-    constexpr std::size_t kLine = 64;
-    const char* at = reinterpret_cast<const char*>(&children(number));
-    for (std::size_t i = 0; i < sizeof(PackColumns); i += kLine) __builtin_prefetch(at + i);
-    __builtin_prefetch(&chord(number));
-#endif
+  void prefetch_children(std::uint32_t number) const {
+    prefetch(children(number)), prefetch(chord(number));
   }
   /// Packs that are in no other, ascending.
   std::span<const std::uint32_t> roots() const { return roots_; }

@@ -66,8 +66,8 @@ void expect_same(Random& r, const SweepTable& table, const NearList& all, const 
   for (std::size_t k = 0; k < full.count; ++k) {
     Vec3 o{r(-1, 1), r(-1, 1), r(-1, 1)};
     if (k < 8) o = {k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
-    if (!region.cube && dot(o, o) > 1) o = normalized(o);
-    const Vec3 p = region.center + region.half * o;
+    if (!region.box && dot(o, o) > 1) o = normalized(o);
+    const Vec3 p = region.center + Vec3{region.half * o.x, region.half * o.y, region.tall * o.z};
     full.x[k] = p.x, full.y[k] = p.y, full.z[k] = p.z, full.least[k] = INFINITY;
   }
   PointColumns some = full;
@@ -89,7 +89,7 @@ TEST(NearList, PruningNeverChangesABit) {
     std::size_t before = 0, after = 0;
     for (int round = 0; round < 150; ++round) {
       const Vec3 origin =
-          Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 3 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
+          Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 4 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
       const SweepTable table(moves(r, scene, origin), scene.tools, 50);
       std::vector<std::uint32_t> ids(table.size());
       std::iota(ids.begin(), ids.end(), 0u);
@@ -101,8 +101,9 @@ TEST(NearList, PruningNeverChangesABit) {
       const PruneRegion outer = PruneRegion::block(center, 2 * half);
       if (!table.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
       const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
-      const PruneRegion inner =
-          round % 2 ? PruneRegion::block(inside, half) : PruneRegion::ball(inside, half);
+      const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
+                                : round % 3 == 1 ? PruneRegion::ball(inside, half)
+                                                 : PruneRegion::column(inside, 0.4 * half, half);
       if (!table.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
       expect_same(r, table, all, small, inner, band);
       if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
@@ -155,7 +156,7 @@ TEST(NearList, PacksStandForTheirSweeps) {
     std::size_t sweeps = 0, packed = 0;
     for (int round = 0; round < 60; ++round) {
       const Vec3 origin =
-          Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 3 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
+          Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 4 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
       const SweepTable table(smooth_moves(r, scene, origin), scene.tools, 50);
       std::vector<std::uint32_t> ids(table.size());
       std::iota(ids.begin(), ids.end(), 0u);
@@ -167,15 +168,16 @@ TEST(NearList, PacksStandForTheirSweeps) {
       sweeps += plain.size(), packed += lists[0].size();
       const double band = r(0.1, 1);
       for (int level = 0; level < 6; ++level, half /= 2) {
-        PruneRegion region =
-            round % 2 ? PruneRegion::block(center, half) : PruneRegion::ball(center, half);
+        PruneRegion region = round % 3 == 0   ? PruneRegion::ball(center, half)
+                             : round % 3 == 1 ? PruneRegion::block(center, half)
+                                              : PruneRegion::column(center, half, 2 * half);
         region.open = level == 5;
         if (!table.prune(region, region.radius + band + 1e-9, band, lists[level], lists[level + 1]))
           break;
         expect_same(r, table, plain, lists[level + 1], region, band);
         if (HasFatalFailure()) FAIL() << scene.name << ", round " << round << ", level " << level;
         center = center + 0.5 * half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
-        if (round % 2 == 0) center = region.center;
+        if (!region.box) center = region.center;
       }
       for (const NearList::Run& run : lists[6].runs())
         for (std::size_t k = 0; k < run.count; ++k)
@@ -216,7 +218,7 @@ std::vector<float> one_step(const NearKernels& kernels, const Table& table, int 
   const NearRows rows{found.slots[0], found.slots[1], found.slots[2], found.slots[3],
                       found.slots[4], found.slots[5], found.slots[6]};
   KeepArgs args;
-  args.at = {0.5f, 1, -0.5f, 0.25f, 0.43f, true, 1e-5f, 1e-4f, 1e-5f, {2, 1, 9, 1.9f, true}};
+  args.at = {0.5f, 1, -0.5f, 0.25f, 0.25f, 0.43f, true, 1e-5f, 1e-4f, 1e-5f, {2, 1, 9, 1.9f, true}};
   const NearColumns c = table.columns();
   const NearLeast least = (form == 0   ? kernels.strip
                            : form == 1 ? kernels.line

@@ -54,16 +54,17 @@ TEST(TurnTree, PruningNeverChangesABit) {
     const PruneRegion outer = PruneRegion::block(center, 2 * half);
     if (!sweeps.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
     const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
-    const PruneRegion inner =
-        round % 2 ? PruneRegion::block(inside, half) : PruneRegion::ball(inside, half);
+    const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
+                              : round % 3 == 1 ? PruneRegion::ball(inside, half)
+                                               : PruneRegion::column(inside, 0.4 * half, half);
     if (!sweeps.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
     PointColumns points{};
     points.count = 16;
     for (std::size_t k = 0; k < points.count; ++k) {
       Vec3 o{r(-1, 1), r(-1, 1), r(-1, 1)};
       if (k < 8) o = {k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
-      if (!inner.cube && dot(o, o) > 1) o = normalized(o);
-      const Vec3 p = inner.center + inner.half * o;
+      if (!inner.box && dot(o, o) > 1) o = normalized(o);
+      const Vec3 p = inner.center + Vec3{inner.half * o.x, inner.half * o.y, inner.tall * o.z};
       points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z, points.least[k] = INFINITY;
     }
     sweeps.least(small, points);

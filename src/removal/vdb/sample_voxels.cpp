@@ -22,7 +22,7 @@ namespace {
 // One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
 class BlockCarver : LeafWriter {
  public:
-  using Lists = std::array<NearList, 7>;  // by depth, from 64 voxels to what is left at 2
+  using Lists = std::array<NearList, 6>;  // by depth, from 64 voxels to what is left at kLast
 
   BlockCarver(const PartField& field, double voxel, Lists& lists)
       : LeafWriter(field, voxel), lists_(lists) {}
@@ -31,21 +31,24 @@ class BlockCarver : LeafWriter {
                               std::span<const std::uint32_t> sweeps) {
     leaves_.clear();
     const openvdb::Coord first(origin[0], origin[1], origin[2]);
-    field_.sweeps().list(sweeps, center(first, kBlockVoxels), lists_[0]);
+    field_.sweeps().list(sweeps, center(first, kBlockVoxels, kBlockVoxels), lists_[0]);
     visit(first, kBlockVoxels, 0, false);
     return std::move(leaves_);
   }
 
  private:
+  static constexpr int kLast = 4;  // voxels: smaller blocks are columns
+
   double half(int size) const { return 0.5 * (size - 1) * voxel_; }
-  Vec3 center(const openvdb::Coord& origin, int size) const {
+  // Of a block of size x size x tall voxels.
+  Vec3 center(const openvdb::Coord& origin, int size, int tall) const {
     return Vec3{lattice_position(voxel_, origin.x(), kLatticeShift.x),
                 lattice_position(voxel_, origin.y(), kLatticeShift.y),
                 lattice_position(voxel_, origin.z(), kLatticeShift.z)} +
-           Vec3{half(size), half(size), half(size)};
+           Vec3{half(size), half(size), half(tall)};
   }
 
-  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their eighths;
+  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their columns;
   // without a closed form evaluation is the costly part.
   static bool is_short(const NearList& sweeps) {
     return sweeps.size() <= (sweeps.closed ? 16u : 4u);
@@ -53,28 +56,38 @@ class BlockCarver : LeafWriter {
 
   // The list of the block is lists_[depth]; what is left of it goes to the next.
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
-    if (size == 2) return finish(origin, size, depth, in_stock);
     NearList& left = lists_[depth + 1];
-    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
-    block.open = size == 4;
+    PruneRegion block = PruneRegion::block(center(origin, size, size), half(size));
+    block.open = size == kLast;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
     if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
-    if (region == ExactField::Region::material && size < kLeafVoxels) fill_material(origin, size);
+    if (region == ExactField::Region::material && size < kLeafVoxels)
+      fill_material(origin, size, size);
     if (region == ExactField::Region::mixed) {
-      if (size == 4 && is_short(left))
-        evaluate(origin, size, left, in_stock);
-      else
+      if (size > kLast)
         visit_children(origin, size / 2, depth + 1, in_stock);
+      else if (is_short(left))
+        evaluate(origin, size, size, left, in_stock);
+      else
+        finish_columns(origin, left, in_stock);
     }
     if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
   }
 
-  void finish(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
-    PruneRegion block = PruneRegion::block(center(origin, size), half(size));
-    block.open = true;
-    const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, ids_);
-    if (region == ExactField::Region::material) fill_material(origin, size);
-    if (region == ExactField::Region::mixed) evaluate(origin, size, ids_, in_stock);
+  // A block of the last size with a long list, in its four columns: along the tool, which mostly is
+  // upright, nearest places change least.
+  void finish_columns(const openvdb::Coord& block, const NearList& sweeps, bool in_stock) {
+    constexpr int kSize = kLast / 2;
+    for (int part = 0; part < 4; ++part) {
+      const openvdb::Coord origin = block.offsetBy(part >> 1 ? kSize : 0, part & 1 ? kSize : 0, 0);
+      PruneRegion column =
+          PruneRegion::column(center(origin, kSize, kLast), half(kSize), half(kLast));
+      column.open = true;
+      bool within = in_stock;
+      const auto region = field_.restrict_to(column, band_, sweeps, within, ids_);
+      if (region == ExactField::Region::material) fill_material(origin, kSize, kLast);
+      if (region == ExactField::Region::mixed) evaluate(origin, kSize, kLast, ids_, within);
+    }
   }
 
   void visit_children(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
@@ -99,15 +112,15 @@ class BlockCarver : LeafWriter {
 
   // Calls body(index of the voxel, x, y, z) for each voxel of a block, z fastest.
   template <typename Body>
-  static void for_each_voxel(int size, Body body) {
+  static void for_each_voxel(int size, int tall, Body body) {
     std::size_t k = 0;
     for (int x = 0; x < size; ++x)
       for (int y = 0; y < size; ++y)
-        for (int z = 0; z < size; ++z) body(k++, x, y, z);
+        for (int z = 0; z < tall; ++z) body(k++, x, y, z);
   }
 
-  void fill_material(const openvdb::Coord& origin, int size) {
-    for_each_voxel(size, [&](std::size_t, int x, int y, int z) {
+  void fill_material(const openvdb::Coord& origin, int size, int tall) {
+    for_each_voxel(size, tall, [&](std::size_t, int x, int y, int z) {
       view_.distance[FloatLeaf::coordToOffset(origin.offsetBy(x, y, z))] =
           -static_cast<float>(band_);
     });
@@ -115,21 +128,22 @@ class BlockCarver : LeafWriter {
 
   // `sweeps`: a NearList or Candidates.
   template <typename List>
-  void evaluate(const openvdb::Coord& origin, int size, const List& sweeps, bool in_stock) {
-    double axis[3][4];
-    for (int i = 0; i < size; ++i) {
+  void evaluate(const openvdb::Coord& origin, int size, int tall, const List& sweeps,
+                bool in_stock) {
+    double axis[3][kLast];
+    for (int i = 0; i < kLast; ++i) {
       axis[0][i] = lattice_position(voxel_, origin.x() + i, kLatticeShift.x);
       axis[1][i] = lattice_position(voxel_, origin.y() + i, kLatticeShift.y);
       axis[2][i] = lattice_position(voxel_, origin.z() + i, kLatticeShift.z);
     }
-    points_.count = static_cast<std::size_t>(size * size * size);
-    for_each_voxel(size, [&](std::size_t k, int x, int y, int z) {
+    points_.count = static_cast<std::size_t>(size * size * tall);
+    for_each_voxel(size, tall, [&](std::size_t k, int x, int y, int z) {
       points_.x[k] = axis[0][x], points_.y[k] = axis[1][y], points_.z[k] = axis[2][z];
       points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
     });
     field_.sweeps().least(sweeps, points_);
     combine_stock(in_stock);
-    const auto row = static_cast<std::size_t>(size);
+    const auto row = static_cast<std::size_t>(tall);
     std::size_t k = 0;
     for (int x = 0; x < size; ++x)
       for (int y = 0; y < size; ++y, k += row)
