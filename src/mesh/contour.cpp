@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "mesh/contour_certify.h"
 #include "mesh/contour_hash.h"
+#include "mesh/contour_levels.h"
 #include "mesh/contour_memory.h"
 #include "mesh/contour_simplify.h"
 #include "mesh/contour_surface.h"
@@ -362,23 +363,6 @@ class Contour {
   detail::FlatMap passed_;                 ///< by hashes of triangles within the tolerance
 };
 
-// Cells down to half the tolerance, in which any triangle is within it, but not so small that
-// coordinates as floats no longer resolve them.
-int fine_levels(const Box3& bounds, double voxel, double tolerance) {
-  double largest = 0, longest = 0;
-  for (int a = 0; a < 3; ++a) {
-    const double lo = component(bounds.lo, a), hi = component(bounds.hi, a);
-    largest = std::max({largest, std::abs(lo), std::abs(hi)});
-    longest = std::max(longest, hi - lo);
-  }
-  const double wanted = tolerance > 0 ? 0.5 * tolerance : voxel / 8;
-  const double least = 64 * detail::coordinate_step(largest);
-  int levels = 0;
-  while (levels < 12 && voxel / (1 << levels) > wanted && voxel / (2 << levels) > least) ++levels;
-  while (levels > 0 && 2 * longest / voxel * (1 << levels) > (1 << 20)) --levels;
-  return levels;
-}
-
 }  // namespace
 
 void contour(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
@@ -392,10 +376,11 @@ void contour(const ExactField& field, double voxel, const MeshOptions& options, 
   ContourReport ignored;
   ContourReport& out = report ? *report : ignored;
   out = {};
-  const int levels = fine_levels(field.bounds(), voxel, options.tolerance);
+  const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
   if (options.tolerance > 0 && field.is_turned(field.all()))
     if (const std::optional<TriMesh> turned = detail::turned_mesh(field, voxel, options, out))
       return sink.take(whole_block(*turned));
+  detail::require_resolved(field.bounds(), voxel);
   if (options.tolerance > 0)
     sink.take(
         whole_block(Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()));

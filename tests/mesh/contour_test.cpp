@@ -232,6 +232,7 @@ TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
 TEST(Contour, RefusesWhatItCanNotMesh) {
   const AnalyticField part = primer_2f();
   EXPECT_EQ(error_code([&] { contour(part, 0); }), "voxel-invalid");
+  EXPECT_EQ(error_code([&] { contour(part, 1e-9); }), "voxel-invalid");
   EXPECT_EQ(error_code([&] { contour(part, 1, with_tolerance(-1)); }), "tolerance-invalid");
   const AnalyticField nothing({{0, 0, 0}, {5, 5, 5}}, false, {{Cut::Kind::half, {}, 0, -1, 0}});
   EXPECT_EQ(error_code([&] { contour(nothing, 1); }), "part-empty");

@@ -1,0 +1,17 @@
+// How small the cells of the mesher may become.
+#pragma once
+
+#include "core/vec.h"
+
+namespace mrsim::detail {
+
+/// How often a voxel may be halved: down to half the tolerance (mm), in which any triangle is
+/// within it, an eighth of a voxel without one; but not so small that coordinates as floats no
+/// longer resolve the cells of a part within `bounds`, mm.
+int fine_levels(const Box3& bounds, double voxel, double tolerance);
+
+/// Throws Error "voxel-invalid" where coordinates as floats do not tell the planes of the voxels
+/// apart.
+void require_resolved(const Box3& bounds, double voxel);
+
+}  // namespace mrsim::detail
