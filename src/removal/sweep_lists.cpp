@@ -168,6 +168,7 @@ void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points)
     return kernels.plane_line.least(c.plane_lines.data(), ids.data(), ids.data(), ids.size(),
                                     points);
   const auto run = [&](const auto& form, const auto& records, const Part& part) {
+    if (part.n == 0) return;
     std::uint32_t some[kChunk];
     for (std::size_t k = 0; k < part.n; ++k) some[k] = ids[part.places[k]];
     form.least(records.data(), part.rows, some, part.n, points);
