@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <tuple>
 
 namespace mrsim::detail {
 namespace {
@@ -28,7 +29,8 @@ constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwne
 /// What is remembered of a tile when its mesh has gone to the sink.
 struct TileNotes {
   CrowdedTriangles crowded;
-  std::vector<CellPlace> splits;  ///< of owned cells
+  std::vector<CellPlace> touching;  ///< owned cells with two vertices in one point
+  std::vector<CellPlace> splits;    ///< of owned cells
   std::vector<FoundThin> thin;
   std::size_t cells = 0, triangles = 0;
 };
@@ -231,6 +233,7 @@ class UniformContour {
     notes = {};
     notes.crowded = crowded_triangles(out.vertices, out.triangles,
                                       crowded_vertices(surface, cells, id, out.vertices.size()));
+    notes.touching = touching_cells(surface, cells);
     for (const Loop& loop : surface.loops()) notes.cells += cells.is_owned_cell(loop.cell);
     notes.triangles = out.triangles.size();
     return out;
@@ -264,11 +267,28 @@ class UniformContour {
     return out;
   }
 
+  // Vertices are joined by their coordinates: two pieces of surface with one vertex would touch.
+  std::vector<CellPlace> touching_cells(const ContourSurface& surface,
+                                        const ContourCells& cells) const {
+    std::vector<CellPlace> out;
+    if (surface.crowded().empty()) return out;
+    const std::set<std::int32_t> crowded(surface.crowded().begin(), surface.crowded().end());
+    std::set<std::tuple<std::int32_t, double, double, double>> seen;
+    for (const Loop& loop : surface.loops()) {
+      if (crowded.count(loop.cell) == 0 || !cells.is_owned_cell(loop.cell)) continue;
+      const Vec3& p = loop.point.position;
+      if (!seen.emplace(loop.cell, p.x, p.y, p.z).second) out.push_back(place_of(cells, loop.cell));
+    }
+    return out;
+  }
+
   std::set<CellPlace> crossed() const {
     std::vector<const CrowdedTriangles*> crowded;
     for (const TileNotes& notes : notes_)
       if (!notes.crowded.triangles.empty()) crowded.push_back(&notes.crowded);
-    return crossed_cells(crowded, options_.threads);
+    std::set<CellPlace> bad = crossed_cells(crowded, options_.threads);
+    for (const TileNotes& notes : notes_) bad.insert(notes.touching.begin(), notes.touching.end());
+    return bad;
   }
 
   // Splits these cells, and what their neighbours then must split, until all tiles agree.

@@ -7,6 +7,7 @@
 #include "mesh/mesh_spill.h"
 #include "removal/part_field.h"
 #include "support/crossed_slots.h"
+#include "support/moves.h"
 
 #include <filesystem>
 
@@ -99,6 +100,29 @@ TEST(Slabs, TilesThatWereSplitMeetTheOthers) {
     EXPECT_EQ(report.passes, 2u);
     EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
   }
+}
+
+// Three slots narrower than a voxel: two pieces of surface in one cell have their vertices in the
+// same corner of the part. Then the cell is split.
+TEST(Slabs, PiecesInOneCellDoNotTouch) {
+  StockShape stock;
+  stock.box = {{0, 0, 0}, {53.956341099692509, 40.307636285433546, 4.5330535713583231}};
+  Tool tool;
+  tool.type = ToolType::bullmill;
+  tool.diameter = 0.28352510700933636;
+  tool.corner_radius = 0.2 * tool.diameter;
+  std::vector<Motion> motions;
+  for (const auto& [start, end] : {std::pair<Vec3, Vec3>{{34.37, 11.03, 2.26}, {36.41, 3.13, 1.82}},
+                                   {{33.4, 10.39, 0.69}, {42.39, 4.73, 0.25}},
+                                   {{29.84, 6.67, 2.38}, {35.67, 11.33, 2.38}}}) {
+    Motion m = test::line(start, end);
+    m.tool = 0;
+    m.line = static_cast<std::int32_t>(motions.size()) + 1;
+    motions.push_back(m);
+  }
+  const PartField part(StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z));
+  const MeshSummary summary = check_mesh(contour(part, 0.59493110422044992));
+  EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
 }
 
 }  // namespace
