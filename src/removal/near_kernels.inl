@@ -258,10 +258,11 @@ static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const Row r = strip_row(c, k, a);
+    const M near = both(first_lanes(n - k), less_equal(r.squared, splat(limit)));
+    if (!any(near)) continue;
     const V far = reach_of(a, r.x - splat(j.x), r.y - splat(j.y), r.z - splat(j.z));
     const M beaten = less(above(far + far), r.squared - r.rest - splat(j.squared));
-    const M stay =
-        without(both(first_lanes(n - k), less_equal(r.squared, splat(limit))), beaten);
+    const M stay = without(near, beaten);
     if (!reaches) reaches = any(both(stay, comes_within(a, within, r.squared, r.x, r.y, r.z)));
     kept += compress(ids + kept, load(c[kIdColumn] + k), stay);
   }
