@@ -72,6 +72,12 @@ struct PlanBeaters {
   std::size_t nearest, lowest, cover;  ///< slots; cover: n when there is none
 };
 
+/// Of several strips the first of the nearest ones, by the squared distance less one for all.
+struct NearStrip {
+  float squared;
+  std::size_t slot;
+};
+
 struct NearKernels {
   /// Fill the rows of n sweeps, padded with infinite distances to a whole register; the least of
   /// each.
@@ -90,8 +96,10 @@ struct NearKernels {
                       std::size_t columns, float* out, std::size_t out_stride, bool& reaches);
 
   // Strips of one tool for a region without parts, where nothing but their numbers is wanted.
-  /// Squared distances to the skeletons; the least.
-  float (*strip_squares)(const NearColumns& c, std::size_t n, const NearArgs& a, float* squared);
+  /// For each of four parts, about (-b, -b), (-b, b), (b, -b) and (b, b) of the centre in plan, the
+  /// strip whose point nearest to the region's centre is the nearest to the part's.
+  void (*strip_quarters)(const NearColumns& c, std::size_t n, const NearArgs& a, float b,
+                         NearStrip* out);
   /// Strip k as what others have to be compared with.
   Beater (*strip_beater)(const NearColumns& c, std::size_t k, const NearArgs& a);
   /// Writes the indices (as bits) of those with a squared distance up to `limit` that are not

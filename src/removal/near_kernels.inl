@@ -220,14 +220,29 @@ static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColum
   return kept;
 }
 
-static float strip_squares(const NearColumns& c, std::size_t n, const NearArgs& a, float* squared) {
-  V least = splat(kInfinity);
+// |q - c - v|^2 = |q - c|^2 - 2 v.(q - c) + |v|^2, the last the same for all.
+static void strip_quarters(const NearColumns& c, std::size_t n, const NearArgs& a, float b,
+                           NearStrip* out) {
+  constexpr std::size_t kParts = 4;
+  const V infinite = splat(kInfinity), twice = splat(b + b);
+  V least[kParts] = {infinite, infinite, infinite, infinite};
+  V slots[kParts] = {infinite, infinite, infinite, infinite};
   for (std::size_t k = 0; k < n; k += kLanes) {
-    const V own = select(first_lanes(n - k), strip_row(c, k, a).squared, splat(kInfinity));
-    store(squared + k, own);
-    least = vmin(least, own);
+    const Row r = strip_row(c, k, a);
+    const V squared = select(first_lanes(n - k), r.squared, infinite);
+    const V x = twice * r.x, y = twice * r.y, low = squared + x, high = squared - x;
+    const V own[kParts] = {low + y, low - y, high + y, high - y};
+    const V slot = splat(static_cast<float>(k)) + load(kLaneNumbers);
+    for (std::size_t part = 0; part < kParts; ++part) {
+      slots[part] = select(less(own[part], least[part]), slot, slots[part]);
+      least[part] = vmin(own[part], least[part]);
+    }
   }
-  return least_lane(least);
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const float found = least_lane(least[part]);
+    const V first = select(equal(least[part], splat(found)), slots[part], infinite);
+    out[part] = {found, static_cast<std::size_t>(least_lane(first))};
+  }
 }
 
 static Beater strip_beater(const NearColumns& c, std::size_t k, const NearArgs& a) {
@@ -243,10 +258,11 @@ static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const Row r = strip_row(c, k, a);
+    const M near = both(first_lanes(n - k), less_equal(r.squared, splat(limit)));
+    if (!any(near)) continue;
     const V far = reach_of(a, r.x - splat(j.x), r.y - splat(j.y), r.z - splat(j.z));
     const M beaten = less(above(far + far), r.squared - r.rest - splat(j.squared));
-    const M stay =
-        without(both(first_lanes(n - k), less_equal(r.squared, splat(limit))), beaten);
+    const M stay = without(near, beaten);
     if (!reaches) reaches = any(both(stay, comes_within(a, within, r.squared, r.x, r.y, r.z)));
     kept += compress(ids + kept, load(c[kIdColumn] + k), stay);
   }
@@ -254,4 +270,4 @@ static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs
 }
 
 static const NearKernels kKernels = {near_strip, near_line,     near_arc,     find,     plan_beaters,
-                                     keep,       strip_squares, strip_beater, strip_ids};
+                                     keep,       strip_quarters, strip_beater, strip_ids};

@@ -95,7 +95,7 @@ class RunWriter {
   // A sweep, or a pack.
   void add(std::uint32_t number) {
     if (number >= kFirstPack) return add_pack(number);
-    const std::uint32_t row = columns_.tags[number] & kTagRow;
+    const std::uint32_t row = columns_.row_of(number);
     if (form_ == SweepClass::Form::strip) widen_strip(columns_.ball_lines[row].c);
     if (form_ == SweepClass::Form::line) widen_line(columns_.plane_lines[row].c);
     add_sweep(number, row);

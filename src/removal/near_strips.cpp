@@ -9,30 +9,6 @@
 #include <limits>
 
 namespace mrsim {
-namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-struct Found {
-  float squared = kInfinity;
-  std::size_t slot = 0;
-};
-
-// The first of the nearest ones.
-Found nearest_strip(const NearList& list, const NearArgs& at) {
-  static thread_local std::vector<float> squared;
-  const NearKernels& kernels = near_kernels();
-  Found found;
-  for (const NearList::Run& run : list.runs()) {
-    squared.resize(std::max(squared.size(), run.count + NearList::kPad));
-    const float own = kernels.strip_squares(list.columns(run.first), run.count, at, squared.data());
-    if (own < found.squared)
-      found = {own, run.first + kernels.find(squared.data(), run.count, own)};
-  }
-  return found;
-}
-
-}  // namespace
 
 bool SweepTable::is_of_strips(const NearList& list) const {
   const auto& runs = list.runs();
@@ -43,22 +19,38 @@ bool SweepTable::is_of_strips(const NearList& list) const {
   });
 }
 
+std::array<std::size_t, 4> SweepTable::nearest_strips(const PruneRegion& region, double beside,
+                                                      const NearList& in) const {
+  const NearArgs at = near_args(region, in.origin);
+  std::array<std::size_t, 4> slots{};
+  float least[4];
+  std::fill_n(least, 4, std::numeric_limits<float>::infinity());
+  for (const NearList::Run& run : in.runs()) {
+    NearStrip own[4];
+    near_kernels().strip_quarters(in.columns(run.first), run.count, at, static_cast<float>(beside),
+                                  own);
+    for (std::size_t part = 0; part < 4; ++part)
+      if (own[part].squared < least[part])
+        least[part] = own[part].squared, slots[part] = run.first + own[part].slot;
+  }
+  return slots;
+}
+
 bool SweepTable::prune_strips(const PruneRegion& region, double reach, const NearList& in,
-                              std::vector<std::uint32_t>& out) const {
+                              std::size_t near, std::vector<std::uint32_t>& out) const {
   const NearKernels& kernels = near_kernels();
   out.clear();
   NearArgs at = near_args(region, in.origin);
   at.tool = columns_->classes[in.runs()[0].of].tool;
   set_delta(at, near_extent(at, in), region.radius);
   set_margin(at, 0);
-  const Found nearest = nearest_strip(in, at);
+  const Beater beater = kernels.strip_beater(in.columns(near), 0, at);
   const double delta = at.delta, round = at.tool.round;
-  const double least = std::sqrt(double(nearest.squared)) - round + delta;
+  const double least = std::sqrt(double(beater.squared)) - round + delta;
   if (least < -reach) return false;
   const double slack = 2 * max_error() + kPruneRounding;
   const double limit = kept_within(least, 2 * delta, region, reach, slack) + delta + round;
   if (limit < 0) return true;
-  const Beater beater = kernels.strip_beater(in.columns(nearest.slot), 0, at);
   const double band = reach - region.radius;
   if (farthest(region, beater.x, beater.y, beater.z) - round + 2 * delta < -band) return false;
   const auto limits = static_cast<float>(limit * limit * (1 + 1e-6));
@@ -70,13 +62,15 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
     bits.resize(std::max(bits.size(), run.count + NearList::kPad));
     const std::size_t left = kernels.strip_ids(in.columns(run.first), run.count, at, beater, limits,
                                                within, bits.data(), reaches);
-    for (std::size_t k = 0; k < left; ++k) {
-      out.push_back(std::bit_cast<std::uint32_t>(bits[k]));
-      prefetch(columns_->ball_lines[columns_->tags[out.back()] & kTagRow]);
-      prefetch(columns_->motions[out.back()]);
-    }
+    const std::size_t first = out.size();
+    out.resize(first + left);
+    for (std::size_t k = 0; k < left; ++k) out[first + k] = std::bit_cast<std::uint32_t>(bits[k]);
   }
   if (!reaches) out.clear();
+  for (const std::uint32_t id : out) {
+    prefetch(columns_->ball_lines[columns_->row_of(id)]);
+    prefetch(columns_->motions[id]);
+  }
   return true;
 }
 

@@ -155,18 +155,40 @@ ExactField::Region PartField::restrict_to(const PruneRegion& region, double band
 ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
                                           const NearList& in, bool& in_stock,
                                           Candidates& out) const {
+  if (sweeps_.is_of_strips(in)) {
+    const std::size_t near = sweeps_.nearest_strips(region, 0, in)[0];
+    return restrict_strips(region, band, in, near, in_stock, out);
+  }
   static thread_local NearList left;
+  out.clear();
+  const Region found = restrict_to(region, band, in, in_stock, left);
+  if (found == Region::mixed) append_ids(left, out);
+  return found;
+}
+
+ExactField::Region PartField::restrict_strips(const PruneRegion& region, double band,
+                                              const NearList& in, std::size_t near, bool& in_stock,
+                                              Candidates& out) const {
   out.clear();
   const double reach = region.radius + band + slack_;
   if (!reaches_stock(region, reach, in_stock)) return Region::air;
-  if (sweeps_.is_of_strips(in)) {
-    if (!sweeps_.prune_strips(region, reach, in, out)) return Region::air;
-    sort_if_needed(out);
-  } else {
-    if (!sweeps_.prune(region, reach, band, in, left)) return Region::air;
-    append_ids(left, out);
-  }
+  if (!sweeps_.prune_strips(region, reach, in, near, out)) return Region::air;
+  sort_if_needed(out);
   return out.empty() && in_stock ? Region::material : Region::mixed;
+}
+
+void PartField::restrict_columns(const PruneRegion& block, double band, const NearList& in,
+                                 bool in_stock, Columns& columns) const {
+  const bool strips = sweeps_.is_of_strips(in);
+  std::array<std::size_t, 4> near{};
+  if (strips)
+    near = sweeps_.nearest_strips(block, columns.back().region.center.x - block.center.x, in);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    Column& c = columns[k];
+    c.in_stock = in_stock;
+    c.found = strips ? restrict_strips(c.region, band, in, near[k], c.in_stock, c.left)
+                     : restrict_to(c.region, band, in, c.in_stock, c.left);
+  }
 }
 
 ExactField::Region PartField::restrict_to(const Box3& box, double band,

@@ -7,6 +7,8 @@
 #include "removal/sweep.h"
 #include "removal/sweep_packs.h"
 
+#include <array>
+
 namespace mrsim {
 
 class PartField final : public ExactField {
@@ -24,6 +26,17 @@ class PartField final : public ExactField {
   /// milling sweeps.
   Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
                      Candidates& out) const;
+  /// The same for the four columns of a block, side by side in the order of
+  /// NearKernels::strip_quarters, whose list is `in`.
+  struct Column {
+    PruneRegion region;
+    Region found = Region::mixed;
+    bool in_stock = false;
+    Candidates left;
+  };
+  using Columns = std::array<Column, 4>;
+  void restrict_columns(const PruneRegion& block, double band, const NearList& in, bool in_stock,
+                        Columns& columns) const;
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
@@ -55,6 +68,9 @@ class PartField final : public ExactField {
  private:
   /// Whether the stock leaves anything: false for air. Finds `in_stock`.
   bool reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const;
+  /// What a strip near the region leaves of a list of strips.
+  Region restrict_strips(const PruneRegion& region, double band, const NearList& in,
+                         std::size_t near, bool& in_stock, Candidates& out) const;
   FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
   std::size_t sweep_of(std::int32_t motion) const {
     return sweep_of_[static_cast<std::size_t>(motion)];

@@ -9,6 +9,7 @@
 #include "removal/field.h"
 #include <mrsim/types.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -107,9 +108,14 @@ class SweepTable {
              NearList& out) const;
 
   /// As prune() for a list of nothing but lines of one ball (is_of_strips), in a region without
-  /// parts: the indices of what is left, in the order of the list.
-  bool prune_strips(const PruneRegion& region, double reach, const NearList& in,
+  /// parts: the indices of what is left, in the order of the list. `near`: slot of a strip near the
+  /// region; less is left the nearer it is.
+  bool prune_strips(const PruneRegion& region, double reach, const NearList& in, std::size_t near,
                     std::vector<std::uint32_t>& out) const;
+  /// Slots of strips near the four parts of a region, `beside` mm from its centre both ways in plan
+  /// (NearKernels::strip_quarters); the nearest ones where that is 0.
+  std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
+                                            const NearList& in) const;
   bool is_of_strips(const NearList& list) const;
 
   /// Puts those turning sweeps that prune() for this region and `reach` would leave in place of the

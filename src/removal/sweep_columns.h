@@ -113,6 +113,10 @@ struct SweepColumns {
     const BallArc& s = ball_arcs[ref.row];
     return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
   }
+  /// Of a sweep whose form is known; reads nothing where all are of one.
+  std::uint32_t row_of(std::uint32_t sweep) const {
+    return uniform ? sweep : tags[sweep] & kTagRow;
+  }
   std::uint32_t class_index(std::uint32_t sweep) const {
     return class_of.empty() ? 0 : class_of[sweep];
   }

@@ -109,11 +109,14 @@ TEST(NearList, PruningNeverChangesABit) {
       if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
       before += all.size(), after += small.size();
       if (!table.is_of_strips(large)) continue;
-      ASSERT_TRUE(table.prune_strips(inner, inner.radius + band + 1e-9, large, ids));
+      for (const double beside : {half, 0.0}) {
+        const std::size_t near = table.nearest_strips(inner, beside, large)[3];
+        ASSERT_TRUE(table.prune_strips(inner, inner.radius + band + 1e-9, large, near, ids));
+        NearList strips;
+        table.list(ids, center, strips);
+        expect_same(r, table, all, strips, inner, band);
+      }
       EXPECT_EQ(ids.size(), small.size()) << scene.name << ", round " << round;
-      NearList strips;
-      table.list(ids, center, strips);
-      expect_same(r, table, all, strips, inner, band);
       if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
     }
     EXPECT_LT(after * 3, before) << scene.name << ": hardly anything was dropped";
@@ -237,21 +240,50 @@ std::vector<float> one_step(const NearKernels& kernels, const Table& table, int 
   std::vector<float> result(kept.slots[kIdColumn], kept.slots[kIdColumn] + left);
   result.push_back(reaches);
   if (form == 0) {
-    float squared[kSlots], ids[kSlots + NearList::kPad];
-    const float nearest = kernels.strip_squares(c, n, args.at, squared);
-    result.push_back(nearest);
-    const Beater strip =
-        kernels.strip_beater({c.base + kernels.find(squared, n, nearest), c.stride}, 0, args.at);
+    float ids[kSlots + NearList::kPad];
+    NearStrip quarters[4];
+    kernels.strip_quarters(c, n, args.at, 0.5f * args.at.half, quarters);
+    for (const NearStrip& own : quarters) {
+      result.push_back(own.squared);
+      result.push_back(static_cast<float>(own.slot));
+    }
+    const Beater strip = kernels.strip_beater({c.base + quarters[0].slot, c.stride}, 0, args.at);
+    const float nearest = strip.squared;
     for (const float value : {strip.squared, strip.x, strip.y, strip.z}) result.push_back(value);
     bool strips_reach = false;
     const std::size_t some =
         kernels.strip_ids(c, n, args.at, strip, nearest + 4, std::sqrt(nearest), ids, strips_reach);
     result.insert(result.end(), ids, ids + some);
     result.push_back(strips_reach);
-    result.insert(result.end(), squared, squared + n);
   }
   for (const auto& row : found.slots) result.insert(result.end(), row, row + n);
   return result;
+}
+
+TEST(NearKernels, QuartersHaveTheStripsNearestToThem) {
+  Random r(4);
+  const NearKernels& kernels = near_kernels();
+  for (int round = 0; round < 200; ++round) {
+    const Table table = random_columns(r, 0);
+    const std::size_t n = 1 + static_cast<std::size_t>(r.pick(kSlots));
+    Table found;
+    const NearRows rows{found.slots[0], found.slots[1], found.slots[2], found.slots[3],
+                        found.slots[4], found.slots[5], found.slots[6]};
+    const NearArgs at{0.5f, 1, -0.5f, 0.5f, 0.5f, 0.87f, true, 1e-5f, 1e-4f, 1e-5f, {2, 1, 9}};
+    kernels.strip(table.columns(), n, at, rows);
+    NearStrip quarters[4];
+    kernels.strip_quarters(table.columns(), n, at, 0.25f, quarters);
+    for (int part = 0; part < 4; ++part) {
+      const double x = part >> 1 ? 0.25 : -0.25, y = part & 1 ? 0.25 : -0.25;
+      const auto squared = [&](std::size_t k) {
+        const double dx = rows.x[k] - x, dy = rows.y[k] - y, dz = rows.z[k];
+        return dx * dx + dy * dy + dz * dz;
+      };
+      ASSERT_LT(quarters[part].slot, n);
+      for (std::size_t k = 0; k < n; ++k)
+        EXPECT_LE(squared(quarters[part].slot), squared(k) + 1e-4) << "part " << part;
+    }
+  }
 }
 
 // All levels run the same operations in the same order.

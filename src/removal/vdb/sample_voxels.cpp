@@ -69,24 +69,30 @@ class BlockCarver : LeafWriter {
       else if (is_short(left))
         evaluate(origin, size, size, left, in_stock);
       else
-        finish_columns(origin, left, in_stock);
+        finish_columns(origin, block, left, in_stock);
     }
     if (size == kLeafVoxels && region != ExactField::Region::air) close_leaf();
   }
 
   // A block of the last size with a long list, in its four columns: along the tool, which mostly is
   // upright, nearest places change least.
-  void finish_columns(const openvdb::Coord& block, const NearList& sweeps, bool in_stock) {
+  void finish_columns(const openvdb::Coord& origin, const PruneRegion& block,
+                      const NearList& sweeps, bool in_stock) {
     constexpr int kSize = kLast / 2;
-    for (int part = 0; part < 4; ++part) {
-      const openvdb::Coord origin = block.offsetBy(part >> 1 ? kSize : 0, part & 1 ? kSize : 0, 0);
-      PruneRegion column =
-          PruneRegion::column(center(origin, kSize, kLast), half(kSize), half(kLast));
+    const auto first = [&](std::size_t part) {
+      return origin.offsetBy(part >> 1 ? kSize : 0, part & 1 ? kSize : 0, 0);
+    };
+    for (std::size_t part = 0; part < columns_.size(); ++part) {
+      PruneRegion& column = columns_[part].region;
+      column = PruneRegion::column(center(first(part), kSize, kLast), half(kSize), half(kLast));
       column.open = true;
-      bool within = in_stock;
-      const auto region = field_.restrict_to(column, band_, sweeps, within, ids_);
-      if (region == ExactField::Region::material) fill_material(origin, kSize, kLast);
-      if (region == ExactField::Region::mixed) evaluate(origin, kSize, kLast, ids_, within);
+    }
+    field_.restrict_columns(block, band_, sweeps, in_stock, columns_);
+    for (std::size_t part = 0; part < columns_.size(); ++part) {
+      const PartField::Column& c = columns_[part];
+      if (c.found == ExactField::Region::material) fill_material(first(part), kSize, kLast);
+      if (c.found == ExactField::Region::mixed)
+        evaluate(first(part), kSize, kLast, c.left, c.in_stock);
     }
   }
 
@@ -154,7 +160,7 @@ class BlockCarver : LeafWriter {
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
   LeafView view_;  // of it
-  Candidates ids_;
+  PartField::Columns columns_;
 };
 
 class ProgressMeter {
