@@ -58,9 +58,9 @@ std::vector<Motion> moves(Random& r, const Scene& s, const Vec3& origin) {
   return list;
 }
 
-// The least distance and its owner of all sweeps and of a pruned list at random points.
-void expect_same(Random& r, const SweepTable& table, const NearList& all, const NearList& pruned,
-                 const PruneRegion& region, double band) {
+// The least distance and its owner of all sweeps at random points of the region and its corners.
+PointColumns least_in(Random& r, const SweepTable& table, const NearList& all,
+                      const PruneRegion& region) {
   PointColumns full{};
   full.count = 64;
   for (std::size_t k = 0; k < full.count; ++k) {
@@ -70,17 +70,32 @@ void expect_same(Random& r, const SweepTable& table, const NearList& all, const 
     const Vec3 p = region.center + Vec3{region.half * o.x, region.half * o.y, region.tall * o.z};
     full.x[k] = p.x, full.y[k] = p.y, full.z[k] = p.z, full.least[k] = INFINITY;
   }
-  PointColumns some = full;
   table.least(all, full);
+  return full;
+}
+
+// The same of a pruned list.
+void expect_same(Random& r, const SweepTable& table, const NearList& all, const NearList& pruned,
+                 const PruneRegion& region, double band) {
+  const PointColumns full = least_in(r, table, all, region);
+  PointColumns some = full;
+  std::fill_n(some.least, some.count, INFINITY);
   table.least(pruned, some);
   for (std::size_t k = 0; k < full.count; ++k) {
     if (std::fabs(full.least[k]) >= band) {
-      ASSERT_GE(std::fabs(some.least[k]), band);
+      ASSERT_GE(full.least[k] > 0 ? some.least[k] : -some.least[k], band);
       continue;
     }
     ASSERT_EQ(full.least[k], some.least[k]);
     ASSERT_EQ(full.nearest[k], some.nearest[k]);
   }
+}
+
+// A region of which pruning says that it is deep in a sweep.
+void expect_swept(Random& r, const SweepTable& table, const NearList& all,
+                  const PruneRegion& region, double band) {
+  const PointColumns full = least_in(r, table, all, region);
+  for (std::size_t k = 0; k < full.count; ++k) ASSERT_LT(full.least[k], -band);
 }
 
 TEST(NearList, PruningNeverChangesABit) {
@@ -99,12 +114,20 @@ TEST(NearList, PruningNeverChangesABit) {
       table.list(ids, center, all);
       ASSERT_EQ(all.size(), table.size());
       const PruneRegion outer = PruneRegion::block(center, 2 * half);
-      if (!table.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
+      if (!table.prune(outer, outer.radius + band + 1e-9, band, all, large)) {
+        expect_swept(r, table, all, outer, band);
+        if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
+        continue;
+      }
       const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
       const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
                                 : round % 3 == 1 ? PruneRegion::ball(inside, half)
                                                  : PruneRegion::column(inside, 0.4 * half, half);
-      if (!table.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
+      if (!table.prune(inner, inner.radius + band + 1e-9, band, large, small)) {
+        expect_swept(r, table, all, inner, band);
+        if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
+        continue;
+      }
       expect_same(r, table, all, small, inner, band);
       if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
       before += all.size(), after += small.size();
@@ -175,8 +198,12 @@ TEST(NearList, PacksStandForTheirSweeps) {
                              : round % 3 == 1 ? PruneRegion::block(center, half)
                                               : PruneRegion::column(center, half, 2 * half);
         region.open = level == 5;
-        if (!table.prune(region, region.radius + band + 1e-9, band, lists[level], lists[level + 1]))
+        if (!table.prune(region, region.radius + band + 1e-9, band, lists[level],
+                         lists[level + 1])) {
+          expect_swept(r, table, plain, region, band);
+          if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
           break;
+        }
         expect_same(r, table, plain, lists[level + 1], region, band);
         if (HasFatalFailure()) FAIL() << scene.name << ", round " << round << ", level " << level;
         center = center + 0.5 * half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
