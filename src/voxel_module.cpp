@@ -9,7 +9,7 @@ namespace {
 struct VoxelModule {
   Module module{{"vdb", "vdb-module", "samples voxels",
                  "install mrsim with all its files and OpenVDB's library, build it again where "
-                 "that has changed, or ask for a mesh with a tolerance instead of voxels or .vdb"}};
+                 "that has changed, or ask for a mesh instead of a .vdb"}};
   SampleVoxels* sample = module.function<SampleVoxels>(kSampleVoxels);
 };
 

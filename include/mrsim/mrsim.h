@@ -131,9 +131,9 @@ struct JobResult {
 };
 
 /// The whole way from program to part. With any error in the program nothing is carved or written
-/// and `ok` is false. Throws Error for files, options and machines, "vdb-module" among them: on
-/// voxels or with a .vdb, the module that samples voxels, mrsim/vdb.so beside the library, is
-/// missing or does not fit.
+/// and `ok` is false. Throws Error for files, options and machines, "vdb-module" among them:
+/// for a .vdb, the module that samples voxels, mrsim/vdb.so beside the library, is missing or does
+/// not fit.
 MRSIM_API JobResult simulate(const Job& job);
 
 /// "0.1.0"

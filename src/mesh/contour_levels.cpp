@@ -12,13 +12,12 @@
 namespace mrsim::detail {
 namespace {
 
-// Between neighbouring floats where coordinates are largest, mm.
-double largest_step(const Box3& bounds) {
+double largest_coordinate(const Box3& bounds) {
   double largest = 0;
   for (int a = 0; a < 3; ++a)
     largest = std::max({largest, std::abs(mrsim::component(bounds.lo, a)),
                         std::abs(mrsim::component(bounds.hi, a))});
-  return coordinate_step(largest);
+  return largest;
 }
 
 }  // namespace
@@ -27,7 +26,7 @@ int fine_levels(const Box3& bounds, double voxel, double tolerance) {
   const Vec3 size = bounds.hi - bounds.lo;
   const double longest = std::max({size.x, size.y, size.z});
   const double wanted = tolerance > 0 ? 0.5 * tolerance : voxel / 8;
-  const double least = 64 * largest_step(bounds);
+  const double least = 64 * coordinate_step(largest_coordinate(bounds));
   int levels = 0;
   while (levels < 12 && voxel / (1 << levels) > wanted && voxel / (2 << levels) > least) ++levels;
   while (levels > 0 && 2 * longest / voxel * (1 << levels) > (1 << 20)) --levels;
@@ -35,13 +34,13 @@ int fine_levels(const Box3& bounds, double voxel, double tolerance) {
 }
 
 void require_resolved(const Box3& bounds, double voxel) {
-  constexpr double kSteps = 8;  // planes of the lattice are floats, too
-  const double least = kSteps * largest_step(bounds);
+  constexpr double kSteps = 4;  // planes of the lattice are floats, too
+  const double largest = largest_coordinate(bounds), least = kSteps * coordinate_step(largest);
   if (voxel < least)
     throw Error("voxel-invalid",
-                fmt::format("a voxel of {:.3g} mm is too small for a stock of this size, whose "
-                            "coordinates are floats in the mesh: --voxel {:.2g} or more",
-                            voxel, 1.1 * least),
+                fmt::format("a voxel of {:.3g} mm is too small: the mesh's coordinates, up to "
+                            "{:.6g} mm, are floats; --voxel {:.2g} or more",
+                            voxel, largest, 1.1 * least),
                 Error::Kind::usage);
 }
 

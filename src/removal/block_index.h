@@ -1,4 +1,4 @@
-// Sweeps binned into cubes of 64 voxels: who can matter where.
+// Sweeps binned into cubes of 64 voxels, those of the run or larger ones: who can matter where.
 #pragma once
 
 #include "removal/part_field.h"

@@ -25,6 +25,7 @@ constexpr double kGridColumn = 130;
 constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
+constexpr double kTile = 400;  ///< what is kept of each
 
 std::size_t free_memory() {
   const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
@@ -54,8 +55,9 @@ struct Need {
     if (options.keep_grid && !in_slabs)
       grid += columns * kGridColumn + kRecipe * static_cast<double>(motions);
     if (!options.grid_mesh) return always + grid;
-    const double working =
-        kThread * resolve_threads(options.threads) + section_tiles(stock, voxel) * kFrontTile;
+    const double working = kThread * resolve_threads(options.threads) +
+                           section_tiles(stock, voxel) * kFrontTile +
+                           columns / (kTileVoxels * kTileVoxels) * kTile;
     return always + grid + working +
            (in_slabs ? 0 : columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn));
   }
