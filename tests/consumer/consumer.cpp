@@ -9,6 +9,7 @@ namespace {
 // Voxels are sampled in a module: the Error thrown there is to arrive as one.
 bool stops_on_voxels(mrsim::Job job) {
   job.carve.voxel = 0.1;
+  job.outputs = {"cancelled.vdb"};
   job.carve.progress = [](const char*, double) { return false; };
   try {
     mrsim::simulate(job);
