@@ -25,7 +25,7 @@ constexpr double kGridColumn = 130;
 constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
-constexpr double kTile = 400;  ///< what is kept of each
+constexpr double kTile = 400;  ///< what is kept of each, by the sizes of its records
 
 std::size_t free_memory() {
   const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);

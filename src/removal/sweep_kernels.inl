@@ -54,24 +54,23 @@ static const double* section_of(const ArcRecord& r) { return r.c + 7; }
 struct Section {
   V low, core, round, top;
 };
-// Distances in plan up to which all give the same distance at height z.
+// Distances in plan up to which all give the same distance at height z; less 90 half ulps of the
+// radius, where the sums below round by three.
 MRSIM_LANE V saturation(const Section& s, V z) {
-  const M upper = less_equal(splat(0.5) * (s.low - s.round + s.top), z);
-  const V dz = select(upper, z - s.top, s.low - z);
-  return select(upper, s.core + s.round, s.core) + vmin(dz, splat(0.0)) -
-         splat(1e-14) * (s.core + s.round);
+  const SlabSide side = slab_side(z, s.low, s.core, s.round, s.top);
+  return side.core + vmin(side.dz, splat(0.0)) - splat(1e-14) * (s.core + s.round);
 }
 
 MRSIM_LANE V section_distance(const Section& s, V rho, V z) {
   return rounded_slab(rho, z, s.low, s.core, s.round, s.top);
 }
 
-// Above every distance in plan that could, rounded, give the distance `rho` does at heights z.
+// Above every distance in plan that could, rounded, give the distance `rho` does at heights z: each
+// margin is nine half ulps or more of what is rounded there, by one or two.
 MRSIM_LANE V farthest_equal(const Section& s, V rho, V z) {
   const V zero = splat(0.0), unit = splat(1e-15);
-  const M upper = less_equal(splat(0.5) * (s.low - s.round + s.top), z);
-  const V core = select(upper, s.core + s.round, s.core);
-  const V dr = rho - core, dz = select(upper, z - s.top, s.low - z);
+  const SlabSide side = slab_side(z, s.low, s.core, s.round, s.top);
+  const V core = side.core, dr = rho - core, dz = side.dz;
   const V inner = vmax(dr, vmin(dz, zero));
   const V a = vmax(dr, zero), b = vmax(dz, zero);
   const V root = vsqrt(a * a + b * b), reach = root + unit * (root + s.round);

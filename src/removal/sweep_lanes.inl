@@ -13,10 +13,17 @@ MRSIM_LANE V slab(V dr, V dz, V round) {
   const V a = vmax(dr, zero), b = vmax(dz, zero);
   return vsqrt(a * a + b * b) + vmin(vmax(dr, dz), zero) - round;
 }
-MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
+struct SlabSide {
+  V core, dz, round;  // of the half that is nearer in height
+};
+MRSIM_LANE SlabSide slab_side(V z, V low, V core, V round, V top) {
   const M upper = less_equal(splat(0.5) * (low - round + top), z);
-  return slab(rho - select(upper, core + round, core), select(upper, z - top, low - z),
-              select(upper, splat(0.0), round));
+  return {select(upper, core + round, core), select(upper, z - top, low - z),
+          select(upper, splat(0.0), round)};
+}
+MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
+  const SlabSide side = slab_side(z, low, core, round, top);
+  return slab(rho - side.core, side.dz, side.round);
 }
 
 // Ball end reaching up, any straight line: distance to the segment's upward strip, minus R.
