@@ -7,12 +7,14 @@ test:
 demo:
 	./setup demo
 asan:
-	cmake --preset asan && cmake --build --preset asan && ctest --preset asan
+	./setup test asan
 format:
 	scripts/format.sh
 lint:
 	python3 scripts/check_includes.py
+	python3 scripts/check_docs.py
 	scripts/format.sh --check
+	scripts/lint.sh
 data:
 	python3 scripts/make_data.py
 ci:

@@ -3,7 +3,7 @@
 //   --benchmark_report_aggregates_only=true
 #include "core/heap.h"
 #include "programs.h"
-#include "removal/stock.h"
+#include "removal/part/stock.h"
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@ namespace mrsim::bench {
 namespace {
 
 void run(benchmark::State& state, const std::string& name, double voxel, int threads) {
-  const BenchProgram program = by_name(name);
+  const BenchProgram program = expand_packs(name);
   std::size_t active = 0, bytes = 0;
   for (auto _ : state) {
     const Stock stock = carve(program.stock, program.motions, std::span(&program.tool, 1),

@@ -2,7 +2,7 @@
 // surface is a wavy sphere, the samples lie within 0.05 mm of it.
 #include "compare/sampling.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <cmath>
 #include <cstdio>

@@ -62,6 +62,15 @@ void BM_Lines(benchmark::State& state) {
 }
 BENCHMARK(BM_Lines)->Arg(100000)->Arg(1000000)->Arg(4000000)->Unit(benchmark::kMillisecond);
 
+// Three expressions a block: to be compared with BM_Lines, at most five times its time.
+void BM_Expressions(benchmark::State& state) {
+  read_all(state, program("expressions", state.range(0), [](long i) {
+             return fmt::format("{}X[#1+{}.5] Y[#1*{}] Z-#1\n", i == 0 ? "#1=2\n" : "", i % 90,
+                                i % 7);
+           }));
+}
+BENCHMARK(BM_Expressions)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
 void BM_Arcs(benchmark::State& state) {
   read_all(state, program("arcs", state.range(0), [](long i) {
              return i % 2 == 0 ? std::string("G2 X10 Y0 I5 J0\n")

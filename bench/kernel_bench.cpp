@@ -2,8 +2,8 @@
 // sweeps about one point (distances), as the carver's and the mesher's samples ask them.
 // MRSIM_SIMD=scalar (or avx2) in the environment gives the ratio of the kernels.
 #include "core/units.h"
-#include "removal/sweep.h"
-#include "removal/sweep_kernels.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/sweep_table.h"
 
 #include <numeric>
 #include <random>
@@ -55,7 +55,7 @@ void distances(benchmark::State& state, const Tool& tool, Move move) {
   std::mt19937_64 random(1);
   std::vector<Motion> motions;
   for (int k = 0; k < 256; ++k) motions.push_back(motion_of(move, random));
-  const SweepTable table(motions, std::span(&tool, 1), 20);
+  const SweepTable table(motions, std::span(&tool, 1));
   std::vector<std::uint32_t> ids(table.size());
   std::iota(ids.begin(), ids.end(), 0u);
   std::vector<double> out(ids.size());

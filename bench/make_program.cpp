@@ -6,7 +6,8 @@
 
 int main(int argc, char** argv) {
   try {
-    const std::string text = mrsim::bench::nc_text(mrsim::bench::by_name(argc == 2 ? argv[1] : ""));
+    const std::string text =
+        mrsim::bench::nc_text(mrsim::bench::expand_packs(argc == 2 ? argv[1] : ""));
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

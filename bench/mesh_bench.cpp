@@ -2,10 +2,10 @@
 // in the same run. Milliseconds of each step are printed.
 //   mesh_bench --benchmark_filter=raster-1000000 --benchmark_repetitions=3
 #include "core/heap.h"
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
 #include "programs.h"
-#include "removal/stock.h"
-#include "removal/stock_grid.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_grid.h"
 #include "removal/vdb/vdb_grid.h"
 
 #include <memory>
@@ -35,7 +35,7 @@ const Stock& stock_of(const Case& c) {
   const std::string wanted =
       std::string(c.program) + std::to_string(c.voxel) + (c.tolerance > 0 ? "T" : "");
   if (known == wanted) return *stock;
-  const BenchProgram program = by_name(c.program);
+  const BenchProgram program = expand_packs(c.program);
   stock = std::make_unique<Stock>(carve(program.stock, program.motions, std::span(&program.tool, 1),
                                         {.voxel = c.voxel, .keep_grid = c.tolerance == 0}));
   known = wanted;
@@ -44,11 +44,11 @@ const Stock& stock_of(const Case& c) {
 
 void mesh(benchmark::State& state, const Case& c, int threads) {
   const Stock& stock = stock_of(c);
-  ContourReport report;
+  MeshReport report;
   std::size_t triangles = 0;
   for (auto _ : state)
-    triangles = contour(stock.field(), stock.voxel(),
-                        {.tolerance = c.tolerance, .threads = threads, .progress = {}}, &report)
+    triangles = mesh_part(stock.field(), stock.voxel(),
+                          {.tolerance = c.tolerance, .threads = threads, .progress = {}}, &report)
                     .triangles.size();
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["cells"] = static_cast<double>(report.cells);

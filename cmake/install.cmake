@@ -25,6 +25,7 @@ install(FILES ${PROJECT_BINARY_DIR}/mrsim.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}
 install(FILES docs/mrsim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES scripts/completion.bash RENAME mrsim
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(DIRECTORY docs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/mrsim)
 install(FILES README.md CHANGELOG.md LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # A package for Debian: cpack --config build/CPackConfig.cmake

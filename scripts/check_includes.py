@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Checks who includes whom: the stages of the pipeline know only what lies before them.
 
-The rule (ARCHITECTURE.md): core -> public types; interp, setup, removal -> core; mesh -> core and the
-stock's public face; compare -> core, mesh; the pipeline (src/*.cpp) -> all; cli -> public headers and
-core. Third-party headers stay in the few files that need them. Exit 1 and one line a breach.
+Each folder of src (a stage, or a room of one) lists in ROOMS the folders that it may include: earlier ones only.
+Third-party headers stay in the few files that need them. Exit 1 and one line a breach.
 """
 
 import os
@@ -13,41 +12,69 @@ import sys
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
-# Folder of src -> prefixes of our own headers that its files may include.
-STAGES = {
-    "core": ("core/",),
-    "interp": ("core/", "interp/"),
-    "setup": ("core/", "setup/"),
-    "removal": ("core/", "removal/"),
-    "mesh": ("core/", "mesh/", "removal/stock.h", "removal/sweep.h", "removal/field.h", "removal/lattice.h"),
-    "compare": ("core/", "compare/", "mesh/"),
-    "cli": ("core/", "cli/"),
-    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "cuts.h", "outputs.h", "part_mesh.h", "collision_findings.h",
-         "voxel_module.h"),
+# Folder of src -> the other folders (or single headers) that its files may include; each folder may include itself.
+# Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles.
+CORE = ("core/",)
+SOLID = CORE + ("removal/field/",)
+ROOMS = {
+    "core": (),
+    "interp/text": CORE + ("interp/motion_sink.h",),
+    "interp/path": CORE + ("interp/text/",),
+    "interp/language": CORE + ("interp/text/", "interp/path/"),
+    "interp/control": CORE + ("interp/motion_sink.h", "interp/text/", "interp/path/", "interp/language/"),
+    "interp/recognise": CORE + ("interp/text/",),
+    "interp/show": CORE + ("interp/text/", "interp/path/"),
+    "interp": CORE + ("interp/text/", "interp/path/", "interp/control/", "interp/recognise/", "interp/show/"),
+    "timing": CORE,
+    "setup": CORE,
+    "removal/field": CORE,
+    "removal/tool": CORE + ("removal/field/",),
+    "removal/simd": CORE + ("removal/tool/",),
+    "removal/stock": CORE + ("removal/field/",),
+    "removal/sweep": CORE + ("removal/field/", "removal/tool/", "removal/simd/"),
+    "removal/prune": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/"),
+    "removal/part": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/sweep/", "removal/prune/"),
+    "removal/collision": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/", "removal/prune/", "removal/part/"),
+    "removal/vdb": CORE + ("removal/",),
+    "mesh/solid": SOLID,
+    "mesh/draw": SOLID + ("mesh/solid/",),
+    "mesh/format": SOLID + ("mesh/solid/", "mesh/draw/"),
+    "mesh/surface": SOLID + ("mesh/solid/",),
+    "mesh/tiles": SOLID + ("mesh/solid/", "mesh/surface/"),
+    "mesh/turned": SOLID + ("mesh/solid/", "mesh/surface/"),
+    "mesh": SOLID + ("mesh/solid/", "mesh/surface/", "mesh/tiles/", "mesh/turned/", "removal/part/stock.h"),
+    "compare/step": CORE + ("mesh/",),
+    "compare": CORE + ("mesh/", "compare/step/"),
+    "cli": CORE,
+    "": ("core/", "interp/", "timing/", "setup/", "removal/", "mesh/", "compare/"),
 }
-# Exceptions to the rule above.
-PRIVATE = {}
+# What tests of a stage may include besides its own rooms.
+TESTED = {"core": CORE, "interp": CORE + ("interp/",), "timing": CORE + ("timing/",), "setup": CORE + ("setup/",), "removal": CORE + ("removal/",),
+          "mesh": CORE + ("mesh/", "removal/"), "compare": CORE + ("mesh/", "compare/"), "cli": CORE + ("cli/",)}
+STAGES = set(TESTED)
 
 # Functions of the facade that a stage defines itself.
-FACADE_PARTS = {"src/interp/motion_text.h", "src/interp/path_picture.h"}
+FACADE_PARTS = {"src/interp/show/motion_text.h", "src/interp/show/path_picture.h"}
 
 # Third-party header prefix -> files that may include it (regular expressions on the path).
 THIRD_PARTY = {
     "openvdb/": r"src/removal/vdb/.*|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
-    "CGAL/": r"src/(removal|mesh|compare)/[^/]*\.cpp|tests/.*|bench/compare_bench\.cpp",
-    "OpenMesh/": r"src/mesh/[^/]*\.cpp|tests/.*",
+    "CGAL/": r"src/mesh/solid/solid_repair\.cpp|tests/.*|bench/compare_bench\.cpp",
+    "OpenMesh/": r"tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
-    "embree3/": r"src/(mesh|compare)/[^/]*\.cpp",
+    "embree3/": r"src/(mesh/draw|compare)/[^/]*\.cpp",
     "STEPControl_": r"src/compare/step/module\.cpp|tests/(compare|cli)/.*",
     "BRep": r"src/compare/step/module\.cpp|tests/(compare|cli)/.*",
-    "png.h": r"src/mesh/[^/]*\.cpp|tests/mesh/.*",
+    "png.h": r"src/mesh/draw/[^/]*\.cpp|tests/mesh/.*",
     "CLI/": r"src/cli/[^/]*\.cpp",
     "toml++/": r"src/setup/[^/]*\.cpp",
+    "zlib.h": r"src/core/zip\.cpp|src/mesh/.*|tests/.*",
 }
-PUBLIC = {"types.h": set(), "options.h": {"types.h"}, "collisions.h": {"types.h"},
-          "mrsim.h": {"types.h", "options.h", "collisions.h"},
-          "compare.h": {"types.h", "options.h"}}
+# Public header -> the public headers that it may include.
+PUBLIC = {"types.h": set(), "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"types.h", "options.h", "compare.h"},
+          "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h"}, "job_file.h": {"types.h"},
+          "compare.h": {"types.h", "options.h"}, "cycle_time.h": {"types.h"}}
 
 
 def files(*folders):
@@ -58,41 +85,55 @@ def files(*folders):
                     yield os.path.relpath(os.path.join(place, name), ROOT)
 
 
+def room_of(path):
+    """The folder of src that holds a file, by its key in ROOMS."""
+    return os.path.dirname(path)[len("src/"):] if os.path.dirname(path) != "src" else ""
+
+
 def own_headers_allowed(path):
     parts = path.split(os.sep)
     if parts[0] == "src":
-        return STAGES.get(parts[1] if len(parts) > 2 else "", ())
-    if parts[0] == "tests" and parts[1] in STAGES:
-        return STAGES[parts[1]] + ("support/", parts[1] + "/", "removal/stock_grid.h", "removal/part_field.h")
+        return ROOMS.get(room_of(path))
+    if parts[0] == "tests" and parts[1] in TESTED:
+        return TESTED[parts[1]] + ("support/", parts[1] + "/")
     return None  # benches, fuzz targets and helpers of tests may see all
+
+
+def may_include(path, header, allowed):
+    if header.startswith(allowed):
+        return True
+    if path.startswith("src/"):
+        return os.path.dirname(header) == room_of(path)
+    return os.path.exists(os.path.join(ROOT, os.path.dirname(path), header))  # a test's helper beside it
 
 
 def check(path, breaches):
     with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         included = INCLUDE.findall(file.read())
     allowed = own_headers_allowed(path)
+    if path.startswith("src/") and allowed is None:
+        breaches.append(f"{path}: its folder is missing in ROOMS of scripts/check_includes.py")
+        return
     for header in included:
         for prefix, where in THIRD_PARTY.items():
             if header.startswith(prefix) and not re.fullmatch(where, path):
                 breaches.append(f"{path}: <{header}> is not allowed here")
         if header.startswith("mrsim/"):
-            if path in FACADE_PARTS:
-                continue
-            if header == "mrsim/mrsim.h" and re.match(r"src/(core|interp|setup|removal|mesh|compare)/", path):
+            if header == "mrsim/mrsim.h" and path not in FACADE_PARTS and re.match(
+                    r"src/(core|interp|setup|removal|mesh|compare)/", path):
                 breaches.append(f"{path}: a stage must not include the facade")
             continue
-        stage = header.split("/")[0]
-        ours = stage in STAGES or os.path.exists(os.path.join(ROOT, "src", header))
-        if not ours or allowed is None:
-            continue
-        if not header.startswith(allowed) and header not in PRIVATE.get(path, ()):
-            if os.path.exists(os.path.join(ROOT, os.path.dirname(path), header)):
-                continue  # a header beside the file, such as a test's helper
+        ours = header.split("/")[0] in STAGES or os.path.exists(os.path.join(ROOT, "src", header))
+        if ours and allowed is not None and not may_include(path, header, allowed):
             breaches.append(f'{path}: "{header}" is not allowed here')
 
 
 def check_public(breaches):
-    for name, others in PUBLIC.items():
+    for name in sorted(os.listdir(os.path.join(ROOT, "include", "mrsim"))):
+        others = PUBLIC.get(name)
+        if others is None:
+            breaches.append(f"include/mrsim/{name}: missing in PUBLIC of scripts/check_includes.py")
+            continue
         path = os.path.join("include", "mrsim", name)
         with open(os.path.join(ROOT, path), encoding="utf-8") as file:
             for header in INCLUDE.findall(file.read()):

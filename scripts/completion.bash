@@ -1,10 +1,10 @@
 # Bash completion of mrsim.
 _mrsim() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-  local program="--dialect --machine --tools --tool --start --block-skip --path --strict"
+  local program="--dialect --machine --tools --tool --start --block-skip --set --max-blocks --max-steps --comp --least-increments --path --strict"
   local common="--quiet --verbose --help --version"
   case $previous in
-    --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys" -- "$current"); return ;;
+    --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys ngc" -- "$current"); return ;;
     --machine) mapfile -t COMPREPLY < <(compgen -W "mill lathe" -- "$current"); return ;;
     --keep) mapfile -t COMPREPLY < <(compgen -W "all largest" -- "$current"); return ;;
     --color) mapfile -t COMPREPLY < <(compgen -W "line tool none" -- "$current"); return ;;
@@ -14,16 +14,17 @@ _mrsim() {
   esac
   if [[ $current == -* ]]; then
     case $command in
-      trace) common="$program $common --output --json --programmed" ;;
+      trace) common="$program $common --output --json --programmed --variables" ;;
       check) common="$program $common --json" ;;
-      compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads" ;;
+      tools) common="--output --json --quiet --help" ;;
+      compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
       render) common="$common --output --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
-      *) common="$program $common --output --color --stock --stock-exact --keep --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
+      *) common="$program $common --output --color --stock --stock-exact --keep --until --machine-file --allow-outside --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else
     local commands=""
-    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render"
+    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render tools"
     mapfile -t COMPREPLY < <(compgen -W "$commands" -f -- "$current")
   fi
 }

@@ -6,4 +6,4 @@ tool=clang-format-14
 command -v "$tool" >/dev/null || tool=clang-format
 mode=(-i)
 [ "${1:-}" = --check ] && mode=(--dry-run --Werror)
-git ls-files -z --cached --others --exclude-standard '*.h' '*.cpp' | xargs -0 "$tool" "${mode[@]}"
+git ls-files -z --cached --others --exclude-standard '*.h' '*.cpp' '*.inl' | xargs -0 "$tool" "${mode[@]}"

@@ -1,7 +1,7 @@
 #include "collision_findings.h"
 
 #include "core/text_io.h"
-#include "interp/source.h"
+#include "interp/text/source.h"
 
 #include <map>
 

@@ -1,10 +1,10 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
 #include "core/text_io.h"
 #include "cuts.h"
+#include "mesh/draw/palette.h"
 #include "mesh/extract.h"
-#include "mesh/palette.h"
 #include "outputs.h"
-#include "removal/stock_file.h"
+#include "removal/part/stock_file.h"
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
@@ -54,16 +54,20 @@ std::vector<std::string> split_lines(const std::string& text) {
 
 // The name as it is where it was stored, then by its last part only: no name from a part's file
 // leads out of the folders that were given.
-std::vector<std::string> find_program(const std::string& name, const std::string& part,
-                                      const std::vector<std::string>& folders) {
+std::vector<std::string> places_of(const std::string& name, const std::string& part,
+                                   const std::vector<std::string>& folders) {
   namespace fs = std::filesystem;
   const fs::path last = fs::path(name).filename();
-  std::vector<fs::path> places{fs::path(part).parent_path() / last};
+  std::vector<std::string> places{fs::path(part).parent_path() / last};
   for (const std::string& folder : folders) places.push_back(fs::path(folder) / last);
-  if (name == last.string() || part.empty()) places.emplace_back(name);
-  for (const fs::path& place : places) {
+  if (name == last.string() || part.empty()) places.push_back(name);
+  return places;
+}
+
+std::vector<std::string> find_program(const std::vector<std::string>& places) {
+  for (const std::string& place : places) {
     std::error_code ignored;
-    if (fs::is_regular_file(place, ignored)) return split_lines(read_file(place.string()));
+    if (std::filesystem::is_regular_file(place, ignored)) return split_lines(read_file(place));
   }
   return {};
 }
@@ -88,7 +92,16 @@ std::vector<std::vector<std::string>> read_program_lines(const OwnerTable& origi
                                                          const std::string& part,
                                                          const std::vector<std::string>& folders) {
   std::vector<std::vector<std::string>> out;
-  for (const std::string& file : origin.files) out.push_back(find_program(file, part, folders));
+  for (const std::string& file : origin.files)
+    out.push_back(find_program(places_of(file, part, folders)));
+  return out;
+}
+
+std::vector<std::string> program_places(const OwnerTable& origin, const std::string& part,
+                                        const std::vector<std::string>& folders) {
+  std::vector<std::string> out;
+  for (const std::string& file : origin.files)
+    for (std::string& place : places_of(file, part, folders)) out.push_back(std::move(place));
   return out;
 }
 

@@ -1,13 +1,13 @@
 #include "outputs.h"
 
+#include "core/publish.h"
+#include "core/scratch_file.h"
 #include "core/text_io.h"
-#include "mesh/mesh_io.h"
-#include "mesh/stl.h"
-#include <mrsim/mrsim.h>
+#include "mesh/format/mesh_io.h"
+#include "mesh/format/stl.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -15,6 +15,17 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kVdb = ".vdb";
+
+std::vector<NamedPath> named_outputs(const Job& job) {
+  std::vector<NamedPath> out;
+  for (const std::string& path : job.outputs) out.push_back({path, "-o"});
+  for (const SideFile& side : job.side_files) out.push_back(side.file);
+  return out;
+}
+
+void note_file(const DraftFile& draft, bool hash, std::vector<WrittenFile>& written) {
+  written.push_back({draft.path(), draft.size(), hash ? draft.sha256() : std::string()});
+}
 
 }  // namespace
 
@@ -25,15 +36,25 @@ bool is_vdb(const std::string& path) {
   return extension == kVdb;
 }
 
-void check_outputs(const std::vector<std::string>& paths) {
-  std::set<std::string> seen;
-  for (const std::string& path : paths) {
+void check_outputs(const Job& job) {
+  for (const std::string& path : job.outputs) {
     if (!is_vdb(path)) mesh_format_of(path);
     check_writable(path);
-    if (!seen.insert(std::filesystem::absolute(path).lexically_normal().string()).second)
-      throw Error("output-twice", fmt::format("{} is given as output twice", path),
-                  Error::Kind::usage);
   }
+  for (const SideFile& side : job.side_files) check_writable(side.file.path);
+  const std::vector<NamedPath> outputs = named_outputs(job);
+  std::vector<NamedPath> inputs = {{job.program, "the program"}, {job.stock, "the stock"}};
+  inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
+  refuse_overwrites(outputs, inputs);
+  std::vector<std::string> paths;
+  for (const NamedPath& output : outputs) paths.push_back(output.path);
+  recover_outputs(paths);
+}
+
+void protect_program_files(const Job& job, const std::vector<std::string>& files) {
+  std::vector<NamedPath> inputs;
+  for (const std::string& file : files) inputs.push_back({file, "a file of the program"});
+  refuse_overwrites(named_outputs(job), inputs);
 }
 
 std::string whole_output(const std::vector<std::string>& paths) {
@@ -48,7 +69,7 @@ std::string whole_output(const std::vector<std::string>& paths) {
 }
 
 std::string spill_folder(const std::vector<std::string>& paths) {
-  if (paths.empty()) return std::filesystem::temp_directory_path().string();
+  if (paths.empty()) return temporary_folder();
   const std::string folder = std::filesystem::path(paths[0]).parent_path().string();
   return folder.empty() ? "." : folder;
 }
@@ -80,8 +101,8 @@ void Outputs::restart() {
     if (file->stream) file->stream->restart();
 }
 
-void Outputs::complete(File& file, const MeshSource& mesh, const Stock& stock,
-                       const StockRecipe& recipe) {
+void Outputs::complete_file(File& file, const MeshSource& mesh, const Stock& stock,
+                            const StockRecipe& recipe) {
   if (file.stream && !replaced_) return file.stream->finish();
   if (file.stream) file.draft.clear();
   const std::string& path = file.draft.path();
@@ -92,12 +113,32 @@ void Outputs::complete(File& file, const MeshSource& mesh, const Stock& stock,
   file.draft.finish();
 }
 
-void Outputs::finish(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe) {
-  for (const auto& file : files_) complete(*file, mesh, stock, recipe);
-  for (const auto& file : files_) file->draft.publish();
+void Outputs::complete(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe,
+                       bool hash, std::vector<WrittenFile>& written) {
+  for (const auto& file : files_) {
+    complete_file(*file, mesh, stock, recipe);
+    note_file(file->draft, hash, written);
+  }
+}
+
+void Outputs::publish(const Job& job, JobResult& result) {
+  std::vector<DraftFile*> all;
+  for (const auto& file : files_) all.push_back(&file->draft);
+  std::vector<std::unique_ptr<DraftFile>> sides;
+  for (const SideFile& side : job.side_files) {
+    DraftFile& draft = *sides.emplace_back(std::make_unique<DraftFile>(side.file.path));
+    side.write(result, draft.sink());
+    draft.finish();
+    note_file(draft, job.hash_files, result.files);
+    all.push_back(&draft);
+  }
+  mrsim::publish(all);
 }
 
 TriMesh read_mesh(const std::string& path) { return load_mesh(path); }
 void write_mesh(const std::string& path, const TriMesh& mesh) { save_mesh(path, mesh); }
+void encode_mesh(const TriMesh& mesh, const std::string& name, const ByteSink& sink) {
+  encode_mesh(MemoryMesh(mesh), mesh_format_of(name), {}, sink);
+}
 
 }  // namespace mrsim

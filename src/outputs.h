@@ -1,11 +1,10 @@
 // What simulate() writes: files by their extension, all of them or none.
 #pragma once
 
-#include "mesh/mesh_source.h"
-#include "removal/stock.h"
-#include "removal/stock_file.h"
-#include <mrsim/options.h>
-#include <mrsim/types.h>
+#include "mesh/solid/mesh_source.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_file.h"
+#include <mrsim/mrsim.h>
 
 #include <memory>
 #include <string>
@@ -20,8 +19,13 @@ bool is_vdb(const std::string& path);
 bool is_step(const std::string& path);
 
 /// Finds faults of output names before any work: an unknown format, a folder that is missing or
-/// read-only, a name given twice. Throws Error "mesh-format" (usage), "output-...".
-void check_outputs(const std::vector<std::string>& paths);
+/// read-only, an output that is an input or another output. Settles what a run that was killed left
+/// in the folders. Throws Error "mesh-format", "output-is-input", "output-twice" (usage),
+/// "output-...".
+void check_outputs(const Job& job);
+
+/// The files of the program that were found while it was read, beside the one that was named.
+void protect_program_files(const Job& job, const std::vector<std::string>& files);
 
 /// Why these outputs can not be written in slabs; empty: they can.
 std::string whole_output(const std::vector<std::string>& paths);
@@ -43,12 +47,16 @@ class Outputs final : public MeshSink {
   void restart() override;
   /// The mesh is not the one whose blocks came.
   void replace_mesh() { replaced_ = true; }
-  /// Writes the part under every name, or under none.
-  void finish(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe);
+  /// Completes the part's files; none is seen yet. `written` gets them.
+  void complete(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe, bool hash,
+                std::vector<WrittenFile>& written);
+  /// Lets all of them appear, after the side files of `job` have been made, or none.
+  void publish(const Job& job, JobResult& result);
 
  private:
   struct File;
-  void complete(File& file, const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe);
+  void complete_file(File& file, const MeshSource& mesh, const Stock& stock,
+                     const StockRecipe& recipe);
   MeshFileOptions options_;
   std::vector<std::unique_ptr<File>> files_;
   bool replaced_ = false;

@@ -2,11 +2,11 @@
 // short.
 #pragma once
 
-#include "mesh/mesh_audit.h"
-#include "mesh/mesh_source.h"
-#include "mesh/mesh_spill.h"
-#include "mesh/owner_set.h"
-#include "mesh/pieces.h"
+#include "mesh/solid/mesh_audit.h"
+#include "mesh/solid/mesh_source.h"
+#include "mesh/solid/mesh_spill.h"
+#include "mesh/solid/owner_set.h"
+#include "mesh/solid/pieces.h"
 
 #include <cstdint>
 #include <memory>

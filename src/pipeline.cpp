@@ -3,29 +3,34 @@
 #include "collision_findings.h"
 #include "core/error.h"
 #include "core/heap.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "cuts.h"
 #include "interp/interpreter.h"
-#include "mesh/check.h"
+#include "interp/show/motion_text.h"
+#include "mesh/draw/render.h"
 #include "mesh/extract.h"
-#include "mesh/pieces.h"
-#include "mesh/render.h"
-#include "mesh/solid_repair.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/pieces.h"
+#include "mesh/solid/solid_repair.h"
+#include "mesh_choice.h"
 #include "outputs.h"
 #include "part_mesh.h"
-#include "removal/collision.h"
-#include "removal/default_stock.h"
-#include "removal/stock.h"
-#include "removal/stock_file.h"
-#include "removal/stock_shape.h"
-#include "removal/sweep.h"
+#include "removal/collision/collisions.h"
+#include "removal/part/default_stock.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_file.h"
+#include "removal/stock/stock_shape.h"
+#include "setup/camotics_project.h"
 #include "setup/job_file.h"
+#include "setup/machine_file.h"
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
-#include "setup/tools_file.h"
+#include "until.h"
 #include "voxel_module.h"
+#include <mrsim/memory.h>
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
@@ -48,12 +53,21 @@ class Collector : public MotionSink {
     constexpr std::uintmax_t kLineBytes = 24;
     std::error_code failed;
     const std::uintmax_t bytes = std::filesystem::file_size(path, failed);
-    if (!failed) reserve_large(motions, bytes / kLineBytes);
+    const double most = memory_left() / 4 / sizeof(Motion);
+    if (!failed && double(bytes) / kLineBytes <= most) reserve_large(motions, bytes / kLineBytes);
   }
-  void motion(const Motion& motion) override { motions.push_back(motion); }
+  void motion(const Motion& motion) override {
+    if (motions.size() == motions.capacity() && motions.size() > kFew)
+      require_memory(2.0 * double(motions.size()) * sizeof(Motion),
+                     fmt::format("a program of more than {} motions", motions.size()));
+    motions.push_back(motion);
+  }
   void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
   std::vector<Motion> motions;
   std::vector<Diagnostic> diagnostics;
+
+ private:
+  static constexpr std::size_t kFew = 10000;  // of which nothing is asked
 };
 
 class TraceSinkAdapter : public MotionSink {
@@ -67,6 +81,13 @@ class TraceSinkAdapter : public MotionSink {
   }
   void diagnostic(const Diagnostic& diagnostic) override {
     if (sink_.diagnostic) sink_.diagnostic(diagnostic);
+  }
+  void assignment(const SourcePlace& place, const std::string& name,
+                  const std::string& value) override {
+    if (!sink_.line) return;
+    sink_.line(json_ ? fmt::format(R"({{"line":{},"kind":"variable","name":{},"value":{}}})",
+                                   place.line, json_string(name), json_string(value))
+                     : fmt::format("{:5}     {} = {}", place.line, name, value));
   }
 
  private:
@@ -114,6 +135,7 @@ void report(JobResult& result, Severity severity, const char* code, const std::s
 }
 
 void count_motions(JobResult& result) {
+  result.rapid_motions = result.line_motions = result.arc_motions = result.cutting_motions = 0;
   for (const Motion& motion : result.program.motions) {
     result.rapid_motions += motion.kind == MotionKind::rapid;
     result.line_motions += motion.kind == MotionKind::line;
@@ -143,54 +165,20 @@ StockShape choose_stock(const Job& job, JobResult& result) {
   return shape;
 }
 
-// The tools' smallest radius, from one cut of each tool: the sweeps of a long program are made once
-// only.
-double smallest_radius(const CutList& cuts) {
-  std::vector<bool> seen(cuts.tools().size(), false);
-  std::vector<Motion> samples;
-  for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0 || seen[static_cast<std::size_t>(motion.tool)]) continue;
-    seen[static_cast<std::size_t>(motion.tool)] = true;
-    samples.push_back(motion);
-  }
-  return SweepTable(samples, cuts.tools(), 0).smallest_radius();
-}
-
-void choose_voxel(CarveOptions& options, const CutList& cuts, JobResult& result) {
-  result.voxel_reason = "--voxel";
-  if (options.voxel == 0) {
-    const VoxelChoice choice = default_voxel(result.stock, smallest_radius(cuts));
-    options.voxel = choice.voxel;
-    result.voxel_reason = choice.reason;
-  }
-  result.voxel = options.voxel;
-}
-
-// Default tolerance of the mesh, as a share of the longest side: a turned part of the usual shape
-// keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
-constexpr double kToleranceShare = 1.7e-4;
-
-// Who sets the voxel wants its grid; else the mesh has a tolerance that goes with the part's size.
-void choose_tolerance(const Job& job, MeshOptions& options, JobResult& result) {
-  result.tolerance_reason = "--tolerance";
-  if (options.tolerance == 0 && job.carve.voxel == 0) {
-    const Vec3 size = result.stock.box.hi - result.stock.box.lo;
-    const double longest = std::max({size.x, size.y, size.z});
-    options.tolerance = longest * kToleranceShare;
-    result.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
-    if (job.accept > 0 && options.tolerance > job.accept / 4) {
-      options.tolerance = job.accept / 4;
-      result.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
-    }
-  }
-  result.tolerance = options.tolerance;
+// A coarse mesh may decide the verdict instead of the part.
+void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result) {
+  if (job.accept > 0 && tolerance > job.accept / 4 * (1 + 1e-9))
+    report(result, Severity::warning, "tolerance-coarse",
+           fmt::format("a tolerance of {:g} mm is coarse for an --accept of {:g} mm: use a quarter "
+                       "of it or less",
+                       tolerance, job.accept));
 }
 
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
 double volume_before(const StockShape& shape, CarveOptions options, const MeshOptions& mesh) {
   if (!shape.history.motions.empty()) {
     options.keep_grid = false;  // of a stock that only its volume is asked of
-    ContourReport found;
+    MeshReport found;
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
     MeshAudit audit(mesh.threads);
     extract_mesh(stock, mesh, audit, &found);
@@ -248,9 +236,18 @@ void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
            "the .vdb holds all pieces: it is the stock and its cuts");
 }
 
-void report_mesh(JobResult& result, const ContourReport& found) {
+void tell_choice(JobResult& result, const MeshChoice& choice) {
+  result.voxel = choice.voxel;
+  result.voxel_reason = choice.voxel_reason;
+  result.tolerance = choice.tolerance;
+  result.tolerance_reason = choice.tolerance_reason;
+}
+
+void report_mesh(JobResult& result, const MeshReport& found) {
   result.mesh_bound = found.bound;
+  result.mesh_usual = found.usual;
   result.mesh_sampled = found.sampled;
+  result.mesh_kept = found.kept;
   if (found.unresolved > 0)
     report(result, Severity::warning, "tolerance-missed",
            fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
@@ -266,8 +263,8 @@ void report_mesh(JobResult& result, const ContourReport& found) {
 }
 
 // Empty where the run can be done in slabs, should memory be short.
-std::string no_slabs(const Job& job, const MeshOptions& mesh) {
-  if (mesh.tolerance > 0)
+std::string no_slabs(const Job& job, double tolerance) {
+  if (tolerance > 0)
     return "a mesh with a tolerance is made in one piece: with --voxel and no --tolerance the run "
            "is done in slabs";
   if (job.whole_mesh || job.inspect)
@@ -286,7 +283,7 @@ void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
 
 // Makes the mesh, which is checked as it comes.
 void make_mesh(JobResult& result, PartMesh& part, const Stock& stock, const MeshOptions& options,
-               ContourReport& found) {
+               MeshReport& found) {
   extract_mesh(stock, options, part, &found);
   if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
   if (stock.in_slabs()) report_slabs(result, part, stock);
@@ -300,6 +297,16 @@ void require_cuts(const Job& job, const JobResult& result) {
   if (result.cutting_motions == 0)
     throw Error("program-no-cuts",
                 job.program + " cuts nothing: it has no G1, G2 or G3 whose start is known");
+}
+
+void end_program(const Job& job, JobResult& result) {
+  Program& program = result.program;
+  const std::size_t all = program.motions.size(), kept = motions_until(program, job.until);
+  program.motions.resize(kept);
+  count_motions(result);
+  report(result, Severity::note, "until",
+         fmt::format("--until {}: the program ends after {} of {} motions", job.until, kept, all));
+  require_cuts(job, result);
 }
 
 }  // namespace
@@ -318,8 +325,11 @@ Program trace(const std::string& path, const InterpOptions& options, bool json,
   return interpret(path, options, adapter);
 }
 
-ToolTable load_tools(const std::string& path) { return load_tools_file(path); }
-JobFile load_job(const std::string& path) { return load_job_file(path); }
+JobFile load_job(const std::string& path, bool allow_outside) {
+  return path.ends_with(".camotics") ? load_camotics_project(path)
+                                     : load_job_file(path, allow_outside);
+}
+MachineData load_machine(const std::string& path) { return load_machine_file(path); }
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
@@ -340,35 +350,51 @@ void render(const TriMesh& mesh, const std::string& png_path, const RenderOption
 MeshSummary summarize(const TriMesh& mesh) { return check_mesh(mesh); }
 
 JobResult simulate(const Job& job) {
+  const MemoryLimit limit(job.carve.max_memory);
   JobResult result;
+  simulate(job, result);
+  return result;
+}
+
+void simulate(const Job& job, JobResult& result) {
   StageClock clock(result);
-  check_outputs(job.outputs);
+  check_outputs(job);
   const std::future<void> opening = writes_vdb(job) ? open_voxel_module() : std::future<void>();
   result.program = interpret(job.program, job.interp);
+  protect_program_files(job, result.program.files);
   count_motions(result);
   clock.done("read");
-  if (is_faulty(result, job.strict)) return result;
+  if (is_faulty(result, job.strict)) return;
   require_cuts(job, result);
 
   result.stock = choose_stock(job, result);
+  if (!job.until.empty()) end_program(job, result);
+  result.cycle = cycle_time(result.program, job.machine);
   const CutList cuts(result.stock.history, result.program);
   CarveOptions options = job.carve;
-  choose_voxel(options, cuts, result);
-  MeshOptions mesh_options = job.mesh;
-  choose_tolerance(job, mesh_options, result);
-  options.grid_mesh = mesh_options.tolerance == 0;
+  MeshChoice choice = choose_mesh(job, result.stock, cuts);
   options.keep_grid = writes_vdb(job);  // nothing else reads the samples
-  options.no_slabs = no_slabs(job, mesh_options);
   clock.done("stock");
+  if (is_faulty(result, job.strict)) return;
 
-  const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options);
+  const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options,
+                            [&](const ExactField& field, CarveOptions& chosen) {
+                              fit_mesh(field, job.mesh.threads, choice);
+                              chosen.voxel = choice.voxel;
+                              chosen.grid_mesh = choice.tolerance == 0;
+                              chosen.no_slabs = no_slabs(job, choice.tolerance);
+                            });
+  MeshOptions mesh_options = job.mesh;
+  mesh_options.tolerance = choice.tolerance;
+  mesh_options.measure = choice.measure;
+  mesh_options.fallback_voxel = choice.fallback_voxel;
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
-  ContourReport contour_report;
+  MeshReport mesh_report;
   MeshFileOptions files = job.files;
   files.threads = job.mesh.threads;
   // Blocks on the voxels come while the threads make the next ones.
@@ -378,18 +404,20 @@ JobResult simulate(const Job& job) {
                 block_threads, outputs);
   mesh_options.max_memory =
       stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
-  make_mesh(result, part, stock, mesh_options, contour_report);
-  result.expected_memory =
-      static_cast<std::size_t>(stock.memory_expected() + contour_report.memory);
+  make_mesh(result, part, stock, mesh_options, mesh_report);
+  if (!mesh_report.given_up.empty()) give_up_tolerance(choice, mesh_report.given_up);
+  tell_choice(result, choice);
+  warn_of_coarse_tolerance(job, choice.tolerance, result);
+  result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + mesh_report.memory);
   clock.done("mesh");
   result.stock_volume = volume_before(result.stock, options, mesh_options);
   keep_pieces(result, part, job);
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
   if (!is_whole) outputs.replace_mesh();
-  summarize_part(result, part, cuts, is_whole ? contour_report.volume_excess : 0);
+  summarize_part(result, part, cuts, is_whole ? mesh_report.volume_excess : 0);
   clock.done("check");
-  if (is_faulty(result, job.strict)) return result;
+  if (is_faulty(result, job.strict)) return;
   if (job.inspect) {
     job.inspect(part.in_memory());
     clock.done("inspect");
@@ -400,15 +428,18 @@ JobResult simulate(const Job& job) {
     recipe = {result.stock, result.voxel};
     recipe.shape.history = cuts.history();
   }
-  outputs.finish(part.source(), stock, recipe);
-  clock.done("write");
+  outputs.complete(part.source(), stock, recipe, job.hash_files, result.files);
   result.mesh = std::move(part.in_memory());
   result.stock.mesh = {};
   result.peak_memory = peak_memory();
+  clock.done("write");
+  outputs.publish(job, result);
+  clock.done("publish");
   result.ok = true;
-  return result;
 }
 
 const char* version() { return MRSIM_VERSION; }
+
+void set_memory_limit(std::size_t bytes) { set_thread_limit(bytes); }
 
 }  // namespace mrsim

@@ -19,8 +19,9 @@ struct JobFile {
   std::vector<JobOption> options;  ///< in the order of docs/job.md
 };
 
-/// Reads a job; relative paths become relative to its folder. Throws Error for a file that cannot
-/// be read, and PlacedError "job-syntax", "job-key", "job-value" with line and column.
-MRSIM_API JobFile load_job(const std::string& path);
+/// Reads a job; relative paths become relative to its folder, and may lead out of it (..) only
+/// where `allow_outside` says so; absolute ones always may. Throws Error for a file that cannot be
+/// read, and PlacedError "job-syntax", "job-key", "job-value", "job-outside" with line and column.
+MRSIM_API JobFile load_job(const std::string& path, bool allow_outside = false);
 
 }  // namespace mrsim

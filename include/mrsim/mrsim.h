@@ -14,6 +14,8 @@
 #pragma once
 
 #include <mrsim/collisions.h>
+#include <mrsim/cycle_time.h>
+#include <mrsim/files.h>
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -29,8 +31,7 @@ namespace mrsim {
 /// cannot be told.
 MRSIM_API Program interpret(const std::string& path, const InterpOptions& options = {});
 
-/// One motion as the JSON object of `mrsim trace --json` (DESIGN.md of the format: docs/interp.md),
-/// without line end.
+/// One motion as the JSON object of `mrsim trace --json` (docs/interp.md), without line end.
 MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
 /// One motion as a line for people.
@@ -50,8 +51,24 @@ struct TraceSink {
 MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
                         const TraceSink& sink);
 
-/// Reads tools.toml. Throws Error naming line and key.
-MRSIM_API ToolTable load_tools(const std::string& path);
+/// What check_program() counts, beside what the interpreter found.
+struct CheckReport {
+  Program program;
+  std::size_t motions = 0, cuts = 0;
+};
+/// Reads a program like trace() and tells, too, what a run of it would refuse: threads, moves that
+/// can not be swept, tools without a shape. `found` takes the findings as they come.
+MRSIM_API CheckReport check_program(const std::string& path, const InterpOptions& options,
+                                    const std::function<void(const Diagnostic&)>& found);
+
+/// Reads tools.toml, or a tool library: LinuxCNC .tbl, CAMotics .camotics and .json, Fusion .json
+/// and .tools, FreeCAD .fctb and .fctl. `notes`: sentences about tools that were left out. Throws
+/// Error naming line and key, "tools-format" for another file.
+MRSIM_API ToolTable load_tools(const std::string& path, std::vector<std::string>* notes = nullptr);
+/// Draws tools from the side, .svg or .png by extension.
+MRSIM_API void write_tools_picture(const std::vector<Tool>& tools, const std::string& path);
+/// The table [machine] of a TOML file (docs/job.md). Throws PlacedError "machine-key" and the like.
+MRSIM_API MachineData load_machine(const std::string& path);
 /// One tool from "4=endmill:d=5" or "endmill:d=5". Throws Error of kind usage.
 MRSIM_API Tool parse_tool(const std::string& spec);
 
@@ -61,6 +78,8 @@ MRSIM_API StockShape load_stock(const std::string& spec, const StockOptions& opt
 /// Format by extension. Throws Error naming the file and what is wrong with it.
 MRSIM_API TriMesh read_mesh(const std::string& path);
 MRSIM_API void write_mesh(const std::string& path, const TriMesh& mesh);
+/// The bytes of a mesh file in the format of `name`, which is not opened.
+MRSIM_API void encode_mesh(const TriMesh& mesh, const std::string& name, const ByteSink& sink);
 
 /// What a mesh is, and whether it keeps the promises of docs/mesh.md.
 MRSIM_API MeshSummary summarize(const TriMesh& mesh);
@@ -68,6 +87,22 @@ MRSIM_API MeshSummary summarize(const TriMesh& mesh);
 /// Writes a shaded PNG of the mesh, edges drawn, without a display.
 MRSIM_API void render(const TriMesh& mesh, const std::string& png_path,
                       const RenderOptions& options = {});
+
+struct JobResult;
+
+/// A file that a run writes besides the part: it appears together with the outputs, or none does.
+struct SideFile {
+  NamedPath file;  ///< "-" is the standard output; the role is what messages call it, "--report"
+  /// Called once the part's files are complete, in the order of Job::side_files.
+  std::function<void(const JobResult& result, const ByteSink& sink)> write;
+};
+
+/// A file that a run has written.
+struct WrittenFile {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::string sha256;  ///< where Job::hash_files asks for it
+};
 
 struct Job {
   std::string program;
@@ -79,9 +114,17 @@ struct Job {
   MeshOptions mesh;
   std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
   MeshFileOptions files;             ///< colours and such of the mesh files among them
+  std::vector<SideFile> side_files;  ///< written together with the outputs
+  std::vector<NamedPath> inputs;     ///< further files that no output may overwrite
+  bool hash_files = false;           ///< fill WrittenFile::sha256
   /// Pieces that the program cuts loose: kept, with a warning, or dropped but for the largest, with
   /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
   KeepPieces keep = KeepPieces::all;
+  /// The moment at which the program ends: "12" (a line), "O100:7" (a line of another file) or
+  /// "#5000" (a motion), see src/until.h; empty: its end. The stock and the tools are those of the
+  /// whole program.
+  std::string until;
+  MachineData machine;  ///< what decides how long the program takes
   bool strict = false;  ///< warnings are errors
   /// Tolerance of the part in mm that the mesh will be judged by; 0 = none. Where neither a voxel
   /// nor a tolerance of the mesh is given, the mesh keeps to a quarter of it.
@@ -109,10 +152,15 @@ struct JobResult {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
   std::string tolerance_reason;
-  double mesh_bound = 0;  ///< mm: certified distance between mesh and part, 0 without tolerance
+  /// mm: certified distance between mesh and part; 0 where the voxel was given. By default it may
+  /// be that of the grid's triangles from the part; then mesh_usual holds for 99 % of them.
+  double mesh_bound = 0, mesh_usual = 0;
   std::size_t mesh_sampled =
       0;  ///< triangles of the mesh for which samples stand for a proof of it
+  std::size_t mesh_kept =
+      0;  ///< vertices that stay because the mesh would meet itself without them
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
+  CycleTime cycle;                  ///< how long the machine takes
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;    ///< 0 where none were sampled: CarveOptions::keep_grid
   CollisionReport collisions;       ///< each a warning among the diagnostics as well
@@ -127,14 +175,17 @@ struct JobResult {
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
   std::size_t peak_memory = 0;                                ///< bytes
   std::size_t expected_memory = 0;  ///< bytes, as estimated before the mesh was made
+  std::vector<WrittenFile> files;   ///< outputs, then side files, as far as they are complete
   bool ok = false;                  ///< false: the program has errors, nothing was written
 };
 
 /// The whole way from program to part. With any error in the program nothing is carved or written
 /// and `ok` is false. Throws Error for files, options and machines, "vdb-module" among them:
 /// for a .vdb, the module that samples voxels, mrsim/vdb.so beside the library, is missing or does
-/// not fit.
+/// not fit. No output may be an input or another output: Errors "output-is-input", "output-twice".
 MRSIM_API JobResult simulate(const Job& job);
+/// The same into `result`, which holds what was found until then when an Error is thrown.
+MRSIM_API void simulate(const Job& job, JobResult& result);
 
 /// "0.1.0"
 MRSIM_API const char* version();

@@ -8,12 +8,22 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace mrsim {
 
 /// Called now and then with the stage and the share done in [0, 1], from any thread but never from
 /// two at once. Returning false stops the run with Error "cancelled".
 using Progress = std::function<bool(const char* stage, double fraction)>;
+
+/// What G41 and G42 offset by when the program's D register is not in the tool table.
+enum class CompRadius : std::uint8_t {
+  automatic,  ///< the tool's own radius, with a warning
+  radius,     ///< the tool's own radius
+  wear,       ///< nothing: the program holds the path of the tool's centre, D is wear alone
+  off,        ///< nothing, whatever the table says
+};
 
 struct InterpOptions {
   /// The control whose words the program uses. Default: recognised from the text, with the reason
@@ -35,10 +45,19 @@ struct InterpOptions {
   /// FANUC: numbers without a decimal point count least increments (0.001 mm, 0.0001 inch) instead
   /// of millimetres.
   bool least_increments = false;
+  /// Radius compensation without a register.
+  CompRadius comp = CompRadius::automatic;
   /// A program that cuts and names no tool at all is an error; false (trace, check): a warning.
   bool require_tools = true;
   /// Blocks run in all, repeated subprograms included; more is the error "program-endless".
   std::uint64_t max_blocks = 4'000'000'000;
+  /// Jumps, passes of loops, calls and repeats in all; more is the error "program-endless".
+  std::uint64_t max_steps = 10'000'000;
+  /// Variables that have a value before the program starts: "R1", "#100", "#<_name>", and a number
+  /// or, for SINUMERIK, a text.
+  std::vector<std::pair<std::string, std::string>> variables;
+  /// Tell every assignment to the sink as it happens.
+  bool trace_variables = false;
 };
 
 struct StockOptions {
@@ -85,6 +104,11 @@ struct MeshOptions {
   /// Bytes of memory that a mesh with a tolerance may take while it is made, 0 = any amount; more,
   /// by an estimate from its first cells, is an Error "memory". simulate() sets it.
   std::size_t max_memory = 0;
+  /// Without a tolerance: measure how far the mesh is from the exact part. simulate() sets it.
+  bool measure = false;
+  /// Should a mesh within the tolerance take more than a fixed number of cells, or not be possible:
+  /// the grid of this voxel in mm, measured. 0 = none: that is an Error. simulate() sets it.
+  double fallback_voxel = 0;
   Progress progress;
 };
 

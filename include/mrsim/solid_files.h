@@ -20,6 +20,10 @@ MRSIM_API std::vector<std::vector<std::string>> read_program_lines(
     const OwnerTable& origin, const std::string& part,
     const std::vector<std::string>& folders = {});
 
+/// Where read_program_lines() looks for them: each place of each program, found or not.
+MRSIM_API std::vector<std::string> program_places(const OwnerTable& origin, const std::string& part,
+                                                  const std::vector<std::string>& folders = {});
+
 /// The deflection that suits a tolerance: a twentieth, in [0.0002, 0.005] mm; 0.001 without one.
 MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
 

@@ -90,7 +90,8 @@ class MRSIM_API PlacedError : public Error {
   Diagnostic diagnostic_;
 };
 
-enum class Dialect : std::uint8_t { automatic, sinumerik, iso, fanuc, codesys };
+/// `ngc` is LinuxCNC and what follows it: Grbl, Mach, Carbide.
+enum class Dialect : std::uint8_t { automatic, sinumerik, iso, fanuc, codesys, ngc };
 enum class MachineKind : std::uint8_t { automatic, mill, lathe };
 
 enum class MotionKind : std::uint8_t { rapid, line, arc };
@@ -166,7 +167,7 @@ struct ToolSegment {
 struct Tool {
   std::string id;  ///< "4", "ENDMILL_5"; empty for the tool of a program that names none
   ToolType type = ToolType::endmill;
-  double diameter = 0;  ///< milling
+  double diameter = 0;  ///< milling; turning: of a round insert
   double corner_radius = 0;
   double taper_angle = 0;  ///< radians, from the axis, per side
   double tip_angle = 0;    ///< radians, included
@@ -181,7 +182,7 @@ struct Tool {
   double nose_radius = 0;
   double lead_angle = 0;  ///< radians, between feed (-Z) and cutting edge
   double edge_length = 0;
-  double width = 0;  ///< grooving: width of the blade
+  double width = 0;  ///< grooving: width of the blade; tslot: height of the head
   bool left_hand = false;
   int tip = 0;                      ///< tip orientation 1..9 as on the control, 0 = by lead angle
   bool tip_is_nose_centre = false;  ///< the programmed point is the nose centre (orientation 9)

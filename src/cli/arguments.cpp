@@ -18,11 +18,16 @@ namespace {
 // Options as they are typed; they become values after parsing, so that all errors read alike.
 struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
-  std::string dialect, machine, start, block_skip;
+  std::string dialect, machine, start, block_skip, comp;
+  bool least_increments = false;
+  std::string until, machine_file;
+  std::vector<std::string> variables;
+  std::string max_blocks, max_steps;
+  bool trace_variables = false;
   std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
   std::string size, azimuth, elevation, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
-  bool help = false, version = false;
+  bool allow_outside = false, help = false, version = false;
   CompareTyped compare;
 };
 
@@ -42,12 +47,14 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
      "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
-     "       mrsim render PART       a picture of a mesh, without a display",
+     "       mrsim render PART       a picture of a mesh, without a display\n"
+     "       mrsim tools FILE        the tools of a table or library",
      "Examples:\n"
      "  mrsim PRIMER_2F.MPF --stock block.stl -o part.stl\n"
      "  mrsim pocket.nc --stock box:0,0,-20,80,60,0 --tool endmill:d=10 -o part.stl\n"
      "  mrsim shaft.mpf --stock cylinder:50,0,51 --tools tools.toml --voxel 0.1 -o shaft.stl\n\n"
-     "Exit: 0 done; 1 the program or a file has errors; 2 wrong usage; 3 a fault of mrsim.\n"
+     "Exit: 0 done; 1 the program or a file has errors; 2 wrong usage; 3 a fault of mrsim;\n"
+     "4 out of tolerance; 5 a collision under --strict; 130, 143 stopped by Ctrl-C, SIGTERM.\n"
      "Each command has its own --help. Manual: man mrsim, and docs/."},
     {Command::trace, "trace", "Prints what the control understood, one motion a line.",
      "mrsim trace PROGRAM [--json] [-o path.svg] [options]",
@@ -56,8 +63,9 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "  mrsim trace PRIMER_2F.MPF --json | jq .kind\n"
      "  mrsim trace PRIMER_2S.MPF -o path.svg"},
     {Command::check, "check", "Reads a program and prints its errors, warnings and notes.",
-     "mrsim check PROGRAM [options]",
+     "mrsim check PROGRAM|FOLDER|- ... [options]",
      "Examples:\n"
+     "  mrsim check --json programs/ | jq 'select(.kind==\"summary\")'\n"
      "  mrsim check PRIMER_2F.MPF\n"
      "  mrsim check --strict --dialect fanuc O0001.nc"},
     {Command::render, "render",
@@ -75,9 +83,10 @@ void add_program_options(CLI::App& app, Typed& typed) {
     app.add_option(name, value, text)->type_name(type)->group(group);
   };
   add("--dialect", typed.dialect, "D",
-      "sinumerik, iso, fanuc or codesys; default: recognised from the text");
+      "sinumerik, iso, fanuc, codesys or ngc; default: recognised from the text");
   add("--machine", typed.machine, "M", "mill or lathe; default: recognised");
-  app.add_option("--tools", typed.tools_files, "tools, registers and work offsets (tools.toml)")
+  app.add_option("--tools", typed.tools_files,
+                 "tools.toml, or a library: .tbl .camotics .json .tools .fctb .fctl")
       ->type_name("FILE")
       ->group(group)
       ->allow_extra_args(false);
@@ -88,6 +97,20 @@ void add_program_options(CLI::App& app, Typed& typed) {
       ->allow_extra_args(false);
   add("--start", typed.start, "X,Y,Z", "position before the first move, mm; default: unknown");
   add("--block-skip", typed.block_skip, "N,N", "skip blocks that begin with /N (/ is /0)");
+  add("--comp", typed.comp, "C",
+      "radius of G41/G42 without a register: radius (the tool's), wear (none: D is wear alone) or "
+      "off; default: radius, with a warning");
+  app.add_flag("--least-increments", typed.least_increments,
+               "FANUC: numbers without a point count 0.001 mm (0.0001 inch)")
+      ->group(group);
+  app.add_option("--set", typed.variables,
+                 "a variable before the program starts, such as R1=5 or '#100=2'; may be repeated")
+      ->type_name("V=N")
+      ->group(group)
+      ->allow_extra_args(false);
+  add("--max-blocks", typed.max_blocks, "N", "most blocks to run; default: 4000000000");
+  add("--max-steps", typed.max_steps, "N",
+      "most jumps, passes of loops and calls; default: 10000000");
   app.add_option("--path", typed.search_path, "also look for subprograms here; may be repeated")
       ->type_name("DIR")
       ->group(group)
@@ -109,6 +132,10 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "largest distance between mesh and exact part, mm");
   add("Cutting", "--keep", typed.keep, "K",
       "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
+  add("Cutting", "--until", typed.until, "WHEN",
+      "end the program after line 12, line O100:7 of another file, or motion #5000");
+  add("Cutting", "--machine-file", typed.machine_file, "FILE",
+      "TOML with a table [machine]: rapids, accelerations, for the cycle time");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -148,8 +175,15 @@ void add_output_options(CLI::App& app, Typed& typed, Command command) {
     app.add_flag("--programmed", typed.programmed,
                  "the contour instead of the compensated tool point")
         ->group(group);
+  if (command == Command::trace)
+    app.add_flag("--variables", typed.trace_variables, "show assignments as they happen")
+        ->group(group);
   if (command != Command::render)
     app.add_flag("--strict", typed.strict, "warnings are errors")->group(group);
+  if (command == Command::simulate)
+    app.add_flag("--allow-outside", typed.allow_outside,
+                 "let relative paths of a job lead out of its folder")
+        ->group(group);
   app.add_flag("-q,--quiet", typed.quiet, "print errors only")->group(group);
   app.add_flag("-v,--verbose", typed.verbose, "print more")->group(group);
   app.add_flag("-h,--help", typed.help, "print this and exit")->group(group);
@@ -203,9 +237,21 @@ void read_program_options(Arguments& out, const Typed& typed) {
   if (!typed.dialect.empty()) out.interp.dialect = dialect_value(typed.dialect);
   if (!typed.machine.empty()) out.interp.machine = machine_value(typed.machine);
   if (!typed.start.empty()) out.interp.start = point_value("--start", typed.start);
+  if (!typed.comp.empty()) out.interp.comp = comp_value(typed.comp);
+  out.interp.least_increments = typed.least_increments;
   if (!typed.block_skip.empty())
     out.interp.block_skip = skip_value("--block-skip", typed.block_skip);
   out.interp.search_path = typed.search_path;
+  for (const std::string& word : typed.variables) {
+    const std::size_t equal = word.find('=');
+    if (equal == word.npos || equal == 0 || equal + 1 == word.size())
+      fail_usage(fmt::format("--set {}: write a variable, = and its value, such as R1=5", word));
+    out.interp.variables.emplace_back(word.substr(0, equal), word.substr(equal + 1));
+  }
+  if (!typed.max_blocks.empty())
+    out.interp.max_blocks = count_value("--max-blocks", typed.max_blocks);
+  if (!typed.max_steps.empty()) out.interp.max_steps = count_value("--max-steps", typed.max_steps);
+  out.interp.trace_variables = typed.trace_variables;
   out.interp.programmed_contour = typed.programmed;
   ToolTable& table = out.interp.table;
   for (const std::string& spec : typed.tools) {
@@ -216,7 +262,10 @@ void read_program_options(Arguments& out, const Typed& typed) {
       fail_usage(fmt::format("--tool {}: this tool is given twice", spec));
   }
   for (const std::string& file : typed.tools_files) {
-    ToolTable more = load_tools(file);
+    std::vector<std::string> notes;
+    ToolTable more = load_tools(file, &notes);
+    for (const std::string& note : notes)
+      if (!typed.quiet) fmt::print(stderr, "note: {}\n", note);
     const std::size_t given = table.tools.size();
     // A tool on the command line is meant to replace the one in the file.
     for (Tool& tool : more.tools) {
@@ -236,9 +285,11 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
     out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
+  out.until = typed.until;
+  if (!typed.machine_file.empty()) out.machine = load_machine(typed.machine_file);
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.threads.empty()) {
-    const int threads = whole_value("--threads", typed.threads, 1, 4096);
+    const int threads = threads_value("--threads", typed.threads);
     out.carve.threads = out.mesh.threads = out.render.threads = threads;
   }
   if (!typed.color.empty()) out.files.color = out.render.color = color_value(typed.color);
@@ -264,12 +315,13 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
     fail_usage(fmt::format(
         "{} is missing; usage: {}", render ? "the part" : "the program",
         std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
-  if (typed.inputs.size() > 1)
+  if (typed.inputs.size() > 1 && line.command != Command::check)
     fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
   if (is_job(typed.inputs) && !render)
     fail_usage(
         fmt::format("{} takes a program; a job is run with: mrsim {}", line.word, typed.inputs[0]));
   out.input = typed.inputs[0];
+  out.inputs = typed.inputs;
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
   if (line.command == Command::trace && out.outputs.size() > 1)
@@ -286,6 +338,18 @@ void read_values(Arguments& out, const Typed& typed) {
   out.compare = compare_request(typed.compare);
   if (out.compare.options.accept && out.compare.nominal.empty())
     fail_usage("--accept judges against a nominal: --nominal part.step");
+  if (out.compare.nominal.empty())
+    for (const auto& [value, option] : {std::pair(typed.compare.deviation, "--deviation"),
+                                        {typed.compare.align, "--align"},
+                                        {typed.compare.density, "--density"},
+                                        {typed.compare.deflection, "--deflection"},
+                                        {typed.compare.colors, "--colors"}})
+      if (!value.empty())
+        fail_usage(fmt::format("{} needs a nominal to compare with: --nominal part.step", option));
+  for (const std::string& file : typed.tools_files) out.named_inputs.push_back({file, "--tools"});
+  if (!typed.machine_file.empty())
+    out.named_inputs.push_back({typed.machine_file, "--machine-file"});
+  if (!out.compare.nominal.empty()) out.named_inputs.push_back({out.compare.nominal, "--nominal"});
   read_program_options(out, typed);
 }
 
@@ -297,7 +361,9 @@ Arguments parse_job_command(const CommandLine& line, const std::string& path, in
   const std::vector<std::string> words = job_words(path, argc, argv);
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  return parse_command(line, static_cast<int>(pointers.size()), pointers.data());
+  Arguments out = parse_command(line, static_cast<int>(pointers.size()), pointers.data());
+  out.named_inputs.push_back({path, "the job"});
+  return out;
 }
 
 Arguments parse_command(const CommandLine& line, int argc, const char* const* argv) {

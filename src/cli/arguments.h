@@ -15,15 +15,19 @@ struct Arguments {
   Command command = Command::simulate;
   std::string help;  ///< text for Command::help
 
-  std::string input;                 ///< the program, or the part that render draws
-  InterpOptions interp;              ///< with the tools of --tools and --tool
-  std::vector<std::string> outputs;  ///< -o
+  std::string input;                    ///< the program, or the part that render draws
+  std::vector<std::string> inputs;      ///< check: programs and folders
+  InterpOptions interp;                 ///< with the tools of --tools and --tool
+  std::vector<std::string> outputs;     ///< -o
+  std::vector<NamedPath> named_inputs;  ///< files read besides `input` and `stock`
   std::string stock;
   StockOptions stock_options;
   CarveOptions carve;
   MeshOptions mesh;
   MeshFileOptions files;
   KeepPieces keep = KeepPieces::all;
+  std::string until;    ///< as Job::until
+  MachineData machine;  ///< of --machine-file
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal
   bool quiet = false, verbose = false, strict = false, json = false;

@@ -6,7 +6,12 @@
 
 namespace mrsim::cli {
 
-inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3;
+/// Exit codes: docs/reliability.md, table 1.
+inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejected = 4,
+                     kCollision = 5;
+
+/// What an Error that reaches main ends with; where the user stopped the run, that code.
+int exit_code_of(const Error& error);
 
 int run_simulate(const Arguments& arguments);
 int run_trace(const Arguments& arguments);

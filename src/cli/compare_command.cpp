@@ -1,14 +1,19 @@
 #include "cli/compare_command.h"
 
 #include "cli/commands.h"
+#include "cli/findings.h"
 #include "cli/option_values.h"
+#include "core/output_place.h"
+#include "core/publish.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include <mrsim/memory.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,20 +23,45 @@ namespace {
 
 constexpr const char* kUsageLine = "mrsim compare PART NOMINAL [options]";
 
-void write_text(const std::string& path, const std::string& text) {
-  write_file_atomically(path, [&](const ByteSink& out) { out(text.data(), text.size()); });
-}
-
-// Before any work, so that a long comparison is not lost to a missing folder.
-void check_compare_outputs(const CompareRequest& request) {
+void check_deviation_name(const CompareRequest& request) {
   const std::string& colored = request.deviation;
   const std::string end = std::filesystem::path(colored).extension().string();
   const std::array<std::string_view, 4> kept = {".ply", ".PLY", ".glb", ".GLB"};
   if (!colored.empty() && std::find(kept.begin(), kept.end(), end) == kept.end())
     fail_usage(fmt::format("{}: colours of deviation are kept by .ply and .glb", colored));
-  for (const std::string* path :
-       {&request.report, &request.json, &request.junit, &request.deviation})
-    if (!path->empty() && *path != "-") check_writable(*path);
+}
+
+std::vector<NamedPath> named_files(const CompareRequest& request) {
+  std::vector<NamedPath> out;
+  for (const NamedPath& file : {NamedPath{request.deviation, "-o"},
+                                {request.report, "--report"},
+                                {request.junit, "--junit"},
+                                {request.json, "--json"}})
+    if (!file.path.empty()) out.push_back(file);
+  return out;
+}
+
+// The files of `mrsim compare`, before any work, so that a long comparison is not lost to a
+// missing folder.
+void check_places(const CompareRequest& request) {
+  const std::vector<NamedPath> outputs = named_files(request);
+  std::vector<std::string> paths;
+  for (const NamedPath& output : outputs) {
+    check_writable(output.path);
+    paths.push_back(output.path);
+  }
+  const std::array<NamedPath, 2> inputs{
+      {{request.part, "the part"}, {request.nominal, "the nominal"}}};
+  refuse_overwrites(outputs, inputs);
+  recover_outputs(paths);
+}
+
+// The programs whose lines are read beside the part.
+void protect_programs(const CompareRequest& request, const OwnerTable& origin) {
+  std::vector<NamedPath> inputs;
+  for (const std::string& file : program_places(origin, request.part, request.folders))
+    inputs.push_back({file, "the program"});
+  refuse_overwrites(named_files(request), inputs);
 }
 
 TriMesh read_named(const CompareRequest& request, const std::string& path, std::string& note) {
@@ -44,19 +74,26 @@ void warn(const CompareRequest& request, const std::string& text) {
   if (!request.quiet) fmt::print(stderr, "{}\n", text);
 }
 
+// All of them or none.
 void write_results(const CompareRequest& request, const TriMesh& part, const TriMesh& nominal,
                    const Comparison& comparison, const ReportFacts& facts) {
-  const int threads = request.options.threads;
+  std::vector<OutputFile> files;
   if (!request.deviation.empty())
-    write_mesh(request.deviation,
-               deviation_mesh(part, nominal, comparison, request.scheme, threads));
-  if (!request.report.empty())
-    write_text(request.report, report_html(part, nominal, comparison, facts, threads));
-  if (!request.junit.empty()) write_text(request.junit, comparison_junit(comparison));
-  if (request.json == "-")
-    std::fputs(comparison_json(comparison).c_str(), stdout);
-  else if (!request.json.empty())
-    write_text(request.json, comparison_json(comparison));
+    files.push_back({request.deviation, [&](const ByteSink& sink) {
+                       write_deviation(request, part, nominal, comparison, sink);
+                     }});
+  const auto add = [&](const std::string& path, std::function<std::string()> text) {
+    if (!path.empty())
+      files.push_back({path, [text = std::move(text)](const ByteSink& sink) {
+                         const std::string bytes = text();
+                         sink(bytes.data(), bytes.size());
+                       }});
+  };
+  add(request.report,
+      [&] { return report_html(part, nominal, comparison, facts, request.options.threads); });
+  add(request.junit, [&] { return comparison_junit(comparison); });
+  add(request.json, [&] { return comparison_json(comparison); });
+  write_files_atomically(files);
 }
 
 Alignment alignment_value(const std::string& text) {
@@ -89,8 +126,12 @@ void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use) {
   if (picture) return;
   add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
   add("--report", typed.report, "FILE", "self-contained HTML page");
-  add("--json", typed.json, "FILE", "comparison as JSON, - for the standard output");
-  add("--junit", typed.junit, "FILE", "verdict and regions as JUnit XML");
+  add("--json", typed.json, "FILE",
+      use == CompareUse::run
+          ? "what the run did, comparison included, as JSON; - for the standard output"
+          : "comparison as JSON, - for the standard output");
+  add("--junit", typed.junit, "FILE",
+      use == CompareUse::run ? "the same as JUnit XML" : "verdict and regions as JUnit XML");
   add(use == CompareUse::run ? "--deviation" : "-o,--output", typed.deviation, "FILE",
       "part coloured by deviation: .ply or .glb");
 }
@@ -119,7 +160,7 @@ CompareRequest compare_request(const CompareTyped& typed) {
 
 NamedNominal prepare_comparison(const CompareRequest& request) {
   NamedNominal out;
-  check_compare_outputs(request);
+  check_deviation_name(request);
   if (request.nominal.empty()) return out;
   out.mesh = read_named(request, request.nominal, out.note);
   require_nominal(out.mesh, request.nominal, request.options.threads);
@@ -135,16 +176,18 @@ Comparison compare_named(const CompareRequest& request, const TriMesh& part,
   return out;
 }
 
-int finish_comparison(const CompareRequest& request, const TriMesh& part,
-                      const NamedNominal& nominal, const Comparison& comparison,
-                      const ReportFacts& facts) {
+void write_deviation(const CompareRequest& request, const TriMesh& part, const TriMesh& nominal,
+                     const Comparison& comparison, const ByteSink& sink) {
+  encode_mesh(deviation_mesh(part, nominal, comparison, request.scheme, request.options.threads),
+              request.deviation, sink);
+}
+
+int show_comparison(const CompareRequest& request, const NamedNominal& nominal,
+                    const Comparison& comparison) {
   if (!nominal.note.empty()) warn(request, nominal.note);
-  ReportFacts all = facts;
-  if (!nominal.note.empty()) all.facts.emplace_back("Nominal", nominal.note);
-  write_results(request, part, nominal.mesh, comparison, all);
   if (!request.quiet && request.json != "-")
     std::fputs(comparison_text(comparison).c_str(), stdout);
-  return comparison.accepted.value_or(true) ? kDone : kFailed;
+  return comparison.accepted.value_or(true) ? kDone : kRejected;
 }
 
 TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
@@ -159,7 +202,7 @@ TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
 int run_compare(int argc, const char* const* argv) {
   CompareTyped typed;
   std::vector<std::string> inputs;
-  std::string threads;
+  std::string threads, max_memory;
   bool help = false, quiet = false;
   CLI::App app(
       "Says where a part differs from its drawing, by how much, and which line is to blame.");
@@ -168,7 +211,7 @@ int run_compare(int argc, const char* const* argv) {
   app.footer(
       "\nExamples:\n  mrsim compare part.ply nominal.step --accept 0.02 --report r.html\n"
       "  mrsim compare part.3mf nominal.stl --accept -0.02,0.05 --json - | jq .verdict\n\n"
-      "Exit: 0 in tolerance, or no --accept; 1 out of tolerance or a bad file; 2 wrong usage.");
+      "Exit: 0 in tolerance, or no --accept; 1 a bad file; 2 wrong usage; 4 out of tolerance.");
   app.add_option("INPUT", inputs)->expected(0, -1)->group("");
   add_compare_options(app, typed, CompareUse::command);
   app.add_option("--path", typed.programs, "look for the programs here; may be repeated")
@@ -177,6 +220,8 @@ int run_compare(int argc, const char* const* argv) {
       ->allow_extra_args(false);
   app.add_option("--threads", threads, "default: all cores; the result is the same for any number")
       ->type_name("N");
+  app.add_option("--max-memory", max_memory, "refuse what would need more; default: what is free")
+      ->type_name("SIZE");
   app.add_flag("-q,--quiet", quiet, "print errors only");
   app.add_flag("-h,--help", help, "print this and exit");
   try {
@@ -195,20 +240,25 @@ int run_compare(int argc, const char* const* argv) {
   request.part = inputs[0];
   request.nominal = inputs[1];
   request.quiet = quiet;
-  if (!threads.empty()) request.options.threads = whole_value("--threads", threads, 1, 4096);
+  if (!threads.empty()) request.options.threads = threads_value("--threads", threads);
+  set_memory_limit(max_memory.empty() ? 0 : size_value("--max-memory", max_memory));
+  check_places(request);
   const NamedNominal nominal = prepare_comparison(request);
   ReportFacts facts;
   facts.title = std::filesystem::path(request.part).filename().string();
   std::string note;
   const TriMesh part = read_named(request, request.part, note);
   if (!note.empty()) warn(request, note);
+  protect_programs(request, part.origin);
   if (part.owners.empty())
     warn(request, request.part +
                       ": this file does not say which line cut which face, so no lines are named; "
                       ".ply, .glb, .3mf and .vdb do");
   const Comparison comparison = compare_named(request, part, nominal.mesh);
   facts.times = {{"compare", comparison.seconds}};
-  return finish_comparison(request, part, nominal, comparison, facts);
+  if (!nominal.note.empty()) facts.facts.emplace_back("Nominal", nominal.note);
+  write_results(request, part, nominal.mesh, comparison, facts);
+  return finish_output(show_comparison(request, nominal, comparison));
 }
 
 ReportFacts facts_of(const JobResult& result, const std::string& program) {

@@ -2,6 +2,7 @@
 
 #include <mrsim/job_file.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 
@@ -20,12 +21,15 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
 }  // namespace
 
 bool is_job(const std::vector<std::string>& inputs) {
-  return inputs.size() == 1 && std::filesystem::path(inputs[0]).extension() == ".toml";
+  if (inputs.size() != 1) return false;
+  const std::string extension = std::filesystem::path(inputs[0]).extension().string();
+  return extension == ".toml" || extension == ".camotics";
 }
 
 std::vector<std::string> job_words(const std::string& path, int argc, const char* const* argv) {
-  const JobFile job = load_job(path);
   const std::vector<std::string> typed(argv + 1, argv + argc);
+  const bool outside = std::find(typed.begin(), typed.end(), "--allow-outside") != typed.end();
+  const JobFile job = load_job(path, outside);
   std::vector<std::string> words = {argv[0], job.program};
   for (const JobOption& option : job.options) {
     if (is_typed(option.option, typed)) continue;

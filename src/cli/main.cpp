@@ -4,12 +4,16 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnostics.h"
+#include "cli/stop.h"
 #include "cli/terminal.h"
+#include "cli/tools_command.h"
 #include "core/heap.h"
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -45,18 +49,23 @@ int fail(const std::string& text, const char* code, int exit_code) {
 int run_guarded(int argc, const char* const* argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "compare") return run_compare(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
     return run(parse_arguments(argc, argv));
   } catch (const PlacedError& error) {
     std::fflush(stdout);
     std::fputs(format_diagnostic(error.diagnostic(), has_colours(stderr)).c_str(), stderr);
-    return error.kind() == Error::Kind::usage ? kUsage : kFailed;
+    return exit_code_of(error);
   } catch (const Error& error) {
-    const bool usage = error.kind() == Error::Kind::usage;
-    const int code = fail(error.what(), error.code().c_str(), usage ? kUsage : kFailed);
+    const int code = fail(error.what(), error.code().c_str(), exit_code_of(error));
     if (error.code() == "usage") std::fputs("Try: mrsim --help\n", stderr);
     return code;
   } catch (const std::bad_alloc&) {
-    return fail("memory ran out; a larger --voxel needs less", "memory", kFailed);
+    return fail("memory ran out; a larger --voxel or --tolerance needs less", "memory", kFailed);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return fail("the system gives no more threads: fewer --threads, or a higher limit of it",
+                  "threads", kFailed);
+    return fail(error.what(), "system", kFailed);
   } catch (const std::exception& error) {
     return fail(error.what(), "internal", kInternal);
   }
@@ -67,5 +76,7 @@ int run_guarded(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   mrsim::grow_heap_in_large_steps();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk
+  mrsim::cli::watch_signals();    // before there are other threads
   return mrsim::cli::run_guarded(argc, argv);
 }

@@ -4,6 +4,7 @@
 #include "core/text_io.h"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,9 @@
 
 namespace mrsim::cli {
 namespace {
+
+constexpr double kLargest = 1e6;  // mm
+constexpr int kMostThreads = 256;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -48,8 +52,9 @@ double number_value(const std::string& option, const std::string& text) {
 
 double positive_value(const std::string& option, const std::string& text) {
   const double value = number_value(option, text);
-  if (!(value > 0) || value > 1e6)
-    fail_usage(fmt::format("{} {} must be above 0, in mm", option, text));
+  if (!(value > 0)) fail_usage(fmt::format("{} {} must be above 0, in mm", option, text));
+  if (value > kLargest)
+    fail_usage(fmt::format("{} {} is too large: at most {:g} mm", option, text, kLargest));
   return value;
 }
 
@@ -58,6 +63,19 @@ int whole_value(const std::string& option, const std::string& text, int low, int
   if (value < low || value > high || value != static_cast<int>(value))
     fail_usage(fmt::format("{} {} must be a whole number from {} to {}", option, text, low, high));
   return static_cast<int>(value);
+}
+
+std::uint64_t count_value(const std::string& option, const std::string& text) {
+  const double value = number_value(option, text);
+  if (!(value >= 1 && value <= 1e15) || value != std::floor(value))
+    fail_usage(fmt::format("{} must be a whole number from 1 to 1e15, not {}", option, text));
+  return static_cast<std::uint64_t>(value);
+}
+
+int threads_value(const std::string& option, const std::string& text) {
+  if (number_value(option, text) > kMostThreads)
+    fail_usage(fmt::format("{} {} are too many threads: {} at most", option, text, kMostThreads));
+  return whole_value(option, text, 1, kMostThreads);
 }
 
 Vec3 point_value(const std::string& option, const std::string& text) {
@@ -93,14 +111,21 @@ bool on_off_value(const std::string& option, const std::string& text) {
 }
 
 Dialect dialect_value(const std::string& text) {
-  return choice<Dialect, 5>(
-      "--dialect", text, {"sinumerik", "iso", "fanuc", "codesys", "auto"},
-      {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys, Dialect::automatic});
+  return choice<Dialect, 6>("--dialect", text,
+                            {"sinumerik", "iso", "fanuc", "codesys", "ngc", "auto"},
+                            {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys,
+                             Dialect::ngc, Dialect::automatic});
 }
 
 MachineKind machine_value(const std::string& text) {
   return choice<MachineKind, 3>("--machine", text, {"mill", "lathe", "auto"},
                                 {MachineKind::mill, MachineKind::lathe, MachineKind::automatic});
+}
+
+CompRadius comp_value(const std::string& text) {
+  return choice<CompRadius, 4>(
+      "--comp", text, {"auto", "radius", "wear", "off"},
+      {CompRadius::automatic, CompRadius::radius, CompRadius::wear, CompRadius::off});
 }
 
 ColorBy color_value(const std::string& text) {

@@ -21,6 +21,10 @@ double number_value(const std::string& option, const std::string& text);
 /// A number above 0, mm.
 double positive_value(const std::string& option, const std::string& text);
 int whole_value(const std::string& option, const std::string& text, int low, int high);
+/// A whole number from 1 to 1e15.
+std::uint64_t count_value(const std::string& option, const std::string& text);
+/// 1 to 256.
+int threads_value(const std::string& option, const std::string& text);
 /// "X,Y,Z"
 Vec3 point_value(const std::string& option, const std::string& text);
 /// Bytes: "4G", "500M", "1048576"; units K M G T are powers of 1024.
@@ -28,6 +32,7 @@ std::size_t size_value(const std::string& option, const std::string& text);
 bool on_off_value(const std::string& option, const std::string& text);
 Dialect dialect_value(const std::string& text);
 MachineKind machine_value(const std::string& text);
+CompRadius comp_value(const std::string& text);
 ColorBy color_value(const std::string& text);
 KeepPieces keep_value(const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.

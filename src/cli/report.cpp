@@ -33,50 +33,12 @@ class Sheet {
   std::string out_;
 };
 
-const char* dialect_name(Dialect dialect) {
-  switch (dialect) {
-    case Dialect::sinumerik:
-      return "SINUMERIK";
-    case Dialect::iso:
-      return "ISO";
-    case Dialect::fanuc:
-      return "FANUC";
-    case Dialect::codesys:
-      return "CODESYS";
-    case Dialect::automatic:
-      break;
-  }
-  return "unknown";
-}
-
-const char* machine_name(MachineKind kind) {
-  return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
-}
-
 const char* tool_name(ToolType type) {
   constexpr const char* kNames[] = {
       "end mill",       "ball mill",      "bull-nose mill", "chamfer mill",    "taper mill",
       "drill",          "T-slot mill",    "lollipop mill",  "barrel mill",     "form mill",
       "turning insert", "grooving blade", "boring bar",     "threading insert"};
   return kNames[static_cast<std::size_t>(type)];
-}
-
-std::string tool_text(const Tool& tool) {
-  std::string text = tool_name(tool.type);
-  if (is_turning(tool.type)) {
-    if (!tool.insert.empty()) text += " " + tool.insert;
-    if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));
-    if (tool.lead_angle > 0) text += fmt::format(", lead {:.4g}°", degrees(tool.lead_angle));
-    if (tool.edge_length > 0) text += fmt::format(", edge {:.6g} mm", tool.edge_length);
-    text += tool.nose_radius > 0 ? fmt::format(", nose radius {:.6g} mm", tool.nose_radius)
-                                 : std::string(", sharp");
-    return text;
-  }
-  if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
-  if (tool.corner_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.corner_radius);
-  text += tool.flute_length > 0 ? fmt::format(", flutes {:.6g} mm", tool.flute_length)
-                                : std::string(", cuts up to the stock's top");
-  return text;
 }
 
 std::string plural(std::size_t n, const char* word) {
@@ -102,8 +64,13 @@ double printed_bound(double bound) {
 
 std::string bound_text(const JobResult& result) {
   if (!(result.mesh_bound > 0)) return "";
-  const std::string bound =
+  std::string bound =
       fmt::format(", within {:.2g} mm of the exact part", printed_bound(result.mesh_bound));
+  // Of a measured mesh the triangles are near the part; parts without a triangle are not told of.
+  if (result.mesh_usual > 0)
+    bound =
+        fmt::format(", measured: each within {:.2g} mm of the exact part, 99 % within {:.2g} mm",
+                    printed_bound(result.mesh_bound), printed_bound(result.mesh_usual));
   if (result.mesh_sampled == 0) return bound;
   return bound + fmt::format(", by samples on {} of them",
                              grouped(static_cast<double>(result.mesh_sampled), 0));
@@ -118,6 +85,9 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.triangles), 0),
             "closed, oriented, 2-manifold" + bound_text(result));
+  if (result.mesh_kept > 0)
+    sheet.row("", grouped(static_cast<double>(result.mesh_kept), 0) + " vertices kept",
+              "the mesh would meet itself without them");
   if (result.pieces.size() > 1)
     sheet.row("pieces", grouped(static_cast<double>(result.pieces.size()), 0),
               result.pieces[1].kept ? "all kept" : "the largest kept");
@@ -134,6 +104,32 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
   }
 }
 
+// "1 h 02 min", "3 min 07 s", "12.4 s"
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
+  const CycleTime& t = result.cycle;
+  std::string parts = fmt::format("cutting {}, rapids {}", duration(t.cutting), duration(t.rapid));
+  if (t.tool_changes > 0)
+    parts += fmt::format(", {} {}", plural(t.tool_changes, "tool change"), duration(t.tool_change));
+  if (t.spindle > 0) parts += fmt::format(", spindle {}", duration(t.spindle));
+  if (t.without_feed > 0) parts += fmt::format("; {} have no feed", plural(t.without_feed, "cut"));
+  const std::string& origin = arguments.machine.origin;
+  sheet.row("cycle", duration(t.total),
+            parts + "; " + (origin.empty() ? "a usual machine: --machine-file" : origin));
+  if (t.tools.size() < 2 && !arguments.verbose) return;
+  for (const ToolTime& tool : t.tools)
+    if (tool.tool >= 0)
+      sheet.row("",
+                fmt::format("T{}  {}", result.program.tools[static_cast<std::size_t>(tool.tool)].id,
+                            duration(tool.cutting + tool.rapid)));
+}
+
 void add_time(Sheet& sheet, const JobResult& result) {
   double total = 0;
   std::string stages;
@@ -147,6 +143,46 @@ void add_time(Sheet& sheet, const JobResult& result) {
 }
 
 }  // namespace
+
+const char* dialect_name(Dialect dialect) {
+  switch (dialect) {
+    case Dialect::sinumerik:
+      return "SINUMERIK";
+    case Dialect::iso:
+      return "ISO";
+    case Dialect::fanuc:
+      return "FANUC";
+    case Dialect::codesys:
+      return "CODESYS";
+    case Dialect::ngc:
+      return "LinuxCNC";
+    case Dialect::automatic:
+      break;
+  }
+  return "unknown";
+}
+
+const char* machine_name(MachineKind kind) {
+  return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
+}
+
+std::string tool_text(const Tool& tool) {
+  std::string text = tool_name(tool.type);
+  if (is_turning(tool.type)) {
+    if (!tool.insert.empty()) text += " " + tool.insert;
+    if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));
+    if (tool.lead_angle > 0) text += fmt::format(", lead {:.4g}°", degrees(tool.lead_angle));
+    if (tool.edge_length > 0) text += fmt::format(", edge {:.6g} mm", tool.edge_length);
+    text += tool.nose_radius > 0 ? fmt::format(", nose radius {:.6g} mm", tool.nose_radius)
+                                 : std::string(", sharp");
+    return text;
+  }
+  if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
+  if (tool.corner_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.corner_radius);
+  text += tool.flute_length > 0 ? fmt::format(", flutes {:.6g} mm", tool.flute_length)
+                                : std::string(", cuts up to the stock's top");
+  return text;
+}
 
 std::string grouped(double value, int decimals) {
   std::string digits = fmt::format("{:.{}f}", std::fabs(value), decimals);
@@ -182,11 +218,14 @@ std::string format_report(const Arguments& arguments, const JobResult& result, b
   sheet.row("voxel", fmt::format("{:.6g} mm", result.voxel), result.voxel_reason);
   if (result.tolerance > 0)
     sheet.row("tolerance", fmt::format("{:.6g} mm", result.tolerance), result.tolerance_reason);
+  else if (!result.tolerance_reason.empty())
+    sheet.row("tolerance", "as the voxels give", result.tolerance_reason);
   sheet.row("motions",
             fmt::format("{} cut, {}", grouped(static_cast<double>(result.cutting_motions), 0),
                         plural(result.rapid_motions, "rapid")),
             fmt::format("{}, {}", plural(result.line_motions, "line"),
                         plural(result.arc_motions, "arc")));
+  add_cycle(sheet, arguments, result);
   sheet.title("part");
   add_part(sheet, arguments, result);
   add_time(sheet, result);

@@ -15,6 +15,11 @@ std::string format_report(const Arguments& arguments, const JobResult& result, b
 /// Dialect, machine, tools of a program, and (verbose) the modes it starts in.
 std::string format_program(const Program& program, bool verbose, bool colours);
 
+/// "SINUMERIK"; "mill".
+const char* dialect_name(Dialect dialect);
+const char* machine_name(MachineKind kind);
+/// "end mill Ø5, flutes 20 mm"
+std::string tool_text(const Tool& tool);
 /// "58 782.63": thousands apart, as in the project's documents.
 std::string grouped(double value, int decimals);
 /// "1.5 MB"

@@ -1,7 +1,8 @@
 #include "cli/terminal.h"
 
+#include "cli/stop.h"
+
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -10,10 +11,6 @@
 
 namespace mrsim::cli {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void on_interrupt(int) { interrupted = 1; }
 
 const char* escape_of(Style style) {
   switch (style) {
@@ -98,18 +95,11 @@ bool ProgressBar::update(const char* stage, double fraction) {
     drawn_ = true;
     last_ = now;
   }
-  return interrupted == 0;
+  return stop_code() == 0;
 }
 
 Progress ProgressBar::callback() {
   return [this](const char* stage, double fraction) { return update(stage, fraction); };
-}
-
-void catch_interrupt() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;
-  action.sa_flags = SA_RESETHAND;
-  ::sigaction(SIGINT, &action, nullptr);
 }
 
 }  // namespace mrsim::cli

@@ -32,7 +32,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  /// Draws, and says whether to go on: false once the user has pressed Ctrl-C.
+  /// Draws, and says whether to go on: false once the user has stopped the run.
   bool update(const char* stage, double fraction);
   void clear();
   Progress callback();
@@ -43,8 +43,5 @@ class ProgressBar {
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_, last_;
 };
-
-/// From now on Ctrl-C ends the run in order (no temporary file stays); a second one kills it.
-void catch_interrupt();
 
 }  // namespace mrsim::cli

@@ -5,20 +5,25 @@
 #include "compare/regions.h"
 #include "compare/sampling.h"
 #include "compare/volumes.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 #include <mrsim/compare.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
 constexpr std::size_t kHausdorffPieces = 300'000;
 constexpr std::size_t kIcpPoints = 20000;
+// Bytes, as measured (docs/limits.md).
+constexpr double kSampleBytes = 80, kTriangleBytes = 400;
 
 void validate(const CompareOptions& o) {
   const auto usage = [](const std::string& code, const std::string& text) {
@@ -121,6 +126,12 @@ bool within(const DeviationFigures& f, const Acceptance& band) {
 void fill_deviations(const TriMesh& part, const TriMesh& nominal,
                      const NominalSurface& nominal_surface, const CompareOptions& options,
                      const std::vector<std::vector<std::string>>& texts, Comparison& out) {
+  const std::size_t points =
+      sample_count(options, surface_area(part)) + sample_count(options, surface_area(nominal));
+  require_memory(kSampleBytes * double(points) +
+                     kTriangleBytes * double(part.triangles.size() + nominal.triangles.size()),
+                 fmt::format("a comparison at {} points", points),
+                 "a smaller --density or a coarser mesh takes less");
   const NominalSurface part_surface(part, options.threads);
   out.memory = nominal_surface.memory() + part_surface.memory();
   SurfaceSamples samples = sample_surface(part, sample_count(options, surface_area(part)));

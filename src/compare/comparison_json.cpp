@@ -2,6 +2,8 @@
 #include "core/text_io.h"
 #include <mrsim/compare.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 namespace mrsim {
@@ -107,6 +109,8 @@ std::string comparison_json(const Comparison& c) {
            {"verdict", !c.accepted   ? "none"
                        : *c.accepted ? "accepted"
                                      : "rejected"},
+           {"proven",
+            c.accepted && (!*c.accepted || c.hausdorff.upper <= std::min(-c.band.lo, c.band.hi))},
            {"tolerance", {{"lo", number(c.band.lo)}, {"hi", number(c.band.hi)}}},
            {"align", kAlign[std::size_t(c.align)]},
            {"transform", transform_json(c.transform)},

@@ -58,13 +58,23 @@ std::string transform_text(const Comparison& c) {
       r[2].z);
 }
 
+// Whether the bound of the largest distance alone decides the verdict.
+bool is_proven(const Comparison& c) {
+  return !*c.accepted || c.hausdorff.upper <= std::min(-c.band.lo, c.band.hi);
+}
+
 std::string verdict_text(const Comparison& c) {
   if (!c.accepted)
     return fmt::format("No tolerance was given (--accept): regions are beyond {:+g} .. {:+g} mm\n",
                        c.band.lo, c.band.hi);
-  return fmt::format("{}: tolerance {:+g} .. {:+g} mm, found {:+.4f} .. {:+.4f} mm\n",
-                     *c.accepted ? "ACCEPTED" : "REJECTED", c.band.lo, c.band.hi,
-                     std::min(c.part.min, c.nominal.min), std::max(c.part.max, c.nominal.max));
+  std::string out =
+      fmt::format("{}: tolerance {:+g} .. {:+g} mm, found {:+.4f} .. {:+.4f} mm",
+                  *c.accepted ? "ACCEPTED" : "REJECTED", c.band.lo, c.band.hi,
+                  std::min(c.part.min, c.nominal.min), std::max(c.part.max, c.nominal.max));
+  if (*c.accepted && !is_proven(c))
+    out += fmt::format("; by samples: proven is that no distance exceeds {:.4f} mm",
+                       c.hausdorff.upper);
+  return out + "\n";
 }
 
 std::string xml(const std::string& text) { return xml_escaped(to_utf8(text)); }

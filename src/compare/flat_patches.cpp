@@ -1,7 +1,7 @@
 #include "compare/flat_patches.h"
 
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,8 @@ struct Verdict {
   }
 };
 
-// Distances to a convex set are convex, so no point of the piece is farther from t.
+// The distance from a convex set is a convex function: no point of the piece is farther from t than
+// its farthest corner.
 double farthest_corner(const TriangleTree::Corners& t, const TrianglePiece& piece) {
   double most = 0;
   for (const Vec3& p : piece)

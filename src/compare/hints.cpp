@@ -3,7 +3,7 @@
 #include "compare/align.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/half_edges.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,8 +150,12 @@ double require_comparable(const TriMesh& mesh, const std::string& role, const st
   if (mesh.triangles.empty() || mesh.vertices.empty())
     throw Error("compare-empty", who + " has no triangles: there is nothing to compare");
   for (const auto& v : mesh.vertices)
-    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
-      throw Error("compare-not-finite", who + " has a vertex that is not a finite number");
+    for (const float x : v) {
+      if (!std::isfinite(x))
+        throw Error("compare-not-finite", who + " has a vertex that is not a finite number");
+      if (std::fabs(x) > detail::kFarthest)
+        throw Error("compare-too-far", who + " has " + detail::too_far(double(x)));
+    }
   try {
     require_solid(mesh, who, threads);
   } catch (const Error& error) {

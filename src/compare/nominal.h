@@ -42,8 +42,9 @@ class NominalSurface {
   std::vector<std::uint8_t> doubtful_;  ///< #F or empty: bit f is set where feature f needs winding
 };
 
-/// Throws Error "compare-empty", "compare-not-finite" or "compare-<role>-open" unless the mesh
-/// bounds a solid. `role` is "part" or "nominal". Returns its signed volume in mm^3.
+/// Throws Error "compare-empty", "compare-not-finite", "compare-too-far" (10 km) or
+/// "compare-<role>-open" unless the mesh bounds a solid. `role` is "part" or "nominal". Returns its
+/// signed volume in mm^3.
 double require_comparable(const TriMesh& mesh, const std::string& role, const std::string& name,
                           int threads = 0);
 

@@ -1,7 +1,7 @@
 #include "compare/regions.h"
 
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +185,7 @@ void blame_cutters(const std::vector<std::uint32_t>& members, const Both& both,
   }
 }
 
-// Material that no line touched: the lines whose cuts come nearest to it.
+// For material that no line has touched: the lines whose cuts come nearest to it.
 void blame_neighbours(const std::vector<std::uint32_t>& members, const Both& both,
                       const CutSurface& cut, DeviationRegion& region) {
   std::map<LineKey, double> found;

@@ -10,7 +10,7 @@
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 #include <mrsim/compare.h>
 
 #include <algorithm>

@@ -1,17 +1,20 @@
 #include "compare/sampling.h"
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
 
 constexpr double kRatio1 = 0.7548776662466927, kRatio2 = 0.5698402909980532;  // 1/g, 1/g^2, g^3=g+1
-constexpr std::size_t kMostSamples = 50'000'000;
+constexpr std::size_t kMostSamples = 5'000'000;
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -65,6 +68,13 @@ double surface_area(const TriMesh& mesh) {
 
 std::size_t sample_count(const CompareOptions& options, double area) {
   const double wanted = options.density > 0 ? options.density * area : double(options.samples);
+  if (options.density > 0 && wanted > double(kMostSamples))
+    throw Error(
+        "density-too-large",
+        fmt::format("{:g} samples per mm2 are {:.3g} on a surface of {:.6g} mm2; at most "
+                    "{} are taken, {:.3g} per mm2",
+                    options.density, wanted, area, kMostSamples, double(kMostSamples) / area),
+        Error::Kind::usage);
   return static_cast<std::size_t>(std::clamp(std::ceil(wanted), 100.0, double(kMostSamples)));
 }
 
@@ -140,7 +150,7 @@ Histogram histogram_of(const DeviationField& field, const Acceptance& band) {
   Histogram out{band.lo - 20 * width, band.hi + 20 * width, std::vector<double>(kBins, 0.0)};
   for (std::size_t i = 0; i < field.samples.spread; ++i) {
     const double at = (field.hits[i].distance - out.lo) / width;
-    const int bin = at < 0 ? 0 : at >= kBins ? kBins - 1 : int(at);
+    const int bin = at >= kBins ? kBins - 1 : at > 0 ? int(at) : 0;
     out.share[std::size_t(bin)] += 1.0 / double(field.samples.spread);
   }
   return out;

@@ -22,7 +22,8 @@ struct SurfaceSamples {
 /// tiny ones share samples. A function of the mesh alone.
 SurfaceSamples sample_surface(const TriMesh& mesh, std::size_t count);
 
-/// Number of samples that the options ask for on a surface of this area, at most 50 million.
+/// Number of samples that the options ask for on a surface of this area, at most 5 million: a
+/// density that gives more is an Error "density-too-large".
 std::size_t sample_count(const CompareOptions& options, double area);
 
 /// Samples of one surface with their signed deviation, positive = material left.

@@ -1,15 +1,20 @@
 // STEP files through the module that reads them, opened when the first one is asked for.
 #include "compare/step/module.h"
+#include "core/child_process.h"
 #include "core/module.h"
 #include "core/text_io.h"
-#include "mesh/check.h"
-#include "mesh/weld.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/weld.h"
 #include <mrsim/solid_files.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace mrsim {
 namespace {
@@ -42,20 +47,78 @@ TriMesh weld_facets(const StepFacets& facets) {
 }
 
 // A file that is no STEP never reaches the module, whose messages for such files say little.
-void require_step_header(const std::string& path) {
-  const std::string head = read_file(path).substr(0, 4096);
+// The size of the file.
+std::size_t require_step_header(const std::string& path) {
+  const std::string text = read_file(path);
+  const std::string head = text.substr(0, 4096);
   if (head.find("ISO-10303-21") == std::string::npos)
     throw Error("step-unreadable", path + " is not a STEP file: it has no ISO-10303-21 header");
+  return text.size();
 }
 
+// What goes through the pipe before the texts, points and triangles.
+struct FacetHeader {
+  std::uint64_t code = 0, text = 0, points = 0, triangles = 0;
+};
+
+void send_facets(const StepFacets& facets, const ByteSink& sink) {
+  const std::string code = facets.code ? facets.code : "", text = facets.text ? facets.text : "";
+  const FacetHeader header{code.size(), text.size(), facets.point_count, facets.triangle_count};
+  sink(&header, sizeof header);
+  sink(code.data(), code.size());
+  sink(text.data(), text.size());
+  sink(facets.points, facets.point_count * 3 * sizeof(float));
+  sink(facets.triangles, facets.triangle_count * 3 * sizeof(std::uint32_t));
+}
+
+// Empty where the bytes are not what their header says: a process that died while it wrote.
+std::optional<TriMesh> receive_facets(const std::string& bytes, const std::string& path) {
+  FacetHeader header;
+  if (bytes.size() < sizeof header) return std::nullopt;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  const std::size_t point_bytes = header.points * 3 * sizeof(float);
+  const std::size_t index_bytes = header.triangles * 3 * sizeof(std::uint32_t);
+  if (bytes.size() != sizeof header + header.code + header.text + point_bytes + index_bytes)
+    return std::nullopt;
+  const char* at = bytes.data() + sizeof header;
+  const std::string code(at, header.code), text(at + header.code, header.text);
+  if (!code.empty()) throw Error(code, path + text);
+  at += header.code + header.text;
+  std::vector<float> points(header.points * 3);
+  std::vector<std::uint32_t> triangles(header.triangles * 3);
+  if (point_bytes > 0) std::memcpy(points.data(), at, point_bytes);
+  if (index_bytes > 0) std::memcpy(triangles.data(), at + point_bytes, index_bytes);
+  StepFacets facets;
+  facets.points = points.data();
+  facets.point_count = header.points;
+  facets.triangles = triangles.data();
+  facets.triangle_count = header.triangles;
+  return weld_facets(facets);
+}
+
+// Open CASCADE crashes on some damaged files, or never ends: it reads in a process of its own.
 TriMesh read_solids(const std::string& path, double deflection) {
-  require_step_header(path);
+  const std::size_t size = require_step_header(path);
   static const StepModule module;
-  const std::unique_ptr<const StepFacets, FreeStepFacets*> facets(
-      module.read(path.c_str(), deflection), module.free);
-  if (!facets) throw std::bad_alloc();
-  if (facets->code) throw Error(facets->code, path + facets->text);
-  return weld_facets(*facets);
+  ChildLimits limits;
+  limits.seconds = 120 + static_cast<int>(std::min<std::size_t>(size >> 20, 1000)) * 30;
+  limits.bytes = (std::size_t(2) << 30) + 400 * size;
+  const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {
+    const StepFacets* facets = module.read(path.c_str(), deflection);
+    if (facets == nullptr) throw std::bad_alloc();
+    send_facets(*facets, sink);
+    module.free(facets);
+  });
+  using End = ChildOutcome::End;
+  if (outcome.end == End::done)
+    if (std::optional<TriMesh> mesh = receive_facets(outcome.bytes, path)) return *std::move(mesh);
+  throw Error("step-unreadable",
+              path +
+                  (outcome.end == End::too_long ? ": Open CASCADE takes too long to read it"
+                   : outcome.end == End::out_of_memory
+                       ? ": Open CASCADE takes too much memory to read it"
+                       : ": the file is damaged: Open CASCADE crashed while it read it") +
+                  "; export it again, or as STL or 3MF");
 }
 
 #else

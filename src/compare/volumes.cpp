@@ -2,7 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second, 
   const double outline = (box.hi.x - box.lo.x) * (box.hi.y - box.lo.y), n = double(rays);
   const auto spread = [&](double s, double q) { return std::sqrt(std::max(0.0, q - s * s / n)); };
   const double worst = std::max(spread(sum.first, square.first), spread(sum.second, square.second));
-  // Of independent rays; those of the sequence do better.
+  // The error for independent rays; rays of the low-discrepancy sequence do better.
   return {outline * sum.first / n, outline * sum.second / n, outline * worst / n};
 }
 

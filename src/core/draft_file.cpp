@@ -1,14 +1,19 @@
 #include "core/draft_file.h"
 
 #include "core/error.h"
-#include "core/text_io.h"
+#include "core/publish.h"
+#include "core/scratch_file.h"
+#include "core/sha256.h"
+#include "core/stream_end.h"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,43 +24,29 @@ constexpr std::size_t kSmall = std::size_t(1) << 16;      // bytes: pieces that 
 constexpr std::size_t kBuffer = std::size_t(1) << 20;     // and written together
 constexpr std::uint64_t kStart = std::uint64_t(8) << 20;  // written out together
 
-std::string folder_of(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
-}
-
 // The link by which a file without a name gets one.
 std::string link_of(int fd) { return fmt::format("/proc/self/fd/{}", fd); }
 
-void sync_folder(const std::string& folder) {
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return;
-  ::fsync(fd);  // best effort: some file systems refuse to sync a folder
-  ::close(fd);
-}
-
 }  // namespace
 
-DraftFile::DraftFile(const std::string& path) : path_(path) {
-  check_writable(path);
-  const std::string folder = folder_of(path);
-  if (open_nameless(folder)) return;
-  name_ = folder + "/.mrsim-XXXXXX";
-  fd_ = ::mkostemp(name_.data(), O_CLOEXEC);
-  if (fd_ < 0) {
-    name_.clear();
-    fail(errno);
+DraftFile::DraftFile(const std::string& path) : place_(output_place(path)) {
+  if (place_.kind == OutputPlace::Kind::file) {
+    if (!open_nameless(place_.folder)) open_named();
+    return;
   }
+  if (open_nameless(temporary_folder())) return;
+  fd_ = ::memfd_create("mrsim", MFD_CLOEXEC);
+  if (fd_ < 0) fail(errno);
 }
 
 DraftFile::~DraftFile() {
-  if (fd_ >= 0) ::close(fd_);
   if (!name_.empty()) ::unlink(name_.c_str());
+  if (fd_ >= 0) ::close(fd_);
 }
 
 bool DraftFile::open_nameless(const std::string& folder) {
 #ifdef O_TMPFILE
-  fd_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  fd_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (fd_ >= 0 && ::access(link_of(fd_).c_str(), F_OK) == 0) return true;
   if (fd_ >= 0) ::close(fd_);
   fd_ = -1;
@@ -65,9 +56,21 @@ bool DraftFile::open_nameless(const std::string& folder) {
   return false;
 }
 
-void DraftFile::fail(int error) const {
-  throw Error(error == ENOSPC ? "output-full" : "output-unwritable",
-              fmt::format("cannot write {}: {}", path_, std::strerror(error)));
+// Locked as long as this process lives: a next run removes the drafts of dead ones. One that is
+// removed before it could be locked is made again.
+void DraftFile::open_named() {
+  for (;;) {
+    name_ = place_.folder + "/.mrsim-XXXXXX";
+    fd_ = ::mkostemp(name_.data(), O_CLOEXEC);
+    if (fd_ < 0) {
+      name_.clear();
+      fail(errno);
+    }
+    ::flock(fd_, LOCK_EX | LOCK_NB);
+    struct stat info {};
+    if (::fstat(fd_, &info) == 0 && info.st_nlink > 0) return;
+    ::close(fd_);
+  }
 }
 
 void DraftFile::write_at(const char* data, std::size_t size, std::uint64_t offset) {
@@ -122,26 +125,56 @@ void DraftFile::clear() {
 
 void DraftFile::finish() {
   flush();
+  if (place_.kind == OutputPlace::Kind::stream) return;
   // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
   struct stat old {};
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  const mode_t mode = ::stat(path_.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
+  const mode_t mode = ::stat(place_.path.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
   if (::fchmod(fd_, mode) != 0 || ::fsync(fd_) != 0) fail(errno);
 }
 
-void DraftFile::publish() {
-  const std::string folder = folder_of(path_);
-  for (int number = 0; name_.empty(); ++number) {
-    std::string name = fmt::format("{}/.mrsim-{}-{}", folder, ::getpid(), number);
-    if (::linkat(AT_FDCWD, link_of(fd_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
-      name_ = std::move(name);
-    else if (errno != EEXIST)
-      fail(errno);
+std::size_t DraftFile::read_at(char* data, std::size_t size, std::uint64_t offset) const {
+  for (;;) {
+    const ssize_t n = ::pread(fd_, data, size, static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(errno);
+    return static_cast<std::size_t>(n);
   }
-  if (::rename(name_.c_str(), path_.c_str()) != 0) fail(errno);
+}
+
+std::string DraftFile::sha256() const {
+  Sha256 hash;
+  std::vector<char> piece(kBuffer);
+  std::uint64_t at = 0;
+  while (const std::size_t n = read_at(piece.data(), piece.size(), at)) {
+    hash.update(piece.data(), n);
+    at += n;
+  }
+  return hash.hex();
+}
+
+void DraftFile::publish() {
+  DraftFile* const alone[] = {this};
+  mrsim::publish(alone);
+}
+
+void DraftFile::name_as(const std::string& name) {
+  const int failed = name_.empty() ? ::linkat(AT_FDCWD, link_of(fd_).c_str(), AT_FDCWD,
+                                              name.c_str(), AT_SYMLINK_FOLLOW)
+                                   : ::rename(name_.c_str(), name.c_str());
+  if (failed != 0) fail(errno);
   name_.clear();
-  sync_folder(folder);
+}
+
+void DraftFile::pour() const {
+  StreamEnd end(place_);
+  std::vector<char> piece(kBuffer);
+  std::uint64_t at = 0;
+  while (const std::size_t n = read_at(piece.data(), piece.size(), at)) {
+    end.write(piece.data(), n);
+    at += n;
+  }
 }
 
 }  // namespace mrsim

@@ -24,10 +24,10 @@ void prefer_huge_pages(const void* begin, std::size_t bytes) {
   constexpr std::size_t kHuge = std::size_t(2) << 20;
   if (bytes < 4 * kHuge) return;
   // Whole pages within the range. A refusal costs time alone.
-  const auto at = reinterpret_cast<std::uintptr_t>(begin);
-  const std::uintptr_t first = (at + kHuge - 1) / kHuge * kHuge,
-                       last = (at + bytes) / kHuge * kHuge;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  const std::size_t past = reinterpret_cast<std::uintptr_t>(begin) % kHuge;
+  const std::size_t skipped = past == 0 ? 0 : kHuge - past;
+  auto* first = const_cast<char*>(static_cast<const char*>(begin)) + skipped;
+  madvise(first, (bytes - skipped) / kHuge * kHuge, MADV_HUGEPAGE);
 #else
   (void)begin, (void)bytes;
 #endif

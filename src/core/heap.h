@@ -6,10 +6,10 @@
 
 namespace mrsim {
 
-/// For programs, once, before the first thread: the heap grows by 64 MB at a time and keeps what is
-/// freed. A level set is made of hundreds of thousands of leaves of 2 KB on all threads at once;
-/// small steps halt the other threads, which are touching new pages, at each of them. Of pages that
-/// are not touched nothing is taken. Nothing where the C library has no such settings.
+/// Call it once in a program, before the first thread: the heap then grows by 64 MB at a time and
+/// keeps freed memory. Reason: all threads make hundreds of thousands of leaves of 2 KB at once,
+/// and each small growth of the heap halts every thread that is touching new pages. Pages that are
+/// not touched cost nothing. Does nothing where the C library has no such settings.
 void grow_heap_in_large_steps();
 
 /// Asks for huge pages for a large range that will be touched from end to end.

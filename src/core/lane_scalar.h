@@ -1,5 +1,6 @@
-// A register of one number: the numeric code that is written once for any number of lanes
-// (core/trig_lanes.inl, removal/*.inl), for one point alone, and the reference of the SIMD ones.
+// A "register" of one number. Numeric code that is written once for any number of lanes
+// (core/trig_lanes.inl, removal/simd/*.inl) uses it for a single point, and as the reference that
+// the SIMD versions must equal.
 #pragma once
 
 #include "core/units.h"

@@ -1,5 +1,5 @@
-// Parts of the library that are opened when they are first needed, because what they are linked
-// against is slow to bind: <folder of the library>/mrsim/<name>.so.
+// Modules: parts of the library that are opened when they are first needed, because the libraries
+// that they link take long to bind. A module is the file mrsim/<name>.so beside the library.
 #pragma once
 
 #include <string>

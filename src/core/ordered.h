@@ -14,10 +14,10 @@
 
 namespace mrsim {
 
-/// Calls take(make(k)) for k = 0, 1, ... count - 1, one after another, while other parts are made;
-/// nobody waits for a part to be done but where there is nothing else to do. Parts are taken by
-/// `together`, as soon as so many are there; at most twice as many and two a thread are there at
-/// once. Throws what the first part at fault throws.
+/// Calls take(make(k)) for k = 0, 1, ... count - 1, one after another, while other threads make
+/// later parts. A thread waits only where there is nothing else to do. Parts are taken `together`
+/// at a time, as soon as that many are ready. At most twice as many parts, and two for each thread,
+/// exist at once. Throws what the first faulty part throws.
 template <typename Make, typename Take>
 void make_in_order(std::size_t count, int threads, Make make, Take take, std::size_t together = 1) {
   struct Part {

@@ -1,4 +1,4 @@
-// A file for what does not fit into memory. It has no name, so that nothing is left behind however
+// A file for data that does not fit into memory. It has no name, so nothing is left of it however
 // the run ends.
 #pragma once
 
@@ -8,9 +8,12 @@
 
 namespace mrsim {
 
+/// $TMPDIR where that is a folder, else /tmp.
+std::string temporary_folder();
+
 class ScratchFile {
  public:
-  /// In that folder. Throws Error "output-unwritable".
+  /// Makes the file in `folder`. Throws Error "output-unwritable".
   explicit ScratchFile(const std::string& folder);
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;

@@ -7,9 +7,9 @@
 
 namespace mrsim {
 
-/// The word of `known` nearest to `word` (letters inserted, dropped, changed or swapped with their
-/// neighbour, capitals aside), empty when none is near enough to be meant: at most one change in
-/// three letters. Ties: the first. Cost: #known times the product of the lengths.
+/// The word of `known` that is nearest to `word`, counting inserted, dropped, changed and swapped
+/// letters and ignoring capitals; empty when no word is near enough (at most one change in three
+/// letters). Of equally near words the first. Cost: #known times the product of the lengths.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
 
 /// "; did you mean \"x\"?", or the empty string.

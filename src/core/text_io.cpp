@@ -1,6 +1,8 @@
 #include "core/text_io.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
+#include "core/publish.h"
 
 #include <array>
 #include <cerrno>
@@ -8,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -20,7 +21,7 @@
 namespace mrsim {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t kMostOfPipe = std::size_t(256) << 20;
 
 class FileDescriptor {
  public:
@@ -35,16 +36,6 @@ class FileDescriptor {
  private:
   int fd_;
 };
-
-std::string folder_of(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
-}
-
-[[noreturn]] void fail_output(const std::string& path, int error) {
-  const std::string code = error == ENOSPC ? "output-full" : "output-unwritable";
-  throw Error(code, fmt::format("cannot write {}: {}", path, std::strerror(error)));
-}
 
 // Length of the UTF-8 sequence at the head of `s`, 0 when it is not one (overlong forms and
 // surrogates included).
@@ -132,6 +123,9 @@ std::string read_file(const std::string& path, std::size_t limit) {
     throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   if (S_ISDIR(info.st_mode))
     throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
+  // A pipe or a device may never end.
+  if (!S_ISREG(info.st_mode)) limit = std::min(limit, kMostOfPipe);
+  require_memory(static_cast<double>(std::max<off_t>(info.st_size, 0)), "reading " + path);
   std::string text;
   text.reserve(
       std::min<std::size_t>(static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)), limit) + 1);
@@ -143,34 +137,30 @@ std::string read_file(const std::string& path, std::size_t limit) {
       throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
     if (n == 0) return text;
     if (text.size() + static_cast<std::size_t>(n) > limit)
-      throw Error("file-too-large", fmt::format("{} is larger than {} bytes", path, limit));
+      throw Error("file-too-large",
+                  S_ISREG(info.st_mode)
+                      ? fmt::format("{} is larger than {} bytes", path, limit)
+                      : fmt::format("{} is no file and gives more than {} bytes; store in a file "
+                                    "what is meant to be read",
+                                    path, limit));
+    if (text.size() + static_cast<std::size_t>(n) > text.capacity())
+      require_memory(2.0 * static_cast<double>(text.capacity()), "reading " + path);
     text.append(chunk.data(), static_cast<std::size_t>(n));
   }
 }
 
-void check_writable(const std::string& path) {
-  const std::string folder = folder_of(path);
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored))
-    throw Error("output-folder",
-                fmt::format("cannot write {}: the folder {} does not exist", path, folder));
-  if (fs::is_directory(path, ignored))
-    throw Error("output-unwritable", fmt::format("cannot write {}: it is a directory", path));
-  // A probe, because access() says yes to root on a read-only file system.
-  std::string probe = folder + "/.mrsim-XXXXXX";
-  const FileDescriptor fd(::mkostemp(probe.data(), O_CLOEXEC));
-  if (fd.get() < 0) fail_output(path, errno);
-  ::unlink(probe.c_str());
-}
-
 void write_files_atomically(std::span<const OutputFile> files) {
   std::vector<std::unique_ptr<DraftFile>> drafts;
+  drafts.reserve(files.size());
   for (const OutputFile& file : files) {
     drafts.push_back(std::make_unique<DraftFile>(file.path));
     file.writer(drafts.back()->sink());
     drafts.back()->finish();
   }
-  for (const auto& draft : drafts) draft->publish();
+  std::vector<DraftFile*> all;
+  all.reserve(drafts.size());
+  for (const auto& draft : drafts) all.push_back(draft.get());
+  publish(all);
 }
 
 void write_file_atomically(const std::string& path,

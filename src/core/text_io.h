@@ -36,10 +36,6 @@ struct OutputFile {
 /// what write_file_atomically throws.
 void write_files_atomically(std::span<const OutputFile> files);
 
-/// Throws what write_file_atomically would throw for a missing or read-only folder or a directory
-/// in the way, before any work is done.
-void check_writable(const std::string& path);
-
 /// `bytes` as UTF-8: as it is when valid, else every byte read as Latin-2 (ISO 8859-2).
 std::string to_utf8(std::string_view bytes);
 

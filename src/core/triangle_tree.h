@@ -3,7 +3,7 @@
 // 2005), which is right at edges and vertices too.
 //
 // Guarantees: the same bits on every machine; nearest() is exact up to rounding. Does not check the
-// mesh: on an open or wrongly oriented one the sign means nothing. Cost: build n log n, a query
+// mesh: the sign means nothing for an open or wrongly oriented one. Cost: building n log n, a query
 // about log n.
 #pragma once
 

@@ -1,6 +1,5 @@
 // Small vector arithmetic on mrsim::Vec3 and Vec2, double. Everything here is + - * / sqrt, so that
-// results are the same to the last bit on every IEEE-754 machine (DESIGN: no libm in voxel and
-// vertex code).
+// results are the same to the last bit on every IEEE-754 machine (ARCHITECTURE.md, Same bytes).
 #pragma once
 
 #include <mrsim/types.h>

@@ -1,4 +1,4 @@
-#include "mesh/zip.h"
+#include "core/zip.h"
 
 #include "core/bytes.h"
 #include "core/error.h"

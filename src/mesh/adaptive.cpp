@@ -1,19 +1,19 @@
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/contour_certify.h"
-#include "mesh/contour_hash.h"
-#include "mesh/contour_levels.h"
-#include "mesh/contour_memory.h"
-#include "mesh/contour_simplify.h"
-#include "mesh/contour_surface.h"
-#include "mesh/contour_thin.h"
-#include "mesh/contour_timer.h"
-#include "mesh/contour_uniform.h"
-#include "mesh/flat_map.h"
-#include "mesh/self_intersection.h"
-#include "mesh/turned_mesh.h"
+#include "mesh/solid/self_intersection.h"
+#include "mesh/surface/cell_levels.h"
+#include "mesh/surface/certify.h"
+#include "mesh/surface/flat_map.h"
+#include "mesh/surface/mesh_memory.h"
+#include "mesh/surface/piece_hash.h"
+#include "mesh/surface/simplify_apart.h"
+#include "mesh/surface/step_timer.h"
+#include "mesh/surface/surface.h"
+#include "mesh/surface/thin_features.h"
+#include "mesh/tiles/uniform.h"
+#include "mesh/turned/turned_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,37 +25,38 @@ namespace mrsim {
 namespace {
 
 using detail::BaseMesh;
-using detail::ContourOctree;
-using detail::ContourSurface;
-using detail::ContourTimer;
+using detail::CellOctree;
 using detail::Crossing;
 using detail::Detail;
+using detail::DualSurface;
 using detail::LabelledMesh;
 using detail::Lattice;
 using detail::PlaceHash;
+using detail::StepTimer;
 using detail::TriangleBound;
 
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr int kCrowdedRounds = 3;  ///< of splitting cells with two pieces of surface
-constexpr int kLockRounds = 12;
+constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
+constexpr double kMostNodes = 2.5e5;       ///< of the octree, where a grid may take its place
+constexpr std::size_t kMostRounds = 24;    ///< of splitting, likewise
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 
 class Contour {
  public:
   Contour(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
-          ContourReport& report)
+          MeshReport& report)
       : field_(field),
         options_(options),
         report_(report),
         timer_(report, options.progress),
-        tree_(field, lattice, options.tolerance, options.threads, options.max_memory),
+        tree_(field, lattice, options.tolerance, options.threads, tree_memory(options)),
         surface_(std::in_place, field, tree_,
-                 ContourSurface::Options{.shallow = options.tolerance / 8,
-                                         .sharpen = true,
-                                         .remember = true,
-                                         .threads = options.threads}) {
+                 DualSurface::Options{.shallow = options.tolerance / 8,
+                                      .sharpen = true,
+                                      .remember = true,
+                                      .threads = options.threads}) {
     timer_.step("tree");
   }
 
@@ -67,6 +68,8 @@ class Contour {
       find_topology();
     make_triangles();
     while (split_failed()) {
+      if (options_.fallback_voxel > 0 && report_.passes >= kMostRounds)
+        throw Error("mesh-unresolved", "cells were split too many times");
       find_topology();
       make_triangles();
     }
@@ -87,6 +90,13 @@ class Contour {
   }
 
  private:
+  // Where a grid may take its place, the tree has a fixed budget.
+  static std::size_t tree_memory(const MeshOptions& options) {
+    if (!(options.fallback_voxel > 0)) return options.max_memory;
+    constexpr auto kMost = static_cast<std::size_t>(kMostNodes * detail::kNodeMemory);
+    return options.max_memory > 0 ? std::min(options.max_memory, kMost) : kMost;
+  }
+
   // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
     detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
@@ -270,41 +280,16 @@ class Contour {
     return cells;
   }
 
-  // Simplifies; where walls are so thin that the result meets itself, keeps the vertices about the
-  // place and starts again.
   LabelledMesh simplified(const LabelledMesh& mesh) {
-    std::vector<char> locked(mesh.vertices.size(), 0);
-    for (int round = 0; round < kLockRounds; ++round) {
-      const LabelledMesh small =
-          detail::simplify(field_, tree_, mesh, {options_.tolerance, 0.5 * tree_.lattice().voxel()},
-                           locked, options_.threads);
-      timer_.step("simplify");
-      const auto pairs =
-          detail::self_intersections(small.vertices, small.triangles, options_.threads);
-      timer_.step("check");
-      if (pairs.empty()) return small;
-      lock_about(small, pairs, mesh, locked);
-    }
-    throw Error("mesh-unresolved",
-                "the mesh still meets itself after simplification; use a larger tolerance");
-  }
-
-  void lock_about(const LabelledMesh& small,
-                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs,
-                  const LabelledMesh& mesh, std::vector<char>& locked) const {
-    const double margin = tree_.lattice().voxel();
-    for (const auto& [i, j] : pairs) {
-      Box3 a, b;
-      for (const std::uint32_t v : small.triangles[i]) extend(a, small.vertices[v]);
-      for (const std::uint32_t v : small.triangles[j]) extend(b, small.vertices[v]);
-      const Vec3 lo = max(a.lo, b.lo) - Vec3{margin, margin, margin},
-                 hi = min(a.hi, b.hi) + Vec3{margin, margin, margin};
-      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const Vec3& p = mesh.vertices[v];
-        if (p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z)
-          locked[v] = 1;
-      }
-    }
+    const double voxel = tree_.lattice().voxel();
+    detail::ApartMesh small =
+        detail::simplify_apart(mesh, voxel, options_.threads, [&](const std::vector<char>& locked) {
+          return detail::simplify(field_, tree_, mesh, {options_.tolerance, 0.5 * voxel}, locked,
+                                  options_.threads);
+        });
+    report_.kept = small.kept;
+    timer_.step("simplify");
+    return std::move(small.mesh);
   }
 
   // What a triangle above the tolerance is measured by need not be a bound, unless asked without.
@@ -356,42 +341,80 @@ class Contour {
 
   const ExactField& field_;
   const MeshOptions& options_;
-  ContourReport& report_;
-  ContourTimer timer_;
-  ContourOctree tree_;
-  std::optional<ContourSurface> surface_;  ///< until its triangles are final
-  detail::FlatMap passed_;                 ///< by hashes of triangles within the tolerance
+  MeshReport& report_;
+  StepTimer timer_;
+  CellOctree tree_;
+  std::optional<DualSurface> surface_;  ///< until its triangles are final
+  detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };
+
+constexpr int kMostGrids = 4;  ///< that are tried where pieces in a cell meet
+
+// The mesh within the tolerance; none where a grid takes its place.
+std::optional<TriMesh> mesh_within(const ExactField& field, double voxel,
+                                   const MeshOptions& options, MeshReport& report) {
+  const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
+  try {
+    return Contour(field, Lattice(field.bounds(), voxel, levels), options, report).run();
+  } catch (const Error& error) {
+    const bool may_fall_back = error.code() == "mesh-unresolved" || error.code() == "memory";
+    if (!may_fall_back || !(options.fallback_voxel > 0)) throw;
+    report = {};
+    report.given_up = error.what();
+    return {};
+  }
+}
+
+// By default a grid whose cells can not be split far enough gives way to one that is a little
+// finer.
+void mesh_grid(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+               MeshReport& report) {
+  const std::string given_up = report.given_up;
+  for (int k = 1;; ++k) {
+    try {
+      const int levels = detail::fine_levels(field.bounds(), voxel, 0);
+      detail::mesh_uniform(field, voxel, levels, options, sink, report);
+      return;
+    } catch (const Error& error) {
+      if (error.code() != "mesh-unresolved" || !options.measure || k == kMostGrids) throw;
+      sink.restart();
+      report = {};
+      report.given_up = given_up;
+      voxel *= 1 - 1.0 / 64;
+    }
+  }
+}
 
 }  // namespace
 
-void contour(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
-             ContourReport* report) {
+void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+               MeshReport* report) {
   if (!(voxel > 0) || !std::isfinite(voxel))
     throw Error("voxel-invalid", fmt::format("a voxel of {} mm is not a positive length", voxel));
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
     throw Error("tolerance-invalid",
                 fmt::format("--tolerance {} is not a length in mm", options.tolerance),
                 Error::Kind::usage);
-  ContourReport ignored;
-  ContourReport& out = report ? *report : ignored;
+  MeshReport ignored;
+  MeshReport& out = report ? *report : ignored;
   out = {};
-  const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
   if (options.tolerance > 0 && field.is_turned(field.all()))
     if (const std::optional<TriMesh> turned = detail::turned_mesh(field, voxel, options, out))
       return sink.take(whole_block(*turned));
   detail::require_resolved(field.bounds(), voxel);
   if (options.tolerance > 0)
-    sink.take(
-        whole_block(Contour(field, Lattice(field.bounds(), voxel, levels), options, out).run()));
-  else
-    detail::contour_uniform(field, voxel, levels, options, sink, out);
+    if (const std::optional<TriMesh> mesh = mesh_within(field, voxel, options, out))
+      return sink.take(whole_block(*mesh));
+  MeshOptions grid = options;
+  grid.tolerance = 0;
+  grid.measure = options.measure || options.tolerance > 0;
+  mesh_grid(field, options.tolerance > 0 ? options.fallback_voxel : voxel, grid, sink, out);
 }
 
-TriMesh contour(const ExactField& field, double voxel, const MeshOptions& options,
-                ContourReport* report) {
+TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options,
+                  MeshReport* report) {
   MeshCollector collector;
-  contour(field, voxel, options, collector, report);
+  mesh_part(field, voxel, options, collector, report);
   if (collector.mesh().triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
   return std::move(collector.mesh());
 }

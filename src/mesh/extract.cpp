@@ -2,13 +2,13 @@
 
 namespace mrsim {
 
-TriMesh extract_mesh(const Stock& stock, const MeshOptions& options, ContourReport* report) {
-  return contour(stock.field(), stock.voxel(), options, report);
+TriMesh extract_mesh(const Stock& stock, const MeshOptions& options, MeshReport* report) {
+  return mesh_part(stock.field(), stock.voxel(), options, report);
 }
 
 void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
-                  ContourReport* report) {
-  contour(stock.field(), stock.voxel(), options, sink, report);
+                  MeshReport* report) {
+  mesh_part(stock.field(), stock.voxel(), options, sink, report);
 }
 
 }  // namespace mrsim

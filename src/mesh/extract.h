@@ -1,8 +1,8 @@
 // The stock's surface as a triangle mesh.
 #pragma once
 
-#include "mesh/contour.h"
-#include "removal/stock.h"
+#include "mesh/adaptive.h"
+#include "removal/part/stock.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -11,10 +11,10 @@ namespace mrsim {
 /// The part's surface: closed, oriented, 2-manifold, with the owner of each face. Throws Error
 /// "part-empty" when nothing is left.
 TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {},
-                     ContourReport* report = nullptr);
+                     MeshReport* report = nullptr);
 
-/// The same in blocks (mesh/contour.h).
+/// The same in blocks (mesh/adaptive.h).
 void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
-                  ContourReport* report = nullptr);
+                  MeshReport* report = nullptr);
 
 }  // namespace mrsim

@@ -50,11 +50,18 @@ constexpr std::array kKeys = {
     JobKey{"keep", "--keep", Value::choice, "all largest"},
     JobKey{"tools", "--tools", Value::paths},
     JobKey{"tool", "--tool", Value::texts},
-    JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys auto"},
+    JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys ngc auto"},
     JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
+    JobKey{"until", "--until", Value::text},
+    JobKey{"machine_file", "--machine-file", Value::path},
     JobKey{"start", "--start", Value::numbers},
     JobKey{"block_skip", "--block-skip", Value::numbers},
+    JobKey{"comp", "--comp", Value::choice, "auto radius wear off"},
+    JobKey{"least_increments", "--least-increments", Value::flag},
     JobKey{"path", "--path", Value::paths},
+    JobKey{"variables", "--set", Value::texts},
+    JobKey{"max_blocks", "--max-blocks", Value::number},
+    JobKey{"max_steps", "--max-steps", Value::number},
     JobKey{"voxel", "--voxel", Value::number},
     JobKey{"tolerance", "--tolerance", Value::number},
     JobKey{"threads", "--threads", Value::whole},
@@ -84,7 +91,8 @@ std::vector<std::string_view> split_words(std::string_view text) {
 
 class JobReader {
  public:
-  JobReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  JobReader(std::string_view text, const std::string& name, bool allow_outside)
+      : text_(text), name_(name), allow_outside_(allow_outside) {}
   JobFile read() const;
 
  private:
@@ -106,9 +114,12 @@ class JobReader {
   bool flag(const JobKey& key, const toml::node& node) const;
   std::string single(const JobKey& key, const toml::node& node) const;
   std::vector<std::string> list(const JobKey& key, const toml::node& node) const;
+  std::vector<std::string> variables(const JobKey& key, const toml::table& table) const;
+  void read_machine_table(JobFile& job, const JobKey& key, const toml::table& table) const;
 
   std::string_view text_;
   const std::string& name_;
+  bool allow_outside_;
 };
 
 void JobReader::fail(const toml::source_position& at, const char* code,
@@ -128,6 +139,7 @@ void JobReader::fail(const toml::source_position& at, const char* code,
 
 void JobReader::check_keys(const toml::table& root) const {
   std::vector<std::string_view> known;
+  known.reserve(std::size(kKeys));
   for (const JobKey& key : kKeys) known.push_back(key.name);
   for (const auto& [key, node] : root) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
@@ -145,20 +157,25 @@ std::string JobReader::text(const JobKey& key, const toml::node& node) const {
 
 std::string JobReader::path(const JobKey& key, const toml::node& node) const {
   const std::filesystem::path value = text(key, node);
+  if (!allow_outside_ && value.is_relative() && *value.lexically_normal().begin() == "..")
+    fail(node.source().begin, "job-outside",
+         fmt::format("{} \"{}\" leads out of the job's folder: give an absolute path, or "
+                     "--allow-outside on the command line",
+                     key.name, value.string()));
   const std::filesystem::path folder = std::filesystem::path(name_).parent_path();
   return folder.empty() || value == "-" ? value.string()
                                         : (folder / value).lexically_normal().string();
 }
 
 std::string JobReader::stock(const JobKey& key, const toml::node& node) const {
-  const std::string value = text(key, node);
+  std::string value = text(key, node);
   for (const std::string_view kind : {"box:", "cylinder:", "tube:"})
     if (value.starts_with(kind)) return value;
   return path(key, node);
 }
 
 std::string JobReader::choice(const JobKey& key, const toml::node& node) const {
-  const std::string value = text(key, node);
+  std::string value = text(key, node);
   const std::vector<std::string_view> words = split_words(key.words);
   if (std::find(words.begin(), words.end(), value) == words.end())
     fail_value(key, node,
@@ -182,8 +199,8 @@ std::string JobReader::positive(const JobKey& key, const toml::node& node) const
 
 std::string JobReader::whole(const JobKey& key, const toml::node& node) const {
   const auto* value = node.as_integer();
-  if (value == nullptr || value->get() < 1 || value->get() > 4096)
-    fail_value(key, node, "must be a whole number from 1 to 4096");
+  if (value == nullptr || value->get() < 1 || value->get() > 256)
+    fail_value(key, node, "must be a whole number from 1 to 256");
   return std::to_string(value->get());
 }
 
@@ -238,6 +255,25 @@ std::vector<std::string> JobReader::list(const JobKey& key, const toml::node& no
   return out;
 }
 
+// The table [machine]: its kind is the option --machine, the rest is read from this file again
+// (machine_file.h).
+void JobReader::read_machine_table(JobFile& job, const JobKey& key,
+                                   const toml::table& table) const {
+  if (const toml::node* kind = table.get("kind"))
+    job.options.push_back({"--machine", {choice(key, *kind)}});
+  job.options.push_back({"--machine-file", {name_}});
+}
+
+// The table [variables]: "#100" = 2, R1 = 5.0, NAME = "A".
+std::vector<std::string> JobReader::variables(const JobKey& key, const toml::table& table) const {
+  std::vector<std::string> out;
+  for (const auto& [name, node] : table)
+    out.push_back(
+        fmt::format("{}={}", name.str(),
+                    node.is_string() ? text(key, node) : fmt::format("{}", number(key, node))));
+  return out;
+}
+
 JobFile JobReader::read() const {
   toml::table root;
   try {
@@ -250,6 +286,14 @@ JobFile JobReader::read() const {
   for (const JobKey& key : kKeys) {
     const toml::node* node = root.get(key.name);
     if (node == nullptr) continue;
+    if (key.option == "--machine" && node->is_table()) {
+      read_machine_table(job, key, *node->as_table());
+      continue;
+    }
+    if (key.option == "--set" && node->is_table()) {
+      job.options.push_back({"--set", variables(key, *node->as_table())});
+      continue;
+    }
     if (key.value == Value::flag) {
       if (flag(key, *node)) job.options.push_back({std::string(key.option), {}});
       continue;
@@ -269,12 +313,12 @@ JobFile JobReader::read() const {
 
 }  // namespace
 
-JobFile parse_job(std::string_view text, const std::string& name) {
-  return JobReader(text, name).read();
+JobFile parse_job(std::string_view text, const std::string& name, bool allow_outside) {
+  return JobReader(text, name, allow_outside).read();
 }
 
-JobFile load_job_file(const std::string& path) {
-  return parse_job(read_file(path, kFileLimit), path);
+JobFile load_job_file(const std::string& path, bool allow_outside) {
+  return parse_job(read_file(path, kFileLimit), path, allow_outside);
 }
 
 }  // namespace mrsim

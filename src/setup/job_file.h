@@ -9,10 +9,11 @@
 namespace mrsim {
 
 /// Reads a job from TOML. `name` stands in errors; relative paths become relative to its folder.
-/// Throws PlacedError "job-syntax", "job-key", "job-value"; unknown keys are errors.
-JobFile parse_job(std::string_view text, const std::string& name);
+/// they lead out of it only where that is allowed. Throws PlacedError "job-syntax", "job-key",
+/// "job-value", "job-outside"; unknown keys are errors.
+JobFile parse_job(std::string_view text, const std::string& name, bool allow_outside = false);
 
 /// The same from a file; what read_file throws, too.
-JobFile load_job_file(const std::string& path);
+JobFile load_job_file(const std::string& path, bool allow_outside = false);
 
 }  // namespace mrsim

@@ -30,13 +30,15 @@ constexpr std::uint32_t kRound = kMilling & ~bits(ToolType::form);
 
 using enum ToolType;
 const std::vector<ToolKey> kKeys = {
-    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargest, kRound},
+    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargest,
+     kRound | bits(turning, boring)},
     {"corner_radius", "r", Quantity::length, &Tool::corner_radius, 0, kLargest,
      bits(endmill, bullmill, chamfer, taper, tslot, barrel)},
     {"flute_length", "l", Quantity::length, &Tool::flute_length, 0, kLargest, kMilling},
     {"taper_angle", "a", Quantity::angle, &Tool::taper_angle, 0, 89, bits(taper, chamfer, barrel)},
     {"tip_angle", "a", Quantity::angle, &Tool::tip_angle, 1, 180, bits(drill, chamfer)},
-    {"tip_diameter", "t", Quantity::length, &Tool::tip_diameter, 0, kLargest, bits(chamfer, taper)},
+    {"tip_diameter", "t", Quantity::length, &Tool::tip_diameter, 0, kLargest,
+     bits(chamfer, taper, barrel)},
     {"neck_diameter", "n", Quantity::length, &Tool::neck_diameter, 0, kLargest,
      bits(tslot, lollipop)},
     {"profile_radius", "p", Quantity::length, &Tool::profile_radius, 1e-3, kLargest, bits(barrel)},
@@ -104,6 +106,10 @@ std::string check_tool(const Tool& tool) {
   if ((bits(tool.type) & kRound) != 0 && tool.corner_radius > radius)
     return fmt::format("corner_radius {:g} mm is larger than the tool's radius {:g} mm",
                        tool.corner_radius, radius);
+  const bool round_insert =
+      !tool.insert.empty() && (tool.insert.front() == 'R' || tool.insert.front() == 'r');
+  if (is_turning(tool.type) && tool.diameter > 0 && !round_insert)
+    return "a diameter describes a round insert: give insert = \"R\", or leave it out";
   if (tool.type == grooving && tool.width <= 0) return "a tool of type grooving needs a width";
   if (tool.tip_diameter > tool.diameter)
     return fmt::format("tip_diameter {:g} mm is larger than the diameter {:g} mm",

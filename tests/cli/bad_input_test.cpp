@@ -94,6 +94,29 @@ TEST_F(BadInput, StlThatIsNoSolid) {
   expect_bad_stock("open edge");
 }
 
+// What welds away, and sizes beyond any machine.
+TEST_F(BadInput, StockOfSlivers) {
+  const std::string faces = "f 1 2 3\nf 1 3 2\n";
+  for (const std::string points :
+       {"v 0 0 0\nv 10 0 0\nv 1e-6 1e-6 0\n", "v 1000 0 0\nv 1000.0003 0 0\nv 1000 0.0003 0\n",
+        "v 0 0 0\nv 1e9 0 0\nv 0 10 0\n"}) {
+    write("bad.obj", points + faces);
+    expect_failure("PRIMER_2F.MPF --stock bad.obj -o part.stl", 1, "bad.obj");
+    write("bad.obj", points + "f 1 2 3\n");
+    expect_failure("PRIMER_2F.MPF --stock bad.obj -o part.stl", 1, "bad.obj");
+  }
+}
+
+TEST_F(BadInput, NoTemporaryFolder) {
+  EXPECT_EQ(
+      run("PRIMER_2F.MPF --stock block.stl -q --voxel 1 -o part.stl", "TMPDIR=/nonexistent").code,
+      0);
+  EXPECT_EQ(
+      run("PRIMER_2F.MPF --stock block.stl -q --voxel 1 --report /dev/null", "TMPDIR=/nonexistent")
+          .code,
+      0);
+}
+
 TEST_F(BadInput, Output) {
   expect_failure("PRIMER_2F.MPF --stock block.stl -o missing/part.stl", 1, "does not exist");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o /proc/part.stl", 1, "cannot write");

@@ -37,7 +37,7 @@ TEST_F(CollisionsSeen, ARapidInMaterialIsAWarningWithItsLine) {
 
 TEST_F(CollisionsSeen, StrictRefusesThem) {
   const Outcome outcome = dive("--tool 1=endmill:d=6 --strict -o part.stl");
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 5);
   EXPECT_TRUE(contains(outcome.err, "rapid-collision")) << outcome.err;
   EXPECT_FALSE(exists("part.stl"));
 }

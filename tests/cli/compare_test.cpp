@@ -24,7 +24,7 @@ class Compare : public CliTest {
         run("BAD.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
             "--json r.json " +
             options);
-    return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false);
+    return Json::parse(exists("r.json") ? read("r.json") : "{}", nullptr, false)["comparison"];
   }
   /// A box from (x, 0, 0) of that size, as an OFF file.
   static std::string box_off(double x, double a, double b, double c) {
@@ -46,7 +46,7 @@ TEST_F(Compare, MillingPartIsAccepted) {
       "PRIMER_2F.MPF --stock block.stl -o part.ply --nominal PRIMER_2F.nominal.stl --accept 0.02 "
       "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
-  const Json j = Json::parse(read("r.json"));
+  const Json j = Json::parse(read("r.json"))["comparison"];
   EXPECT_EQ(j["verdict"], "accepted");
   EXPECT_LE(j["part_to_nominal"]["rms"], 0.003);
   const Json& bound = j["hausdorff"]["symmetric"];
@@ -71,12 +71,12 @@ TEST_F(Compare, TurningPartIsAccepted) {
       run("PRIMER_2S.MPF --stock bar.stl -o part.ply --nominal PRIMER_2S.nominal.stl --accept 0.02 "
           "--json r.json");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
-  EXPECT_LE(Json::parse(read("r.json"))["part_to_nominal"]["rms"], 0.003);
+  EXPECT_LE(Json::parse(read("r.json"))["comparison"]["part_to_nominal"]["rms"], 0.003);
 }
 
 TEST_F(Compare, ArcOfTheWrongSignIsNamed) {
   const Json j = spoiled("N40 G2", "N40 G3");
-  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(outcome_.code, 4);
   EXPECT_EQ(j["verdict"], "rejected");
   bool named = false;
   for (const Json& region : j["regions"])
@@ -87,7 +87,7 @@ TEST_F(Compare, ArcOfTheWrongSignIsNamed) {
 
 TEST_F(Compare, GougeByOneLine) {
   const Json j = spoiled("N45 G3 X37.5 Y0 CR=15", "N45 G3 X37.5 Y0 Z-2.1 CR=15");
-  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(outcome_.code, 4);
   EXPECT_EQ(j["regions"][0]["kind"], "gouge");
   EXPECT_EQ(first_line(j["regions"][0]), 9);
   EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.005);
@@ -95,7 +95,7 @@ TEST_F(Compare, GougeByOneLine) {
 
 TEST_F(Compare, WrongToolDiameter) {
   const Json j = spoiled("N05", "N05", "--tool 4=endmill:d=5.2 --tolerance 0.01");
-  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(outcome_.code, 4);
   EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.0101);  // the mesh is within 0.01
   ASSERT_FALSE(j["hints"].empty());
   EXPECT_EQ(j["hints"][0]["code"], "tool-size");
@@ -103,7 +103,7 @@ TEST_F(Compare, WrongToolDiameter) {
 
 TEST_F(Compare, MissingPassNamesItsNeighbours) {
   const Json j = spoiled("N45 G3", "N45 G0 Z5\nN46 G0");
-  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(outcome_.code, 4);
   EXPECT_EQ(j["regions"][0]["kind"], "excess");
   EXPECT_EQ(j["regions"][0]["lines"][0]["role"], "beside");
   EXPECT_EQ(first_line(j["regions"][0]), 8);  // N40, which ends where the missing one began
@@ -111,7 +111,7 @@ TEST_F(Compare, MissingPassNamesItsNeighbours) {
 
 TEST_F(Compare, ShiftedWorkOffset) {  // of the slot in its block: no move of the part mends it
   const Json j = spoiled("TRANS X50 Y-30", "TRANS X50.3 Y-30");
-  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(outcome_.code, 4);
   bool shifted = false;
   for (const Json& hint : j["hints"])
     shifted = shifted || (hint["code"] == "part-shifted" &&
@@ -126,7 +126,7 @@ TEST_F(Compare, ShiftOfTheWholePartVanishesWithIcp) {
       "PRIMER_2F.MPF >MOVED.MPF && '" MRSIM_PROGRAM
       "' MOVED.MPF --stock box:0.3,-60,0,100.3,0,10 -q -o moved.ply";
   ASSERT_EQ(run(moved).code, 0);
-  EXPECT_EQ(run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02").code, 1);
+  EXPECT_EQ(run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02").code, 4);
   const Outcome o =
       run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02 --align icp --json r.json");
   EXPECT_EQ(o.code, 0) << o.out;
@@ -138,7 +138,7 @@ TEST_F(Compare, PicturesOfDeviationHaveALegend) {
   ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -o part.ply -q --nominal PRIMER_2F.nominal.stl "
                 "--tolerance 0.01 --accept 0.002 --deviation dev.ply")
                 .code,
-            1);
+            4);
   EXPECT_NE(read("dev.ply").find("comment mrsim legend"), std::string::npos);
   EXPECT_NE(read("dev.ply").find("-0.002 .. +0.002 mm: in tolerance"), std::string::npos);
   const auto draw = [&](const std::string& what, const std::string& name) {
@@ -171,7 +171,7 @@ TEST_F(Compare, EveryFormatWithOwnersNamesTheLine) {
   ASSERT_EQ(run("BAD.MPF --stock block.stl -q -o p.ply -o p.glb -o p.3mf -o p.obj").code, 0);
   for (const std::string name : {"p.ply", "p.glb", "p.3mf", "p.obj"}) {
     const Outcome o = run("compare " + name + " PRIMER_2F.nominal.stl --accept 0.02 --json r.json");
-    EXPECT_EQ(o.code, 1) << o.err;
+    EXPECT_EQ(o.code, 4) << o.err;
     EXPECT_EQ(o.err.find("no lines are named"), std::string::npos) << name;
     const Json j = Json::parse(read("r.json"));
     EXPECT_NE(j["regions"].dump().find("N40 G3 X7.5 Y0 CR=7.5"), std::string::npos) << name;
@@ -209,14 +209,27 @@ TEST_F(Compare, BadInputLeavesNothing) {
   write("far.off", box_off(1e6, 100, 60, 10));
   write("inch.off", box_off(0, 100 / 25.4, 60 / 25.4, 10 / 25.4));
   write("metres.off", box_off(0, 0.1, 0.06, 0.01));
+  const std::string page = " --report r.html";
   for (const std::string& run :
        {std::string("compare block.stl"),
         std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --nominal")}) {
-    fails(run + " far.off" + tail, 1, "compare-apart");
-    fails(run + " inch.off" + tail, 1, "in inches");
-    fails(run + " metres.off" + tail, 1, "in metres");
+    fails(run + " far.off" + page, 1, "compare-apart");
+    fails(run + " inch.off" + page, 1, "in inches");
+    fails(run + " metres.off" + page, 1, "in metres");
   }
   fails("PRIMER_2F.MPF --stock block.stl -o part.stl --accept 0.02", 2, "--nominal");
+}
+
+// The bound of the largest distance exceeds the tolerance: said with the verdict, and in JSON.
+TEST_F(Compare, AVerdictSaysWhatIsProven) {
+  const Outcome o =
+      run("PRIMER_2S.MPF --stock bar.stl --nominal PRIMER_2S.nominal.stl "
+          "--accept 0.02 --json r.json");
+  const Json j = Json::parse(read("r.json"))["comparison"];
+  const double upper = j["hausdorff"]["symmetric"]["upper"];
+  EXPECT_EQ(j["proven"].get<bool>(), upper <= 0.02);
+  EXPECT_EQ(contains(o.out, "; by samples: proven is that no distance exceeds"), upper > 0.02)
+      << o.out;
 }
 
 TEST_F(Compare, ABareMeshSaysOnceThatItKnowsNoLines) {

@@ -50,7 +50,8 @@ TEST_F(Figures, VolumeIsThatOfTheExactPart) {
 // A Ø50 x 25 cylinder, cut on centre lines; under G42 the control leaves a cusp.
 TEST_F(Figures, PocketOfTheFanucDocument) {
   const std::string folder = MRSIM_DATA_DIR "/";
-  const std::string rest = " --stock box:-30,-30,-30,30,30,0 --tool 1=endmill:d=10 -o part.stl";
+  const std::string rest =
+      " --stock box:-30,-30,-30,30,30,0 --tool 1=endmill:d=10 --tolerance 0.01 -o part.stl";
   EXPECT_NEAR(60 * 60 * 30 - part_volume(folder + "FANUC_POCKET_G40.NC" + rest), 25 * 625 * kPi,
               0.02);
   EXPECT_NEAR(60 * 60 * 30 - part_volume(folder + "FANUC_POCKET.NC" + rest), 49044.5, 0.1);

@@ -9,8 +9,10 @@ class JobRun : public CliTest {
   void SetUp() override {
     CliTest::SetUp();
     std::filesystem::create_directory(folder_ / "jobs");
+    for (const char* name : {"PRIMER_2F.MPF", "block.stl"})
+      std::filesystem::copy(folder_ / name, folder_ / "jobs" / name);
     write("jobs/job.toml",
-          "program = \"../PRIMER_2F.MPF\"\nstock = \"../block.stl\"\noutputs = [\"part.ply\"]\n"
+          "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\noutputs = [\"part.ply\"]\n"
           "voxel = 1\ncolor = \"line\"\n");
   }
 };
@@ -18,8 +20,9 @@ class JobRun : public CliTest {
 TEST_F(JobRun, IsTheSameAsTypingItsOptions) {
   const Outcome job = run("jobs/job.toml");
   ASSERT_EQ(job.code, 0) << job.err;
-  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 1 --color line -o typed.ply").code, 0);
-  EXPECT_EQ(read("jobs/part.ply"), read("typed.ply"));
+  ASSERT_EQ(run("jobs/PRIMER_2F.MPF --stock block.stl --voxel 1 --color line -o typed.ply").code,
+            0);
+  EXPECT_TRUE(read("jobs/part.ply") == read("typed.ply"));
 }
 
 TEST_F(JobRun, TypedOptionsReplaceTheFiles) {
@@ -34,8 +37,25 @@ TEST_F(JobRun, HoldsTheComparison) {
   write("same.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 1\nnominal = \"block.stl\"\n"
         "accept = [-0.02, 0.05]\njson = \"r.json\"\n");
-  EXPECT_EQ(run("same.toml").code, 1) << "the block is not the part";
+  EXPECT_EQ(run("same.toml").code, 4) << "the block is not the part";
   EXPECT_TRUE(contains(read("r.json"), "verdict"));
+}
+
+TEST_F(JobRun, LeadsOutOfItsFolderOnlyWhereThatIsAllowed) {
+  write("jobs/out.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\n"
+        "outputs = [\"../part.ply\"]\n");
+  expect_failure("jobs/out.toml", 1, "jobs/out.toml:4:12");
+  expect_failure("jobs/out.toml", 1, "--allow-outside");
+  EXPECT_FALSE(exists("part.ply"));
+  EXPECT_EQ(run("jobs/out.toml --allow-outside").code, 0);
+  EXPECT_TRUE(exists("part.ply"));
+  const std::string place = (folder_ / "far.ply").string();
+  write("jobs/far.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\noutputs = \"" + place +
+            "\"\n");
+  EXPECT_EQ(run("jobs/far.toml").code, 0);
+  EXPECT_TRUE(exists("far.ply"));
 }
 
 TEST_F(JobRun, FaultsAreShownInTheFile) {

@@ -83,7 +83,7 @@ TEST_F(StepFiles, AreNominalAndPart) {
   write_step(box(0, 0, 0, 30, 20, 10), "nominal.step");
   write_step(box(0, 0, 0, 30, 20, 10.05), "part.step");
   const Outcome o = run("compare part.step nominal.step --accept 0.02 --json r.json");
-  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(o.code, 4) << o.err;
   for (const char* said : {"nominal.step: 12 triangles within 0.001 mm of the exact faces",
                            "part.step: 12 triangles within 0.001 mm of the exact faces"})
     EXPECT_NE(o.err.find(said), std::string::npos) << o.err;
@@ -95,9 +95,8 @@ TEST_F(StepFiles, BadOnesLeaveNothing) {
   write_step(box(0, -60, 0, 100, 0, 10), "inch.step", "INCH");
   write("text.step", "solid no step");
   const auto fails = [&](const std::string& arguments, const std::string& text) {
-    expect_failure(arguments + " --report r.html --json r.json", 1, text);
+    expect_failure(arguments + " --report r.html", 1, text);
     EXPECT_FALSE(exists("r.html"));
-    EXPECT_FALSE(exists("r.json"));
   };
   const std::string cut = "PRIMER_2F.MPF -o part.stl --stock ";
   fails("compare block.stl face.step", "no solid");
@@ -128,7 +127,7 @@ TEST_F(SolidFiles, VdbPartKnowsItsLines) {
   ASSERT_EQ(run("BAD.MPF --stock block.stl -q -o part.vdb").code, 0);
   const Outcome o =
       run("compare part.vdb PRIMER_2F.nominal.stl --accept 0.02 --json r.json --report r.html");
-  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(o.code, 4) << o.err;
   EXPECT_EQ(o.err.find("no lines are named"), std::string::npos);
   EXPECT_NE(o.err.find("part.vdb: meshed with its voxel of 0.25 mm"), std::string::npos) << o.err;
   bool named = false;

@@ -4,7 +4,7 @@
 #include "compare/align.h"
 #include "compare/sampling.h"
 #include "core/trig.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 #include "support/shapes.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Any bytes as a program, in all four dialects, on a mill and on a lathe: no crash, no hang, no
 // motion that is not finite, and an arc is an arc.
 #include "interp/interpreter.h"
-#include "interp/motion_text.h"
+#include "interp/show/motion_text.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,11 +1,11 @@
 // Any bytes as a file of the other formats; the first byte chooses which. A mesh that can be
 // checked, taken to pieces and recognised, or an Error.
 #include "core/error.h"
-#include "mesh/check.h"
-#include "mesh/mesh_io.h"
-#include "mesh/pieces.h"
-#include "mesh/solid_repair.h"
-#include "removal/stock_shape.h"
+#include "mesh/format/mesh_io.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/pieces.h"
+#include "mesh/solid/solid_repair.h"
+#include "removal/stock/stock_shape.h"
 
 #include <cstdint>
 #include <string_view>

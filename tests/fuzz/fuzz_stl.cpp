@@ -1,8 +1,8 @@
 // Any bytes as an STL file: a mesh whose indices hold, or an Error; and what was read is written
 // and read the same again.
 #include "core/error.h"
-#include "mesh/check.h"
-#include "mesh/stl.h"
+#include "mesh/format/stl.h"
+#include "mesh/solid/check.h"
 
 #include <cstdint>
 #include <string>

@@ -2,9 +2,10 @@
 // 1-Lipschitz, below zero only within the bounds, with unit gradients, and equal in lists.
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/near_list.h"
-#include "removal/sweep.h"
-#include "removal/sweep_kernels.h"
+#include "removal/prune/candidate_list.h"
+#include "removal/prune/list_candidates.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/sweep_table.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -105,8 +106,8 @@ void check_point(const SweepTable& s, Bytes& in) {
   double out[3];
   s.distances(ids, p, out);
   check(out[0] == d && out[2] == d);
-  NearList list;
-  s.list({ids, 1}, p, list);
+  CandidateList list;
+  list_candidates(s, {ids, 1}, p, list);
   PointColumns points{};
   points.count = 8;
   for (std::size_t k = 0; k < points.count; ++k) {
@@ -114,7 +115,7 @@ void check_point(const SweepTable& s, Bytes& in) {
     points.x[k] = at_k.x, points.y[k] = at_k.y, points.z[k] = at_k.z;
     points.least[k] = INFINITY;
   }
-  s.least(list, points);
+  least_distances(s, list, points);
   check(points.least[0] == d && points.least[1] == e && points.least[6] == d);
 }
 
@@ -127,7 +128,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Tools that are neither convex nor level cost a millisecond a value: fewer points for forms.
   const int points = tool.type == ToolType::form ? 1 : 12;
   try {
-    const SweepTable s({&motion, 1}, {&tool, 1}, 100);
+    const SweepTable s({&motion, 1}, {&tool, 1});
     for (int k = 0; k < points && s.size() == 1; ++k) check_point(s, in);
   } catch (const Error&) {
   }

@@ -38,7 +38,6 @@ TEST(Frames, Points) {
       {s, "G54\nG1 X1 F1", {101, 0, 0}},
       {s, "G505\nG1 X1 Y0 F1", {1, 50, 0}},
       {s, "G54\nG500\nG1 X1 F1", {1, 0, 0}},
-      {s, "G54\nTRANS X10\nG1 G53 X1 F1", {1, 0, 0}},
       {s, "G54\nG1 SUPA X1 F1\nX1", {101, 0, 0}},
       {s, "G58 X10\nG59 X1\nG1 X1 F1", {12, 0, 0}},
       {s, "G1 X10 F1\nTRANS X100\nG91 X5", {115, 0, 0}},
@@ -156,6 +155,30 @@ TEST(Frames, UnknownStart) {
   ASSERT_EQ(home.motions.size(), 5U) << listing(home);
   EXPECT_TRUE(home.motions[2].assumed_start);
   EXPECT_FALSE(home.motions[4].assumed_start);
+}
+
+// Where machine coordinates lead is unknown: no motion, and the axis is unknown until given again.
+TEST(Frames, MachineCoordinates) {
+  const std::pair<Dialect, const char*> rows[] = {{Dialect::sinumerik, "G0 SUPA Z100"},
+                                                  {Dialect::sinumerik, "G53 G0 Z100 D0"},
+                                                  {Dialect::sinumerik, "G75 Z1=0"},
+                                                  {Dialect::fanuc, "G0 G53 Z0"},
+                                                  {Dialect::fanuc, "G91 G28 Z0"},
+                                                  {Dialect::fanuc, "G91 G30 Z0"},
+                                                  {Dialect::iso, "G53 Z0"},
+                                                  {Dialect::ngc, "G53 G0 Z0"}};
+  for (const auto& [dialect, text] : rows) {
+    SCOPED_TRACE(text);
+    const Program p = read_text(std::string("G1 X1 Y1 Z1 F1\n") + text + "\nG90 G0 X5\nZ3\nG1 X6\n",
+                                at_origin(dialect));
+    EXPECT_EQ(codes(p), "");
+    ASSERT_EQ(p.motions.size(), 4U) << listing(p);
+    EXPECT_TRUE(p.motions[1].assumed_start);
+    EXPECT_TRUE(p.motions[2].assumed_start);
+    EXPECT_FALSE(p.motions[3].assumed_start);
+  }
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG91 G53 Z0\n", at_origin(Dialect::fanuc))),
+            "machine-incremental");
 }
 
 TEST(Frames, FeedsAndSpeeds) {

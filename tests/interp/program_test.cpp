@@ -1,8 +1,8 @@
 // Whole programs: recognition, tools from comments, subprograms, flow, the seeds, the JSON lines.
-#include "interp/path_picture.h"
-#include "interp/recognise.h"
+#include "interp/recognise/recognise.h"
+#include "interp/show/path_picture.h"
 #include "interp/support.h"
-#include "interp/tool_comment.h"
+#include "interp/text/tool_comment.h"
 
 namespace mrsim {
 namespace {
@@ -37,7 +37,7 @@ TEST(Recognise, Dialects) {
       {"a.nc", "N10 G1 X100 Y100\nN20 G2 I50 J0 T180", Dialect::codesys},
       {"a.nc",
        ";@MKR|TOOL|number=1|type=Flat End|diameter=3\n;pass 1\nG21\nG90\nT1 M6\nG1 X1 Y1 ; cut",
-       Dialect::iso},
+       Dialect::ngc},
       {"a.nc", "O1;\nG1X1F1;X2Y5;", Dialect::fanuc},
       {"a.nc", "SUBPROGRAM Part\nG1 X1 Y1\nEND_SUBPROGRAM", Dialect::codesys},
   };
@@ -63,7 +63,7 @@ TEST(Recognise, Machines) {
                       {"LIMS=3000\nG1 X1 Z1", lathe},
                       {"DIAMON\nG1 X1 Z1", lathe},
                       {"G18\nG1 X1 Z1", lathe},
-                      {"T1 ; turning tool\nG1 X1 Z1", lathe},
+                      {"T1 ; turning tool\nG1 X1 Z1", unclear},
                       {"G1 X1 Z1", unclear},
                       {"G96 S100\nG1 X1 Y1", unclear},
                       {"TRANS X1 Y1\nG96 S100\nG1 X1", lathe},
@@ -98,7 +98,7 @@ TEST(Recognise, FanucLathes) {
       {"O1\nT0101\nM06\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT1234\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT101\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
-      {"O1\nT0101 (END MILL D10)\nG0 X50. Z2.\nG90 G1 X40. Z-10. F.2", MachineKind::mill},
+      {"O1\nT0101 (END MILL D10)\nG0 X50. Z2.\nG90 G1 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT0101\nG50 S2000\nG0 X50. Y2.\nG90 X40. Z-10. F.2", MachineKind::mill},
       {"O1\nT1 M6\nG90 G54 G0 X50. Z2.\nG1 Z-3. F100\nG90 X40. Z-10.", MachineKind::automatic}};
   const Scratch scratch;
@@ -304,6 +304,17 @@ TEST(Primer, Turning) {
   EXPECT_NEAR(degrees(p.tools[0].lead_angle), 93, 1e-12);
   EXPECT_EQ(p.tools[0].edge_length, 16);
   EXPECT_EQ(p.tools[0].nose_radius, 0);
+}
+
+TEST(Diagnostics, BeyondAHundredOfAKindAreCounted) {
+  Scratch folder;
+  const std::string path = folder.write("flood.nc", std::string(1000000, '/') + "\nG1 X1 F100\n");
+  const Program p = read_program(path, at_origin(Dialect::iso));
+  ASSERT_EQ(p.diagnostics.size(), 101U);
+  EXPECT_EQ(p.diagnostics[99].place.column, 101);
+  EXPECT_EQ(p.diagnostics[100].text, "... and 999899 more of these");
+  EXPECT_EQ(p.diagnostics[100].code, p.diagnostics[99].code);
+  EXPECT_EQ(p.diagnostics[100].severity, Severity::error);
 }
 
 TEST(Pictures, ArcsStayArcs) {

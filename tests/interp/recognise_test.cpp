@@ -1,4 +1,4 @@
-#include "interp/recognise.h"
+#include "interp/recognise/recognise.h"
 
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include "core/units.h"
 #include "interp/interpreter.h"
-#include "interp/motion_text.h"
+#include "interp/show/motion_text.h"
 
 #include <filesystem>
 #include <fstream>
@@ -58,6 +58,7 @@ inline InterpOptions at_origin(Dialect dialect, MachineKind machine = MachineKin
   options.dialect = dialect;
   options.machine = machine;
   options.start = Vec3{};
+  options.comp = CompRadius::radius;
   Tool tool;
   tool.diameter = 10;
   tool.origin = "test";

@@ -2,8 +2,8 @@
 // part from the mesh.
 #include "core/trig.h"
 #include "core/units.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
 #include "support/rounds.h"
@@ -86,12 +86,12 @@ double largest_edge_distance(const TriMesh& mesh) {
 }
 
 TEST(ContourCgal, SharpEdgesAreKeptAtHalfAMillimetre) {
-  EXPECT_LE(largest_edge_distance(contour(primer_2f(), 0.5)), 0.036);
+  EXPECT_LE(largest_edge_distance(mesh_part(primer_2f(), 0.5)), 0.036);
 }
 
 TEST(ContourCgal, ExactPartIsWithinToleranceOfTheMesh) {
   for (const double tolerance : {0.05, 0.005, 0.0005}) {
-    const TriMesh mesh = contour(primer_2f(), 0.25, with_tolerance(tolerance));
+    const TriMesh mesh = mesh_part(primer_2f(), 0.25, with_tolerance(tolerance));
     EXPECT_EQ(self_intersections(mesh), 0u);
     EXPECT_LE(largest_edge_distance(mesh), tolerance);
     const MeshDistance distance(mesh);
@@ -110,7 +110,7 @@ TEST(ContourCgal, ExactPartIsWithinToleranceOfTheMesh) {
 
 TEST(ContourCgal, TurnedPartIsWithinToleranceOfTheMesh) {
   const AnalyticField part = primer_2s();
-  const TriMesh mesh = contour(part, 0.2, with_tolerance(0.01));
+  const TriMesh mesh = mesh_part(part, 0.2, with_tolerance(0.01));
   EXPECT_EQ(self_intersections(mesh), 0u);
   const MeshDistance distance(mesh);
   std::vector<Vec2> profile;  // radius, z
@@ -159,7 +159,7 @@ AnalyticField random_part(std::uint64_t seed) {
 }
 
 void expect_sound(const AnalyticField& part, double voxel, double tolerance, std::uint64_t seed) {
-  const TriMesh mesh = contour(part, voxel, with_tolerance(tolerance));
+  const TriMesh mesh = mesh_part(part, voxel, with_tolerance(tolerance));
   const MeshSummary s = check_mesh(mesh);
   EXPECT_TRUE(s.closed && s.oriented && s.manifold && s.degenerate == 0) << seed << s.first_fault;
   EXPECT_EQ(self_intersections(mesh), 0u) << seed;

@@ -1,6 +1,6 @@
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
 
-#include "mesh/check.h"
+#include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
 
@@ -63,10 +63,10 @@ bool same_bytes(const TriMesh& a, const TriMesh& b) {
 
 TEST(Contour, BoxIsExactWithTwelveTriangles) {
   const AnalyticField box({{0, 0, 0}, {20, 15, 10}}, false, {});
-  const TriMesh uniform = contour(box, 1);
+  const TriMesh uniform = mesh_part(box, 1);
   expect_solid(uniform);
   EXPECT_NEAR(check_mesh(uniform).volume, 3000, 1e-6);
-  const TriMesh small = contour(box, 1, with_tolerance(0.01));
+  const TriMesh small = mesh_part(box, 1, with_tolerance(0.01));
   expect_solid(small);
   EXPECT_NEAR(check_mesh(small).volume, 3000, 1e-6);
   EXPECT_EQ(small.triangles.size(), 12u);
@@ -75,7 +75,7 @@ TEST(Contour, BoxIsExactWithTwelveTriangles) {
 TEST(Contour, VerticesAreExactAtAnyVoxel) {
   const AnalyticField part = primer_2f();
   for (const double voxel : {1.0, 0.5, 0.25}) {
-    const TriMesh mesh = contour(part, voxel);
+    const TriMesh mesh = mesh_part(part, voxel);
     expect_solid(mesh);
     EXPECT_LE(largest_vertex_error(part, mesh), 2e-5) << voxel;
   }
@@ -85,7 +85,7 @@ TEST(Contour, ErrorFallsWithTheSquareOfTheVoxel) {
   const AnalyticField part = primer_2f();
   double last = 0, last_volume = 0;
   for (const double voxel : {1.0, 0.5, 0.25}) {
-    const TriMesh mesh = contour(part, voxel);
+    const TriMesh mesh = mesh_part(part, voxel);
     const double error = largest_mesh_error(part, mesh, 4);
     const double volume = std::abs(check_mesh(mesh).volume - kPrimer2fVolume);
     if (last > 0) {
@@ -100,8 +100,8 @@ TEST(Contour, ErrorFallsWithTheSquareOfTheVoxel) {
 TEST(Contour, ToleranceHoldsOnEverySampleOfTheMesh) {
   const AnalyticField part = primer_2f();
   for (const double tolerance : {0.05, 0.005, 0.0005}) {
-    ContourReport report;
-    const TriMesh mesh = contour(part, 0.25, with_tolerance(tolerance), &report);
+    MeshReport report;
+    const TriMesh mesh = mesh_part(part, 0.25, with_tolerance(tolerance), &report);
     expect_solid(mesh);
     EXPECT_LE(largest_mesh_error(part, mesh, 12), tolerance);
     EXPECT_LE(report.bound, tolerance);
@@ -113,15 +113,15 @@ TEST(Contour, ToleranceHoldsOnEverySampleOfTheMesh) {
 
 TEST(Contour, Primer2fTakesFewTriangles) {
   const AnalyticField part = primer_2f();
-  const TriMesh coarse = contour(part, 0.25, with_tolerance(0.005));
+  const TriMesh coarse = mesh_part(part, 0.25, with_tolerance(0.005));
   EXPECT_LE(coarse.triangles.size(), 4000u);
   EXPECT_NEAR(check_mesh(coarse).volume, kPrimer2fVolume, 0.5);
-  EXPECT_LE(contour(part, 0.25, with_tolerance(0.001)).triangles.size(), 10000u);
+  EXPECT_LE(mesh_part(part, 0.25, with_tolerance(0.001)).triangles.size(), 10000u);
 }
 
 TEST(Contour, Primer2sTakesFewTriangles) {
   const AnalyticField part = primer_2s();
-  const TriMesh mesh = contour(part, 0.1, with_tolerance(0.005));
+  const TriMesh mesh = mesh_part(part, 0.1, with_tolerance(0.005));
   expect_solid(mesh);
   EXPECT_LE(mesh.triangles.size(), 45000u);
   EXPECT_NEAR(check_mesh(mesh).volume, kPrimer2sVolume, 25);
@@ -141,8 +141,8 @@ AnalyticField raster_of_short_moves(double apart) {
 TEST(Contour, ShortMovesTakeFewCells) {
   for (const double apart : {1.0, 0.3}) {
     const AnalyticField part = raster_of_short_moves(apart);
-    ContourReport report;
-    const TriMesh mesh = contour(part, 0.25, with_tolerance(0.02, 2), &report);
+    MeshReport report;
+    const TriMesh mesh = mesh_part(part, 0.25, with_tolerance(0.02, 2), &report);
     expect_solid(mesh);
     const double error = largest_mesh_error(part, mesh, 6);
     EXPECT_LE(error, 0.02) << apart;
@@ -150,23 +150,23 @@ TEST(Contour, ShortMovesTakeFewCells) {
     EXPECT_LE(report.bound, 0.02) << apart;
     EXPECT_LE(report.cells, 1300u) << apart;  // half of the voxels on the surface
     EXPECT_LE(largest_vertex_error(part, mesh), 2e-5) << apart;
-    EXPECT_TRUE(same_bytes(mesh, contour(part, 0.25, with_tolerance(0.02, 1)))) << apart;
+    EXPECT_TRUE(same_bytes(mesh, mesh_part(part, 0.25, with_tolerance(0.02, 1)))) << apart;
   }
 }
 
 TEST(Contour, SameBytesForAnyNumberOfThreads) {
   const AnalyticField part = primer_2f();
   for (const double tolerance : {0.0, 0.01}) {
-    const TriMesh one = contour(part, 0.5, with_tolerance(tolerance, 1));
+    const TriMesh one = mesh_part(part, 0.5, with_tolerance(tolerance, 1));
     for (const int threads : {2, 7})
-      EXPECT_TRUE(same_bytes(one, contour(part, 0.5, with_tolerance(tolerance, threads))))
+      EXPECT_TRUE(same_bytes(one, mesh_part(part, 0.5, with_tolerance(tolerance, threads))))
           << tolerance << " " << threads;
   }
 }
 
 TEST(Contour, OwnersAreThoseOfTheExactPart) {
   const AnalyticField part = primer_2f();
-  const TriMesh mesh = contour(part, 0.5);
+  const TriMesh mesh = mesh_part(part, 0.5);
   const Candidates all = part.all();
   std::size_t wrong = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -183,15 +183,15 @@ TEST(Contour, ThinWallsAndGapsAreReported) {
   const AnalyticField wall(
       {{0, 0, 0}, {30, 20, 10}}, false,
       {flat_line({5, 6}, {25, 6}, 2, 5), flat_line({5, 10.12}, {25, 10.12}, 2, 5)});
-  ContourReport report;
-  contour(wall, 0.5, {}, &report);
+  MeshReport report;
+  mesh_part(wall, 0.5, {}, &report);
   bool found = false;
   for (const ThinFeature& f : report.thin)
     found = found || (f.wall && f.owner[0] == 0 && f.owner[1] == 1 &&
                       std::abs(f.thickness - 0.12) < 1e-3 && std::abs(f.place.y - 8.06) < 0.1);
   EXPECT_TRUE(found);
-  ContourReport none;
-  contour(primer_2f(), 0.5, {}, &none);
+  MeshReport none;
+  mesh_part(primer_2f(), 0.5, {}, &none);
   EXPECT_TRUE(none.thin.empty());
 }
 
@@ -213,8 +213,8 @@ TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
         };
         const Vec2 size = on_axis(40, 6);
         const AnalyticField part({{0, 0, 0}, {size.x, size.y, 3}}, false, {slot(-1), slot(1)});
-        ContourReport report;
-        const TriMesh mesh = contour(part, kVoxel, {}, &report);
+        MeshReport report;
+        const TriMesh mesh = mesh_part(part, kVoxel, {}, &report);
         const bool is_kept =  // a plane of the grid lies in it
             std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
               return std::abs(component(vec(v), axis) - at) < 2 * kHalf && v[2] > 1.5 && v[2] < 2.5;
@@ -231,11 +231,11 @@ TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
 
 TEST(Contour, RefusesWhatItCanNotMesh) {
   const AnalyticField part = primer_2f();
-  EXPECT_EQ(error_code([&] { contour(part, 0); }), "voxel-invalid");
-  EXPECT_EQ(error_code([&] { contour(part, 1e-9); }), "voxel-invalid");
-  EXPECT_EQ(error_code([&] { contour(part, 1, with_tolerance(-1)); }), "tolerance-invalid");
+  EXPECT_EQ(error_code([&] { mesh_part(part, 0); }), "voxel-invalid");
+  EXPECT_EQ(error_code([&] { mesh_part(part, 1e-9); }), "voxel-invalid");
+  EXPECT_EQ(error_code([&] { mesh_part(part, 1, with_tolerance(-1)); }), "tolerance-invalid");
   const AnalyticField nothing({{0, 0, 0}, {5, 5, 5}}, false, {{Cut::Kind::half, {}, 0, -1, 0}});
-  EXPECT_EQ(error_code([&] { contour(nothing, 1); }), "part-empty");
+  EXPECT_EQ(error_code([&] { mesh_part(nothing, 1); }), "part-empty");
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 // What a tolerance costs where short moves end at the stock's sides, and that bounds hold there.
+#include "mesh/surface/certify.h"
+
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/contour.h"
-#include "mesh/contour_certify.h"
-#include "removal/part_field.h"
+#include "mesh/adaptive.h"
+#include "removal/part/part_field.h"
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
@@ -17,13 +18,13 @@ namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-using test::line;
+using testing::line;
 
-ContourReport report_of(const PartField& field, double tolerance) {
+MeshReport report_of(const PartField& field, double tolerance) {
   MeshOptions options;
   options.tolerance = tolerance;
-  ContourReport report;
-  expect_closed_manifold(contour(field, 0.4, options, &report));
+  MeshReport report;
+  expect_closed_manifold(mesh_part(field, 0.4, options, &report));
   EXPECT_LE(report.bound, tolerance);
   return report;
 }
@@ -37,7 +38,7 @@ TEST(Certify, SideOnACreaseIsMeasuredFromTheCrease) {
   const AnalyticField part(
       {{0, 0, 0}, {20, 20, kTop}}, false,
       {flat_line({2, 10}, bend, kRadius, 5), flat_line(bend, bend + 8 * along, kRadius, 5)});
-  const detail::ContourOctree tree(part, detail::Lattice(part.bounds(), 0.5, 4), 0.1, 1);
+  const detail::CellOctree tree(part, detail::Lattice(part.bounds(), 0.5, 4), 0.1, 1);
   const Vec3 edge{bend.x - kRadius * std::tan(turn / 2), bend.y + kRadius, kTop};
   const Vec3 a = edge - Vec3{kLength, 0, 0}, b = edge + kLength * Vec3{along.x, along.y, 0};
   for (const double height : {0.3, 1.0, 3.0}) {
@@ -67,8 +68,8 @@ TEST(Certify, LoopsThatLeaveTheStockTakeFewCells) {
       last = next;
     }
   }
-  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 12));
-  const ContourReport report = report_of(field, 0.034);
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
+  const MeshReport report = report_of(field, 0.034);
   EXPECT_LE(report.passes, 8u);
   EXPECT_LE(report.cells, 1000u);
   EXPECT_TRUE(report.thin.empty());

@@ -1,7 +1,7 @@
-#include "mesh/check.h"
+#include "mesh/solid/check.h"
 
-#include "mesh/half_edges.h"
-#include "mesh/weld.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,11 +1,12 @@
 // What other people's programs make of the files that mrsim writes: OpenMesh for STL, OBJ, PLY and
 // OFF, lib3mf for 3MF, and the rules of glTF for GLB.
 #include "core/bytes.h"
-#include "mesh/glb.h"
-#include "mesh/half_edges.h"
-#include "mesh/mesh_io.h"
+#include "mesh/format/glb.h"
+#include "mesh/format/mesh_io.h"
+#include "mesh/solid/half_edges.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
+#include "support/temp_folder.h"
 
 #include <cmath>
 #include <filesystem>
@@ -23,17 +24,7 @@ namespace {
 using namespace mrsim::testing;
 using Json = nlohmann::json;
 
-class Foreign : public ::testing::Test {
- protected:
-  Foreign() {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("mrsim-foreign-" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder_);
-  }
-  ~Foreign() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::filesystem::path folder_;
-};
+class Foreign : public TempFolderTest {};
 
 TriMesh part() {
   TriMesh m = tube_mesh(64, 10, 5, 0.1, 7);

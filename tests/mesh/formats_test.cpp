@@ -1,17 +1,19 @@
 // Every format written by mrsim and read back by mrsim; formats_foreign_test.cpp reads them with
 // other people's readers.
 #include "core/bytes.h"
-#include "mesh/glb.h"
-#include "mesh/half_edges.h"
-#include "mesh/mesh_io.h"
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
-#include "mesh/threemf.h"
-#include "mesh/weld.h"
-#include "mesh/zip.h"
+#include "core/memory_limit.h"
+#include "core/zip.h"
+#include "mesh/format/glb.h"
+#include "mesh/format/mesh_io.h"
+#include "mesh/format/obj.h"
+#include "mesh/format/off.h"
+#include "mesh/format/ply.h"
+#include "mesh/format/threemf.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
+#include "support/temp_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -319,6 +321,68 @@ TEST(ThreeMf, RefusesBombsAndLoops) {
   EXPECT_EQ(code("PK", MeshFormat::threemf), "3mf-zip");
 }
 
+// 60 000 instances of 3 000 points, of which a triangle uses three.
+std::string glb_of_instances() {
+  constexpr std::size_t kNodes = 60000, kPoints = 3000;
+  std::string nodes, list;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    nodes += i > 0 ? ",{\"mesh\":0}" : "{\"mesh\":0}";
+    list += (i > 0 ? "," : "") + std::to_string(i);
+  }
+  std::string json =
+      "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[" + list + "]}],\"nodes\":[" +
+      nodes +
+      "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+      "\"buffers\":[{\"byteLength\":36012}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36000},"
+      "{\"buffer\":0,\"byteOffset\":36000,\"byteLength\":12}],\"accessors\":[{\"bufferView\":0,"
+      "\"componentType\":5126,\"count\":3000,\"type\":\"VEC3\"},{\"bufferView\":1,"
+      "\"componentType\":5125,\"count\":3,\"type\":\"SCALAR\"}]}";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string binary(12 * kPoints + 12, '\0');
+  std::string out = "glTF";
+  for (const std::size_t word : {std::size_t(2), 28 + json.size() + binary.size(), json.size()})
+    detail::store(out, std::uint32_t(word));
+  out += "JSON" + json;
+  detail::store(out, std::uint32_t(binary.size()));
+  return out + std::string("BIN\0", 4) + binary;
+}
+
+TEST(MeshFormats, CountInstancesBeforeTheyAreAdded) {
+  const MemoryLimit limit(std::size_t(1) << 30);
+  EXPECT_EQ(code(glb_of_instances(), MeshFormat::glb), "glb-too-large");
+  std::string object = "<object id=\"1\"><mesh><vertices>", build;
+  for (int i = 0; i < 3000; ++i) object += "<vertex x=\"0\" y=\"0\" z=\"0\"/>";
+  object +=
+      "</vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object>";
+  for (int i = 0; i < 60000; ++i) build += "<item objectid=\"1\"/>";
+  EXPECT_EQ(code(package("<model><resources>" + object + "</resources><build>" + build +
+                         "</build></model>"),
+                 MeshFormat::threemf),
+            "3mf-too-large");
+}
+
+TEST(MeshFormats, AskForMemoryWhereTheWholeMeshIsWritten) {
+  const TriMesh m = part();
+  const auto written = [&](MeshFormat format) {
+    return error_code([&] {
+      bytes_of([&](const ByteSink& out) { encode_mesh(MemoryMesh(m), format, {}, out); });
+    });
+  };
+  const MemoryLimit limit(1);
+  EXPECT_EQ(written(MeshFormat::glb), "memory");
+  EXPECT_EQ(written(MeshFormat::ply), "");
+}
+
+TEST(MeshFormats, RefuseCoordinatesBeyondTenKilometres) {
+  for (const MeshFormat format : kFormats) {
+    TriMesh box = box_mesh({0, 0, 0}, {1, 2, 3});
+    box.vertices[7] = {1e7F, 1e7F, 1e7F};
+    EXPECT_EQ(code(bytes_as(format, box), format), "") << int(format);
+    box.vertices[7] = {1e38F, 1e7F, 1e7F};
+    EXPECT_TRUE(code(bytes_as(format, box), format).ends_with("-too-far")) << int(format);
+  }
+}
+
 TEST(MeshFormats, WeldFilesThatRepeatTheirVertices) {
   const TriMesh box = box_mesh({0, 0, 0}, {1, 2, 3});
   TriMesh soup;
@@ -342,9 +406,8 @@ TEST(MeshFile, FormatsAreToldByExtension) {
 }
 
 TEST(MeshFile, IsWrittenWholeAndReadBack) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("mrsim-formats-" + std::to_string(::getpid()));
-  std::filesystem::create_directory(folder);
+  const TempFolder temporary;
+  const std::filesystem::path& folder = temporary.folder();
   for (const char* end : {".stl", ".obj", ".ply", ".off", ".3mf"}) {
     const std::string path = (folder / "part").string() + end;
     save_mesh(path, part());
@@ -356,7 +419,6 @@ TEST(MeshFile, IsWrittenWholeAndReadBack) {
   EXPECT_EQ(error_code([&] { save_mesh((folder / "no/part.stl").string(), part()); }),
             "output-folder");
   EXPECT_EQ(error_code([&] { load_mesh((folder / "gone.stl").string()); }), "file-missing");
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

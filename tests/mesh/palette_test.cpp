@@ -1,4 +1,4 @@
-#include "mesh/palette.h"
+#include "mesh/draw/palette.h"
 
 #include "support/shapes.h"
 

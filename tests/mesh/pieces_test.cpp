@@ -1,4 +1,4 @@
-#include "mesh/pieces.h"
+#include "mesh/solid/pieces.h"
 
 #include "core/vec.h"
 #include "support/mesh_asserts.h"

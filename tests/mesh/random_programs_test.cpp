@@ -4,9 +4,9 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
-#include "removal/part_field.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
+#include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Generator {
     tool.diameter = whole(2, 8);
     tool.corner_radius = tool.type == ToolType::bullmill ? tool.diameter / 4 : 0;
     const std::vector<Motion> motions = moves(top);
-    return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1), top)};
+    return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
   }
 
  private:
@@ -94,7 +94,7 @@ void expect_sound(const PartField& part, double voxel, double tolerance, std::ui
   options.threads = 1;
   TriMesh mesh;
   try {
-    mesh = contour(part, voxel, options);
+    mesh = mesh_part(part, voxel, options);
   } catch (const Error& error) {
     ASSERT_EQ(error.code(), "part-empty") << seed;
     return;

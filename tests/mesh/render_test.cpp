@@ -1,10 +1,10 @@
-#include "mesh/render.h"
+#include "mesh/draw/render.h"
 
-#include "mesh/creases.h"
-#include "mesh/half_edges.h"
-#include "mesh/picture.h"
-#include "mesh/view.h"
-#include "mesh/weld.h"
+#include "mesh/draw/picture.h"
+#include "mesh/draw/view.h"
+#include "mesh/solid/creases.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

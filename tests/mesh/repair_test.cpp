@@ -1,6 +1,6 @@
 #include "reference/repair.h"
 
-#include "mesh/weld.h"
+#include "mesh/solid/weld.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,11 +1,11 @@
 // Meshes kept in a file while they are made, as runs in slabs do: the same files as from memory,
 // also where the tiles have to be made again.
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
-#include "mesh/mesh_io.h"
-#include "mesh/mesh_spill.h"
-#include "removal/part_field.h"
+#include "mesh/adaptive.h"
+#include "mesh/format/mesh_io.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/mesh_spill.h"
+#include "removal/part/part_field.h"
 #include "support/crossed_slots.h"
 #include "support/moves.h"
 
@@ -35,7 +35,7 @@ PartField crossed_part(double around) {
     m.start = {s[0], s[1], s[4]}, m.end = {s[2], s[3], s[4]};
     motions.push_back(m);
   }
-  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z)};
+  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
 }
 
 std::string encoded(const MeshSource& mesh, MeshFormat format, bool ascii) {
@@ -70,13 +70,13 @@ TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
   for (const int threads : {1, 2}) {
     MeshOptions options;
     options.threads = threads;
-    ContourReport report;
-    const TriMesh whole = contour(part, kCrossedVoxel, options, &report);
+    MeshReport report;
+    const TriMesh whole = mesh_part(part, kCrossedVoxel, options, &report);
     EXPECT_EQ(report.passes, 2u);
     const MeshSummary summary = check_mesh(whole);
     EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
     CountingSpill slabs;
-    contour(part, kCrossedVoxel, options, slabs);
+    mesh_part(part, kCrossedVoxel, options, slabs);
     EXPECT_EQ(slabs.restarts, 1);
     EXPECT_GT(slabs.blocks, 0);
     ASSERT_EQ(slabs.spilled.triangles(), whole.triangles.size());
@@ -94,9 +94,9 @@ TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
 // with four crossings.
 TEST(Slabs, TilesThatWereSplitMeetTheOthers) {
   for (const double around : {20.0, 30.0}) {
-    ContourReport report;
+    MeshReport report;
     const MeshSummary summary =
-        check_mesh(contour(crossed_part(around), kCrossedVoxel, {}, &report));
+        check_mesh(mesh_part(crossed_part(around), kCrossedVoxel, {}, &report));
     EXPECT_EQ(report.passes, 2u);
     EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
   }
@@ -115,13 +115,13 @@ TEST(Slabs, PiecesInOneCellDoNotTouch) {
   for (const auto& [start, end] : {std::pair<Vec3, Vec3>{{34.37, 11.03, 2.26}, {36.41, 3.13, 1.82}},
                                    {{33.4, 10.39, 0.69}, {42.39, 4.73, 0.25}},
                                    {{29.84, 6.67, 2.38}, {35.67, 11.33, 2.38}}}) {
-    Motion m = test::line(start, end);
+    Motion m = testing::line(start, end);
     m.tool = 0;
     m.line = static_cast<std::int32_t>(motions.size()) + 1;
     motions.push_back(m);
   }
-  const PartField part(StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z));
-  const MeshSummary summary = check_mesh(contour(part, 0.59493110422044992));
+  const PartField part(StockSolid(stock), SweepTable(motions, std::span(&tool, 1)));
+  const MeshSummary summary = check_mesh(mesh_part(part, 0.59493110422044992));
   EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
 }
 

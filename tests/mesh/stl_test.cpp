@@ -1,6 +1,6 @@
-#include "mesh/stl.h"
+#include "mesh/format/stl.h"
 
-#include "mesh/check.h"
+#include "mesh/solid/check.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,9 +1,10 @@
 // Walls and gaps below the voxel: a mesh with a tolerance holds them, or the report names them.
+#include "mesh/surface/thin_features.h"
+
 #include "core/triangle_tree.h"
 #include "core/vec.h"
-#include "mesh/contour.h"
-#include "mesh/contour_octree.h"
-#include "mesh/contour_thin.h"
+#include "mesh/adaptive.h"
+#include "mesh/surface/octree.h"
 #include "support/analytic_field.h"
 #include "support/rounds.h"
 
@@ -17,7 +18,7 @@ namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-using detail::ContourOctree;
+using detail::CellOctree;
 using detail::FoundThin;
 using detail::Lattice;
 using detail::MinimalEdge;
@@ -29,14 +30,14 @@ constexpr int kPoints = 21;
 
 struct Made {
   TriMesh mesh;
-  ContourReport report;
+  MeshReport report;
 };
 
 Made made(const AnalyticField& part, double tolerance, double voxel = kVoxel) {
   MeshOptions options;
   options.tolerance = tolerance;
   Made out;
-  out.mesh = contour(part, voxel, options, &out.report);
+  out.mesh = mesh_part(part, voxel, options, &out.report);
   return out;
 }
 
@@ -151,7 +152,7 @@ class Lost : public ::testing::Test {
 
   Lattice lattice_{kStock, kVoxel, 4};
   AnalyticField part_;
-  ContourOctree tree_;
+  CellOctree tree_;
   std::vector<MinimalEdge> edges_;
 };
 

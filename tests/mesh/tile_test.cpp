@@ -1,9 +1,9 @@
 // What a tile makes of a cell depends on the cell's place alone, so that tiles fit each other.
-#include "mesh/contour_tile.h"
+#include "mesh/surface/tile.h"
 
 #include "core/vec.h"
-#include "mesh/contour_surface.h"
-#include "removal/part_field.h"
+#include "mesh/surface/surface.h"
+#include "removal/part/part_field.h"
 #include "support/analytic_field.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ PartField raster(const Vec3& origin, double diameter, bool steep) {
   ball.diameter = diameter;
   StockShape shape;
   shape.box = {origin - Vec3{1, 1, 4}, origin + Vec3{9, 8, 1}};
-  return {StockSolid(shape), SweepTable(motions, {&ball, 1}, origin.z + 10)};
+  return {StockSolid(shape), SweepTable(motions, {&ball, 1})};
 }
 
 using Place = std::tuple<int, int, int, int>;
@@ -47,7 +47,7 @@ using Place = std::tuple<int, int, int, int>;
 using Found = std::map<Place, std::vector<std::tuple<double, double, double, int, int>>>;
 
 // All of a surface, by place: crossings by edge, vertices by cell (axis -1).
-Found all_of(const ContourSurface& surface, const ContourCells& cells) {
+Found all_of(const DualSurface& surface, const SurfaceCells& cells) {
   Found out;
   for (const Crossing& c : surface.crossings()) {
     const LatticePoint& p = c.edge.start;
@@ -64,14 +64,14 @@ Found all_of(const ContourSurface& surface, const ContourCells& cells) {
   return out;
 }
 
-ContourSurface::Options options(const Lattice& lattice) {
+DualSurface::Options options(const Lattice& lattice) {
   return {.shallow = lattice.voxel() / 64, .threads = 1};
 }
 
 Found found(const PartField& field, const Lattice& lattice, const LatticePoint& first) {
-  ContourTile tile(field, lattice);
-  ContourSurface surface(field, tile, options(lattice));
-  tile.build(first, field.all(), ContourTile::FlatCells::kept);
+  CellTile tile(field, lattice);
+  DualSurface surface(field, tile, options(lattice));
+  tile.build(first, field.all(), CellTile::FlatCells::kept);
   surface.find_loops(tile);
   surface.make_triangles();
   return all_of(surface, tile);
@@ -82,19 +82,19 @@ Found found_by_tree(const PartField& field, const Lattice& lattice, const Lattic
   const std::int32_t unit = lattice.per_voxel();
   OctreePart part;
   part.origin = {first.x * unit, first.y * unit, first.z * unit};
-  part.size = ContourTile::kCells * unit;
+  part.size = CellTile::kCells * unit;
   const Candidates all = field.all();
   part.candidates = all;
   part.complete[0] = unit, part.complete[1] = part.size - unit;
-  part.owned[0] = ContourTile::kFirstOwned * unit, part.owned[1] = ContourTile::kEndOwned * unit;
-  ContourOctree tree(field, lattice, part);
-  ContourSurface surface(field, tree, options(lattice));
+  part.owned[0] = CellTile::kFirstOwned * unit, part.owned[1] = CellTile::kEndOwned * unit;
+  CellOctree tree(field, lattice, part);
+  DualSurface surface(field, tree, options(lattice));
   surface.find_loops(split_badly_crossed(tree));
   surface.make_triangles();
   return all_of(surface, tree);
 }
 
-TEST(ContourTile, TilesAgreeOnWhatTheyShare) {
+TEST(CellTile, TilesAgreeOnWhatTheyShare) {
   int round = 0;
   for (const Vec3& origin : {Vec3{}, Vec3{1000, -500, 3}, Vec3{-3.3, 100.37, -20.1}})
     for (const double diameter : {6.0, 0.9}) {
@@ -115,7 +115,7 @@ TEST(ContourTile, TilesAgreeOnWhatTheyShare) {
 }
 
 // Tiles next to one of which cells are split are made by a tree.
-TEST(ContourTile, FindsWhatATreeFinds) {
+TEST(CellTile, FindsWhatATreeFinds) {
   int round = 0;
   for (const double diameter : {6.0, 0.9, 0.4}) {
     ++round;
@@ -143,9 +143,9 @@ struct TileMeasure {
 };
 
 TileMeasure measured(const PartField& field, const Lattice& lattice, const LatticePoint& first,
-                     ContourTile::FlatCells flat) {
-  ContourTile tile(field, lattice);
-  ContourSurface surface(field, tile, options(lattice));
+                     CellTile::FlatCells flat) {
+  CellTile tile(field, lattice);
+  DualSurface surface(field, tile, options(lattice));
   tile.build(first, field.all(), flat);
   surface.find_loops(tile);
   const BaseMesh& mesh = surface.make_triangles();
@@ -173,7 +173,7 @@ TileMeasure measured(const PartField& field, const Lattice& lattice, const Latti
 
 // Squares of cells cover what their cells would: the border of the tile's surface stays, and so do
 // its area and what lies beneath it.
-TEST(ContourTile, FlatCellsAreMergedWithoutATrace) {
+TEST(CellTile, FlatCellsAreMergedWithoutATrace) {
   int round = 0;
   double before = 0, after = 0;
   for (const Vec3& origin : {Vec3{}, Vec3{1000, -500, 3}, Vec3{-3.3, 100.37, -20.1}})
@@ -182,8 +182,8 @@ TEST(ContourTile, FlatCellsAreMergedWithoutATrace) {
       const PartField field = raster(origin, 0.9, round % 2 == 0);
       const Lattice lattice(field.bounds(), voxel, 2, 4);
       for (const LatticePoint first : {LatticePoint{2, 1, 0}, LatticePoint{40, 20, 40}}) {
-        const TileMeasure all = measured(field, lattice, first, ContourTile::FlatCells::kept);
-        const TileMeasure some = measured(field, lattice, first, ContourTile::FlatCells::merged);
+        const TileMeasure all = measured(field, lattice, first, CellTile::FlatCells::kept);
+        const TileMeasure some = measured(field, lattice, first, CellTile::FlatCells::merged);
         if (all.triangles == 0) continue;
         EXPECT_EQ(all.sides, some.sides);
         EXPECT_NEAR(all.area, some.area, 1e-9 * all.area) << "round " << round;
@@ -196,7 +196,7 @@ TEST(ContourTile, FlatCellsAreMergedWithoutATrace) {
 }
 
 // Beyond the reach of a cell its list may lack sweeps, so nothing is concluded from samples there.
-TEST(ContourTile, ASearchThatIsLedOutOfItsCellEnds) {
+TEST(CellTile, ASearchThatIsLedOutOfItsCellEnds) {
   using namespace testing;
   const AnalyticField field({{-5, -5, -5}, {5, 5, 5}}, false,
                             {{Cut::Kind::half, {}, 0, 0.3, 0}, {Cut::Kind::half, {}, 0, 1.5, 0}});

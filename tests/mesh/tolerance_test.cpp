@@ -2,11 +2,12 @@
 // places where a face ends or its curvature changes within a triangle.
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/contour.h"
-#include "removal/part_field.h"
+#include "mesh/adaptive.h"
+#include "removal/part/part_field.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
 #include "support/rounds.h"
+#include "support/tools.h"
 
 #include <cmath>
 #include <random>
@@ -17,7 +18,8 @@
 namespace mrsim {
 namespace {
 
-using test::line;
+using testing::line;
+using testing::mill;
 
 constexpr double kFloats = 1e-5;  // mm: coordinates of the corners
 
@@ -35,27 +37,20 @@ Motion arc(Vec3 center, double radius, double from, double sweep) {
 }
 
 // The report of a mesh of these moves in a block of 20 x 20 x 8 mm.
-ContourReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& tool,
-                                 double tolerance, const std::string& what) {
+MeshReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& tool,
+                              double tolerance, const std::string& what) {
   StockShape shape;
   shape.box = {{0, 0, 0}, {20, 20, 8}};
-  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 8));
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
   MeshOptions options;
   options.tolerance = tolerance;
-  ContourReport report;
-  const TriMesh mesh = contour(field, 0.5, options, &report);
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, options, &report);
   EXPECT_LE(testing::largest_distance(field, mesh), report.bound + kFloats) << what;
   if (report.unresolved == 0) {
     EXPECT_LE(report.bound, tolerance) << what;
   }
   return report;
-}
-
-Tool mill(ToolType type, double diameter) {
-  Tool tool;
-  tool.type = type;
-  tool.diameter = diameter;
-  return tool;
 }
 
 Tool random_mill(std::mt19937_64& random) {

@@ -4,11 +4,11 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
-#include "mesh/turned_chords.h"
-#include "mesh/turned_mesh.h"
-#include "removal/part_field.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
+#include "mesh/turned/turned_chords.h"
+#include "mesh/turned/turned_mesh.h"
+#include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
@@ -24,14 +24,14 @@
 namespace mrsim {
 namespace {
 
-using test::line;
+using testing::line;
 
 StockShape bar(double radius, double z0, double z1, double bore = 0) {
   return testing::round_stock(radius, bore, z0, z1);
 }
 
 PartField cut(const StockShape& stock, const std::vector<Motion>& motions, const Tool& tool) {
-  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1), stock.box.hi.z)};
+  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
 }
 
 Tool insert(const char* shape, double nose) {
@@ -102,7 +102,7 @@ double farthest_of_part(const PartField& field, const TriMesh& mesh, double voxe
 }
 
 // No cells in space were needed.
-bool is_turned_outline(const ContourReport& report) {
+bool is_turned_outline(const MeshReport& report) {
   return std::none_of(report.seconds.begin(), report.seconds.end(),
                       [](const auto& step) { return step.first == "tree"; });
 }
@@ -114,8 +114,8 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
     const double tolerance = round % 3 == 0 ? 0.05 : round % 3 == 1 ? 0.01 : 0.002;
     const PartField field = cut(bar(15, 0, 24, round % 5 == 0 ? 4 : 0), random_moves(random),
                                 insert(shapes[round % 4], round % 4 == 2 ? 2 : 0.4 * (round % 2)));
-    ContourReport report;
-    const TriMesh mesh = contour(field, 0.25, within(tolerance), &report);
+    MeshReport report;
+    const TriMesh mesh = mesh_part(field, 0.25, within(tolerance), &report);
     const std::string what = "round " + std::to_string(round);
     EXPECT_TRUE(is_turned_outline(report)) << what;
     EXPECT_LE(report.bound, tolerance) << what;
@@ -132,8 +132,8 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
 TEST(Turned, SameBytesForAnyNumberOfThreads) {
   std::mt19937 random(9);
   const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8));
-  const TriMesh one = contour(field, 0.25, within(0.01, 1)),
-                seven = contour(field, 0.25, within(0.01, 7));
+  const TriMesh one = mesh_part(field, 0.25, within(0.01, 1)),
+                seven = mesh_part(field, 0.25, within(0.01, 7));
   EXPECT_EQ(one.vertices, seven.vertices);
   EXPECT_EQ(one.triangles, seven.triangles);
   EXPECT_EQ(one.owners, seven.owners);
@@ -145,8 +145,8 @@ TEST(Turned, ShoulderIsAsSharpAndAsLargeAsThePart) {
   const PartField field =
       cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
           insert("", 0));
-  ContourReport report;
-  const TriMesh mesh = contour(field, 0.5, within(0.01), &report);
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, within(0.01), &report);
   std::array<float, 3> lo = mesh.vertices[0], hi = lo;
   std::size_t at_step = 0;
   for (const auto& v : mesh.vertices) {
@@ -168,7 +168,7 @@ TEST(Turned, OwnersAreThoseOfTheCuts) {
   const PartField field =
       cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
           insert("", 0));
-  const TriMesh mesh = contour(field, 0.5, within(0.01));
+  const TriMesh mesh = mesh_part(field, 0.5, within(0.01));
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const auto& t = mesh.triangles[k];
     const Vec3 middle = (1.0 / 3) * (vec(mesh.vertices[t[0]]) + vec(mesh.vertices[t[1]]) +
@@ -186,8 +186,8 @@ TEST(Turned, ThinWallsAreDrawnNotReported) {
   tool.width = 2;
   const PartField field = cut(
       bar(20, 0, 50), {line({25, 0, 30}, {15, 0, 30}), line({25, 0, 32.04}, {15, 0, 32.04})}, tool);
-  ContourReport report;
-  const TriMesh mesh = contour(field, 0.5, within(0.01), &report);
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, within(0.01), &report);
   EXPECT_TRUE(is_turned_outline(report));
   EXPECT_TRUE(report.thin.empty());
   EXPECT_NEAR(signed_volume(mesh) - report.volume_excess, kPi * (400 * 50 - 2 * 2 * (400 - 225)),

@@ -1,9 +1,10 @@
 // Every program of data/ at default settings, cut by mrsim as a user runs it: its mesh is closed,
 // and free of self-intersections by CGAL. PRIMER_2F's vertices lie on the exact part.
-#include "mesh/check.h"
-#include "mesh/mesh_io.h"
+#include "mesh/format/mesh_io.h"
+#include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
+#include "support/temp_folder.h"
 
 #include <algorithm>
 #include <cctype>
@@ -23,14 +24,12 @@ namespace fs = std::filesystem;
 
 // The mesh that mrsim writes; none where it finds errors in the program.
 std::optional<TriMesh> mesh_of(const std::string& arguments) {
-  std::string pattern = (fs::temp_directory_path() / "mrsim-oracle-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) return {};
-  const std::string out = pattern + "/part.stl";
+  const TempFolder folder;
+  const std::string out = folder.path("part.stl");
   const std::string command = "cd '" MRSIM_DATA_DIR "' && '" MRSIM_PROGRAM "' " + arguments +
                               " -q -o '" + out + "' 2>/dev/null";
   std::optional<TriMesh> mesh;
   if (std::system(command.c_str()) == 0) mesh = load_mesh(out);
-  fs::remove_all(pattern);
   return mesh;
 }
 

@@ -3,11 +3,11 @@
 // sum of areas times depths, and membership of a point is that of a point in a polygon.
 #include "core/units.h"
 #include "interp/interpreter.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
 #include "oracle/random.h"
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 #include "support/rounds.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ Removed removed_by(const Milled& part, const std::map<double, ExactRegion>& leve
 PartField field_of(const Milled& part) {
   StockShape shape;
   shape.box = part.stock;
-  return {StockSolid(shape), SweepTable(part.motions, part.tools, part.stock.hi.z)};
+  return {StockSolid(shape), SweepTable(part.motions, part.tools)};
 }
 
 // The volume that a run prints, of the mesh less what the mesh holds too much, against the
@@ -90,10 +90,10 @@ PartField field_of(const Milled& part) {
 // for each millimetre of edge, for walls no deeper than twice the radius of the tool, covers both.
 void expect_volume(const Milled& part, const PartField& field,
                    const std::map<double, ExactRegion>& levels, double voxel, double tolerance,
-                   const std::string& name, ContourReport& found) {
+                   const std::string& name, MeshReport& found) {
   MeshOptions options;
   options.tolerance = tolerance;
-  const TriMesh mesh = contour(field, voxel, options, &found);
+  const TriMesh mesh = mesh_part(field, voxel, options, &found);
   if (!found.thin.empty()) return;  // a wall below the voxel may be missing, and is reported
   const double got = signed_volume(mesh) - found.volume_excess;
   const Vec3 size = part.stock.hi - part.stock.lo;
@@ -176,7 +176,7 @@ TEST(MillingOracle, VolumeOfRandomProgramsIsThatOfTheUnion) {
   for (std::uint64_t seed = 101; seed <= 100 + rounds(30); ++seed) {
     Milled part = random_part(seed);
     part.motions.resize(std::min<std::size_t>(part.motions.size(), 6));
-    ContourReport found;
+    MeshReport found;
     expect_volume(part, field_of(part), levels_of(part), 0.25, 0.01, std::to_string(seed), found);
     compared += found.thin.empty();
   }
@@ -223,7 +223,7 @@ TEST_P(RealPrograms, VolumeAndPointsAreThoseOfTheUnion) {
   const PartField field = field_of(part);
   const std::map<double, ExactRegion> levels = levels_of(part);
   expect_membership(part, levels, field, 5000, 1);
-  ContourReport found;
+  MeshReport found;
   expect_volume(part, field, levels, 0.25, 0.01, name, found);
   EXPECT_TRUE(found.thin.empty());
 }

@@ -3,12 +3,12 @@
 // The part's volume follows by Pappus; membership of a point is that of (radius, Z) in the region.
 #include "core/units.h"
 #include "interp/interpreter.h"
-#include "mesh/check.h"
-#include "mesh/contour.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
 #include "oracle/random.h"
-#include "removal/part_field.h"
-#include "removal/tool.h"
+#include "removal/part/part_field.h"
+#include "removal/tool/tool.h"
 #include "support/rounds.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ PartField field_of(const Turned& part) {
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = part.radius;
   shape.box = {{-part.radius, -part.radius, part.z0}, {part.radius, part.radius, part.z1}};
-  return {StockSolid(shape), SweepTable(part.motions, part.tools, part.z1)};
+  return {StockSolid(shape), SweepTable(part.motions, part.tools)};
 }
 
 void expect_membership(const Turned& part, const ExactRegion& region, const PartField& field,
@@ -115,10 +115,10 @@ void expect_membership(const Turned& part, const ExactRegion& region, const Part
 // and T^2 / 2 times the sum of the curvatures for the faces: 1/radius about the axis, and that of
 // the outline's arcs.
 void expect_volume(const Turned& part, const ExactRegion& region, const PartField& field,
-                   double voxel, double tolerance, const std::string& name, ContourReport& found) {
+                   double voxel, double tolerance, const std::string& name, MeshReport& found) {
   MeshOptions options;
   options.tolerance = tolerance;
-  const TriMesh mesh = contour(field, voxel, options, &found);
+  const TriMesh mesh = mesh_part(field, voxel, options, &found);
   if (!found.thin.empty()) return;
   const double got = signed_volume(mesh) - found.volume_excess;
   const ExactRegion::Measure removed = region.within({0, part.z0}, {part.radius, part.z1});
@@ -191,7 +191,7 @@ TEST(TurningOracle, VolumeOfRandomPartsIsThatOfPappus) {
   int compared = 0;
   for (std::uint64_t seed = 61; seed <= 100; ++seed) {
     const Turned part = random_part(seed);
-    ContourReport found;
+    MeshReport found;
     expect_volume(part, region_of(part), field_of(part), 0.4, 0.01, std::to_string(seed), found);
     compared += found.thin.empty();
   }
@@ -234,7 +234,7 @@ TEST(TurningOracle, VolumeOfContoursIsThatOfPappus) {
   unsigned compared = 0;
   for (std::uint64_t seed = 1; seed <= rounds(8); ++seed) {
     const Turned part = contour_part(seed);
-    ContourReport found;
+    MeshReport found;
     expect_volume(part, region_of(part), field_of(part), 0.4, 0.01, std::to_string(seed), found);
     compared += found.thin.empty();
   }
@@ -255,7 +255,7 @@ TEST(TurningOracle, PrimerIsWhatItsInsertSweeps) {
   const ExactRegion region = region_of(part);
   const PartField field = field_of(part);
   expect_membership(part, region, field, 5000, 1);
-  ContourReport found;
+  MeshReport found;
   expect_volume(part, region, field, 0.25, 0.01, "PRIMER_2S", found);
   EXPECT_TRUE(found.thin.empty());
   // The closed form of data/SOURCES.md: the oracle, too, is right.

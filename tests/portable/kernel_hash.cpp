@@ -5,11 +5,13 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "interp/interpreter.h"
-#include "mesh/contour.h"
-#include "removal/near_list.h"
-#include "removal/part_field.h"
-#include "removal/sweep.h"
-#include "removal/sweep_kernels.h"
+#include "mesh/adaptive.h"
+#include "removal/part/part_field.h"
+#include "removal/prune/candidate_list.h"
+#include "removal/prune/list_candidates.h"
+#include "removal/prune/prune.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/sweep_table.h"
 #include <mrsim/mrsim.h>
 
 #include <bit>
@@ -154,7 +156,7 @@ void hash_sweeps(const Kind& kind) {
   for (int scene = 0; scene < 6; ++scene) {
     std::vector<Motion> motions;
     for (int k = 0; k < 30; ++k) motions.push_back(random_motion(r, turning));
-    const SweepTable table(motions, std::span(&kind.tool, 1), 20);
+    const SweepTable table(motions, std::span(&kind.tool, 1));
     std::vector<std::uint32_t> ids(table.size());
     std::iota(ids.begin(), ids.end(), 0u);
     std::vector<double> d(ids.size());
@@ -168,11 +170,11 @@ void hash_sweeps(const Kind& kind) {
         bits.add(table.gradient(i, p, at.patch));
         bits.add(table.patch_distance(i, p, at.patch));
       }
-      NearList all, left;
-      table.list(table.all(), p, all);
+      CandidateList all, left;
+      list_candidates(table, table.all(), p, all);
       const PruneRegion region = PruneRegion::block(p, 0.5);
-      bits.add(std::uint64_t(table.prune(region, region.radius + 1, 1, all, left)));
-      for (const NearList::Run& run : left.runs())
+      bits.add(std::uint64_t(prune(table, region, region.radius + 1, 1, all, left)));
+      for (const CandidateList::Run& run : left.runs())
         for (std::size_t k2 = 0; k2 < run.count; ++k2)
           bits.add(std::uint64_t(left.number(run, k2)));
     }
@@ -183,12 +185,11 @@ void hash_sweeps(const Kind& kind) {
 void hash_mesh(const std::string& path, const StockShape& stock, double voxel, double tolerance) {
   Collector found;
   const Program program = interpret(path, {}, found);
-  const PartField field(StockSolid(stock),
-                        SweepTable(found.motions, program.tools, stock.box.hi.z));
+  const PartField field(StockSolid(stock), SweepTable(found.motions, program.tools));
   MeshOptions options;
   options.tolerance = tolerance;
   options.threads = 1;
-  const TriMesh mesh = contour(field, voxel, options);
+  const TriMesh mesh = mesh_part(field, voxel, options);
   Bits bits;
   for (const auto& v : mesh.vertices)
     for (const float x : v) bits.add(std::uint64_t(std::bit_cast<std::uint32_t>(x)));

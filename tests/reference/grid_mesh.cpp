@@ -1,9 +1,9 @@
 #include "reference/grid_mesh.h"
 
 #include "core/parallel.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 #include "reference/repair.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 
 #include <cmath>
 

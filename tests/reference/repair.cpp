@@ -1,7 +1,7 @@
 #include "reference/repair.h"
 
-#include "mesh/half_edges.h"
-#include "mesh/weld.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 
 #include <algorithm>
 #include <tuple>

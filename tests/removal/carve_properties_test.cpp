@@ -9,18 +9,12 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
 struct Kind {
   const char* name;
   Tool tool;
 };
-
-Tool tool_of(ToolType type, double diameter) {
-  Tool tool = endmill(diameter);
-  tool.type = type;
-  return tool;
-}
 
 // All but form tools, whose search takes too long here off level moves (docs/sweeps.md).
 std::vector<Kind> kinds() {
@@ -28,16 +22,16 @@ std::vector<Kind> kinds() {
                         {"closed", endmill(3, 0.5, 4)},
                         {"ball", ballmill(3)},
                         {"bull", endmill(4, 1)},
-                        {"chamfer", tool_of(ToolType::chamfer, 4)},
-                        {"taper", tool_of(ToolType::taper, 4)},
-                        {"drill", tool_of(ToolType::drill, 3)},
-                        {"tslot", tool_of(ToolType::tslot, 5)},
-                        {"lollipop", tool_of(ToolType::lollipop, 4)},
-                        {"barrel", tool_of(ToolType::barrel, 4)},
-                        {"insert", tool_of(ToolType::turning, 0)},
-                        {"round insert", tool_of(ToolType::turning, 3)},
-                        {"blade", tool_of(ToolType::grooving, 0)},
-                        {"boring bar", tool_of(ToolType::boring, 0)}};
+                        {"chamfer", mill(ToolType::chamfer, 4)},
+                        {"taper", mill(ToolType::taper, 4)},
+                        {"drill", mill(ToolType::drill, 3)},
+                        {"tslot", mill(ToolType::tslot, 5)},
+                        {"lollipop", mill(ToolType::lollipop, 4)},
+                        {"barrel", mill(ToolType::barrel, 4)},
+                        {"insert", mill(ToolType::turning, 0)},
+                        {"round insert", mill(ToolType::turning, 3)},
+                        {"blade", mill(ToolType::grooving, 0)},
+                        {"boring bar", mill(ToolType::boring, 0)}};
   const auto tool = [&](const char* name) -> Tool& {
     return std::find_if(all.begin(), all.end(),
                         [&](const Kind& k) { return name == std::string(k.name); })
@@ -107,18 +101,18 @@ void expect_reference(const Kind& kind, std::uint64_t first, std::uint64_t count
   }
 }
 
-class EveryKindCarved : public testing::TestWithParam<Kind> {};
+class EveryKindCarved : public ::testing::TestWithParam<Kind> {};
 TEST_P(EveryKindCarved, IsCarvedAsTheReferenceDoes) { expect_reference(GetParam(), 1, 4); }
 const auto name_of = [](const auto& at) {
   std::string name = at.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryKindCarved, testing::ValuesIn(kinds()), name_of);
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKindCarved, ::testing::ValuesIn(kinds()), name_of);
 
-class EveryKindCarvedOften : public testing::TestWithParam<Kind> {};
+class EveryKindCarvedOften : public ::testing::TestWithParam<Kind> {};
 TEST_P(EveryKindCarvedOften, IsCarvedAsTheReferenceDoes) { expect_reference(GetParam(), 100, 30); }
-INSTANTIATE_TEST_SUITE_P(SlowKinds, EveryKindCarvedOften, testing::ValuesIn(kinds()), name_of);
+INSTANTIATE_TEST_SUITE_P(SlowKinds, EveryKindCarvedOften, ::testing::ValuesIn(kinds()), name_of);
 
 // Both one after the other leave what is left of both: to the last bit, whatever the order.
 TEST(CarveProperties, TwoProgramsAreTheirUnion) {

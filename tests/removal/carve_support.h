@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/lattice.h"
-#include "removal/stock.h"
-#include "removal/stock_grid.h"
-#include "removal/stock_solid.h"
-#include "removal/sweep.h"
+#include "removal/field/lattice.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_grid.h"
+#include "removal/stock/stock_solid.h"
+#include "removal/sweep/sweep_table.h"
 #include "removal/vdb/vdb_grid.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace mrsim::test {
+namespace mrsim::testing {
 
 inline const VdbGrid& grids(const Stock& stock) {
   return static_cast<const VdbGrid&>(*stock.grid().voxels);
@@ -34,7 +34,7 @@ inline std::vector<Voxel> voxels(const Stock& stock) {
 inline std::vector<Voxel> reference(const StockShape& shape, std::span<const Motion> motions,
                                     std::span<const Tool> tools, double h) {
   const StockSolid solid(shape);
-  const SweepTable sweeps(motions, tools, solid.bounds().hi.z);
+  const SweepTable sweeps(motions, tools);
   const double band = kBandVoxels * h;
   const Box3 whole = inflated(solid.bounds(), band + h);
   std::vector<Voxel> list;
@@ -63,4 +63,4 @@ inline std::vector<Voxel> reference(const StockShape& shape, std::span<const Mot
   return list;
 }
 
-}  // namespace mrsim::test
+}  // namespace mrsim::testing

@@ -2,10 +2,13 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/lattice.h"
-#include "removal/stock.h"
-#include "removal/stock_grid.h"
+#include "removal/field/lattice.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_grid.h"
+#include "support/moves.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
+#include "support/tools.h"
 #include "turn_scenes.h"
 
 #include <algorithm>
@@ -18,31 +21,7 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
-
-StockShape box(Vec3 lo, Vec3 hi) {
-  StockShape s;
-  s.box = {lo, hi};
-  return s;
-}
-
-Tool mill(ToolType type, double diameter) {
-  Tool t;
-  t.id = "1";
-  t.type = type;
-  t.diameter = diameter;
-  return t;
-}
-
-Motion line(Vec3 a, Vec3 b, int at = 0) {
-  Motion m;
-  m.kind = MotionKind::line;
-  m.start = a;
-  m.end = b;
-  m.tool = 0;
-  m.line = at;
-  return m;
-}
+using namespace testing;
 
 Motion half_circle(Vec3 a, double radius, double sweep) {
   Motion m;
@@ -89,7 +68,7 @@ TEST(Carve, EqualsTheReferenceToTheLastBit) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const std::vector<Tool> tools{mill(type, 3)};
       const std::vector<Motion> motions = random_motions(seed, 40);
-      const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+      const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
       const Stock stock = carve(shape, motions, tools, {.voxel = 0.5});
       EXPECT_EQ(voxels(stock), reference(shape, motions, tools, 0.5)) << "seed " << seed;
     }
@@ -116,7 +95,7 @@ std::vector<Motion> short_moves(std::uint64_t seed, int count, bool level) {
 }
 
 void expect_reference(const Tool& tool, const std::vector<Motion>& motions) {
-  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
   const std::vector<Tool> tools{tool};
   EXPECT_EQ(voxels(carve(shape, motions, tools, {.voxel = 0.5})),
             reference(shape, motions, tools, 0.5))
@@ -218,17 +197,17 @@ TEST(Carve, HelicesAndUprightArcsEqualTheReference) {
 
 // Bars, off the axis too, square ones, and turned parts that are milled.
 TEST(Carve, TurningEqualsTheReference) {
-  test::Random r(8);
-  std::vector<Tool> tools = test::inserts();
+  testing::Random r(8);
+  std::vector<Tool> tools = testing::inserts();
   tools.push_back(mill(ToolType::endmill, 3));
   for (int round = 0; round < 24; ++round) {
-    std::vector<Motion> motions = test::turning_moves(r, 150, 4, 8);
+    std::vector<Motion> motions = testing::turning_moves(r, 150, 4, 8);
     if (round % 4 == 3)
       for (int i = 0; i < 6; ++i) {
         motions.push_back(line({r(-5, 5), r(-5, 5), 6}, {r(-5, 5), r(-5, 5), 6}));
         motions.back().tool = 5;
       }
-    StockShape shape = box({-4, -4, 0}, {4, 4, 8});
+    StockShape shape = box_stock({-4, -4, 0}, {4, 4, 8});
     const StockShape::Kind kinds[] = {StockShape::Kind::cylinder, StockShape::Kind::tube,
                                       StockShape::Kind::cylinder, StockShape::Kind::box};
     shape.kind = kinds[round / 4 % 4];
@@ -243,7 +222,7 @@ TEST(Carve, TurningEqualsTheReference) {
 TEST(Carve, GivesTheSameForAnyNumberOfThreads) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
   const std::vector<Motion> motions = random_motions(3, 100);
-  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
   const auto one = voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 1}));
   EXPECT_EQ(one, voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 2})));
   EXPECT_EQ(one, voxels(carve(shape, motions, tools, {.voxel = 0.2, .threads = 7})));
@@ -252,7 +231,7 @@ TEST(Carve, GivesTheSameForAnyNumberOfThreads) {
 TEST(Carve, ShapeDoesNotDependOnTheOrderOfMoves) {
   const std::vector<Tool> tools{mill(ToolType::ballmill, 3)};
   std::vector<Motion> motions = random_motions(4, 60);
-  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
   auto strip = [](std::vector<Voxel> list) {
     for (Voxel& v : list) std::get<2>(v) = 0;
     return list;
@@ -265,7 +244,7 @@ TEST(Carve, ShapeDoesNotDependOnTheOrderOfMoves) {
 TEST(Carve, CuttingTwiceChangesNothing) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
   std::vector<Motion> motions = random_motions(5, 40);
-  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
   const auto once = voxels(carve(shape, motions, tools, {.voxel = 0.4}));
   const std::size_t n = motions.size();
   for (std::size_t i = 0; i < n; ++i) motions.push_back(motions[i]);
@@ -275,7 +254,7 @@ TEST(Carve, CuttingTwiceChangesNothing) {
 TEST(Carve, VolumeNeverGrows) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 3)};
   const std::vector<Motion> motions = random_motions(6, 40);
-  const StockShape shape = box({0, 0, 0}, {20, 20, 9});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 20, 9});
   double last = 1e9;
   for (std::size_t n = 0; n <= motions.size(); n += 8) {
     const double volume =
@@ -287,7 +266,7 @@ TEST(Carve, VolumeNeverGrows) {
 
 TEST(Carve, CoincidentSurfacesAreDecided) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
-  const StockShape shape = box({0, 0, 0}, {20, 10, 5});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 10, 5});
   const auto inside = [&](const Stock& s, Vec3 p) { return is_inside(s.distance(p)); };
   // A floor exactly on the bottom leaves no skin.
   const Stock hole =
@@ -309,7 +288,7 @@ TEST(Carve, EveryActiveVoxelKnowsItsOwner) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
   const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3}, 10),
                                     line({10, -5, 2}, {10, 15, 2}, 20)};
-  const Stock stock = carve(box({0, 0, 0}, {20, 10, 5}), motions, tools, {.voxel = 0.25});
+  const Stock stock = carve(box_stock({0, 0, 0}, {20, 10, 5}), motions, tools, {.voxel = 0.25});
   EXPECT_EQ(stock.owner({3, 5, 3}), 0);
   EXPECT_EQ(stock.owner({10, 5, 2}), 1);
   EXPECT_EQ(stock.owner({3, 1, 5}), kStockOwner);
@@ -326,7 +305,7 @@ TEST(Carve, EveryActiveVoxelKnowsItsOwner) {
 TEST(Carve, SamplesNothingThatIsNotKept) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
   const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3})};
-  const StockShape shape = box({0, 0, 0}, {20, 10, 5});
+  const StockShape shape = box_stock({0, 0, 0}, {20, 10, 5});
   const Stock kept = carve(shape, motions, tools, {.voxel = 0.25});
   EXPECT_GT(kept.active_voxels(), 0u);
   CarveOptions slabs{.voxel = 0.25, .threads = 1, .grid_mesh = true, .no_slabs = ""};
@@ -345,17 +324,17 @@ TEST(Carve, SamplesNothingThatIsNotKept) {
 }
 
 TEST(DefaultVoxel, FollowsTheRule) {
-  EXPECT_EQ(default_voxel(box({0, -60, 0}, {100, 0, 10}), 2.5).voxel, 0.25);
-  EXPECT_EQ(default_voxel(box({0, 0, 0}, {51, 51, 51}), 0).voxel, 0.1);
-  EXPECT_EQ(default_voxel(box({0, 0, 0}, {200, 200, 40}), 1).voxel, 0.1);
-  EXPECT_EQ(default_voxel(box({0, 0, 0}, {400, 1, 1}), 0).voxel, 1.0);
-  EXPECT_EQ(default_voxel(box({0, 0, 0}, {10000, 1, 1}), 0).voxel, 25.0);
+  EXPECT_EQ(default_voxel(box_stock({0, -60, 0}, {100, 0, 10}), 2.5).voxel, 0.25);
+  EXPECT_EQ(default_voxel(box_stock({0, 0, 0}, {51, 51, 51}), 0).voxel, 0.1);
+  EXPECT_EQ(default_voxel(box_stock({0, 0, 0}, {200, 200, 40}), 1).voxel, 0.1);
+  EXPECT_EQ(default_voxel(box_stock({0, 0, 0}, {400, 1, 1}), 0).voxel, 1.0);
+  EXPECT_EQ(default_voxel(box_stock({0, 0, 0}, {10000, 1, 1}), 0).voxel, 25.0);
 }
 
 TEST(Carve, RefusesBadVoxels) {
   const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
   const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3})};
-  const StockShape shape = box({0, 0, 0}, {100, 100, 50});
+  const StockShape shape = box_stock({0, 0, 0}, {100, 100, 50});
   for (const double voxel : {-1.0, 1e-9, 1e-4, 0.003, double(NAN), double(INFINITY)})
     EXPECT_THROW(carve(shape, motions, tools, {.voxel = voxel, .max_memory = std::size_t(1) << 30}),
                  Error)

@@ -1,5 +1,5 @@
 // What the probe says of a mover is true by brute force; what it must not miss, it finds.
-#include "removal/collision_probe.h"
+#include "removal/collision/collision_probe.h"
 
 #include "core/vec.h"
 
@@ -24,7 +24,7 @@ class Scene {
     tools_[0].diameter = 6;
     StockShape shape;
     shape.box = {{0, 0, -20}, {60, 40, 0}};
-    part_ = std::make_unique<PartField>(StockSolid(shape), SweepTable(motions_, tools_, 0));
+    part_ = std::make_unique<PartField>(StockSolid(shape), SweepTable(motions_, tools_));
     blocks_ = std::make_unique<BlockIndex>(*part_, kVoxel, kBand, std::size_t(1) << 30);
     std::vector<int> shapeless;
     movers_.emplace(find_movers(ToolPart::cutter, motions_, tools_, 0, shape.box, shapeless));

@@ -1,11 +1,12 @@
 // Collisions against closed forms: depth and line of parts of tools in blocks, slots and bars, and
 // the touches that are none.
-#include "removal/collision.h"
-
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/sweep.h"
+#include "removal/collision/collisions.h"
+#include "removal/sweep/sweep_table.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
+#include "support/tools.h"
 
 #include <algorithm>
 #include <random>
@@ -15,27 +16,11 @@
 namespace mrsim {
 namespace {
 
-StockShape block() {
-  StockShape s;
-  s.box = {{0, 0, -20}, {100, 60, 0}};
-  return s;
-}
+StockShape block() { return testing::box_stock({0, 0, -20}, {100, 60, 0}); }
 
-StockShape bar() {
-  StockShape s;
-  s.kind = StockShape::Kind::cylinder;
-  s.outer_radius = 25;
-  s.box = {{-25, -25, 0}, {25, 25, 50}};
-  return s;
-}
+StockShape bar() { return testing::round_stock(25, 0, 0, 50); }
 
-Tool mill(double diameter, double flutes = 0) {
-  Tool t;
-  t.id = "1";
-  t.diameter = diameter;
-  t.flute_length = flutes;
-  return t;
-}
+Tool mill(double diameter, double flutes = 0) { return testing::endmill(diameter, 0, flutes); }
 
 // Moves from where the last one ended; lines are numbered from 1.
 class Moves {
@@ -304,8 +289,8 @@ TEST(Collisions, AgreeWithDenseSampling) {
     }
     const std::vector<Tool> tools{tool};
     std::vector<double> proved(m.motions.size(), 0);
-    const SweepTable cuts(m.motions, tools, 0);
-    const SweepTable rapids(m.motions, tools, 0, {SweepSelection::Part::cutter, false, true});
+    const SweepTable cuts(m.motions, tools);
+    const SweepTable rapids(m.motions, tools, {SweepSelection::Part::cutter, false, true});
     for (double x = 0.1; x < 20; x += 0.2)
       for (double y = 0.1; y < 20; y += 0.2)
         for (double z = -4.95; z < 0; z += 0.1) {

@@ -1,10 +1,11 @@
 // Enclosures of faces on triangles against dense samples: random tools, moves and triangles of all
 // sizes about the surface, some of them with corners off it.
-#include "removal/face_range.h"
+#include "removal/field/face_range.h"
 
 #include "core/units.h"
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 #include "removal/sweep_support.h"
+#include "support/tools.h"
 
 #include <cmath>
 #include <string>
@@ -14,9 +15,10 @@
 namespace mrsim {
 namespace {
 
-using test::arc;
-using test::line;
-using test::Random;
+using testing::arc;
+using testing::line;
+using testing::mill;
+using testing::Random;
 
 constexpr double kRounding = 2e-9;  // mm, and searches that stop at 1e-13 of a distance
 
@@ -99,14 +101,6 @@ Count check_faces(const ExactField& field, Random& random, int triangles, const 
   return count;
 }
 
-Tool mill(ToolType type, double diameter, double corner = 0) {
-  Tool tool;
-  tool.type = type;
-  tool.diameter = diameter;
-  tool.corner_radius = corner;
-  return tool;
-}
-
 std::vector<Tool> mills() {
   std::vector<Tool> tools{mill(ToolType::endmill, 6), mill(ToolType::ballmill, 6),
                           mill(ToolType::bullmill, 8, 1.5)};
@@ -127,7 +121,7 @@ std::vector<Tool> mills() {
 PartField block(const std::vector<Motion>& motions, const Tool& tool) {
   StockShape shape;
   shape.box = {{0, 0, 0}, {40, 40, 20}};
-  return PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 20));
+  return PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
 }
 
 // Most triangles are enclosed, and as closely as samples on a tenth of their size tell.
@@ -205,7 +199,7 @@ TEST(FaceRange, TurnedFaces) {
       for (const bool is_arc : {false, true}) {
         const std::vector<Motion> motions{is_arc ? arc(start, center, {0, 1, 0}, sweep)
                                                  : line(at(), at())};
-        const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 50));
+        const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
         (is_arc ? arcs : lines) += check_faces(field, random, 60, is_arc ? "arc" : "line");
       }
     }
@@ -224,7 +218,7 @@ TEST(FaceRange, Stocks) {
   box.box = {{0, 0, 0}, {40, 30, 20}};
   Random random(4);
   for (const StockShape& shape : {tube, box}) {
-    const PartField field(StockSolid(shape), SweepTable({}, {}, 50));
+    const PartField field(StockSolid(shape), SweepTable({}, {}));
     expect_useful(check_faces(field, random, 1000, "stock"), 1, "stock");
   }
 }

@@ -1,4 +1,4 @@
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 
 #include "core/units.h"
 #include "core/vec.h"
@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-using test::line;
+using testing::line;
 
 Motion arc(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double rise) {
   Motion m;
@@ -82,7 +82,7 @@ TEST(PartField, FacesOfMillingSweeps) {
         arc({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, 8, kPi, 0),          // level arc
         arc({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, 4, -2 * kTwoPi, -6),  // helix
     };
-    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 20)));
+    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
 }
 
@@ -102,7 +102,7 @@ TEST(PartField, FacesOfTurningSweeps) {
         line({-1, 0, 50}, {10, 0, 50}), arc({10, 0, 50}, {10, 0, 45}, {0, 1, 0}, 5, kPi / 2, 0),
         line({15, 0, 45}, {15, 0, 31}), arc({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, 6, -kPi / 2, 0),
         line({21, 0, 25}, {26, 0, 25})};
-    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 51)));
+    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
 }
 
@@ -117,7 +117,7 @@ TEST(PartField, KnowsWhichDrilledPartsAreTurned) {
   shape.outer_radius = 25;
   shape.box = {{-25, -25, 0}, {25, 25, 51}};
   const auto is_turned = [&](Motion m) {
-    const PartField field(StockSolid(shape), SweepTable({&m, 1}, std::span(&drill, 1), 51));
+    const PartField field(StockSolid(shape), SweepTable({&m, 1}, std::span(&drill, 1)));
     return field.is_turned(field.all());
   };
   EXPECT_TRUE(is_turned(line({0, 0, 60}, {0, 0, 20})));
@@ -143,7 +143,7 @@ TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = 25;
   shape.box = {{-25, -25, 0}, {25, 25, 51}};
-  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 51));
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
   const Candidates all = field.all();
   EXPECT_TRUE(field.is_turned(all));
   EXPECT_TRUE(field.is_turned(std::vector<std::uint32_t>{0}));
@@ -153,7 +153,7 @@ TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
     const Vec3 half{0.35, 0.35, 0.35};
     const Box3 box{center - half, center + half};
     ASSERT_EQ(field.restrict_to(box, 1e-5, all, list), ExactField::Region::mixed);
-    ASSERT_TRUE(field.by_name(box, 1e-5, list, names));
+    ASSERT_TRUE(field.expand_packs(box, 1e-5, list, names));
     ASSERT_LE(names.size(), 8u);
     for (int k = -4; k <= 4; ++k) {
       const Vec3 p = center + Vec3{0.05 * k, -0.05 * k, 0.08 * k};
@@ -180,7 +180,7 @@ TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
         arc({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, 2, kPi / 2, 0),
         arc({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, 3, kPi / 2, 0),
         arc({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, 3, -kPi / 2, 0)};
-    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1), 20)));
+    expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
 }
 
@@ -201,7 +201,7 @@ TEST(PartField, ListsHoldInTheWholeBox) {
   ball.diameter = 6;
   StockShape shape;
   shape.box = {{-8, -8, -5}, {8, 8, 4}};
-  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}, 4));
+  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}));
   const Candidates all = field.all();
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -248,7 +248,7 @@ TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
   ball.diameter = 4;
   StockShape shape;
   shape.box = {{-5, -5, -4}, {5, 5, 2}};
-  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}, 4));
+  const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}));
   const Candidates all = field.all();
   Candidates left;
   constexpr double kHalf = 0.1, kBand = 1e-3, kRadius = kHalf * 1.7320508075688774;

@@ -1,7 +1,7 @@
-#include "removal/stock_file.h"
+#include "removal/part/stock_file.h"
 
-#include "removal/recipe_codec.h"
-#include "removal/stock_grid.h"
+#include "removal/part/recipe_codec.h"
+#include "removal/part/stock_grid.h"
 
 #include <random>
 #include <sstream>

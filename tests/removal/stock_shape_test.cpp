@@ -1,4 +1,4 @@
-#include "removal/stock_shape.h"
+#include "removal/stock/stock_shape.h"
 
 #include "support/shapes.h"
 

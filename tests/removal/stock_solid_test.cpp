@@ -1,4 +1,4 @@
-#include "removal/stock_solid.h"
+#include "removal/stock/stock_solid.h"
 
 #include "core/units.h"
 #include "core/vec.h"
@@ -10,12 +10,6 @@
 
 namespace mrsim {
 namespace {
-
-StockShape box(Vec3 lo, Vec3 hi) {
-  StockShape s;
-  s.box = {lo, hi};
-  return s;
-}
 
 // The defining properties, on random points: 1-Lipschitz, and gradient of the patch = the numeric
 // one where the patch is the nearest.
@@ -36,7 +30,7 @@ void expect_distance_function(const StockSolid& solid) {
 }
 
 TEST(StockSolid, BoxIsExact) {
-  const StockSolid solid(box({0, -60, 0}, {100, 0, 10}));
+  const StockSolid solid(testing::box_stock({0, -60, 0}, {100, 0, 10}));
   EXPECT_EQ(solid.distance({50, -30, 5}), -5);
   EXPECT_EQ(solid.distance({50, -30, 12}), 2);
   EXPECT_EQ(solid.distance({103, 4, 5}), 5);
@@ -66,7 +60,7 @@ TEST(StockSolid, MeshIsExact) {
   shape.kind = StockShape::Kind::mesh;
   shape.mesh = testing::box_mesh({0, -60, 0}, {100, 0, 10});
   shape.box = {{0, -60, 0}, {100, 0, 10}};
-  const StockSolid mesh(shape), exact(box({0, -60, 0}, {100, 0, 10}));
+  const StockSolid mesh(shape), exact(testing::box_stock({0, -60, 0}, {100, 0, 10}));
   EXPECT_NEAR(mesh.volume(), 60000, 1e-9);
   EXPECT_NEAR(mesh.area(), exact.area(), 1e-9);
   expect_distance_function(mesh);
@@ -82,7 +76,7 @@ TEST(StockSolid, MeshIsExact) {
 }
 
 TEST(StockSolid, RefusesWhatHasNoVolume) {
-  EXPECT_THROW(StockSolid(box({0, 0, 0}, {1, 1, 0})), Error);
+  EXPECT_THROW(StockSolid(testing::box_stock({0, 0, 0}, {1, 1, 0})), Error);
   EXPECT_THROW(StockSolid(testing::round_stock(5, 5, 0, 1)), Error);
 }
 

@@ -1,7 +1,8 @@
 // Lists and nearest points: equal to the single queries to the last bit, on every instruction set.
-#include "removal/sweep_kernels.h"
+#include "removal/simd/sweep_kernels.h"
 
-#include "removal/near_list.h"
+#include "removal/prune/candidate_list.h"
+#include "removal/prune/list_candidates.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 
@@ -12,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -52,9 +53,9 @@ PointColumns random_points(Random& r, std::size_t count) {
 
 // The least of all distances and the first sweep that has it.
 void expect_least(const SweepTable& s, const std::vector<std::uint32_t>& ids, PointColumns points) {
-  NearList list;
-  s.list(ids, {0, 0, 0}, list);
-  s.least(list, points);
+  CandidateList list;
+  list_candidates(s, ids, {0, 0, 0}, list);
+  least_distances(s, list, points);
   for (std::size_t k = 0; k < points.count; ++k) {
     double least = INFINITY, nearest = 0;
     for (const std::uint32_t id : ids)
@@ -74,7 +75,7 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
     std::erase_if(scene.motions, [](const Motion& m) { return m.kind == MotionKind::arc; });
     for (Motion& m : scene.motions) m.tool = GetParam(), m.end.z = m.start.z;
   }
-  const SweepTable s(scene.motions, scene.tools, 50);
+  const SweepTable s(scene.motions, scene.tools);
   for (int round = 0; round < 30; ++round) {
     std::vector<std::uint32_t> ids;
     for (std::uint32_t i = 0; i < s.size(); ++i)
@@ -119,7 +120,7 @@ TEST(LevelMoves, OwnTheFloorByTheFirstOfThemThatCoversIt) {
       const Vec3 a = place(z), b = place(z);
       motions.push_back(i % 3 == 0 ? line(a, b) : arc(a, {b.x + 0.5, b.y, z}, {0, 0, 1}, r(-3, 3)));
     }
-    const SweepTable s(motions, {&tool, 1}, 50);
+    const SweepTable s(motions, {&tool, 1});
     std::vector<std::uint32_t> ids;
     for (unsigned round = 0; round < testing::rounds(120); ++round) {
       ids.clear();
@@ -209,6 +210,29 @@ TEST(SweepKernels, HelicesAreTheSameOnEveryInstructionSet) {
       if (set == nullptr) continue;
       PointColumns other = before;
       set->helix(helix, 5, open, other);
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
+TEST(SweepKernels, SlantsAreTheSameOnEveryInstructionSet) {
+  Random r(10);
+  for (int round = 0; round < 2000; ++round) {
+    const double a = r(-3, 3), lean = round % 5 == 0 ? 1.5707 : r(0, 1.57);
+    SlantRecord slant{r(0, 5),    r(0, 5),        r(-3, 3),       std::cos(a), std::sin(a),
+                      r(0.01, 6), std::cos(lean), std::sin(lean), r(0.1, 4)};
+    if (round % 2 == 0) slant.round = r(0, 1);
+    PointColumns one = random_points(r, 8 << round % 4);
+    for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
+    if (round % 8 == 0) one.x[0] = slant.x, one.y[0] = slant.y;
+    const PointColumns before = one;
+    sweep_kernels(SimdLevel::scalar)->slant(slant, 5, one);
+    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      PointColumns other = before;
+      set->slant(slant, 5, other);
       ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
       ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
     }

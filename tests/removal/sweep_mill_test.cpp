@@ -7,7 +7,7 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
 Motion random_line(Random& r, int kind) {
   const Vec3 a = {r(-10, 10), r(-10, 10), r(-5, 5)};
@@ -21,7 +21,7 @@ double brute(const Motion& m, double radius, double corner, const Vec3& p) {
   return least([&](double t) { return mill_at_rest(radius, corner, p - at(m, t)); }, 800);
 }
 
-class MillSweep : public testing::TestWithParam<double> {};  // corner radius / radius
+class MillSweep : public ::testing::TestWithParam<double> {};  // corner radius / radius
 
 TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
   Random r(7);
@@ -32,7 +32,7 @@ TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
     const Motion m =
         round % 4 == 3 ? arc(start, center, {0, 0, 1}, r(-7, 7)) : random_line(r, round % 4);
     const Tool tool = endmill(2 * radius, corner);
-    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    const SweepTable s({&m, 1}, {&tool, 1});
     ASSERT_EQ(s.size(), 1u);
     for (int k = 0; k < 12; ++k) {
       const Vec3 p = {r(-18, 18), r(-18, 18), r(-12, 12)};
@@ -42,12 +42,12 @@ TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FlatBullBall, MillSweep, testing::Values(0.0, 0.3, 1.0));
+INSTANTIATE_TEST_SUITE_P(FlatBullBall, MillSweep, ::testing::Values(0.0, 0.3, 1.0));
 
 TEST(SweepTable, FlatSlotHasFloorAndWall) {
   const Motion m = line({0, 0, -2}, {10, 0, -2});
   const Tool tool = endmill(5);
-  const SweepTable s({&m, 1}, {&tool, 1}, 10);
+  const SweepTable s({&m, 1}, {&tool, 1});
   EXPECT_NEAR(s.distance(0, {5, 0, -3}), 1, 1e-14);
   EXPECT_NEAR(s.distance(0, {5, 3, 0}), 0.5, 1e-14);
   EXPECT_NEAR(s.distance(0, {-2, 0, -1}), -0.5, 1e-14);
@@ -63,7 +63,7 @@ TEST(SweepTable, FlatSlotHasFloorAndWall) {
 TEST(SweepTable, ArcSmallerThanTheToolHasNoInnerWall) {
   const Motion m = arc({2, 0, 0}, {0, 0, 0}, {0, 0, 1}, kTwoPi);
   const Tool tool = endmill(10);
-  const SweepTable s({&m, 1}, {&tool, 1}, 10);
+  const SweepTable s({&m, 1}, {&tool, 1});
   EXPECT_NEAR(s.distance(0, {0, 0, 1}), -1, 1e-14);
   EXPECT_NEAR(s.distance(0, {0, 0, 10}), -3, 1e-14);
   EXPECT_NEAR(s.distance(0, {0, 7, 10}), 0, 1e-14);
@@ -75,7 +75,7 @@ TEST(SweepTable, SkipsRapidsAssumedStartsAndMovesWithoutExtent) {
   m[1].assumed_start = true;
   m[2].end = m[2].start;
   const Tool tool = endmill(5);
-  const SweepTable s(m, {&tool, 1}, 10);
+  const SweepTable s(m, {&tool, 1});
   ASSERT_EQ(s.size(), 1u);
   EXPECT_EQ(s.motion(0), 3);
 }
@@ -87,7 +87,7 @@ TEST(SweepTable, ShankHolderAndRapidsAreSelected) {
   tool.shank = {{5, 5, 20}};
   tool.holder = {{20, 30, 10}, {30, 30, 20}};
   const auto select = [&](SweepSelection::Part part, bool cuts, bool rapids) {
-    return SweepTable(m, {&tool, 1}, 10, {part, cuts, rapids});
+    return SweepTable(m, {&tool, 1}, {part, cuts, rapids});
   };
   EXPECT_EQ(select(SweepSelection::Part::cutter, true, false).motion(0), 1);
   EXPECT_EQ(select(SweepSelection::Part::cutter, false, true).motion(0), 0);
@@ -117,13 +117,13 @@ TEST(SweepTable, LongProgramsAreMadeInParts) {
     motions.push_back(m);
     at = m.end;
   }
-  const SweepTable table(motions, tools, 10), parts(motions, tools, 10, {}, 2);
+  const SweepTable table(motions, tools), parts(motions, tools, {}, 2);
   ASSERT_EQ(table.size(), parts.size());
   for (int round = 0; round < 3000; ++round) {
     const auto i = static_cast<std::size_t>(r.pick(static_cast<int>(table.size())));
     const Motion& m = motions[static_cast<std::size_t>(table.motion(i))];
     const Vec3 p = m.start + Vec3{r(-5, 5), r(-5, 5), r(-5, 5)};
-    const SweepTable alone({&m, 1}, tools, 10);
+    const SweepTable alone({&m, 1}, tools);
     ASSERT_EQ(alone.size(), 1u);
     ASSERT_EQ(table.motion(i), parts.motion(i));
     ASSERT_EQ(table.distance(i, p), alone.distance(0, p));
@@ -137,7 +137,7 @@ TEST(SweepTable, MissingToolIsAnError) {
   Motion m = line({0, 0, 0}, {1, 0, 0});
   m.tool = -1;
   try {
-    const SweepTable s({&m, 1}, {}, 10);
+    const SweepTable s({&m, 1}, {});
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), "tool-missing");

@@ -2,16 +2,17 @@
 // sweeps by dense samples of their path; a deterministic random source.
 #pragma once
 
-#include "removal/sweep.h"
-#include "removal/tool.h"
+#include "removal/sweep/sweep_table.h"
+#include "removal/tool/tool.h"
 #include "support/moves.h"
+#include "support/tools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
-namespace mrsim::test {
+namespace mrsim::testing {
 
 class Random {
  public:
@@ -54,21 +55,6 @@ inline Vec3 at(const Motion& m, double t) {
   return m.center + turned(m.start - m.center, m.axis, t * m.sweep) + (t * m.rise) * m.axis;
 }
 
-inline Tool endmill(double d, double corner = 0, double flute = 0) {
-  Tool t;
-  t.id = "1";
-  t.diameter = d;
-  t.corner_radius = corner;
-  t.flute_length = flute;
-  return t;
-}
-
-inline Tool ballmill(double d, double flute = 0) {
-  Tool t = endmill(d, 0, flute);
-  t.type = ToolType::ballmill;
-  return t;
-}
-
 /// Least value over t in [0, 1]: dense samples, then ever finer ones about the best few.
 inline double least(const std::function<double(double)>& f, int samples = 4000) {
   std::vector<std::pair<double, double>> all;
@@ -101,4 +87,4 @@ inline Vec3 numeric_gradient(const SweepTable& s, std::size_t i, const Vec3& p, 
   return (0.5 / h) * Vec3{d({h, 0, 0}), d({0, h, 0}), d({0, 0, h})};
 }
 
-}  // namespace mrsim::test
+}  // namespace mrsim::testing

@@ -7,48 +7,42 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
-
-Tool make(ToolType type, double d, double flute = 0) {
-  Tool t = endmill(d, 0, flute);
-  t.type = type;
-  return t;
-}
+using namespace testing;
 
 std::vector<Tool> all_tools() {
   std::vector<Tool> t = {endmill(6),       endmill(6, 1),    ballmill(6),
                          endmill(6, 0, 9), endmill(6, 1, 9), ballmill(6, 9)};
-  t.push_back(make(ToolType::chamfer, 8));
+  t.push_back(mill(ToolType::chamfer, 8));
   t.back().tip_diameter = 1;
-  t.push_back(make(ToolType::chamfer, 8, 3));
-  t.push_back(make(ToolType::drill, 5));
-  t.push_back(make(ToolType::drill, 5, 12));
-  t.push_back(make(ToolType::taper, 9));
+  t.push_back(mill(ToolType::chamfer, 8, 0, 3));
+  t.push_back(mill(ToolType::drill, 5));
+  t.push_back(mill(ToolType::drill, 5, 0, 12));
+  t.push_back(mill(ToolType::taper, 9));
   t.back().taper_angle = radians(10);
   t.back().tip_diameter = 4;
   t.back().corner_radius = 2;
-  t.push_back(make(ToolType::taper, 4, 14));
+  t.push_back(mill(ToolType::taper, 4, 0, 14));
   t.back().taper_angle = radians(10);
   t.back().corner_radius = 0.5;
-  t.push_back(make(ToolType::tslot, 10, 3));
+  t.push_back(mill(ToolType::tslot, 10, 0, 3));
   t.back().neck_diameter = 4;
-  t.push_back(make(ToolType::tslot, 10, 3));
+  t.push_back(mill(ToolType::tslot, 10, 0, 3));
   t.back().corner_radius = 0.5;
-  t.push_back(make(ToolType::lollipop, 6));
+  t.push_back(mill(ToolType::lollipop, 6));
   t.back().neck_diameter = 3;
-  t.push_back(make(ToolType::barrel, 8));
+  t.push_back(mill(ToolType::barrel, 8));
   t.back().profile_radius = 30;
   t.back().corner_radius = 2;
-  t.push_back(make(ToolType::barrel, 8, 16));
+  t.push_back(mill(ToolType::barrel, 8, 0, 16));
   t.back().profile_radius = 30;
   t.back().corner_radius = 2;
-  t.push_back(make(ToolType::form, 0));
+  t.push_back(mill(ToolType::form, 0));
   t.back().profile = {{0, 0, 0}, {2, 0, 0}, {5, 3, 0}};  // chamfer as a form, open
   return t;
 }
 
 std::vector<Tool> form_tools() {
-  std::vector<Tool> t(2, make(ToolType::form, 0));
+  std::vector<Tool> t(2, mill(ToolType::form, 0));
   const double quarter = std::tan(kPi / 8);
   t[0].profile = {{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}};  // corner rounding
   t[0].flute_length = 6;
@@ -101,7 +95,7 @@ void expect_equals_brute(const Tool& tool, int kind, int rounds, double toleranc
   const Profile profile = make_cutter(tool);
   for (int round = 0; round < rounds; ++round) {
     const Motion m = any_move(r, kind);
-    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    const SweepTable s({&m, 1}, {&tool, 1});
     ASSERT_EQ(s.size(), 1u);
     for (int k = 0; k < 8; ++k) {
       const Vec3 p = near(r, m, 8);
@@ -120,7 +114,7 @@ void expect_equals_brute(const Tool& tool, int kind, int rounds, double toleranc
   }
 }
 
-class EveryTool : public testing::TestWithParam<int> {};
+class EveryTool : public ::testing::TestWithParam<int> {};
 
 TEST_P(EveryTool, EqualsTheLeastDistanceOverAllPositions) {
   for (int kind = 0; kind < 7; ++kind) expect_equals_brute(all_tools()[GetParam()], kind, 6, 1e-6);
@@ -132,7 +126,7 @@ TEST_P(EveryTool, IsOneLipschitz) {
     Random r(50 + kind);
     for (int round = 0; round < 5; ++round) {
       const Motion m = any_move(r, kind);
-      const SweepTable s({&m, 1}, {&tool, 1}, 100);
+      const SweepTable s({&m, 1}, {&tool, 1});
       for (int k = 0; k < 60; ++k) {
         const Vec3 p = near(r, m, 6), q = p + Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
         ASSERT_LE(std::fabs(s.distance(0, p) - s.distance(0, q)),
@@ -151,7 +145,7 @@ TEST_P(EveryTool, GradientIsTheDerivative) {
     Random r(70 + kind);
     for (int round = 0; round < 6; ++round) {
       const Motion m = any_move(r, kind);
-      const SweepTable s({&m, 1}, {&tool, 1}, 100);
+      const SweepTable s({&m, 1}, {&tool, 1});
       for (int k = 0; k < 6; ++k) {
         Vec3 p = near(r, m, 5);
         for (int step = 0; step < 40; ++step)
@@ -173,7 +167,7 @@ TEST_P(EveryTool, GradientIsTheDerivative) {
   EXPECT_LT(creases, points / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryTool, testing::Range(0, static_cast<int>(all_tools().size())));
+INSTANTIATE_TEST_SUITE_P(All, EveryTool, ::testing::Range(0, static_cast<int>(all_tools().size())));
 
 TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
   for (const Tool& tool : form_tools())

@@ -7,9 +7,9 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
-SweepTable table(const Motion& m, const Tool& tool) { return SweepTable({&m, 1}, {&tool, 1}, 100); }
+SweepTable table(const Motion& m, const Tool& tool) { return SweepTable({&m, 1}, {&tool, 1}); }
 
 // Volume below `top`: a cell counts by how much of it the surface cuts off, to second order.
 double volume(const SweepTable& s, double top, double h = 0.2) {

@@ -1,5 +1,5 @@
 // Profiles and inserts: shapes, exact distances, refusals.
-#include "removal/tool.h"
+#include "removal/tool/tool.h"
 
 #include "core/units.h"
 #include "sweep_support.h"
@@ -9,16 +9,10 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
-
-Tool make(ToolType type, double d) {
-  Tool t = endmill(d);
-  t.type = type;
-  return t;
-}
+using namespace testing;
 
 Tool form(std::vector<ProfilePoint> points) {
-  Tool t = make(ToolType::form, 0);
+  Tool t = mill(ToolType::form, 0);
   t.profile = std::move(points);
   return t;
 }
@@ -62,22 +56,22 @@ bool inside(const std::vector<Vec2>& points, Vec2 q) {
 
 std::vector<Tool> tools() {
   std::vector<Tool> t = {endmill(6), endmill(6, 1), ballmill(6), endmill(6, 0, 9), ballmill(6, 2)};
-  t.push_back(make(ToolType::chamfer, 8));
-  t.push_back(make(ToolType::drill, 5));
-  t.push_back(make(ToolType::taper, 9));
+  t.push_back(mill(ToolType::chamfer, 8));
+  t.push_back(mill(ToolType::drill, 5));
+  t.push_back(mill(ToolType::taper, 9));
   t.back().taper_angle = radians(10);
   t.back().tip_diameter = 4;
   t.back().corner_radius = 0.7;
-  t.push_back(make(ToolType::tslot, 10));
+  t.push_back(mill(ToolType::tslot, 10));
   t.back().flute_length = 3;
   t.back().corner_radius = 0.5;
-  t.push_back(make(ToolType::lollipop, 6));
+  t.push_back(mill(ToolType::lollipop, 6));
   t.back().neck_diameter = 3;
-  t.push_back(make(ToolType::barrel, 8));
+  t.push_back(mill(ToolType::barrel, 8));
   t.back().profile_radius = 30;
   t.back().corner_radius = 2;
   t.back().flute_length = 16;
-  t.push_back(make(ToolType::taper, 5));  // the tip's arc has its centre at the height of the lid
+  t.push_back(mill(ToolType::taper, 5));  // the tip's arc has its centre at the height of the lid
   t.back().corner_radius = 2;
   t.back().taper_angle = 1.45;
   t.back().flute_length = 2;
@@ -120,10 +114,10 @@ TEST(Profile, FlagsTellWhatTheSweepsRelyOn) {
     EXPECT_EQ(p.is_convex(), tool.type != ToolType::form);
     EXPECT_TRUE(p.is_unimodal() || tool.type == ToolType::form);
   }
-  Tool slot = make(ToolType::tslot, 10);
+  Tool slot = mill(ToolType::tslot, 10);
   slot.flute_length = 3;
   EXPECT_FALSE(make_cutter(slot).is_rising());
-  EXPECT_TRUE(make_cutter(make(ToolType::drill, 5)).is_rising());
+  EXPECT_TRUE(make_cutter(mill(ToolType::drill, 5)).is_rising());
 }
 
 TEST(Profile, SmoothJointsShareAPatchAndCornersDoNot) {
@@ -131,14 +125,14 @@ TEST(Profile, SmoothJointsShareAPatchAndCornersDoNot) {
   EXPECT_EQ(bull.edges().back().patch, 0);
   const Profile flat = make_cutter(endmill(6));
   EXPECT_EQ(flat.edges().back().patch, 1);
-  Tool barrel = make(ToolType::barrel, 8);
+  Tool barrel = mill(ToolType::barrel, 8);
   barrel.profile_radius = 30;
   barrel.corner_radius = 2;
   EXPECT_EQ(make_cutter(barrel).edges().back().patch, 0);
 }
 
 TEST(Profile, DrillPointHasItsAngle) {
-  const Profile p = make_cutter(make(ToolType::drill, 10));
+  const Profile p = make_cutter(mill(ToolType::drill, 10));
   EXPECT_NEAR(p.edges()[0].b.y, 5 / std::tan(radians(59)), 1e-12);
   EXPECT_NEAR(p.distance({0, -1}), 1, 1e-12);
 }
@@ -170,22 +164,34 @@ void expect_invalid(Tool tool, const char* part) {
   }
 }
 
+TEST(Profile, WidthIsTheHeightOfATSlotHead) {
+  Tool slot = mill(ToolType::tslot, 10);
+  slot.flute_length = 8, slot.width = 2;
+  EXPECT_EQ(make_cutter(slot).top(), 2);
+  slot.flute_length = 0;
+  EXPECT_EQ(make_cutter(slot).top(), 2);
+  slot.width = 0, slot.flute_length = 8;
+  EXPECT_EQ(make_cutter(slot).top(), 8);
+  slot.width = 9;
+  expect_invalid(slot, "larger than the flute length");
+}
+
 TEST(ToolShape, RefusesWhatCannotBe) {
   expect_invalid(endmill(0), "diameter is missing");
   expect_invalid(endmill(-1), "negative");
   expect_invalid(endmill(std::nan("")), "not a number");
   expect_invalid(endmill(6, 4), "corner radius");
-  expect_invalid(make(ToolType::taper, 6), "taper angle");
-  expect_invalid(make(ToolType::tslot, 6), "flute length");
-  expect_invalid(make(ToolType::barrel, 6), "profile radius");
+  expect_invalid(mill(ToolType::taper, 6), "taper angle");
+  expect_invalid(mill(ToolType::tslot, 6), "flute length");
+  expect_invalid(mill(ToolType::barrel, 6), "profile radius");
   expect_invalid(form({}), "profile of two points");
   expect_invalid(form({{1, 0, 0}, {2, 1, 0}}), "on the axis");
   expect_invalid(form({{0, 0, 0}, {2, 0, 0}, {3, -1, 0}}), "goes down");
   expect_invalid(form({{0, 0, 0}, {2, 0, 0}, {-1, 2, 0}}), "crosses the axis");
-  Tool neck = make(ToolType::lollipop, 6);
+  Tool neck = mill(ToolType::lollipop, 6);
   neck.neck_diameter = 6;
   expect_invalid(neck, "neck");
-  Tool insert = make(ToolType::turning, 0);
+  Tool insert = mill(ToolType::turning, 0);
   insert.insert = "XNMG";
   expect_invalid(insert, "insert shape");
   insert.insert = "V";
@@ -197,7 +203,7 @@ TEST(ToolShape, RefusesWhatCannotBe) {
 }
 
 TEST(Insert, DefaultIsASharpFinishingInsertWithItsTipAtTheProgrammedPoint) {
-  Tool tool = make(ToolType::turning, 0);
+  Tool tool = mill(ToolType::turning, 0);
   const InsertOutline o = make_insert(tool);
   ASSERT_EQ(o.core.size(), 4u);
   EXPECT_EQ(o.round, 0);
@@ -213,7 +219,7 @@ TEST(Insert, DefaultIsASharpFinishingInsertWithItsTipAtTheProgrammedPoint) {
 }
 
 TEST(Insert, LeftHandMirrorsZAndInsideMirrorsX) {
-  Tool tool = make(ToolType::turning, 0);
+  Tool tool = mill(ToolType::turning, 0);
   const InsertOutline right = make_insert(tool);
   tool.left_hand = true;
   const InsertOutline left = make_insert(tool);
@@ -231,7 +237,7 @@ TEST(Insert, LeftHandMirrorsZAndInsideMirrorsX) {
 
 TEST(Insert, BladeIsAsWideAsItSays) {
   for (int tip : {0, 3, 4, 8, 2, 1, 6, 7, 5}) {
-    Tool tool = make(ToolType::grooving, 0);
+    Tool tool = mill(ToolType::grooving, 0);
     tool.width = 4;
     tool.nose_radius = 0.3;
     tool.tip = tip;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace mrsim::test {
+namespace mrsim::testing {
 
 inline Tool insert(ToolType type, const char* shape, double nose, int tip = 0) {
   Tool t;
@@ -54,4 +54,4 @@ inline std::vector<Motion> turning_moves(Random& r, int count, double radius, do
   return list;
 }
 
-}  // namespace mrsim::test
+}  // namespace mrsim::testing

@@ -7,7 +7,7 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
 Tool insert(const char* shape, double nose, int tip = 0) {
   Tool t;
@@ -55,7 +55,7 @@ TEST(TurnSweep, OutsideEqualsTheLeastDistanceOverAllPositions) {
     const Vec3 a = {r(4, 20), 0, r(-20, 0)};
     Motion m = line(a, {r(-1, 20), 0, r(-20, 0)});
     if (round % 2 == 1) m = arc(a, {a.x + r(-6, 6), 0, a.z + r(-6, 6)}, {0, 1, 0}, r(-6.2, 6.2));
-    const SweepTable s({&m, 1}, {&tool, 1}, 100);
+    const SweepTable s({&m, 1}, {&tool, 1});
     const InsertOutline o = make_insert(tool);
     for (int k = 0; k < 12; ++k) {
       const Vec3 p = {r(-40, 40), r(-10, 10), r(-40, 30)};
@@ -73,7 +73,7 @@ TEST(TurnSweep, OutsideEqualsTheLeastDistanceOverAllPositions) {
 TEST(TurnSweep, NothingIsCutOnTheLineBeyondItsEnds) {
   const Tool tool = insert("R", 0.2, 9);
   const Motion m = line({18, 0, 16}, {19, 0, 16});
-  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  const SweepTable s({&m, 1}, {&tool, 1});
   for (const double x : {14.5, 17.0, 20.0, 30.0})
     EXPECT_NEAR(s.distance(0, {x, 0, 16}), std::max(18 - x, x - 19) - 0.2, 1e-12) << x;
   EXPECT_NEAR(s.distance(0, {18.5, 0, 16}), -0.2, 1e-12);
@@ -86,7 +86,7 @@ TEST(TurnSweep, NothingIsCutBehindAnArcThatEndsSquare) {
   tool.width = 3.027433;
   tool.edge_length = 3.300770;
   const Motion m = arc({10.5, 0, 29}, {10.5, 0, 25}, {0, 1, 0}, kPi / 2);
-  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  const SweepTable s({&m, 1}, {&tool, 1});
   const InsertOutline o = make_insert(tool);
   for (const double x : {8.0, 9.35, 10.0})
     for (const double z : {25.0, 25.8, 25.9}) {
@@ -98,7 +98,7 @@ TEST(TurnSweep, NothingIsCutBehindAnArcThatEndsSquare) {
 TEST(TurnSweep, SharpInsertFacesAndTurnsAtTheProgrammedPoint) {
   const Motion m = line({15, 0, -5}, {15, 0, -19});
   const Tool tool = insert("", 0);
-  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  const SweepTable s({&m, 1}, {&tool, 1});
   EXPECT_NEAR(s.distance(0, {14, 0, -10}), 1, 1e-12);
   EXPECT_NEAR(s.distance(0, {0, 14.5, -10}), 0.5, 1e-12);
   EXPECT_LT(s.distance(0, {16, 0, -10}), -0.5);
@@ -110,7 +110,7 @@ TEST(TurnSweep, BoringBarStaysOnItsSideOfTheAxis) {
   Tool tool = insert("C", 0.4);
   tool.type = ToolType::boring;
   const Motion m = line({10, 0, 0}, {10, 0, -20});
-  const SweepTable s({&m, 1}, {&tool, 1}, 100);
+  const SweepTable s({&m, 1}, {&tool, 1});
   EXPECT_NEAR(s.distance(0, {0, 10.5, -10}), 0.5, 1e-12);
   EXPECT_LT(s.distance(0, {9, 0, -10}), -0.9);
   EXPECT_GT(s.distance(0, {12, 0, -10}), 1.9);

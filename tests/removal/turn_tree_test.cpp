@@ -1,8 +1,11 @@
 // The tree of turning sweeps against every sweep on its own.
-#include "removal/turn_tree.h"
+#include "removal/sweep/turn_tree.h"
 
-#include "removal/near_list.h"
-#include "removal/sweep_kernels.h"
+#include "removal/prune/candidate_list.h"
+#include "removal/prune/list_candidates.h"
+#include "removal/prune/prune.h"
+#include "removal/prune/prune_turned.h"
+#include "removal/simd/sweep_kernels.h"
 #include "turn_scenes.h"
 
 #include <bit>
@@ -12,7 +15,7 @@
 namespace mrsim {
 namespace {
 
-using namespace test;
+using namespace testing;
 
 SweepTable::Nearest of_all(const SweepTable& sweeps, const Vec3& p) {
   SweepTable::Nearest best;
@@ -30,7 +33,7 @@ TEST(TurnTree, NearestEqualsTheLeastOfAllSweeps) {
   Random r(11);
   const std::vector<Tool> tools = inserts();
   for (int round = 0; round < 400; ++round) {
-    const SweepTable sweeps(turning_moves(r, 20 + r.pick(300), 10, 20), tools, 50);
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(300), 10, 20), tools);
     const std::vector<std::uint32_t> all = sweeps.all();
     for (int k = 0; k < 30; ++k) {
       const Vec3 p = somewhere(r);
@@ -46,18 +49,18 @@ TEST(TurnTree, PruningNeverChangesABit) {
   Random r(5);
   const std::vector<Tool> tools = inserts();
   for (int round = 0; round < 1500; ++round) {
-    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools, 50);
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools);
     const Vec3 center = somewhere(r);
     const double half = r.pick(2) ? r(0.001, 0.05) : r(0.05, 2), band = 3 * half;
-    NearList all, large, small;
-    sweeps.list(sweeps.all(), center, all);
+    CandidateList all, large, small;
+    list_candidates(sweeps, sweeps.all(), center, all);
     const PruneRegion outer = PruneRegion::block(center, 2 * half);
-    if (!sweeps.prune(outer, outer.radius + band + 1e-9, band, all, large)) continue;
+    if (!prune(sweeps, outer, outer.radius + band + 1e-9, band, all, large)) continue;
     const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
     const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
                               : round % 3 == 1 ? PruneRegion::ball(inside, half)
                                                : PruneRegion::column(inside, 0.4 * half, half);
-    if (!sweeps.prune(inner, inner.radius + band + 1e-9, band, large, small)) continue;
+    if (!prune(sweeps, inner, inner.radius + band + 1e-9, band, large, small)) continue;
     PointColumns points{};
     points.count = 16;
     for (std::size_t k = 0; k < points.count; ++k) {
@@ -67,7 +70,7 @@ TEST(TurnTree, PruningNeverChangesABit) {
       const Vec3 p = inner.center + Vec3{inner.half * o.x, inner.half * o.y, inner.tall * o.z};
       points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z, points.least[k] = INFINITY;
     }
-    sweeps.least(small, points);
+    least_distances(sweeps, small, points);
     for (std::size_t k = 0; k < points.count; ++k) {
       const SweepTable::Nearest expected = of_all(sweeps, {points.x[k], points.y[k], points.z[k]});
       if (std::fabs(expected.distance) >= band) {
@@ -86,7 +89,7 @@ TEST(TurnTree, FacingSidesGiveTheSameBits) {
   const std::vector<Tool> tools = inserts();
   std::size_t left = 0, polygons = 0;
   for (int round = 0; round < 1500; ++round) {
-    const SweepTable sweeps(turning_moves(r, 20, 10, 20), tools, 50);
+    const SweepTable sweeps(turning_moves(r, 20, 10, 20), tools);
     const TurnTree& tree = sweeps.turn_tree();
     std::vector<TurnTree::Member> members;
     for (std::uint32_t i = 0; i < sweeps.size(); ++i) tree.append_sides(i, i, members);
@@ -124,28 +127,28 @@ TEST(TurnTree, OpenedPacksGiveTheSameBits) {
   const std::vector<Tool> tools = inserts();
   int opened = 0;
   for (int round = 0; round < 1500; ++round) {
-    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools, 50);
+    const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools);
     const Vec3 center = somewhere(r);
     const double half = r(0.01, 0.3), band = 3 * half;
     const PruneRegion region = PruneRegion::block(center, half);
     const double reach = region.radius + band + 1e-9;
-    NearList all, left;
-    sweeps.list(sweeps.all(), center, all);
-    if (!sweeps.prune(region, reach, band, all, left)) continue;
+    CandidateList all, left;
+    list_candidates(sweeps, sweeps.all(), center, all);
+    if (!prune(sweeps, region, reach, band, all, left)) continue;
     std::vector<std::uint32_t> ids;
-    for (const NearList::Run& run : left.runs())
+    for (const CandidateList::Run& run : left.runs())
       for (std::size_t k = 0; k < run.count; ++k) ids.push_back(left.number(run, k));
     const std::vector<std::uint32_t> packs = ids;
-    if (!sweeps.open_turned(region, reach, 20, ids)) {
+    if (!expand_turned(sweeps, region, reach, 20, ids)) {
       EXPECT_EQ(ids, packs);
       continue;
     }
     opened += ids.size() > 1;
     for (const std::uint32_t id : ids) ASSERT_LT(id, sweeps.size());
     // The list is a list like others: it can be pruned on.
-    NearList named, again;
-    sweeps.list(ids, center, named);
-    ASSERT_TRUE(sweeps.prune(region, reach, band, named, again));
+    CandidateList named, again;
+    list_candidates(sweeps, ids, center, named);
+    ASSERT_TRUE(prune(sweeps, region, reach, band, named, again));
     PointColumns points{}, pruned{};
     points.count = 8;
     for (std::size_t k = 0; k < points.count; ++k) {
@@ -154,7 +157,7 @@ TEST(TurnTree, OpenedPacksGiveTheSameBits) {
     }
     pruned = points;
     sweeps.least(ids, points);
-    sweeps.least(again, pruned);
+    least_distances(sweeps, again, pruned);
     for (std::size_t k = 0; k < points.count; ++k) {
       const Vec3 p{points.x[k], points.y[k], points.z[k]};
       const SweepTable::Nearest expected = of_all(sweeps, p), alone = sweeps.nearest(ids, p);
@@ -177,7 +180,7 @@ TEST(TurnTree, OpenedListsHoldWhatMeetsABox) {
     const auto at = [](int k) { return Vec3{10 + std::sin(0.005 * k), 0, 0.01 * k}; };
     contour.push_back(line(at(i), at(i + 1)));
   }
-  const SweepTable sweeps(contour, inserts(), 50);
+  const SweepTable sweeps(contour, inserts());
   const std::vector<std::uint32_t> all = sweeps.all();
   EXPECT_LE(all.size(), 2u);
   const Box3 box{{-1, -1, 3}, {1, 1, 4}};

@@ -34,7 +34,7 @@ TEST(JobFile, KeysBecomeOptions) {
 program = "p.mpf"
 stock = "box:0,0,0,1,2,3"
 stock_exact = false
-outputs = ["a.stl", "../b.ply"]
+outputs = ["a.stl", "sub/../b.ply"]
 color = "line"
 keep = "largest"
 tools = "tools.toml"
@@ -50,7 +50,7 @@ accept = [-0.02, 0.05]
 json = "-"
 )"),
             "jobs/p.mpf --stock=box:0,0,0,1,2,3 --stock-exact=off --output=jobs/a.stl "
-            "--output=b.ply --color=line --keep=largest --tools=jobs/tools.toml "
+            "--output=jobs/b.ply --color=line --keep=largest --tools=jobs/tools.toml "
             "--tool=1=endmill:d=5 --tool=2=drill:d=3 --start=0,-1.5,20 --block-skip=0,2 "
             "--voxel=0.25 --tolerance=1 --threads=2 --strict --nominal=jobs/n.step "
             "--accept=-0.02,0.05 --json=-");
@@ -77,7 +77,7 @@ TEST(JobFile, ValuesAreChecked) {
   EXPECT_EQ(fault("voxel = 0\n"), "1:9 job-value voxel must be above 0");
   EXPECT_EQ(fault("voxel = nan\n"), "1:9 job-value voxel must be a number");
   EXPECT_EQ(fault("threads = 1.5\n"),
-            "1:11 job-value threads must be a whole number from 1 to 4096");
+            "1:11 job-value threads must be a whole number from 1 to 256");
   EXPECT_EQ(fault("strict = 1\n"), "1:10 job-value strict must be true or false");
   EXPECT_EQ(fault("align = \"ipc\"\n"),
             "1:9 job-value align \"ipc\" is unknown; did you mean \"icp\"? (known: none bbox icp)");

@@ -50,6 +50,16 @@ TEST(ToolSpec, ReadsInserts) {
   EXPECT_EQ(tool.nose_radius, 0.4);
 }
 
+TEST(ToolSpec, RoundInsertsHaveADiameter) {
+  EXPECT_EQ(parse_tool_spec("1=turning:insert=RCMT,d=8").diameter, 8);
+  EXPECT_NE(fault("1=turning:insert=VNMG,d=8").find("round insert"), std::string::npos);
+  EXPECT_NE(fault("1=turning:d=8").find("round insert"), std::string::npos);
+}
+
+TEST(ToolSpec, BarrelsHaveATipDiameter) {
+  EXPECT_EQ(parse_tool_spec("1=barrel:d=8,p=20,t=2").tip_diameter, 2);
+}
+
 TEST(ToolSpec, SaysWhatIsWrong) {
   EXPECT_NE(fault("4=endmil:d=5").find("did you mean \"endmill\""), std::string::npos);
   EXPECT_NE(fault("4=endmill").find("needs a diameter"), std::string::npos);

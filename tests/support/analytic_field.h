@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 
 #include <algorithm>
 #include <limits>
@@ -150,8 +150,8 @@ class AnalyticField final : public ExactField {
   double patch_distance(const Vec3& p, const FieldSample& at) const override {
     return face(p, at).distance;
   }
-  bool by_name(const Box3&, double, std::span<const std::uint32_t> candidates,
-               Candidates& out) const override {
+  bool expand_packs(const Box3&, double, std::span<const std::uint32_t> candidates,
+                    Candidates& out) const override {
     out.assign(candidates.begin(), candidates.end());
     return true;
   }

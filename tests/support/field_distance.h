@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 #include <mrsim/types.h>
 
 #include <algorithm>

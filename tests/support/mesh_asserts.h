@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/text_io.h"
-#include "mesh/check.h"
+#include "mesh/solid/check.h"
 #include <mrsim/types.h>
 
 #include <functional>

@@ -3,17 +3,17 @@
 
 #include <mrsim/types.h>
 
-namespace mrsim::test {
+namespace mrsim::testing {
 
-/// A line of line 1, cut by tool 0.
-inline Motion line(Vec3 a, Vec3 b) {
+/// A straight cut by tool 0, made by line `number` of the program.
+inline Motion line(Vec3 a, Vec3 b, int number = 1) {
   Motion m;
   m.kind = MotionKind::line;
   m.start = a;
   m.end = b;
   m.tool = 0;
-  m.line = 1;
+  m.line = number;
   return m;
 }
 
-}  // namespace mrsim::test
+}  // namespace mrsim::testing

@@ -104,6 +104,12 @@ inline TriMesh joined(TriMesh a, const TriMesh& b) {
   return a;
 }
 
+inline StockShape box_stock(const Vec3& lo, const Vec3& hi) {
+  StockShape s;
+  s.box = {lo, hi};
+  return s;
+}
+
 /// A bar about the Z axis, or a tube where `inner` is above 0, as an exact stock.
 inline StockShape round_stock(double outer, double inner, double z0, double z1) {
   StockShape s;

@@ -1,7 +1,7 @@
 // A plate with six slots whose faces know the lines that cut them, and ways to spoil it.
 #pragma once
 
-#include "mesh/weld.h"
+#include "mesh/solid/weld.h"
 #include <mrsim/types.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -12,16 +13,33 @@
 
 namespace mrsim {
 
-class TempFolderTest : public ::testing::Test {
- protected:
-  void SetUp() override {
+/// A folder that is removed with this object.
+class TempFolder {
+ public:
+  TempFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "mrsim-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp: " + pattern);
     folder_ = pattern;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  ~TempFolder() { std::filesystem::remove_all(folder_); }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+  const std::filesystem::path& folder() const { return folder_; }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+ private:
   std::filesystem::path folder_;
+};
+
+class TempFolderTest : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return temporary_.path(name); }
+
+ private:
+  TempFolder temporary_;
+
+ protected:
+  const std::filesystem::path& folder_ = temporary_.folder();
 };
 
 /// Empty where none is thrown.

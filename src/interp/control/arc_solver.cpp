@@ -1,6 +1,6 @@
-// Circular interpolation: which form a block uses, and what each control does with bad data.
+#include "interp/control/arc_solver.h"
+
 #include "core/units.h"
-#include "interp/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,17 +8,39 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
 
-bool Engine::arc_move(const Vec3& from, const Frame& frame) {
+// How far the radii at start and end may differ: the larger of a length and a share of the radius
+// (SINUMERIK's MD21000 and MD21010 at their defaults).
+constexpr double kRadiiApart = 0.01, kRadiiShare = 0.001;  // mm; of the radius
+// LinuxCNC: 2 sqrt(2) times 0.01 mm or 0.001 inch, beside the share above; a hundred times it is
+// always a fault.
+constexpr double kSpiralApart = 0.0282842712, kSpiralApartInch = 0.00282842712 * 25.4;  // mm
+// sqrt(0.001) radians, 1.8 degrees: by how much moving the centre may turn the start of an arc
+// (SINUMERIK, alarm 14040).
+constexpr double kMostTurn = 0.0316227766;
+constexpr double kMostMoved = 0.10;  // of the radius: how far other controls move the centre
+
+}  // namespace
+
+bool ArcSolver::solve(const Vec3& from, const Frame& frame, SolvedArc& out) {
   Target to;
-  const bool polar = find(Address::ap) || find(Address::rp);
-  if (!target(to, from)) return false;
+  if (!axes_.target(to, from)) return false;
   ArcBlock arc{to, from, frame, basis(), current_motion() == Code::arc_ccw, {}, {}, nullptr};
-  arc.where = motion_word(to);
+  arc.where = axes_.motion_word(to);
   arc.start = in_plane(arc.basis, from);
   arc.end = in_plane(arc.basis, to.programmed);
-  if (current_motion() == Code::arc_point) return three_point_arc(arc);
-  if (current_motion() == Code::arc_tangent) return tangent_arc(arc);
+  out.to = to;
+  out.where = arc.where;
+  const bool ok = current_motion() == Code::arc_point     ? points_.through_point(arc, out)
+                  : current_motion() == Code::arc_tangent ? points_.tangent(arc, out)
+                                                          : solve_form(arc, out);
+  return ok && (out.kind != SolvedArc::Kind::arc || add_turns(out));
+}
+
+// Which words give the circle: a centre, a radius or an angle.
+bool ArcSolver::solve_form(ArcBlock& arc, SolvedArc& out) {
+  const bool polar = find(Address::ap) || find(Address::rp);
   Vec2 center;
   bool centered = false;
   if (!center_words(arc, center, centered)) return false;
@@ -28,41 +50,44 @@ bool Engine::arc_move(const Vec3& from, const Frame& frame) {
   if (ar && radius)
     return error("arc-overdetermined", "opening angle and radius in one block: one too many",
                  *radius);
-  if (ar) return angle_arc(arc, *ar, centered, center);
+  if (ar) return angle_arc(arc, *ar, centered, center, out);
   if (t && radius)
     warning("arc-overdetermined", "T and the centre give the arc: the radius is not used", *radius);
-  if (t) return codesys_angle_arc(arc, *t, centered, center);
+  if (t) return codesys_angle_arc(arc, *t, centered, center, out);
   if (radius && centered) {
-    if (is(Dialect::sinumerik) || is(Dialect::iso))
+    if (is(Dialect::sinumerik) || is(Dialect::iso) || is(Dialect::ngc))
       return error("arc-overdetermined", "radius and centre in one block: only one may be given",
                    *radius);
     reporter_.add(is(Dialect::fanuc) ? Severity::note : Severity::warning, "arc-center-ignored",
                   "radius and centre in one block: the radius counts", radius->column,
                   radius->length);
   }
-  if (radius) return radius_arc(arc, *radius);
+  if (radius) return radius_arc(arc, *radius, out);
   if (!centered && polar) {
     center = in_plane(arc.basis, position_.pole);
     centered = true;
   }
-  if (centered) return center_arc(arc, center);
+  if (centered) return center_arc(arc, center, out);
   const std::string text = "an arc needs a centre or a radius";
-  if (is(Dialect::fanuc)) return arc_to_line("arc-no-center", text + " (alarm 022)", arc);
-  if (is(Dialect::codesys)) return arc_to_line("arc-no-center", text, arc);
+  if (is(Dialect::fanuc)) return straight("arc-no-center", text + " (alarm 022)", arc, out);
+  if (is(Dialect::codesys)) return straight("arc-no-center", text, arc, out);
   return error("arc-no-center", text, *arc.where);
 }
 
 // CODESYS and FANUC go straight where they cannot make a circle.
-bool Engine::arc_to_line(const char* code, const std::string& text, const ArcBlock& arc) {
+bool ArcSolver::straight(const char* code, const std::string& text, const ArcBlock& arc,
+                         SolvedArc& out) {
   warning(code, text + ": a straight line is run instead", *arc.where);
-  return line_move(arc.to, arc.frame);
+  out.kind = SolvedArc::Kind::line;
+  out.to = arc.to;
+  return true;
 }
 
 // I J K: offsets from the start, or absolute by AC() and CODESYS G98. `given`: at least one word in
 // the plane.
-bool Engine::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
+bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
   Vec3 at = arc.from;
-  if (is(Dialect::codesys) && modal_.center_absolute) at = from_plane(arc.basis, {}, 0);
+  if (!is(Dialect::sinumerik) && modal_.center_absolute) at = from_plane(arc.basis, {}, 0);
   bool outside = false;
   const Word* odd = nullptr;
   for (int i = 0; i < 3; ++i) {
@@ -76,7 +101,7 @@ bool Engine::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
     }
     given = true;
     const bool absolute =
-        is(Dialect::codesys)
+        !is(Dialect::sinumerik)
             ? modal_.center_absolute
             : word->form == Form::ac || word->form == Form::dac || word->form == Form::rac;
     double value = word->value * length_unit(*word);
@@ -93,7 +118,7 @@ bool Engine::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
   return true;
 }
 
-bool Engine::radius_arc(ArcBlock& arc, const Word& word) {
+bool ArcSolver::radius_arc(ArcBlock& arc, const Word& word, SolvedArc& out) {
   double radius = word.value * length_unit(word);
   const bool same = length(arc.end - arc.start) <= kSamePoint;
   if (is(Dialect::codesys) && radius < 0) {
@@ -102,49 +127,71 @@ bool Engine::radius_arc(ArcBlock& arc, const Word& word) {
     radius = -radius;
   }
   if (radius == 0) {
-    if (is(Dialect::codesys)) return arc_to_line("arc-radius-zero", "the radius is 0", arc);
+    if (is(Dialect::codesys)) return straight("arc-radius-zero", "the radius is 0", arc, out);
     return error("arc-radius-zero", "the radius is 0", word);
   }
-  if (same && is(Dialect::fanuc)) {
-    note_once("arc-no-motion", "radius without a new end point: an arc of 0 degrees, no motion",
-              word, fmt::format("{}:{}", block_.line_number, stack_.back().file));
-    return true;
-  }
-  if (same && is(Dialect::codesys)) {
-    PlaneArc circle{arc.start + Vec2{radius, 0}, radius, arc.ccw ? kTwoPi : -kTwoPi};
-    return finish_arc(circle, arc);
-  }
-  if (same)
-    return error(
-        "arc-radius-full-circle",
-        fmt::format("start and end are the same point: a full circle needs its centre, not a "
-                    "radius{}",
-                    is(Dialect::sinumerik) ? " (alarm 14040)" : ""),
-        word);
+  if (same) return same_point_radius(arc, word, radius, out);
   if (is(Dialect::fanuc) && lathe() && radius < 0)
     return error("arc-radius-negative", "a negative radius is not allowed on lathes (alarm 023)",
                  word);
-  const std::optional<PlaneArc> solved = arc_by_radius(arc.start, arc.end, radius, arc.ccw);
+  const std::optional<PlaneArc> solved = arc_of_radius(arc, radius, word);
   if (!solved) {
     const double chord = length(arc.end - arc.start);
     const std::string text = fmt::format(
         "radius {:.6g} is too small: start and end are {:.6g} apart, so it must be at least "
         "{:.6g}{}",
         std::abs(radius), chord, chord / 2, is(Dialect::sinumerik) ? " (alarm 14095)" : "");
-    if (is(Dialect::codesys)) return arc_to_line("arc-radius-too-small", text, arc);
+    if (is(Dialect::codesys)) return straight("arc-radius-too-small", text, arc, out);
     return error("arc-radius-too-small", text, word);
   }
-  return near_half_circle(*solved, word) && finish_arc(*solved, arc);
+  if (!near_half_circle(*solved, word)) return false;
+  set_plane_arc(arc, *solved, out);
+  return true;
+}
+
+// A radius without a new end point.
+bool ArcSolver::same_point_radius(ArcBlock& arc, const Word& word, double radius, SolvedArc& out) {
+  if (is(Dialect::fanuc)) {
+    note_once("arc-no-motion", "radius without a new end point: an arc of 0 degrees, no motion",
+              word, fmt::format("{}:{}", block_.line_number, block_.file));
+    return true;
+  }
+  if (is(Dialect::codesys)) {
+    PlaneArc circle{arc.start + Vec2{radius, 0}, radius, arc.ccw ? kTwoPi : -kTwoPi};
+    set_plane_arc(arc, circle, out);
+    return true;
+  }
+  return error(
+      "arc-radius-full-circle",
+      fmt::format("start and end are the same point: a full circle needs its centre, not a "
+                  "radius{}",
+                  is(Dialect::sinumerik) ? " (alarm 14040)" : ""),
+      word);
+}
+
+// A radius that rounding made too small for its chord is half the chord: half a turn.
+std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double radius,
+                                                 const Word& word) {
+  const double half = length(arc.end - arc.start) / 2;
+  const double missing = half - std::abs(radius);
+  if (missing <= 1e-6 * half || missing > std::max(0.005, 0.0005 * half))
+    return arc_by_radius(arc.start, arc.end, radius, arc.ccw);
+  reporter_.add(Severity::note, "arc-radius-rounded",
+                fmt::format("radius {:.6g} is {:.3g} mm less than half the chord: half a turn with "
+                            "radius {:.6g}",
+                            std::abs(radius), missing, half),
+                word);
+  return arc_by_radius(arc.start, arc.end, radius < 0 ? -half : half, arc.ccw);
 }
 
 // Near 180 degrees the centre of a radius arc runs away with the last digit.
-bool Engine::near_half_circle(const PlaneArc& arc, const Word& word) {
+bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
   const double off = std::abs(std::abs(arc.sweep) - kPi);
   const bool exact = off < 1e-6;
   if (is(Dialect::fanuc) && lathe() && std::abs(arc.sweep) >= kPi - 1e-9)
     return error("arc-half-circle", "an arc of 180 degrees or more needs its centre on this lathe",
                  word);
-  if (off > radians(1.0) || (exact && !is(Dialect::fanuc))) return true;
+  if (off > radians(2.0) || (exact && !is(Dialect::fanuc))) return true;
   warning("arc-near-180",
           fmt::format("an arc of {:.6g} degrees by its radius: the centre is uncertain, give I J K",
                       degrees(std::abs(arc.sweep))),
@@ -152,27 +199,21 @@ bool Engine::near_half_circle(const PlaneArc& arc, const Word& word) {
   return true;
 }
 
-bool Engine::center_arc(ArcBlock& arc, Vec2 center) {
+bool ArcSolver::center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out) {
   if (length(arc.start - center) <= 1e-6) {
     if (is(Dialect::codesys))
-      return arc_to_line("arc-center-is-start", "the centre is the start point", arc);
+      return straight("arc-center-is-start", "the centre is the start point", arc, out);
     return error("arc-center-is-start", "the centre is the start point", *arc.where);
   }
-  PlaneArc solved;
-  if (length(arc.end - arc.start) <= kSamePoint) {
-    hint_sign(arc, center);
-    solved = arc_about(arc.start, arc.end, center, arc.ccw);
-    return finish_arc(solved, arc);
-  }
-  solved.center = center;
-  bool straight = false;
-  if (!check_center(arc, solved, straight)) return false;
-  return straight || finish_arc(solved, arc);
+  if (length(arc.end - arc.start) > kSamePoint) return check_center(arc, center, out);
+  hint_sign(arc, center);
+  set_plane_arc(arc, arc_about(arc.start, arc.end, center, arc.ccw), out);
+  return true;
 }
 
 // A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
 // centre at X25; I-12.5 would close on X0".
-void Engine::hint_sign(const ArcBlock& arc, Vec2 center) {
+void ArcSolver::hint_sign(const ArcBlock& arc, Vec2 center) {
   static constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};
   if (modal_.plane > 2 || modal_.center_absolute) return;
   const Vec2 d = center - arc.start, zero = arc.start - d;
@@ -184,14 +225,14 @@ void Engine::hint_sign(const ArcBlock& arc, Vec2 center) {
   note_once("arc-center-sign",
             fmt::format("{0}{1:.6g} puts the centre at {2}{3:.6g}; {0}{4:.6g} would close on {2}0",
                         "IJK"[axis], word, "XYZ"[axis], at, -word),
-            *arc.where, fmt::format("{}:{}", stack_.back().file, block_.line_number));
+            *arc.where, fmt::format("{}:{}", block_.file, block_.line_number));
 }
 
-// Both radii must agree; how far the control bends, and to what, is DIALECTS' policy table.
-bool Engine::check_center(ArcBlock& arc, PlaneArc& solved, bool& straight) {
-  const Vec2 c = solved.center, s = arc.start, e = arc.end;
+// Both radii must agree; how far the control bends, and to what, is in docs/interp.md.
+bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
+  const Vec2 s = arc.start, e = arc.end;
   const double rs = length(s - c), re = length(e - c), differ = std::abs(rs - re);
-  const double tolerance = std::max(0.01, 0.001 * rs);
+  const double tolerance = std::max(kRadiiApart, kRadiiShare * rs);
   const Vec2 moved = bisector_center(s, e, c);
   const double shift = length(moved - c), r_moved = length(moved - s);
   const bool near = differ <= tolerance && shift <= tolerance;
@@ -200,34 +241,41 @@ bool Engine::check_center(ArcBlock& arc, PlaneArc& solved, bool& straight) {
         "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
         re, differ, 100 * differ / rs, sign_hint(arc, c));
   };
+  if (is(Dialect::ngc)) {
+    const double least = modal_.inch ? kSpiralApartInch : kSpiralApart;
+    const bool apart = differ > least && differ > kRadiiShare * std::max(rs, re);
+    if (apart || differ > 100 * least) return error("arc-radii-differ", radii(), *arc.where);
+  }
   if (is(Dialect::sinumerik)) {
     const double turn = std::abs(cross(moved - s, c - s)) / (rs * std::max(r_moved, 1e-12));
-    if (!near || turn > 0.0316227766)
+    if (!near || turn > kMostTurn)
       return error("arc-radii-differ", radii() + " (alarm 14040)", *arc.where);
   } else if (differ > tolerance) {
     const double share = is(Dialect::codesys) ? shift / std::max(r_moved, 1e-12) : differ / rs;
     if (is(Dialect::fanuc)) return error("arc-radii-differ", radii() + " (alarm 020)", *arc.where);
-    if (share > 0.10 && is(Dialect::iso)) return error("arc-radii-differ", radii(), *arc.where);
-    if (share > 0.10) {
-      straight = true;
-      return arc_to_line("arc-radii-differ", radii(), arc);
-    }
+    if (share > kMostMoved && !is(Dialect::codesys))
+      return error("arc-radii-differ", radii(), *arc.where);
+    if (share > kMostMoved) return straight("arc-radii-differ", radii(), arc, out);
     warning("arc-center-moved",
             fmt::format("{}: the centre is moved by {:.3g} mm to the bisector", radii(), shift),
             *arc.where);
   } else if (shift > tolerance) {
     // Nearly a full or an empty circle: the bisector says nothing about the centre. Keep it, and
     // close the hair's breadth to the end with a line.
-    solved = arc_about(s, e, c, arc.ccw);
-    arc.closing = true;
+    const PlaneArc kept = arc_about(s, e, c, arc.ccw);
+    set_plane_arc(arc, kept, out);
+    out.closing = true;
+    const Vec2 away = e - c;
+    out.arc_end = from_plane(arc.basis, c + (kept.radius / length(away)) * away,
+                             dot(arc.to.programmed, arc.basis.w));
     return true;
   }
-  solved = arc_about(s, e, moved, arc.ccw);
+  set_plane_arc(arc, arc_about(s, e, moved, arc.ccw), out);
   return true;
 }
 
 // "I12.5 puts the centre at X25; I-12.5 would close on X0": a sign that makes the radii agree.
-std::string Engine::sign_hint(const ArcBlock& arc, Vec2 c) const {
+std::string ArcSolver::sign_hint(const ArcBlock& arc, Vec2 c) const {
   const Vec2 d = c - arc.start;
   for (const Vec2 flip : {Vec2{-1, 1}, Vec2{1, -1}, Vec2{-1, -1}}) {
     const Vec2 other = arc.start + Vec2{flip.x * d.x, flip.y * d.y};
@@ -246,7 +294,8 @@ std::string Engine::sign_hint(const ArcBlock& arc, Vec2 c) const {
 }
 
 // AR=: opening angle with the end point, or with the centre.
-bool Engine::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center) {
+bool ArcSolver::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center,
+                          SolvedArc& out) {
   if (!(word.value > 0 && word.value < 360))
     return error(
         "arc-angle-range",
@@ -258,18 +307,19 @@ bool Engine::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 cent
     return error("arc-overdetermined", "AR= with centre and end point: one too many (alarm 14900)",
                  word);
   const double angle = radians(word.value);
-  if (centered) return turned_arc(arc, center, angle);
+  if (centered) return turned_arc(arc, center, angle, out);
   if (length(arc.end - arc.start) <= kSamePoint)
     return error("arc-angle-no-end", "AR= needs an end point other than the start, or a centre",
                  word);
-  return finish_arc(arc_by_angle(arc.start, arc.end, angle, arc.ccw), arc);
+  set_plane_arc(arc, arc_by_angle(arc.start, arc.end, angle, arc.ccw), out);
+  return true;
 }
 
 // The end follows from centre and angle.
-bool Engine::turned_arc(ArcBlock& arc, Vec2 center, double angle) {
+bool ArcSolver::turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out) {
   if (length(arc.start - center) <= 1e-6) {
     if (is(Dialect::codesys))
-      return arc_to_line("arc-center-is-start", "the centre is the start point", arc);
+      return straight("arc-center-is-start", "the centre is the start point", arc, out);
     return error("arc-center-is-start", "the centre is the start point", *arc.where);
   }
   const double sweep = arc.ccw ? angle : -angle;
@@ -281,69 +331,46 @@ bool Engine::turned_arc(ArcBlock& arc, Vec2 center, double angle) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(component(arc.basis.u, i)) + std::abs(component(arc.basis.v, i)) > 0)
       arc.to.named |= position_.known & (1U << i);
-  return finish_arc({center, length(arc.start - center), sweep}, arc);
+  set_plane_arc(arc, {center, length(arc.start - center), sweep}, out);
+  return true;
 }
 
-bool Engine::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center) {
+bool ArcSolver::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center,
+                                  SolvedArc& out) {
   if (!(t.value > 0 && t.value <= 1080))
     return error(
         "arc-angle-range",
         fmt::format("T{:g}: the opening angle is above 0 and at most 1080 degrees", t.value), t);
   if (!centered)
-    return arc_to_line("arc-no-center", "T is the opening angle and needs the centre I J K", arc);
+    return straight("arc-no-center", "T is the opening angle and needs the centre I J K", arc, out);
   if (named_along(arc.to, arc.basis.u) || named_along(arc.to, arc.basis.v)) {
     warning("arc-overdetermined", "T gives the end point: the end in the plane is not used", t);
     const double height = dot(arc.to.programmed, arc.basis.w);
     arc.to.programmed = from_plane(arc.basis, arc.start, height);
   }
-  return turned_arc(arc, center, radians(t.value));
+  return turned_arc(arc, center, radians(t.value), out);
+}
+
+// P: how many turns in all, the programmed one among them.
+bool ArcSolver::add_p_turns(SolvedArc& arc) {
+  const Word* word = take('P');
+  if (!word) return true;
+  if (word->value < 1 || word->value > 999 || word->value != std::floor(word->value))
+    return error("arc-turns", "P is the number of turns, a whole number from 1 to 999", *word);
+  arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * (word->value - 1);
+  if (is(Dialect::fanuc) && word->value > 1)
+    note_once("arc-turns", "P is read as the number of turns", *word, "turns");
+  return true;
 }
 
 // TURN=: full circles before the programmed arc.
-bool Engine::add_turns(PlaneArc& arc) {
+bool ArcSolver::add_turns(SolvedArc& arc) {
+  if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) return add_p_turns(arc);
   const Word* word = take(Address::turn);
   if (!word) return true;
   if (word->value < 0 || word->value > 999 || word->value != std::floor(word->value))
     return error("arc-turns", "TURN is a whole number from 0 to 999 (alarm 14048)", *word);
   arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * word->value;
-  return true;
-}
-
-bool Engine::finish_arc(PlaneArc solved, ArcBlock& arc) {
-  if (!add_turns(solved)) return false;
-  const Vec3 u = turn(arc.frame, arc.basis.u), v = turn(arc.frame, arc.basis.v);
-  const double su = length(u), sv = length(v);
-  if (std::abs(su - sv) > 1e-9 * su || std::abs(dot(u, v)) > 1e-9 * su * sv)
-    return error(
-        "arc-scaled-unequally",
-        fmt::format("the scale is {:.6g} and {:.6g} in the plane: the arc would be an ellipse", su,
-                    sv),
-        *arc.where);
-  Motion motion = motion_template(*arc.where, MotionKind::arc);
-  const Vec3 normal = normalized(cross(u, v));
-  motion.center =
-      apply(arc.frame, from_plane(arc.basis, solved.center, dot(arc.from, arc.basis.w)));
-  motion.axis = normal;
-  motion.radius = solved.radius * su;
-  motion.sweep = solved.sweep;
-  Target end = arc.to;
-  if (arc.closing) {
-    const Vec2 out = arc.end - solved.center;
-    end.programmed = from_plane(arc.basis, solved.center + (solved.radius / length(out)) * out,
-                                dot(arc.to.programmed, arc.basis.w));
-  }
-  commit(end, arc.frame, motion);
-  motion.rise = dot(motion.end - motion.start, normal);
-  if (std::abs(motion.rise) < 1e-12) motion.rise = 0;
-  normalise_axis(motion);
-  position_.tangent = arc_tangent(motion, 1);
-  position_.has_tangent = true;
-  if (!start_compensation(motion, *arc.where)) return false;
-  emit(motion);
-  if (!arc.closing) return true;
-  Motion rest = motion_template(*arc.where, MotionKind::line);
-  commit(arc.to, arc.frame, rest);
-  emit(rest);
   return true;
 }
 

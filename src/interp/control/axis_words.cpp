@@ -1,7 +1,7 @@
-// Where a block goes: axis words, diameters, increments, polar coordinates, angles.
+#include "interp/control/axis_words.h"
+
 #include "core/trig.h"
 #include "core/units.h"
-#include "interp/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,55 +10,34 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
 
-Basis Engine::basis() const {
-  return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
-}
+// A coordinate without a point from which on its author may have meant least increments.
+constexpr double kLongWithoutPoint = 500;
 
-// mm; X of a lathe as a radius.
-double Engine::axis_value(int axis, const Word& word, bool incremental) const {
-  const double value = word.value * length_unit(word);
-  if (axis != 0) return value;
-  switch (word.form) {
-    case Form::dac:
-    case Form::dic:
-      return value / 2;
-    case Form::rac:
-    case Form::ric:
-      return value;
-    default:
-      break;
-  }
-  if (modal_.diameter == Code::diameter_on) return value / 2;
-  if (modal_.diameter == Code::diameter_absolute && !incremental) return value / 2;
-  return value;
-}
+}  // namespace
 
-double Engine::length_unit(const Word& word) const {
-  const double unit = modal_.inch ? 25.4 : 1.0;
-  if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;
-  return unit * (modal_.inch ? 1e-4 : 1e-3);
-}
-
-bool Engine::has_move() const {
-  if (frame_code_ || (oneshot_ && oneshot_code_ != Code::tap_floating)) return false;
-  const auto open = [&](Address a) {  // given, and not yet taken by a G word of the block
-    const Slot& slot = slots_[static_cast<std::size_t>(a)];
-    return slot.epoch == epoch_ && !slot.used;
-  };
+bool AxisWords::has_move() const {
+  if (block_.frame_code || (block_.oneshot && block_.oneshot_code != Code::tap_floating))
+    return false;
+  const auto open = [&](Address a) { return block_.open(a); };
   const auto any = [&](std::initializer_list<Address> list) {
     return std::any_of(list.begin(), list.end(), open);
   };
-  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, Address::ang}))
+  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, Address::ang,
+           letter('@'), letter('^')}))
     return true;
   if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
-  if (!is_circular(current_motion())) return false;
+  const Code code = current_motion();
+  if (code == Code::spline_cubic || code == Code::spline_quadratic)
+    return any({letter('I'), letter('J'), letter('P'), letter('Q')});
+  if (!is_circular(code)) return false;
   if (is(Dialect::codesys) && open(letter('T'))) return true;
   return any({letter('I'), letter('J'), letter('K'), letter('R'), Address::cr, Address::ar,
               Address::i1, Address::j1, Address::k1, Address::turn});
 }
 
-bool Engine::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
+bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
   bool incremental = modal_.incremental || incremental_word;
   if (word.form == Form::ac || word.form == Form::dac || word.form == Form::rac)
     incremental = false;
@@ -73,14 +52,22 @@ bool Engine::axis_word(Target& out, int axis, const Word& word, bool incremental
     if (word.value != 0)
       return error("not-supported", "a Y axis on a lathe is not supported yet", word);
   }
+  if (!word.point && is(Dialect::fanuc) && !options_.least_increments &&
+      std::abs(word.value) >= kLongWithoutPoint)
+    note_once("number-without-point",
+              fmt::format("{} without a decimal point is read as {:g} {}; on a control that counts "
+                          "least increments say --least-increments",
+                          text_of(word), word.value, modal_.inch ? "inch" : "mm"),
+              word, "point");
   const double value = axis_value(axis, word, incremental);
   double base = 0;
   if (incremental) {
     base = component(out.programmed, axis);
     // SD42440 = 1: the first increment after a change of frame travels the new offset too.
-    if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !suppress_)
+    if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !block_.suppress_frames)
       base = component(position_.retained, axis);
-    if ((position_.known >> axis & 1U) == 0)
+    // G28 G91 Z0: where from is of no matter.
+    if ((position_.known >> axis & 1U) == 0 && !block_.oneshot)
       reporter_.once(Severity::warning, "start-unknown",
                      "an increment from a position that was never given: it is counted from 0; say "
                      "--start X,Y,Z",
@@ -97,9 +84,10 @@ bool Engine::axis_word(Target& out, int axis, const Word& word, bool incremental
   return true;
 }
 
-bool Engine::target(Target& out, const Vec3& from) {
+bool AxisWords::target(Target& out, const Vec3& from) {
   out.programmed = from;
-  if (modal_.polar && !suppress_) return fanuc_polar_target(out, from);
+  if (is(Dialect::ngc) && (peek('@') || peek('^'))) return ngc_polar_target(out, from);
+  if (modal_.polar && !block_.suppress_frames) return fanuc_polar_target(out, from);
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     if (word && !axis_word(out, i, *word, false)) return false;
@@ -113,8 +101,33 @@ bool Engine::target(Target& out, const Vec3& from) {
   return true;
 }
 
+// LinuxCNC: @ distance and ^ angle about the zero of the plane; what is not given stays.
+bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
+  static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
+  const Word* radius = take('@');
+  const Word* angle = take('^');
+  const Word& where = radius ? *radius : *angle;
+  const Basis b = basis();
+  for (const int axis : {kFirst[modal_.plane], kSecond[modal_.plane]})
+    if (peek("XYZ"[axis]))
+      return error("polar-mixed", "@ or ^ and an axis of the plane in one block", where);
+  const Word* height = take("XYZ"[kNormal[modal_.plane]]);
+  if (height && !axis_word(out, kNormal[modal_.plane], *height, false)) return false;
+  const Vec2 s = in_plane(b, from);
+  const double old = length(s), turn = modal_.incremental ? 1 : 0;
+  if (radius && radius->value < 0) return error("polar-radius", "@ must not be negative", *radius);
+  const double r = radius ? radius->value * scale() + turn * old : old;
+  const double now = degrees(mrsim::atan2(s.y, s.x));
+  const SinCos sc = sincos_deg(angle ? angle->value + turn * now : now);
+  out.programmed = from_plane(b, r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
+  out.named |= (1U << kFirst[modal_.plane]) | (1U << kSecond[modal_.plane]);
+  out.absolute |= out.named;
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
 // AP= RP= about the pole, in the plane.
-bool Engine::polar_target(Target& out) {
+bool AxisWords::polar_target(Target& out) {
   const Word* ap = take(Address::ap);
   const Word* rp = take(Address::rp);
   const Word& where = ap ? *ap : *rp;
@@ -156,14 +169,14 @@ bool Engine::polar_target(Target& out) {
   return true;
 }
 
-double Engine::last_polar_angle(const Basis& b) const {
+double AxisWords::last_polar_angle(const Basis& b) const {
   if (position_.has_polar_angle) return position_.polar_angle;
   const Vec2 d = in_plane(b, position_.programmed - position_.pole);
   return degrees(mrsim::atan2(d.y, d.x));
 }
 
 // G16: the plane's first axis is the radius, the second the angle. G91 counts from the position.
-bool Engine::fanuc_polar_target(Target& out, const Vec3& from) {
+bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   const Basis b = basis();
   static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
   const Word* radius = take("XYZ"[kFirst[modal_.plane]]);
@@ -191,8 +204,14 @@ bool Engine::fanuc_polar_target(Target& out, const Vec3& from) {
   return true;
 }
 
+const Word* AxisWords::motion_word(const Target& to) const {
+  if (block_.motion_code) return block_.motion_code;
+  if (block_.oneshot) return block_.oneshot;
+  return to.first ? to.first : &block_.words.front();
+}
+
 // ANG= with one coordinate: the other follows.
-bool Engine::angle_target(Target& out, const Vec3& from) {
+bool AxisWords::angle_target(Target& out, const Vec3& from) {
   const Word* ang = take(Address::ang);
   const Basis b = basis();
   const SinCos sc = sincos_deg(ang->value);
@@ -218,7 +237,7 @@ bool Engine::angle_target(Target& out, const Vec3& from) {
   return true;
 }
 
-bool Engine::named_along(const Target& out, const Vec3& direction) const {
+bool named_along(const Target& out, const Vec3& direction) {
   for (int i = 0; i < 3; ++i)
     if ((out.named >> i & 1U) && component(direction, i) != 0) return true;
   return false;

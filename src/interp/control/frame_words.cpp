@@ -1,6 +1,6 @@
-// Frames: work offsets, TRANS and its kin, FANUC's rotations, scalings and mirrors, poles.
+#include "interp/control/frame_words.h"
+
 #include "core/trig.h"
-#include "interp/engine.h"
 
 #include <cmath>
 
@@ -8,14 +8,12 @@
 
 namespace mrsim {
 
-Frame Engine::frame_now() const {
-  if (!suppress_) return frames_.total;
-  return Frame{};
-}
-
 // The pieces in the order the control applies them: innermost last.
-void Engine::rebuild_frame() {
+void FrameWords::rebuild() {
   Frame total = shift_frame(frames_.work + frames_.position_shift + frames_.local);
+  if (frames_.work_turn != 0)
+    total = compose(compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn)),
+                    shift_frame(frames_.position_shift + frames_.local));
   total = compose(total, frames_.program);
   total = compose(total, frames_.rotation);
   total = compose(total, frames_.scaling);
@@ -31,70 +29,87 @@ void Engine::rebuild_frame() {
   }
 }
 
-void Engine::save_frames() {
-  if (frames_changed_) return;
-  saved_frames_ = frames_;
-  frames_changed_ = true;
+void FrameWords::save() {
+  if (!control_.saved_frames) control_.saved_frames = frames_;
 }
 
-bool Engine::select_work(const CodeEntry& entry, const Word& word) {
-  save_frames();
+void FrameWords::start() {
+  if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) set_work("G54");
+  rebuild();
+}
+
+bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
+  save();
   std::string name;
   if (entry.code == Code::work_extended) {
     const Word* p = take('P');
     if (!p || p->value < 1 || p->value > 300 || p->value != std::floor(p->value))
       return error("value-range", "G54.1 needs P1 to P300", word);
-    name = fmt::format("G54.1P{:g}", p->value);
+    name = fmt::format("{}P{:g}", word.value == 154 ? "G154" : "G54.1", p->value);
   } else if (entry.code == Code::work_offset) {
-    name = fmt::format("G{}", entry.number);
+    name = fmt::format("G{:g}", word.value);
   }
-  set_work(name);
-  rebuild_frame();
+  if (!set_work(name))
+    note_once("work-offset-unset",
+              fmt::format("{} is not in the tool table: its zero is that of the stock, as for G54 "
+                          "without an entry",
+                          name),
+              word, name);
+  rebuild();
   return true;
 }
 
-void Engine::set_work(const std::string& name) {
+void FrameWords::renew_work() {
+  set_work(frames_.work_name);
+  rebuild();
+}
+
+bool FrameWords::set_work(const std::string& name) {
   frames_.work = {};
-  for (const WorkOffset& offset : options_.table.work) {
+  frames_.work_name = name;
+  const auto turn = control_.work_turns.find(name);
+  frames_.work_turn = turn == control_.work_turns.end() ? 0 : turn->second;
+  bool known = name.empty() || name == "G54";
+  for (const WorkOffset& offset : control_.work) {
     std::string key;
     for (const char c : offset.name)
       if (c != ' ') key += c;
     if (key != name) continue;
     frames_.work = offset.shift;
+    known = true;
   }
+  return known;
 }
 
 // X Y Z of a frame word. Lengths are converted; factors and angles are not.
-bool Engine::frame_arguments(Vec3& values, unsigned& named, bool lengths) {
+void FrameWords::arguments(Vec3& values, unsigned& named, bool lengths) {
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
     named |= 1U << i;
     component(values, i) = lengths ? word->value * scale() : word->value;
   }
-  return true;
 }
 
 // ROT: axis angles (about Z, then the new Y, then the new X) or RPL= in the plane.
-bool Engine::rotation_arguments(Frame& frame) {
+void FrameWords::rotation_arguments(Frame& frame) {
   static constexpr int kNormal[] = {2, 1, 0, 2};
   if (const Word* rpl = take(Address::rpl)) {
     frame = rotation_frame(kNormal[modal_.plane], rpl->value);
-    return true;
+    return;
   }
   Vec3 angles;
   unsigned named = 0;
-  frame_arguments(angles, named, false);
+  arguments(angles, named, false);
   frame = Frame{};
   if (named & 4U) frame = compose(frame, rotation_frame(2, angles.z));
   if (named & 2U) frame = compose(frame, rotation_frame(1, angles.y));
   if (named & 1U) frame = compose(frame, rotation_frame(0, angles.x));
-  return true;
 }
 
-bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
+bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
   Frame step;
-  switch (frame_op_) {
+  switch (block_.frame_op) {
     case Code::trans:
     case Code::atrans:
       step = shift_frame(values);
@@ -105,7 +120,7 @@ bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
       for (int i = 0; i < 3; ++i)
         if (named >> i & 1U) component(factors, i) = component(values, i);
       if (factors.x == 0 || factors.y == 0 || factors.z == 0)
-        return error("value-range", "a scale factor must not be 0", *frame_code_);
+        return error("value-range", "a scale factor must not be 0", *block_.frame_code);
       if (named) step = scale_frame(factors);
       break;
     }
@@ -120,62 +135,72 @@ bool Engine::sinumerik_frame(Vec3 values, unsigned named) {
     default:
       rotation_arguments(step);
   }
-  const bool appends = frame_op_ == Code::atrans || frame_op_ == Code::arot ||
-                       frame_op_ == Code::ascale || frame_op_ == Code::amirror;
+  const bool appends = block_.frame_op == Code::atrans || block_.frame_op == Code::arot ||
+                       block_.frame_op == Code::ascale || block_.frame_op == Code::amirror;
   frames_.program = appends ? compose(frames_.program, step) : step;
   return true;
 }
 
 // Scales that compound beyond all measure would end in positions that are no numbers.
-bool Engine::frame_in_range() {
+bool FrameWords::in_range() {
   const double d = std::abs(determinant(frames_.total));
   if (d >= 1e-9 && d <= 1e9 && length(frames_.total.shift) <= 1e10) return true;
-  return error("value-range", "the frame scales or shifts beyond all measure", *frame_code_);
+  return error("value-range", "the frame scales or shifts beyond all measure", *block_.frame_code);
 }
 
-bool Engine::run_frame() {
-  if (frame_op_ == Code::pole_position || frame_op_ == Code::pole_zero ||
-      frame_op_ == Code::pole_pole)
+bool FrameWords::run() {
+  if (block_.frame_op == Code::pole_position || block_.frame_op == Code::pole_zero ||
+      block_.frame_op == Code::pole_pole)
     return pole();
-  if (frame_op_ == Code::speed_limit) {
+  if (block_.frame_op == Code::speed_limit) {
     for (const char c : {'X', 'Y', 'Z', 'S'}) take(c);
     return true;
   }
-  save_frames();
-  if (is(Dialect::codesys)) return codesys_frame() && frame_in_range();
-  if (!is(Dialect::sinumerik)) return fanuc_frame(*frame_code_) && frame_in_range();
-  if (motion_code_)
-    return error("frame-own-block", "a frame word needs a block of its own", *frame_code_);
-  const bool lengths = frame_op_ == Code::trans || frame_op_ == Code::atrans ||
-                       frame_op_ == Code::trans_coarse || frame_op_ == Code::trans_fine;
-  const bool rotates = frame_op_ == Code::rot || frame_op_ == Code::arot;
+  save();
+  if (is(Dialect::codesys)) return codesys() && in_range();
+  if (!is(Dialect::sinumerik)) return fanuc(*block_.frame_code) && in_range();
+  return sinumerik() && in_range();
+}
+
+bool FrameWords::sinumerik() {
+  if (block_.motion_code)
+    return error("frame-own-block", "a frame word needs a block of its own", *block_.frame_code);
+  const bool lengths = block_.frame_op == Code::trans || block_.frame_op == Code::atrans ||
+                       block_.frame_op == Code::trans_coarse || block_.frame_op == Code::trans_fine;
+  const bool rotates = block_.frame_op == Code::rot || block_.frame_op == Code::arot;
   Vec3 values;
   unsigned named = 0;
-  if (!rotates) frame_arguments(values, named, lengths);
-  if (frame_op_ == Code::trans_coarse || frame_op_ == Code::trans_fine) {
-    for (int i = 0; i < 3; ++i) {
-      if ((named >> i & 1U) == 0) continue;
-      double& shift = component(frames_.program.shift, i);
-      const double fine = component(frames_.fine, i);
-      component(frames_.fine, i) = frame_op_ == Code::trans_fine ? component(values, i) : fine;
-      shift = frame_op_ == Code::trans_fine ? shift - fine + component(values, i)
-                                            : component(values, i) + fine;
-    }
-  } else if (!sinumerik_frame(values, named)) {
+  if (!rotates) arguments(values, named, lengths);
+  if (block_.frame_op == Code::trans_coarse || block_.frame_op == Code::trans_fine) {
+    trans_part(values, named);
+  } else if (!sinumerik_step(values, named)) {
     return false;
   }
-  rebuild_frame();
-  return frame_in_range();
+  rebuild();
+  return true;
+}
+
+// G58 and G59: the coarse and the fine part of TRANS.
+void FrameWords::trans_part(const Vec3& values, unsigned named) {
+  for (int i = 0; i < 3; ++i) {
+    if ((named >> i & 1U) == 0) continue;
+    double& shift = component(frames_.program.shift, i);
+    const double fine = component(frames_.fine, i);
+    component(frames_.fine, i) = block_.frame_op == Code::trans_fine ? component(values, i) : fine;
+    shift = block_.frame_op == Code::trans_fine ? shift - fine + component(values, i)
+                                                : component(values, i) + fine;
+  }
 }
 
 // G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
-bool Engine::fanuc_frame(const Word& word) {
+bool FrameWords::fanuc(const Word& word) {
   static constexpr int kNormal[] = {2, 1, 0, 2};
   Vec3 values = position_.programmed;
   unsigned named = 0;
-  const bool cancels = frame_op_ == Code::rotation_off || frame_op_ == Code::scaling_off;
-  if (!cancels) frame_arguments(values, named, true);
-  switch (frame_op_) {
+  const bool cancels =
+      block_.frame_op == Code::rotation_off || block_.frame_op == Code::scaling_off;
+  if (!cancels) arguments(values, named, true);
+  switch (block_.frame_op) {
     case Code::rotation_on: {
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
@@ -199,7 +224,7 @@ bool Engine::fanuc_frame(const Word& word) {
     case Code::mirror_off:
       for (int i = 0; i < 3; ++i)
         if (named >> i & 1U) component(frames_.mirror_at, i) = component(values, i);
-      if (frame_op_ == Code::mirror_on)
+      if (block_.frame_op == Code::mirror_on)
         frames_.mirrored |= named;
       else
         frames_.mirrored &= named ? ~named : 0U;
@@ -208,12 +233,12 @@ bool Engine::fanuc_frame(const Word& word) {
     default:
       break;
   }
-  rebuild_frame();
+  rebuild();
   return true;
 }
 
 // G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths.
-bool Engine::fanuc_scaling(const Word& word, const Vec3& center) {
+bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
   Vec3 factors{1, 1, 1};
   const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
   if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
@@ -225,7 +250,7 @@ bool Engine::fanuc_scaling(const Word& word, const Vec3& center) {
   return true;
 }
 
-void Engine::set_mirror() {
+void FrameWords::set_mirror() {
   frames_.mirror = Frame{};
   if (!frames_.mirrored) return;
   Vec3 factors{1, 1, 1};
@@ -235,14 +260,14 @@ void Engine::set_mirror() {
 }
 
 // G53 resets the decoder's frame, G54 sets its shift, G55 adds to it, G56 puts it at the position.
-bool Engine::codesys_frame() {
+bool FrameWords::codesys() {
   Vec3 values;
   unsigned named = 0;
-  frame_arguments(values, named, true);
+  arguments(values, named, true);
   for (const char c : {'A', 'B', 'C'})
     if (const Word* word = peek(c); word && word->value != 0)
       return error("not-supported", "a rotated decoder frame is not supported yet", *word);
-  switch (frame_op_) {
+  switch (block_.frame_op) {
     case Code::decoder_reset:
       frames_.program = Frame{};
       break;
@@ -255,17 +280,17 @@ bool Engine::codesys_frame() {
     default:
       frames_.program = shift_frame(position_.physical + values);
   }
-  rebuild_frame();
+  rebuild();
   return true;
 }
 
 // G110 from the last position, G111 from workpiece zero, G112 from the last pole; G90 and G91 are
 // ignored.
-bool Engine::pole() {
+bool FrameWords::pole() {
   const Basis b = basis();
   Vec3 from;
-  if (frame_op_ == Code::pole_position) from = position_.programmed;
-  if (frame_op_ == Code::pole_pole) from = position_.pole;
+  if (block_.frame_op == Code::pole_position) from = position_.programmed;
+  if (block_.frame_op == Code::pole_pole) from = position_.pole;
   Vec3 at = from;
   const Word* rp = take(Address::rp);
   const Word* ap = take(Address::ap);
@@ -281,7 +306,7 @@ bool Engine::pole() {
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
-    const bool relative = frame_op_ != Code::pole_zero;
+    const bool relative = block_.frame_op != Code::pole_zero;
     component(at, i) = (relative ? component(from, i) : 0) + axis_value(i, *word, relative);
   }
   position_.pole = at;

@@ -1,26 +1,173 @@
-// G words that last, values that last (F S D H ...) and M words.
-#include "core/units.h"
-#include "interp/characters.h"
-#include "interp/engine.h"
+#include "interp/control/modal_words.h"
+
+#include "interp/text/characters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
 
-// M words that control spindle, coolant, chuck and the like: no geometry, no note.
-constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
-                                         13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
-                                         43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
-constexpr int kMostM = 5;  // in a block of SINUMERIK
+bool ModalWords::apply() {
+  bool ok = true;
+  block_.comp_before = modal_.comp;
+  for (const Word& word : block_.words) {
+    if (word.address != letter('G') && word.address != Address::function) continue;
+    const CodeEntry entry = lookup(word);
+    if (!claim_group(word, entry) || !apply_code(word, entry)) ok = false;
+  }
+  return ok;
+}
 
-}  // namespace
+CodeEntry ModalWords::lookup(const Word& word) const {
+  if (word.address == Address::function) {
+    CodeEntry entry = is(Dialect::sinumerik) ? find_function(upper_case(word.text)) : CodeEntry{};
+    entry.code = word.code;
+    return entry;
+  }
+  const double by_10 = word.value * 10;
+  if (by_10 < 0 || by_10 >= 1e5 || by_10 != std::floor(by_10)) return {};
+  const int number = static_cast<int>(by_10);
+  if (number % 10 == 0 && number < 10000) return codes_[static_cast<std::size_t>(number / 10)];
+  return find_g_code(control_.dialect, program_.machine, number);
+}
 
-bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
+// Two words of one modal group contradict each other; what happens then is the dialect's.
+bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
+  const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
+  if (entry.group == Group::none || entry.group == Group::other ||
+      (dynamics && !is(Dialect::sinumerik)))
+    return true;
+  const std::uint64_t bit = std::uint64_t(1) << static_cast<unsigned>(entry.group);
+  if ((block_.groups & bit) == 0) {
+    block_.groups |= bit;
+    return true;
+  }
+  if (is(Dialect::fanuc)) return true;
+  if (is(Dialect::sinumerik))
+    return error("group-twice",
+                 entry.group == Group::frame
+                     ? "two frame words in one block (alarm 12070)"
+                     : "two words of one G group in one block (alarm 12060)",
+                 word);
+  warning("group-twice", "two words of one G group in one block: the last one counts", word);
+  return true;
+}
+
+// A modal cycle is run at every point up to G80 or a word of motion: those go with it.
+bool ModalWords::refuse_cycle(const Word& word, const CodeEntry& entry) {
+  in_cycle_ = entry.group != Group::oneshot;
+  return error("not-supported",
+               fmt::format("{} is a canned cycle, which is not supported yet{}", text_of(word),
+                           in_cycle_ ? "; neither are its points in the blocks behind it" : ""),
+               word);
+}
+
+bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
+  switch (entry.code) {
+    case Code::unknown:
+      return error("g-unknown",
+                   fmt::format("G{:g} is not known to this control{}", word.value,
+                               is(Dialect::sinumerik) ? " (alarm 12470)"
+                               : is(Dialect::fanuc)   ? " (alarm 010)"
+                                                      : ""),
+                   word);
+    case Code::cycle:
+      return refuse_cycle(word, entry);
+    case Code::unsupported:
+      return refuse(word, entry);
+    case Code::ignored:
+      return true;
+    case Code::ignored_words:
+      for (const Word& other : block_.words)
+        if (other.address != letter('G') && other.address != letter('M')) take(other.address);
+      return true;
+    case Code::high_speed:
+      return high_speed(word);
+    case Code::drill_cycle:
+      select_cycle(entry.number);
+      return true;
+    case Code::cycle_off:
+    case Code::motion_off:
+      in_cycle_ = false;
+      modal_.drill.number = 0;
+      if (entry.code == Code::motion_off && !block_.motion_code) modal_.motion = entry.code;
+      return true;
+    case Code::return_initial:
+    case Code::return_r:
+      modal_.return_to_r = entry.code == Code::return_r;
+      return true;
+    case Code::probe:
+      if (!peek('X') && !peek('Y') && !peek('Z'))
+        return error("motion-missing", "a probing move needs an axis", word);
+      if (!is(Dialect::ngc)) {  // G31 holds for one block
+        block_.motion_code = &word;
+        block_.motion = entry.code;
+        return true;
+      }
+      [[fallthrough]];
+    case Code::rapid:
+    case Code::line:
+    case Code::arc_cw:
+    case Code::arc_ccw:
+    case Code::arc_point:
+    case Code::arc_tangent:
+    case Code::thread:
+    case Code::thread_growing:
+    case Code::thread_shrinking:
+    case Code::tap_in:
+    case Code::tap_out:
+    case Code::tap_return:
+    case Code::spline_cubic:
+    case Code::spline_quadratic:
+    case Code::nurbs:
+    case Code::nurbs_end:
+      in_cycle_ = false;
+      modal_.drill.number = 0;
+      block_.motion_code = &word;
+      modal_.motion = entry.code;
+      return true;
+    default:
+      return apply_modal_code(word, entry);
+  }
+}
+
+bool ModalWords::refuse(const Word& word, const CodeEntry& entry) {
+  static_cast<void>(entry);
+  const std::string_view what =
+      word.address == letter('G')
+          ? unsupported_code(control_.dialect, static_cast<int>(word.value * 10 + 0.5))
+          : std::string_view();
+  return error("not-supported",
+               what.empty() ? fmt::format("{} is not supported yet", text_of(word))
+                            : fmt::format("{} ({}) is not supported yet", text_of(word), what),
+               word);
+}
+
+// G5 P10000, G5.1 Q1, G8 P1 look ahead; the same words with axes are splines.
+bool ModalWords::high_speed(const Word& word) {
+  for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
+    if (peek(c))
+      return error(
+          "not-supported",
+          fmt::format("{} with axes is a spline, which is not supported yet", text_of(word)), word);
+  for (const char c : {'P', 'Q', 'R'}) take(c);
+  return true;
+}
+
+// A cycle behind another keeps its values, and the level before the first of them.
+void ModalWords::select_cycle(int number) {
+  in_cycle_ = false;
+  DrillCycle& cycle = modal_.drill;
+  if (cycle.number == 0) cycle = {};
+  cycle.number = number;
+  cycle.file = block_.file;
+  cycle.line = block_.line_number;
+  cycle.call = block_.call;
+}
+
+bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
   if (apply_mode(entry.code, word) || apply_comp_code(entry.code, word)) return true;
   switch (entry.code) {
     case Code::plane_xy:
@@ -38,31 +185,37 @@ bool Engine::apply_modal_code(const Word& word, const CodeEntry& entry) {
     case Code::work_off:
     case Code::work_offset:
     case Code::work_extended:
-      return select_work(entry, word);
+      return frame_words_.select_work(entry, word);
     case Code::tap_floating:
-      motion_code_ = &word;
-      block_motion_ = entry.code;
+      block_.motion_code = &word;
+      block_.motion = entry.code;
       return true;
     case Code::dwell:
     case Code::reference:
     case Code::reference_second:
+    case Code::reference_check:
+    case Code::one_way:
+    case Code::data_setting:
+    case Code::position_reset:
+    case Code::position_suspend:
+    case Code::position_resume:
     case Code::reference_approach:
     case Code::fixed_point:
     case Code::set_position:
     case Code::position_jump:
     case Code::decoder_length:
-      oneshot_ = &word;
-      oneshot_code_ = entry.code;
+      block_.oneshot = &word;
+      block_.oneshot_code = entry.code;
       return true;
     default:
-      frame_code_ = &word;
-      frame_op_ = entry.code;
+      block_.frame_code = &word;
+      block_.frame_op = entry.code;
       return true;
   }
 }
 
 // Units, feeds and other modes that cannot fail. False: not one of them.
-bool Engine::apply_mode(Code code, const Word& word) {
+bool ModalWords::apply_mode(Code code, const Word& word) {
   if (apply_feed_mode(code, word)) return true;
   Modal& m = modal_;
   if (code == Code::inch || code == Code::metric) {
@@ -76,21 +229,18 @@ bool Engine::apply_mode(Code code, const Word& word) {
   } else if (code == Code::diameter_on || code == Code::diameter_off ||
              code == Code::diameter_absolute) {
     m.diameter = code;
-  } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off) {
+  } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off ||
+             code == Code::length_dynamic || code == Code::length_add) {
     m.length = code;
-    length_changed_ = true;
+    block_.length_changed = true;
   } else if (code == Code::path_smoothing) {
     if (word.value > 50)
       warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
     if (word.value > 50) take('D');
   } else if (code == Code::suppress_frames) {
-    suppress_ = true;
-    if (options_.table.work.empty())
-      note_once("machine-coordinates",
-                "no machine zero is known: machine coordinates are read as those of the stock",
-                word, "g53");
+    block_.suppress_frames = true;
   } else if (code == Code::program_return) {
-    return_after_ = true;
+    block_.return_after = true;
   } else if (code != Code::header && code != Code::diameter_cycles_off) {
     return false;
   }
@@ -98,7 +248,7 @@ bool Engine::apply_mode(Code code, const Word& word) {
 }
 
 // What F and S mean. False: another word.
-bool Engine::apply_feed_mode(Code code, const Word& word) {
+bool ModalWords::apply_feed_mode(Code code, const Word& word) {
   Modal& m = modal_;
   if (code == Code::inverse_time || code == Code::per_minute || code == Code::per_revolution) {
     m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
@@ -118,12 +268,13 @@ bool Engine::apply_feed_mode(Code code, const Word& word) {
 }
 
 // Words about radius compensation. False: not one of them.
-bool Engine::apply_comp_code(Code code, const Word& word) {
+bool ModalWords::apply_comp_code(Code code, const Word& word) {
   Modal& m = modal_;
   if (code == Code::comp_off || code == Code::comp_left || code == Code::comp_right) {
-    comp_selected_ = code != m.comp;
+    block_.comp_selected = code != m.comp;
     m.comp = code;
-    comp_word_ = word;
+    m.comp_diameter = code != Code::comp_off && word.value != std::floor(word.value);
+    block_.comp_word = &word;
   } else if (code == Code::comp_suspend || code == Code::comp_resume) {
     m.comp_suspended = code == Code::comp_suspend;
   } else if (code == Code::corner_arc || code == Code::corner_intersection) {
@@ -138,7 +289,7 @@ bool Engine::apply_comp_code(Code code, const Word& word) {
 
 // On FANUC lathes G90 is a turning cycle in code system A. Beside a motion word of the same group
 // it cannot be one, and G91 exists only in systems B and C.
-bool Engine::select_distance(Code code, const Word& word) {
+bool ModalWords::select_distance(Code code, const Word& word) {
   if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
     const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
       return w.address == letter('G') && lookup(w).group == Group::motion;
@@ -157,8 +308,8 @@ bool Engine::select_distance(Code code, const Word& word) {
   return true;
 }
 
-bool Engine::select_plane(int plane, const Word& word) {
-  if (plane != modal_.plane && modal_.comp != Code::comp_off && comp_started_)
+bool ModalWords::select_plane(int plane, const Word& word) {
+  if (plane != modal_.plane && modal_.comp != Code::comp_off && compensation_.started())
     return error("comp-plane",
                  fmt::format("the plane must not change under radius compensation{}",
                              is(Dialect::sinumerik) ? " (alarm 10757)"
@@ -171,7 +322,7 @@ bool Engine::select_plane(int plane, const Word& word) {
 }
 
 // CODESYS G16 I J K: the plane by its normal.
-bool Engine::select_normal(const Word& word) {
+bool ModalWords::select_normal(const Word& word) {
   Vec3 normal;
   for (int i = 0; i < 3; ++i)
     if (const Word* w = take("IJK"[i])) component(normal, i) = w->value;
@@ -179,171 +330,6 @@ bool Engine::select_normal(const Word& word) {
     return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
   modal_.normal = normalized(normal);
   modal_.plane = 3;
-  return true;
-}
-
-bool Engine::apply_values() {
-  if (is(Dialect::codesys)) {
-    if (!apply_codesys_values()) return false;
-  } else {
-    for (const char c : {'A', 'B', 'C'}) {
-      const Word* word = take(c);
-      if (!word) continue;
-      if (word->value != 0)
-        return error("not-supported",
-                     fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
-      note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word,
-                std::string(1, c));
-    }
-    if (!apply_speed() || !apply_edge()) return false;
-  }
-  if (!apply_feed() || !apply_tool() || !apply_length()) return false;
-  if (!is(Dialect::sinumerik)) return true;
-  take('H');
-  const bool machine_axes =
-      oneshot_ && (oneshot_code_ == Code::reference_approach || oneshot_code_ == Code::fixed_point);
-  for (const Word& word : block_.words) {
-    const auto c = static_cast<char>(word.code);
-    if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
-      return error("not-supported",
-                   "a machine axis is named, which is supported only in G74 and G75", word);
-  }
-  if (const Word* word = take(Address::rndm)) {
-    if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
-    modal_.rndm = word->value * scale();
-  }
-  if (const Word* word = take(Address::frcm)) modal_.frcm = word->value * feed_scale();
-  if (const Word* word = take(Address::disc)) {
-    if (word->value < 0 || word->value > 100)
-      return error("value-range", "DISC is 0 to 100", *word);
-    modal_.disc = word->value;
-  }
-  return true;
-}
-
-bool Engine::apply_feed() {
-  const Word* word = take('F');
-  if (!word) return true;
-  if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
-  if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
-    return error("feed-range",
-                 fmt::format("F{:g}: the feed must be above 0{}", word->value,
-                             is(Dialect::sinumerik) ? " (alarm 14800)" : ""),
-                 *word);
-  if (is_thread(current_motion()) && current_motion() != Code::tap_floating) return true;
-  modal_.feed =
-      modal_.feed_unit == FeedUnit::inverse_time ? word->value : word->value * feed_scale();
-  return true;
-}
-
-bool Engine::apply_speed() {
-  if (const Word* word = take(Address::lims)) {
-    if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
-  }
-  const Word* word = take('S');
-  if (!word) return true;
-  if (word->value < 0) return error("speed-range", "S must not be negative", *word);
-  if (frame_code_ && frame_op_ == Code::speed_limit) return true;
-  if (oneshot_ && oneshot_code_ == Code::set_position) return true;  // G50 S: a limit
-  if (modal_.surface_speed)
-    modal_.cutting_speed = word->value * (modal_.inch_feed ? 0.3048 : 1.0);
-  else
-    modal_.speed = word->value;
-  return true;
-}
-
-// D: number of a register or of a cutting edge.
-bool Engine::apply_edge() {
-  const Word* word = take('D');
-  if (!word) return true;
-  if (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e6)
-    return error("value-range", "D is a whole number", *word);
-  modal_.edge = static_cast<int>(word->value);
-  modal_.edge_given = true;
-  edge_word_ = *word;
-  return true;
-}
-
-bool Engine::apply_length() {
-  if (is(Dialect::sinumerik) || is(Dialect::codesys)) return true;
-  const Word* word = take('H');
-  if (!word && !length_changed_) return true;
-  length_changed_ = false;
-  if (modal_.length == Code::length_off) {
-    modal_.length_offset = 0;
-    return true;
-  }
-  if (!word) return true;
-  const std::string name = fmt::format("H{:g}", word->value);
-  const OffsetRegister* reg = find_register(name);
-  if (!reg && word->value != 0)
-    note_once("register-missing", name + " is not in the tool table: 0 is used", *word, name);
-  const double sign = modal_.length == Code::length_minus ? -1 : 1;
-  modal_.length_offset = reg ? sign * (reg->length + reg->wear) : 0;
-  return true;
-}
-
-// E H L O S: dynamics and switch points, without geometry, but checked.
-bool Engine::apply_codesys_values() {
-  for (const char c : {'A', 'B', 'C', 'P', 'Q', 'U', 'V', 'W', 'E', 'S'}) take(c);
-  take(Address::ff);
-  take(Address::ef);
-  int switches = 0, negative = 0, positive = 0;
-  for (const Word& word : block_.words) {
-    const auto c = static_cast<char>(word.address);
-    if (c == 'H' && (word.value == 0 || word.value != std::floor(word.value)))
-      return error("value-range", "H is a whole number, not 0: the switch and its state", word);
-    if (c == 'H' && ++switches > 3)
-      return error("value-range", "at most three switch points in a block", word);
-    if (c == 'O' && (word.value < 0 || word.value > 1))
-      return error("value-range", "O is a share of the path from 0 to 1", word);
-    if (c == 'E') {
-      int& count = word.value < 0 ? negative : positive;
-      if (++count > 1) return error("address-twice", "E is given twice with the same sign", word);
-    }
-  }
-  const Word* d = take('D');
-  if (d) {
-    if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
-    // Beside G41 and G42 the tool's radius, anywhere else that of smoothing.
-    const bool named = (groups_ >> static_cast<unsigned>(Group::comp) & 1U) != 0;
-    if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
-  }
-  return true;
-}
-
-bool Engine::apply_m_words() {
-  bool ok = true;
-  int count = 0;
-  for (const Word& word : block_.words) {
-    if (word.address != letter('M')) continue;
-    if (is(Dialect::sinumerik) && ++count == kMostM + 1)
-      ok = error("m-words", fmt::format("at most {} M words in a block", kMostM), word);
-    if (!apply_m_word(word)) ok = false;
-  }
-  return ok;
-}
-
-bool Engine::apply_m_word(const Word& word) {
-  const double v = word.value;
-  if (v < 0 || v != std::floor(v) || v > 1e8)
-    return error("value-range", "an M number is a whole number", word);
-  const int m = static_cast<int>(v);
-  if (m == 6) tool_change_ = true;
-  if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
-    (is(Dialect::sinumerik) && stack_.size() > 1 ? return_after_ : stop_after_) = true;
-  if (m == 17 && !is(Dialect::fanuc)) return_after_ = true;
-  if (m == 99 && !is(Dialect::sinumerik)) {
-    if (peek('P'))
-      return error("not-supported", "M99 P (return to a block number) is not supported yet", word);
-    return_after_ = true;
-    m99_ = true;
-  }
-  if (m == 98 && !is(Dialect::sinumerik)) m98_ = &word;
-  if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
-    note_once("m-unknown",
-              fmt::format("M{} is not known: taken to be without effect on the part", m), word,
-              fmt::format("M{}", m));
   return true;
 }
 

@@ -1,6 +1,6 @@
-// From a target to Motions: lines, rapids, threads, and what every motion carries.
+#include "interp/control/moves.h"
+
 #include "core/trig.h"
-#include "interp/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +9,15 @@
 
 namespace mrsim {
 
-bool is_circular(Code c) {
-  return c == Code::arc_cw || c == Code::arc_ccw || c == Code::arc_point || c == Code::arc_tangent;
-}
-bool is_thread(Code c) {
-  return c == Code::thread || c == Code::thread_growing || c == Code::thread_shrinking ||
-         c == Code::tap_in || c == Code::tap_out || c == Code::tap_floating;
-}
-
-bool Engine::move() {
-  const Frame frame = frame_now();
-  const Vec3 from = suppress_ ? apply_inverse(frame, position_.physical) : position_.programmed;
+bool Moves::run() {
+  if (block_.suppress_frames) return machine_move();
+  if (current_motion() == Code::probe) return probe();
+  if (current_motion() == Code::motion_off)
+    return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
+                 block_.words.front());
+  const Frame frame = frame_words_.now();
+  const Vec3 from =
+      block_.suppress_frames ? apply_inverse(frame, position_.physical) : position_.programmed;
   const Word* ang = find(Address::ang);
   if (pending_angle_.active && !ang) {
     pending_angle_.active = false;
@@ -27,45 +25,165 @@ bool Engine::move() {
                  "the block before gives only ANG=, so this one needs ANG= and both coordinates",
                  block_.words.front());
   }
+  const Code code = current_motion();
+  if (code == Code::spline_cubic || code == Code::spline_quadratic) return spline(from, frame);
+  position_.after_spline = false;
+  if (code == Code::nurbs || code == Code::nurbs_end)
+    return error("not-supported", "G5.2 (a NURBS) is not supported yet", block_.words.front());
   if (is_circular(current_motion())) {
     if (ang) return error("angle-line-only", "ANG= is for straight lines only", *ang);
-    return arc_move(from, frame);
+    return arc(from, frame);
   }
   Target to;
-  if (!target(to, from)) return false;
+  if (!axes_.target(to, from)) return false;
   if (ang) {
     const Basis b = basis();
     const bool u = named_along(to, b.u), v = named_along(to, b.v);
     if (!u && !v && !pending_angle_.active) return hold_angle(*ang);
     if (pending_angle_.active) return two_angle_lines(to, from, frame);
-    if (!angle_target(to, from)) return false;
+    if (!axes_.angle_target(to, from)) return false;
   }
   if (to.named == 0) return true;
-  if (is_thread(current_motion()) && !thread_values(to, from)) return false;
-  return line_move(to, frame);
+  if (is_thread(code) && !thread_values(to, from)) return false;
+  if (!line(to, frame)) return false;
+  if (code != Code::tap_return) return true;
+  to.programmed = from;  // and out again
+  return line(to, frame);
 }
 
-bool Engine::line_move(const Target& to, const Frame& frame) {
-  const Word* where = motion_word(to);
+// G53 SUPA: to where only the machine knows. The move is neither swept nor checked.
+bool Moves::machine_move() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (modal_.incremental && is(Dialect::ngc))
+    return error("machine-incremental", "G53 does not go with G91", *axes_.motion_word(to));
+  if (modal_.incremental && !is(Dialect::sinumerik))
+    return error("machine-incremental",
+                 "G53 in G91 does nothing on some controls and moves on others: write G90",
+                 *axes_.motion_word(to));
+  unknown(to.named, *axes_.motion_word(to));
+  return true;
+}
+
+// G38.2 and its kin, G31: the tool stops somewhere on its way.
+bool Moves::probe() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  position_.known &= ~to.named;
+  if (lathe()) position_.known |= 2U;
+  note_once("probe",
+            "a probing move stops where it touches: it is not run, and its axes' position is "
+            "unknown until they are given again",
+            *axes_.motion_word(to), "probe");
+  return true;
+}
+
+void Moves::unknown(unsigned axes, const Word& where) {
+  position_.known &= ~axes;
+  if (lathe()) position_.known |= 2U;
+  position_.has_tangent = false;
+  note_once("reference-point",
+            "machine coordinates and reference points lie outside of the program: the axes' "
+            "position is unknown until they are given again",
+            where, "reference");
+}
+
+bool Moves::line(const Target& to, const Frame& frame) {
+  const Word* where = axes_.motion_word(to);
   const MotionKind kind = current_motion() == Code::rapid ? MotionKind::rapid : MotionKind::line;
   Motion motion = motion_template(*where, kind);
   commit(to, frame, motion);
-  if (!start_compensation(motion, *where)) return false;
-  emit(motion);
+  if (!compensation_.begin_move(motion, *where)) return false;
+  out_.emit(motion);
   return true;
+}
+
+bool Moves::arc(const Vec3& from, const Frame& frame) {
+  SolvedArc arc;
+  if (!arcs_.solve(from, frame, arc)) return false;
+  if (arc.kind == SolvedArc::Kind::none) return true;
+  return arc.kind == SolvedArc::Kind::line ? line(arc.to, frame) : emit_arc(arc, frame);
+}
+
+bool Moves::spline(const Vec3& from, const Frame& frame) {
+  std::vector<SolvedArc> pieces;
+  if (!splines_.solve(from, pieces)) return false;
+  for (SolvedArc& piece : pieces) {
+    // Each piece starts where the one before ended.
+    const bool ok =
+        piece.kind == SolvedArc::Kind::line ? line(piece.to, frame) : emit_arc(piece, frame);
+    if (!ok) return false;
+  }
+  position_.after_spline = current_motion() == Code::spline_cubic;
+  return true;
+}
+
+bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame) {
+  const Vec3 u = turn(frame, arc.u), v = turn(frame, arc.v);
+  const double su = length(u), sv = length(v);
+  if (std::abs(su - sv) > 1e-9 * su || std::abs(dot(u, v)) > 1e-9 * su * sv)
+    return error("arc-scaled-unequally",
+                 arc.spatial
+                     ? std::string("the frame scales the arc's plane unequally: it would be an "
+                                   "ellipse")
+                     : fmt::format("the scale is {:.6g} and {:.6g} in the plane: the arc would be "
+                                   "an ellipse",
+                                   su, sv),
+                 *arc.where);
+  Motion motion = motion_template(*arc.where, MotionKind::arc);
+  motion.center = apply(frame, arc.center);
+  motion.axis = normalized(cross(u, v));
+  motion.radius = arc.radius * su;
+  motion.sweep = arc.sweep;
+  Target end = arc.to;
+  if (arc.closing) end.programmed = arc.arc_end;
+  commit(end, frame, motion);
+  if (!arc.spatial) motion.rise = dot(motion.end - motion.start, motion.axis);
+  if (std::abs(motion.rise) < 1e-12) motion.rise = 0;
+  normalise_axis(motion);
+  position_.tangent = arc_tangent(motion, 1);
+  position_.has_tangent = true;
+  if (!compensation_.begin_move(motion, *arc.where)) return false;
+  out_.emit(motion);
+  if (!arc.closing) return true;
+  Motion rest = motion_template(*arc.where, MotionKind::line);
+  commit(arc.to, frame, rest);
+  out_.emit(rest);
+  return true;
+}
+
+void Moves::step(const Target& to, const Word& where, MotionKind kind, double lead, double feed) {
+  Motion motion = motion_template(where, kind);
+  if (lead != 0) motion.lead = lead;
+  if (feed > 0) motion.feed = feed;
+  commit(to, frame_words_.now(), motion);
+  out_.emit(motion);
+}
+
+void Moves::jump(const Target& to) {
+  Motion unused;
+  commit(to, frame_words_.now(), unused);
+  position_.has_tangent = false;
+}
+
+void Moves::finish() {
+  if (!pending_angle_.active) return;
+  reporter_.add_at(Severity::error, "angle-incomplete",
+                   "the program ends after a block that gives only ANG=", pending_angle_.motion);
 }
 
 // The first of two blocks ANG=a1, ANG=a2 X Z: its end is known with the second.
-bool Engine::hold_angle(const Word& ang) {
+bool Moves::hold_angle(const Word& ang) {
   take(Address::ang);
   pending_angle_.active = true;
   pending_angle_.angle = ang.value;
-  pending_angle_.motion = motion_template(motion_code_ ? *motion_code_ : ang, MotionKind::line);
-  pending_angle_.corner = corner_spec();
+  pending_angle_.motion =
+      motion_template(block_.motion_code ? *block_.motion_code : ang, MotionKind::line);
+  pending_angle_.corner = out_.corner_spec();
   return true;
 }
 
-bool Engine::two_angle_lines(const Target& to, const Vec3& from, const Frame& frame) {
+bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& frame) {
   const Word& ang = *take(Address::ang);
   pending_angle_.active = false;
   const Basis b = basis();
@@ -84,17 +202,17 @@ bool Engine::two_angle_lines(const Target& to, const Vec3& from, const Frame& fr
   Motion first = pending_angle_.motion;
   first.start = position_.physical;
   commit(middle, frame, first);
-  if (!start_compensation(first, ang)) return false;
-  emit_with(first, pending_angle_.corner);
-  Motion second = motion_template(*motion_word(to), MotionKind::line);
+  if (!compensation_.begin_move(first, ang)) return false;
+  out_.emit(first, pending_angle_.corner);
+  Motion second = motion_template(*axes_.motion_word(to), MotionKind::line);
   commit(to, frame, second);
-  emit(second);
+  out_.emit(second);
   return true;
 }
 
 // Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
 // hand of the thread; that of a cut thread follows from the spindle and the direction.
-bool Engine::thread_values(const Target& to, const Vec3& from) {
+bool Moves::thread_values(const Target& to, const Vec3& from) {
   const Code code = current_motion();
   take(Address::sf);
   const Vec3 d = to.programmed - from;
@@ -123,22 +241,16 @@ bool Engine::thread_values(const Target& to, const Vec3& from) {
   }
   if (modal_.lead == 0)
     return error("thread-lead", "a thread needs its lead",
-                 motion_code_ ? *motion_code_ : *to.first);
+                 block_.motion_code ? *block_.motion_code : *to.first);
   if (modal_.lead < 0 && code != Code::tap_in && code != Code::tap_out)
     return error("thread-lead", "the lead of a cut thread is above 0",
-                 motion_code_ ? *motion_code_ : *to.first);
+                 block_.motion_code ? *block_.motion_code : *to.first);
   return true;
 }
 
-const Word* Engine::motion_word(const Target& to) const {
-  if (motion_code_) return motion_code_;
-  if (oneshot_) return oneshot_;
-  return to.first ? to.first : &block_.words.front();
-}
-
-Motion Engine::motion_template(const Word& where, MotionKind kind) {
+Motion Moves::motion_template(const Word& where, MotionKind kind) {
   if (kind == MotionKind::rapid)
-    require_tool(where, modal_.comp != Code::comp_off);  // its radius counts from here on
+    tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where);
   Motion m;
@@ -147,31 +259,30 @@ Motion Engine::motion_template(const Word& where, MotionKind kind) {
   m.constant_surface_speed = modal_.surface_speed;
   m.assumed_start = position_.known != 7U;
   m.start = position_.physical;
-  m.tool = tool_.index;
+  m.tool = control_.tool.index;
   m.feed = modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
   if (is_thread(current_motion())) m.lead = modal_.lead;
-  const Activation& top = stack_.back();
-  m.file = top.file;
+  m.file = block_.file;
   m.line = block_.line_number;
   m.column = where.column + 1;
-  m.call = top.call;
+  m.call = block_.call;
   return m;
 }
 
 // What a cut needs: a tool, and once a feed.
-void Engine::begin_cut(const Word& where) {
-  require_tool(where, true);
+void Moves::begin_cut(const Word& where) {
+  tools_.require(where, true);
   if (modal_.feed != 0 || feed_warned_ || is_thread(current_motion())) return;
   feed_warned_ = true;
-  warning(
-      "feed-missing",
+  reporter_.add(
+      is(Dialect::ngc) ? Severity::error : Severity::warning, "feed-missing",
       is(Dialect::fanuc) ? "no F before the first cut (alarm 011)" : "no F before the first cut",
       where);
 }
 
 // Moves the position to the target; motion.end becomes the physical end.
-void Engine::commit(const Target& to, const Frame& frame, Motion& motion) {
+void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   Vec3 end = position_.physical;
   if (frame.plain) {
     for (int i = 0; i < 3; ++i)
@@ -182,7 +293,7 @@ void Engine::commit(const Target& to, const Frame& frame, Motion& motion) {
   }
   motion.end = end;
   position_.physical = end;
-  position_.programmed = suppress_ ? apply_inverse(frames_.total, end) : to.programmed;
+  position_.programmed = block_.suppress_frames ? apply_inverse(frames_.total, end) : to.programmed;
   position_.known |= to.named;
   position_.moved_frame &= ~to.named;
   if (motion.kind != MotionKind::arc) {
@@ -193,71 +304,6 @@ void Engine::commit(const Target& to, const Frame& frame, Motion& motion) {
       position_.has_tangent = true;
     }
   }
-}
-
-void Engine::emit(const Motion& motion) {
-  emit_with(motion, motion.kind == MotionKind::rapid ? CornerSpec{} : corner_spec());
-}
-
-void Engine::emit_with(Motion motion, const CornerSpec& corner) {
-  if (motion.kind != MotionKind::rapid) {
-    ++cuts_;
-    motion.tool = tool_.index;
-  }
-  motion.start.z += last_length_;
-  motion.end.z += modal_.length_offset;
-  motion.center.z += modal_.length_offset;
-  last_length_ = modal_.length_offset;
-  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
-    for (const Address a : {Address::rnd, Address::chr, Address::chf})
-      if (const Word* word = find(a))
-        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
-                *word);
-    return;
-  }
-  const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
-  if (plain && contour_idle_) return output(motion);
-  PathMove path;
-  path.motion = motion;
-  path.basis = stock_basis();
-  path.corner = corner;
-  path.comp = compensation();
-  path.block = blocks_;
-  corners_.push(path);
-  contour_idle_ = corners_.idle() && compensation_.idle();
-}
-
-// The plane's axes in the stock's coordinates, unit length; left-handed under a mirror.
-Basis Engine::stock_basis() const {
-  const Basis b = basis();
-  const Frame& f = frames_.total;
-  if (f.plain) return b;
-  return {normalized(turn(f, b.u)), normalized(turn(f, b.v)), normalized(turn(f, b.w))};
-}
-
-// RND CHF CHR of the block, else RNDM.
-CornerSpec Engine::corner_spec() {
-  CornerSpec spec;
-  const Word* round = take(Address::rnd);
-  const Word* leg = take(Address::chr);
-  const Word* cut = take(Address::chf);
-  const Word* feed = take(Address::frc);
-  using Kind = CornerSpec::Kind;
-  if (round) {
-    spec = {Kind::round, round->value * scale(), 0};
-  } else if (leg) {
-    spec = {Kind::leg, leg->value * scale(), 0};
-  } else if (cut) {
-    spec = {Kind::cut, cut->value * scale(), 0};
-  } else if (modal_.rndm > 0) {
-    spec = {Kind::round, modal_.rndm, 0};
-  }
-  for (const Word* word : {round, leg, cut})
-    if (word && word->value < 0)
-      warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
-  if (spec.size <= 0) spec.kind = Kind::none;
-  spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
-  return spec;
 }
 
 }  // namespace mrsim

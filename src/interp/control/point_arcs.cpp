@@ -1,6 +1,4 @@
-// Arcs that are not bound to centre or radius words: CIP through a point in space, CT tangent to
-// the element before.
-#include "interp/engine.h"
+#include "interp/control/point_arcs.h"
 
 #include <cmath>
 
@@ -8,8 +6,18 @@
 
 namespace mrsim {
 
+void set_plane_arc(const ArcBlock& arc, const PlaneArc& solved, SolvedArc& out) {
+  out.kind = SolvedArc::Kind::arc;
+  out.to = arc.to;
+  out.center = from_plane(arc.basis, solved.center, dot(arc.from, arc.basis.w));
+  out.u = arc.basis.u;
+  out.v = arc.basis.v;
+  out.radius = solved.radius;
+  out.sweep = solved.sweep;
+}
+
 // The intermediate point: I1= J1= K1=, G90/G91 as for the end point, both from the start.
-bool Engine::via_point(const ArcBlock& arc, Vec3& via) {
+bool PointArcs::via_point(const ArcBlock& arc, Vec3& via) {
   via = arc.from;
   bool any = false;
   static constexpr Address kVia[] = {Address::i1, Address::j1, Address::k1};
@@ -30,7 +38,7 @@ bool Engine::via_point(const ArcBlock& arc, Vec3& via) {
   return true;
 }
 
-bool Engine::three_point_arc(ArcBlock& arc) {
+bool PointArcs::through_point(const ArcBlock& arc, SolvedArc& out) {
   Vec3 via;
   if (!via_point(arc, via)) return false;
   const Vec3 end = arc.to.programmed;
@@ -46,38 +54,22 @@ bool Engine::three_point_arc(ArcBlock& arc) {
                  *arc.where);
   if (fit == Fit::line) {
     take(Address::turn);
-    return line_move(arc.to, arc.frame);
+    out.kind = SolvedArc::Kind::line;
+    return true;
   }
-  PlaneArc sweep{{}, solved.radius, solved.sweep};
-  return add_turns(sweep) && emit_spatial_arc(arc, solved, sweep.sweep);
-}
-
-bool Engine::emit_spatial_arc(ArcBlock& arc, const SpatialArc& solved, double sweep) {
-  const Vec3 radial = normalized(arc.from - solved.center);
-  const Vec3 u = turn(arc.frame, radial), v = turn(arc.frame, cross(solved.axis, radial));
-  const double su = length(u), sv = length(v);
-  if (std::abs(su - sv) > 1e-9 * su || std::abs(dot(u, v)) > 1e-9 * su * sv)
-    return error("arc-scaled-unequally",
-                 "the frame scales the arc's plane unequally: it would be an "
-                 "ellipse",
-                 *arc.where);
-  Motion motion = motion_template(*arc.where, MotionKind::arc);
-  motion.center = apply(arc.frame, solved.center);
-  motion.axis = normalized(cross(u, v));
-  motion.radius = solved.radius * su;
-  motion.sweep = sweep;
-  commit(arc.to, arc.frame, motion);
-  normalise_axis(motion);
-  position_.tangent = arc_tangent(motion, 1);
-  position_.has_tangent = true;
-  if (!start_compensation(motion, *arc.where)) return false;
-  emit(motion);
+  out.kind = SolvedArc::Kind::arc;
+  out.spatial = true;
+  out.center = solved.center;
+  out.u = normalized(arc.from - solved.center);
+  out.v = cross(solved.axis, out.u);
+  out.radius = solved.radius;
+  out.sweep = solved.sweep;
   return true;
 }
 
 // CT: in the active plane, tangent to the previous element; a tangent out of the plane is
 // projected.
-bool Engine::tangent_arc(ArcBlock& arc) {
+bool PointArcs::tangent(const ArcBlock& arc, SolvedArc& out) {
   if (!position_.has_tangent)
     return error("arc-no-tangent", "CT needs an element before it to be tangent to (alarm 14045)",
                  *arc.where);
@@ -96,8 +88,11 @@ bool Engine::tangent_arc(ArcBlock& arc) {
     return error("arc-no-tangent",
                  "the end lies straight behind: no circle reaches it (alarm 14045)", *arc.where);
   const std::optional<PlaneArc> solved = arc_by_tangent(arc.start, unit, arc.end);
-  if (solved) return finish_arc(*solved, arc);
-  return line_move(arc.to, arc.frame);
+  if (solved)
+    set_plane_arc(arc, *solved, out);
+  else
+    out.kind = SolvedArc::Kind::line;
+  return true;
 }
 
 }  // namespace mrsim

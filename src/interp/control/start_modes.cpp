@@ -1,4 +1,4 @@
-#include "interp/start_modes.h"
+#include "interp/control/start_modes.h"
 
 namespace mrsim {
 namespace {
@@ -32,6 +32,10 @@ constexpr StartRow kRows[] = {
      "G0", "G17", "G94", "X is a length", "G21", "intersection"},
     {Dialect::fanuc, MachineKind::lathe, C::rapid, 1, kRev, C::diameter_on, C::corner_intersection,
      "G0", "G18", "G99 (per revolution)", "X and U are diameters", "G21", "intersection"},
+    {Dialect::ngc, MachineKind::mill, C::rapid, 0, kMin, C::diameter_off, C::corner_arc, "G0",
+     "G17", "G94", "G8 (radius)", "G21", "arc"},
+    {Dialect::ngc, MachineKind::lathe, C::rapid, 1, kMin, C::diameter_off, C::corner_arc, "G0",
+     "G18", "G94", "G8 (radius)", "G21", "arc"},
     {Dialect::codesys, MachineKind::mill, C::line, 0, kMin, C::diameter_off, C::corner_arc, "G1",
      "G15 (X/Y)", "per minute", "none", "mm", "arc"},
     {Dialect::codesys, MachineKind::lathe, C::line, 0, kMin, C::diameter_off, C::corner_arc, "G1",
@@ -83,6 +87,8 @@ const char* dialect_name(Dialect dialect) {
       return "fanuc";
     case Dialect::codesys:
       return "codesys";
+    case Dialect::ngc:
+      return "ngc";
     default:
       return "automatic";
   }

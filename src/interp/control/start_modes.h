@@ -1,7 +1,7 @@
 // What is in force when a program starts: a table per dialect and machine.
 #pragma once
 
-#include "interp/state.h"
+#include "interp/control/state.h"
 
 #include <string>
 #include <utility>

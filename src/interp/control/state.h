@@ -2,12 +2,30 @@
 #pragma once
 
 #include "core/vec.h"
-#include "interp/frames.h"
-#include "interp/modal.h"
+#include "interp/path/frames.h"
+#include "interp/text/codes.h"
 
 #include <cstdint>
+#include <string>
 
 namespace mrsim {
+
+/// A value of a drilling cycle as it was written.
+struct CycleLevel {
+  double value = 0;  ///< mm
+  bool incremental = false;
+  bool given = false;
+};
+
+/// A drilling cycle in force (G73 ... G89): what its blocks have said so far.
+struct DrillCycle {
+  int number = 0;                     ///< of the G word, 0 = none
+  CycleLevel safe, bottom;            ///< R and Z
+  double peck = 0;                    ///< Q, mm
+  double initial = 0;                 ///< level along the plane's normal before the first cycle
+  bool begun = false;                 ///< `initial` counts
+  int file = 0, line = 0, call = -1;  ///< of the block that chose the cycle
+};
 
 /// What G words and modal values say.
 struct Modal {
@@ -26,6 +44,7 @@ struct Modal {
   double lead = 0;                                ///< mm per revolution, of the thread in force
   Code comp = Code::comp_off;
   bool comp_suspended = false;
+  bool comp_diameter = false;  ///< G41.1 G42.1: D is the tool's diameter, see edge_radius
   Code corner = Code::corner_arc;
   Code approach = Code::approach_normal;
   double disc = 0;
@@ -35,6 +54,8 @@ struct Modal {
   double edge_radius = 0;  ///< CODESYS: D, mm
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
+  DrillCycle drill;
+  bool return_to_r = false;  ///< G99: cycles end at R
 };
 
 /// Where the tool is.
@@ -46,6 +67,8 @@ struct Position {
   unsigned moved_frame = 0;  ///< axes whose `retained` still counts
   Vec3 tangent;  ///< direction of the last element at its end, in the stock's coordinates
   bool has_tangent = false;
+  Vec2 spline_end;                           ///< from the end of a G5 to its last control point
+  bool after_spline = false;                 ///< the last element was a G5
   Vec3 pole;                                 ///< in the frame in force
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
   bool has_polar_angle = false, has_polar_radius = false;
@@ -54,8 +77,10 @@ struct Position {
 /// The pieces that make the frame in force.
 struct Frames {
   Vec3 work;                        ///< settable offset (G54 ...)
-  int work_number = 0;              ///< 54 ..., 0 = off
+  double work_turn = 0;             ///< of the settable offset about Z, degrees (G10 L2 R)
+  std::string work_name;            ///< "G54", empty = off
   Vec3 position_shift;              ///< G92
+  Vec3 position_memory;             ///< ... set aside by G92.2
   Vec3 local;                       ///< G52
   Vec3 fine;                        ///< G59
   Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame

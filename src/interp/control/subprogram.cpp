@@ -1,7 +1,7 @@
-#include "interp/subprogram.h"
+#include "interp/control/subprogram.h"
 
-#include "interp/characters.h"
-#include "interp/source.h"
+#include "interp/text/characters.h"
+#include "interp/text/source.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -108,11 +108,11 @@ std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
 std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name) {
   const std::string key =
       name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text);
-  if (!scanned_) {
+  if (!scanned_ && !name.own_file) {
     scanned_ = true;
     scan(main_file_);
   }
-  if (const auto at = inside_.find(key); at != inside_.end()) return at->second;
+  if (const auto at = inside_.find(key); at != inside_.end() && !name.own_file) return at->second;
   if (const auto at = found_.find(key); at != found_.end()) return at->second;
   std::vector<std::string> stems{key};
   if (name.number >= 0) {

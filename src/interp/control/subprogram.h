@@ -15,7 +15,8 @@ namespace mrsim {
 /// A subprogram by number (O2, P2) or by name.
 struct SubprogramName {
   long number = -1;
-  std::string text;  ///< as written; for a number, as it is shown
+  std::string text;       ///< as written; for a number, as it is shown
+  bool own_file = false;  ///< not in the main program's file
 };
 
 struct SubprogramPlace {

@@ -1,7 +1,7 @@
-// Tools: T words and names, what comments say, registers.
+#include "interp/control/tool_changer.h"
+
 #include "core/text_io.h"
 #include "core/units.h"
-#include "interp/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,116 +26,108 @@ const Tool* find_tool(const ToolTable& table, const std::string& id) {
 
 }  // namespace
 
-// Comments before the words of their block: a hint may be for the T in it.
-void Engine::read_comments() {
+void ToolChanger::read_comments() {
   const Word* t = peek('T');
-  for (const std::string_view comment : block_.comments) {
-    ToolHint hint = read_tool_comment(comment);
-    if (!hint) continue;
-    if (!hint.id.empty()) {
-      hints_.insert_or_assign(hint.id, hint);
-    } else if (t) {
-      hints_.insert_or_assign(id_of(*t, lathe() && is(Dialect::fanuc)), hint);
-    } else if (block_.words.empty()) {
-      loose_hint_ = hint;
-      has_loose_hint_ = true;
-    } else if (tool_.pending.active) {
-      hints_.insert_or_assign(tool_.pending.id, hint);
-    }
-  }
+  std::string called;
+  if (t != nullptr)
+    called = id_of(*t, lathe() && is(Dialect::fanuc));
+  else if (!block_.words.empty() && tool_.pending.active)
+    called = tool_.pending.id;
+  for (const std::string_view comment : block_.comments)
+    notes_.comment(comment, called, block_.words.empty());
 }
 
-bool Engine::apply_tool() {
+bool ToolChanger::apply() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
-      (peek('I') || peek('J') || peek('K') || motion_code_))
+      (peek('I') || peek('J') || peek('K') || block_.motion_code))
     return true;  // the opening angle
   const Word* word = take('T');
-  if (word || tool_change_) saved_tool_ = tool_;
+  if (word || block_.tool_change) control_.saved_tool = tool_;
   if (word) {
-    if (!word->string &&
-        (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e8))
-      return error("value-range", "T is a whole number or a name", *word);
-    tool_.pending.active = true;
-    tool_.pending.id = id_of(*word, lathe() && is(Dialect::fanuc));
-    const Activation& top = stack_.back();
-    tool_.pending.at.file = top.file;
-    tool_.pending.at.line = block_.line_number;
-    tool_.pending.at.column = word->column + 1;
-    tool_.pending.at.call = top.call;
-    if (has_loose_hint_ && !hints_.count(tool_.pending.id)) hints_[tool_.pending.id] = loose_hint_;
-    if (tool_change_) tool_.direct_change = false;  // M6
-    if (lathe() || is(Dialect::codesys) || tool_.direct_change) tool_change_ = true;
+    if (!select(*word)) return false;
+    if (block_.tool_change) tool_.direct_change = false;  // M6
+    if (lathe() || is(Dialect::codesys) || tool_.direct_change) block_.tool_change = true;
   }
-  if (tool_change_ && tool_.pending.active) {
-    change_tool();
+  if (block_.tool_change && tool_.pending.active) {
+    change();
     if (is(Dialect::sinumerik) && !peek('D')) modal_.edge = 1;
   }
+  if (!word) return true;
+  // A second T beside M6 makes the next tool ready.
+  for (const Word& next : block_.words)
+    if (next.address == letter('T') && &next != word && !select(next)) return false;
   return true;
 }
 
-void Engine::change_tool() {
+bool ToolChanger::select(const Word& word) {
+  if (!word.string && (word.value < 0 || word.value != std::floor(word.value) || word.value > 1e8))
+    return error("value-range", "T is a whole number or a name", word);
+  tool_.pending.active = true;
+  tool_.pending.id = id_of(word, lathe() && is(Dialect::fanuc));
+  tool_.pending.at.file = block_.file;
+  tool_.pending.at.line = block_.line_number;
+  tool_.pending.at.column = word.column + 1;
+  tool_.pending.at.call = block_.call;
+  notes_.call(tool_.pending.id);
+  return true;
+}
+
+void ToolChanger::change() {
   tool_.current = tool_.pending.id;
   tool_.place = tool_.pending.at;
   tool_.pending.active = false;
   tool_.chosen = true;
   tool_.index = -1;
   tool_.failed = false;
+  notes_.change(tool_.current);
+}
+
+// From what comments say of it, else from its name. False and a reason where they do not suffice;
+// no reason: nothing is said.
+bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why) const {
+  if (const ToolHint* hint = notes_.find(id)) {
+    if (fill_tool(*hint, scale(), lathe(), out, why)) return true;
+    why = fmt::format("the comment \"{}\" {}", hint->text, why);
+    return false;
+  }
+  std::string name = id;  // "ENDMILL_D10"
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const ToolHint hint = read_tool_comment(name);
+  std::string ignored;
+  if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
+  out.origin.replace(0, out.origin.find(' '), "its name");
+  return true;
 }
 
 // The data of a tool, and where they came from. False when there are none.
-bool Engine::resolve_tool(const std::string& id, Tool& out) const {
+bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why) const {
   if (const Tool* known = find_tool(options_.table, id)) {
     out = *known;
     return true;
   }
-  const auto at = hints_.find(id);
-  const bool hinted = at != hints_.end();
-  if (hinted && at->second.type && (at->second.diameter > 0 || is_turning(*at->second.type))) {
-    fill_from_hint(at->second, out);
-    return true;
-  }
+  if (infer(id, out, why)) return true;
+  out = {};
   if (const Tool* any = find_tool(options_.table, "")) {
     out = *any;
     out.origin = fmt::format("{}, given for the program as a whole", any->origin);
     return true;
   }
-  if (hinted && at->second.diameter > 0 && !lathe()) {
-    fill_from_hint(at->second, out);
-    return true;
-  }
-  if (!lathe()) return false;
+  if (!lathe() || !why.empty()) return false;
   out.type = ToolType::turning;
   out.origin = "no data: a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm";
   complete_turning_tool(out);
   return true;
 }
 
-void Engine::fill_from_hint(const ToolHint& hint, Tool& out) const {
-  const double unit = scale();
-  out.type = hint.type.value_or(ToolType::endmill);
-  out.diameter = hint.diameter * unit;
-  out.corner_radius = hint.corner_radius * unit;
-  out.taper_angle = hint.taper_angle;
-  out.nose_radius = hint.nose_radius * unit;
-  out.origin = fmt::format("comment \"{}\"", hint.text);
-  if (!hint.type) out.origin += ", taken to be an end mill";
-  if (!is_turning(out.type)) return;
-  complete_turning_tool(out);
-  out.origin += fmt::format(": 35 degree finishing insert, lead angle 93 degrees, edge 16 mm, {}",
-                            out.nose_radius > 0 ? fmt::format("nose radius {:g}", out.nose_radius)
-                                                : std::string("sharp"));
-}
-
-// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
-// when it cuts.
-void Engine::require_tool(const Word& where, bool cuts) {
+void ToolChanger::require(const Word& where, bool cuts) {
+  if (cuts) notes_.cut();
   if (tool_.index >= 0 || tool_.failed) return;
   if (!tool_.chosen && tool_.pending.active && cuts) {
     reporter_.once_at(
         Severity::note, "tool-not-changed",
         fmt::format("T{} is used without M6: it is taken to be in the spindle", tool_.pending.id),
         tool_.pending.at, "m6");
-    change_tool();
+    change();
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
   for (std::size_t i = 0; i < program_.tools.size(); ++i)
@@ -144,9 +136,10 @@ void Engine::require_tool(const Word& where, bool cuts) {
       return;
     }
   Tool tool;
+  std::string why;
   if (!tool_.chosen && !cuts) return;
-  if (!resolve_tool(tool_.current, tool)) {
-    if (cuts) tool_missing(where);
+  if (!resolve(tool_.current, tool, why)) {
+    if (cuts) missing(where, why);
     return;
   }
   tool.id = tool_.current;
@@ -162,7 +155,7 @@ void Engine::require_tool(const Word& where, bool cuts) {
     reporter_.add(Severity::note, "tool-inferred", text, where);
 }
 
-void Engine::tool_missing(const Word& where) {
+void ToolChanger::missing(const Word& where, const std::string& why) {
   tool_.failed = true;
   if (!tool_.chosen) {
     const Severity severity = options_.require_tools ? Severity::error : Severity::warning;
@@ -176,19 +169,16 @@ void Engine::tool_missing(const Word& where) {
   unknown.origin = "no data";
   program_.tools.push_back(unknown);
   tool_.index = static_cast<int>(program_.tools.size()) - 1;
-  const auto hint = hints_.find(tool_.current);
-  const std::string known =
-      hint == hints_.end() ? std::string("there are no data for it")
-                           : fmt::format("the comment \"{}\" gives no diameter", hint->second.text);
   reporter_.add_at(
       Severity::error, "tool-unknown",
-      fmt::format("tool {} cuts, but {}: give --tool {}=endmill:d=10 or --tools tools.toml",
-                  tool_.current, known, tool_.current),
+      fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml", tool_.current,
+                  why.empty() ? "there are no data for it" : why, tool_.current,
+                  lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10"),
       tool_.place);
 }
 
-const OffsetRegister* Engine::find_register(const std::string& name) const {
-  for (const OffsetRegister& reg : options_.table.offsets)
+const OffsetRegister* ToolChanger::find_register(const std::string& name) const {
+  for (const OffsetRegister& reg : control_.registers)
     if (reg.name == name) return &reg;
   return nullptr;
 }

@@ -1,113 +1,16 @@
-// Functions of one block: dwell, reference points, setting the position, WORKPIECE.
+#include "interp/control/workpiece.h"
+
 #include "core/text_io.h"
-#include "interp/characters.h"
-#include "interp/engine.h"
+#include "interp/text/characters.h"
 
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 namespace mrsim {
 
-bool Engine::run_oneshot() {
-  switch (oneshot_code_) {
-    case Code::reference:
-    case Code::reference_second:
-      return reference();
-    case Code::reference_approach:
-    case Code::fixed_point:
-      return reference_sinumerik();
-    case Code::set_position:
-      return set_position();
-    case Code::position_jump:
-      return position_jump();
-    case Code::decoder_length:
-      for (const char c : {'I', 'J', 'K'}) take(c);
-      note_once("tool-length", "G43: positions are read as those of the tool's tip", *oneshot_,
-                "G43");
-      return true;
-    default:
-      return true;
-  }
-}
-
-// G4: the words mean seconds or turns, not axes or feeds.
-bool Engine::dwell() {
-  for (const char c : {'X', 'U', 'P', 'F', 'S', 'T', 'E'})
-    if (c != 'T' || is(Dialect::codesys)) take(c);
-  take(Address::data);
-  return true;
-}
-
-// G28 G30: a rapid to the intermediate point, then away to where only the machine knows.
-bool Engine::reference() {
-  take('P');
-  Target to;
-  if (!target(to, position_.programmed)) return false;
-  if (to.named) {
-    const Frame frame = frame_now();
-    Motion motion = motion_template(*oneshot_, MotionKind::rapid);
-    commit(to, frame, motion);
-    emit(motion);
-  }
-  position_.known &= ~to.named;
-  if (lathe()) position_.known |= 2U;
-  note_once("reference-point",
-            "the reference point lies outside of the program: the axes' position is unknown until "
-            "they are given again",
-            *oneshot_, "reference");
-  return true;
-}
-
-bool Engine::reference_sinumerik() {
-  for (const char c : {'X', 'Y', 'Z'})
-    if (take(c)) position_.known &= ~(1U << (c - 'X'));
-  for (const Word& word : block_.words) {
-    const auto c = static_cast<char>(word.code);
-    if (word.address == Address::data && c >= 'X' && c <= 'Z')
-      position_.known &= ~(1U << (c - 'X'));
-  }
-  if (lathe()) position_.known |= 2U;
-  note_once("reference-point",
-            "the reference point lies outside of the program: the axes' position is unknown until "
-            "they are given again",
-            *oneshot_, "reference");
-  return true;
-}
-
-// G92 (lathe G50): the position gets new coordinates, nothing moves. S alone is a speed limit.
-bool Engine::set_position() {
-  save_frames();
-  for (int i = 0; i < 3; ++i) {
-    const Word* word = take("XYZ"[i]);
-    if (!word) continue;
-    const double value = axis_value(i, *word, false);
-    if ((position_.known >> i & 1U) == 0) {  // the first position that the program states
-      component(position_.physical, i) = value + component(frames_.total.shift, i);
-      component(position_.programmed, i) = value;
-      position_.known |= 1U << i;
-      continue;
-    }
-    component(frames_.position_shift, i) += component(position_.programmed, i) - value;
-  }
-  rebuild_frame();
-  return true;
-}
-
-// CODESYS G92: the position jumps, without a path.
-bool Engine::position_jump() {
-  const Frame frame = frame_now();
-  Target to;
-  if (!target(to, position_.programmed)) return false;
-  Motion unused;
-  commit(to, frame, unused);
-  position_.has_tangent = false;
-  return true;
-}
-
 // WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) and its round relatives state the stock.
-bool Engine::workpiece() {
+bool WorkpieceWords::run() {
   Word where;
   const std::size_t at = block_.line.find('(');
   where.column = at == std::string_view::npos ? 0 : static_cast<int>(at) - 9;
@@ -131,11 +34,11 @@ bool Engine::workpiece() {
     v[count] = *value * (count == 0 ? 1 : scale());
     ++count;
   }
-  return set_workpiece(type, v, where);
+  return set(type, v, where);
 }
 
-bool Engine::set_workpiece(const std::string& type, const std::array<double, 12>& v,
-                           const Word& where) {
+bool WorkpieceWords::set(const std::string& type, const std::array<double, 12>& v,
+                         const Word& where) {
   const auto mask = static_cast<unsigned>(v[0] < 0 ? 0 : v[0]);
   const double top = v[1], bottom = (mask & 64U) ? v[2] : v[1] + v[2];
   StockShape stock;

@@ -1,4 +1,4 @@
-#include "interp/arc.h"
+#include "interp/path/arc.h"
 
 #include "core/trig.h"
 #include "core/units.h"

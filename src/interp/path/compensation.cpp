@@ -1,9 +1,9 @@
 // G41 and G42: the contour moved aside by the tool radius. Each move needs to see the next ones: an
 // inside corner ends where the moved elements meet, and an element that has no room left is void.
-#include "interp/compensation.h"
+#include "interp/path/compensation.h"
 
 #include "core/units.h"
-#include "interp/offset_contour.h"
+#include "interp/path/offset_contour.h"
 
 #include <cmath>
 

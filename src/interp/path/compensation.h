@@ -1,7 +1,7 @@
 // Radius compensation as a stage between the programmed contour and the sink.
 #pragma once
 
-#include "interp/outside_corner.h"
+#include "interp/path/outside_corner.h"
 
 namespace mrsim {
 

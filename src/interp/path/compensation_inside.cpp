@@ -1,8 +1,8 @@
 // Inside corners, and elements that the tool has no room for.
 #include "core/units.h"
-#include "interp/arc.h"
-#include "interp/compensation.h"
-#include "interp/offset_contour.h"
+#include "interp/path/arc.h"
+#include "interp/path/compensation.h"
+#include "interp/path/offset_contour.h"
 
 namespace mrsim {
 namespace {

@@ -1,7 +1,7 @@
-#include "interp/contour.h"
+#include "interp/path/corners.h"
 
-#include "interp/arc.h"
-#include "interp/plane_piece.h"
+#include "interp/path/arc.h"
+#include "interp/path/plane_piece.h"
 
 #include <algorithm>
 #include <cmath>

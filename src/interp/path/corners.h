@@ -2,8 +2,8 @@
 // rounding and radius compensation need to know about each move. Coordinates are the stock's.
 #pragma once
 
-#include "interp/frames.h"
-#include "interp/reporter.h"
+#include "interp/path/frames.h"
+#include "interp/text/reporter.h"
 
 #include <functional>
 

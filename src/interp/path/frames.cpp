@@ -1,4 +1,4 @@
-#include "interp/frames.h"
+#include "interp/path/frames.h"
 
 #include "core/trig.h"
 

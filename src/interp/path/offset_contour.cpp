@@ -1,4 +1,4 @@
-#include "interp/offset_contour.h"
+#include "interp/path/offset_contour.h"
 
 #include "core/units.h"
 

@@ -1,7 +1,7 @@
 // Elements of a contour moved aside by the tool radius: corners and meeting points.
 #pragma once
 
-#include "interp/plane_piece.h"
+#include "interp/path/plane_piece.h"
 
 namespace mrsim {
 

@@ -1,9 +1,9 @@
-#include "interp/outside_corner.h"
+#include "interp/path/outside_corner.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "interp/arc.h"
-#include "interp/offset_contour.h"
+#include "interp/path/arc.h"
+#include "interp/path/offset_contour.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "interp/plane_piece.h"
+#include "interp/path/plane_piece.h"
 
 namespace mrsim {
 

@@ -1,8 +1,8 @@
-#include "interp/plane_piece.h"
+#include "interp/path/plane_piece.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "interp/arc.h"
+#include "interp/path/arc.h"
 
 #include <cmath>
 

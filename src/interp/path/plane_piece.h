@@ -1,7 +1,7 @@
 // Lines and arcs of a contour in the coordinates of its plane: tangents, offsets, intersections.
 #pragma once
 
-#include "interp/contour.h"
+#include "interp/path/corners.h"
 
 #include <array>
 

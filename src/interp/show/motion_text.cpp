@@ -1,4 +1,4 @@
-#include "interp/motion_text.h"
+#include "interp/show/motion_text.h"
 
 #include "core/units.h"
 

@@ -1,11 +1,11 @@
-#include "interp/path_picture.h"
+#include "interp/show/path_picture.h"
 
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "interp/arc.h"
-#include "interp/characters.h"
-#include "interp/motion_text.h"
+#include "interp/path/arc.h"
+#include "interp/show/motion_text.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
 #include <cmath>

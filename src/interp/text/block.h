@@ -1,6 +1,7 @@
 // One NC block as words: no meaning yet, only addresses, values and places.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -65,9 +66,12 @@ struct Block {
   std::string_view line;                   ///< the whole line
   std::string_view argument;       ///< text between the brackets of MSG(...), WORKPIECE(...)
   std::string_view function_name;  ///< name before `argument`
+  bool modal_call = false;         ///< MCALL, with or without a function behind it
   int line_number = 0;
-  int skip_level = -1;  ///< -1 = no "/"
-  bool bad = false;     ///< the parser reported an error
+  static constexpr std::size_t kNoStatement = static_cast<std::size_t>(-1);
+  std::size_t statement = kNoStatement;  ///< where a statement of the control's language begins
+  int skip_level = -1;                   ///< -1 = no "/"
+  bool bad = false;                      ///< the parser reported an error
   bool has_number = false;
 };
 

@@ -1,5 +1,5 @@
 // SINUMERIK's functions by name, and the names of what is not read yet.
-#include "interp/modal.h"
+#include "interp/text/codes.h"
 
 namespace mrsim {
 namespace {
@@ -146,6 +146,13 @@ CodeEntry find_function(std::string_view name) {
   for (const NamedRow& row : kFunctions)
     if (row.name == name) return {row.code, row.group, 0};
   return {};
+}
+
+std::vector<std::pair<std::string_view, CodeEntry>> function_names() {
+  std::vector<std::pair<std::string_view, CodeEntry>> all;
+  for (const NamedRow& row : kFunctions)
+    all.emplace_back(row.name, CodeEntry{row.code, row.group, 0});
+  return all;
 }
 
 std::string_view unsupported_name(std::string_view name) {

@@ -1,8 +1,9 @@
-#include "interp/modal.h"
+#include "interp/text/codes.h"
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace mrsim {
 namespace {
@@ -89,54 +90,110 @@ constexpr Row kSinumerik[] = {
 
 // FANUC words that mean the same on mills and lathes.
 constexpr Row kFanuc[] = {
-    {50, C::ignored, G::path},
-    {51, C::ignored, G::path},
-    {80, C::ignored, G::path},
+    {50, C::high_speed, G::path},
+    {51, C::high_speed, G::path},
+    {70, C::unsupported, G::other},
+    {71, C::unsupported, G::other},
+    {80, C::high_speed, G::path},
     {90, C::ignored, G::exact},
-    {100, C::unsupported, G::oneshot},
+    {100, C::data_setting, G::oneshot},
+    {101, C::ignored_words, G::oneshot},
     {110, C::ignored, G::oneshot},
     {121, C::unsupported, G::other},
     {131, C::ignored, G::other},
     {200, C::inch_feed, G::units},
     {210, C::metric_feed, G::units},
-    {220, C::ignored, G::other},
+    {220, C::ignored_words, G::oneshot},
     {230, C::ignored, G::other},
     {250, C::ignored, G::other},
     {260, C::ignored, G::other},
-    {270, C::ignored, G::oneshot},
+    {270, C::reference_check, G::oneshot},
     {280, C::reference, G::oneshot},
+    {281, C::ignored, G::oneshot},
     {290, C::unsupported, G::oneshot},
     {300, C::reference_second, G::oneshot},
-    {310, C::unsupported, G::oneshot},
+    {301, C::ignored, G::oneshot},
+    {310, C::probe, G::oneshot},
+    {411, C::comp_left, G::comp},
+    {421, C::comp_right, G::comp},
+    {434, C::unsupported, G::length},
+    {435, C::unsupported, G::length},
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::oneshot},
+    {531, C::unsupported, G::oneshot},
     {541, C::work_extended, G::work},
+    {542, C::unsupported, G::work},
+    {591, C::work_offset, G::work},
+    {592, C::work_offset, G::work},
+    {593, C::work_offset, G::work},
     {610, C::ignored, G::path},
+    {611, C::ignored, G::path},
     {640, C::ignored, G::path},
     {650, C::unsupported, G::oneshot},
     {660, C::unsupported, G::other},
     {670, C::ignored, G::other},
-    {800, C::ignored, G::other},
+    {682, C::unsupported, G::rotation},
+    {683, C::unsupported, G::rotation},
+    {684, C::unsupported, G::rotation},
+    {691, C::ignored, G::rotation},
+    {800, C::cycle_off, G::other},
+    {901, C::center_absolute, G::other},
+    {911, C::center_relative, G::other},
     {960, C::surface_speed, G::speed},
     {970, C::surface_speed_off, G::speed},
+    {1001, C::unsupported, G::oneshot},
+    {1030, C::ignored_words, G::oneshot},
+    {1070, C::unsupported, G::other},
+    {1120, C::unsupported, G::other},
+    {1130, C::ignored, G::other},
+    {1430, C::unsupported, G::length},
+    {1540, C::work_extended, G::work},
+    {1870, C::ignored_words, G::oneshot},
+    {2340, C::unsupported, G::length},
+    {2540, C::unsupported, G::oneshot},
+    {2550, C::ignored, G::other},
 };
 
 constexpr Row kFanucMill[] = {
-    {150, C::polar_off, G::polar},      {160, C::polar_on, G::polar},
-    {330, C::thread, G::motion},        {390, C::unsupported, G::oneshot},
-    {430, C::length_plus, G::length},   {440, C::length_minus, G::length},
-    {450, C::unsupported, G::oneshot},  {460, C::unsupported, G::oneshot},
-    {470, C::unsupported, G::oneshot},  {480, C::unsupported, G::oneshot},
-    {490, C::length_off, G::length},    {500, C::scaling_off, G::scaling},
-    {501, C::mirror_off, G::mirror},    {510, C::scaling_on, G::scaling},
-    {511, C::mirror_on, G::mirror},     {600, C::ignored, G::oneshot},
-    {620, C::ignored, G::path},         {630, C::ignored, G::path},
-    {680, C::rotation_on, G::rotation}, {690, C::rotation_off, G::rotation},
-    {730, C::cycle, G::other},          {740, C::cycle, G::other},
-    {760, C::cycle, G::other},          {920, C::set_position, G::oneshot},
-    {930, C::inverse_time, G::feed},    {940, C::per_minute, G::feed},
-    {950, C::per_revolution, G::feed},  {980, C::ignored, G::center},
-    {990, C::ignored, G::center},
+    {120, C::unsupported, G::oneshot},
+    {130, C::unsupported, G::oneshot},
+    {150, C::polar_off, G::polar},
+    {160, C::polar_on, G::polar},
+    {330, C::thread, G::motion},
+    {390, C::unsupported, G::oneshot},
+    {430, C::length_plus, G::length},
+    {431, C::unsupported, G::length},
+    {440, C::length_minus, G::length},
+    {450, C::unsupported, G::oneshot},
+    {460, C::unsupported, G::oneshot},
+    {470, C::unsupported, G::oneshot},
+    {480, C::unsupported, G::oneshot},
+    {490, C::length_off, G::length},
+    {500, C::scaling_off, G::scaling},
+    {501, C::mirror_off, G::mirror},
+    {510, C::scaling_on, G::scaling},
+    {511, C::mirror_on, G::mirror},
+    {600, C::one_way, G::oneshot},
+    {620, C::ignored, G::path},
+    {630, C::ignored, G::path},
+    {680, C::rotation_on, G::rotation},
+    {690, C::rotation_off, G::rotation},
+    {700, C::unsupported, G::oneshot},
+    {710, C::unsupported, G::oneshot},
+    {720, C::unsupported, G::oneshot},
+    {730, C::drill_cycle, G::other},
+    {740, C::drill_cycle, G::other},
+    {760, C::drill_cycle, G::other},
+    {920, C::set_position, G::oneshot},
+    {921, C::position_reset, G::oneshot},
+    {922, C::position_suspend, G::oneshot},
+    {923, C::position_resume, G::oneshot},
+    {930, C::inverse_time, G::feed},
+    {940, C::per_minute, G::feed},
+    {950, C::per_revolution, G::feed},
+    {980, C::return_initial, G::center},
+    {990, C::return_r, G::center},
+    {1500, C::unsupported, G::oneshot},
 };
 
 constexpr Row kFanucLathe[] = {
@@ -153,9 +210,12 @@ constexpr Row kFanucLathe[] = {
 };
 
 constexpr Row kIso[] = {
-    {50, C::ignored, G::path},
-    {70, C::ignored, G::path},
+    {50, C::high_speed, G::path},
+    {51, C::high_speed, G::path},
+    {70, C::unsupported, G::path},
+    {80, C::unsupported, G::path},
     {90, C::ignored, G::exact},
+    {100, C::data_setting, G::oneshot},
     {200, C::inch_feed, G::units},
     {210, C::metric_feed, G::units},
     {280, C::reference, G::oneshot},
@@ -169,10 +229,13 @@ constexpr Row kIso[] = {
     {530, C::suppress_frames, G::oneshot},
     {600, C::ignored, G::path},
     {610, C::ignored, G::path},
+    {611, C::ignored, G::path},
     {640, C::ignored, G::path},
     {700, C::inch_feed, G::units},
     {710, C::metric_feed, G::units},
-    {800, C::ignored, G::other},
+    {800, C::cycle_off, G::other},
+    {901, C::center_absolute, G::other},
+    {911, C::center_relative, G::other},
     {920, C::set_position, G::oneshot},
     {930, C::inverse_time, G::feed},
     {940, C::per_minute, G::feed},
@@ -198,6 +261,106 @@ constexpr Row kCodesys[] = {
     {980, C::center_absolute, G::center}, {990, C::center_relative, G::center},
 };
 
+constexpr Row kNgc[] = {
+    {50, C::spline_cubic, G::motion},
+    {51, C::spline_quadratic, G::motion},
+    {52, C::nurbs, G::motion},
+    {53, C::nurbs_end, G::motion},
+    {70, C::diameter_on, G::diameter},
+    {80, C::diameter_off, G::diameter},
+    {100, C::data_setting, G::oneshot},
+    {171, C::unsupported, G::plane},
+    {181, C::unsupported, G::plane},
+    {191, C::unsupported, G::plane},
+    {200, C::inch_feed, G::units},
+    {210, C::metric_feed, G::units},
+    {280, C::reference, G::oneshot},
+    {281, C::ignored, G::oneshot},
+    {300, C::reference_second, G::oneshot},
+    {301, C::ignored, G::oneshot},
+    {330, C::thread, G::motion},
+    {331, C::tap_return, G::motion},
+    {382, C::probe, G::motion},
+    {383, C::probe, G::motion},
+    {384, C::probe, G::motion},
+    {385, C::probe, G::motion},
+    {411, C::comp_left, G::comp},
+    {421, C::comp_right, G::comp},
+    {430, C::length_plus, G::length},
+    {431, C::length_dynamic, G::length},
+    {432, C::length_add, G::length},
+    {490, C::length_off, G::length},
+    {520, C::local_shift, G::oneshot},
+    {530, C::suppress_frames, G::suppress},
+    {591, C::work_offset, G::work},
+    {592, C::work_offset, G::work},
+    {593, C::work_offset, G::work},
+    {610, C::ignored, G::path},
+    {611, C::ignored, G::path},
+    {640, C::ignored_words, G::path},
+    {700, C::unsupported, G::other},
+    {710, C::unsupported, G::other},
+    {711, C::unsupported, G::other},
+    {712, C::unsupported, G::other},
+    {720, C::unsupported, G::other},
+    {721, C::unsupported, G::other},
+    {722, C::unsupported, G::other},
+    {730, C::drill_cycle, G::motion},
+    {740, C::drill_cycle, G::motion},
+    {760, C::cycle, G::motion},
+    {800, C::cycle_off, G::motion},
+    {901, C::center_absolute, G::center},
+    {911, C::center_relative, G::center},
+    {920, C::set_position, G::oneshot},
+    {921, C::position_reset, G::oneshot},
+    {922, C::position_suspend, G::oneshot},
+    {923, C::position_resume, G::oneshot},
+    {930, C::inverse_time, G::feed},
+    {940, C::per_minute, G::feed},
+    {950, C::per_revolution, G::feed},
+    {960, C::surface_speed, G::speed},
+    {970, C::surface_speed_off, G::speed},
+    {980, C::return_initial, G::retract},
+    {990, C::return_r, G::retract},
+};
+
+constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
+    {50, "a spline"},
+    {51, "a spline"},
+    {70, "a hypothetical axis"},
+    {71, "cylindrical interpolation"},
+    {80, "an arc tangent to the path before"},
+    {120, "a circular pocket"},
+    {121, "polar interpolation"},
+    {130, "a circular pocket"},
+    {290, "a return from the reference point"},
+    {330, "a thread"},
+    {390, "a corner arc"},
+    {434, "tool centre point control"},
+    {435, "tool centre point control"},
+    {450, "an offset of the tool's position"},
+    {460, "an offset of the tool's position"},
+    {470, "an offset of the tool's position"},
+    {480, "an offset of the tool's position"},
+    {531, "a move of the tilted axes"},
+    {542, "a dynamic work offset"},
+    {650, "a macro call"},
+    {660, "a modal macro call"},
+    {680, "a rotation"},
+    {682, "a tilted working plane"},
+    {683, "a tilted working plane"},
+    {684, "a tilted working plane"},
+    {700, "a circle of holes"},
+    {710, "an arc of holes"},
+    {720, "a line of holes"},
+    {1070, "cylindrical interpolation"},
+    {1120, "polar interpolation"},
+    {1430, "tool centre point control"},
+    {1500, "a pocket"},
+    {2340, "tool centre point control"},
+    {2540, "a dynamic work offset"},
+};
+
 const Row* find_row(std::span<const Row> rows, int number) {
   const auto at =
       std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.number == number; });
@@ -211,7 +374,10 @@ CodeEntry find_range(Dialect dialect, int number) {
   const bool sinumerik = dialect == Dialect::sinumerik;
   if (g >= 54 && g <= (sinumerik ? 57 : 59)) return {C::work_offset, G::work, g};
   if (sinumerik && g >= 505 && g <= 599) return {C::work_offset, G::work, g};
-  if (!sinumerik && g >= 81 && g <= 89) return {C::cycle, G::other, 0};
+  if (!sinumerik && g >= 81 && g <= 89)
+    return {C::drill_cycle, dialect == Dialect::ngc ? G::motion : G::other, g};
+  if (dialect == Dialect::fanuc && g >= 110 && g <= 129 && g != 112 && g != 113)
+    return {C::work_offset, G::work, g};
   return {};
 }
 
@@ -223,6 +389,8 @@ std::span<const Row> own_rows(Dialect dialect) {
       return kFanuc;
     case Dialect::codesys:
       return kCodesys;
+    case Dialect::ngc:
+      return kNgc;
     default:
       return kIso;
   }
@@ -236,14 +404,27 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
     row = machine == MachineKind::lathe ? find_row(kFanucLathe, number_by_10)
                                         : find_row(kFanucMill, number_by_10);
   if (!row) row = find_row(own_rows(dialect), number_by_10);
+  // What the common subset leaves open means what FANUC's words mean.
+  if (!row && dialect == Dialect::iso && machine != MachineKind::lathe)
+    row = find_row(kFanucMill, number_by_10);
+  if (!row && dialect == Dialect::iso) row = find_row(kFanuc, number_by_10);
   if (!row) row = find_row(kShared, number_by_10);
   if (row) return {row->code, row->group, number_by_10 / 10};
   return find_range(dialect, number_by_10);
 }
 
+std::string_view unsupported_code(Dialect dialect, int number_by_10) {
+  if (dialect == Dialect::ngc && number_by_10 >= 700 && number_by_10 <= 722)
+    return "a turning cycle";
+  if (dialect != Dialect::fanuc && dialect != Dialect::iso) return {};
+  for (const auto& [number, name] : kUnsupportedNames)
+    if (number == number_by_10) return name;
+  return {};
+}
+
 const CodeTable& code_table(Dialect dialect, MachineKind machine) {
   static const auto kTables = [] {
-    std::array<CodeTable, 10> tables;
+    std::array<CodeTable, 12> tables;
     for (std::size_t t = 0; t < tables.size(); ++t)
       for (int g = 0; g < 1000; ++g)
         tables[t][static_cast<std::size_t>(g)] = find_g_code(

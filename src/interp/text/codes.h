@@ -1,4 +1,4 @@
-// The function words (G codes and names) of the four controls as tables: number or name -> meaning
+// The function words (G codes and names) of the controls as tables: number or name -> meaning
 // and modal group. No logic.
 #pragma once
 
@@ -7,15 +7,23 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace mrsim {
 
 /// The meaning of a function word, the same for all dialects.
 enum class Code : std::uint8_t {
   unknown,
-  ignored,      ///< known, without effect on geometry
-  unsupported,  ///< known, not read yet: an error
-  cycle,        ///< canned cycle: an error
+  ignored,         ///< known, without effect on geometry
+  ignored_words,   ///< the same, and so are the other words of its block
+  high_speed,      ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
+  unsupported,     ///< known, not read yet: an error
+  cycle,           ///< turning cycle: an error
+  drill_cycle,     ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
+  cycle_off,       ///< G80
+  return_initial,  ///< G98: cycles return to the level before them
+  return_r,        ///< G99: ... to R
   rapid,
   line,
   arc_cw,
@@ -28,9 +36,22 @@ enum class Code : std::uint8_t {
   tap_in,
   tap_out,
   tap_floating,
+  tap_return,  ///< LinuxCNC G33.1: in and out again
+  spline_cubic,
+  spline_quadratic,
+  nurbs,
+  nurbs_end,
+  motion_off,  ///< G80 of LinuxCNC: no motion is in force
   dwell,
   reference,
   reference_second,
+  reference_check,
+  one_way,  ///< G60: a rapid that arrives from one side
+  probe,
+  data_setting,      ///< G10
+  position_reset,    ///< G92.1: position and its memory
+  position_suspend,  ///< G92.2
+  position_resume,   ///< G92.3
   reference_approach,
   fixed_point,
   plane_xy,
@@ -61,6 +82,8 @@ enum class Code : std::uint8_t {
   length_plus,
   length_minus,
   length_off,
+  length_dynamic,  ///< G43.1
+  length_add,      ///< G43.2
   work_offset,
   work_extended,
   work_off,
@@ -156,12 +179,18 @@ struct CodeEntry {
 /// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
 CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
 
+/// What a G word does that is not read, in a few words ("tilted working plane"); may be empty.
+std::string_view unsupported_code(Dialect dialect, int number_by_10);
+
 /// find_g_code for G0 to G999, made once per dialect and machine.
 using CodeTable = std::array<CodeEntry, 1000>;
 const CodeTable& code_table(Dialect dialect, MachineKind machine);
 
 /// The meaning of a name ("TRANS", "CIP"), upper case; SINUMERIK only.
 CodeEntry find_function(std::string_view name);
+
+/// All names that find_function() knows.
+std::vector<std::pair<std::string_view, CodeEntry>> function_names();
 
 /// Upper-case names that announce what this reader does not do yet (IF, WHILE, DEF, CYCLE81 ...):
 /// what it is, or empty.

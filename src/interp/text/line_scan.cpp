@@ -1,6 +1,6 @@
-#include "interp/line_scan.h"
+#include "interp/text/line_scan.h"
 
-#include "interp/characters.h"
+#include "interp/text/characters.h"
 
 namespace mrsim {
 namespace {
@@ -77,8 +77,9 @@ bool read_plain(std::string_view line, PlainLine& out) {
       (number.back() < '2' ? out.line : out.arc) = true;
     } else if (c == 'Y' || c == 'J') {
       out.second = true;
-    } else if (!(c == 'X' || c == 'Z' || c == 'I' || c == 'K' || c == 'F' || c == 'S' ||
-                 (c == 'N' && from == 0))) {
+    } else if (c == 'Z' || c == 'K') {
+      out.third = true;
+    } else if (!(c == 'X' || c == 'I' || c == 'F' || c == 'S' || (c == 'N' && from == 0))) {
       return false;
     }
   }
@@ -105,7 +106,9 @@ bool has_axis(std::string_view text, char axis) {
     if (i > 0 && (is_letter(text[i - 1]) || text[i - 1] == '_')) continue;
     std::size_t n = i + 1;
     while (n < text.size() && text[n] == ' ') ++n;
-    if (n < text.size() && (starts_number(text[n]) || text[n] == '=')) return true;
+    if (n >= text.size()) continue;
+    const char next = text[n];
+    if (starts_number(next) || next == '=' || next == '#' || next == '[') return true;
   }
   return false;
 }

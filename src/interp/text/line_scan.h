@@ -23,6 +23,7 @@ struct PlainLine {
   bool line = false;    ///< G0, G1
   bool arc = false;     ///< G2, G3
   bool second = false;  ///< Y, J
+  bool third = false;   ///< Z, K
 };
 
 /// True for a line of N, G0 to G3 and X Y Z I J K F S alone, as most lines of a long program are:
@@ -33,7 +34,7 @@ bool read_plain(std::string_view line, PlainLine& out);
 bool has(std::string_view text, std::string_view token);
 /// Letter followed by exactly this number.
 bool has_word(std::string_view text, std::string_view word);
-/// "G0X" and "G90 X1" have X with a number.
+/// "G0X", "G90 X1", "Y#1" and "Y[#2+1]" have the axis with a value.
 bool has_axis(std::string_view text, char axis);
 
 }  // namespace mrsim

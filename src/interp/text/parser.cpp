@@ -1,8 +1,8 @@
-#include "interp/parser.h"
+#include "interp/text/parser.h"
 
 #include "core/text_io.h"
-#include "interp/characters.h"
-#include "interp/modal.h"
+#include "interp/text/characters.h"
+#include "interp/text/codes.h"
 
 #include <array>
 #include <string>
@@ -21,7 +21,9 @@ constexpr std::size_t kLongestBlock = 512;  // characters, SINUMERIK
 }  // namespace
 
 Parser::Parser(Dialect dialect, Reporter& reporter)
-    : dialect_(dialect), reporter_(reporter), glued_blanks_(dialect == Dialect::fanuc) {}
+    : dialect_(dialect),
+      reporter_(reporter),
+      glued_blanks_(dialect == Dialect::fanuc || dialect == Dialect::ngc) {}
 
 void Parser::skip_blanks() {
   while (p_ < line_.size() && blank(line_[p_])) ++p_;
@@ -63,6 +65,8 @@ bool Parser::next(Block& block, std::size_t& position) {
   block.comments.clear();
   block.argument = block.function_name = {};
   block.skip_level = -1;
+  block.modal_call = false;
+  block.statement = Block::kNoStatement;
   block.bad = block.has_number = false;
   line_ = block.line;
   p_ = position;
@@ -83,7 +87,7 @@ Parser::Step Parser::step(Block& block) {
   if (is_letter(c) || c == '_') {
     if (dialect_ == Dialect::sinumerik) {
       sinumerik_word(block);
-      return Step::more;
+      return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
     }
     if (upper(c) == 'N' && dialect_ == Dialect::codesys && is_digit(at(p_ + 1)) &&
         (block.has_number || !block.words.empty())) {
@@ -93,11 +97,15 @@ Parser::Step Parser::step(Block& block) {
       return Step::end_of_block;
     }
     letter_word(block);
+    return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
+  }
+  if (dialect_ == Dialect::ngc && (c == '@' || c == '^')) {
+    letter_word(block);
     return Step::more;
   }
   if (blank(c)) {
     ++p_;
-  } else if (c == ';' && dialect_ == Dialect::fanuc) {
+  } else if (c == ';' && ends_block()) {
     ++p_;
     return Step::end_of_block;
   } else if (c == ';') {
@@ -106,10 +114,20 @@ Parser::Step Parser::step(Block& block) {
     read_comment(block, ')');
   } else if (starts_number(c)) {
     bare_number(block);
+  } else if (language_ && c == (dialect_ == Dialect::sinumerik ? '$' : '#')) {
+    assignment(block, p_);
   } else if (!block.words.empty() || !head_of_block(block)) {
     strange_character(block);
   }
   return Step::more;
+}
+
+// FANUC ends blocks with ";". Behind one that is not the last there is another block, if the line
+// ends with ";" too ("G1X1;Y2;"); else a comment.
+bool Parser::ends_block() const {
+  if (dialect_ != Dialect::fanuc) return false;
+  const std::size_t last = line_.find_last_not_of(" \t\r");
+  return line_[last] == ';';
 }
 
 // What stands only before the words: "%", "/2", ":1234".
@@ -126,6 +144,7 @@ bool Parser::head_of_block(Block& block) {
   } else if (c == '/' && block.skip_level < 0) {
     ++p_;
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
+    if ((skip_ >> block.skip_level & 1U) != 0) p_ = line_.size();
   } else if (c == ':' && is_digit(at(p_ + 1))) {
     ++p_;
     word.address = letter('O');
@@ -314,6 +333,7 @@ void Parser::check_inner_blanks(const Block&, std::size_t from) {
 void Parser::letter_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
+  if (c == 'O' && dialect_ == Dialect::ngc && statement(block, from)) return;
   ++p_;
   if (dialect_ != Dialect::codesys) skip_blanks();
   const char n = at(p_);
@@ -321,7 +341,13 @@ void Parser::letter_word(Block& block) {
     Word word;
     word.address = letter(c);
     const std::size_t digits = p_;
-    if (!number(block, word, false)) return;
+    if (!plain_number(word, false)) {
+      if (expression_follows(p_)) {
+        if (expression(block, word, false)) push(block, word, from);
+        return;
+      }
+      if (!number(block, word, false)) return;
+    }
     if (glued_blanks_) check_inner_blanks(block, digits);
     if (c == 'N') {
       block.has_number = true;
@@ -330,8 +356,15 @@ void Parser::letter_word(Block& block) {
     push(block, word, from);
     return;
   }
+  if (language_ && !(c == 'O' && is_letter(n)) && expression_follows(p_)) {
+    Word word;
+    word.address = letter(c);
+    if (expression(block, word, false)) push(block, word, from);
+    return;
+  }
   if (n == '#' || n == '[' || n == '$') return strange_character(block);
   p_ = from;
+  if (statement(block, from)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block)) return;
   while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
@@ -344,61 +377,6 @@ void Parser::letter_word(Block& block) {
                  from, p_);
   fault(block, "address-without-number", fmt::format("no number after {}{}", c, alarm("005")), from,
         p_);
-}
-
-// IF, WHILE, GOTO ... of the macro languages.
-bool Parser::macro_word(Block& block) {
-  std::size_t end = p_;
-  while (is_letter(at(end))) ++end;
-  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 12)));
-  const std::string_view what = name.size() < 2 ? std::string_view() : unsupported_name(name);
-  if (what.empty()) return false;
-  const std::size_t from = p_;
-  p_ = end;
-  unsupported(block, line_.substr(from, end - from), what, from);
-  return true;
-}
-
-void Parser::codesys_name(Block& block) {
-  const std::size_t from = p_;
-  while (is_name(at(p_))) ++p_;
-  const std::string_view run = line_.substr(from, p_ - from);
-  const std::string name = upper_case(run);
-  Word word;
-  if ((name.starts_with("FF") || name.starts_with("EF")) &&
-      (name.size() == 2 || is_digit(name[2]))) {
-    p_ = from + 2;
-    word.address = name[0] == 'F' ? Address::ff : Address::ef;
-    if (number(block, word, false)) push(block, word, from);
-    return;
-  }
-  word.address = Address::function;
-  if (name == "SUBPROGRAM") {
-    word.code = Code::header;
-    p_ = line_.size();
-    return push(block, word, from);
-  }
-  if (name == "END_SUBPROGRAM" || name == "RETURN") {
-    word.code = Code::program_return;
-    return push(block, word, from);
-  }
-  const std::string_view what = unsupported_name(name);
-  if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() < 3 || run.size() > 80)
-    return fault(block, "address-without-number",
-                 fmt::format("no number after {}", name.substr(0, 1)), from, p_);
-  word.address = Address::call;
-  word.text = run;
-  skip_blanks();
-  if (at(p_) == '{') {
-    const std::size_t close = line_.find('}', p_);
-    if (close == std::string_view::npos)
-      return fault(block, "bracket", "the { here is not closed", p_, p_ + 1);
-    if (line_.substr(p_ + 1, close - p_ - 1).find_first_not_of(" \t") != std::string_view::npos)
-      return unsupported(block, run, "a call with arguments", from);
-    p_ = close + 1;
-  }
-  push(block, word, from);
 }
 
 }  // namespace mrsim

@@ -3,8 +3,9 @@
 // rest of the block is still read, so that one run shows all of them.
 #pragma once
 
-#include "interp/block.h"
-#include "interp/reporter.h"
+#include "interp/text/block.h"
+#include "interp/text/language_reader.h"
+#include "interp/text/reporter.h"
 
 #include <cstddef>
 #include <string>
@@ -15,6 +16,10 @@ class Parser {
  public:
   Parser(Dialect dialect, Reporter& reporter);
   Dialect dialect() const { return dialect_; }
+  /// Who reads expressions and assignments; without one they are errors.
+  void set_language(LanguageReader* language) { language_ = language; }
+  /// Levels of block skip in force, a bit each: the rest of such a line is not read.
+  void set_skip(unsigned levels) { skip_ = levels; }
 
   /// Reads the block that starts at `position` of block.line and moves `position` behind it.
   /// False when nothing is left on the line.
@@ -33,13 +38,19 @@ class Parser {
   void sinumerik_call(Block& block, std::size_t from, std::string_view name);
   bool sinumerik_value(Block& block, Word& word);
   bool sinumerik_form(Block& block, Word& word);
+  bool sinumerik_expression_follows() const;
   bool sinumerik_radix(Word& word);
   void codesys_name(Block& block);
   bool macro_word(Block& block);
+  bool statement(Block& block, std::size_t from);
+  void assignment(Block& block, std::size_t from);
+  bool expression(Block& block, Word& word, bool whole);
+  bool expression_follows(std::size_t from) const;
   void check_inner_blanks(const Block& block, std::size_t from);
   bool plain_number(Word& word, bool exponent);
   bool number(Block& block, Word& word, bool exponent);
   bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);
+  bool ends_block() const;
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
   void strange_character(Block& block);
@@ -57,7 +68,9 @@ class Parser {
 
   Dialect dialect_;
   Reporter& reporter_;
-  bool glued_blanks_;  ///< FANUC: blanks mean nothing, even inside a word
+  LanguageReader* language_ = nullptr;
+  unsigned skip_ = 0;
+  bool glued_blanks_;  ///< FANUC, LinuxCNC: blanks mean nothing, even inside a word
   std::string_view line_;
   std::size_t p_ = 0;
 };

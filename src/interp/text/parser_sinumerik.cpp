@@ -1,8 +1,8 @@
 // The lexical rules that only SINUMERIK has: names, assignments, AC() and IC(), strings.
 #include "core/text_io.h"
-#include "interp/characters.h"
-#include "interp/modal.h"
-#include "interp/parser.h"
+#include "interp/text/characters.h"
+#include "interp/text/codes.h"
+#include "interp/text/parser.h"
 
 #include <array>
 #include <string>
@@ -34,6 +34,11 @@ constexpr std::pair<std::string_view, Form> kForms[] = {{"AC", Form::ac},   {"IC
 constexpr std::string_view kHarmlessCalls[] = {"MSG",   "SETMS", "FGROUP",  "CYCLE832", "WAITM",
                                                "WAITP", "WAITS", "INIT",    "START",    "CLRINT",
                                                "SPCON", "SPCOF", "COMPLETE"};
+
+// Calls whose arguments the interpreter reads.
+constexpr std::string_view kReadCalls[] = {
+    "WORKPIECE", "CYCLE81", "CYCLE82",  "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86", "CYCLE87",
+    "CYCLE88",   "CYCLE89", "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802", "HOLES1",  "HOLES2"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)
@@ -68,6 +73,7 @@ void Parser::sinumerik_word(Block& block) {
     return;
   }
   if (n == ':' && block.words.empty()) return label(block, from, from + 1);
+  if (n == '[' && c == 'R' && language_) return assignment(block, from);
   if (n == '[') return unsupported(block, line_.substr(from, p_ - from), "an array", from);
   if (n == '$' || n == '(')
     return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
@@ -77,6 +83,7 @@ void Parser::sinumerik_word(Block& block) {
   if (at(p_) == '=') {  // a numbered address: I1= X1= S2= M2= R5=
     const int index = static_cast<int>(word.value);
     ++p_;
+    if (c == 'R' && language_) return assignment(block, from);
     if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
     if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
       word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
@@ -110,6 +117,7 @@ bool Parser::sinumerik_value(Block& block, Word& word) {
   skip_blanks();
   const std::size_t from = p_;
   const char c = at(p_);
+  if (language_ && sinumerik_expression_follows()) return expression(block, word, true);
   if (c == '"') {
     text_value(block, word);
     return !block.bad;
@@ -148,6 +156,49 @@ bool Parser::sinumerik_value(Block& block, Word& word) {
   return false;
 }
 
+// More than a number, a text in quotes or AC(number).
+bool Parser::sinumerik_expression_follows() const {
+  std::size_t i = p_;
+  if (at(i) == '(' || at(i) == '$') return true;
+  if (is_letter(at(i)) || at(i) == '_') {
+    std::size_t end = i;
+    while (is_name(at(end))) ++end;
+    const std::string name = upper_case(line_.substr(i, std::min<std::size_t>(end - i, 33)));
+    while (blank(at(end)) && end < line_.size()) ++end;
+    for (const auto& [known, form] : kForms)
+      if (known == name && at(end) == '(') return false;
+    return true;
+  }
+  if (at(i) == '"') {
+    i = line_.find('"', i + 1);
+    if (i == std::string_view::npos) return false;
+    ++i;
+  } else if (at(i) == '\'') {
+    i = line_.find('\'', i + 1);
+    if (i == std::string_view::npos) return false;
+    ++i;
+  } else {
+    const std::size_t signs = i;
+    while (at(i) == '-' || at(i) == '+') ++i;
+    if (i > signs && (is_letter(at(i)) || at(i) == '(' || at(i) == '$')) return true;
+    while (is_digit(at(i)) || at(i) == '.') ++i;
+    if (i == signs) return false;
+    if (upper(at(i)) == 'E' && upper(at(i + 1)) == 'X') {
+      i += 2;
+      while (is_digit(at(i)) || at(i) == '-' || at(i) == '+') ++i;
+    }
+    if ((at(i) == '-' || at(i) == '+') &&
+        (is_digit(at(i + 1)) || is_letter(at(i + 1)) || at(i + 1) == '(' || blank(at(i + 1))))
+      return is_digit(at(i - 1)) || at(i - 1) == '.';
+  }
+  while (blank(at(i)) && i < line_.size()) ++i;
+  const std::string_view rest = line_.substr(std::min(i, line_.size()), 4);
+  const std::string word = upper_case(rest);
+  return at(i) == '*' || at(i) == '/' || at(i) == '<' || at(i) == '>' || at(i) == '+' ||
+         at(i) == '-' || word.starts_with("DIV ") || word.starts_with("MOD ") ||
+         (at(i) == '=' && at(i + 1) == '=');
+}
+
 bool Parser::sinumerik_form(Block& block, Word& word) {
   const std::size_t from = p_;
   while (is_name(at(p_))) ++p_;
@@ -160,6 +211,16 @@ bool Parser::sinumerik_form(Block& block, Word& word) {
     ++p_;
     skip_blanks();
     const std::size_t inner = p_;
+    if (language_ && at(p_) != ')' && at(p_) != '\0' && at(p_) != ';') {
+      if (!expression(block, word, true)) return false;
+      skip_blanks();
+      if (at(p_) == ')') {
+        ++p_;
+        return true;
+      }
+      fault(block, "bracket", "the ( here is not closed (alarm 12080)", inner - 1, inner);
+      return false;
+    }
     if (!starts_number(at(p_)) ||
         !(is_digit(at(p_ + 1)) || is_digit(at(p_)) || at(p_ + 1) == '.')) {
       const bool empty = at(p_) == ')';
@@ -227,6 +288,11 @@ void Parser::sinumerik_name(Block& block) {
   skip_blanks();
   const char c = at(p_);
   if (c == ':' && block.words.empty()) return label(block, from, after_name);
+  const bool assigned = (c == '=' && at(p_ + 1) != '=') || c == '[';
+  if (assigned && language_ && language_->is_variable(run)) return assignment(block, from);
+  p_ = after_name;
+  if (!assigned && statement(block, from)) return;
+  skip_blanks();
   if (c == '=' && at(p_ + 1) != '=') {
     Word word;
     word.address = find_address(name);
@@ -238,6 +304,10 @@ void Parser::sinumerik_name(Block& block) {
     return unsupported(block, run, "a variable or an address unknown to this reader", from);
   }
   if (c == '(') return sinumerik_call(block, from, run);
+  if (name == "MCALL") {
+    block.modal_call = true;
+    return;
+  }
   if (c == '[') return unsupported(block, run, "an array", from);
   p_ = after_name;
   const CodeEntry entry = find_function(name);
@@ -295,8 +365,9 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
   const std::string name = upper_case(run.substr(0, 33));
   for (const std::string_view harmless : kHarmlessCalls)
     if (name == harmless) return;
-  if (name == "WORKPIECE") {
-    block.function_name = "WORKPIECE";
+  for (const std::string_view read : kReadCalls) {
+    if (name != read) continue;
+    block.function_name = read;
     block.argument = argument;
     return;
   }

@@ -1,7 +1,7 @@
-#include "interp/reporter.h"
+#include "interp/text/reporter.h"
 
 #include "core/text_io.h"
-#include "interp/source.h"
+#include "interp/text/source.h"
 
 #include <algorithm>
 
@@ -13,6 +13,7 @@ namespace {
 // A line of a megabyte is no help on a terminal.
 constexpr std::size_t kLongestLine = 1000;
 constexpr std::size_t kMostRemembered = 65536;
+constexpr std::size_t kMostOfAKind = 100;
 // Lines that were read long ago are looked up in the file, a few of them.
 constexpr int kMostLookups = 50;
 constexpr int kDeepestLookup = 200000;
@@ -24,27 +25,53 @@ bool Reporter::seen(const std::string& key) {
   return !seen_.insert(key).second;
 }
 
-void Reporter::emit(Diagnostic diagnostic, int call) {
+// Counts a finding. False: it was told before, or enough of its kind were.
+bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& place, int call) {
   // A subprogram that runs fifty times says everything once.
-  if (call >= 0 && seen(fmt::format("{}:{}:{}:{}", diagnostic.code, diagnostic.place.file,
-                                    diagnostic.place.line, diagnostic.place.column)))
-    return;
+  const bool again = call >= 0 || repeating_;
+  if (again && seen(fmt::format("{}:{}:{}:{}", code, place.file, place.line, place.column)))
+    return false;
+  if (severity == Severity::error) ++errors_;
+  auto kind = std::find_if(kinds_.begin(), kinds_.end(),
+                           [&](const Kind& k) { return k.severity == severity && k.code == code; });
+  if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), {severity, code});
+  return ++kind->count <= kMostOfAKind;
+}
+
+void Reporter::finish() {
+  for (const Kind& kind : kinds_) {
+    if (kind.count <= kMostOfAKind) continue;
+    Diagnostic d;
+    d.severity = kind.severity;
+    d.code = kind.code;
+    d.text = fmt::format("... and {} more of these", kind.count - kMostOfAKind);
+    d.place.file = program_.files.front();
+    sink_.diagnostic(d);
+  }
+}
+
+void Reporter::emit(Diagnostic diagnostic, int call) {
   for (int i = call; i >= 0; i = program_.calls[static_cast<std::size_t>(i)].outer) {
     const CallSite& site = program_.calls[static_cast<std::size_t>(i)];
     diagnostic.called_from.push_back(
         {program_.files[static_cast<std::size_t>(site.file)], site.line, 0});
   }
-  if (diagnostic.severity == Severity::error) ++errors_;
   sink_.diagnostic(diagnostic);
+}
+
+void Reporter::assignment(std::string_view name, const std::string& value) {
+  sink_.assignment({program_.files[static_cast<std::size_t>(file_)], line_, 1}, to_utf8(name),
+                   value);
 }
 
 void Reporter::add(Severity severity, const char* code, const std::string& text, int column,
                    int length) {
   Diagnostic d;
+  d.place = {program_.files[static_cast<std::size_t>(file_)], line_, column + 1};
+  if (!is_told(severity, code, d.place, call_)) return;
   d.severity = severity;
   d.code = code;
   d.text = text;
-  d.place = {program_.files[static_cast<std::size_t>(file_)], line_, column + 1};
   d.length = std::max(1, length);
   d.source_line = to_utf8(text_.substr(0, kLongestLine));
   emit(std::move(d), call_);
@@ -64,10 +91,11 @@ std::string Reporter::line_text(int file, int line) {
 void Reporter::add_at(Severity severity, const char* code, const std::string& text,
                       const Motion& motion) {
   Diagnostic d;
+  d.place = {program_.files[static_cast<std::size_t>(motion.file)], motion.line, motion.column};
+  if (!is_told(severity, code, d.place, motion.call)) return;
   d.severity = severity;
   d.code = code;
   d.text = text;
-  d.place = {program_.files[static_cast<std::size_t>(motion.file)], motion.line, motion.column};
   d.source_line = line_text(motion.file, motion.line);
   emit(std::move(d), motion.call);
 }
@@ -88,6 +116,7 @@ void Reporter::add_general(Severity severity, const char* code, const std::strin
   d.code = code;
   d.text = text;
   d.place.file = program_.files.empty() ? std::string() : program_.files.front();
+  if (!is_told(severity, code, d.place, -1)) return;
   emit(std::move(d), -1);
 }
 

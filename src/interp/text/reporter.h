@@ -1,8 +1,9 @@
 // Findings with their place. Knows the block being read, so that a fault only needs its word.
+// Of a kind, 100 findings are told and the rest is counted: a damaged program is no flood.
 #pragma once
 
-#include "interp/block.h"
-#include "interp/interpreter.h"
+#include "interp/motion_sink.h"
+#include "interp/text/block.h"
 
 #include <string>
 #include <unordered_set>
@@ -22,6 +23,9 @@ class Reporter {
     text_ = text;
   }
 
+  /// From here on a line may be read more than once: it says everything once.
+  void set_repeating() { repeating_ = true; }
+
   /// The buffer of the line is gone.
   void forget_text() { text_ = {}; }
 
@@ -40,9 +44,22 @@ class Reporter {
   /// About the program as a whole.
   void add_general(Severity severity, const char* code, const std::string& text);
 
+  /// A variable got a value in the line being read.
+  void assignment(std::string_view name, const std::string& value);
+
   std::size_t errors() const { return errors_; }
 
+  /// At the end of the program: tells how many findings of a kind were counted only.
+  void finish();
+
  private:
+  struct Kind {
+    Severity severity;
+    std::string code;
+    std::size_t count = 0;
+  };
+
+  bool is_told(Severity severity, const char* code, const SourcePlace& place, int call);
   void emit(Diagnostic diagnostic, int call);
   bool seen(const std::string& key);
   std::string line_text(int file, int line);
@@ -51,9 +68,11 @@ class Reporter {
   Program& program_;
   int file_ = 0, line_ = 0, call_ = -1;
   std::string_view text_;
+  bool repeating_ = false;
   std::size_t errors_ = 0;
   int lookups_ = 0;
   std::unordered_set<std::string> seen_;
+  std::vector<Kind> kinds_;  ///< in the order of their first findings; a few dozen
 };
 
 }  // namespace mrsim

@@ -1,4 +1,4 @@
-#include "interp/source.h"
+#include "interp/text/source.h"
 
 #include "core/error.h"
 #include "core/text_io.h"
@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <mutex>
+#include <tuple>
 #include <utility>
 
 #include <fcntl.h>
@@ -22,16 +25,28 @@ namespace {
   throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
 }
 
+// A pipe gives its text once: kept by the file that it is.
+std::shared_ptr<const std::string> read_pipe(const std::string& path, const struct stat& info) {
+  using Key = std::tuple<std::string, dev_t, ino_t>;
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const std::string>> texts;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<const std::string>& text = texts[{path, info.st_dev, info.st_ino}];
+  if (!text) text = std::make_shared<const std::string>(read_file(path));
+  return text;
+}
+
 }  // namespace
 
-LineSource::LineSource(const std::string& path, std::size_t chunk) : path_(path) {
+LineSource::LineSource(const std::string& name, std::size_t chunk)
+    : path_(name == "-" ? "/dev/stdin" : name) {
+  const std::string& path = path_;
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) fail(path);
   if (S_ISDIR(info.st_mode))
     throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
   if (!S_ISREG(info.st_mode)) {
-    whole_ = read_file(path);
-    piped_ = true;
+    piped_ = read_pipe(path, info);
   } else {
     fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd_ < 0) fail(path);
@@ -42,8 +57,7 @@ LineSource::LineSource(const std::string& path, std::size_t chunk) : path_(path)
 LineSource::LineSource(LineSource&& other) noexcept
     : fd_(std::exchange(other.fd_, -1)),
       path_(std::move(other.path_)),
-      whole_(std::move(other.whole_)),
-      piped_(other.piped_),
+      piped_(std::move(other.piped_)),
       buffer_(std::move(other.buffer_)),
       buffer_offset_(other.buffer_offset_),
       begin_(other.begin_),
@@ -74,9 +88,9 @@ bool LineSource::refill() {
   if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
   const std::uint64_t from = buffer_offset_ + end_;
   if (piped_) {
-    const std::size_t left = from < whole_.size() ? whole_.size() - from : 0;
+    const std::size_t left = from < piped_->size() ? piped_->size() - from : 0;
     const std::size_t n = std::min(left, buffer_.size() - end_);
-    std::memcpy(buffer_.data() + end_, whole_.data() + from, n);
+    std::memcpy(buffer_.data() + end_, piped_->data() + from, n);
     end_ += n;
     return n > 0;
   }

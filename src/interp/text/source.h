@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,9 @@ namespace mrsim {
 
 class LineSource {
  public:
-  /// Throws Error "file-missing", "file-is-directory", "file-unreadable".
+  /// "-" is the standard input. A pipe is read whole and once, and kept while the program runs: its
+  /// text is needed more than once. Throws Error "file-missing", "file-is-directory",
+  /// "file-unreadable".
   explicit LineSource(const std::string& path, std::size_t chunk = std::size_t(1) << 17);
   LineSource(LineSource&& other) noexcept;
   LineSource& operator=(LineSource&&) = delete;
@@ -32,8 +35,7 @@ class LineSource {
 
   int fd_ = -1;
   std::string path_;
-  std::string whole_;  ///< a pipe is read whole: the program is read twice
-  bool piped_ = false;
+  std::shared_ptr<const std::string> piped_;  ///< the text of a pipe, else null
   std::vector<char> buffer_;
   std::uint64_t buffer_offset_ = 0;  ///< offset in the file of buffer_[0]
   std::size_t begin_ = 0, end_ = 0;  ///< unread part of the buffer

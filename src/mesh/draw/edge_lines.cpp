@@ -1,7 +1,7 @@
-#include "mesh/edge_lines.h"
+#include "mesh/draw/edge_lines.h"
 
 #include "core/parallel.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +78,8 @@ void EdgeFinder::add_visible(std::uint32_t h, const LineStyle& style,
   }
 }
 
-// Creases of a coarse or noisy mesh come in crumbs; an edge of the part is a longer chain. Keeps
-// the creases of connected chains that are longer than `shortest` mm.
+// Creases of a coarse or noisy mesh are short fragments; an edge of the part is a longer chain.
+// Keeps the creases of connected chains that are longer than `shortest` mm.
 std::vector<std::uint32_t> without_crumbs(const TriMesh& mesh,
                                           const std::vector<std::uint32_t>& creases,
                                           double shortest) {
@@ -102,7 +102,7 @@ std::vector<std::uint32_t> without_crumbs(const TriMesh& mesh,
 
 using Coverage = std::vector<float>;
 
-// The strongest line counts: lines that meet or repeat do not add up.
+// A pixel keeps its strongest line: lines that meet or repeat do not add up.
 void cover(const Line& line, int width, int height, Coverage& coverage) {
   const double reach = line.width / 2 + 1;
   const int y0 = std::max(0, int(std::min(line.from.y, line.to.y) - reach));

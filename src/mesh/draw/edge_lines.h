@@ -1,10 +1,10 @@
 // The drawn edges: creases and outlines, as dark lines where nothing hides them.
 #pragma once
 
-#include "mesh/creases.h"
-#include "mesh/picture.h"
-#include "mesh/ray_scene.h"
-#include "mesh/view.h"
+#include "mesh/draw/picture.h"
+#include "mesh/draw/ray_scene.h"
+#include "mesh/draw/view.h"
+#include "mesh/solid/creases.h"
 
 namespace mrsim {
 

@@ -1,4 +1,4 @@
-#include "mesh/light.h"
+#include "mesh/draw/light.h"
 
 #include "core/trig.h"
 #include "core/units.h"
@@ -45,7 +45,7 @@ void make_frame(const Vec3& n, Vec3& x, Vec3& y) {
   y = {b, s + n.y * n.y * a, -n.y};
 }
 
-// max(0, x) without its kink: a round wall must not show where a light begins to reach it.
+// max(0, x) with a smooth start: no line may show on a round wall where a light begins to reach it.
 double reached(double x) {
   constexpr double kSoft = 0.25;
   if (x <= -kSoft) return 0;
@@ -80,7 +80,7 @@ Studio::Studio(const View& view) {
 
 Vec3 Studio::sky_direction(const Vec3& normal, int x, int y, int i) const {
   const Vec3& d = sky_pattern_[i * kTile * kTile + turn_of(x, y)];
-  // Every tile turns the pattern, or its few directions would show as bands on round walls.
+  // Every tile turns the pattern; otherwise its few directions would show as bands on round walls.
   const Vec2& turn = tile_turns_[scrambled(x / kTile, y / kTile) % tile_turns_.size()];
   Vec3 across, along;
   make_frame(normal, across, along);

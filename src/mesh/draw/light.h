@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/vec.h"
-#include "mesh/picture.h"
-#include "mesh/view.h"
+#include "mesh/draw/picture.h"
+#include "mesh/draw/view.h"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "mesh/palette.h"
+#include "mesh/draw/palette.h"
 
-#include "mesh/owner_set.h"
+#include "mesh/solid/owner_set.h"
 
 #include <algorithm>
 #include <map>

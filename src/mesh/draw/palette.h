@@ -2,7 +2,7 @@
 // by colour-blind people too.
 #pragma once
 
-#include "mesh/mesh_source.h"
+#include "mesh/solid/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 

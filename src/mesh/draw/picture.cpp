@@ -1,4 +1,4 @@
-#include "mesh/picture.h"
+#include "mesh/draw/picture.h"
 
 #include "core/error.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/text_io.h"
 #include "core/vec.h"
-#include "mesh/palette.h"
+#include "mesh/draw/palette.h"
 
 #include <string_view>
 #include <vector>

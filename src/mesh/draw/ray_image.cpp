@@ -1,7 +1,7 @@
-#include "mesh/ray_image.h"
+#include "mesh/draw/ray_image.h"
 
 #include "core/parallel.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +206,7 @@ Color RayImage::color_of(const Surfel& s, const Seen& seen, Vec2 pixel) const {
   return {back.r * left, back.g * left, back.b * (left + 0.02f * (1 - left))};
 }
 
-// Light is smooth along a surface: that of the neighbour that fits best will do.
+// Light changes little along a surface, so the light of the best matching neighbour is used.
 Seen RayImage::borrowed_light(const Surfel& s, int x, int y) const {
   double least = 1e300;
   Seen best;

@@ -5,11 +5,11 @@
 // where surface, direction or colour change are taken again with 16 rays.
 #pragma once
 
-#include "mesh/creases.h"
-#include "mesh/light.h"
-#include "mesh/picture.h"
-#include "mesh/ray_scene.h"
-#include "mesh/view.h"
+#include "mesh/draw/light.h"
+#include "mesh/draw/picture.h"
+#include "mesh/draw/ray_scene.h"
+#include "mesh/draw/view.h"
+#include "mesh/solid/creases.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
-#include "mesh/ray_scene.h"
+#include "mesh/draw/ray_scene.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,12 @@
-#include "mesh/render.h"
+#include "mesh/draw/render.h"
 
-#include "mesh/creases.h"
-#include "mesh/edge_lines.h"
-#include "mesh/half_edges.h"
-#include "mesh/palette.h"
-#include "mesh/picture.h"
-#include "mesh/ray_image.h"
-#include "mesh/ray_scene.h"
+#include "mesh/draw/edge_lines.h"
+#include "mesh/draw/palette.h"
+#include "mesh/draw/picture.h"
+#include "mesh/draw/ray_image.h"
+#include "mesh/draw/ray_scene.h"
+#include "mesh/solid/creases.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>

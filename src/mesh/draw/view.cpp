@@ -1,7 +1,7 @@
-#include "mesh/view.h"
+#include "mesh/draw/view.h"
 
 #include "core/trig.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 

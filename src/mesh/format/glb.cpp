@@ -1,10 +1,10 @@
-#include "mesh/glb.h"
+#include "mesh/format/glb.h"
 
 #include "core/bytes.h"
-#include "mesh/creases.h"
-#include "mesh/half_edges.h"
-#include "mesh/palette.h"
-#include "mesh/picture.h"
+#include "mesh/draw/palette.h"
+#include "mesh/draw/picture.h"
+#include "mesh/solid/creases.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>

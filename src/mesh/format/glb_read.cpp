@@ -1,13 +1,14 @@
 // Reading GLB: the triangles of the scene, node transforms applied, in mm with Z up.
 #include "core/bytes.h"
 #include "core/vec.h"
-#include "mesh/glb.h"
-#include "mesh/mesh_builder.h"
-#include "mesh/origin_text.h"
-#include "mesh/picture.h"
+#include "mesh/draw/picture.h"
+#include "mesh/format/glb.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/format/origin_text.h"
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostTriangles = 50'000'000;  // nodes may repeat a mesh
 constexpr std::size_t kMostNodes = 100'000;
 constexpr std::size_t kMostLegend = 64;
 
@@ -80,9 +80,18 @@ class GlbReader {
   TriMesh read() {
     try {
       split_chunks();
-      const Json& scenes = json_.at("scenes");
-      for (const Json& node : scenes.at(json_.value("scene", std::size_t(0))).at("nodes"))
-        add_node(node.get<std::size_t>(), {}, 0);
+      // Counted before anything is added: nodes may repeat a mesh.
+      std::size_t vertices = 0, triangles = 0;
+      for_each_primitive([&](const Json& primitive, const Frame&) {
+        const std::size_t count = numbers(primitive.at("attributes").at("POSITION")).count;
+        vertices += count;
+        triangles +=
+            (primitive.contains("indices") ? numbers(primitive["indices"]).count : count) / 3;
+      });
+      builder_.expect(vertices, triangles);
+      for (const Json& mesh : json_.value("meshes", Json::array())) read_extras(mesh);
+      for_each_primitive(
+          [&](const Json& primitive, const Frame& frame) { add_primitive(primitive, frame); });
     } catch (const Json::exception& fault) {
       builder_.fail("syntax", fmt::format("its description does not hold together ({})",
                                           std::string_view(fault.what()).substr(0, 120)));
@@ -93,7 +102,9 @@ class GlbReader {
 
  private:
   void split_chunks();
-  void add_node(std::size_t index, const Frame& outer, int depth);
+  using Visitor = std::function<void(const Json& primitive, const Frame&)>;
+  void for_each_primitive(const Visitor& visit);
+  void visit_node(std::size_t index, const Frame& outer, int depth, const Visitor& visit);
   void add_primitive(const Json& primitive, const Frame& frame);
   void add_faces(const Numbers& positions, const Json& primitive, const Frame& frame,
                  std::size_t first);
@@ -106,7 +117,7 @@ class GlbReader {
   Json json_;
   detail::MeshBuilder builder_;
   OriginReader origin_;
-  std::size_t nodes_ = 0, triangles_ = 0;
+  std::size_t nodes_ = 0;
 };
 
 void GlbReader::split_chunks() {
@@ -186,19 +197,25 @@ Frame GlbReader::frame_of(const Json& node) {
   return out;
 }
 
-void GlbReader::add_node(std::size_t index, const Frame& outer, int depth) {
+void GlbReader::for_each_primitive(const Visitor& visit) {
+  nodes_ = 0;
+  const Json& scenes = json_.at("scenes");
+  for (const Json& node : scenes.at(json_.value("scene", std::size_t(0))).at("nodes"))
+    visit_node(node.get<std::size_t>(), {}, 0, visit);
+}
+
+void GlbReader::visit_node(std::size_t index, const Frame& outer, int depth, const Visitor& visit) {
   if (depth > 64 || ++nodes_ > kMostNodes)
     builder_.fail("syntax", "its nodes are nested too deep or without an end");
   const Json& node = json_.at("nodes").at(index);
   const Frame frame = outer * frame_of(node);
   if (node.contains("mesh")) {
     const Json& mesh = json_.at("meshes").at(node.at("mesh").get<std::size_t>());
-    read_extras(mesh);
-    for (const Json& primitive : mesh.at("primitives")) add_primitive(primitive, frame);
+    for (const Json& primitive : mesh.at("primitives")) visit(primitive, frame);
   }
   if (!node.contains("children")) return;
   for (const Json& child : node.at("children"))
-    add_node(child.get<std::size_t>(), frame, depth + 1);
+    visit_node(child.get<std::size_t>(), frame, depth + 1, visit);
 }
 
 void GlbReader::read_extras(const Json& mesh) {
@@ -256,8 +273,6 @@ void GlbReader::add_faces(const Numbers& positions, const Json& primitive, const
   if (primitive.contains("indices")) indices = numbers(primitive.at("indices"));
   if (attributes.contains("_OWNER")) owners = numbers(attributes.at("_OWNER"));
   const std::size_t corners = indices ? indices->count : positions.count;
-  if ((triangles_ += corners / 3) > kMostTriangles)
-    throw Error("glb-too-large", "the GLB file has more than 50 million triangles");
   for (std::size_t h = 0; h + 2 < corners; h += 3) {
     std::array<std::int64_t, 3> face;
     for (std::size_t k = 0; k < 3; ++k) {

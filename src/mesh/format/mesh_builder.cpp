@@ -1,7 +1,8 @@
-#include "mesh/mesh_builder.h"
+#include "mesh/format/mesh_builder.h"
 
-#include "mesh/half_edges.h"
-#include "mesh/weld.h"
+#include "core/memory_limit.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,14 +68,35 @@ bool is_open(const TriMesh& mesh) {
 
 }  // namespace
 
+std::string too_far(double coordinate) {
+  return fmt::format("a coordinate of {:.3g} mm, more than {:g} mm (10 km); is the unit right?",
+                     coordinate, kFarthest);
+}
+
+void MeshBuilder::expect(std::size_t vertices, std::size_t triangles) const {
+  constexpr std::size_t kMostTriangles = 50'000'000;
+  if (triangles > kMostTriangles - std::min<std::size_t>(kMostTriangles, mesh_.triangles.size()) ||
+      vertices >
+          3 * kMostTriangles - std::min<std::size_t>(3 * kMostTriangles, mesh_.vertices.size()))
+    throw Error(format_ + "-too-large",
+                fmt::format("{} has more than 50 million triangles, instances counted; export a "
+                            "coarser mesh",
+                            name_));
+  // A vector that grows holds its numbers three times for a moment.
+  const double held = 3 * 12.0 * double(vertices) + 3 * 16.0 * double(triangles);
+  if (vertices + triangles > 100'000) require_memory(held, "reading " + name_);
+}
+
 void MeshBuilder::fail(const char* fault, const std::string& text) const {
   throw Error(format_ + "-" + fault, fmt::format("{}: {}; export it again", name_, text));
 }
 
 void MeshBuilder::add_vertex(double x, double y, double z) {
-  constexpr double kLargest = 3.4028234e38;
-  if (!(std::fabs(x) <= kLargest && std::fabs(y) <= kLargest && std::fabs(z) <= kLargest))
+  const double largest = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
+  if (!std::isfinite(x + y + z))
     fail("nan", fmt::format("vertex {} has a coordinate that is not a number", vertex_count() + 1));
+  if (largest > kFarthest)
+    fail("too-far", fmt::format("vertex {} has {}", vertex_count() + 1, too_far(largest)));
   mesh_.vertices.push_back({float(x), float(y), float(z)});
 }
 

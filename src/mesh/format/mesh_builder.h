@@ -1,7 +1,7 @@
 // What the readers of indexed formats have in common: polygons to triangles, checks, welding.
 #pragma once
 
-#include "mesh/text_scan.h"
+#include "mesh/format/text_scan.h"
 #include <mrsim/types.h>
 
 #include <cstdint>
@@ -9,6 +9,13 @@
 #include <string>
 
 namespace mrsim::detail {
+
+/// Largest coordinate that is read, mm: 10 km. Beyond it, single precision is coarser than a
+/// millimetre and distances in a comparison lose their digits.
+inline constexpr double kFarthest = 1e7;
+
+/// Text of the error for a coordinate beyond it.
+std::string too_far(double coordinate);
 
 /// Builds a mesh from untrusted numbers. Every fault is an Error "<format>-index", "-nan",
 /// "-polygon", "-empty" that names the file.
@@ -19,6 +26,10 @@ class MeshBuilder {
       : format_(std::move(format)), name_(std::move(name)) {}
 
   void add_vertex(double x, double y, double z);
+  /// Before `vertices` and `triangles` are added: throws Error "<format>-too-large" above 50
+  /// million triangles or the vertices these have at most, and "memory" (core/memory_limit.h). A
+  /// file of few bytes can hold many instances of one mesh.
+  void expect(std::size_t vertices, std::size_t triangles) const;
   /// A polygon of vertex indices, split into triangles by its ears; polygons of fewer than three
   /// different corners are left out.
   void add_face(std::span<const std::int64_t> corners, std::int32_t owner);

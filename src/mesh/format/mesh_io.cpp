@@ -1,14 +1,15 @@
-#include "mesh/mesh_io.h"
+#include "mesh/format/mesh_io.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
-#include "mesh/glb.h"
-#include "mesh/obj.h"
-#include "mesh/off.h"
-#include "mesh/ply.h"
-#include "mesh/stl.h"
-#include "mesh/text_scan.h"
-#include "mesh/threemf.h"
+#include "mesh/format/glb.h"
+#include "mesh/format/obj.h"
+#include "mesh/format/off.h"
+#include "mesh/format/ply.h"
+#include "mesh/format/stl.h"
+#include "mesh/format/text_scan.h"
+#include "mesh/format/threemf.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,9 @@ namespace {
 constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
     {".stl", MeshFormat::stl}, {".obj", MeshFormat::obj},     {".ply", MeshFormat::ply},
     {".off", MeshFormat::off}, {".3mf", MeshFormat::threemf}, {".glb", MeshFormat::glb}};
+
+// Bytes that a .glb takes while it is written, as measured.
+constexpr double kGlbTriangle = 160;
 
 }  // namespace
 
@@ -77,6 +81,9 @@ void encode_mesh(const MeshSource& mesh, MeshFormat format, const MeshFileOption
     case MeshFormat::glb: {
       const TriMesh* whole = mesh.in_memory();
       MRSIM_ASSERT(whole != nullptr);
+      require_memory(
+          kGlbTriangle * double(whole->triangles.size()), "writing a .glb",
+          "--max-memory allows more, .stl .ply .obj .off and .3mf are written in blocks");
       return write_glb(*whole, options, out);
     }
   }

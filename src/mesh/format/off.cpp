@@ -1,9 +1,9 @@
-#include "mesh/off.h"
+#include "mesh/format/off.h"
 
 #include "core/bytes.h"
-#include "mesh/item_writer.h"
-#include "mesh/mesh_builder.h"
-#include "mesh/text_scan.h"
+#include "mesh/format/item_writer.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/format/text_scan.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "mesh/origin_text.h"
+#include "mesh/format/origin_text.h"
 
-#include "mesh/text_scan.h"
+#include "mesh/format/text_scan.h"
 
 #include <algorithm>
 

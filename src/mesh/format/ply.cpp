@@ -1,11 +1,11 @@
-#include "mesh/ply.h"
+#include "mesh/format/ply.h"
 
 #include "core/bytes.h"
-#include "mesh/item_writer.h"
-#include "mesh/mesh_builder.h"
-#include "mesh/origin_text.h"
-#include "mesh/palette.h"
-#include "mesh/text_scan.h"
+#include "mesh/draw/palette.h"
+#include "mesh/format/item_writer.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/format/origin_text.h"
+#include "mesh/format/text_scan.h"
 
 #include <algorithm>
 #include <cmath>

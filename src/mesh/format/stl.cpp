@@ -1,10 +1,11 @@
-#include "mesh/stl.h"
+#include "mesh/format/stl.h"
 
 #include "core/bytes.h"
-#include "mesh/half_edges.h"
-#include "mesh/item_writer.h"
-#include "mesh/text_scan.h"
-#include "mesh/weld.h"
+#include "mesh/format/item_writer.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/format/text_scan.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 
 #include <cmath>
 
@@ -43,6 +44,11 @@ TriMesh finished(TriMesh&& mesh, Welder& welder, const std::string& name) {
                           name, claimed, size, room));
 }
 
+[[noreturn]] void fail_far(const std::string& name, std::size_t triangle, double x) {
+  throw Error("stl-too-far",
+              fmt::format("{}: triangle {} has {}", name, triangle, detail::too_far(x)));
+}
+
 TriMesh parse_binary(std::string_view bytes, const std::string& name) {
   const auto claimed = detail::load<std::uint32_t>(bytes.data() + 80);
   const std::uint64_t needed = kHeader + std::uint64_t(claimed) * kTriangle;
@@ -67,6 +73,7 @@ TriMesh parse_binary(std::string_view bytes, const std::string& name) {
                       fmt::format("{}: triangle {} has a coordinate that is not a number; "
                                   "repair or export the mesh again",
                                   name, i + 1));
+        if (std::fabs(x) > detail::kFarthest) fail_far(name, i + 1, x);
       }
     add_triangle(mesh, welder, corners);
   }
@@ -112,7 +119,10 @@ void parse_facet(TextScan& scan, const std::string& name, TriMesh& mesh, Welder&
   Corners corners;
   for (auto& corner : corners) {
     expect(scan, "vertex", name);
-    for (float& x : corner) x = coordinate(scan, name);
+    for (float& x : corner) {
+      x = coordinate(scan, name);
+      if (std::fabs(x) > detail::kFarthest) fail_far(name, mesh.triangles.size() + 1, x);
+    }
   }
   expect(scan, "endloop", name);
   expect(scan, "endfacet", name);

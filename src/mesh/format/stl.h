@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/text_io.h"
-#include "mesh/mesh_source.h"
+#include "mesh/solid/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <string>

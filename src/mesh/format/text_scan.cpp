@@ -1,4 +1,4 @@
-#include "mesh/text_scan.h"
+#include "mesh/format/text_scan.h"
 
 #include <charconv>
 #include <cmath>

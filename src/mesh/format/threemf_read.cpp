@@ -1,12 +1,13 @@
 #include "core/vec.h"
-#include "mesh/mesh_builder.h"
-#include "mesh/origin_text.h"
-#include "mesh/text_scan.h"
-#include "mesh/threemf.h"
-#include "mesh/xml_scan.h"
-#include "mesh/zip.h"
+#include "core/zip.h"
+#include "mesh/format/mesh_builder.h"
+#include "mesh/format/origin_text.h"
+#include "mesh/format/text_scan.h"
+#include "mesh/format/threemf.h"
+#include "mesh/format/xml_scan.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include <fmt/format.h>
@@ -17,7 +18,6 @@ namespace {
 using detail::XmlScan;
 
 constexpr std::size_t kMostBytes = std::size_t(1) << 30;
-constexpr std::size_t kMostWork = 75'000'000;  // vertices and triangles of 50 million triangles
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostPlacements = 100'000;
 
@@ -60,7 +60,9 @@ class ModelReader {
   void open_tag();
   void read_triangle();
   void read_metadata();
-  void place(std::int64_t id, const std::vector<Transform>& chain);
+  using Visitor = std::function<void(const Object&, const std::vector<Transform>& chain)>;
+  void for_each_object(const Visitor& visit);
+  void place(std::int64_t id, const std::vector<Transform>& chain, const Visitor& visit);
   void add_mesh(const Object& object, const std::vector<Transform>& chain);
 
   XmlScan xml_;
@@ -72,7 +74,7 @@ class ModelReader {
   std::vector<Placement> build_;
   std::string metadata_;
   double unit_ = 1;
-  std::size_t placements_ = 0, work_ = 0;
+  std::size_t placements_ = 0;
 };
 
 std::int64_t ModelReader::integer(const char* attribute) const {
@@ -163,9 +165,6 @@ void ModelReader::open_tag() {
 }
 
 void ModelReader::add_mesh(const Object& object, const std::vector<Transform>& chain) {
-  work_ += object.vertices.size() + object.triangles.size();
-  if (work_ > kMostWork)
-    builder_.fail("too-large", "its objects are repeated to more than 50 million triangles");
   const auto base = std::int64_t(builder_.vertex_count());
   const bool mirrored =
       std::count_if(chain.begin(), chain.end(), [](const Transform& t) { return t.mirrors(); }) %
@@ -188,16 +187,22 @@ void ModelReader::add_mesh(const Object& object, const std::vector<Transform>& c
   }
 }
 
-void ModelReader::place(std::int64_t id, const std::vector<Transform>& chain) {
+void ModelReader::for_each_object(const Visitor& visit) {
+  placements_ = 0;
+  for (const Placement& p : build_) place(p.object, {p.transform}, visit);
+}
+
+void ModelReader::place(std::int64_t id, const std::vector<Transform>& chain,
+                        const Visitor& visit) {
   const auto found = objects_.find(id);
   if (found == objects_.end()) builder_.fail("index", fmt::format("there is no object {}", id));
   if (chain.size() > kDeepest || ++placements_ > kMostPlacements)
     builder_.fail("too-large", "its components are nested or repeated too often");
-  add_mesh(found->second, chain);
+  visit(found->second, chain);
   for (const Placement& p : found->second.components) {
     std::vector<Transform> longer = chain;
     longer.push_back(p.transform);
-    place(p.object, longer);
+    place(p.object, longer, visit);
   }
 }
 
@@ -214,7 +219,15 @@ TriMesh ModelReader::read() {
     for (const auto& [id, object] : objects_)
       if (!used[id]) build_.push_back({id, {}});
   }
-  for (const Placement& p : build_) place(p.object, {p.transform});
+  // Counted before anything is added: components may repeat an object.
+  std::size_t vertices = 0, triangles = 0;
+  for_each_object([&](const Object& object, const std::vector<Transform>&) {
+    vertices += object.vertices.size();
+    triangles += object.triangles.size();
+  });
+  builder_.expect(vertices, triangles);
+  for_each_object(
+      [&](const Object& object, const std::vector<Transform>& chain) { add_mesh(object, chain); });
   builder_.mesh().origin = origin_.take();
   return builder_.take();
 }

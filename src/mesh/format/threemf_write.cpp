@@ -1,9 +1,9 @@
-#include "mesh/item_writer.h"
-#include "mesh/origin_text.h"
-#include "mesh/palette.h"
-#include "mesh/text_scan.h"
-#include "mesh/threemf.h"
-#include "mesh/zip.h"
+#include "core/zip.h"
+#include "mesh/draw/palette.h"
+#include "mesh/format/item_writer.h"
+#include "mesh/format/origin_text.h"
+#include "mesh/format/text_scan.h"
+#include "mesh/format/threemf.h"
 
 #include <map>
 #include <vector>

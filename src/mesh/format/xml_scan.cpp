@@ -1,7 +1,7 @@
-#include "mesh/xml_scan.h"
+#include "mesh/format/xml_scan.h"
 
 #include "core/error.h"
-#include "mesh/text_scan.h"
+#include "mesh/format/text_scan.h"
 
 #include <fmt/format.h>
 

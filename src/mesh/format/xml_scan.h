@@ -1,5 +1,5 @@
-// A scanner for XML without documents types: tags and their attributes, one after another. It keeps
-// no tree and does not recurse, so that a hostile file costs no more than its length.
+// A scanner for XML without DTDs: tags and their attributes, one after another. It builds no tree
+// and does not recurse, so a hostile file costs no more than its length.
 #pragma once
 
 #include <optional>

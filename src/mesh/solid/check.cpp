@@ -1,8 +1,8 @@
-#include "mesh/check.h"
+#include "mesh/solid/check.h"
 
 #include "core/error.h"
-#include "mesh/half_edges.h"
-#include "mesh/mesh_audit.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/mesh_audit.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-// What would make every other question undefined.
+// Faults that make the later checks meaningless.
 std::string invalid_content(const TriMesh& mesh) {
   if (mesh.triangles.empty()) return "the mesh has no triangles";
   if (mesh.triangles.size() > 1'400'000'000) return "the mesh has more than 1.4e9 triangles";

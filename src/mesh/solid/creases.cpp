@@ -1,8 +1,8 @@
-#include "mesh/creases.h"
+#include "mesh/solid/creases.h"
 
 #include "core/parallel.h"
 #include "core/trig.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <cmath>
 
@@ -63,8 +63,8 @@ double altitude(const TriMesh& mesh, std::size_t f, int& longest_side) {
   return longest > 0 ? length(area_normal(mesh, f)) / longest : 0;
 }
 
-// The direction of a sliver is made of the rounding of its corners: it takes that of its neighbour
-// beyond its longest side, else it would be shaded, and its sides drawn, as an edge of the part.
+// The normal of a sliver is rounding noise. It takes the normal of its neighbour across its longest
+// side; otherwise it would be shaded, and its sides drawn, as an edge of the part.
 void straighten_slivers(const TriMesh& mesh, SurfaceShape& shape) {
   Box3 box;
   for (const auto& t : mesh.triangles)
@@ -93,7 +93,7 @@ void straighten_slivers(const TriMesh& mesh, SurfaceShape& shape) {
   }
 }
 
-// A mean that leaves the face's own side would shade lies: then the face speaks for itself.
+// If the mean normal points away from the face, use the face's own normal.
 void set_normals(const std::vector<std::uint32_t>& members, const Vec3& sum, SurfaceShape& shape) {
   const Vec3 mean = normalized(sum);
   for (const std::uint32_t h : members) {

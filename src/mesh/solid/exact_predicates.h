@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "mesh/contour_lattice.h"
+#include "mesh/solid/vertex_lattice.h"
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include "core/parallel.h"
 

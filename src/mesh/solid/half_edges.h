@@ -1,5 +1,5 @@
-// Who is beside whom in a triangle mesh. Half edge h = 3 f + k runs from corner k of triangle f to
-// the corner after it.
+// Neighbours in a triangle mesh, by half edges. Half edge h = 3 f + k runs from corner k of
+// triangle f to the next corner.
 #pragma once
 
 #include "core/vec.h"
@@ -18,7 +18,7 @@ inline Vec3 to_vec(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
 inline Vec3 corner(const TriMesh& mesh, std::size_t face, int k) {
   return to_vec(mesh.vertices[mesh.triangles[face][k]]);
 }
-/// Twice the area long, out of the material.
+/// Outward normal; its length is twice the area.
 inline Vec3 area_normal(const TriMesh& mesh, std::size_t face) {
   const Vec3 a = corner(mesh, face, 0);
   return cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a);

@@ -1,4 +1,4 @@
-#include "mesh/mesh_audit.h"
+#include "mesh/solid/mesh_audit.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -36,8 +36,8 @@ std::uint32_t fan_size(const std::vector<std::uint32_t>& opposite, std::uint32_t
   return size;
 }
 
-// A vertex is a disc or a half disc when one turn meets all of its triangles. Edges with faults
-// have been told of already; at an open one the turn begins at the border.
+// The surface about a vertex is a disc (or half a disc, at an open edge) if one turn meets all of
+// its triangles. Faulty edges are reported already; at an open edge the turn begins at the border.
 bool is_single_fan(const VertexFans& fans, const std::vector<std::uint32_t>& opposite,
                    std::size_t v) {
   const std::uint32_t begin = fans.begin[v], end = fans.begin[v + 1];

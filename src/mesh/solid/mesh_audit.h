@@ -1,13 +1,13 @@
-// Whether a mesh is the boundary of a solid, and what its connected surfaces are, told from its
-// blocks as they come: memory is that of a block and of the triangles about open vertices.
+// Checks whether a mesh bounds a solid and finds its connected surfaces, block by block. Needs
+// memory for one block and for the triangles about open vertices only.
 //
-// An edge is judged when the first of its ends is done (no later block may borrow it), a vertex
-// when it is: all triangles about them are known then. Sums do not depend on the order in which
-// triangles are added, so the figures do not depend on the blocks.
+// An edge is judged when the first of its vertices is done (no later block may borrow it), a vertex
+// when it is done itself: all triangles about them are known then. The sums do not depend on the
+// order of the triangles, so the figures do not depend on the blocks.
 #pragma once
 
-#include "mesh/half_edges.h"
-#include "mesh/mesh_block.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/mesh_block.h"
 #include <mrsim/types.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mesh/mesh_block.h"
+#include "mesh/solid/mesh_block.h"
 
 #include "core/heap.h"
 

@@ -1,5 +1,5 @@
-// A mesh in runs: how the mesher hands it over, and how checks and files take it, so that none of
-// them needs the whole of it. A mesh in memory is one run.
+// A mesh in runs. The mesher hands it over in runs, checks and file writers take it in runs, and so
+// none of them needs the whole mesh. A mesh in memory is one run.
 #pragma once
 
 #include <mrsim/types.h>
@@ -45,11 +45,11 @@ class MeshSink {
  public:
   virtual ~MeshSink() = default;
   virtual void take(const MeshBlock& block) = 0;
-  /// About how much there will be in all, as far as can be told; before any block.
+  /// An estimate of the whole size; called before the first block.
   virtual void expect(std::size_t vertices, std::size_t triangles) {
     static_cast<void>(vertices), static_cast<void>(triangles);
   }
-  /// Forgets what it took: the blocks come anew.
+  /// Starts again: drops all blocks so far.
   virtual void restart() = 0;
 
  protected:

@@ -1,4 +1,4 @@
-#include "mesh/mesh_source.h"
+#include "mesh/solid/mesh_source.h"
 
 namespace mrsim {
 

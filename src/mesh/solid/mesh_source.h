@@ -1,7 +1,7 @@
-// A mesh that can be gone through more than once, block by block, wherever it lies.
+// A mesh that can be read several times, block by block, from memory or from disk.
 #pragma once
 
-#include "mesh/mesh_block.h"
+#include "mesh/solid/mesh_block.h"
 #include <mrsim/types.h>
 
 #include <cstddef>

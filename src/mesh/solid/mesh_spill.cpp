@@ -1,4 +1,4 @@
-#include "mesh/mesh_spill.h"
+#include "mesh/solid/mesh_spill.h"
 
 #include "core/error.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scratch_file.h"
-#include "mesh/mesh_source.h"
+#include "mesh/solid/mesh_source.h"
 
 #include <string>
 #include <vector>

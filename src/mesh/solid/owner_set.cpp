@@ -1,4 +1,4 @@
-#include "mesh/owner_set.h"
+#include "mesh/solid/owner_set.h"
 
 #include <bit>
 

@@ -1,8 +1,8 @@
-#include "mesh/pieces.h"
+#include "mesh/solid/pieces.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "mesh/half_edges.h"
+#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 // Detached pieces: parts of the mesh that no material joins.
 #pragma once
 
-#include "mesh/mesh_audit.h"
-#include "mesh/mesh_source.h"
+#include "mesh/solid/mesh_audit.h"
+#include "mesh/solid/mesh_source.h"
 #include <mrsim/types.h>
 
 #include <cstdint>

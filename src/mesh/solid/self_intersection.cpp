@@ -1,7 +1,7 @@
-#include "mesh/self_intersection.h"
+#include "mesh/solid/self_intersection.h"
 
 #include "core/parallel.h"
-#include "mesh/exact_predicates.h"
+#include "mesh/solid/exact_predicates.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Pairs of triangles that meet where they should not, by exact predicates.
+// Finds pairs of triangles that intersect, by exact predicates.
 #pragma once
 
 #include "core/vec.h"
@@ -14,7 +14,7 @@ namespace mrsim::detail {
 /// All pairs of triangles that touch or cross outside of the vertex or edge they share, ascending;
 /// where `chosen` is not empty, only pairs whose second triangle has a mark there (then, of two
 /// marked ones, the pair is ascending).
-/// Requires: coordinates as contour_lattice.h says, no degenerate triangle. O(n log n) on meshes
+/// Requires: coordinates as vertex_lattice.h says, no degenerate triangle. O(n log n) on meshes
 /// whose triangles are spread out.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,

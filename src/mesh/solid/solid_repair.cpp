@@ -1,9 +1,9 @@
-#include "mesh/solid_repair.h"
+#include "mesh/solid/solid_repair.h"
 
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/half_edges.h"
-#include "mesh/weld.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/half_edges.h"
+#include "mesh/solid/weld.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +143,14 @@ std::size_t turned(const TriMesh& before, const TriMesh& after) {
   return count;
 }
 
+void require_triangles(const TriMesh& mesh, const std::string& name) {
+  if (mesh.triangles.empty())
+    throw Error("mesh-flat",
+                name +
+                    ": no triangle has an area that the precision of its corners can hold; "
+                    "check the unit and export it again");
+}
+
 }  // namespace
 
 std::string make_solid(TriMesh& mesh, const std::string& name) {
@@ -159,6 +167,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
     step(mesh.triangles.size(), welded.triangles.size(), "triangle without area dropped",
          "triangles without area dropped");
     mesh = std::move(welded);
+    require_triangles(mesh, name);
   };
   mesh.owners.clear(), mesh.colors.clear();
   weld_all("vertex welded", "vertices welded");
@@ -168,6 +177,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
     const std::size_t count = mesh.triangles.size();
     drop_doubles(mesh);
     step(count, mesh.triangles.size(), "double triangle dropped", "double triangles dropped");
+    require_triangles(mesh, name);
   }
   if (!is_solid(mesh)) {
     TriMesh after = weld(oriented(mesh, name));

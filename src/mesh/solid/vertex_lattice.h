@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/lattice.h"
+#include "removal/field/lattice.h"
 #include <mrsim/types.h>
 
 #include <cmath>

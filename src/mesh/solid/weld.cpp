@@ -1,4 +1,4 @@
-#include "mesh/weld.h"
+#include "mesh/solid/weld.h"
 
 #include <bit>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "mesh/contour_levels.h"
+#include "mesh/surface/cell_levels.h"
 
 #include "core/error.h"
 #include "core/vec.h"
-#include "mesh/contour_lattice.h"
+#include "mesh/solid/vertex_lattice.h"
 
 #include <algorithm>
 #include <cmath>

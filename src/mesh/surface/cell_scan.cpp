@@ -1,4 +1,4 @@
-#include "mesh/contour_scan.h"
+#include "mesh/surface/cell_scan.h"
 
 #include "core/vec.h"
 

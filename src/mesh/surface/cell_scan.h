@@ -2,8 +2,8 @@
 // lattice in it that lie near the surface (docs/mesh.md, Cells).
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "removal/field/field.h"
 
 #include <span>
 

@@ -2,8 +2,8 @@
 // of the uniform grid.
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "removal/field/field.h"
 
 #include <cstdint>
 #include <span>
@@ -62,12 +62,12 @@ struct CellFace {
   bool has_all_edges() const { return low_complete || high_complete; }
 };
 
-class ContourCells {
+class SurfaceCells {
  public:
-  explicit ContourCells(const Lattice& lattice) : lattice_(lattice) {}
-  ContourCells(const ContourCells&) = delete;
-  ContourCells& operator=(const ContourCells&) = delete;
-  virtual ~ContourCells() = default;
+  explicit SurfaceCells(const Lattice& lattice) : lattice_(lattice) {}
+  SurfaceCells(const SurfaceCells&) = delete;
+  SurfaceCells& operator=(const SurfaceCells&) = delete;
+  virtual ~SurfaceCells() = default;
 
   const Lattice& lattice() const { return lattice_; }
 

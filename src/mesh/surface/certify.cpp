@@ -1,6 +1,6 @@
-#include "mesh/contour_certify.h"
+#include "mesh/surface/certify.h"
 
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/vertex.h"
 
 #include <algorithm>
 #include <array>
@@ -116,7 +116,7 @@ double sampled_bound(const ExactField& field, const FieldSample& face, const Vec
 // face `across` that decides d there meets the one that runs along the triangle, as seen `depth` mm
 // beneath it; with the sign of the latter. Infinite where nothing there does, or where a wall
 // tapers off.
-double crease_distance(const ExactField& field, const ContourOctree& tree, const Vec3& p,
+double crease_distance(const ExactField& field, const CellOctree& tree, const Vec3& p,
                        const FieldSample& across, const Vec3& normal, double depth) {
   const Vec3 out = field.gradient(p, across);
   if (!(dot(normal, out) > kTaper * length(normal))) return kUnknown;
@@ -128,7 +128,7 @@ double crease_distance(const ExactField& field, const ContourOctree& tree, const
 
 }  // namespace
 
-double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+double largest_distance(const ExactField& field, const CellOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
@@ -170,7 +170,7 @@ TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, c
   return {sampled_bound(field, face, a, b, c, limit), false};
 }
 
-double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3& a, const Vec3& b,
+double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit) {
   // In groups that rise in cost and in what they show: the middles, the inner nodes, the quarters.
   static constexpr int kOrder[12][2] = {{2, 0}, {0, 2}, {2, 2}, {1, 1}, {2, 1}, {1, 2},
@@ -214,7 +214,7 @@ double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3
   return most + nodes.remainder();
 }
 
-double excess_over(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+double excess_over(const ExactField& field, const CellOctree& tree, const FieldSample& face,
                    const Vec3& a, const Vec3& b, const Vec3& c, double limit) {
   struct Orbit {
     double weight, corner, others;

@@ -1,7 +1,7 @@
 // How far a triangle is from the exact part, from above (docs/mesh.md, Tolerance).
 #pragma once
 
-#include "mesh/contour_octree.h"
+#include "mesh/surface/octree.h"
 
 namespace mrsim::detail {
 
@@ -19,7 +19,7 @@ TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, c
 /// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
 /// once it is above `limit`. Finds triangles that leave the face they are measured by. `cell`: any
 /// one, from which those of the nodes are looked for, faster where it is near; then the last one.
-double largest_distance(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+double largest_distance(const ExactField& field, const CellOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell);
 
@@ -32,13 +32,13 @@ double crease_bound(const ExactField& field, const FieldSample& f, const FieldSa
 /// several faces that join nearly smoothly. A side may run along a crease in which these end,
 /// unless it is sharper than 60 degrees, and is measured from the crease. Infinite in all other
 /// cases: a wall may taper off there. Requires: its corners lie on the surface.
-double part_bound(const ExactField& field, const ContourOctree& tree, const Vec3& a, const Vec3& b,
+double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit);
 
 /// Volume in mm^3 between the triangle and the part's surface, positive where the triangle lies in
 /// the air: the integral of d over it, exact where d is a polynomial of degree 4 on the triangle
 /// [Dunavant 1985]. d is that of `face` where it is below `limit`.
-double excess_over(const ExactField& field, const ContourOctree& tree, const FieldSample& face,
+double excess_over(const ExactField& field, const CellOctree& tree, const FieldSample& face,
                    const Vec3& a, const Vec3& b, const Vec3& c, double limit);
 
 }  // namespace mrsim::detail

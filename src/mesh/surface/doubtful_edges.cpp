@@ -1,7 +1,7 @@
-#include "mesh/contour_doubtful.h"
+#include "mesh/surface/doubtful_edges.h"
 
 #include "core/vec.h"
-#include "mesh/contour_cells.h"
+#include "mesh/surface/cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ class DoubtfulSearch {
     static thread_local Candidates names;
     const double room = 0.5 * length(box.hi - box.lo) + kSurfaceBand;
     const bool near_stock = std::abs(field_.sample(0.5 * (box.lo + box.hi), {}).distance) <= room;
-    return !alike_ && field_.by_name(box, kSurfaceBand, candidates, names) &&
+    return !alike_ && field_.expand_packs(box, kSurfaceBand, candidates, names) &&
            names.size() + near_stock <= 1;
   }
 

@@ -2,8 +2,8 @@
 // features).
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "removal/field/field.h"
 
 #include <array>
 #include <span>

@@ -1,4 +1,4 @@
-#include "mesh/flat_squares.h"
+#include "mesh/surface/flat_squares.h"
 
 #include <bit>
 

@@ -1,10 +1,10 @@
-#include "mesh/contour_memory.h"
+#include "mesh/surface/mesh_memory.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/contour_octree.h"
-#include "mesh/contour_scan.h"
-#include "mesh/contour_search.h"
+#include "mesh/surface/cell_scan.h"
+#include "mesh/surface/octree.h"
+#include "mesh/surface/surface_search.h"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ double sagitta(const CellSurface& surface, double size) {
   return turn * size / 4;
 }
 
-double expected_of(const ExactField& field, const ContourOctree& tree, std::int32_t cell,
+double expected_of(const ExactField& field, const CellOctree& tree, std::int32_t cell,
                    double tolerance) {
   const OctreeNode& node = tree.node(cell);
   double corners[8];
@@ -57,7 +57,7 @@ double expected_of(const ExactField& field, const ContourOctree& tree, std::int3
 
 }  // namespace
 
-double expected_memory(const ExactField& field, const ContourOctree& tree, double tolerance,
+double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
                        int threads) {
   std::vector<std::int32_t> cells;
   std::size_t candidates = 0;

@@ -2,20 +2,20 @@
 // (docs/removal.md, Memory).
 #pragma once
 
-#include "removal/field.h"
+#include "removal/field/field.h"
 
 #include <cstddef>
 
 namespace mrsim::detail {
 
-class ContourOctree;
+class CellOctree;
 
 /// Bytes that a node of the octree takes.
 inline constexpr double kNodeMemory = 320;
 
 /// Bytes at the mesher's peak, an estimate: within a factor of 1.5 where it was measured. Looks at
 /// some thousands of the cells. Requires: a tree as it was made, before any split().
-double expected_memory(const ExactField& field, const ContourOctree& tree, double tolerance,
+double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
                        int threads);
 
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.

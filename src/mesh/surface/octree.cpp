@@ -1,10 +1,10 @@
-#include "mesh/contour_octree.h"
+#include "mesh/surface/octree.h"
 
 #include "core/parallel.h"
-#include "mesh/contour_doubtful.h"
-#include "mesh/contour_edge_walk.h"
-#include "mesh/contour_memory.h"
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/doubtful_edges.h"
+#include "mesh/surface/mesh_memory.h"
+#include "mesh/surface/octree_edges.h"
+#include "mesh/surface/vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,9 @@ constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 
 }  // namespace
 
-ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance,
-                             int threads, std::size_t max_memory)
-    : ContourCells(lattice),
+CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, double tolerance,
+                       int threads, std::size_t max_memory)
+    : SurfaceCells(lattice),
       field_(field),
       tolerance_(tolerance),
       threads_(threads),
@@ -36,9 +36,8 @@ ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice, do
   refine({0});
 }
 
-ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice,
-                             const OctreePart& part)
-    : ContourCells(lattice), field_(field), part_(part), tolerance_(0), threads_(1) {
+CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part)
+    : SurfaceCells(lattice), field_(field), part_(part), tolerance_(0), threads_(1) {
   OctreeNode root;
   root.origin = part.origin;
   root.size = part.size;
@@ -47,17 +46,17 @@ ContourOctree::ContourOctree(const ExactField& field, const Lattice& lattice,
   refine({0});
 }
 
-std::span<const std::uint32_t> ContourOctree::candidates(std::int32_t n) const {
+std::span<const std::uint32_t> CellOctree::candidates(std::int32_t n) const {
   return lists_[static_cast<std::size_t>(n)];
 }
 
-Box3 ContourOctree::box(std::int32_t n) const {
+Box3 CellOctree::box(std::int32_t n) const {
   const OctreeNode& a = node(n);
   return {lattice().position(a.origin),
           lattice().position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
 }
 
-std::int32_t ContourOctree::locate(const Vec3& p, std::int32_t near) const {
+std::int32_t CellOctree::locate(const Vec3& p, std::int32_t near) const {
   const LatticePoint at = lattice().floor(p);
   const auto holds = [&](const OctreeNode& a) {
     return at.x >= a.origin.x && at.y >= a.origin.y && at.z >= a.origin.z &&
@@ -74,7 +73,7 @@ std::int32_t ContourOctree::locate(const Vec3& p, std::int32_t near) const {
   return n;
 }
 
-void ContourOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out) {
+void CellOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out) {
   const OctreeNode parent = node(n);
   nodes_[static_cast<std::size_t>(n)].child = static_cast<std::int32_t>(nodes_.size());
   const std::int32_t half = parent.size / 2;
@@ -90,7 +89,7 @@ void ContourOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out)
   }
 }
 
-std::size_t ContourOctree::split(std::vector<std::int32_t> leaves) {
+std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
   std::sort(leaves.begin(), leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   std::vector<std::int32_t> pending;
@@ -104,7 +103,7 @@ std::size_t ContourOctree::split(std::vector<std::int32_t> leaves) {
   return count;
 }
 
-void ContourOctree::refine(std::vector<std::int32_t> pending) {
+void CellOctree::refine(std::vector<std::int32_t> pending) {
   new_leaves_.clear();
   while (!pending.empty()) {
     require_memory(kNodeMemory * static_cast<double>(size()), max_memory_, tolerance_);
@@ -125,7 +124,7 @@ void ContourOctree::refine(std::vector<std::int32_t> pending) {
   }
 }
 
-void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
+void CellOctree::find_regions(const std::vector<std::int32_t>& pending) {
   parallel_for(
       pending.size(), threads_,
       [&](std::size_t k) {
@@ -144,7 +143,7 @@ void ContourOctree::find_regions(const std::vector<std::int32_t>& pending) {
       Candidates().swap(lists_[static_cast<std::size_t>(parent)]);
 }
 
-void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
+void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::size_t first = samples_.size();
   std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
   const std::int32_t largest = kLargestCell * lattice().per_voxel();
@@ -180,7 +179,7 @@ void ContourOctree::sample_corners(const std::vector<std::int32_t>& pending) {
 // A cell above a voxel stays whole only where it is known not to hide anything: all that can decide
 // d in it shows itself at its corners, its centre or on its edges, or what does not is shallow at
 // every point of the voxel lattice.
-bool ContourOctree::must_split(std::int32_t n) {
+bool CellOctree::must_split(std::int32_t n) {
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
   const bool above_voxel = a.size > lattice().per_voxel();
   if (!(tolerance_ > 0) || a.corners[0] < 0) return above_voxel;
@@ -214,8 +213,8 @@ bool ContourOctree::must_split(std::int32_t n) {
 }
 
 // What decides d at the corners, at the centre and on the edges, as candidates by name.
-ContourOctree::Sight ContourOctree::look_at(std::int32_t n, const Box3& b,
-                                            const CellSurface& surface, Candidates& seen) {
+CellOctree::Sight CellOctree::look_at(std::int32_t n, const Box3& b, const CellSurface& surface,
+                                      Candidates& seen) {
   static thread_local Candidates names;
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
   const Vec3 center = 0.5 * (b.lo + b.hi);
@@ -238,17 +237,17 @@ ContourOctree::Sight ContourOctree::look_at(std::int32_t n, const Box3& b,
   for (const CellSurface::Point& p : surface.all()) add(p.at);
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  const bool known = field_.by_name(inflated(b, kQuantum), kSurfaceBand, candidates(n), names);
+  const bool known = field_.expand_packs(inflated(b, kQuantum), kSurfaceBand, candidates(n), names);
   sight.owners_seen = known && std::includes(seen.begin(), seen.end(), names.begin(), names.end());
   sight.is_alone = sight.owners_seen && names.size() + near_stock <= 1;
   return sight;
 }
 
-bool ContourOctree::is_complete(std::int32_t cell) const {
+bool CellOctree::is_complete(std::int32_t cell) const {
   return is_whole() || in_range(node(cell).origin, part_.complete);
 }
 
-bool ContourOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {
+bool CellOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {
   for (int a = 0; a < 3; ++a) {
     const std::int32_t i = component(p, a) - component(part_.origin, a);
     if (i < range[0] || i >= range[1]) return false;
@@ -256,7 +255,7 @@ bool ContourOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[
   return true;
 }
 
-std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
+std::vector<MinimalEdge> CellOctree::crossing_edges() const {
   std::vector<MinimalEdge> out;
   EdgeWalk(*this, nullptr, nullptr, out).cell(0);
   if (is_whole()) return out;
@@ -267,7 +266,7 @@ std::vector<MinimalEdge> ContourOctree::crossing_edges() const {
   return out;
 }
 
-std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) const {
+std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) const {
   FlatMap ids(3 * edges.size());  // by the smaller of the two cells and its side
   std::vector<CellFace> out;
   for (std::size_t k = 0; k < edges.size(); ++k)
@@ -296,16 +295,16 @@ std::vector<CellFace> ContourOctree::faces(std::span<const MinimalEdge> edges) c
   return out;
 }
 
-std::pair<double, double> ContourOctree::offsets(const MinimalEdge& e) const {
+std::pair<double, double> CellOctree::offsets(const MinimalEdge& e) const {
   return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
 }
 
-EdgeEnds ContourOctree::ends(const MinimalEdge& e) const {
+EdgeEnds CellOctree::ends(const MinimalEdge& e) const {
   return {lattice().position(e.start),
           lattice().coordinate(e.axis, component(e.start, e.axis) + e.length)};
 }
 
-std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
+std::vector<MinimalEdge> CellOctree::doubtful_edges() const {
   std::vector<MinimalEdge> out;
   EdgeWalk walk(*this, nullptr, nullptr, out);
   walk.doubtful();
@@ -315,7 +314,7 @@ std::vector<MinimalEdge> ContourOctree::doubtful_edges() const {
 }
 
 // In cells above a voxel in which more than one owner can decide d.
-void ContourOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
+void CellOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
   const std::int32_t voxel = lattice().per_voxel();
   std::vector<std::int32_t> large;
   for (std::size_t n = 0; n < size(); ++n)
@@ -341,8 +340,8 @@ void ContourOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
     }
 }
 
-std::vector<MinimalEdge> ContourOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
-                                                            std::vector<char>& nearby) const {
+std::vector<MinimalEdge> CellOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
+                                                         std::vector<char>& nearby) const {
   std::vector<char> marked(size(), 0);
   const auto mark = [&](std::int32_t n) {
     for (; n >= 0 && !marked[static_cast<std::size_t>(n)]; n = node(n).parent)

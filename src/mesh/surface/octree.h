@@ -2,10 +2,10 @@
 // them and the exact samples at their corners (docs/mesh.md, Cells).
 #pragma once
 
-#include "mesh/contour_cells.h"
-#include "mesh/contour_scan.h"
-#include "mesh/flat_map.h"
-#include "removal/field.h"
+#include "mesh/surface/cell_scan.h"
+#include "mesh/surface/cells.h"
+#include "mesh/surface/flat_map.h"
+#include "removal/field/field.h"
 
 #include <cstdint>
 #include <span>
@@ -26,7 +26,7 @@ struct OctreeNode {
 };
 
 /// A cube of the grid that is worked on by itself: a tile of the uniform mesher whose cells must be
-/// split (contour_tile.h). `complete` is where is_complete() holds, `owned` where edges start.
+/// split (tile.h). `complete` is where is_complete() holds, `owned` where edges start.
 struct OctreePart {
   LatticePoint origin;    ///< of the root, fine units
   std::int32_t size = 0;  ///< of the root, fine units
@@ -34,15 +34,15 @@ struct OctreePart {
   std::int32_t complete[2] = {}, owned[2] = {};  ///< ranges from the origin, fine units
 };
 
-class ContourOctree final : public ContourCells {
+class CellOctree final : public SurfaceCells {
  public:
   /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
   /// cells that the surface may pass are voxels. Throws Error "memory", when it is split as well,
   /// once its nodes take more than `max_memory` bytes; 0 = any amount.
-  ContourOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads,
-                std::size_t max_memory = 0);
+  CellOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads,
+             std::size_t max_memory = 0);
   /// One part of it, without a tolerance.
-  ContourOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
+  CellOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
 
   const OctreeNode& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
   std::size_t size() const override { return nodes_.size(); }
@@ -79,7 +79,7 @@ class ContourOctree final : public ContourCells {
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
   /// enough to the surface for it to pass twice between them; in cells above a voxel, those of
-  /// doubtful_inside() (contour_doubtful.h).
+  /// doubtful_inside() (doubtful_edges.h).
   std::vector<MinimalEdge> doubtful_edges() const;
   /// Leaves made by the last split.
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }

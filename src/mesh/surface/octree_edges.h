@@ -1,7 +1,7 @@
-// The edges of an octree that no smaller cell divides. Private to contour_octree.cpp.
+// The edges of an octree that no smaller cell divides. Private to octree.cpp.
 #pragma once
 
-#include "mesh/contour_octree.h"
+#include "mesh/surface/octree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ class EdgeWalk {
  public:
   /// `marked` (null: everything): only edges about nodes with a mark; `ring` (null: none): set for
   /// all leaves about such an edge, crossed or not.
-  EdgeWalk(const ContourOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
+  EdgeWalk(const CellOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
            std::vector<MinimalEdge>& out)
       : tree_(tree), marked_(marked), ring_(ring), out_(out) {}
 
@@ -128,7 +128,7 @@ class EdgeWalk {
     out_.push_back(e);
   }
 
-  const ContourOctree& tree_;
+  const CellOctree& tree_;
   const std::vector<char>* marked_;
   std::vector<char>* ring_;
   std::vector<MinimalEdge>& out_;

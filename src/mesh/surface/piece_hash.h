@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/vec.h"
-#include "mesh/contour_lattice.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "removal/field/field.h"
 
 #include <cstdint>
 
@@ -16,7 +16,7 @@ class PlaceHash {
     h_ = (h_ ^ x) * 0xff51afd7ed558ccdu;
     h_ ^= h_ >> 32;
   }
-  /// Requires: coordinates as contour_lattice.h says.
+  /// Requires: coordinates as vertex_lattice.h says.
   void add(const Vec3& p) {
     for (int a = 0; a < 3; ++a)
       add(static_cast<std::uint64_t>(static_cast<std::int64_t>(mrsim::component(p, a) / kQuantum)));

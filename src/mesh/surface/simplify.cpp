@@ -1,8 +1,8 @@
-#include "mesh/contour_simplify.h"
+#include "mesh/surface/simplify.h"
 
 #include "core/parallel.h"
-#include "mesh/contour_certify.h"
-#include "mesh/exact_predicates.h"
+#include "mesh/solid/exact_predicates.h"
+#include "mesh/surface/certify.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ struct Simplified {
 
 class Simplifier {
  public:
-  Simplifier(const ExactField& field, const ContourOctree& tree, const SimplifyLimits& limits,
+  Simplifier(const ExactField& field, const CellOctree& tree, const SimplifyLimits& limits,
              Simplified& shared)
       : field_(field), tree_(tree), limits_(limits), shared_(shared), mesh_(shared.mesh) {}
 
@@ -223,7 +223,7 @@ class Simplifier {
   }
 
   const ExactField& field_;
-  const ContourOctree& tree_;
+  const CellOctree& tree_;
   SimplifyLimits limits_;
   Simplified& shared_;
   LabelledMesh& mesh_;
@@ -272,7 +272,7 @@ std::vector<std::vector<std::uint32_t>> slices(const std::vector<Vec3>& vertices
 
 }  // namespace
 
-LabelledMesh simplify(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
+LabelledMesh simplify(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
                       const SimplifyLimits& limits, const std::vector<char>& locked, int threads) {
   Simplified shared(mesh, locked);
   Box3 box;

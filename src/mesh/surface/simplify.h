@@ -3,8 +3,8 @@
 // one (docs/mesh.md, Simplification).
 #pragma once
 
-#include "mesh/contour_octree.h"
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/octree.h"
+#include "mesh/surface/vertex.h"
 
 #include <array>
 #include <vector>
@@ -26,7 +26,7 @@ struct SimplifyLimits {
 /// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;
 /// it may intersect itself where walls are thinner than the tolerance (the caller checks). Blocks
 /// of the mesh first, on `threads` threads, then what lies between them: the same for any number.
-LabelledMesh simplify(const ExactField& field, const ContourOctree& tree, const LabelledMesh& mesh,
+LabelledMesh simplify(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
                       const SimplifyLimits& limits, const std::vector<char>& locked, int threads);
 
 }  // namespace mrsim::detail

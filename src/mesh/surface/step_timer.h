@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/error.h"
-#include "mesh/contour.h"
+#include "mesh/surface/mesh_report.h"
 
 #include <chrono>
 #include <utility>
@@ -10,9 +10,9 @@
 namespace mrsim::detail {
 
 /// How many rounds there will be is not known: the share done approaches 1.
-class ContourTimer {
+class StepTimer {
  public:
-  ContourTimer(ContourReport& report, Progress progress)
+  StepTimer(MeshReport& report, Progress progress)
       : report_(report), progress_(std::move(progress)), start_(Clock::now()) {}
   /// Ends a step. Throws Error "cancelled" when the caller wants no more.
   void step(const char* name) {
@@ -32,7 +32,7 @@ class ContourTimer {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr double kStepShare = 0.15;
-  ContourReport& report_;
+  MeshReport& report_;
   Progress progress_;
   double done_ = 0;
   Clock::time_point start_;

@@ -2,13 +2,12 @@
 // inside its face, a crossing strictly inside its edge: cones from the loops' vertices over their
 // segments can not meet, and where face and edge vertices are left out, orientation tests see to it
 // that each polygon stays in the envelope of its edge [Ju and Udeshi 2006].
-#include "mesh/contour_surface.h"
+#include "mesh/surface/surface.h"
 
-#include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/contour_groups.h"
-#include "mesh/contour_hash.h"
-#include "mesh/exact_predicates.h"
+#include "mesh/solid/exact_predicates.h"
+#include "mesh/surface/piece_hash.h"
+#include "mesh/surface/sample_groups.h"
 
 #include <algorithm>
 
@@ -39,7 +38,7 @@ void add(PlaceHash& hash, const Crossing& c) {
 
 }  // namespace
 
-const BaseMesh& ContourSurface::make_triangles() {
+const BaseMesh& DualSurface::make_triangles() {
   mesh_.vertices.clear();
   mesh_.triangles.clear();
   mesh_.crossings.clear();
@@ -57,7 +56,7 @@ const BaseMesh& ContourSurface::make_triangles() {
 
 // Segments between faces of the part that meet in a crease, and where it passes the faces of the
 // cells.
-void ContourSurface::find_creases() {
+void DualSurface::find_creases() {
   creases_.clear();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     Segment& s = segments_[k];
@@ -83,7 +82,7 @@ void ContourSurface::find_creases() {
     if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
 }
 
-bool ContourSurface::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
+bool DualSurface::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
   if (same_face(a.at, b.at)) return false;
   const std::int32_t cell = face_cell(face);
   const double size = kDiagonal * cells_.lattice().fine() * cells_.size_of(cell);
@@ -92,7 +91,7 @@ bool ContourSurface::is_crease(const CellFace& face, const Crossing& a, const Cr
          !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
 }
 
-void ContourSurface::place_crease(Crease& crease) const {
+void DualSurface::place_crease(Crease& crease) const {
   const Segment& s = at(segments_, crease.segment);
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
@@ -104,7 +103,7 @@ void ContourSurface::place_crease(Crease& crease) const {
     crease.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
 }
 
-void ContourSurface::place_loops() {
+void DualSurface::place_loops() {
   std::vector<std::uint64_t> keys(options_.remember ? loops_.size() : 0);
   std::vector<std::int32_t> fresh;
   fresh.reserve(loops_.size());
@@ -134,7 +133,7 @@ void ContourSurface::place_loops() {
 }
 
 // Cells and their candidates stay as long as the tree: the rest is told by the crossings.
-std::uint64_t ContourSurface::key_of(const Segment& s) const {
+std::uint64_t DualSurface::key_of(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const std::int32_t cell = face_cell(face);
   PlaceHash hash(static_cast<std::uint64_t>(cell) * 8 +
@@ -143,7 +142,7 @@ std::uint64_t ContourSurface::key_of(const Segment& s) const {
   return hash.value();
 }
 
-std::uint64_t ContourSurface::key_of(const Loop& loop) const {
+std::uint64_t DualSurface::key_of(const Loop& loop) const {
   PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
   for (const std::int32_t k : crossings_of(loop)) add(hash, at(crossings_, k));
   for (const std::int32_t k : segments_of(loop)) {
@@ -156,20 +155,20 @@ std::uint64_t ContourSurface::key_of(const Loop& loop) const {
 }
 
 // Neighbouring crossings lie on one face of the part or on faces that join smoothly.
-bool ContourSurface::is_smooth(const Loop& loop) const {
+bool DualSurface::is_smooth(const Loop& loop) const {
   for (const std::int32_t k : segments_of(loop))
     if (at(segments_, k).crease >= 0) return false;
   return true;
 }
 
-Vec3 ContourSurface::mean_crossing(const Loop& loop) const {
+Vec3 DualSurface::mean_crossing(const Loop& loop) const {
   Vec3 sum;
   for (const std::int32_t k : crossings_of(loop)) sum += at(crossings_, k).position;
   return (1.0 / static_cast<double>(loop.crossings)) * sum;
 }
 
 // Loops of cells with the same candidates.
-void ContourSurface::place_loops_of(std::span<const std::int32_t> loops) {
+void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
   struct Memory {
     std::vector<SmoothSearch> searches;
     std::vector<std::int32_t> searched;
@@ -196,7 +195,7 @@ void ContourSurface::place_loops_of(std::span<const std::int32_t> loops) {
   for (const std::int32_t k : loops) finish_loop(k);
 }
 
-void ContourSurface::finish_loop(std::int32_t id) {
+void DualSurface::finish_loop(std::int32_t id) {
   Loop& loop = loops_[static_cast<std::size_t>(id)];
   const Box3 box = cells_.box(loop.cell);
   if (loop.point.count == 0 || options_.sharpen) {
@@ -224,18 +223,20 @@ void ContourSurface::finish_loop(std::int32_t id) {
       loop.point = point_towards_middle(p, box, ends);
     }
   }
-  if (loop.point.count == 0) throw Error("mesh-unresolved", "no vertex in a cell of the mesh");
+  // Any point in the cell keeps pieces apart; how far it is from the part is measured later.
+  if (loop.point.count == 0)
+    loop.point = {mean_crossing(loop), {at(crossings_, crossings_of(loop)[0]).at}, 1};
   loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
 }
 
-void ContourSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
+void DualSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
   out.push_back(c.low_end());
   out.push_back(c.high_end());
 }
 
 // A segment needs no vertex of its own where the line between the vertices on both sides passes
 // through the face, and no crease is cut short.
-bool ContourSurface::may_be_implicit(const Segment& s) const {
+bool DualSurface::may_be_implicit(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   if (face.count != 2 || loops_in_cell_[static_cast<std::size_t>(face.low)] > 1 ||
       loops_in_cell_[static_cast<std::size_t>(face.high)] > 1)
@@ -260,7 +261,7 @@ bool ContourSurface::may_be_implicit(const Segment& s) const {
   return true;
 }
 
-void ContourSurface::choose_explicit() {
+void DualSurface::choose_explicit() {
   std::vector<std::uint8_t> chosen(segments_.size());
   parallel_for(
       segments_.size(), options_.threads,
@@ -288,7 +289,7 @@ void ContourSurface::choose_explicit() {
       16);
 }
 
-Vec3 ContourSurface::explicit_vertex(const Segment& s) const {
+Vec3 DualSurface::explicit_vertex(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
@@ -302,14 +303,14 @@ Vec3 ContourSurface::explicit_vertex(const Segment& s) const {
     if (point.count == 0) point = point_towards_middle(p, box, ends);
   }
   if (face.count == 4) point = point_between(face, box, a, b);
-  if (point.count == 0) throw Error("mesh-unresolved", "no vertex in a face of the mesh");
+  if (point.count == 0) point.position = 0.5 * (a.position + b.position);
   return snap_inside(point.position, box, face.axis);
 }
 
 // In a face with two segments: between the corner that the segment cuts off and the face's centre,
 // so that the two stay apart.
-SurfacePoint ContourSurface::point_between(const CellFace& face, const Box3& box, const Crossing& a,
-                                           const Crossing& b) const {
+SurfacePoint DualSurface::point_between(const CellFace& face, const Box3& box, const Crossing& a,
+                                        const Crossing& b) const {
   const Probe p = probe(face_cell(face));
   Vec3 corner = box.lo;
   for (const Crossing* c : {&a, &b}) {
@@ -326,15 +327,15 @@ SurfacePoint ContourSurface::point_between(const CellFace& face, const Box3& box
   return result;
 }
 
-void ContourSurface::add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b,
-                                  std::uint32_t c) {
+void DualSurface::add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b,
+                               std::uint32_t c) {
   mesh_.triangles.push_back({a, b, c});
   mesh_.crossings.push_back(crossing);
 }
 
 // Two triangles (or one) without a vertex on the edge itself, if both separate the edge's ends.
-bool ContourSurface::add_flat_polygon(const Crossing& c, std::span<const std::uint32_t> ring,
-                                      std::int32_t id) {
+bool DualSurface::add_flat_polygon(const Crossing& c, std::span<const std::uint32_t> ring,
+                                   std::int32_t id) {
   Vec3 from = c.low_end(), to = c.high_end();
   if (!c.edge.low_inside) std::swap(from, to);
   const auto separates = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -362,7 +363,7 @@ bool ContourSurface::add_flat_polygon(const Crossing& c, std::span<const std::ui
   return true;
 }
 
-void ContourSurface::add_polygon(std::int32_t id) {
+void DualSurface::add_polygon(std::int32_t id) {
   const Crossing& c = at(crossings_, id);
   const bool up = c.edge.low_inside;
   std::uint32_t vertices[8];  // of four cells and the faces between them

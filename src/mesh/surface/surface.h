@@ -2,10 +2,10 @@
 // and from them triangles that can not intersect (docs/mesh.md, Surface).
 #pragma once
 
-#include "mesh/contour_octree.h"
-#include "mesh/contour_tile.h"
-#include "mesh/contour_vertex.h"
-#include "mesh/flat_map.h"
+#include "mesh/surface/flat_map.h"
+#include "mesh/surface/octree.h"
+#include "mesh/surface/tile.h"
+#include "mesh/surface/vertex.h"
 
 #include <array>
 #include <vector>
@@ -80,7 +80,7 @@ struct CrossedGrid {
 
 /// Splits cells about faces on whose sides the crossings can not be joined in one way: more than
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
-CrossedGrid split_badly_crossed(ContourOctree& tree);
+CrossedGrid split_badly_crossed(CellOctree& tree);
 
 /// Points of former rounds, by a hash of all that they are computed from.
 class PlacedPoints {
@@ -102,7 +102,7 @@ class PlacedPoints {
   std::vector<Place> places_;
 };
 
-class ContourSurface {
+class DualSurface {
  public:
   struct Options {
     double shallow = 0;     ///< mm: creases that may be cut off by that much are
@@ -110,14 +110,14 @@ class ContourSurface {
     bool remember = false;  ///< keep crossings and vertices for the next round
     int threads = 0;
   };
-  ContourSurface(const ExactField& field, const ContourCells& cells, const Options& options)
+  DualSurface(const ExactField& field, const SurfaceCells& cells, const Options& options)
       : field_(field), cells_(cells), options_(options) {}
 
   /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
   void find_loops(CrossedGrid grid);
   /// The same of a tile, where segments between crossings of one face of the part, which need no
   /// vertex, are left out.
-  void find_loops(const ContourTile& tile);
+  void find_loops(const CellTile& tile);
   /// Cells that hold more than one loop.
   const std::vector<std::int32_t>& crowded() const { return crowded_; }
   /// Places vertices and makes triangles.
@@ -129,7 +129,7 @@ class ContourSurface {
 
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet.
   /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
-  void sharpen(const ContourOctree& tree);
+  void sharpen(const CellOctree& tree);
 
   const BaseMesh& mesh() const { return mesh_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
@@ -153,14 +153,14 @@ class ContourSurface {
   void join_loops();
   void list_crossings();
   void list_segments();
-  void add_square(const ContourTile& tile, const TileSquare& square);
-  std::vector<std::uint64_t> add_plain_loops(const ContourTile& tile);
-  void add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
+  void add_square(const CellTile& tile, const TileSquare& square);
+  std::vector<std::uint64_t> add_plain_loops(const CellTile& tile);
+  void add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
                 std::uint32_t edges);
   template <int kAxis>
-  void add_segments(const ContourTile& tile, const std::vector<std::uint64_t>& crowded);
+  void add_segments(const CellTile& tile, const std::vector<std::uint64_t>& crowded);
   void add_segment_if(CellFace& face, bool is_needed);
-  void add_crowded_loops(const ContourTile& tile, std::int32_t x, std::int32_t y, std::int32_t z);
+  void add_crowded_loops(const CellTile& tile, std::int32_t x, std::int32_t y, std::int32_t z);
   void add_segment(std::int32_t face, int from, int to);
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
@@ -195,7 +195,7 @@ class ContourSurface {
   void add_triangle(std::int32_t crossing, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   const ExactField& field_;
-  const ContourCells& cells_;
+  const SurfaceCells& cells_;
   Options options_;
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;

@@ -1,8 +1,8 @@
 // From signs at the corners of cells to closed loops about them.
 #include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/contour_groups.h"
-#include "mesh/contour_surface.h"
+#include "mesh/surface/sample_groups.h"
+#include "mesh/surface/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
   return component(a.start, across) == component(b.start, across);
 }
 
-std::int32_t smaller_cell(const ContourCells& cells, const CellFace& face) {
+std::int32_t smaller_cell(const SurfaceCells& cells, const CellFace& face) {
   return cells.size_of(face.high) < cells.size_of(face.low) ? face.high : face.low;
 }
 
@@ -60,7 +60,7 @@ enum class Joining { none, two, four };
 // Every face should have two crossings, on two of its sides; four on all sides are paired where the
 // face is small.
 template <class EdgeOf>
-Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& edge_of) {
+Joining joining(const SurfaceCells& cells, const CellFace& face, const EdgeOf& edge_of) {
   const std::int32_t n = face.count;
   if (n != 2 && n != 4) return Joining::none;
   for (int i = 0; i < n; ++i)
@@ -74,7 +74,7 @@ Joining joining(const ContourCells& cells, const CellFace& face, const EdgeOf& e
 
 // Cells about faces whose crossings can not be joined; only faces with a cell that is `nearby`
 // count (null: all).
-std::vector<std::int32_t> badly_crossed(const ContourCells& cells, const CrossedGrid& grid,
+std::vector<std::int32_t> badly_crossed(const SurfaceCells& cells, const CrossedGrid& grid,
                                         const std::vector<char>* nearby) {
   const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(grid.edges, k); };
   std::vector<std::int32_t> bad;
@@ -86,7 +86,7 @@ std::vector<std::int32_t> badly_crossed(const ContourCells& cells, const Crossed
   return bad;
 }
 
-CrossedGrid crossed_grid(const ContourOctree& tree) {
+CrossedGrid crossed_grid(const CellOctree& tree) {
   CrossedGrid grid;
   grid.edges = tree.crossing_edges();
   grid.faces = tree.faces(grid.edges);
@@ -95,7 +95,7 @@ CrossedGrid crossed_grid(const ContourOctree& tree) {
 
 }  // namespace
 
-CrossedGrid split_badly_crossed(ContourOctree& tree) {
+CrossedGrid split_badly_crossed(CellOctree& tree) {
   CrossedGrid grid = crossed_grid(tree);
   std::size_t count = tree.split(badly_crossed(tree, grid, nullptr));
   if (count == 0) return grid;
@@ -108,7 +108,7 @@ CrossedGrid split_badly_crossed(ContourOctree& tree) {
   return crossed_grid(tree);
 }
 
-void ContourSurface::find_loops(CrossedGrid grid) {
+void DualSurface::find_loops(CrossedGrid grid) {
   faces_ = std::move(grid.faces);
   find_crossings(grid.edges);
   find_segments();
@@ -117,12 +117,12 @@ void ContourSurface::find_loops(CrossedGrid grid) {
   list_segments();
 }
 
-void ContourSurface::refine(const Crossing& crossing, Detail detail) {
+void DualSurface::refine(const Crossing& crossing, Detail detail) {
   Detail& known = found_[static_cast<std::size_t>(known_.find(edge_key(crossing.edge)))].detail;
   known = std::max(known, detail);
 }
 
-void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
+void DualSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
   crossings_.assign(edges.size(), {});
   std::vector<std::int32_t> ids(options_.remember ? edges.size() : 0), fresh;
   fresh.reserve(edges.size());
@@ -164,8 +164,8 @@ void ContourSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
 
 // Both ends of the edges of crossings with the same candidates, with rounded offsets: tiles know
 // rounded ones or none, and the result may not depend on which.
-void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
-                               std::vector<SegmentEnd>& out) const {
+void DualSurface::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
+                            std::vector<SegmentEnd>& out) const {
   struct Memory {
     std::vector<std::size_t> unknown;
     std::vector<Vec3> points;
@@ -195,7 +195,7 @@ void ContourSurface::find_ends(const Probe& p, std::span<const std::int32_t> cro
 }
 
 // Crossings with the same candidates.
-void ContourSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
+void DualSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
   struct Memory {
     std::vector<CrossingSearch> searches;
     std::vector<SegmentEnd> ends;
@@ -223,11 +223,11 @@ void ContourSurface::find_crossings_of(std::span<const std::int32_t> crossings) 
   }
 }
 
-std::int32_t ContourSurface::face_cell(const CellFace& face) const {
+std::int32_t DualSurface::face_cell(const CellFace& face) const {
   return smaller_cell(cells_, face);
 }
 
-Box3 ContourSurface::face_box(const CellFace& face) const {
+Box3 DualSurface::face_box(const CellFace& face) const {
   const std::int32_t cell = face_cell(face);
   Box3 b = cells_.box(cell);
   const double plane =
@@ -236,7 +236,7 @@ Box3 ContourSurface::face_box(const CellFace& face) const {
   return b;
 }
 
-void ContourSurface::find_segments() {
+void DualSurface::find_segments() {
   segments_.clear();
   segments_.reserve(faces_.size());
   const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(crossings_, k).edge; };
@@ -260,7 +260,7 @@ void ContourSurface::find_segments() {
 }
 
 // `from`, `to`: which crossings of the face.
-void ContourSurface::add_segment(std::int32_t f, int from, int to) {
+void DualSurface::add_segment(std::int32_t f, int from, int to) {
   const CellFace& face = at(faces_, f);
   const auto place = [&](int i) { return static_cast<std::int8_t>(face.places[i] & 3); };
   for (const int i : {from, to})
@@ -277,7 +277,7 @@ void ContourSurface::add_segment(std::int32_t f, int from, int to) {
 
 // Crossings on all four sides: the side of the surface on which the face's centre lies is
 // connected, the two corners of the other are cut off.
-void ContourSurface::pair_four(std::int32_t f) {
+void DualSurface::pair_four(std::int32_t f) {
   const CellFace& face = at(faces_, f);
   const Box3 b = face_box(face);
   const int u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
@@ -298,7 +298,7 @@ void ContourSurface::pair_four(std::int32_t f) {
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }
 
-Loop& ContourSurface::new_loop(std::int32_t cell) {
+Loop& DualSurface::new_loop(std::int32_t cell) {
   if (++loops_in_cell_[static_cast<std::size_t>(cell)] == 2 && cells_.is_complete(cell))
     crowded_.push_back(cell);
   Loop& loop = loops_.emplace_back();
@@ -306,13 +306,13 @@ Loop& ContourSurface::new_loop(std::int32_t cell) {
   return loop;
 }
 
-void ContourSurface::begin_loops() {
+void DualSurface::begin_loops() {
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
   crowded_.clear();
 }
 
-void ContourSurface::join_loops() {
+void DualSurface::join_loops() {
   std::vector<std::int32_t> parent(4 * crossings_.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
@@ -339,7 +339,7 @@ void ContourSurface::join_loops() {
 }
 
 // What crossings each loop has, in the order of all.
-void ContourSurface::list_crossings() {
+void DualSurface::list_crossings() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
   const auto is_first = [](const Crossing& c, int i) {
     for (int j = 0; j < i; ++j)
@@ -365,7 +365,7 @@ void ContourSurface::list_crossings() {
 }
 
 // The loops on both sides of each segment, and what segments each has, in the order of all.
-void ContourSurface::list_segments() {
+void DualSurface::list_segments() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
   for (Segment& s : segments_) {
     const Crossing& c = at(crossings_, s.from);

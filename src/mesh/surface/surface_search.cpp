@@ -1,6 +1,6 @@
-#include "mesh/contour_search.h"
+#include "mesh/surface/surface_search.h"
 
-#include "mesh/contour_cells.h"
+#include "mesh/surface/cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // same list of sweeps are sampled together: on an edge of the grid, and in a cell along one face.
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "removal/field/field.h"
 
 #include <span>
 #include <vector>

@@ -3,9 +3,9 @@
 // vertices are moved there, where that makes no triangles meet; it is the one step that leaves the
 // envelopes, so it is tested exactly.
 #include "core/parallel.h"
-#include "mesh/contour_surface.h"
-#include "mesh/exact_predicates.h"
-#include "mesh/self_intersection.h"
+#include "mesh/solid/exact_predicates.h"
+#include "mesh/solid/self_intersection.h"
+#include "mesh/surface/surface.h"
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ constexpr int kRounds = 6;
 
 }  // namespace
 
-void ContourSurface::sharpen(const ContourOctree& tree) {
+void DualSurface::sharpen(const CellOctree& tree) {
   std::vector<char> moved(mesh_.vertices.size(), 0);
   const std::vector<Vec3> before = mesh_.vertices;
   bool any = false;

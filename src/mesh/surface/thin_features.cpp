@@ -1,8 +1,8 @@
-#include "mesh/contour_thin.h"
+#include "mesh/surface/thin_features.h"
 
 #include "core/parallel.h"
 #include "core/triangle_tree.h"
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/vertex.h"
 
 #include <algorithm>
 #include <optional>
@@ -86,7 +86,7 @@ ThinFeature feature_of(const EdgeEnd& a, const EdgeEnd& b, const Passage& passag
   const auto [low, high] = std::minmax(a.at.owner, b.at.owner);
   return {passage.middle, is_wall, distance(passage.from, passage.to), {low, high}};
 }
-FoundThin feature_of(const ContourCells& cells, const MinimalEdge& e, const EdgeEnd& a,
+FoundThin feature_of(const SurfaceCells& cells, const MinimalEdge& e, const EdgeEnd& a,
                      const EdgeEnd& b, const Passage& passage, bool is_wall) {
   const std::int32_t block = kThinBlock * cells.lattice().per_voxel();
   const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
@@ -102,7 +102,7 @@ FoundThin feature_of(const ContourCells& cells, const MinimalEdge& e, const Edge
 // a tip, points of the part may be missing that are no farther than the tolerance from the mesh.
 class LostSearch {
  public:
-  LostSearch(const ExactField& field, const ContourCells& cells, const TriMesh& mesh,
+  LostSearch(const ExactField& field, const SurfaceCells& cells, const TriMesh& mesh,
              double tolerance)
       : field_(field), cells_(cells), mesh_(mesh), tolerance_(tolerance) {}
 
@@ -181,7 +181,7 @@ class LostSearch {
   }
 
   const ExactField& field_;
-  const ContourCells& cells_;
+  const SurfaceCells& cells_;
   TriangleTree mesh_;
   double tolerance_;
 };
@@ -196,7 +196,7 @@ std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, con
   return feature_of(a, b, *found, !ends_inside);
 }
 
-std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
+std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful) {
   std::vector<FoundThin> out;
   for (const MinimalEdge& e : doubtful) {
@@ -209,7 +209,7 @@ std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells
   return out;
 }
 
-std::vector<FoundThin> lost_features(const ExactField& field, const ContourCells& cells,
+std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
                                      double tolerance, int threads) {
   if (doubtful.empty()) return {};

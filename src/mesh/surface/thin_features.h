@@ -1,9 +1,10 @@
 // Walls and gaps that pass between neighbouring samples (docs/mesh.md, Thin features).
 #pragma once
 
-#include "mesh/contour.h"
-#include "mesh/contour_cells.h"
-#include "mesh/contour_search.h"
+#include "mesh/surface/cells.h"
+#include "mesh/surface/mesh_report.h"
+#include "mesh/surface/surface_search.h"
+#include "removal/field/field.h"
 
 #include <optional>
 #include <span>
@@ -25,13 +26,13 @@ struct FoundThin {
 std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high);
 
 /// Thin walls and gaps on the doubtful edges, in their order.
-std::vector<FoundThin> thin_features(const ExactField& field, const ContourCells& cells,
+std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful);
 
 /// Those of them that a mesh of the part does not hold within `tolerance` mm, on the edge or on
 /// lines beside it, in the order of the edges. Requires: the mesh is closed and oriented. Costs
 /// some hundred samples and searches in the mesh for each thin feature.
-std::vector<FoundThin> lost_features(const ExactField& field, const ContourCells& cells,
+std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
                                      double tolerance, int threads);
 

@@ -1,6 +1,6 @@
-#include "mesh/contour_tile.h"
+#include "mesh/surface/tile.h"
 
-#include "mesh/contour_doubtful.h"
+#include "mesh/surface/doubtful_edges.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,8 +18,8 @@ bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
 }  // namespace
 
-ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
-    : ContourCells(lattice),
+CellTile::CellTile(const ExactField& field, const Lattice& lattice)
+    : SurfaceCells(lattice),
       field_(field),
       columns_(kCells * kCells),
       offset_(kCount),
@@ -30,8 +30,8 @@ ContourTile::ContourTile(const ExactField& field, const Lattice& lattice)
   for (auto& ranges : inner_) ranges.resize(kCells);
 }
 
-void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates,
-                        FlatCells flat) {
+void CellTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates,
+                     FlatCells flat) {
   first_ = first;
   for (int a = 0; a < 3; ++a) {
     for (std::int32_t i = 0; i <= kCells; ++i)
@@ -56,7 +56,7 @@ void ContourTile::build(const LatticePoint& first, std::span<const std::uint32_t
 }
 
 // Which planes lie between the box's sides, as its distance has it.
-void ContourTile::find_stock() {
+void CellTile::find_stock() {
   is_box_ = field_.has_box_stock();
   if (!is_box_) return;
   const Box3 box = field_.bounds();
@@ -70,7 +70,7 @@ void ContourTile::find_stock() {
   }
 }
 
-Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const {
+Box3 CellTile::node_box(const LatticePoint& origin, std::int32_t size) const {
   const auto plane = [&](int axis, std::int32_t i) {
     return planes_[axis][static_cast<std::size_t>(i)];
   };
@@ -78,7 +78,7 @@ Box3 ContourTile::node_box(const LatticePoint& origin, std::int32_t size) const 
           {plane(0, origin.x + size), plane(1, origin.y + size), plane(2, origin.z + size)}};
 }
 
-void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
+void CellTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
   const Box3 reach = reach_of(node_box(origin, size), lattice().voxel());
   const auto region = size == kNode
                           ? descent_->finish(level, reach, kSurfaceBand, list_)
@@ -97,7 +97,7 @@ void ContourTile::visit(const LatticePoint& origin, std::int32_t size, std::size
           half, level + 1);
 }
 
-void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {
+void CellTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {
   if (!inside) return;
   for (std::int32_t x = origin.x; x < origin.x + size; ++x)
     for (std::int32_t y = origin.y; y < origin.y + size; ++y)
@@ -105,7 +105,7 @@ void ContourTile::fill(const LatticePoint& origin, std::int32_t size, bool insid
 }
 
 template <std::int32_t kSize>
-void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
+void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
   constexpr std::size_t kPoints = std::size_t(kSize) * kSize * kSize;
   std::int32_t number = 0;
   if (list.empty()) {
@@ -160,7 +160,7 @@ void ContourTile::sample_node(const LatticePoint& origin, std::span<const std::u
 
 // A node in which the box alone decides: what its planes do not tell is sampled when asked for.
 template <std::int32_t kSize>
-void ContourTile::mark_stock_node(const LatticePoint& origin) {
+void CellTile::mark_stock_node(const LatticePoint& origin) {
   const std::uint64_t all = run(origin.z, kSize);
   for (std::int32_t x = origin.x; x < origin.x + kSize; ++x)
     for (std::int32_t y = origin.y; y < origin.y + kSize; ++y) {
@@ -173,25 +173,25 @@ void ContourTile::mark_stock_node(const LatticePoint& origin) {
     }
 }
 
-Vec3 ContourTile::position(const LatticePoint& p) const {
+Vec3 CellTile::position(const LatticePoint& p) const {
   return {planes_[0][static_cast<std::size_t>(p.x)], planes_[1][static_cast<std::size_t>(p.y)],
           planes_[2][static_cast<std::size_t>(p.z)]};
 }
 
-float ContourTile::known_offset(std::int32_t corner) const {
+float CellTile::known_offset(std::int32_t corner) const {
   const LatticePoint p = place(corner);
   const Column& own = column(p.x, p.y);
   if (has(own.sampled, p.z)) return offset_[static_cast<std::size_t>(corner)];
   return has(own.inside, p.z) ? -kUnknown : kUnknown;
 }
 
-float ContourTile::offset(std::int32_t corner) const {
+float CellTile::offset(std::int32_t corner) const {
   const float known = known_offset(corner);
   if (!std::isnan(known)) return known;
   return static_cast<float>(field_.sample(position(place(corner)), {}).distance + kInsideTolerance);
 }
 
-Box3 ContourTile::box(std::int32_t cell) const {
+Box3 CellTile::box(std::int32_t cell) const {
   const LatticePoint p = place(cell);
   const auto x = static_cast<std::size_t>(p.x), y = static_cast<std::size_t>(p.y),
              z = static_cast<std::size_t>(p.z);
@@ -199,7 +199,7 @@ Box3 ContourTile::box(std::int32_t cell) const {
           {planes_[0][x + 1], planes_[1][y + 1], planes_[2][z + 1]}};
 }
 
-Box3 ContourTile::inner_box(std::int32_t cell) const {
+Box3 CellTile::inner_box(std::int32_t cell) const {
   const LatticePoint p = place(cell);
   const auto &x = inner_[0][static_cast<std::size_t>(p.x)],
              &y = inner_[1][static_cast<std::size_t>(p.y)],
@@ -207,23 +207,23 @@ Box3 ContourTile::inner_box(std::int32_t cell) const {
   return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
 
-std::span<const std::uint32_t> ContourTile::candidates(std::int32_t cell) const {
+std::span<const std::uint32_t> CellTile::candidates(std::int32_t cell) const {
   const List& list = lists_[static_cast<std::size_t>(list_of(cell))];
   return {ids_.data() + list.begin, list.end - list.begin};
 }
 
-std::int32_t ContourTile::list_of(std::int32_t cell) const {
+std::int32_t CellTile::list_of(std::int32_t cell) const {
   const LatticePoint p = place(cell);
   return list_of_[static_cast<std::size_t>(node_id(p.x / kNode, p.y / kNode, p.z / kNode))];
 }
 
-bool ContourTile::is_complete(std::int32_t cell) const {
+bool CellTile::is_complete(std::int32_t cell) const {
   const LatticePoint p = place(cell);
   const auto in = [](std::int32_t i) { return i > 0 && i < kCells - 1; };
   return in(p.x) && in(p.y) && in(p.z);
 }
 
-MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
+MinimalEdge CellTile::edge_at(const LatticePoint& p, int axis) const {
   const std::int32_t n = cell_at(p.x, p.y, p.z);
   const std::int32_t u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];
   const std::int32_t unit = lattice().per_voxel();
@@ -244,7 +244,7 @@ MinimalEdge ContourTile::edge_at(const LatticePoint& p, int axis) const {
 
 // Corners that were not sampled lie in nodes that the surface does not pass, and so do edges that
 // start there. Edges have cells on both sides.
-void ContourTile::find_crossed() {
+void CellTile::find_crossed() {
   const std::uint64_t above = run(1, kCells - 1), below = run(0, kCells - 1);
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y) {
@@ -261,7 +261,7 @@ void ContourTile::find_crossed() {
     }
 }
 
-void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
+void CellTile::append_crossed(std::vector<MinimalEdge>& out) const {
   out.reserve(out.size() + static_cast<std::size_t>(crossed_.size()));
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y)
@@ -272,12 +272,12 @@ void ContourTile::append_crossed(std::vector<MinimalEdge>& out) const {
 }
 
 // Where a neighbour was not sampled, nothing is shown.
-bool ContourTile::runs_evenly(std::int32_t low, std::int32_t step) const {
+bool CellTile::runs_evenly(std::int32_t low, std::int32_t step) const {
   return run_evenly({offset(low - step), offset(low), offset(low + step), offset(low + 2 * step)},
                     lattice().voxel());
 }
 
-std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
+std::vector<MinimalEdge> CellTile::doubtful_edges() const {
   std::vector<MinimalEdge> out;
   const auto voxel = static_cast<float>(lattice().voxel());
   const auto is_doubtful = [&](std::int32_t low, std::int32_t step) {
@@ -308,11 +308,11 @@ std::vector<MinimalEdge> ContourTile::doubtful_edges() const {
   return out;
 }
 
-std::pair<double, double> ContourTile::offsets(const MinimalEdge& e) const {
+std::pair<double, double> CellTile::offsets(const MinimalEdge& e) const {
   return {known_offset(e.low), known_offset(e.high)};
 }
 
-EdgeEnds ContourTile::ends(const MinimalEdge& e) const {
+EdgeEnds CellTile::ends(const MinimalEdge& e) const {
   const LatticePoint p = place(e.low);
   return {position(p), planes_[e.axis][static_cast<std::size_t>(component(p, e.axis) + 1)]};
 }

@@ -6,9 +6,9 @@
 // what is computed of it is what its own tile computes, to the last bit.
 #pragma once
 
-#include "mesh/contour_cells.h"
-#include "mesh/contour_tile_edges.h"
-#include "mesh/flat_squares.h"
+#include "mesh/surface/cells.h"
+#include "mesh/surface/flat_squares.h"
+#include "mesh/surface/tile_edges.h"
 
 #include <memory>
 #include <vector>
@@ -27,14 +27,14 @@ struct TileSquare {
   }
 };
 
-class ContourTile final : public ContourCells {
+class CellTile final : public SurfaceCells {
  public:
   static constexpr std::int32_t kCells = 64;  ///< on a side, with the rings
   static constexpr std::int32_t kOwned = 61;  ///< from the third on
   static constexpr std::int32_t kFirstOwned = 2;
   static constexpr std::int32_t kEndOwned = kFirstOwned + kOwned;
 
-  ContourTile(const ExactField& field, const Lattice& lattice);
+  CellTile(const ExactField& field, const Lattice& lattice);
 
   /// `merged`: squares of cells are one each where no sweep can decide and the stock is a box. Of
   /// their edges only those at corners of squares count as crossed.

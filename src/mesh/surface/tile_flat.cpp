@@ -1,13 +1,13 @@
 // Where the stock alone is left, squares of cells become one each. The triangles about them cover
 // what those of all their cells would (docs/mesh.md, Tiles).
-#include "mesh/contour_tile.h"
+#include "mesh/surface/tile.h"
 
 #include <bit>
 
 namespace mrsim::detail {
 namespace {
 
-constexpr std::int32_t kCells = ContourTile::kCells;
+constexpr std::int32_t kCells = CellTile::kCells;
 
 // Cells in which the surface crosses the edges along an axis and no others, by layers on it.
 class FlatLayers {
@@ -53,7 +53,7 @@ CellRows edges_within(const std::vector<CellSquare>& squares) {
 }  // namespace
 
 // A box is convex: where the surface crosses four parallel edges of a cell, it is one side of it.
-void ContourTile::merge_flat_cells() {
+void CellTile::merge_flat_cells() {
   FlatLayers flat;
   for (std::int32_t x = 1; x < kCells - 1; ++x)
     for (std::int32_t y = 1; y < kCells - 1; ++y) {
@@ -83,7 +83,7 @@ void ContourTile::merge_flat_cells() {
   }
 }
 
-void ContourTile::add_square(const TileSquare& square) {
+void CellTile::add_square(const TileSquare& square) {
   squares_.push_back(square);
   const CellSquare& s = square.cells;
   for (std::int32_t row = s.row; row < s.row + s.size; ++row)
@@ -93,7 +93,7 @@ void ContourTile::add_square(const TileSquare& square) {
     }
 }
 
-void ContourTile::remove_edges(int axis, std::int32_t layer, const CellRows& edges) {
+void CellTile::remove_edges(int axis, std::int32_t layer, const CellRows& edges) {
   for (std::int32_t i = 0; i < kCells; ++i) {
     std::uint64_t bits = edges[static_cast<std::size_t>(i)];
     if (axis == 0) crossed_.remove(TileEdges::column(0, layer, i), bits);

@@ -1,14 +1,14 @@
 // Loops of a tile: the signs at a cell's corners tell all of them but for few cells, whose segments
 // are followed.
 #include "core/error.h"
-#include "mesh/contour_surface.h"
+#include "mesh/surface/surface.h"
 
 #include <array>
 
 namespace mrsim::detail {
 namespace {
 
-constexpr std::int32_t kCells = ContourTile::kCells;
+constexpr std::int32_t kCells = CellTile::kCells;
 
 // What the signs at the corners of a cell (bits 4 x + 2 y + z) tell of it.
 struct CellCase {
@@ -77,7 +77,7 @@ std::uint64_t up_to(std::int32_t last) {
 
 }  // namespace
 
-void ContourSurface::find_loops(const ContourTile& tile) {
+void DualSurface::find_loops(const CellTile& tile) {
   std::vector<MinimalEdge> edges;
   tile.append_crossed(edges);
   find_crossings(edges);
@@ -99,11 +99,11 @@ void ContourSurface::find_loops(const ContourTile& tile) {
 }
 
 // Its vertex lies in the middle, on the plane of the face that its crossings are on.
-void ContourSurface::add_square(const ContourTile& tile, const TileSquare& square) {
+void DualSurface::add_square(const CellTile& tile, const TileSquare& square) {
   const auto id = static_cast<std::int32_t>(loops_.size());
   const CellSquare& s = square.cells;
   const LatticePoint middle = square.cell(s.row + s.size / 2, s.column + s.size / 2);
-  const std::int32_t cell = ContourTile::cell_at(middle.x, middle.y, middle.z);
+  const std::int32_t cell = CellTile::cell_at(middle.x, middle.y, middle.z);
   Loop& loop = new_loop(cell);
   const Crossing* on = nullptr;
   for (std::int32_t row = 0; row < s.size; ++row)
@@ -129,7 +129,7 @@ void ContourSurface::add_square(const ContourTile& tile, const TileSquare& squar
 }
 
 // The loops of cells that have one; bits of the others.
-std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& tile) {
+std::vector<std::uint64_t> DualSurface::add_plain_loops(const CellTile& tile) {
   std::vector<std::uint64_t> crowded(kCells * kCells);
   for (std::int32_t x = 1; x < kCells - 1; ++x)
     for (std::int32_t y = 1; y < kCells - 1; ++y) {
@@ -154,10 +154,10 @@ std::vector<std::uint64_t> ContourSurface::add_plain_loops(const ContourTile& ti
 }
 
 // `edges`: bits by kCellEdges.
-void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int32_t y,
-                              std::int32_t z, std::uint32_t edges) {
+void DualSurface::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
+                           std::uint32_t edges) {
   const auto id = static_cast<std::int32_t>(loops_.size());
-  Loop& loop = new_loop(ContourTile::cell_at(x, y, z));
+  Loop& loop = new_loop(CellTile::cell_at(x, y, z));
   loop.first_crossing = static_cast<std::uint32_t>(loop_crossings_.size());
   const std::int32_t column = TileEdges::column(0, x, y);
   for (; edges != 0; edges &= edges - 1) {
@@ -172,8 +172,7 @@ void ContourSurface::add_loop(const ContourTile& tile, std::int32_t x, std::int3
 // Segments in faces that are flat on the axis, about complete cells: where they are creases or help
 // to follow loops.
 template <int kAxis>
-void ContourSurface::add_segments(const ContourTile& tile,
-                                  const std::vector<std::uint64_t>& crowded) {
+void DualSurface::add_segments(const CellTile& tile, const std::vector<std::uint64_t>& crowded) {
   constexpr const FaceEdge(&kOn)[4] = kFaceEdges[kAxis];
   constexpr auto last = [](int axis) { return axis == kAxis ? kCells - 1 : kCells - 2; };
   const TileEdges& edges = tile.crossed();
@@ -208,14 +207,14 @@ void ContourSurface::add_segments(const ContourTile& tile,
                                          crossings_[static_cast<std::size_t>(face.crossing(1))].at))
           continue;
         face.axis = kAxis;
-        face.high = ContourTile::cell_at(x, y, z);
-        face.low = ContourTile::cell_at(x - (kAxis == 0), y - (kAxis == 1), z - (kAxis == 2));
+        face.high = CellTile::cell_at(x, y, z);
+        face.low = CellTile::cell_at(x - (kAxis == 0), y - (kAxis == 1), z - (kAxis == 2));
         add_segment_if(face, has(needed, z));
       }
     }
 }
 
-void ContourSurface::add_segment_if(CellFace& face, bool is_needed) {
+void DualSurface::add_segment_if(CellFace& face, bool is_needed) {
   const auto crossing = [&](int i) -> const Crossing& {
     return crossings_[static_cast<std::size_t>(face.crossing(i))];
   };
@@ -237,8 +236,8 @@ void ContourSurface::add_segment_if(CellFace& face, bool is_needed) {
 }
 
 // Follows the segments about the cell.
-void ContourSurface::add_crowded_loops(const ContourTile& tile, std::int32_t x, std::int32_t y,
-                                       std::int32_t z) {
+void DualSurface::add_crowded_loops(const CellTile& tile, std::int32_t x, std::int32_t y,
+                                    std::int32_t z) {
   std::int32_t ids[12];
   std::uint32_t open = 0;
   for (int k = 0; k < 12; ++k) {

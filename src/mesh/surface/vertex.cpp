@@ -1,4 +1,4 @@
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/vertex.h"
 
 #include <algorithm>
 #include <array>

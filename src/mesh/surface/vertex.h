@@ -2,7 +2,7 @@
 // creases and corners where faces of the part meet (docs/mesh.md, Vertices).
 #pragma once
 
-#include "mesh/contour_search.h"
+#include "mesh/surface/surface_search.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
-#include "mesh/crowded_cells.h"
+#include "mesh/tiles/crowded_cells.h"
 
 #include "core/vec.h"
-#include "mesh/self_intersection.h"
-#include "mesh/weld.h"
+#include "mesh/solid/self_intersection.h"
+#include "mesh/solid/weld.h"
 
 namespace mrsim::detail {
 

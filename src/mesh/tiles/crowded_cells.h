@@ -2,7 +2,7 @@
 // Surface).
 #pragma once
 
-#include "mesh/contour_lattice.h"
+#include "mesh/solid/vertex_lattice.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "mesh/tile_mesh.h"
+#include "mesh/tiles/tile_mesh.h"
 
 #include "core/error.h"
 

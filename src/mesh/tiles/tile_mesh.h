@@ -4,9 +4,9 @@
 // front of vertices is shared with tiles to come.
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "mesh/mesh_block.h"
-#include "mesh/weld.h"
+#include "mesh/solid/mesh_block.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "mesh/solid/weld.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
-#include "mesh/contour_tiles.h"
+#include "mesh/tiles/tile_search.h"
 
 #include "core/parallel.h"
-#include "mesh/contour_cells.h"
-#include "mesh/contour_tile.h"
+#include "mesh/surface/cells.h"
+#include "mesh/surface/tile.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr std::int64_t kLargeParts = 32;  ///< that the tiles are looked for in at once
-constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned;
+constexpr std::int32_t kCells = CellTile::kCells, kOwned = CellTile::kOwned;
 
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {

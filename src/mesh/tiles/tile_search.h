@@ -1,9 +1,9 @@
 // Which tiles of the uniform grid the surface may pass (docs/mesh.md, Tiles).
 #pragma once
 
-#include "mesh/contour_lattice.h"
-#include "mesh/tile_mesh.h"
-#include "removal/field.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "mesh/tiles/tile_mesh.h"
+#include "removal/field/field.h"
 
 #include <vector>
 

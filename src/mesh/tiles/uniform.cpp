@@ -1,15 +1,16 @@
-#include "mesh/contour_uniform.h"
+#include "mesh/tiles/uniform.h"
 
 #include "core/error.h"
 #include "core/ordered.h"
 #include "core/parallel.h"
-#include "mesh/contour_surface.h"
-#include "mesh/contour_thin.h"
-#include "mesh/contour_tile.h"
-#include "mesh/contour_tiles.h"
-#include "mesh/contour_timer.h"
-#include "mesh/crowded_cells.h"
-#include "mesh/tile_mesh.h"
+#include "mesh/surface/step_timer.h"
+#include "mesh/surface/surface.h"
+#include "mesh/surface/thin_features.h"
+#include "mesh/surface/tile.h"
+#include "mesh/tiles/crowded_cells.h"
+#include "mesh/tiles/mesh_distance.h"
+#include "mesh/tiles/tile_mesh.h"
+#include "mesh/tiles/tile_search.h"
 
 #include <algorithm>
 #include <memory>
@@ -21,10 +22,11 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
+constexpr double kMost = 0.99;         ///< share of the triangles whose distance is told
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
 constexpr std::size_t kBatch = 8;      ///< tiles a thread between two blocks of the mesh
-constexpr std::int32_t kCells = ContourTile::kCells, kOwned = ContourTile::kOwned,
-                       kFirstOwned = ContourTile::kFirstOwned;
+constexpr std::int32_t kCells = CellTile::kCells, kOwned = CellTile::kOwned,
+                       kFirstOwned = CellTile::kFirstOwned;
 
 /// What is remembered of a tile when its mesh has gone to the sink.
 struct TileNotes {
@@ -32,6 +34,7 @@ struct TileNotes {
   std::vector<CellPlace> touching;  ///< owned cells with two vertices in one point
   std::vector<CellPlace> splits;    ///< of owned cells
   std::vector<FoundThin> thin;
+  MeshDistance distance;  ///< where it is to be measured
   std::size_t cells = 0, triangles = 0;
 };
 
@@ -40,14 +43,14 @@ struct TileMaker {
   TileMaker(const ExactField& field, const Lattice& lattice)
       : cells(field, lattice),
         surface(field, cells, {.shallow = kShallow * lattice.voxel(), .threads = 1}) {}
-  ContourTile cells;
-  ContourSurface surface;
+  CellTile cells;
+  DualSurface surface;
 };
 
 class UniformContour {
  public:
   UniformContour(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
-                 ContourReport& report)
+                 MeshReport& report)
       : field_(field),
         lattice_(lattice),
         options_(options),
@@ -120,7 +123,7 @@ class UniformContour {
   TileMesh make_tile(std::size_t i, TileMaker& maker) {
     const Tile& tile = set_.tiles[i];
     if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
-    maker.cells.build(tile.first, tile.candidates, ContourTile::FlatCells::merged);
+    maker.cells.build(tile.first, tile.candidates, CellTile::FlatCells::merged);
     maker.surface.find_loops(maker.cells);
     maker.surface.make_triangles();
     TileMesh mesh = collect(maker.surface, maker.cells, tile, notes_[i]);
@@ -170,7 +173,7 @@ class UniformContour {
     part.complete[1] = (kCells - 1) * unit();
     part.owned[0] = kFirstOwned * unit();
     part.owned[1] = (kFirstOwned + kOwned) * unit();
-    ContourOctree tree(field_, lattice_, part);
+    CellOctree tree(field_, lattice_, part);
     for (std::size_t count = 1; count > 0;) {
       std::vector<std::int32_t> leaves;
       for (std::int32_t n = 0; n < static_cast<std::int32_t>(tree.size()); ++n)
@@ -179,7 +182,7 @@ class UniformContour {
       count = tree.split(std::move(leaves));
     }
     CrossedGrid grid = split_badly_crossed(tree);
-    ContourSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
+    DualSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
     surface.find_loops(std::move(grid));
     surface.make_triangles();
     TileMesh mesh = collect(surface, tree, tile, notes);
@@ -193,14 +196,14 @@ class UniformContour {
       const auto cell = [&](int a) {
         return (component(e.start, a) - component(part.origin, a)) / unit();
       };
-      return !ContourTile::tests_edge({cell(0), cell(1), cell(2)}, e.axis);
+      return !CellTile::tests_edge({cell(0), cell(1), cell(2)}, e.axis);
     });
     notes.thin = thin_features(field_, tree, doubtful);
     return mesh;
   }
 
   template <class Cells>
-  TileMesh collect(const ContourSurface& surface, const Cells& cells, const Tile& tile,
+  TileMesh collect(const DualSurface& surface, const Cells& cells, const Tile& tile,
                    TileNotes& notes) const {
     const BaseMesh& base = surface.mesh();
     TileMesh out;
@@ -231,12 +234,26 @@ class UniformContour {
           surface.crossings()[static_cast<std::size_t>(base.crossings[t])].at.owner);
     }
     notes = {};
+    if (options_.measure) notes.distance = measured(surface, cells);
     notes.crowded = crowded_triangles(out.vertices, out.triangles,
                                       crowded_vertices(surface, cells, id, out.vertices.size()));
     notes.touching = touching_cells(surface, cells);
     for (const Loop& loop : surface.loops()) notes.cells += cells.is_owned_cell(loop.cell);
     notes.triangles = out.triangles.size();
     return out;
+  }
+
+  template <class Cells>
+  MeshDistance measured(const DualSurface& surface, const Cells& cells) const {
+    const BaseMesh& base = surface.mesh();
+    MeshDistance found;
+    for (std::size_t t = 0; t < base.triangles.size(); ++t) {
+      const auto& x = base.triangles[t];
+      const Crossing& c = surface.crossings()[static_cast<std::size_t>(base.crossings[t])];
+      found.add(field_, cells, c.edge, c.at,
+                {base.vertices[x[0]], base.vertices[x[1]], base.vertices[x[2]]});
+    }
+    return found;
   }
 
   static std::uint8_t marks(const Vec3& p, const Vec3& low, const Vec3& high) {
@@ -248,12 +265,12 @@ class UniformContour {
     return static_cast<std::uint8_t>(out);
   }
 
-  CellPlace place_of(const ContourCells& cells, std::int32_t cell) const {
+  CellPlace place_of(const SurfaceCells& cells, std::int32_t cell) const {
     return {lattice_.nearest(cells.box(cell).lo), cells.size_of(cell)};
   }
 
   // The cells of vertices in cells with two pieces of surface; empty where there are none.
-  std::vector<CellPlace> crowded_vertices(const ContourSurface& surface, const ContourCells& cells,
+  std::vector<CellPlace> crowded_vertices(const DualSurface& surface, const SurfaceCells& cells,
                                           const std::vector<std::uint32_t>& id,
                                           std::size_t count) const {
     std::vector<CellPlace> out;
@@ -268,8 +285,8 @@ class UniformContour {
   }
 
   // Vertices are joined by their coordinates: two pieces of surface with one vertex would touch.
-  std::vector<CellPlace> touching_cells(const ContourSurface& surface,
-                                        const ContourCells& cells) const {
+  std::vector<CellPlace> touching_cells(const DualSurface& surface,
+                                        const SurfaceCells& cells) const {
     std::vector<CellPlace> out;
     if (surface.crowded().empty()) return out;
     const std::set<std::int32_t> crowded(surface.crowded().begin(), surface.crowded().end());
@@ -314,20 +331,25 @@ class UniformContour {
 
   void finish_report() {
     std::vector<FoundThin> thin;
+    MeshDistance distance;
     for (const TileNotes& notes : notes_) {
+      distance.add(notes.distance);
       report_.triangles_before += notes.triangles;
       report_.cells += notes.cells;
       thin.insert(thin.end(), notes.thin.begin(), notes.thin.end());
     }
     report_.thin = distinct(thin);
+    report_.bound = distance.largest();
+    report_.usual = distance.quantile(kMost);
+    report_.sampled = distance.sampled();
     timer_.step("thin");
   }
 
   const ExactField& field_;
   const Lattice lattice_;
   const MeshOptions& options_;
-  ContourReport& report_;
-  ContourTimer timer_;
+  MeshReport& report_;
+  StepTimer timer_;
   std::mutex mutex_;
   const TileSet set_;
   std::vector<TileNotes> notes_;
@@ -337,8 +359,8 @@ class UniformContour {
 
 }  // namespace
 
-void contour_uniform(const ExactField& field, double voxel, int fine_levels,
-                     const MeshOptions& options, MeshSink& sink, ContourReport& report) {
+void mesh_uniform(const ExactField& field, double voxel, int fine_levels,
+                  const MeshOptions& options, MeshSink& sink, MeshReport& report) {
   UniformContour(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options, report)
       .run(sink);
 }

@@ -1,7 +1,7 @@
 // The fewest points of an outline that keep its corners and a tolerance.
 #pragma once
 
-#include "mesh/turned_outline.h"
+#include "mesh/turned/turned_outline.h"
 
 #include <vector>
 

@@ -1,15 +1,15 @@
-#include "mesh/turned_mesh.h"
+#include "mesh/turned/turned_mesh.h"
 
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/check.h"
-#include "mesh/contour_lattice.h"
-#include "mesh/contour_memory.h"
-#include "mesh/contour_timer.h"
-#include "mesh/exact_predicates.h"
-#include "mesh/self_intersection.h"
-#include "mesh/turned_chords.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/exact_predicates.h"
+#include "mesh/solid/self_intersection.h"
+#include "mesh/solid/vertex_lattice.h"
+#include "mesh/surface/mesh_memory.h"
+#include "mesh/surface/step_timer.h"
+#include "mesh/turned/turned_chords.h"
 
 #include <algorithm>
 #include <array>
@@ -211,7 +211,7 @@ enum class Care : std::uint8_t { none, sides, all };
 class TurnedMesher {
  public:
   TurnedMesher(const ExactField& field, double voxel, const MeshOptions& options,
-               ContourReport& report)
+               MeshReport& report)
       : field_(field),
         voxel_(voxel),
         options_(options),
@@ -283,15 +283,15 @@ class TurnedMesher {
   const ExactField& field_;
   double voxel_;
   const MeshOptions& options_;
-  ContourReport& report_;
-  ContourTimer timer_;
+  MeshReport& report_;
+  StepTimer timer_;
   double limit_ = 0;  ///< mm: the tolerance, less the rounding of coordinates
 };
 
 }  // namespace
 
 std::optional<TriMesh> turned_mesh(const ExactField& field, double voxel,
-                                   const MeshOptions& options, ContourReport& report) {
+                                   const MeshOptions& options, MeshReport& report) {
   return TurnedMesher(field, voxel, options, report).run();
 }
 

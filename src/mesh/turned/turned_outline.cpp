@@ -1,9 +1,9 @@
-#include "mesh/turned_outline.h"
+#include "mesh/turned/turned_outline.h"
 
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "mesh/contour_cells.h"
-#include "mesh/turned_strands.h"
+#include "mesh/surface/cells.h"
+#include "mesh/turned/turned_strands.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -51,7 +51,7 @@ class Leaves {
   std::vector<Leaf> leaves_;
 };
 
-// What begins where the last piece does takes its place, but for the point of the axis.
+// A piece that begins where the last one begins replaces it, except at the axis.
 void append(const OutlinePoint& p, std::vector<OutlinePoint>& out) {
   if (out.empty() || distance(out.back().at, p.at) >= kSamePlace) {
     out.push_back(p);

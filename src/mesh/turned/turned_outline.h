@@ -2,8 +2,8 @@
 // exact points and what the part does between them (docs/mesh.md, Turned parts).
 #pragma once
 
-#include "mesh/contour_thin.h"
-#include "removal/field.h"
+#include "mesh/surface/thin_features.h"
+#include "removal/field/field.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "mesh/turned_strands.h"
+#include "mesh/turned/turned_strands.h"
 
 #include "core/vec.h"
-#include "mesh/contour_search.h"
-#include "mesh/contour_vertex.h"
+#include "mesh/surface/surface_search.h"
+#include "mesh/surface/vertex.h"
 
 #include <cmath>
 
@@ -21,8 +21,7 @@ struct LineCrossing {
   FieldSample face;
 };
 
-// Follows the outline through one square, and through its quarters where it does not understand
-// what it finds there.
+// Follows the outline through one square; where the curve is not understood, through its quarters.
 class SquareTracer {
  public:
   SquareTracer(const ExactField& field, const HalfPlaneLattice& lattice,
@@ -213,7 +212,7 @@ class SquareTracer {
     return true;
   }
 
-  // Whether points within the square lie on the side on which what was found has them.
+  // Checks points within the square: is each on the side that the strands found say?
   bool shows_all(const Square& q, const Border& border, std::size_t first) const {
     constexpr int kParts = 4;
     if (q.size < kParts) return true;

@@ -2,8 +2,8 @@
 // Turned parts).
 #pragma once
 
-#include "mesh/turned_outline.h"
-#include "removal/lattice.h"
+#include "mesh/turned/turned_outline.h"
+#include "removal/field/lattice.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // material at the mover's moment and c the mover, h(p) = -d_k(p) - max(0, d_c(p)) is at most the
 // depth of the mover's nearest point, for any p; its greatest value is the depth searched for.
 #include "core/vec.h"
-#include "removal/collision_search.h"
+#include "removal/collision/collision_search.h"
 
 #include <algorithm>
 #include <cmath>

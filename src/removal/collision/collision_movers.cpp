@@ -1,7 +1,7 @@
-#include "removal/collision_movers.h"
+#include "removal/collision/collision_movers.h"
 
 #include "core/vec.h"
-#include "removal/tool.h"
+#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,9 +200,8 @@ Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<con
   const auto selected = part == ToolPart::cutter  ? SweepSelection::Part::cutter
                         : part == ToolPart::shank ? SweepSelection::Part::shank
                                                   : SweepSelection::Part::holder;
-  Movers movers{
-      SweepTable(chosen, tools, stock.hi.z, {selected, part != ToolPart::cutter, /*rapids=*/true}),
-      {}};
+  Movers movers{SweepTable(chosen, tools, {selected, part != ToolPart::cutter, /*rapids=*/true}),
+                {}};
   for (std::size_t i = 0; i < movers.sweeps.size(); ++i)
     movers.motions.push_back(index[static_cast<std::size_t>(movers.sweeps.motion(i))]);
   return movers;

@@ -1,9 +1,9 @@
-// The motions that could run a part of their tool into material, as sweeps: everything else is
-// rejected before a sweep is made, so that a long program without shanks, holders and rapids in the
-// stock costs next to nothing.
+// Chooses the motions that could run a part of their tool into material and makes sweeps of those
+// alone, so that a long program without shanks, holders and rapids in the stock costs next to
+// nothing.
 #pragma once
 
-#include "removal/sweep.h"
+#include "removal/sweep/sweep_table.h"
 #include <mrsim/collisions.h>
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The points of a block are halved until each is alone, with the cuts that can matter about them: a
 // cut that clears them all drops those of later movers with all cuts after it, and one that reaches
 // none of them is dropped.
-#include "removal/collision_probe.h"
+#include "removal/collision/collision_probe.h"
 
 #include "core/parallel.h"
 #include "core/vec.h"

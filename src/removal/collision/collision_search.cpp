@@ -5,7 +5,7 @@
 //   - d_c(p) > r: mover c is not in it;
 //   - two clear balls that cover it (drop_touching): what ends the boxes on surfaces that a mover
 //     only touches, at a size of sqrt(threshold * tool radius) instead of the threshold.
-#include "removal/collision_search.h"
+#include "removal/collision/collision_search.h"
 
 #include "core/vec.h"
 

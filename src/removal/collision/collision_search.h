@@ -3,8 +3,8 @@
 // (docs/collisions.md).
 #pragma once
 
-#include "removal/collision_movers.h"
-#include "removal/part_field.h"
+#include "removal/collision/collision_movers.h"
+#include "removal/part/part_field.h"
 
 #include <array>
 #include <span>

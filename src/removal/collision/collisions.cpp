@@ -1,12 +1,12 @@
-#include "removal/collision.h"
+#include "removal/collision/collisions.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/collision_probe.h"
-#include "removal/collision_search.h"
-#include "removal/lattice.h"
-#include "removal/stock_grid.h"
+#include "removal/collision/collision_probe.h"
+#include "removal/collision/collision_search.h"
+#include "removal/field/lattice.h"
+#include "removal/part/stock_grid.h"
 
 #include <algorithm>
 #include <atomic>

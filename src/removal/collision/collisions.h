@@ -1,7 +1,7 @@
 // Collisions of a whole program: which lines run the tool into material, how deep, and where.
 #pragma once
 
-#include "removal/stock.h"
+#include "removal/part/stock.h"
 #include <mrsim/collisions.h>
 #include <mrsim/options.h>
 

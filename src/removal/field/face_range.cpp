@@ -1,4 +1,4 @@
-#include "removal/face_range.h"
+#include "removal/field/face_range.h"
 
 #include <algorithm>
 #include <cmath>

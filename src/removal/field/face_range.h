@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 
 #include <array>
 

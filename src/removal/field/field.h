@@ -123,8 +123,8 @@ class ExactField {
   virtual double patch_distance(const Vec3& p, const FieldSample& at) const = 0;
 
   /// Encloses patch_distance(p, face) for all p of a triangle, mm: proven up to rounding, not
-  /// sampled (removal/face_range.h). Infinite where no bound is known: for other faces than planes
-  /// and those drawn by lines and circles, and where the triangle reaches a crease of
+  /// sampled (removal/field/face_range.h). Infinite where no bound is known: for other faces than
+  /// planes and those drawn by lines and circles, and where the triangle reaches a crease of
   /// patch_distance. Costs four to ten values of it.
   virtual FaceRange patch_range(const Corners3&, const FieldSample&) const { return {}; }
 
@@ -134,8 +134,8 @@ class ExactField {
   /// `candidates` with each sweep by itself, where some stand for many, less those of these that
   /// can not decide d within `band` mm of the surface in the box. False where they are too many to
   /// be of use.
-  virtual bool by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
-                       Candidates& out) const = 0;
+  virtual bool expand_packs(const Box3& box, double band, std::span<const std::uint32_t> candidates,
+                            Candidates& out) const = 0;
 
   /// True where d, with these candidates, depends on the distance from the Z axis and on z alone.
   virtual bool is_turned(std::span<const std::uint32_t>) const { return false; }

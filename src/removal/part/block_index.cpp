@@ -1,9 +1,9 @@
-#include "removal/block_index.h"
+#include "removal/part/block_index.h"
 
 #include "core/heap.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/lattice.h"
+#include "removal/field/lattice.h"
 
 #include <algorithm>
 #include <cmath>

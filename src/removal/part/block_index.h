@@ -1,7 +1,7 @@
 // Sweeps binned into cubes of 64 voxels, those of the run or larger ones: who can matter where.
 #pragma once
 
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "core/vec.h"
-#include "removal/lattice.h"
-#include "removal/memory_plan.h"
-#include "removal/stock.h"
-#include "removal/stock_grid.h"
+#include "removal/field/lattice.h"
+#include "removal/part/memory_plan.h"
+#include "removal/part/stock.h"
+#include "removal/part/stock_grid.h"
 
 #include <algorithm>
 
@@ -22,14 +22,13 @@ double index_voxel(const StockSolid& solid, const CarveOptions& options) {
 }  // namespace
 
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
-            const CarveOptions& options) {
+            const CarveOptions& options, const VoxelDecision& decide) {
   auto grid = std::make_unique<StockGrid>();
-  StockSolid solid(shape);
-  const double top = solid.bounds().hi.z;
   grid->field = std::make_unique<PartField>(
-      std::move(solid), SweepTable(motions, tools, top, {}, options.threads), options.threads);
+      StockSolid(shape), SweepTable(motions, tools, {}, options.threads), options.threads);
   const PartField& field = *grid->field;
   CarveOptions chosen = options;
+  if (decide) decide(field, chosen);
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
   grid->plan = plan_memory(field, motions.size(), chosen);

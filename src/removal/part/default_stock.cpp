@@ -1,9 +1,10 @@
-#include "removal/default_stock.h"
+#include "removal/part/default_stock.h"
 
-#include "removal/sweep.h"
+#include "removal/sweep/sweep_table.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,29 @@ StockShape cylinder_round(const Box3& points) {
 
 }  // namespace
 
+// Height of the stock's top: the highest point of a cut that lies below the start of the first
+// plunge. A plunge counts with its lower end, where cuts aside follow it. Where nothing but plunges
+// is cut, they are holes: the top is where their feed begins.
+double top_of(std::span<const Motion> motions, double highest) {
+  constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
+  double approach = kNoHeight, lateral = kNoHeight, plunge = kNoHeight;
+  for (const Motion& motion : motions) {
+    if (!is_cut(motion)) continue;
+    if (approach == kNoHeight)
+      approach = motion.end.z < motion.start.z ? motion.start.z : -kNoHeight;
+    const bool aside = motion.kind == MotionKind::arc || motion.start.x != motion.end.x ||
+                       motion.start.y != motion.end.y;
+    if (!aside) {
+      plunge = std::max(plunge, motion.start.z);
+      continue;
+    }
+    for (const double z : {motion.start.z, motion.end.z})
+      if (z < approach) lateral = std::max(lateral, z);
+  }
+  if (lateral != kNoHeight) return std::min(lateral, highest);
+  return plunge != kNoHeight ? std::min(plunge, highest) : highest;
+}
+
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe) {
   Box3 points;
   for (const Motion& motion : motions)
@@ -64,13 +88,14 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
       include(points, motion.end);
     }
   if (lathe) return cylinder_round(points);
-  const SweepTable sweeps(motions, tools, points.hi.z + 1);
+  const SweepTable sweeps(motions, tools);
   Box3 cuts = points;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const Box3 box = sweeps.bounds(i);
     include(cuts, {box.lo.x, box.lo.y, box.lo.z});
     include(cuts, {box.hi.x, box.hi.y, cuts.hi.z});
   }
+  cuts.hi.z = top_of(motions, points.hi.z);
   return box_round(cuts);
 }
 

@@ -1,9 +1,9 @@
-#include "removal/memory_plan.h"
+#include "removal/part/memory_plan.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/turn_tree.h"
+#include "removal/sweep/turn_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // How much memory a run takes, told before it, and whether it is done in one piece or in slabs.
-// What a mesh with a tolerance takes besides is told by its first cells (mesh/contour_memory.h).
+// What a mesh with a tolerance takes besides is told by its first cells
+// (mesh/surface/mesh_memory.h).
 #pragma once
 
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 #include <mrsim/options.h>
 
 #include <cstddef>

@@ -1,9 +1,13 @@
-#include "removal/part_field.h"
+#include "removal/part/part_field.h"
 
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/face_range.h"
-#include "removal/sweep_kernels.h"
+#include "removal/field/face_range.h"
+#include "removal/prune/list_candidates.h"
+#include "removal/prune/prune.h"
+#include "removal/prune/prune_strips.h"
+#include "removal/prune/prune_turned.h"
+#include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>
 #include <limits>
@@ -38,10 +42,11 @@ void sort_if_needed(Candidates& list) {
   if (!std::is_sorted(list.begin(), list.end())) std::sort(list.begin(), list.end());
 }
 
-void append_ids(const NearList& list, Candidates& out) {
-  for (const NearList::Run& run : list.runs())
+void append_ids(const CandidateList& list, Candidates& out) {
+  for (const CandidateList::Run& run : list.runs())
     for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.number(run, k));
   sort_if_needed(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());  // one for each piece of a path
 }
 
 // A cube about it bounds a box that is nearly one more sharply than its ball.
@@ -52,11 +57,11 @@ PruneRegion region_of(const Box3& box) {
   return cube.radius <= kNearlyCube * radius ? cube : PruneRegion::ball(center, radius);
 }
 
-class NearDescent final : public ExactField::Descent {
+class CandidateDescent final : public ExactField::Descent {
  public:
-  NearDescent(const PartField& field, const Vec3& origin, std::span<const std::uint32_t> in)
+  CandidateDescent(const PartField& field, const Vec3& origin, std::span<const std::uint32_t> in)
       : field_(field), levels_(1) {
-    field.sweeps().list(in, origin, levels_[0].left);
+    list_candidates(field.sweeps(), in, origin, levels_[0].left);
   }
 
   ExactField::Region enter(std::size_t level, const Box3& box, double band, bool last) override {
@@ -72,7 +77,7 @@ class NearDescent final : public ExactField::Descent {
                             Candidates& out) override {
     const Level& whole = levels_[level - 1];
     bool in_stock = whole.in_stock;
-    if (field_.sweeps().is_of_strips(whole.left)) {
+    if (is_of_strips(field_.sweeps(), whole.left)) {
       PruneRegion region = region_of(box);
       region.open = true;
       return field_.restrict_to(region, band, whole.left, in_stock, out);
@@ -83,7 +88,7 @@ class NearDescent final : public ExactField::Descent {
     return found;
   }
   bool is_short(std::size_t level) const override {
-    const NearList& left = levels_[level].left;
+    const CandidateList& left = levels_[level].left;
     if (left.closed) return left.size() <= kShort;
     static thread_local Candidates opened;
     return left.size() <= 1 || list(levels_[level], opened);
@@ -92,7 +97,7 @@ class NearDescent final : public ExactField::Descent {
 
  private:
   struct Level {
-    NearList left;
+    CandidateList left;
     PruneRegion region;
     double reach = 0;
     bool in_stock = false;
@@ -102,7 +107,7 @@ class NearDescent final : public ExactField::Descent {
   bool list(const Level& level, Candidates& out) const {
     out.clear();
     append_ids(level.left, out);
-    return field_.sweeps().open_turned(level.region, level.reach, kShortTurned, out);
+    return expand_turned(field_.sweeps(), level.region, level.reach, kShortTurned, out);
   }
   const PartField& field_;
   std::vector<Level> levels_;
@@ -145,21 +150,22 @@ bool PartField::reaches_stock(const PruneRegion& region, double reach, bool& in_
 }
 
 ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
-                                          const NearList& in, bool& in_stock, NearList& out) const {
+                                          const CandidateList& in, bool& in_stock,
+                                          CandidateList& out) const {
   const double reach = region.radius + band + slack_;
   if (!reaches_stock(region, reach, in_stock)) return Region::air;
-  if (!sweeps_.prune(region, reach, band, in, out)) return Region::air;
+  if (!prune(sweeps_, region, reach, band, in, out)) return Region::air;
   return out.empty() && in_stock ? Region::material : Region::mixed;
 }
 
 ExactField::Region PartField::restrict_to(const PruneRegion& region, double band,
-                                          const NearList& in, bool& in_stock,
+                                          const CandidateList& in, bool& in_stock,
                                           Candidates& out) const {
-  if (sweeps_.is_of_strips(in)) {
-    const std::size_t near = sweeps_.nearest_strips(region, 0, in)[0];
+  if (is_of_strips(sweeps_, in)) {
+    const std::size_t near = nearest_strips(region, 0, in)[0];
     return restrict_strips(region, band, in, near, in_stock, out);
   }
-  static thread_local NearList left;
+  static thread_local CandidateList left;
   out.clear();
   const Region found = restrict_to(region, band, in, in_stock, left);
   if (found == Region::mixed) append_ids(left, out);
@@ -167,22 +173,21 @@ ExactField::Region PartField::restrict_to(const PruneRegion& region, double band
 }
 
 ExactField::Region PartField::restrict_strips(const PruneRegion& region, double band,
-                                              const NearList& in, std::size_t near, bool& in_stock,
-                                              Candidates& out) const {
+                                              const CandidateList& in, std::size_t near,
+                                              bool& in_stock, Candidates& out) const {
   out.clear();
   const double reach = region.radius + band + slack_;
   if (!reaches_stock(region, reach, in_stock)) return Region::air;
-  if (!sweeps_.prune_strips(region, reach, in, near, out)) return Region::air;
+  if (!prune_strips(sweeps_, region, reach, in, near, out)) return Region::air;
   sort_if_needed(out);
   return out.empty() && in_stock ? Region::material : Region::mixed;
 }
 
-void PartField::restrict_columns(const PruneRegion& block, double band, const NearList& in,
+void PartField::restrict_columns(const PruneRegion& block, double band, const CandidateList& in,
                                  bool in_stock, Columns& columns) const {
-  const bool strips = sweeps_.is_of_strips(in);
+  const bool strips = is_of_strips(sweeps_, in);
   std::array<std::size_t, 4> near{};
-  if (strips)
-    near = sweeps_.nearest_strips(block, columns.back().region.center.x - block.center.x, in);
+  if (strips) near = nearest_strips(block, columns.back().region.center.x - block.center.x, in);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     Column& c = columns[k];
     c.in_stock = in_stock;
@@ -194,24 +199,24 @@ void PartField::restrict_columns(const PruneRegion& block, double band, const Ne
 ExactField::Region PartField::restrict_to(const Box3& box, double band,
                                           std::span<const std::uint32_t> in,
                                           Candidates& out) const {
-  static thread_local NearList list;
+  static thread_local CandidateList list;
   PruneRegion region = region_of(box);
   region.open = true;
-  sweeps_.list(in, region.center, list);
+  list_candidates(sweeps_, in, region.center, list);
   bool in_stock = false;
   return restrict_to(region, band, list, in_stock, out);
 }
 
 std::unique_ptr<ExactField::Descent> PartField::descent(const Vec3& origin,
                                                         std::span<const std::uint32_t> in) const {
-  return std::make_unique<NearDescent>(*this, origin, in);
+  return std::make_unique<CandidateDescent>(*this, origin, in);
 }
 
-bool PartField::by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
-                        Candidates& out) const {
+bool PartField::expand_packs(const Box3& box, double band,
+                             std::span<const std::uint32_t> candidates, Candidates& out) const {
   out.assign(candidates.begin(), candidates.end());
   const PruneRegion region = region_of(box);
-  return sweeps_.open_turned(region, region.radius + band + slack_, kShortTurned, out);
+  return expand_turned(sweeps_, region, region.radius + band + slack_, kShortTurned, out);
 }
 
 // d at p from the distance of the nearest sweep.

@@ -1,11 +1,11 @@
 // The exact part: stock less sweeps, as ExactField.
 #pragma once
 
-#include "removal/field.h"
-#include "removal/near_list.h"
-#include "removal/stock_solid.h"
-#include "removal/sweep.h"
-#include "removal/sweep_packs.h"
+#include "removal/field/field.h"
+#include "removal/prune/candidate_list.h"
+#include "removal/stock/stock_solid.h"
+#include "removal/sweep/sweep_packs.h"
+#include "removal/sweep/sweep_table.h"
 
 #include <array>
 
@@ -20,14 +20,14 @@ class PartField final : public ExactField {
                      Candidates& out) const override;
   /// The same for a list that was made for a larger region. `in_stock`: the whole region lies deep
   /// in the stock, which then never decides; kept from the larger region, set for this one.
-  Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
-                     NearList& out) const;
+  Region restrict_to(const PruneRegion& region, double band, const CandidateList& in,
+                     bool& in_stock, CandidateList& out) const;
   /// The same for a region without parts: indices of sweeps, ascending. `in` has no packs of
   /// milling sweeps.
-  Region restrict_to(const PruneRegion& region, double band, const NearList& in, bool& in_stock,
-                     Candidates& out) const;
+  Region restrict_to(const PruneRegion& region, double band, const CandidateList& in,
+                     bool& in_stock, Candidates& out) const;
   /// The same for the four columns of a block, side by side in the order of
-  /// NearKernels::strip_quarters, whose list is `in`.
+  /// CandidateKernels::strip_quarters, whose list is `in`.
   struct Column {
     PruneRegion region;
     Region found = Region::mixed;
@@ -35,8 +35,8 @@ class PartField final : public ExactField {
     Candidates left;
   };
   using Columns = std::array<Column, 4>;
-  void restrict_columns(const PruneRegion& block, double band, const NearList& in, bool in_stock,
-                        Columns& columns) const;
+  void restrict_columns(const PruneRegion& block, double band, const CandidateList& in,
+                        bool in_stock, Columns& columns) const;
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
@@ -50,8 +50,8 @@ class PartField final : public ExactField {
   std::uint32_t candidate(std::int32_t owner) const override {
     return static_cast<std::uint32_t>(sweep_of(owner));
   }
-  bool by_name(const Box3& box, double band, std::span<const std::uint32_t> candidates,
-               Candidates& out) const override;
+  bool expand_packs(const Box3& box, double band, std::span<const std::uint32_t> candidates,
+                    Candidates& out) const override;
   bool is_turned(std::span<const std::uint32_t> candidates) const override {
     return solid_.is_turned() &&
            (sweeps_.is_turned() || candidates.empty() ||
@@ -69,7 +69,7 @@ class PartField final : public ExactField {
   /// Whether the stock leaves anything: false for air. Finds `in_stock`.
   bool reaches_stock(const PruneRegion& region, double reach, bool& in_stock) const;
   /// What a strip near the region leaves of a list of strips.
-  Region restrict_strips(const PruneRegion& region, double band, const NearList& in,
+  Region restrict_strips(const PruneRegion& region, double band, const CandidateList& in,
                          std::size_t near, bool& in_stock, Candidates& out) const;
   FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
   std::size_t sweep_of(std::int32_t motion) const {

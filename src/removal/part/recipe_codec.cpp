@@ -1,4 +1,4 @@
-#include "removal/recipe_codec.h"
+#include "removal/part/recipe_codec.h"
 
 #include "core/bytes.h"
 #include "core/error.h"

@@ -1,7 +1,7 @@
 // StockRecipe as bytes and back, little endian, every count checked against what is there.
 #pragma once
 
-#include "removal/stock_file.h"
+#include "removal/part/stock_file.h"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
-#include "removal/stock.h"
+#include "removal/part/stock.h"
 
 #include "core/vec.h"
-#include "removal/stock_grid.h"
+#include "removal/part/stock_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,6 @@
 
 namespace mrsim {
 namespace {
-
-// The largest of 1, 2, 2.5, 5 times a power of ten that is not above x, as the nearest double to
-// its decimal form.
-double round_down_125(double x) {
-  double scale = 1;  // x * scale or x / scale lies in [1, 10)
-  const bool below_one = x < 1;
-  while (below_one ? x * scale < 1 : x / scale >= 10) scale *= 10;
-  const double digits = below_one ? x * scale : x / scale;
-  double step = 1;
-  for (const double candidate : {2.0, 2.5, 5.0})
-    if (candidate <= digits * (1 + 1e-9))
-      step = candidate;  // 1e-9: the series itself stays, whatever its rounding
-  return below_one ? step / scale : step * scale;
-}
 
 // Sweeps that can decide d at p: those of its block, or all where there is none.
 Candidates candidates_at(const StockGrid& grid, const Vec3& p) {
@@ -66,6 +52,19 @@ std::int32_t Stock::owner(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).owner;
 }
 
+// As the nearest double to its decimal form.
+double round_down_voxel(double x) {
+  double scale = 1;  // x * scale or x / scale lies in [1, 10)
+  const bool below_one = x < 1;
+  while (below_one ? x * scale < 1 : x / scale >= 10) scale *= 10;
+  const double digits = below_one ? x * scale : x / scale;
+  double step = 1;
+  for (const double candidate : {2.0, 2.5, 5.0})
+    if (candidate <= digits * (1 + 1e-9))
+      step = candidate;  // 1e-9: the series itself stays, whatever its rounding
+  return below_one ? step / scale : step * scale;
+}
+
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double longest = std::max({size.x, size.y, size.z});
@@ -73,7 +72,7 @@ VoxelChoice default_voxel(const StockShape& shape, double smallest_radius) {
   if (smallest_radius > 0 && smallest_radius / 8 < choice.voxel)
     choice = {smallest_radius / 8,
               fmt::format("smallest cutter radius {:.6g} mm / 8", smallest_radius)};
-  choice.voxel = round_down_125(choice.voxel);
+  choice.voxel = round_down_voxel(choice.voxel);
   choice.reason += ", rounded down";
   return choice;
 }

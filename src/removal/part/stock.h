@@ -3,18 +3,19 @@
 // every active voxel.
 #pragma once
 
-#include "removal/field.h"
+#include "removal/field/field.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
 namespace mrsim {
 
-struct StockGrid;  // removal/stock_grid.h, for src/removal only
+struct StockGrid;  // removal/part/stock_grid.h, for src/removal only
 
 class Stock {
  public:
@@ -48,6 +49,11 @@ struct VoxelChoice {
   std::string reason;
 };
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
+/// The largest of 1, 2, 2.5, 5 times a power of ten that is not above `voxel`.
+double round_down_voxel(double voxel);
+
+/// Sees the exact part before anything depends on the options of its voxels, and may change these.
+using VoxelDecision = std::function<void(const ExactField& field, CarveOptions& options)>;
 
 /// Subtracts every cutting motion from the stock; samples what is left where the grid is to be
 /// kept. Cost: that of the sweeps and their index, and of the samples, which grows with the
@@ -55,6 +61,6 @@ VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 /// "voxel-invalid", "memory" (the estimate is above the limit, in slabs too), and what SweepTable
 /// and sample_voxels throw.
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
-            const CarveOptions& options = {});
+            const CarveOptions& options = {}, const VoxelDecision& decide = {});
 
 }  // namespace mrsim

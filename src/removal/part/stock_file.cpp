@@ -1,10 +1,10 @@
-#include "removal/stock_file.h"
+#include "removal/part/stock_file.h"
 
 #include "core/bytes.h"
 #include "core/error.h"
 #include "core/hash.h"
-#include "removal/recipe_codec.h"
-#include "removal/stock_grid.h"
+#include "removal/part/recipe_codec.h"
+#include "removal/part/stock_grid.h"
 
 #include <algorithm>
 #include <ostream>

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/text_io.h"
-#include "removal/stock.h"
+#include "removal/part/stock.h"
 #include <mrsim/types.h>
 
 #include <string>

@@ -1,10 +1,10 @@
 // What a Stock holds. Private to src/removal.
 #pragma once
 
-#include "removal/block_index.h"
-#include "removal/memory_plan.h"
-#include "removal/part_field.h"
-#include "removal/voxel_grid.h"
+#include "removal/part/block_index.h"
+#include "removal/part/memory_plan.h"
+#include "removal/part/part_field.h"
+#include "removal/part/voxel_grid.h"
 
 #include <memory>
 

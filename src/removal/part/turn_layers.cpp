@@ -1,9 +1,9 @@
-#include "removal/turn_layers.h"
+#include "removal/part/turn_layers.h"
 
 #include "core/parallel.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/lattice.h"
+#include "removal/field/lattice.h"
 
 #include <algorithm>
 #include <cmath>

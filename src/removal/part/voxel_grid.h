@@ -5,8 +5,8 @@
 // OpenVDB takes 35 ms, and most runs need no grid.
 #pragma once
 
-#include "removal/block_index.h"
-#include "removal/part_field.h"
+#include "removal/part/block_index.h"
+#include "removal/part/part_field.h"
 #include <mrsim/options.h>
 
 #include <cstddef>

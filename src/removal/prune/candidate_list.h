@@ -1,13 +1,14 @@
 // The sweeps that can matter in a block, by columns and in single precision about the block: what
 // pruning works on. Packs of sweeps stand for their sweeps in large blocks. A list of a large block
-// is made once; the lists of its parts are what is left of it (SweepTable::prune), copied, so that
+// is made once; the lists of its parts are what is left of it (prune.h), copied, so that
 // every loop runs over whole registers.
 //
 // Single precision decides nothing but what may be dropped, with a proven slack (docs/removal.md):
 // distances that reach the grid are always those of SweepTable::distance.
 #pragma once
 
-#include "removal/near_kernels.h"
+#include "core/aligned_vector.h"
+#include "removal/simd/candidate_kernels.h"
 #include <mrsim/types.h>
 
 #include <bit>
@@ -17,22 +18,6 @@
 #include <vector>
 
 namespace mrsim {
-
-/// Sweeps of one form and one tool; what they have in common.
-struct SweepClass {
-  /// How the distance is computed: the columns of near_kernels.h, sweep by sweep, or by the tree of
-  /// turning sweeps, whose packs the list holds then.
-  enum class Form : std::uint8_t { strip, line, arc, other, turn };
-  /// What the dominance test may compare (SweepSkeleton::Kind).
-  enum class Kind : std::uint8_t { none, solid, plan };
-  Form form = Form::other;
-  Kind kind = Kind::none;
-  std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
-  bool packs = false;     ///< of packs of such sweeps (sweep_packs.h), which the form's chords tell
-  double spread = 0;      ///< of these packs, the largest, mm
-  double open_below = 0;  ///< the same
-  ToolColumns tool;
-};
 
 /// Where a list is to hold: a box, square in plan, or a ball.
 struct PruneRegion {
@@ -54,7 +39,7 @@ struct PruneRegion {
   }
 };
 
-class NearList {
+class CandidateList {
  public:
   /// Sweeps or packs of one class in slots [first, first + count); first is a multiple of kPad.
   struct Run {
@@ -70,10 +55,10 @@ class NearList {
   std::uint32_t number(const Run& run, std::size_t k) const {
     return std::bit_cast<std::uint32_t>(column(run.numbers)[run.first + k]);
   }
-  float* column(std::size_t i) { return lines_.data()->slots + i * stride_; }
-  const float* column(std::size_t i) const { return lines_.data()->slots + i * stride_; }
+  float* column(std::size_t i) { return numbers_.data() + i * stride_; }
+  const float* column(std::size_t i) const { return numbers_.data() + i * stride_; }
   std::size_t stride() const { return stride_; }
-  NearColumns columns(std::size_t slot) const { return {column(0) + slot, stride_}; }
+  CandidateColumns columns(std::size_t slot) const { return {column(0) + slot, stride_}; }
 
   /// Empty, with room for `slots`.
   void reset(std::size_t slots, const Vec3& origin);
@@ -90,10 +75,7 @@ class NearList {
   static constexpr std::size_t kPad = 16;
 
  private:
-  struct alignas(64) Line {
-    float slots[kPad];
-  };
-  std::vector<Line> lines_ = std::vector<Line>(kNearColumns);
+  AlignedVector<float> numbers_ = AlignedVector<float>(kNearColumns * kPad);
   std::size_t stride_ = kPad, size_ = 0;
   std::vector<Run> runs_;
 };

@@ -1,8 +1,7 @@
-// Lists of sweeps, made for a block.
-#include "removal/near_list.h"
+#include "removal/prune/list_candidates.h"
 
 #include "core/heap.h"
-#include "removal/sweep_columns.h"
+#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +61,7 @@ void sort_by_class(ByClass& entries, std::size_t classes) {
 // Writes entries of a list; keeps track of the largest value.
 class RunWriter {
  public:
-  RunWriter(NearList& list, const SweepColumns& columns)
+  RunWriter(CandidateList& list, const SweepColumns& columns)
       : list_(list), columns_(columns), origin_(list.origin), stride_(list.stride()) {}
 
   // The run of all entries of the first one's class; what comes after it.
@@ -85,16 +84,20 @@ class RunWriter {
     form_ = type.form;
     first_ = slot_ = list_.open_run(of, type.packs ? kPackColumn : kIdColumn);
     to_ = list_.column(0);
-    list_.closed = list_.closed && type.form != SweepClass::Form::other;
+    const bool piece = form_ == SweepClass::Form::piece;
+    list_.closed = list_.closed && form_ != SweepClass::Form::other && !piece;
     const ToolColumns& t = type.tool;
     for (const float size : {t.core + t.round, std::isinf(t.height) ? 0 : t.height})
       extent_ = std::max<double>(extent_, size);
+    for (const float size : {type.heights.radius, type.heights.lift, type.heights.top})
+      if (piece && !std::isinf(size)) extent_ = std::max<double>(extent_, size);
   }
   void close() { list_.close_run(slot_ - first_); }
 
   // A sweep, or a pack.
   void add(std::uint32_t number) {
     if (number >= kFirstPack) return add_pack(number);
+    if (form_ == SweepClass::Form::piece) return add_pieces(number);
     const std::uint32_t row = columns_.row_of(number);
     if (form_ == SweepClass::Form::strip) widen_strip(columns_.ball_lines[row].c);
     if (form_ == SweepClass::Form::line) widen_line(columns_.plane_lines[row].c);
@@ -143,6 +146,17 @@ class RunWriter {
     if (form_ == SweepClass::Form::arc) arc(columns_.plane_arcs[row].c, id);
     put(kIdColumn, id);
     ++slot_;
+  }
+  void add_pieces(std::uint32_t id) {
+    for (std::uint32_t k = columns_.first_piece[id]; k < columns_.first_piece[id + 1]; ++k) {
+      const double* c = columns_.pieces[k].c;
+      const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
+      put({x, y, z, c[3], c[4], c[5], c[6], c[7]});
+      widen(x, y, z);
+      widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5]);
+      put(kIdColumn, id);
+      ++slot_;
+    }
   }
   void add_pack(std::uint32_t number) {
     const std::uint32_t first = columns_.packs[number].first;
@@ -199,7 +213,7 @@ class RunWriter {
     extent_ = std::max(extent_, std::max({std::fabs(x), std::fabs(y), std::fabs(z)}));
   }
 
-  NearList& list_;
+  CandidateList& list_;
   const SweepColumns& columns_;
   const Vec3 origin_;
   const std::size_t stride_;
@@ -210,7 +224,7 @@ class RunWriter {
   float spread_ = 0;
 };
 
-void copy_run(const NearList& in, const NearList::Run& run, NearList& out) {
+void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
   const std::size_t first = out.open_run(run.of, run.numbers);
   for (std::size_t i = 0; i < kNearColumns; ++i)
     std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
@@ -218,7 +232,8 @@ void copy_run(const NearList& in, const NearList::Run& run, NearList& out) {
 }
 // The entries k with wanted(k).
 template <typename Wanted>
-void copy_some(const NearList& in, const NearList::Run& run, NearList& out, Wanted wanted) {
+void copy_some(const CandidateList& in, const CandidateList::Run& run, CandidateList& out,
+               Wanted wanted) {
   const std::size_t first = out.open_run(run.of, run.numbers);
   std::size_t count = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
@@ -231,32 +246,32 @@ void copy_some(const NearList& in, const NearList::Run& run, NearList& out, Want
 }
 
 // Puts children in place of the packs of a list that are large beside a region.
-class PackOpener {
+class PackExpander {
  public:
-  PackOpener(const SweepColumns& columns, const PruneRegion& region)
-      : c_(columns), region_(region), opened_(scratch()) {
-    opened_.clear();
+  PackExpander(const SweepColumns& columns, const PruneRegion& region)
+      : c_(columns), region_(region), expanded_(scratch()) {
+    expanded_.clear();
   }
 
   // False where there is no such pack.
-  bool find(const NearList& in) {
+  bool find(const CandidateList& in) {
     room_ = in.size();
-    for (const NearList::Run& run : in.runs())
+    for (const CandidateList::Run& run : in.runs())
       for (std::size_t k = 0; k < run.count && may_be_large(run); ++k) {
         prefetch(c_.packs[in.number(run, std::min(k + kAhead, run.count - 1))]);
         if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
       }
-    sort_by_class(opened_);
-    return !opened_.empty();
+    sort_by_class(expanded_);
+    return !expanded_.empty();
   }
 
   // Children come after all runs of their group, so that the group stays together.
-  void write(const NearList& in, NearList& out) const {
+  void write(const CandidateList& in, CandidateList& out) const {
     const auto& runs = in.runs();
-    out.reset(NearList::room(room_, runs.size() + c_.classes.size()), in.origin);
+    out.reset(CandidateList::room(room_, runs.size() + c_.classes.size()), in.origin);
     out.closed = in.closed;
     RunWriter writer(out, c_);
-    auto next = opened_.cbegin();
+    auto next = expanded_.cbegin();
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (!may_be_large(runs[i]))
         copy_run(in, runs[i], out);
@@ -265,8 +280,8 @@ class PackOpener {
                   [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
       const std::int32_t group = c_.classes[runs[i].of].group;
       if (i + 1 < runs.size() && c_.classes[runs[i + 1].of].group == group) continue;
-      while (next != opened_.cend() && c_.classes[next->of].group == group)
-        next = writer.run(next, opened_.cend());
+      while (next != expanded_.cend() && c_.classes[next->of].group == group)
+        next = writer.run(next, expanded_.cend());
     }
     // The chords of the packs lie within the extent, their children within the spread of these.
     out.extent = std::max(in.extent + writer.spread(), writer.extent());
@@ -280,7 +295,7 @@ class PackOpener {
   bool is_large(std::uint32_t pack) const {
     return region_.open || region_.radius < c_.packs[pack].open_below;
   }
-  bool may_be_large(const NearList::Run& run) const {
+  bool may_be_large(const CandidateList::Run& run) const {
     const SweepClass& type = c_.classes[run.of];
     return type.packs && (region_.open || region_.radius < type.open_below);
   }
@@ -291,56 +306,34 @@ class PackOpener {
     room_ += pack.size();
     if (pack.count == 0) {
       c_.packs.prefetch_children(number);
-      return opened_.push_back({c_.class_index(pack.first), number, pack.first, true});
+      return expanded_.push_back({c_.class_index(pack.first), number, pack.first, true});
     }
     bool alike = true;
     const std::uint32_t first = kFirstPack + pack.child;
     c_.packs.for_each_child(number, [&](std::uint32_t child) {
       alike = alike && !is_large(child) && c_.packs[child].of == c_.packs[first].of;
     });
-    if (alike) return opened_.push_back({c_.packs[first].of, number, pack.first, true});
+    if (alike) return expanded_.push_back({c_.packs[first].of, number, pack.first, true});
     c_.packs.for_each_child(number, [&](std::uint32_t child) {
       if (is_large(child))
         append(child);
       else
-        opened_.push_back({c_.packs[child].of, child, c_.packs[child].first, false});
+        expanded_.push_back({c_.packs[child].of, child, c_.packs[child].first, false});
     });
   }
 
   const SweepColumns& c_;
   const PruneRegion& region_;
-  ByClass& opened_;
+  ByClass& expanded_;
   std::size_t room_ = 0;
 };
+
 }  // namespace
 
-void NearList::reset(std::size_t slots, const Vec3& about) {
-  const std::size_t lines = (slots + kPad - 1) / kPad + 1;
-  runs_.clear();
-  size_ = 0;
-  origin = about;
-  extent = 0;
-  closed = true;
-  if (lines * kPad <= stride_) return;
-  stride_ = lines * kPad;
-  lines_.resize(lines * kNearColumns);
-}
-
-std::size_t NearList::open_run(std::uint32_t of, std::size_t numbers) {
-  const std::size_t end = runs_.empty() ? 0 : runs_.back().first + runs_.back().count;
-  runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
-  return runs_.back().first;
-}
-
-void NearList::close_run(std::size_t count) {
-  if (count == 0) return runs_.pop_back();
-  runs_.back().count = count;
-  size_ += count;
-}
-
 // Classes in the order of their groups, so that runs that may be compared follow one another.
-void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const {
-  const Columns& c = *columns_;
+void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids,
+                     const Vec3& origin, CandidateList& out) {
+  const SweepColumns& c = table.columns();
   const auto [sweeps, turned, packs] = c.numbers_of(ids);
   static thread_local ByClass entries;
   entries.clear();
@@ -350,9 +343,12 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
   for (const std::uint32_t pack : packs)
     entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
   sort_by_class(entries, c.classes.size());
+  std::size_t slots = ids.size();
+  for (std::size_t k = 0; !c.first_piece.empty() && k < sweeps.size(); ++k)
+    slots += c.piece_count(sweeps[k]);
   std::size_t runs = 2;
   for (std::size_t k = 1; k < entries.size(); ++k) runs += entries[k].of != entries[k - 1].of;
-  out.reset(NearList::room(ids.size(), runs), origin);
+  out.reset(CandidateList::room(slots, runs), origin);
   RunWriter writer(out, c);
   if (one && !sweeps.empty()) {
     writer.open(0);
@@ -369,10 +365,21 @@ void SweepTable::list(std::span<const std::uint32_t> ids, const Vec3& origin, Ne
   out.close_run(turned.size());
 }
 
-bool SweepTable::open(const PruneRegion& region, const NearList& in, NearList& out) const {
-  PackOpener opener(*columns_, region);
-  if (!opener.find(in)) return false;
-  opener.write(in, out);
+bool expand_packs(const SweepTable& table, const PruneRegion& region, const CandidateList& in,
+                  CandidateList& out) {
+  PackExpander expander(table.columns(), region);
+  if (!expander.find(in)) return false;
+  expander.write(in, out);
   return true;
 }
+
+void least_distances(const SweepTable& table, const CandidateList& list, PointColumns& points) {
+  static thread_local std::vector<std::uint32_t> ids;
+  ids.clear();
+  for (const CandidateList::Run& run : list.runs())
+    for (std::size_t k = 0; k < run.count; ++k)
+      table.columns().append_sweeps(list.number(run, k), ids);
+  table.least(ids, points);
+}
+
 }  // namespace mrsim

@@ -1,7 +1,10 @@
-// Lists of sweeps, pruned for the parts of their blocks.
-#include "removal/near_args.h"
-#include "removal/near_turned.h"
-#include "removal/sweep_columns.h"
+#include "removal/prune/prune.h"
+
+#include "removal/prune/heights.h"
+#include "removal/prune/list_candidates.h"
+#include "removal/prune/prune_turned.h"
+#include "removal/prune/region_args.h"
+#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +23,10 @@ constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
 class Rows {
  public:
   void resize(std::size_t slots) {
-    stride_ = slots + NearList::kPad;
+    stride_ = slots + CandidateList::kPad;
     if (data_.size() < 7 * stride_) data_.resize(7 * stride_);
   }
-  NearRows at(std::size_t slot) {
+  CandidateRows at(std::size_t slot) {
     float* p = data_.data() + slot;
     return {p,
             p + stride_,
@@ -41,7 +44,8 @@ class Rows {
 
 struct Scratch {
   Rows rows;
-  std::vector<NearLeast> least;
+  std::vector<LeastDistance> least;
+  std::vector<float> lower;  ///< bounds of heights by slot
   std::vector<double> distance;
   std::vector<std::uint32_t> ids;
   TurnTree::Packs packs, left;
@@ -53,19 +57,21 @@ Scratch& scratch() {
 }
 
 // The in-plane radius of a region.
-float lateral(const NearArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }
+float lateral(const RegionArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }
 
 // Sweeps without columns: in double, then rounded. Returns the largest value.
-double near_others(const SweepTable& table, const SweepColumns& c, const NearList& list,
-                   const NearList::Run& run, const PruneRegion& region, double reach) {
+double near_others(const SweepTable& table, const CandidateList& list,
+                   const CandidateList::Run& run, const PruneRegion& region, double reach) {
+  const SweepColumns& c = table.columns();
   Scratch& s = scratch();
   s.ids.resize(run.count), s.distance.resize(run.count);
   for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = list.number(run, k);
   const Vec3& p = region.center;
   table.distances(s.ids, p, s.distance.data());
-  const NearRows out = s.rows.at(run.first);
-  NearLeast& least = s.least.emplace_back(NearLeast{kInfinity, kInfinity, kInfinity});
-  const std::size_t padded = (run.count + NearList::kPad - 1) / NearList::kPad * NearList::kPad;
+  const CandidateRows out = s.rows.at(run.first);
+  LeastDistance& least = s.least.emplace_back(LeastDistance{kInfinity, kInfinity, kInfinity});
+  const std::size_t padded =
+      (run.count + CandidateList::kPad - 1) / CandidateList::kPad * CandidateList::kPad;
   std::fill(out.distance + run.count, out.distance + padded, kInfinity);
   std::fill(out.squared + run.count, out.squared + padded, kInfinity);
   std::fill(out.z + run.count, out.z + padded, kInfinity);
@@ -95,15 +101,19 @@ double near_others(const SweepTable& table, const SweepColumns& c, const NearLis
 // One step of pruning: rows of all runs, then what to keep of each.
 class Pruner {
  public:
-  Pruner(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
-         double reach, const NearList& in)
-      : columns_(columns),
+  Pruner(const SweepTable& table, const PruneRegion& region, double reach, double band,
+         const CandidateList& in)
+      : columns_(table.columns()),
         in_(in),
-        kernels_(near_kernels()),
+        kernels_(candidate_kernels()),
         region_(region),
         slack_(2 * table.max_error() + kPruneRounding),
         deep_(-reach),
-        at_(near_args(region, in.origin)) {
+        at_(region_args(region, in.origin)),
+        heights_(band + slack_) {
+    const auto& runs = in.runs();
+    for (std::size_t i = 0; band > 0 && i < runs.size(); ++i)
+      by_heights_ = by_heights_ || type(i).form == SweepClass::Form::piece;
     measure(table, region);
   }
 
@@ -112,7 +122,9 @@ class Pruner {
   /// By how much the nearest sweep may be nearer than least() + delta(): packs count from above.
   double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
   /// The whole region is deep in one sweep; the others were not asked.
-  bool is_swept() const { return double(least_) + at_.delta < deep_; }
+  bool is_swept() const {
+    return double(least_) + at_.delta < deep_ || (by_heights_ && heights_.is_swept());
+  }
   /// The same, as the nearest strip tells by where its nearest point lies.
   bool is_swept_by_nearest() {
     const double band = -deep_ - region_.radius;
@@ -122,7 +134,7 @@ class Pruner {
       if (!is_strip(i) || scratch_.least[i].distance > least_) continue;
       const std::size_t k = kernels_.find(rows(i).distance, runs[i].count, least_);
       if (k == runs[i].count) continue;
-      const NearRows r = rows(i);
+      const CandidateRows r = rows(i);
       return farthest(region_, r.x[k], r.y[k], r.z[k]) - type(i).tool.round + 2 * at_.delta < -band;
     }
     return false;
@@ -130,13 +142,13 @@ class Pruner {
 
   /// What is not beaten within the limit; nothing where the region comes near none of it. False
   /// where the region turns out to be deep in one sweep.
-  bool keep(double limit, double band, NearList& out) {
+  bool keep(double limit, double band, CandidateList& out) {
     if (has_packs()) {
       columns_.turn_tree.narrow(turn_region(region_), scratch_.turned, limit, slack_,
                                 scratch_.packs, scratch_.left);
     }
     const std::size_t slots = in_.runs().empty() ? 0 : end_of(in_.runs().back());
-    out.reset(slots + NearList::room(has_packs() ? scratch_.left.size() : 0, 1), in_.origin);
+    out.reset(slots + CandidateList::room(has_packs() ? scratch_.left.size() : 0, 1), in_.origin);
     out.extent = in_.extent;
     out.closed = in_.closed;
     const auto& runs = in_.runs();
@@ -146,6 +158,8 @@ class Pruner {
       while (to < runs.size() && group >= 0 && type(to).group == group) ++to;
       if (type(from).form == SweepClass::Form::turn)
         keep_packs(runs[from].of, out);
+      else if (is_bounded(from))
+        keep_pieces(from, to, out);
       else if (!keep_group(from, to, limit, band, out))
         return false;
       from = to;
@@ -155,14 +169,14 @@ class Pruner {
   }
 
  private:
-  static std::size_t end_of(const NearList::Run& run) { return run.first + run.count; }
+  static std::size_t end_of(const CandidateList::Run& run) { return run.first + run.count; }
   const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
   bool is_strip(std::size_t run) const {
     return type(run).form == SweepClass::Form::strip && !type(run).packs;
   }
   // Below its tip a level move is at least as far as that is high.
   bool is_level(std::size_t run) const {
-    return type(run).kind == SweepClass::Kind::plan && type(run).form != SweepClass::Form::other;
+    return type(run).form == SweepClass::Form::line || type(run).form == SweepClass::Form::arc;
   }
   float bottom() const { return at_.z - at_.tall - 2 * at_.delta; }
   float top() const { return at_.z + at_.tall + 2 * at_.delta; }
@@ -170,15 +184,66 @@ class Pruner {
   float within_band() const {
     return static_cast<float>(1.000001 * (-deep_ - region_.radius)) + 16 * at_.delta;
   }
-  NearRows rows(std::size_t run) { return scratch_.rows.at(in_.runs()[run].first); }
+  CandidateRows rows(std::size_t run) { return scratch_.rows.at(in_.runs()[run].first); }
   /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
   /// before its last one.
   Beater beater_at(std::size_t run, std::size_t k) {
-    const NearRows r = rows(run);
+    const CandidateRows r = rows(run);
     float id = in_.column(kIdColumn)[in_.runs()[run].first + k];
     if (type(run).packs)
       id = std::bit_cast<float>(columns_.packs[in_.number(in_.runs()[run], k)].last);
     return {r.squared[k], r.x[k], r.y[k], r.z[k], r.level[k], id};
+  }
+
+  bool is_other(std::size_t run) const {
+    return type(run).form == SweepClass::Form::other ||
+           (type(run).form == SweepClass::Form::piece && !by_heights_);
+  }
+  // Kept by its heights.
+  bool is_bounded(std::size_t run) const {
+    return type(run).form == SweepClass::Form::piece && by_heights_;
+  }
+  // Its rows tell heights.
+  bool is_measured_level(std::size_t run) const {
+    return !type(run).packs &&
+           (type(run).form == SweepClass::Form::line || type(run).form == SweepClass::Form::arc);
+  }
+
+  // What the list's heights are in the square: a sweep above the lowest of them, or above the
+  // region, is out of all that is asked.
+  void measure_heights() {
+    heights_.begin(at_, lateral(at_));
+    scratch_.lower.resize(
+        std::max(scratch_.lower.size(), end_of(in_.runs().back()) + CandidateList::kPad));
+    for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i) {
+      const CandidateList::Run& run = in_.runs()[i];
+      float* lower = scratch_.lower.data() + run.first;
+      if (is_bounded(i))
+        heights_.add(kernels_.piece_heights(in_.columns(run.first), run.count,
+                                            heights_.args(type(i).heights), lower));
+      else if (is_measured_level(i))
+        heights_.add(
+            kernels_.level_heights(rows(i), run.count, heights_.args(type(i).heights), lower));
+    }
+    for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i)
+      if (is_measured_level(i)) drop_high(i);
+  }
+  void drop_high(std::size_t i) {
+    const CandidateRows r = rows(i);
+    const float* lower = scratch_.lower.data() + in_.runs()[i].first;
+    for (std::size_t k = 0; k < in_.runs()[i].count; ++k)
+      if (lower[k] > heights_.limit()) r.distance[k] = kInfinity;
+  }
+  void keep_pieces(std::size_t from, std::size_t to, CandidateList& out) {
+    for (std::size_t i = from; i < to; ++i) {
+      const CandidateList::Run& run = in_.runs()[i];
+      const std::size_t first = out.open_run(run.of, run.numbers);
+      const std::size_t kept =
+          kernels_.keep_low(scratch_.lower.data() + run.first, run.count, heights_.limit(),
+                            in_.columns(run.first), out.column(0) + first, out.stride());
+      reaches_ = reaches_ || kept > 0;
+      out.close_run(kept);
+    }
   }
 
   // Packs are the last run.
@@ -186,7 +251,7 @@ class Pruner {
     return !in_.runs().empty() && type(in_.runs().size() - 1).form == SweepClass::Form::turn;
   }
 
-  void keep_packs(std::uint32_t of, NearList& out) {
+  void keep_packs(std::uint32_t of, CandidateList& out) {
     const std::vector<std::uint32_t>& left = scratch_.left;
     const std::size_t first = out.open_run(of);
     const auto base = static_cast<std::uint32_t>(columns_.refs.size());
@@ -197,7 +262,7 @@ class Pruner {
   }
 
   // The nearest of all packs; its distance.
-  NearLeast near_packs(const NearList::Run& run) {
+  LeastDistance near_packs(const CandidateList::Run& run) {
     scratch_.packs.clear(), scratch_.turned = {};
     const Vec3& c = region_.center;
     const double rho = std::sqrt(c.x * c.x + c.y * c.y);
@@ -212,11 +277,11 @@ class Pruner {
   void measure(const SweepTable& table, const PruneRegion& region) {
     scratch_.least.clear();
     if (in_.runs().empty()) return;
-    scratch_.rows.resize(end_of(in_.runs().back()) + NearList::kPad);
+    scratch_.rows.resize(end_of(in_.runs().back()) + CandidateList::kPad);
     double extent = near_extent(at_, in_);
     for (std::size_t i = 0; i < in_.runs().size(); ++i)
-      if (type(i).form == SweepClass::Form::other)
-        extent = std::max(extent, near_others(table, columns_, in_, in_.runs()[i], region, -deep_));
+      if (is_other(i))
+        extent = std::max(extent, near_others(table, in_, in_.runs()[i], region, -deep_));
       else
         scratch_.least.push_back({});
     if (has_packs()) {
@@ -224,13 +289,15 @@ class Pruner {
       extent = std::max(extent, std::fabs(scratch_.turned.distance));
     }
     set_delta(at_, extent, region.radius);
-    for (const NearList::Run& run : in_.runs())
+    for (const CandidateList::Run& run : in_.runs())
       spread_ = std::max(spread_, columns_.classes[run.of].spread);
     for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) probe_run(i);
-    for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) measure_run(i);
+    for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i)
+      if (!is_bounded(i)) measure_run(i);
+    if (by_heights_ && !is_swept()) measure_heights();
   }
 
-  using Kernel = decltype(NearKernels::strip);
+  using Kernel = decltype(CandidateKernels::strip);
   Kernel kernel_of(std::size_t run) const {
     const SweepClass::Form form = type(run).form;
     return form == SweepClass::Form::strip  ? kernels_.strip
@@ -241,30 +308,30 @@ class Pruner {
   // A few sweeps here and there in a long run tell most regions that are deep in one, which is no
   // farther away than the tool is wide.
   void probe_run(std::size_t i) {
-    const NearList::Run& run = in_.runs()[i];
+    const CandidateList::Run& run = in_.runs()[i];
     if (run.count < kLongRun || type(i).form > SweepClass::Form::arc) return;
     at_.tool = type(i).tool;
     if (at_.tool.core + at_.tool.round < -deep_) return;
-    const std::size_t stretch = run.count / kProbes / NearList::kPad * NearList::kPad;
+    const std::size_t stretch = run.count / kProbes / CandidateList::kPad * CandidateList::kPad;
     for (std::size_t k = 0; k < run.count && !is_swept(); k += stretch) {
-      const std::size_t some = std::min(run.count - k, NearList::kPad);
-      const NearLeast found =
+      const std::size_t some = std::min(run.count - k, CandidateList::kPad);
+      const LeastDistance found =
           kernel_of(i)(in_.columns(run.first + k), some, at_, scratch_.rows.at(run.first + k));
       least_ = std::min(least_, found.distance + spread_of(i));
     }
   }
 
   void measure_run(std::size_t i) {
-    const NearList::Run& run = in_.runs()[i];
-    NearLeast& least = scratch_.least[i];
+    const CandidateList::Run& run = in_.runs()[i];
+    LeastDistance& least = scratch_.least[i];
     at_.tool = type(i).tool;
     set_margin(at_, static_cast<float>(1.0001 * (type(i).spread + spread_)));
     if (type(i).form == SweepClass::Form::turn) {
       least_ = std::min(least_, least.distance);
       return;
     }
-    if (type(i).form == SweepClass::Form::other) {
-      const NearRows r = rows(i);
+    if (is_other(i)) {
+      const CandidateRows r = rows(i);
       for (std::size_t k = 0; k < run.count; ++k)
         r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + 1e-9f * r.squared[k];
       least_ = std::min(least_, least.distance);
@@ -273,8 +340,9 @@ class Pruner {
     const Kernel kernel = kernel_of(i);
     least = {kInfinity, kInfinity, kInfinity};
     for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
-      const NearLeast some = kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether),
-                                    at_, scratch_.rows.at(run.first + k));
+      const LeastDistance some =
+          kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether), at_,
+                 scratch_.rows.at(run.first + k));
       least.distance = std::min(least.distance, some.distance);
       least.squared = std::min(least.squared, some.squared);
       least.z = std::min(least.z, some.z);
@@ -286,7 +354,7 @@ class Pruner {
   float spread_of(std::size_t run) const { return static_cast<float>(1.0001 * type(run).spread); }
 
   // False where one of the group covers the region.
-  bool keep_group(std::size_t from, std::size_t to, double limit, double band, NearList& out) {
+  bool keep_group(std::size_t from, std::size_t to, double limit, double band, CandidateList& out) {
     KeepArgs args;
     args.at = at_;
     args.plan = type(from).kind == SweepClass::Kind::plan;
@@ -298,8 +366,8 @@ class Pruner {
       find_beater(from, to, args);
     }
     for (std::size_t i = from; i < to; ++i) {
-      const NearList::Run& run = in_.runs()[i];
-      static constexpr std::size_t kColumns[] = {8, 7, 9, 0};
+      const CandidateList::Run& run = in_.runs()[i];
+      static constexpr std::size_t kColumns[] = {8, 7, 9, 0, 0, 8};  // by form
       const std::size_t columns =
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(i)), kInfinity);
@@ -343,7 +411,7 @@ class Pruner {
     nearest.squared = kInfinity, lowest.z = kInfinity, args.cover.z = kInfinity;
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t n = in_.runs()[i].count;
-      const NearRows r = rows(i);
+      const CandidateRows r = rows(i);
       const PlanBeaters found =
           kernels_.plan(r, n, scratch_.least[i], covers ? inside * inside : -1.0f);
       const auto take = [&](std::size_t k) { return beater_at(i, k); };
@@ -363,21 +431,23 @@ class Pruner {
   static constexpr std::size_t kLongRun = 512, kProbes = 16;
 
   const SweepColumns& columns_;
-  const NearList& in_;
+  const CandidateList& in_;
   Scratch& scratch_ = scratch();
-  const NearKernels& kernels_;
+  const CandidateKernels& kernels_;
   const PruneRegion& region_;
   double slack_;  // mm: what rounding may change in a difference of two distances
   double deep_;
-  NearArgs at_;
+  RegionArgs at_;
+  HeightBounds heights_;
+  bool by_heights_ = false;  // the list has pieces, and no more than the band is asked
   float least_ = kInfinity;
   double spread_ = 0;     // mm: the largest of a pack
   bool reaches_ = false;  // the region may come near what is kept
 };
 
-bool prune_once(const SweepTable& table, const SweepColumns& columns, const PruneRegion& region,
-                double reach, double band, const NearList& in, NearList& out) {
-  Pruner pruner(table, columns, region, reach, in);
+bool prune_once(const SweepTable& table, const PruneRegion& region, double reach, double band,
+                const CandidateList& in, CandidateList& out) {
+  Pruner pruner(table, region, reach, band, in);
   if (pruner.is_swept() || pruner.is_swept_by_nearest()) {
     out.reset(0, in.origin);
     return false;
@@ -393,16 +463,16 @@ bool prune_once(const SweepTable& table, const SweepColumns& columns, const Prun
 
 }  // namespace
 
-bool SweepTable::prune(const PruneRegion& region, double reach, double band, const NearList& in,
-                       NearList& out) const {
-  static thread_local NearList opened;
+bool prune(const SweepTable& table, const PruneRegion& region, double reach, double band,
+           const CandidateList& in, CandidateList& out) {
+  static thread_local CandidateList expanded;
   if (in.empty()) {
     out.reset(0, in.origin);
     return true;
   }
-  if (!prune_once(*this, *columns_, region, reach, band, in, out)) return false;
-  return !open(region, out, opened) ||
-         prune_once(*this, *columns_, region, reach, band, opened, out);
+  if (!prune_once(table, region, reach, band, in, out)) return false;
+  return !expand_packs(table, region, out, expanded) ||
+         prune_once(table, region, reach, band, expanded, out);
 }
 
 }  // namespace mrsim

@@ -1,7 +1,8 @@
-// The last step of pruning long lists of one ball's lines: nothing but their indices is wanted.
+#include "removal/prune/prune_strips.h"
+
 #include "core/heap.h"
-#include "removal/near_args.h"
-#include "removal/sweep_columns.h"
+#include "removal/prune/region_args.h"
+#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,25 +11,26 @@
 
 namespace mrsim {
 
-bool SweepTable::is_of_strips(const NearList& list) const {
+bool is_of_strips(const SweepTable& table, const CandidateList& list) {
+  const std::vector<SweepClass>& classes = table.columns().classes;
   const auto& runs = list.runs();
-  return !runs.empty() && std::all_of(runs.begin(), runs.end(), [&](const NearList::Run& run) {
-    const SweepClass& type = columns_->classes[run.of];
+  return !runs.empty() && std::all_of(runs.begin(), runs.end(), [&](const CandidateList::Run& run) {
+    const SweepClass& type = classes[run.of];
     return type.form == SweepClass::Form::strip && !type.packs &&
-           type.group == columns_->classes[runs[0].of].group;
+           type.group == classes[runs[0].of].group;
   });
 }
 
-std::array<std::size_t, 4> SweepTable::nearest_strips(const PruneRegion& region, double beside,
-                                                      const NearList& in) const {
-  const NearArgs at = near_args(region, in.origin);
+std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
+                                          const CandidateList& in) {
+  const RegionArgs at = region_args(region, in.origin);
   std::array<std::size_t, 4> slots{};
   float least[4];
   std::fill_n(least, 4, std::numeric_limits<float>::infinity());
-  for (const NearList::Run& run : in.runs()) {
-    NearStrip own[4];
-    near_kernels().strip_quarters(in.columns(run.first), run.count, at, static_cast<float>(beside),
-                                  own);
+  for (const CandidateList::Run& run : in.runs()) {
+    StripAt own[4];
+    candidate_kernels().strip_quarters(in.columns(run.first), run.count, at,
+                                       static_cast<float>(beside), own);
     for (std::size_t part = 0; part < 4; ++part)
       if (own[part].squared < least[part])
         least[part] = own[part].squared, slots[part] = run.first + own[part].slot;
@@ -36,19 +38,20 @@ std::array<std::size_t, 4> SweepTable::nearest_strips(const PruneRegion& region,
   return slots;
 }
 
-bool SweepTable::prune_strips(const PruneRegion& region, double reach, const NearList& in,
-                              std::size_t near, std::vector<std::uint32_t>& out) const {
-  const NearKernels& kernels = near_kernels();
+bool prune_strips(const SweepTable& table, const PruneRegion& region, double reach,
+                  const CandidateList& in, std::size_t near, std::vector<std::uint32_t>& out) {
+  const SweepColumns& columns = table.columns();
+  const CandidateKernels& kernels = candidate_kernels();
   out.clear();
-  NearArgs at = near_args(region, in.origin);
-  at.tool = columns_->classes[in.runs()[0].of].tool;
+  RegionArgs at = region_args(region, in.origin);
+  at.tool = columns.classes[in.runs()[0].of].tool;
   set_delta(at, near_extent(at, in), region.radius);
   set_margin(at, 0);
   const Beater beater = kernels.strip_beater(in.columns(near), 0, at);
   const double delta = at.delta, round = at.tool.round;
   const double least = std::sqrt(double(beater.squared)) - round + delta;
   if (least < -reach) return false;
-  const double slack = 2 * max_error() + kPruneRounding;
+  const double slack = 2 * columns.max_error + kPruneRounding;
   const double limit = kept_within(least, 2 * delta, region, reach, slack) + delta + round;
   if (limit < 0) return true;
   const double band = reach - region.radius;
@@ -58,8 +61,8 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
   bool reaches = false;
   static thread_local std::vector<float> memory;
   std::vector<float>& bits = memory;
-  for (const NearList::Run& run : in.runs()) {
-    bits.resize(std::max(bits.size(), run.count + NearList::kPad));
+  for (const CandidateList::Run& run : in.runs()) {
+    bits.resize(std::max(bits.size(), run.count + CandidateList::kPad));
     const std::size_t left = kernels.strip_ids(in.columns(run.first), run.count, at, beater, limits,
                                                within, bits.data(), reaches);
     const std::size_t first = out.size();
@@ -68,8 +71,8 @@ bool SweepTable::prune_strips(const PruneRegion& region, double reach, const Nea
   }
   if (!reaches) out.clear();
   for (const std::uint32_t id : out) {
-    prefetch(columns_->ball_lines[columns_->row_of(id)]);
-    prefetch(columns_->motions[id]);
+    prefetch(columns.ball_lines[columns.row_of(id)]);
+    prefetch(columns.motions[id]);
   }
   return true;
 }

@@ -1,8 +1,7 @@
-// Turning sweeps in lists: packs of their tree, and the sweeps themselves where they are few.
-#include "removal/near_turned.h"
+#include "removal/prune/prune_turned.h"
 
-#include "removal/near_args.h"
-#include "removal/sweep_columns.h"
+#include "removal/prune/region_args.h"
+#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,24 +21,24 @@ TurnRegion turn_region(const PruneRegion& region) {
   return r;
 }
 
-bool SweepTable::open_turned(const PruneRegion& region, double reach, std::size_t most,
-                             std::vector<std::uint32_t>& ids) const {
+bool expand_turned(const SweepTable& table, const PruneRegion& region, double reach,
+                   std::size_t most, std::vector<std::uint32_t>& ids) {
   static thread_local TurnTree::Packs packs;
   static thread_local std::vector<TurnTree::Member> members;
-  const auto numbers = columns_->numbers_of(ids);
+  const auto numbers = table.columns().numbers_of(ids);
   if (numbers.turned.empty()) return true;
   if (!numbers.packs.empty()) return false;
   const std::size_t plain = numbers.sweeps.size();
-  const TurnTree& tree = columns_->turn_tree;
+  const TurnTree& tree = table.turn_tree();
   const TurnRegion at = turn_region(region);
   packs.clear(), members.clear();
   for (std::size_t k = plain; k < ids.size(); ++k) {
-    packs.push_back(ids[k] - static_cast<std::uint32_t>(size()));
+    packs.push_back(ids[k] - static_cast<std::uint32_t>(table.size()));
     if (packs.size() > most || !tree.is_leaf(packs.back())) return false;
   }
   TurnTree::Nearest best;
   for (const std::uint32_t pack : packs) tree.nearest(pack, at.center.x, at.center.y, best);
-  tree.members(at, best, reach, 2 * max_error() + kPruneRounding, packs, members);
+  tree.members(at, best, reach, 2 * table.max_error() + kPruneRounding, packs, members);
   if (members.size() > most) return false;
   ids.resize(plain);
   for (const TurnTree::Member& m : members) ids.push_back(m.sweep);

@@ -1,7 +1,7 @@
 // A region as the pruning loops see it, with what single precision may err by (docs/removal.md).
 #pragma once
 
-#include "removal/near_list.h"
+#include "removal/prune/candidate_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ inline constexpr double kPruneRounding = 1e-9;  ///< mm: of coordinates up to 10
                                                 ///< with room
 
 /// About the list's origin; without errors.
-inline NearArgs near_args(const PruneRegion& region, const Vec3& origin) {
-  NearArgs a;
+inline RegionArgs region_args(const PruneRegion& region, const Vec3& origin) {
+  RegionArgs a;
   a.x = static_cast<float>(region.center.x - origin.x);
   a.y = static_cast<float>(region.center.y - origin.y);
   a.z = static_cast<float>(region.center.z - origin.z);
@@ -26,19 +26,19 @@ inline NearArgs near_args(const PruneRegion& region, const Vec3& origin) {
 }
 
 /// The largest coordinate or size that the loops meet, of those known before.
-inline double near_extent(const NearArgs& a, const NearList& list) {
+inline double near_extent(const RegionArgs& a, const CandidateList& list) {
   return std::max<double>({list.extent, std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
 /// The loops err by less than 64 half ulps of the largest value.
-inline void set_delta(NearArgs& a, double extent, double radius) {
+inline void set_delta(RegionArgs& a, double extent, double radius) {
   a.delta = static_cast<float>(64 * kHalfUlp * (extent + radius));
 }
 
 /// Margin of dominance. The skeletons of two packs differ from their chords by up to `spread` mm
 /// together: so do the distances of a point from them, and their squares by that times twice the
 /// larger one.
-inline void set_margin(NearArgs& a, float spread) {
+inline void set_margin(RegionArgs& a, float spread) {
   a.fixed = a.delta * (4 * a.radius + 16 * a.delta) + 1e-9f + 2 * spread * a.radius;
   a.per_root = 4 * a.delta + 2 * spread;
 }
@@ -62,7 +62,7 @@ inline double farthest(const PruneRegion& region, double x, double y, double z) 
 
 /// mm: what comes_within() of the loops is asked, so that errors do not matter: the distance from a
 /// skeleton at which a region ends to be deep in the material.
-inline float surely_within(const NearArgs& a, const PruneRegion& region, double reach) {
+inline float surely_within(const RegionArgs& a, const PruneRegion& region, double reach) {
   return static_cast<float>(1.000001 * (a.tool.round + reach - region.radius)) + 16 * a.delta;
 }
 

@@ -1,8 +1,8 @@
 // Instruction sets of the pruning loops: each namespace defines a register V of floats and how to
 // fill it, then includes the loops. As in sweep_kernels.cpp one build runs everywhere.
-#include "removal/near_kernels.h"
+#include "removal/simd/candidate_kernels.h"
 
-#include "removal/sweep_kernels.h"
+#include "removal/simd/sweep_kernels.h"
 
 #include <array>
 #include <bit>
@@ -24,7 +24,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kLaneNumbers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 }  // namespace
 
-namespace near_scalar {
+namespace candidates_scalar {
 namespace {
 
 constexpr std::size_t kLanes = 1;
@@ -54,11 +54,11 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
   *out = v;
   return m ? 1 : 0;
 }
-#include "removal/near_kernels.inl"
+#include "removal/simd/candidate_kernels.inl"
 #undef MRSIM_LANE
 
 }  // namespace
-}  // namespace near_scalar
+}  // namespace candidates_scalar
 
 #ifdef MRSIM_X86
 
@@ -81,7 +81,7 @@ constexpr auto kPacked = [] {
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
-namespace near_avx2 {
+namespace candidates_avx2 {
 namespace {
 
 constexpr std::size_t kLanes = 8;
@@ -123,10 +123,10 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
   store(out, _mm256_permutevar8x32_ps(v, _mm256_loadu_si256(lanes)));
   return static_cast<std::size_t>(std::popcount(mask));
 }
-#include "removal/near_kernels.inl"
+#include "removal/simd/candidate_kernels.inl"
 
 }  // namespace
-}  // namespace near_avx2
+}  // namespace candidates_avx2
 #ifdef __clang__
 #pragma clang attribute pop
 #pragma clang attribute push(__attribute__((target("avx512f"))), apply_to = function)
@@ -135,7 +135,7 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
 #pragma GCC push_options
 #pragma GCC target("avx512f,popcnt")
 #endif
-namespace near_avx512 {
+namespace candidates_avx512 {
 namespace {
 
 constexpr std::size_t kLanes = 16;
@@ -168,10 +168,10 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
   store(out, _mm512_maskz_compress_ps(m, v));
   return static_cast<std::size_t>(std::popcount(static_cast<unsigned>(m)));
 }
-#include "removal/near_kernels.inl"
+#include "removal/simd/candidate_kernels.inl"
 
 }  // namespace
-}  // namespace near_avx512
+}  // namespace candidates_avx512
 #ifdef __clang__
 #pragma clang attribute pop
 #else
@@ -180,17 +180,18 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
 
 #endif  // MRSIM_X86
 
-const NearKernels* near_kernels(SimdLevel level) {
+const CandidateKernels* candidate_kernels(SimdLevel level) {
 #ifdef MRSIM_X86
-  return kernels_at<NearKernels>(
-      level, {&near_scalar::kKernels, &near_avx2::kKernels, &near_avx512::kKernels});
+  return kernels_at<CandidateKernels>(
+      level,
+      {&candidates_scalar::kKernels, &candidates_avx2::kKernels, &candidates_avx512::kKernels});
 #else
-  return kernels_at<NearKernels>(level, {&near_scalar::kKernels, nullptr, nullptr});
+  return kernels_at<CandidateKernels>(level, {&candidates_scalar::kKernels, nullptr, nullptr});
 #endif
 }
 
-const NearKernels& near_kernels() {
-  static const NearKernels& best = *near_kernels(best_simd_level());
+const CandidateKernels& candidate_kernels() {
+  static const CandidateKernels& best = *candidate_kernels(best_simd_level());
   return best;
 }
 

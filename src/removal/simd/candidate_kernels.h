@@ -5,6 +5,9 @@
 //                                                plan, slope
 //   line   ax ay dx dy 1/(dx^2+dy^2) - tip level path in plan, height of the tip and its number
 //   arc    cx cy R mx my cos sin tip level       as in sweep_lanes.inl
+//   piece  ax ay az ux uy L m eps                a straight piece of a slanted path: the tip at its
+//                                                lower end, direction and length in plan, slope,
+//                                                and how far the path may be from it
 // A level number is equal for two sweeps just when their tips are equally high in double; NaN
 // equals nothing. The last column holds the bits of the sweep's index, which compare as they do;
 // for a pack that of its first sweep, and the column before it the pack's number.
@@ -19,7 +22,7 @@ enum class SimdLevel;
 
 inline constexpr std::size_t kNearColumns = 10, kIdColumn = 9, kPackColumn = 8;
 
-struct NearColumns {
+struct CandidateColumns {
   const float* base = nullptr;
   std::size_t stride = 0;
   const float* operator[](std::size_t i) const { return base + i * stride; }
@@ -33,8 +36,30 @@ struct ToolColumns {
   bool rising = false;        ///< a lower tip removes more
 };
 
+/// A tool as the bounds of heights see it, mm: a disc, a fillet, a cone, and a wall.
+struct HeightTool {
+  float core = 0, round = 0;  ///< radius of the disc at the tip, and of the fillet about it
+  float per_round = 0;        ///< 1 / round; 0 without a fillet
+  float reach = 0;            ///< of the fillet in plan, beyond the disc
+  float slope = 0;            ///< of the cone that follows; 0 = none
+  float steepest = 0;         ///< slope of a tangent that lies below the tool
+  float sine = 0;             ///< of its angle
+  float radius = 0;           ///< of the wall
+  float lift = 0;             ///< how far the tool may be above this outline
+  float top = 0;              ///< height up to which it does not narrow
+};
+
+/// A square in plan for the bounds of heights.
+struct HeightArgs {
+  float x = 0, y = 0;  ///< centre about the list's origin
+  float wide = 0;      ///< radius in plan of what the bounds are for
+  float top = 0;       ///< height above which a bound need not hold
+  float error = 0;     ///< of a bound
+  HeightTool tool;
+};
+
 /// The region and the slack of one step.
-struct NearArgs {
+struct RegionArgs {
   float x = 0, y = 0, z = 0;             ///< centre about the list's origin
   float half = 0, tall = 0, radius = 0;  ///< of the region
   bool box = false;
@@ -45,12 +70,12 @@ struct NearArgs {
 };
 
 /// What is found of each sweep.
-struct NearRows {
+struct CandidateRows {
   float *distance, *squared;  ///< to the sweep; to its skeleton
   float *x, *y, *z;           ///< nearest point of the skeleton less the centre; plan: z of the tip
   float *rest, *level;        ///< what dominance has to exceed besides the linear term, with margin
 };
-struct NearLeast {
+struct LeastDistance {
   float distance, squared, z;
 };
 
@@ -59,7 +84,7 @@ struct Beater {
   float squared, x, y, z, level, id;
 };
 struct KeepArgs {
-  NearArgs at;
+  RegionArgs at;
   float limit = 0;   ///< largest distance that is kept
   float beyond = 0;  ///< plan: squared distance from which two equal tips differ strictly
   float within = 0;  ///< what is asked, see keep: of strips the distance from a skeleton, of level
@@ -73,44 +98,61 @@ struct PlanBeaters {
 };
 
 /// Of several strips the first of the nearest ones, by the squared distance less one for all.
-struct NearStrip {
+struct StripAt {
   float squared;
   std::size_t slot;
 };
 
-struct NearKernels {
+struct CandidateKernels {
   /// Fill the rows of n sweeps, padded with infinite distances to a whole register; the least of
   /// each.
-  NearLeast (*strip)(const NearColumns& c, std::size_t n, const NearArgs& a, const NearRows& out);
-  NearLeast (*line)(const NearColumns& c, std::size_t n, const NearArgs& a, const NearRows& out);
-  NearLeast (*arc)(const NearColumns& c, std::size_t n, const NearArgs& a, const NearRows& out);
+  LeastDistance (*strip)(const CandidateColumns& c, std::size_t n, const RegionArgs& a,
+                         const CandidateRows& out);
+  LeastDistance (*line)(const CandidateColumns& c, std::size_t n, const RegionArgs& a,
+                        const CandidateRows& out);
+  LeastDistance (*arc)(const CandidateColumns& c, std::size_t n, const RegionArgs& a,
+                       const CandidateRows& out);
   /// First slot with the value; n when there is none.
   std::size_t (*find)(const float* column, std::size_t n, float value);
   /// The nearest, the lowest (then nearest), and the lowest whose squared distance is below
   /// `inside`.
-  PlanBeaters (*plan)(const NearRows& rows, std::size_t n, const NearLeast& least, float inside);
+  PlanBeaters (*plan)(const CandidateRows& rows, std::size_t n, const LeastDistance& least,
+                      float inside);
   /// Copies what is not beaten to `out` (same stride rules); how many. Writes up to a register
   /// more. `reaches` is set where the region comes within a.within of a skeleton that is kept,
   /// which must be convex; of level moves, where the tip of one that is kept is no higher.
-  std::size_t (*keep)(const KeepArgs& a, const NearRows& rows, const NearColumns& in, std::size_t n,
-                      std::size_t columns, float* out, std::size_t out_stride, bool& reaches);
+  std::size_t (*keep)(const KeepArgs& a, const CandidateRows& rows, const CandidateColumns& in,
+                      std::size_t n, std::size_t columns, float* out, std::size_t out_stride,
+                      bool& reaches);
+
+  /// Heights over a square: writes what each is at least to `lower`, infinite where the tool does
+  /// not come, and returns what the least one is at most (height_lanes.inl). Of pieces of paths:
+  float (*piece_heights)(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
+                         float* lower);
+  /// Of level moves, by rows that line() or arc() has filled:
+  float (*level_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
+                         float* lower);
+
+  /// Copies the eight columns and the number of those entries whose `lower` is at most `limit`.
+  std::size_t (*keep_low)(const float* lower, std::size_t n, float limit,
+                          const CandidateColumns& in, float* out, std::size_t out_stride);
 
   // Strips of one tool for a region without parts, where nothing but their numbers is wanted.
   /// For each of four parts, about (-b, -b), (-b, b), (b, -b) and (b, b) of the centre in plan, the
   /// strip whose point nearest to the region's centre is the nearest to the part's.
-  void (*strip_quarters)(const NearColumns& c, std::size_t n, const NearArgs& a, float b,
-                         NearStrip* out);
+  void (*strip_quarters)(const CandidateColumns& c, std::size_t n, const RegionArgs& a, float b,
+                         StripAt* out);
   /// Strip k as what others have to be compared with.
-  Beater (*strip_beater)(const NearColumns& c, std::size_t k, const NearArgs& a);
+  Beater (*strip_beater)(const CandidateColumns& c, std::size_t k, const RegionArgs& a);
   /// Writes the indices (as bits) of those with a squared distance up to `limit` that are not
   /// beaten to `ids`, and up to a register more; how many. `reaches` as in keep.
-  std::size_t (*strip_ids)(const NearColumns& c, std::size_t n, const NearArgs& a, const Beater& j,
-                           float limit, float within, float* ids, bool& reaches);
+  std::size_t (*strip_ids)(const CandidateColumns& c, std::size_t n, const RegionArgs& a,
+                           const Beater& j, float limit, float within, float* ids, bool& reaches);
 };
 
 /// The kernels of a level, null where the machine or the compiler has none.
-const NearKernels* near_kernels(SimdLevel level);
+const CandidateKernels* candidate_kernels(SimdLevel level);
 /// The best ones; chosen once.
-const NearKernels& near_kernels();
+const CandidateKernels& candidate_kernels();
 
 }  // namespace mrsim

@@ -1,5 +1,5 @@
-// The loops of near_kernels.h; included once per instruction set by near_kernels.cpp, with V (floats),
-// M (mask), kLanes and the operations on them in scope.
+// The loops of candidate_kernels.h; included once per instruction set by candidate_kernels.cpp,
+// with V (floats), M (mask), kLanes and the operations on them in scope.
 
 struct Row {
   V distance, squared, x, y, z, rest, level;
@@ -8,11 +8,11 @@ struct Row {
 MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
 
 // The largest product of the vector with any offset from the region's centre.
-MRSIM_LANE V reach_of(const NearArgs& a, V x, V y) {
+MRSIM_LANE V reach_of(const RegionArgs& a, V x, V y) {
   if (a.box) return splat(a.half) * (vabs(x) + vabs(y));
   return splat(a.radius) * vsqrt(x * x + y * y);
 }
-MRSIM_LANE V reach_of(const NearArgs& a, V x, V y, V z) {
+MRSIM_LANE V reach_of(const RegionArgs& a, V x, V y, V z) {
   if (a.box) return splat(a.half) * (vabs(x) + vabs(y)) + splat(a.tall) * vabs(z);
   return splat(a.radius) * vsqrt(x * x + y * y + z * z);
 }
@@ -20,26 +20,27 @@ MRSIM_LANE V reach_of(const NearArgs& a, V x, V y, V z) {
 // Bounds are rounded up.
 MRSIM_LANE V above(V x) { return x * splat(1.00001f); }
 
-// Whether the region comes within a distance of a convex skeleton whose nearest point is at (x, y, z):
-// the distance is convex, so that it falls by no more than its slope says.
-MRSIM_LANE M comes_within(const NearArgs& a, float within, V squared, V x, V y, V z) {
+// Whether the region comes within a distance of a convex skeleton whose nearest point is at (x, y,
+// z): the distance is convex, so that it falls by no more than its slope says.
+MRSIM_LANE M comes_within(const RegionArgs& a, float within, V squared, V x, V y, V z) {
   return less_equal(squared - above(reach_of(a, x, y, z)), splat(within) * vsqrt(squared));
 }
 
-MRSIM_LANE V margin(const NearArgs& a, V squared, V root) {
+MRSIM_LANE V margin(const RegionArgs& a, V squared, V root) {
   return splat(a.fixed) + splat(a.per_root) * root + splat(1e-9f) * squared;
 }
-// On a segment of direction d (|d|^2 = size) and length `end` d, whose nearest point lies at `t` and
-// would at `raw` on the whole line: the most that a step from there on the segment gains, towards
-// an offset whose product with d is up to g. Beyond an end the segment leads away from the region.
-MRSIM_LANE V short_rest(const NearArgs& a, V g, V raw, V t, V inverse, V size, V end) {
+// On a segment of direction d (|d|^2 = size) and length `end` d, whose nearest point lies at `t`
+// and would at `raw` on the whole line: the most that a step from there on the segment gains,
+// towards an offset whose product with d is up to g. Beyond an end the segment leads away from the
+// region.
+MRSIM_LANE V short_rest(const RegionArgs& a, V g, V raw, V t, V inverse, V size, V end) {
   const V away = vabs(raw - t) * size - splat(2 * a.delta) * (splat(1) + size);
   const V gain = vmax(g - vmax(away, splat(0)), splat(0));
   const V step = vmin(gain * inverse, vmax(t, end - t));
   return step * (gain + gain - step * size);
 }
 
-MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+MRSIM_LANE Row strip_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), one = splat(1);
   const V ux = load(c[3] + k), uy = load(c[4] + k), end = load(c[5] + k), s = load(c[6] + k),
           inverse = load(c[7] + k), az = load(c[2] + k);
@@ -67,7 +68,7 @@ MRSIM_LANE Row strip_row(const NearColumns& c, std::size_t k, const NearArgs& a)
 }
 
 // rounded_slab of sweep_lanes.inl.
-MRSIM_LANE V slab(const NearArgs& a, V rho, V tip) {
+MRSIM_LANE V slab(const RegionArgs& a, V rho, V tip) {
   const V zero = splat(0), z = splat(a.z), low = tip + splat(a.tool.round),
           top = tip + splat(a.tool.height);
   const M upper = less_equal(splat(0.5f) * (tip + top), z);
@@ -78,7 +79,7 @@ MRSIM_LANE V slab(const NearArgs& a, V rho, V tip) {
   return vsqrt(p * p + q * q) + vmin(vmax(dr, dz), zero) - r;
 }
 
-MRSIM_LANE Row line_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), one = splat(1);
   const V px = load(c[2] + k), py = load(c[3] + k), inverse = load(c[4] + k);
   const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
@@ -94,7 +95,7 @@ MRSIM_LANE Row line_row(const NearColumns& c, std::size_t k, const NearArgs& a) 
   return r;
 }
 
-MRSIM_LANE Row arc_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
+MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), infinite = splat(kInfinity);
   const V radius = load(c[2] + k), mx = load(c[3] + k), my = load(c[4] + k);
   const V cosine = load(c[5] + k), sine = load(c[6] + k);
@@ -116,8 +117,8 @@ MRSIM_LANE Row arc_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
   // point is not known well enough.
   const V wide = splat(a.box ? 2 * a.half * a.half : a.radius * a.radius);
   const M clear = less_equal(radius, splat(4) * n);
-  const V round = (wide + splat(8 * a.delta * a.radius)) * radius /
-                  vmax(n - splat(2 * a.delta), splat(1e-20f));
+  const V round =
+      (wide + splat(8 * a.delta * a.radius)) * radius / vmax(n - splat(2 * a.delta), splat(1e-20f));
   const M end = both(less_equal(zero, cosine), less_equal(eb + splat(2 * a.delta), side));
   r.squared = select(facing, select(clear, root * root, infinite), root * root);
   r.rest = above(select(facing, select(clear, round, infinite), select(end, wide, infinite))) +
@@ -125,24 +126,24 @@ MRSIM_LANE Row arc_row(const NearColumns& c, std::size_t k, const NearArgs& a) {
   return r;
 }
 
-#define MRSIM_NEAR(form)                                                                 \
-  static NearLeast near_##form(const NearColumns& c, std::size_t n, const NearArgs& a,   \
-                               const NearRows& out) {                                    \
-    const V infinite = splat(kInfinity);                                                 \
-    V distance = infinite, squared = infinite, z = infinite;                             \
-    for (std::size_t k = 0; k < n; k += kLanes) {                                        \
-      Row r = form##_row(c, k, a);                                                       \
-      const M real = first_lanes(n - k);                                                 \
-      r.distance = select(real, r.distance, infinite);                                   \
-      r.squared = select(real, r.squared, infinite);                                     \
-      r.z = select(real, r.z, infinite);                                                 \
-      store(out.distance + k, r.distance), store(out.squared + k, r.squared);            \
-      store(out.x + k, r.x), store(out.y + k, r.y), store(out.z + k, r.z);               \
-      store(out.rest + k, r.rest), store(out.level + k, r.level);                        \
-      distance = vmin(distance, r.distance), squared = vmin(squared, r.squared);         \
-      z = vmin(z, r.z);                                                                  \
-    }                                                                                    \
-    return {least_lane(distance), least_lane(squared), least_lane(z)};                   \
+#define MRSIM_NEAR(form)                                                                          \
+  static LeastDistance near_##form(const CandidateColumns& c, std::size_t n, const RegionArgs& a, \
+                                   const CandidateRows& out) {                                    \
+    const V infinite = splat(kInfinity);                                                          \
+    V distance = infinite, squared = infinite, z = infinite;                                      \
+    for (std::size_t k = 0; k < n; k += kLanes) {                                                 \
+      Row r = form##_row(c, k, a);                                                                \
+      const M real = first_lanes(n - k);                                                          \
+      r.distance = select(real, r.distance, infinite);                                            \
+      r.squared = select(real, r.squared, infinite);                                              \
+      r.z = select(real, r.z, infinite);                                                          \
+      store(out.distance + k, r.distance), store(out.squared + k, r.squared);                     \
+      store(out.x + k, r.x), store(out.y + k, r.y), store(out.z + k, r.z);                        \
+      store(out.rest + k, r.rest), store(out.level + k, r.level);                                 \
+      distance = vmin(distance, r.distance), squared = vmin(squared, r.squared);                  \
+      z = vmin(z, r.z);                                                                           \
+    }                                                                                             \
+    return {least_lane(distance), least_lane(squared), least_lane(z)};                            \
   }
 
 MRSIM_NEAR(strip)
@@ -159,8 +160,8 @@ static std::size_t find(const float* column, std::size_t n, float value) {
   return n;
 }
 
-static PlanBeaters plan_beaters(const NearRows& rows, std::size_t n, const NearLeast& least,
-                                float inside) {
+static PlanBeaters plan_beaters(const CandidateRows& rows, std::size_t n,
+                                const LeastDistance& least, float inside) {
   const V infinite = splat(kInfinity), tip = splat(least.z), limit = splat(inside);
   V low = infinite, cover = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
@@ -187,7 +188,7 @@ MRSIM_LANE M tip_allows(const KeepArgs& a, const Beater& j, V z, V level, M firs
   return either(lower, both(equal(level, splat(j.level)), first));
 }
 
-static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColumns& in,
+static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const CandidateColumns& in,
                         std::size_t n, std::size_t columns, float* out, std::size_t out_stride,
                         bool& reaches) {
   std::size_t kept = 0;
@@ -221,8 +222,8 @@ static std::size_t keep(const KeepArgs& a, const NearRows& rows, const NearColum
 }
 
 // |q - c - v|^2 = |q - c|^2 - 2 v.(q - c) + |v|^2, the last the same for all.
-static void strip_quarters(const NearColumns& c, std::size_t n, const NearArgs& a, float b,
-                           NearStrip* out) {
+static void strip_quarters(const CandidateColumns& c, std::size_t n, const RegionArgs& a, float b,
+                           StripAt* out) {
   constexpr std::size_t kParts = 4;
   const V infinite = splat(kInfinity), twice = splat(b + b);
   V least[kParts] = {infinite, infinite, infinite, infinite};
@@ -245,14 +246,14 @@ static void strip_quarters(const NearColumns& c, std::size_t n, const NearArgs& 
   }
 }
 
-static Beater strip_beater(const NearColumns& c, std::size_t k, const NearArgs& a) {
+static Beater strip_beater(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const Row r = strip_row(c, k, a);
   float slots[4][kLanes];
   store(slots[0], r.squared), store(slots[1], r.x), store(slots[2], r.y), store(slots[3], r.z);
   return {slots[0][0], slots[1][0], slots[2][0], slots[3][0], 0, 0};
 }
 
-static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs& a,
+static std::size_t strip_ids(const CandidateColumns& c, std::size_t n, const RegionArgs& a,
                              const Beater& j, float limit, float within, float* ids,
                              bool& reaches) {
   std::size_t kept = 0;
@@ -269,5 +270,8 @@ static std::size_t strip_ids(const NearColumns& c, std::size_t n, const NearArgs
   return kept;
 }
 
-static const NearKernels kKernels = {near_strip, near_line,     near_arc,     find,     plan_beaters,
-                                     keep,       strip_quarters, strip_beater, strip_ids};
+#include "removal/simd/height_lanes.inl"
+
+static const CandidateKernels kKernels = {
+    near_strip,    near_line,     near_arc, find,           plan_beaters, keep,
+    piece_heights, level_heights, keep_low, strip_quarters, strip_beater, strip_ids};

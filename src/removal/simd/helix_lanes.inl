@@ -1,5 +1,5 @@
 // The lowest turn of a falling helix, for one point (V = double) or several; included once per
-// instruction set after sweep_falling.inl.
+// instruction set after falling_lanes.inl.
 //
 // Seen from p, a position is turned by `delta` from the one that looks at p. Up to half a turn the
 // lateral distance grows and the tool falls: a stretch. Behind it both fall up to the end of the

@@ -1,4 +1,4 @@
-// What the loops of sweep_helix.inl know of a helix and its tool.
+// What the loops of helix_lanes.inl know of a helix and its tool.
 #pragma once
 
 namespace mrsim {

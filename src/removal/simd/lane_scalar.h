@@ -2,16 +2,19 @@
 #pragma once
 
 #include "core/lane_scalar.h"
-#include "removal/helix_record.h"
+#include "removal/simd/helix_record.h"
+#include "removal/simd/slant_record.h"
 
 namespace mrsim::lane {
 
 #define MRSIM_LANE inline
-#include "removal/sweep_lanes.inl"
+#include "removal/simd/sweep_lanes.inl"
 //
-#include "removal/sweep_falling.inl"
+#include "removal/simd/falling_lanes.inl"
 //
-#include "removal/sweep_helix.inl"
+#include "removal/simd/helix_lanes.inl"
+//
+#include "removal/simd/slant_lanes.inl"
 #undef MRSIM_LANE
 
 }  // namespace mrsim::lane

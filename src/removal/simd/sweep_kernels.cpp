@@ -1,12 +1,12 @@
 // Instruction sets: each namespace defines a register V and how to fill it, then includes the forms
 // and the loops. Targets are set for these functions alone, so that one build runs everywhere; FMA
 // is never among them (contraction would change bits).
-#include "removal/sweep_kernels.h"
+#include "removal/simd/sweep_kernels.h"
 
 #include "core/error.h"
 #include "core/suggest.h"
 #include "core/units.h"
-#include "removal/sweep_lane_scalar.h"
+#include "removal/simd/lane_scalar.h"
 
 #include <algorithm>
 #include <bit>
@@ -42,7 +42,7 @@ MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
 }
 MRSIM_LANE void store(double* out, V v) { *out = v; }
 MRSIM_LANE void store_some(double* out, V v, std::size_t) { *out = v; }
-#include "removal/sweep_kernels.inl"
+#include "removal/simd/sweep_kernels.inl"
 #undef MRSIM_LANE
 
 }  // namespace
@@ -113,13 +113,14 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 }
 #include "core/trig_lanes.inl"
 //
-#include "removal/sweep_lanes.inl"
+#include "removal/simd/sweep_lanes.inl"
 //
-#include "removal/sweep_falling.inl"
+#include "removal/simd/falling_lanes.inl"
 //
-#include "removal/sweep_helix.inl"
+#include "removal/simd/helix_lanes.inl"
+#include "removal/simd/slant_lanes.inl"
 //
-#include "removal/sweep_kernels.inl"
+#include "removal/simd/sweep_kernels.inl"
 
 }  // namespace
 }  // namespace avx2
@@ -195,13 +196,14 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 }
 #include "core/trig_lanes.inl"
 //
-#include "removal/sweep_lanes.inl"
+#include "removal/simd/sweep_lanes.inl"
 //
-#include "removal/sweep_falling.inl"
+#include "removal/simd/falling_lanes.inl"
 //
-#include "removal/sweep_helix.inl"
+#include "removal/simd/helix_lanes.inl"
+#include "removal/simd/slant_lanes.inl"
 //
-#include "removal/sweep_kernels.inl"
+#include "removal/simd/sweep_kernels.inl"
 
 }  // namespace
 }  // namespace avx512

@@ -2,9 +2,10 @@
 // instruction set of this machine. All of them give the same bits.
 #pragma once
 
-#include "removal/helix_record.h"
-#include "removal/sweep.h"
-#include "removal/sweep_polygon.h"
+#include "removal/simd/helix_record.h"
+#include "removal/simd/slant_record.h"
+#include "removal/tool/polygon.h"
+#include <mrsim/types.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,8 @@ struct SweepKernels {
   /// Brings the points `open`, a bit each, up to date with sweep `id`, a lowest turn.
   void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
                 PointColumns& points);
+  /// Brings `points` up to date with sweep `id`, a slanted line.
+  void (*slant)(const SlantRecord& record, std::uint32_t id, PointColumns& points);
   /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
   /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
   void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,

@@ -14,21 +14,21 @@ MRSIM_LANE void take_closer(V d, V id, V& least, V& nearest) {
 
 constexpr std::size_t kSquares = 64;  // kept at once
 
-#define MRSIM_LIST(form, Record, load, kColumns)                                                 \
-  static void form##_list(const Record* records, const std::uint32_t* rows, std::size_t n,       \
-                          const Vec3& p, double* out) {                                          \
-    const V x = splat(p.x), y = splat(p.y), z = splat(p.z);                                      \
-    V c[kColumns];                                                                               \
-    std::size_t k = 0;                                                                           \
-    for (; k + kLanes <= n; k += kLanes) {                                                       \
-      load(records, rows + k, c);                                                                \
-      store(out + k, form(c, x, y, z));                                                          \
-    }                                                                                            \
-    if (k == n) return;                                                                          \
-    std::uint32_t rest[kLanes];                                                                  \
-    pick(rows, k, n, rest);                                                                      \
-    load(records, rest, c);                                                                      \
-    store_some(out + k, form(c, x, y, z), n - k);                                                \
+#define MRSIM_LIST(form, Record, load, kColumns)                                           \
+  static void form##_list(const Record* records, const std::uint32_t* rows, std::size_t n, \
+                          const Vec3& p, double* out) {                                    \
+    const V x = splat(p.x), y = splat(p.y), z = splat(p.z);                                \
+    V c[kColumns];                                                                         \
+    std::size_t k = 0;                                                                     \
+    for (; k + kLanes <= n; k += kLanes) {                                                 \
+      load(records, rows + k, c);                                                          \
+      store(out + k, form(c, x, y, z));                                                    \
+    }                                                                                      \
+    if (k == n) return;                                                                    \
+    std::uint32_t rest[kLanes];                                                            \
+    pick(rows, k, n, rest);                                                                \
+    load(records, rest, c);                                                                \
+    store_some(out + k, form(c, x, y, z), n - k);                                          \
   }
 MRSIM_LIST(ball_line, LineRecord, load_line, 8)
 MRSIM_LIST(plane_line, LineRecord, load_line, 8)
@@ -152,8 +152,8 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
         least[l] = points.least[at[l] + k], nearest[l] = points.nearest[at[l] + k];
       const V height = heights(k), d = section_distance(section, lowest, height);
       V own_least = read(least), own_nearest = read(nearest);
-      M open = either(less(d, own_least),
-                      both(less_equal(d, own_least), less(own_first, own_nearest)));
+      M open =
+          either(less(d, own_least), both(less_equal(d, own_least), less(own_first, own_nearest)));
       if (bits(open) == 0) continue;
       const V most = farthest_equal(section, lowest, height);
       for (std::size_t i = 0; i < count && bits(open) != 0; ++i) {
@@ -172,7 +172,8 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
   }
 }
 
-// In runs of one section whose ids ascend; points that fill no more than a register are asked alone.
+// In runs of one section whose ids ascend; points that fill no more than a register are asked
+// alone.
 template <class Record>
 static void plan_least(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,
                        std::size_t n, PointColumns& points) {
@@ -280,8 +281,9 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const Bore b = bore(c, read(points.x + k), read(points.y + k), read(points.z + k));
     const V least = read(points.least + k), nearest = read(points.nearest + k);
-    const M closer = both(b.decided, either(less(b.distance, least),
-                                            both(less_equal(b.distance, least), less(own, nearest))));
+    const M closer = both(
+        b.decided,
+        either(less(b.distance, least), both(less_equal(b.distance, least), less(own, nearest))));
     store(points.least + k, select(closer, b.distance, least));
     store(points.nearest + k, select(closer, own, nearest));
     open |= std::uint64_t(bits(b.decided) ^ ((1u << kLanes) - 1)) << k;
@@ -308,6 +310,21 @@ static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uin
       double &least = points.least[at[k]], &nearest = points.nearest[at[k]];
       if (d < least || (d == least && id < nearest)) least = d, nearest = id;
     }
+  }
+}
+
+static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointColumns& points) {
+  const V round = splat(record.round), own = splat(static_cast<double>(id));
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const SlantStretch stretch(record, read(points.x + k), read(points.y + k), read(points.z + k));
+    const M wanted = less_equal(lower_bound(stretch.first(), stretch.last(), round), least);
+    if (!any(wanted)) continue;
+    const V d = slant_least(stretch, round, wanted).distance;
+    const M closer =
+        both(wanted, either(less(d, least), both(less_equal(d, least), less(own, nearest))));
+    store(points.least + k, select(closer, d, least));
+    store(points.nearest + k, select(closer, own, nearest));
   }
 }
 
@@ -370,6 +387,7 @@ static const SweepKernels kKernels = {
     {plane_arc_list, plan_least<ArcRecord>},
     bore_least,
     helix_least_of,
+    slant_least_of,
     polygons,
     polygon_least,
 };

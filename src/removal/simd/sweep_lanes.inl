@@ -5,8 +5,8 @@
 // Only + - * / sqrt min max and comparisons, in one written order: every instruction set gives the
 // same bits.
 
-// Cutter with a flat, rounded or ball end and a flat top: a disc of radius `core` with its centre at
-// height `low`, thickened by `round`, cut off at `top` (infinite: reaching up); seen at lateral
+// Cutter with a flat, rounded or ball end and a flat top: a disc of radius `core` with its centre
+// at height `low`, thickened by `round`, cut off at `top` (infinite: reaching up); seen at lateral
 // distance rho. Requires: height >= 2 round, so that the upper half knows only wall and top.
 MRSIM_LANE V slab(V dr, V dz, V round) {
   const V zero = splat(0.0);

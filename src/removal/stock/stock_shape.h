@@ -3,9 +3,9 @@
 // Why: a turned bar comes from CAD as a prism of a few hundred sides. Simulated as it is, its skin
 // would show facets and its volume would be short by them; the machinist's bar is round.
 //
-// What counts (issue-proof, not a guess): the mesh is closed, every vertex lies within 4 float32
-// ulps of the largest coordinate from the solid, every triangle lies in one of its faces and looks
-// outwards, the volume agrees; round faces have at least 64 facets a turn, each with a chord error
+// When a mesh counts as a box, cylinder or tube: it is closed; every vertex lies within 4 float32
+// ulps of the largest coordinate from the solid; every triangle lies in one of its faces and looks
+// outwards; the volume agrees; round faces have at least 64 facets a turn, each with a chord error
 // below 0.005 mm. A hexagon bar stays a hexagon bar. Boxes are parallel to the axes, round solids
 // stand along Z.
 #pragma once

@@ -1,9 +1,9 @@
-#include "removal/stock_solid.h"
+#include "removal/stock/stock_solid.h"
 
 #include "core/error.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/face_range.h"
+#include "removal/field/face_range.h"
 
 #include <algorithm>
 

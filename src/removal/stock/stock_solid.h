@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/triangle_tree.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 #include <mrsim/types.h>
 
 #include <memory>

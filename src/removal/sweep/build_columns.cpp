@@ -1,8 +1,10 @@
-// The table of a program's sweeps, made in parts.
+#include "removal/sweep/build_columns.h"
+
 #include "core/error.h"
 #include "core/heap.h"
 #include "core/ordered.h"
-#include "removal/sweep_builder.h"
+#include "removal/sweep/sweep_builder.h"
+#include "removal/sweep/sweep_classes.h"
 
 #include <algorithm>
 #include <iterator>
@@ -101,11 +103,18 @@ class Joiner {
   std::map<ShapeKey, std::int32_t> shapes_;
 };
 
+// Up and down on the Z axis, as lathes drill.
+bool is_on_axis(const Motion& m) {
+  const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
+  return m.kind != MotionKind::arc && has_no_plan(m.start) && has_no_plan(m.end) &&
+         has_no_plan(m.tool_axis);
+}
+
 }  // namespace
 
-void SweepColumns::build(std::span<const Motion> program, std::span<const Tool> tools,
-                         const SweepSelection& selection, int threads) {
-  Joiner joiner(*this, program.size());
+void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
+                   const SweepSelection& selection, int threads, SweepColumns& out) {
+  Joiner joiner(out, program.size());
   make_in_order((program.size() + kPart - 1) / kPart, threads,
                 [&](std::size_t part) {
                   auto builder = std::make_unique<SweepBuilder>(tools, selection);
@@ -115,14 +124,19 @@ void SweepColumns::build(std::span<const Motion> program, std::span<const Tool> 
                   return builder;
                 },
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
-  uniform = uniform && !refs.empty();
-  packs = SweepPacks(*this, threads);
-  classify(threads);
+  out.uniform = out.uniform && !out.refs.empty();
+  out.packs = SweepPacks(out, threads);
+  cut_pieces(out);
+  classify(out, threads);
   std::vector<TurnTree::Item> items;
-  for (std::size_t i = 0; i < refs.size() && !turns.empty(); ++i)
-    if (refs[i].kind == SweepKind::turn)
-      items.push_back({static_cast<std::uint32_t>(i), refs[i].row, refs[i].shape});
-  turn_tree = TurnTree(turns, shapes, std::move(items), threads);
+  for (std::size_t i = 0; i < out.refs.size() && !out.turns.empty(); ++i)
+    if (out.refs[i].kind == SweepKind::turn)
+      items.push_back({static_cast<std::uint32_t>(i), out.refs[i].row, out.refs[i].shape});
+  out.turn_tree = TurnTree(out.turns, out.shapes, std::move(items), threads);
+  out.all_turned = std::all_of(program.begin(), program.end(), [&](const Motion& m) {
+    const bool counts = m.tool >= 0 && (selection.rapids || m.kind != MotionKind::rapid);
+    return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || is_on_axis(m);
+  });
 }
 
 }  // namespace mrsim

@@ -1,11 +1,11 @@
 // The curtain is {left <= x <= right, y >= low(x)}, low(x) the lowest point of the arc at x. From
 // outside, the nearest point lies on the arc or on one of the two upright edges, which all belong
 // to the curtain, so the least of the three distances is exact.
-#include "removal/sweep_curtain.h"
+#include "removal/sweep/curtain_sweep.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/face_range.h"
+#include "removal/field/face_range.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/field.h"
+#include "removal/field/field.h"
 
 namespace mrsim {
 

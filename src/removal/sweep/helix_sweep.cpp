@@ -1,7 +1,7 @@
-#include "removal/sweep_helix.h"
+#include "removal/sweep/helix_sweep.h"
 
 #include "core/units.h"
-#include "removal/sweep_lane_scalar.h"
+#include "removal/simd/lane_scalar.h"
 
 namespace mrsim {
 namespace {

@@ -2,12 +2,12 @@
 // search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and upright arcs).
 #pragma once
 
-#include "removal/helix_record.h"
-#include "removal/sweep_path.h"
+#include "removal/simd/helix_record.h"
+#include "removal/sweep/path_sweep.h"
 
 namespace mrsim {
 
-/// The whole path for the loops of sweep_helix.inl. Requires: lowest_turn, a tool with
+/// The whole path for the loops of helix_lanes.inl. Requires: lowest_turn, a tool with
 /// is_rounded().
 HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 

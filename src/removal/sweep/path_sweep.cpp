@@ -5,13 +5,14 @@
 // radius R: |c''| = R and |grad| = 1, so F(t + s) >= F(t) + F'(t) s - R s^2 / 2; branch and bound
 // with that, and with the Lipschitz bound speed * s, needs some tens of values. Other tools: the
 // Lipschitz bound alone.
-#include "removal/sweep_path.h"
+#include "removal/sweep/path_sweep.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_helix.h"
-#include "removal/sweep_lane_scalar.h"
-#include "removal/sweep_upright.h"
+#include "removal/simd/lane_scalar.h"
+#include "removal/sweep/helix_sweep.h"
+#include "removal/sweep/slant_sweep.h"
+#include "removal/sweep/upright_sweep.h"
 
 #include <algorithm>
 #include <array>
@@ -244,6 +245,7 @@ PathPoint path_point(const ToolPath& path, double t) {
 }
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  if (is_slant(tool, path)) return slant_minimum(tool, path, p);
   const Objective F(tool, path, p);
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
   if (path.upright) return upright_minimum(tool, path, p);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/sweep_kernels.h"
-#include "removal/tool.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/tool/tool.h"
 
 #include <cstdint>
 
@@ -33,7 +33,7 @@ struct ToolPath {
   LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
 
-  // Arc in an upright plane, of a tool that reaches up with is_rounded() (sweep_upright.h).
+  // Arc in an upright plane, of a tool that reaches up with is_rounded() (upright_sweep.h).
   bool upright = false;
   Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
   Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
@@ -56,7 +56,7 @@ struct PathSample {
 inline constexpr double kPathError = 2e-7;
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
 
-/// Whether the distance is found stretch by stretch (sweep_falling.inl), without a search.
+/// Whether the distance is found stretch by stretch (falling_lanes.inl), without a search.
 inline bool has_stretches(const Profile& tool, const ToolPath& path) {
   return path.upright || (path.lowest_turn && tool.is_rounded());
 }

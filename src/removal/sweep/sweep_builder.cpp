@@ -1,10 +1,11 @@
 // Motions into rows: chooses the form of each sweep.
+#include "removal/sweep/sweep_builder.h"
+
 #include "core/error.h"
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_builder.h"
-#include "removal/sweep_motion.h"
-#include "removal/sweep_upright.h"
+#include "removal/sweep/sweep_motion.h"
+#include "removal/sweep/upright_sweep.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // shapes and frames of its own, and joined in the order of the program.
 #pragma once
 
-#include "removal/sweep_columns.h"
-#include "removal/sweep_motion.h"
+#include "removal/sweep/sweep_columns.h"
+#include "removal/sweep/sweep_motion.h"
 
 #include <map>
 #include <string>

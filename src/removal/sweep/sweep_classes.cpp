@@ -1,6 +1,7 @@
 // Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
+#include "removal/sweep/sweep_classes.h"
+
 #include "core/parallel.h"
-#include "removal/sweep_columns.h"
 
 #include <algorithm>
 #include <atomic>
@@ -39,9 +40,11 @@ std::int32_t group_of(const SweepRef& ref) {
   return 2 * ref.shape + (is_strip(ref) ? 1 : 0);
 }
 
-SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, std::uint32_t form) {
+SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, SweepClass::Form form) {
   SweepClass k;
-  k.form = static_cast<SweepClass::Form>(form);
+  k.form = form;
+  if (ref.frame == 0 && ref.kind != SweepKind::turn && has_heights(c.cutter(ref)))
+    k.heights = height_tool(c.cutter(ref));
   if (group_of(ref) == k.group) return k;
   k.kind = is_strip(ref) ? SweepClass::Kind::solid : SweepClass::Kind::plan;
   k.group = group_of(ref);
@@ -85,12 +88,12 @@ class LevelNumbers {
   std::uint32_t number_ = 0;
 };
 
-}  // namespace
-
-bool SweepColumns::are_alike(int threads) const {
+// All sweeps are of one class, which has no levels.
+bool are_alike(const SweepColumns& c, int threads) {
+  const std::vector<SweepRef>& refs = c.refs;
   if (refs.empty() || is_plan(refs[0])) return false;
-  const auto key = [this](std::size_t i) {
-    return std::tuple(group_of(refs[i]), tags[i] >> kTagShift, refs[i].shape);
+  const auto key = [&](std::size_t i) {
+    return std::tuple(group_of(refs[i]), c.form_of(i), refs[i].shape);
   };
   std::atomic<bool> alike = true;
   parallel_for((refs.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
@@ -100,9 +103,24 @@ bool SweepColumns::are_alike(int threads) const {
   return alike;
 }
 
-void SweepColumns::classify(int threads) {
+}  // namespace
+
+void cut_pieces(SweepColumns& c) {
+  for (std::size_t i = 0; i < c.refs.size(); ++i) {
+    const SweepRef& ref = c.refs[i];
+    const bool path = ref.kind == SweepKind::path, profile = ref.kind == SweepKind::profile;
+    if (!c.first_piece.empty()) c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size());
+    if (ref.frame != 0 || !(path || profile) || !has_heights(c.cutter(ref))) continue;
+    const bool cut = path ? append_pieces(c.paths[ref.row], c.pieces)
+                          : append_pieces(c.profiles[ref.row], c.pieces);
+    if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
+  }
+  if (!c.first_piece.empty()) c.first_piece.back() = static_cast<std::uint32_t>(c.pieces.size());
+}
+
+void classify(SweepColumns& c, int threads) {
   // Group, form, shape; grade of a pack, -1 for sweeps.
-  using Key = std::tuple<std::int32_t, std::uint32_t, std::int32_t, int>;
+  using Key = std::tuple<std::int32_t, SweepClass::Form, std::int32_t, int>;
   std::map<Key, std::uint32_t> seen;
   std::vector<SweepClass> found;
   const auto number_of = [&](const Key& key, const SweepClass& k) {
@@ -111,41 +129,41 @@ void SweepColumns::classify(int threads) {
     return at->second;
   };
   LevelNumbers numbers;
-  Key last{-2, 0, 0, 0};
+  Key last{-2, {}, 0, 0};
   std::uint32_t last_class = 0;
-  const std::size_t told = are_alike(threads) ? 1 : refs.size();  // one tells all
-  class_of.resize(told);
+  const std::size_t told = are_alike(c, threads) ? 1 : c.refs.size();  // one tells all
+  c.class_of.resize(told);
   for (std::size_t i = 0; i < told; ++i) {
-    const SweepRef& ref = refs[i];
-    const std::uint32_t form = tags[i] >> kTagShift;
+    const SweepRef& ref = c.refs[i];
+    const SweepClass::Form form = c.form_of(i);
     const Key key{group_of(ref), form, ref.shape, -1};
-    if (key != last) last = key, last_class = number_of(key, class_of_sweep(*this, ref, form));
-    class_of[i] = last_class;
+    if (key != last) last = key, last_class = number_of(key, class_of_sweep(c, ref, form));
+    c.class_of[i] = last_class;
     if (!is_plan(ref)) continue;
-    if (levels.empty()) levels.resize(refs.size());
-    levels[i] = numbers.of(level_height(*this, ref));
+    if (c.levels.empty()) c.levels.resize(c.refs.size());
+    c.levels[i] = numbers.of(level_height(c, ref));
   }
   const std::size_t sweep_classes = found.size();
-  for (SweepPack& pack : packs.all()) {
-    SweepClass k = found[class_of[told == 1 ? 0 : pack.first]];
-    const std::uint32_t form = tags[pack.first] >> kTagShift;
+  for (SweepPack& pack : c.packs.all()) {
+    SweepClass k = found[c.class_of[told == 1 ? 0 : pack.first]];
+    const SweepClass::Form form = c.form_of(pack.first);
     k.packs = true;
-    pack.of = number_of({k.group, form, refs[pack.first].shape, pack_grade(pack)}, k);
+    pack.of = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
     found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
     found[pack.of].open_below = std::max<double>(found[pack.of].open_below, pack.open_below);
   }
   // In the order of the keys: groups come together.
   std::vector<std::uint32_t> place(found.size());
   for (const auto& [key, old] : seen) {
-    place[old] = static_cast<std::uint32_t>(classes.size());
-    classes.push_back(found[old]);
+    place[old] = static_cast<std::uint32_t>(c.classes.size());
+    c.classes.push_back(found[old]);
   }
-  if (sweep_classes <= 1) class_of = {};  // the key of the only class is the least
-  for (std::uint32_t& of : class_of) of = place[of];
-  for (SweepPack& pack : packs.all()) pack.of = place[pack.of];
+  if (sweep_classes <= 1) c.class_of = {};  // the key of the only class is the least
+  for (std::uint32_t& of : c.class_of) of = place[of];
+  for (SweepPack& pack : c.packs.all()) pack.of = place[pack.of];
   SweepClass turn;
   turn.form = SweepClass::Form::turn;
-  if (!turns.empty()) classes.push_back(turn);
+  if (!c.turns.empty()) c.classes.push_back(turn);
 }
 
 }  // namespace mrsim

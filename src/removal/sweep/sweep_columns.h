@@ -1,17 +1,18 @@
-// The columns of SweepTable, private to src/removal/sweep*.cpp. Sweeps with a closed form are
+// The columns of SweepTable, for the rooms sweep and prune. Sweeps with a closed form are
 // records of 8 or 16 doubles, aligned to cache lines: a list of sweeps costs one or two lines each,
 // and a register full of them is read by loads and a transposition, which beats gathering.
 #pragma once
 
-#include "removal/near_list.h"
-#include "removal/sweep.h"
-#include "removal/sweep_curtain.h"
-#include "removal/sweep_kernels.h"
-#include "removal/sweep_packs.h"
-#include "removal/sweep_path.h"
-#include "removal/sweep_turn.h"
-#include "removal/tool.h"
-#include "removal/turn_tree.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/curtain_sweep.h"
+#include "removal/sweep/height_pieces.h"
+#include "removal/sweep/path_sweep.h"
+#include "removal/sweep/sweep_class.h"
+#include "removal/sweep/sweep_packs.h"
+#include "removal/sweep/sweep_table.h"
+#include "removal/sweep/turn_sweep.h"
+#include "removal/sweep/turn_tree.h"
+#include "removal/tool/tool.h"
 
 #include <cstdint>
 #include <limits>
@@ -82,25 +83,36 @@ struct SweepColumns {
   std::vector<SweepClass> classes;  ///< in the order of their groups
   TurnTree turn_tree;
   SweepPacks packs;
-  std::vector<std::uint32_t> class_of;  ///< by sweep; empty when all are of the first class
-  std::vector<std::uint32_t> levels;    ///< by sweep: number of the tip's height; empty when none
-                                        ///< is compared by it
-  bool uniform = false;                 ///< all of one kind, in the stock's frame: row i is sweep i
-  bool all_turned = false;              ///< all are the same at every angle about the Z axis
+  std::vector<LineRecord> pieces;          ///< of paths and profiles (height_pieces.h)
+  std::vector<std::uint32_t> first_piece;  ///< by sweep, and the end; empty when there are none
+  std::vector<std::uint32_t> class_of;     ///< by sweep; empty when all are of the first class
+  std::vector<std::uint32_t> levels;  ///< by sweep: number of the tip's height; empty when none
+                                      ///< is compared by it
+  bool uniform = false;               ///< all of one kind, in the stock's frame: row i is sweep i
+  bool all_turned = false;            ///< all are the same at every angle about the Z axis
   double max_error = 0;
   double smallest_radius = 0;
 
-  void build(std::span<const Motion> program, std::span<const Tool> tools,
-             const SweepSelection& selection, int threads);
+  /// Of a sweep in the frame of its tool.
   double distance(const SweepRef& ref, const Vec3& p) const;
+  double distance(std::size_t i, const Vec3& p) const {
+    const SweepRef& ref = refs[i];
+    return distance(ref, ref.frame > 0 ? frames[ref.frame - 1].in(p) : p);
+  }
   /// A box that holds a sweep.
   Box3 bounds_of(const SweepRef& ref) const;
+  /// The same of a number of a list: a sweep, or a pack of sweeps.
+  Box3 bounds_of_number(std::size_t number) const;
   /// The same of a line of its form and tool.
   Box3 bounds_of_line(const SweepRef& ref, const LineRecord& record) const;
-  /// Finds classes and levels, of packs too.
-  void classify(int threads);
-  /// All sweeps are of one class, which has no levels.
-  bool are_alike(int threads) const;
+  std::uint32_t piece_count(std::size_t sweep) const {
+    return first_piece.empty() ? 0 : first_piece[sweep + 1] - first_piece[sweep];
+  }
+  /// How lists hold a sweep.
+  SweepClass::Form form_of(std::size_t sweep) const {
+    if (piece_count(sweep) > 0) return SweepClass::Form::piece;
+    return static_cast<SweepClass::Form>(tags[sweep] >> kTagShift);
+  }
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
   /// nothing to compare. Plan: z is that of the tip.
   struct Foot {
@@ -134,6 +146,5 @@ struct SweepColumns {
   std::span<const std::uint32_t> sweeps_of(const Numbers& list) const;
   const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
 };
-struct SweepTable::Columns : SweepColumns {};
 
 }  // namespace mrsim

@@ -1,7 +1,9 @@
-// SweepTable over lists: sorts a list by the form of its sweeps and hands each part to the kernels.
+#include "removal/sweep/sweep_lists.h"
+
 #include "core/vec.h"
-#include "removal/sweep_columns.h"
-#include "removal/sweep_helix.h"
+#include "removal/sweep/helix_sweep.h"
+#include "removal/sweep/line_bound.h"
+#include "removal/sweep/slant_sweep.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +13,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kChunk = 128;
+constexpr double kBoundError = 1e-8;  // mm: rounding of bounds, with room
 
 // The sweeps of one form in a chunk of a list: their rows, and where their results go.
 struct Part {
@@ -45,28 +48,65 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
   for (std::size_t k = 0; k < part.n; ++k) out[part.places[k]] = values[k];
 }
 
+void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
+  const SweepRef& ref = c.refs[id];
+  std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
+  if (ref.kind == SweepKind::path && ref.frame == 0) {
+    const ToolPath& path = c.paths[ref.row];
+    const Profile& tool = c.cutter(ref);
+    if (is_slant(tool, path)) return sweep_kernels().slant(slant_record(tool, path), id, points);
+    if (path.bored) open &= sweep_kernels().bore(path.bore, id, points);
+    if (path.lowest_turn && tool.is_rounded())
+      return sweep_kernels().helix(helix_record(tool, path), id, open, points);
+  }
+  const bool bounded = ref.kind == SweepKind::path && ref.frame == 0 && !c.paths[ref.row].arc &&
+                       c.cutter(ref).is_convex();
+  for (; open != 0; open &= open - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(open));
+    const Vec3 p{points.x[k], points.y[k], points.z[k]};
+    if (bounded && line_bound(c.cutter(ref), c.paths[ref.row], p) > points.least[k] + kBoundError)
+      continue;
+    const double d = c.distance(id, p);
+    if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
+    points.least[k] = d;
+    points.nearest[k] = id;
+  }
+}
+
+void least_of_turns(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                    PointColumns& points) {
+  static thread_local PointColumns turned;
+  static thread_local std::vector<TurnTree::Member> members;
+  members.clear();
+  for (const std::uint32_t id : ids) c.turn_tree.append_sides(id, c.refs[id].row, members);
+  turned.count = points.count;
+  const std::size_t padded =
+      (points.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
+  for (std::size_t k = 0; k < padded; ++k) {
+    turned.x[k] = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
+    turned.y[k] = 0, turned.z[k] = points.z[k];
+    turned.least[k] = points.least[k], turned.nearest[k] = points.nearest[k];
+  }
+  c.turn_tree.least(members, turned);
+  std::copy(turned.least, turned.least + padded, points.least);
+  std::copy(turned.nearest, turned.nearest + padded, points.nearest);
+}
+
+void least_of_packs(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                    PointColumns& points) {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    TurnTree::Nearest best;
+    best.distance = points.least[k], best.sweep = static_cast<std::uint32_t>(points.nearest[k]);
+    const double rho = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
+    for (const std::uint32_t id : ids)
+      c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, points.z[k], best);
+    points.least[k] = best.distance, points.nearest[k] = best.sweep;
+  }
+}
+
 }  // namespace
 
-SweepColumns::Numbers SweepColumns::numbers_of(std::span<const std::uint32_t> list) const {
-  if (list.empty() || list.back() < refs.size()) return {list, {}, {}};
-  const auto below = [&](std::size_t limit) {
-    return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), limit) -
-                                    list.begin());
-  };
-  const std::size_t sweeps = below(refs.size()), turned = below(kFirstPack);
-  return {list.first(sweeps), list.subspan(sweeps, turned - sweeps), list.subspan(turned)};
-}
-
-std::span<const std::uint32_t> SweepColumns::sweeps_of(const Numbers& list) const {
-  if (list.packs.empty()) return list.sweeps;
-  static thread_local std::vector<std::uint32_t> opened;
-  opened.assign(list.sweeps.begin(), list.sweeps.end());
-  for (const std::uint32_t pack : list.packs) append_sweeps(pack, opened);
-  return opened;
-}
-
-std::vector<std::uint32_t> SweepTable::all(double longest) const {
-  const Columns& c = *columns_;
+std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
   std::vector<std::uint32_t> list, packs;
   const auto append = [&](const auto& self, std::uint32_t number) -> void {
     if (number < kFirstPack)
@@ -86,7 +126,7 @@ std::vector<std::uint32_t> SweepTable::all(double longest) const {
     append(append, root);
     next = c.packs[root].last + 1;
   }
-  const auto sweeps = static_cast<std::uint32_t>(size());
+  const auto sweeps = static_cast<std::uint32_t>(c.refs.size());
   append_single(sweeps);
   for (const std::uint32_t pack : c.turn_tree.roots()) list.push_back(sweeps + pack);
   std::sort(packs.begin(), packs.end());
@@ -94,15 +134,15 @@ std::vector<std::uint32_t> SweepTable::all(double longest) const {
   return list;
 }
 
-std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
-                                              const Box3& box) const {
-  const auto numbers = columns_->numbers_of(list);
-  const auto plain = columns_->sweeps_of(numbers);
+std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
+                                          std::span<const std::uint32_t> list, const Box3& box) {
+  const auto numbers = c.numbers_of(list);
+  const auto plain = c.sweeps_of(numbers);
   std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
   for (const std::uint32_t id : numbers.turned)
-    columns_->turn_tree.append_sweeps(id - static_cast<std::uint32_t>(size()), sweeps);
+    c.turn_tree.append_sweeps(id - static_cast<std::uint32_t>(c.refs.size()), sweeps);
   std::erase_if(sweeps, [&](std::uint32_t i) {
-    const Box3 b = columns_->bounds_of(columns_->refs[i]);
+    const Box3 b = c.bounds_of(c.refs[i]);
     return is_empty({max(b.lo, box.lo), min(b.hi, box.hi)});
   });
   // A pack and its mirror image hold the same sweeps.
@@ -111,26 +151,27 @@ std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> lis
   return sweeps;
 }
 
-SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
-  const auto numbers = columns_->numbers_of(list);
-  std::span<const std::uint32_t> plain = columns_->sweeps_of(numbers);
+SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
+                                  const Vec3& p) {
+  const auto numbers = c.numbers_of(list);
+  std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
     const auto some = plain.first(std::min(kChunk, plain.size()));
-    distances(some, p, d);
+    sweep_distances(c, some, p, d);
     for (std::size_t k = 0; k < some.size(); ++k)
       if (d[k] < best.distance) best.distance = d[k], best.sweep = some[k];
   }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)
-    columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, p.z, best);
+    c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, p.z, best);
   return {best.distance, best.sweep};
 }
 
-void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
+void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
+                     double* out) {
   const SweepKernels& kernels = sweep_kernels();
-  const Columns& c = *columns_;
   // A program of one form alone needs no sorting: its rows are its indices.
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
     return kernels.ball_line.list(c.ball_lines.data(), ids.data(), ids.size(), p, out);
@@ -140,26 +181,18 @@ void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, do
     const std::size_t n = ids.size() - from < kChunk ? ids.size() - from : kChunk;
     Parts parts;
     for (std::size_t k = 0; k < n; ++k)
-      if (!parts.add(c.tags[ids[from + k]], k)) out[from + k] = distance(ids[from + k], p);
+      if (!parts.add(c.tags[ids[from + k]], k)) out[from + k] = c.distance(ids[from + k], p);
     run(kernels.ball_line, c.ball_lines.data(), parts.forms[0], n, p, out + from);
     run(kernels.plane_line, c.plane_lines.data(), parts.forms[1], n, p, out + from);
     run(kernels.plane_arc, c.plane_arcs.data(), parts.forms[2], n, p, out + from);
   }
 }
 
-void SweepTable::least(const NearList& list, PointColumns& points) const {
-  static thread_local std::vector<std::uint32_t> ids;
-  ids.clear();
-  for (const NearList::Run& run : list.runs())
-    for (std::size_t k = 0; k < run.count; ++k) columns_->append_sweeps(list.number(run, k), ids);
-  least(ids, points);
-}
-
-void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
+void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                     PointColumns& points) {
   const SweepKernels& kernels = sweep_kernels();
-  const Columns& c = *columns_;
   const auto numbers = c.numbers_of(ids);
-  if (!numbers.turned.empty()) least_of_packs(numbers.turned, points);
+  if (!numbers.turned.empty()) least_of_packs(c, numbers.turned, points);
   ids = c.sweeps_of(numbers);
   if (ids.empty()) return;
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
@@ -182,62 +215,13 @@ void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points)
       if (c.refs[ids[k]].kind == SweepKind::turn)
         turns.push_back(ids[k]);
       else
-        least_of(ids[k], points);
+        least_of(c, ids[k], points);
     }
     run(kernels.ball_line, c.ball_lines, parts.forms[0]);
     run(kernels.plane_line, c.plane_lines, parts.forms[1]);
     run(kernels.plane_arc, c.plane_arcs, parts.forms[2]);
   }
-  if (!turns.empty()) least_of_turns(turns, points);
-}
-
-void SweepTable::least_of(std::uint32_t id, PointColumns& points) const {
-  const SweepRef& ref = columns_->refs[id];
-  std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
-  if (ref.kind == SweepKind::path && ref.frame == 0) {
-    const ToolPath& path = columns_->paths[ref.row];
-    const Profile& tool = columns_->cutter(ref);
-    if (path.bored) open &= sweep_kernels().bore(path.bore, id, points);
-    if (path.lowest_turn && tool.is_rounded())
-      return sweep_kernels().helix(helix_record(tool, path), id, open, points);
-  }
-  for (; open != 0; open &= open - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(open));
-    const double d = distance(id, {points.x[k], points.y[k], points.z[k]});
-    if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
-    points.least[k] = d;
-    points.nearest[k] = id;
-  }
-}
-
-void SweepTable::least_of_turns(std::span<const std::uint32_t> ids, PointColumns& points) const {
-  static thread_local PointColumns turned;
-  static thread_local std::vector<TurnTree::Member> members;
-  members.clear();
-  for (const std::uint32_t id : ids)
-    columns_->turn_tree.append_sides(id, columns_->refs[id].row, members);
-  turned.count = points.count;
-  const std::size_t padded =
-      (points.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
-  for (std::size_t k = 0; k < padded; ++k) {
-    turned.x[k] = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
-    turned.y[k] = 0, turned.z[k] = points.z[k];
-    turned.least[k] = points.least[k], turned.nearest[k] = points.nearest[k];
-  }
-  columns_->turn_tree.least(members, turned);
-  std::copy(turned.least, turned.least + padded, points.least);
-  std::copy(turned.nearest, turned.nearest + padded, points.nearest);
-}
-
-void SweepTable::least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const {
-  for (std::size_t k = 0; k < points.count; ++k) {
-    TurnTree::Nearest best;
-    best.distance = points.least[k], best.sweep = static_cast<std::uint32_t>(points.nearest[k]);
-    const double rho = std::sqrt(points.x[k] * points.x[k] + points.y[k] * points.y[k]);
-    for (const std::uint32_t id : ids)
-      columns_->turn_tree.nearest(id - static_cast<std::uint32_t>(size()), rho, points.z[k], best);
-    points.least[k] = best.distance, points.nearest[k] = best.sweep;
-  }
+  if (!turns.empty()) least_of_turns(c, turns, points);
 }
 
 }  // namespace mrsim

@@ -1,4 +1,4 @@
-#include "removal/sweep_motion.h"
+#include "removal/sweep/sweep_motion.h"
 
 #include "core/trig.h"
 #include "core/units.h"

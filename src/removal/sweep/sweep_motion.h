@@ -1,7 +1,7 @@
 // A motion as seen by a milling tool: path, extent, and its coefficients in plan.
 #pragma once
 
-#include "removal/sweep_columns.h"
+#include "removal/sweep/sweep_columns.h"
 
 namespace mrsim {
 

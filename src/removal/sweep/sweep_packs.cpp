@@ -1,9 +1,9 @@
-#include "removal/sweep_packs.h"
+#include "removal/sweep/sweep_packs.h"
 
 #include "core/heap.h"
 #include "core/ordered.h"
 #include "core/vec.h"
-#include "removal/sweep_columns.h"
+#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/heap.h"
-#include "removal/sweep_kernels.h"
+#include "removal/simd/sweep_kernels.h"
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -30,8 +30,9 @@ struct SweepPack {
   std::size_t size() const { return count == 0 ? last - first + 1 : count; }
 };
 
-/// The children of a pack as a list has them (near_kernels.h), less what they have in common: strip
-/// about the start of the chord; line the same, tip and level 0. Unused lanes hold nothing of use.
+/// The children of a pack as a list has them (candidate_kernels.h), less what they have in common:
+/// strip about the start of the chord; line the same, tip and level 0. Unused lanes hold nothing of
+/// use.
 struct PackColumns {
   static constexpr std::size_t kColumns = 8, kLanes = 8;
   alignas(32) float c[kColumns][kLanes] = {};

@@ -1,7 +1,8 @@
-// SweepTable::patch_range: which faces have an enclosure, and from what it follows
-// (docs/mesh.md, Tolerance).
-#include "removal/face_range.h"
-#include "removal/sweep_columns.h"
+// Which faces have an enclosure, and from what it follows (docs/mesh.md, Tolerance).
+#include "removal/sweep/sweep_range.h"
+
+#include "removal/field/face_range.h"
+#include "removal/sweep/sweep_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +37,8 @@ FaceRange slab_range(const Profile& tool, const Section& s) {
 
 class RangeOf {
  public:
-  RangeOf(const SweepTable& table, const SweepColumns& columns, std::size_t i, const Corners3& t,
-          std::int32_t patch)
-      : table_(table), columns_(columns), ref_(columns.refs[i]), i_(i), t_(t), patch_(patch) {
+  RangeOf(const SweepColumns& columns, std::size_t i, const Corners3& t, std::int32_t patch)
+      : columns_(columns), ref_(columns.refs[i]), i_(i), t_(t), patch_(patch) {
     local_ = t;
     if (ref_.frame > 0)
       for (Vec3& p : local_) p = columns.frames[ref_.frame - 1].in(p);
@@ -72,11 +72,12 @@ class RangeOf {
   // patch_distance being a convex function of space.
   FaceRange convex() const {
     const Vec3 m = weighted(smallest_circle(t_), t_);
-    return convex_range(
-        t_,
-        {table_.patch_distance(i_, t_[0], patch_), table_.patch_distance(i_, t_[1], patch_),
-         table_.patch_distance(i_, t_[2], patch_)},
-        m, table_.patch_distance(i_, m, patch_), table_.gradient(i_, m, patch_));
+    return convex_range(t_,
+                        {sweep_patch_distance(columns_, i_, t_[0], patch_),
+                         sweep_patch_distance(columns_, i_, t_[1], patch_),
+                         sweep_patch_distance(columns_, i_, t_[2], patch_)},
+                        m, sweep_patch_distance(columns_, i_, m, patch_),
+                        sweep_gradient(columns_, i_, m, patch_));
   }
 
   // A function of the distance in plan from the path and of the height above the tip.
@@ -118,7 +119,7 @@ class RangeOf {
     const double circle = smallest_circle(t_).squared;
     std::array<double, 3> value, squares;
     for (std::size_t k = 0; k < 3; ++k) {
-      value[k] = table_.patch_distance(i_, t_[k], patch_);
+      value[k] = sweep_patch_distance(columns_, i_, t_[k], patch_);
       const double s = std::max(0.0, value[k] + round);
       squares[k] = s * s;
     }
@@ -146,7 +147,7 @@ class RangeOf {
   // triangle.
   FaceRange straight(const Profile& tool, const ToolPath& path) const {
     const Vec3 at = weighted(smallest_circle(t_), t_);
-    Vec3 n = table_.gradient(i_, at, table_.patch(i_, at));
+    Vec3 n = sweep_gradient(columns_, i_, at, sweep_sample(columns_, i_, at).patch);
     if (ref_.frame > 0) n = columns_.frames[ref_.frame - 1].in(n);
     if (std::fabs(n.z) < kUpright) n.z = 0;
     const double ahead = std::max(0.0, dot(n, path.travel));
@@ -154,13 +155,12 @@ class RangeOf {
         dot(n, path.start) + ahead + tool.support({std::sqrt(n.x * n.x + n.y * n.y), n.z});
     FaceRange range;
     range.lo = range_of({dot(n, local_[0]), dot(n, local_[1]), dot(n, local_[2])}).lo - body;
-    range.hi = range_of({table_.distance(i_, t_[0]), table_.distance(i_, t_[1]),
-                         table_.distance(i_, t_[2])})
+    range.hi = range_of({columns_.distance(i_, t_[0]), columns_.distance(i_, t_[1]),
+                         columns_.distance(i_, t_[2])})
                    .hi;
     return range;
   }
 
-  const SweepTable& table_;
   const SweepColumns& columns_;
   const SweepRef& ref_;
   const std::size_t i_;
@@ -171,8 +171,8 @@ class RangeOf {
 
 }  // namespace
 
-FaceRange SweepTable::patch_range(std::size_t i, const Corners3& t, std::int32_t patch) const {
-  return RangeOf(*this, *columns_, i, t, patch)();
+FaceRange sweep_range(const SweepColumns& c, std::size_t i, const Corners3& t, std::int32_t patch) {
+  return RangeOf(c, i, t, patch)();
 }
 
 }  // namespace mrsim

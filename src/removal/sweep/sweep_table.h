@@ -6,17 +6,15 @@
 // point can be asked of many sweeps, or many points of one, at a few nanoseconds each.
 #pragma once
 
-#include "removal/field.h"
+#include "removal/field/field.h"
 #include <mrsim/types.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace mrsim {
@@ -27,10 +25,9 @@ struct SweepSample {
       0;  ///< smooth face of the sweep: equal for two points whose surfaces join without a crease
 };
 
-class NearList;       // removal/near_list.h: a list as pruning reads it
-struct PruneRegion;   // the same
-struct PointColumns;  // removal/sweep_kernels.h
-class TurnTree;       // removal/turn_tree.h
+struct PointColumns;  // removal/simd/sweep_kernels.h
+struct SweepColumns;  // removal/sweep/sweep_columns.h
+class TurnTree;       // removal/sweep/turn_tree.h
 
 /// Which motions and which part of the tools a table holds. The default is what removes material;
 /// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
@@ -45,12 +42,11 @@ struct SweepSelection {
 class SweepTable {
  public:
   /// Sweeps of every motion that cuts: lines and arcs, not rapids, not moves of assumed start, not
-  /// zero-length ones of zero extent. `top` is the height (mm) up to which a milling cutter without
-  /// flute length reaches: anything above the stock's top. Throws Error "tool-missing",
-  /// "tool-invalid", "motion-unsupported", naming tool and line. A selection of shank or holder
-  /// makes a sweep for each of its pieces, and none for tools without them; rapids without a tool
-  /// are left out.
-  SweepTable(std::span<const Motion> motions, std::span<const Tool> tools, double top,
+  /// zero-length ones of zero extent. A milling cutter without flute length reaches up to infinity.
+  /// Throws Error "tool-missing", "tool-invalid", "motion-unsupported", naming tool and line. A
+  /// selection of shank or holder makes a sweep for each of its pieces, and none for tools without
+  /// them; rapids without a tool are left out.
+  SweepTable(std::span<const Motion> motions, std::span<const Tool> tools,
              const SweepSelection& selection = {}, int threads = 1);
   SweepTable(SweepTable&&) noexcept;
   SweepTable& operator=(SweepTable&&) noexcept;
@@ -59,7 +55,7 @@ class SweepTable {
   std::size_t size() const;
   /// What a list of all sweeps holds, ascending: the indices of milling sweeps, and above size()
   /// numbers of packs of turning sweeps, then of milling sweeps, none of them longer than
-  /// `longest` mm. Lists that are pruned hold such numbers too.
+  /// `longest` mm. Lists of candidates (removal/prune) hold such numbers too.
   std::vector<std::uint32_t> all(double longest = std::numeric_limits<double>::infinity()) const;
   /// The sweeps of a list, packs opened, whose bounds meet a box; ascending.
   std::vector<std::uint32_t> opened(std::span<const std::uint32_t> list, const Box3& box) const;
@@ -95,38 +91,8 @@ class SweepTable {
   };
   Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p) const;
 
-  /// A list as prune() takes it. `origin` is a point of the block that it is for: single precision
-  /// is good near it.
-  void list(std::span<const std::uint32_t> ids, const Vec3& origin, NearList& out) const;
-
-  /// Copies to `out` the sweeps of `in` that can decide the least distance somewhere in the region,
-  /// where that is at most `reach` less the region's radius; false, and nothing, where all of the
-  /// region is deeper than that in a sweep. Results stay the same to the last bit in the whole
-  /// region; with `band` > 0 only where the least distance is within +-band, and more sweeps go.
-  /// Packs that are large beside the region (all, if it says so) give way to their sweeps.
-  bool prune(const PruneRegion& region, double reach, double band, const NearList& in,
-             NearList& out) const;
-
-  /// As prune() for a list of nothing but lines of one ball (is_of_strips), in a region without
-  /// parts: the indices of what is left, in the order of the list. `near`: slot of a strip near the
-  /// region; less is left the nearer it is.
-  bool prune_strips(const PruneRegion& region, double reach, const NearList& in, std::size_t near,
-                    std::vector<std::uint32_t>& out) const;
-  /// Slots of strips near the four parts of a region, `beside` mm from its centre both ways in plan
-  /// (NearKernels::strip_quarters); the nearest ones where that is 0.
-  std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
-                                            const NearList& in) const;
-  bool is_of_strips(const NearList& list) const;
-
-  /// Puts those turning sweeps that prune() for this region and `reach` would leave in place of the
-  /// packs of a list, if they are at most `most`; false, and nothing, where they are more or where
-  /// packs of milling sweeps are left.
-  bool open_turned(const PruneRegion& region, double reach, std::size_t most,
-                   std::vector<std::uint32_t>& ids) const;
-
   /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
   /// distance().
-  void least(const NearList& list, PointColumns& points) const;
   void least(std::span<const std::uint32_t> ids, PointColumns& points) const;
 
   /// All sweeps are the same at every angle about the Z axis: of inserts, and of other tools that
@@ -134,6 +100,8 @@ class SweepTable {
   bool is_turned() const;
   /// The turning sweeps; empty where there are none.
   const TurnTree& turn_tree() const;
+  /// What the table is made of, for pruning.
+  const SweepColumns& columns() const { return *columns_; }
 
   /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
   /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for
@@ -149,13 +117,7 @@ class SweepTable {
   double smallest_radius() const;
 
  private:
-  bool open(const PruneRegion& region, const NearList& in, NearList& out) const;
-  void least_of(std::uint32_t id, PointColumns& points) const;
-  void least_of_packs(std::span<const std::uint32_t> ids, PointColumns& points) const;
-  void least_of_turns(std::span<const std::uint32_t> ids, PointColumns& points) const;
-
-  struct Columns;
-  std::unique_ptr<Columns> columns_;
+  std::unique_ptr<SweepColumns> columns_;
 };
 
 }  // namespace mrsim

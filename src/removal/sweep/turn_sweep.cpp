@@ -6,12 +6,12 @@
 // where the path is parallel to them. Outside, the distance to those pieces is exact. Inside, two
 // lower bounds of the depth are known, the distance to the pieces and the depth in the deepest
 // single position; the larger one counts.
-#include "removal/sweep_turn.h"
+#include "removal/sweep/turn_sweep.h"
 
 #include "core/error.h"
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_lane_scalar.h"
+#include "removal/simd/lane_scalar.h"
 
 #include <algorithm>
 #include <array>

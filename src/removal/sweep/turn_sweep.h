@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/sweep.h"
-#include "removal/sweep_polygon.h"
-#include "removal/tool.h"
+#include "removal/sweep/sweep_table.h"
+#include "removal/tool/polygon.h"
+#include "removal/tool/tool.h"
 
 #include <cstdint>
 #include <span>

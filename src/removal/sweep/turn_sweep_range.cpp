@@ -1,7 +1,7 @@
 // Enclosures of the faces that an insert turns: functions of (rho, z), rho convex in space.
-#include "removal/face_range.h"
-#include "removal/sweep_lane_scalar.h"
-#include "removal/sweep_turn.h"
+#include "removal/field/face_range.h"
+#include "removal/simd/lane_scalar.h"
+#include "removal/sweep/turn_sweep.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "removal/turn_tree.h"
+#include "removal/sweep/turn_tree.h"
 
 #include "core/vec.h"
 

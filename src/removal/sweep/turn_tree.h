@@ -7,9 +7,9 @@
 // move along smooth curves, so chords are close and a search goes down one way.
 #pragma once
 
-#include "removal/sweep_kernels.h"
-#include "removal/sweep_turn.h"
-#include "removal/tool.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/turn_sweep.h"
+#include "removal/tool/tool.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 // How the tree of turning sweeps is made.
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/turn_tree.h"
+#include "removal/sweep/turn_tree.h"
 
 #include <algorithm>
 #include <array>

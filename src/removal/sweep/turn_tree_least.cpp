@@ -1,5 +1,5 @@
 // Points asked of a few sweeps of the tree, side by side.
-#include "removal/turn_tree.h"
+#include "removal/sweep/turn_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 // mirrored to x >= 0, is a stretch from the position nearest to p in plan towards its lower end:
 // the other way the tool moves off and rises. Positions are unit vectors, by the tangent of half an
 // angle: no sines.
-#include "removal/sweep_upright.h"
+#include "removal/sweep/upright_sweep.h"
 
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/sweep_lane_scalar.h"
+#include "removal/simd/lane_scalar.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // upright arcs).
 #pragma once
 
-#include "removal/sweep_path.h"
+#include "removal/sweep/path_sweep.h"
 
 namespace mrsim {
 

@@ -8,7 +8,7 @@
 // the centre itself; so 3 is external right hand, 2 a boring bar, 8 a neutral tool or groover.
 #include "core/trig.h"
 #include "core/units.h"
-#include "removal/tool.h"
+#include "removal/tool/tool.h"
 
 #include <cmath>
 

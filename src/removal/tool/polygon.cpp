@@ -1,4 +1,4 @@
-#include "removal/sweep_polygon.h"
+#include "removal/tool/polygon.h"
 
 #include <algorithm>
 #include <limits>

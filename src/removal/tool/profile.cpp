@@ -4,7 +4,7 @@
 // when the corner is convex, inside when it is reflex (the points nearest to a corner lie in its
 // normal cone, which is on that side), the side of the tangent when it is smooth.
 #include "core/error.h"
-#include "removal/tool.h"
+#include "removal/tool/tool.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // Enclosures of the faces of a tool at rest: chains of lines and arcs that join smoothly.
-#include "removal/face_range.h"
-#include "removal/tool.h"
+#include "removal/field/face_range.h"
+#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ double Profile::support(Vec2 n) const {
     most = std::max(most, dot(n, e.a));
     if (!std::isinf(e.b.y)) most = std::max(most, dot(n, e.b));
     if (!is_arc(e) || !e.convex || size == 0) continue;
-    // What a whole circle has only where its point in this direction is the arc's.
+    // A value of the whole circle counts only where its point in this direction lies on the arc.
     const Vec2 far = e.center + (e.radius / size) * n;
     if (far.y >= e.a.y && far.y <= e.b.y) most = std::max(most, dot(n, far));
   }

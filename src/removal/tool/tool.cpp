@@ -1,7 +1,7 @@
 // Milling cutters as profiles. Every type is a chain of lines and arcs from the axis at the tip
 // upwards; without a flute length it goes on along the shank for ever, with one it is cut off
 // there, because only the flutes cut.
-#include "removal/tool.h"
+#include "removal/tool/tool.h"
 
 #include "core/error.h"
 #include "core/trig.h"
@@ -132,8 +132,11 @@ Profile taper_mill(const Tool& tool) {
 }
 
 Profile tslot_mill(const Tool& tool) {
-  const double r = tool.diameter / 2, c = tool.corner_radius, h = tool.flute_length;
-  require(h > 0, tool, "a T-slot cutter needs a flute length (the height of its head)");
+  const double r = tool.diameter / 2, c = tool.corner_radius;
+  const double h = tool.width > 0 ? tool.width : tool.flute_length;
+  require(h > 0, tool, "a T-slot cutter needs a width (the height of its head) or a flute length");
+  require(tool.flute_length <= 0 || h <= tool.flute_length, tool,
+          "the width of the head is larger than the flute length");
   require(c >= 0 && c <= r && 2 * c <= h, tool, "the corner radius does not fit the head");
   Outline o({0, 0});
   o.line({r - c, 0});
@@ -250,7 +253,7 @@ void invalid_tool(const Tool& tool, const std::string& why) {
 Profile make_cutter(const Tool& tool) {
   const auto finite = {tool.diameter,       tool.corner_radius, tool.taper_angle,
                        tool.tip_angle,      tool.tip_diameter,  tool.neck_diameter,
-                       tool.profile_radius, tool.flute_length};
+                       tool.profile_radius, tool.flute_length,  tool.width};
   for (double value : finite)
     require(std::isfinite(value) && value >= 0, tool, "a size is negative or not a number");
   require(tool.diameter > 0 || tool.type == ToolType::form, tool, "the diameter is missing");

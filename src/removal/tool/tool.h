@@ -17,8 +17,8 @@
 
 namespace mrsim {
 
-struct FaceRange;  // removal/field.h
-struct Section;    // removal/face_range.h
+struct FaceRange;  // removal/field/field.h
+struct Section;    // removal/field/face_range.h
 
 /// A piece of a profile: the solid lies on the left of its direction.
 struct ProfileEdge {
@@ -130,7 +130,7 @@ struct ToolShape {
 /// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.
 ToolShape make_tool_shape(const Tool& tool);
 
-/// Milling and turning halves of it.
+/// make_tool_shape() for a milling cutter, and for a turning insert.
 Profile make_cutter(const Tool& tool);
 InsertOutline make_insert(const Tool& tool);
 

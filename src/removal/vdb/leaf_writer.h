@@ -1,10 +1,10 @@
-// What the carvers of blocks share: samples at some points, and the leaves they are written to.
+// Samples at some points and the leaves that they are written to: shared by the carvers of blocks.
 #pragma once
 
-#include "removal/block_index.h"
-#include "removal/lattice.h"
-#include "removal/part_field.h"
-#include "removal/sweep_kernels.h"
+#include "removal/field/lattice.h"
+#include "removal/part/block_index.h"
+#include "removal/part/part_field.h"
+#include "removal/simd/sweep_kernels.h"
 #include "removal/vdb/vdb_grid.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct LeafPair {
   std::unique_ptr<OwnerLeaf> owner;
 };
 
-/// Where the voxels of a pair lie: asking the leaves costs as much as a write.
+/// The memory of a pair of leaves. Kept, because asking a leaf for it costs as much as a write.
 struct LeafView {
   LeafView() = default;
   explicit LeafView(const LeafPair& leaf)

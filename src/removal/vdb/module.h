@@ -1,9 +1,9 @@
-// What the module that samples voxels, <folder of the library>/mrsim/vdb.so, shows. It holds
-// OpenVDB's side and a copy of the stage's code that this calls; objects made on one side are used
-// by the other, so both are of one build.
+// The functions that the module mrsim/vdb.so exports: it samples voxels with OpenVDB. The module
+// has its own copy of the code that it calls, and both sides use objects that the other side made.
+// So both must come from the same build.
 #pragma once
 
-#include "removal/voxel_grid.h"
+#include "removal/part/voxel_grid.h"
 
 namespace mrsim {
 

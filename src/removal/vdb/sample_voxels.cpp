@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "removal/prune/list_candidates.h"
 #include "removal/vdb/turned_carver.h"
 #include "removal/vdb/vdb_grid.h"
 
@@ -22,7 +23,7 @@ namespace {
 // One block of 64 voxels, on one thread: its lists by depth and the leaves it makes.
 class BlockCarver : LeafWriter {
  public:
-  using Lists = std::array<NearList, 6>;  // by depth, from 64 voxels to what is left at kLast
+  using Lists = std::array<CandidateList, 6>;  // by depth, from 64 voxels to what is left at kLast
 
   BlockCarver(const PartField& field, double voxel, Lists& lists)
       : LeafWriter(field, voxel), lists_(lists) {}
@@ -31,7 +32,7 @@ class BlockCarver : LeafWriter {
                               std::span<const std::uint32_t> sweeps) {
     leaves_.clear();
     const openvdb::Coord first(origin[0], origin[1], origin[2]);
-    field_.sweeps().list(sweeps, center(first, kBlockVoxels, kBlockVoxels), lists_[0]);
+    list_candidates(field_.sweeps(), sweeps, center(first, kBlockVoxels, kBlockVoxels), lists_[0]);
     visit(first, kBlockVoxels, 0, false);
     return std::move(leaves_);
   }
@@ -48,15 +49,16 @@ class BlockCarver : LeafWriter {
            Vec3{half(size), half(size), half(tall)};
   }
 
-  // A register of sweeps is as cheap to evaluate at 64 samples as to prune for their columns;
-  // without a closed form evaluation is the costly part.
-  static bool is_short(const NearList& sweeps) {
+  // Whether to evaluate the list instead of pruning it for columns. Evaluating one register of
+  // sweeps at 64 samples costs as much as pruning it; sweeps without a closed form are costly to
+  // evaluate.
+  static bool is_short(const CandidateList& sweeps) {
     return sweeps.size() <= (sweeps.closed ? 16u : 4u);
   }
 
   // The list of the block is lists_[depth]; what is left of it goes to the next.
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
-    NearList& left = lists_[depth + 1];
+    CandidateList& left = lists_[depth + 1];
     PruneRegion block = PruneRegion::block(center(origin, size, size), half(size));
     block.open = size == kLast;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
@@ -77,7 +79,7 @@ class BlockCarver : LeafWriter {
   // A block of the last size with a long list, in its four columns: along the tool, which mostly is
   // upright, nearest places change least.
   void finish_columns(const openvdb::Coord& origin, const PruneRegion& block,
-                      const NearList& sweeps, bool in_stock) {
+                      const CandidateList& sweeps, bool in_stock) {
     constexpr int kSize = kLast / 2;
     const auto first = [&](std::size_t part) {
       return origin.offsetBy(part >> 1 ? kSize : 0, part & 1 ? kSize : 0, 0);
@@ -132,7 +134,11 @@ class BlockCarver : LeafWriter {
     });
   }
 
-  // `sweeps`: a NearList or Candidates.
+  // Brings points_ up to date with a list.
+  void ask(const CandidateList& sweeps) { least_distances(field_.sweeps(), sweeps, points_); }
+  void ask(const Candidates& sweeps) { field_.sweeps().least(sweeps, points_); }
+
+  // `sweeps`: a CandidateList or Candidates.
   template <typename List>
   void evaluate(const openvdb::Coord& origin, int size, int tall, const List& sweeps,
                 bool in_stock) {
@@ -147,7 +153,7 @@ class BlockCarver : LeafWriter {
       points_.x[k] = axis[0][x], points_.y[k] = axis[1][y], points_.z[k] = axis[2][z];
       points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
     });
-    field_.sweeps().least(sweeps, points_);
+    ask(sweeps);
     combine_stock(in_stock);
     const auto row = static_cast<std::size_t>(tall);
     std::size_t k = 0;
@@ -200,7 +206,7 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
   for (const std::vector<LeafPair>& leaves : blocks)
     for (const LeafPair& leaf : leaves)
       grid.leaves.emplace_back(leaf.distance.get(), leaf.owner.get());
-  // A tree takes one leaf at a time, so the two trees are all that can be filled at once.
+  // A tree takes one leaf at a time, so at most the two trees can be filled side by side.
   parallel_for(2, threads, [&](std::size_t tree) {
     openvdb::FloatGrid::Accessor distance(grid.distance->tree());
     openvdb::Int32Grid::Accessor owner(grid.owner->tree());

@@ -39,7 +39,7 @@ bool TurnedCarver::meets_surface(const openvdb::Coord& origin) const {
   return false;
 }
 
-// By buckets, then by insertion, which has little left to do.
+// Sorts into buckets first; insertion then has little left to move.
 void TurnedCarver::sort_columns(const openvdb::Coord& origin) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (std::size_t x = 0; x < kSide; ++x)

@@ -2,7 +2,7 @@
 // voxels in the order of their distance from the axis.
 #pragma once
 
-#include "removal/turn_layers.h"
+#include "removal/part/turn_layers.h"
 #include "removal/vdb/leaf_writer.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // The grids of a stock, as OpenVDB holds them.
 #pragma once
 
-#include "removal/voxel_grid.h"
+#include "removal/part/voxel_grid.h"
 
 #include <cstdint>
 #include <utility>

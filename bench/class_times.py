@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Times of whole runs on classes of programs: class_times.py MRSIM [--voxel 0.25] [--runs 3] [--only NAME] [--keep FOLDER]
+
+Prints a row for each program: moves, seconds of wall and CPU time (medians), peak memory, triangles. `wave-TOOL` is one path by
+several tools, so that their rows compare the tools; `wave-flat-x10` has ten times the moves, for growth.
+"""
+
+import argparse
+import math
+import os
+import re
+import resource
+import statistics
+import subprocess
+import tempfile
+import time
+
+WAVE_TOOLS = {
+    "ball": "ballmill:d=3",
+    "flat": "endmill:d=3",
+    "bull": "bullmill:d=3,r=0.5",
+    "vee": "chamfer:d=6,a=60",
+    "taper": "taper:d=1,a=5,r=0.5,l=20",
+}
+
+
+class Program:
+    def __init__(self, stock, tool):
+        self.stock, self.tool, self.moves = stock, tool, 0
+        self.lines = ["%", "O7001", "G90 G94 G17 G21", "T1 M6", "S12000 M3", "G54"]
+
+    def rapid(self, **to):
+        self._add("G0", to)
+
+    def cut(self, **to):
+        self._add("G1", to)
+        self.moves += 1
+
+    def arc(self, word, **to):
+        self._add(word, to)
+        self.moves += 1
+
+    def _add(self, word, to):
+        self.lines.append(word + "".join(f" {axis.upper()}{value:.4f}" for axis, value in to.items()) + " F800")
+
+    def text(self):
+        return "\n".join(self.lines + ["G0 Z20.", "M30", "%", ""])
+
+
+def wave(tool, moves):
+    """Parallel rows over hills with steep flanks, 60 x 60 x 12 mm."""
+    p = Program("box:-3,-3,-14,63,63,0", tool)
+    rows = max(2, round(math.sqrt(moves / 2)))
+    for row in range(rows):
+        y = 60 * row / (rows - 1)
+        for i in range(moves // rows + 1):
+            x = 60 * i * rows / moves
+            x = 60 - x if row % 2 else x
+            hill = math.exp(-(((x - 30) ** 2 + (y - 28) ** 2) / 180)) + 0.12 * math.sin(0.9 * x) * math.sin(1.1 * y)
+            z = -9 + 8 * hill - (2.5 if math.hypot(x - 14, y - 44) < 9 else 0)
+            if i == 0 and row == 0:
+                p.rapid(x=x, y=y, z=3)
+            p.cut(x=x, y=y, z=z)
+    return p
+
+
+def letters(moves):
+    """Curved strokes of a V-bit, deep in the middle and shallow at the ends."""
+    p = Program("box:0,0,-5,80,40,0", "chamfer:d=8,a=60")
+    strokes = max(1, moves // 90)
+    for k in range(strokes):
+        x, y, turn = 4 + 70 * (k * 0.618 % 1), 4 + 32 * (k * 0.382 % 1), 2 * math.pi * (k * 0.7548 % 1)
+        p.rapid(x=x, y=y, z=1)
+        for i in range(91):
+            t = i / 90
+            turn += 0.03 * math.sin(5 * t + k)
+            x, y = min(79, max(1, x + 0.07 * math.cos(turn))), min(39, max(1, y + 0.07 * math.sin(turn)))
+            p.cut(x=x, y=y, z=-0.1 - 1.6 * math.sin(math.pi * t))
+        p.rapid(z=1)
+    return p
+
+
+def ramps(moves):
+    """Pockets entered along helices and cleared in level rings, with ramps along arcs between the levels."""
+    p = Program("box:0,0,-16,120,90,0", "endmill:d=6")
+    pockets = max(1, moves // 40)
+    columns = math.ceil(math.sqrt(pockets * 120 / 90))
+    for k in range(pockets):
+        cx, cy = 8 + 104 * (k % columns) / max(1, columns - 1), 8 + 74 * (k // columns) / max(1, pockets // columns)
+        p.rapid(x=cx + 2, y=cy)
+        p.rapid(z=1)
+        p.cut(z=0)
+        for turn in range(1, 6):
+            p.arc("G3", x=cx + 2, y=cy, z=-turn, i=-2, j=0)
+        for level in range(5, 13):
+            for radius in (2, 3.5, 4.5):
+                p.cut(x=cx + radius, y=cy, z=-level)
+                p.arc("G3", x=cx + radius, y=cy, i=-radius, j=0)
+            p.arc("G3", x=cx - 4.5, y=cy, z=-level - 1, i=-4.5, j=0)
+            p.arc("G3", x=cx + 4.5, y=cy, z=-level - 1, i=4.5, j=0)
+        p.rapid(z=2)
+    return p
+
+
+def drilled(moves):
+    """Holes drilled in six pecks each, some of them twice."""
+    p = Program("box:0,0,-20,100,100,0", "drill:d=3.3,a=118")
+    side = max(1, round(math.sqrt(moves / 6)))
+    for k in range(side * side):
+        p.rapid(x=4 + 92 * (k % side) / max(1, side - 1), y=4 + 92 * (k // side) / max(1, side - 1))
+        for peck in range(6):
+            p.rapid(z=1 if peck == 0 else -3 * peck + 0.3)
+            p.cut(z=-3 * (peck + 1) if k % 5 else -15)
+            p.rapid(z=1)
+    return p
+
+
+def programs():
+    found = {f"wave-{name}": lambda tool=tool: wave(tool, 20000) for name, tool in WAVE_TOOLS.items()}
+    found["wave-flat-x10"] = lambda: wave(WAVE_TOOLS["flat"], 200000)
+    found["letters"] = lambda: letters(6000)
+    found["ramps"] = lambda: ramps(2000)
+    found["drilled"] = lambda: drilled(2400)
+    return found
+
+
+def measure(command):
+    """Wall and CPU seconds, peak memory in MB, triangles."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    start = time.monotonic()
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    wall = time.monotonic() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}: exit {done.returncode}\n{done.stderr[-2000:]}")
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    text = done.stdout + done.stderr
+    triangles = re.search(r"triangles\s+([\d \u202f\u00a0]+?)\s{2}", text)
+    memory = re.search(r"memory\s+([\d.]+) MB", text)
+    return wall, cpu, memory.group(1) if memory else "-", triangles.group(1).strip() if triangles else "-"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("mrsim")
+    parser.add_argument("--voxel", default="0.25", help="mm, or 'default'")
+    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--only", default="", help="programs whose names begin so")
+    parser.add_argument("--keep", help="folder for the programs")
+    args = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = args.keep or scratch
+        os.makedirs(folder, exist_ok=True)
+        print("| program | moves | wall, s | CPU, s | MB | triangles |\n|---|---|---|---|---|---|")
+        for name, make in programs().items():
+            if not name.startswith(args.only):
+                continue
+            program = make()
+            path = os.path.join(folder, name + ".nc")
+            with open(path, "w", encoding="ascii") as out:
+                out.write(program.text())
+            command = [args.mrsim, path, "--stock", program.stock, "--tool", "1=" + program.tool, "--verbose",
+                       "-o", os.path.join(scratch, "part.stl")]
+            if args.voxel != "default":
+                command += ["--voxel", args.voxel]
+            runs = [measure(command) for _ in range(args.runs)]
+            wall, cpu = (statistics.median(r[k] for r in runs) for k in (0, 1))
+            print(f"| {name} | {program.moves} | {wall:.2f} | {cpu:.2f} | {runs[0][2]} | {runs[0][3]} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Checks what documents and comments say of the repository: files that they name exist, and ARCHITECTURE.md tells every room.
+
+Checked are links and names of sources in backquotes, and names of sources in comments of src and include. ARCHITECTURE.md besides: lines of at most 120 characters, each
+room of scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
+"""
+
+import glob
+import os
+import re
+import sys
+
+from check_includes import ROOMS
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+SOURCE = re.compile(r"`([A-Za-z0-9_./-]+\.(?:h|cpp|inl|py|sh))`")
+COMMENT = re.compile(r"//.*")
+NAMED = re.compile(r"(?<![<\w./-])((?:[a-z_0-9]+/)*[a-z][a-z_0-9]*\.(?:h|cpp|inl))\b")
+LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+WHERE = ("", "src", "include", "include/mrsim", "tests", "bench", "scripts")
+
+
+def sources():
+    found = set()
+    for folder in ("src", "include", "tests", "bench", "scripts", "cmake"):
+        for place, _, names in os.walk(os.path.join(ROOT, folder)):
+            found.update(os.path.relpath(os.path.join(place, name), ROOT) for name in names)
+    return found
+
+
+def is_known(name, known):
+    if "/" in name:
+        return any(os.path.normpath(os.path.join(at, name)) in known for at in WHERE)
+    return any(os.path.basename(path) == name for path in known)
+
+
+def check_names(path, text, known):
+    for name in SOURCE.findall(text):
+        if not is_known(name, known):
+            yield f"{path}: there is no {name}"
+    for target in LINK.findall(text):
+        if not os.path.exists(os.path.join(ROOT, os.path.dirname(path), target)):
+            yield f"{path}: the link to {target} leads nowhere"
+
+
+def check_comments(path, text, known):
+    for comment in COMMENT.findall(text):
+        for name in NAMED.findall(comment):
+            if not is_known(name, known):
+                yield f"{path}: a comment names {name}, which does not exist"
+
+
+def check_architecture(text):
+    for number, line in enumerate(text.splitlines(), 1):
+        if len(line) > 120:
+            yield f"ARCHITECTURE.md:{number}: {len(line)} characters, at most 120 are wanted"
+    for room in ROOMS:
+        if room and f"`{room}`" not in text and f"`src/{room}`" not in text:
+            yield f"ARCHITECTURE.md: the room {room} is missing"
+    steps = len(re.findall(r"^\d+\. `src/", text, re.M))
+    if not 0 < steps <= 12:
+        yield f"ARCHITECTURE.md: the walk names {steps} files, 1 to 12 are wanted"
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+        return file.read()
+
+
+def main():
+    known = sources()
+    paths = ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md"]
+    paths += [os.path.relpath(path, ROOT) for path in sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))]
+    faults = [fault for path in paths for fault in check_names(path, read(path), known)]
+    for path in sorted(known):
+        if path.startswith(("src/", "include/")) and path.endswith((".h", ".cpp", ".inl")):
+            faults += check_comments(path, read(path), known)
+    faults += check_architecture(read("ARCHITECTURE.md"))
+    for fault in faults:
+        print(fault)
+    print(f"{len(paths)} documents, {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

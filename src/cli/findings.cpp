@@ -1,0 +1,61 @@
+#include "cli/findings.h"
+
+#include "cli/diagnostics.h"
+#include "cli/terminal.h"
+#include <mrsim/mrsim.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+int finish_output(int code) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error("output-unwritable", "cannot write to the standard output");
+  return code;
+}
+
+std::string json_quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+Findings::Findings(const Arguments& arguments, std::string program)
+    : program_(std::move(program)),
+      quiet_(arguments.quiet),
+      strict_(arguments.strict),
+      json_(arguments.json),
+      colours_(has_colours(stderr)) {}
+
+void Findings::add(const Diagnostic& diagnostic) {
+  ++count_[static_cast<std::size_t>(diagnostic.severity)];
+  if (json_) {
+    std::string line = diagnostic_json(diagnostic);
+    if (!program_.empty()) line.insert(1, "\"program\":" + json_quoted(program_) + ",");
+    return print(line + "\n");
+  }
+  if (quiet_ && !fails(diagnostic.severity)) return;
+  std::fflush(stdout);  // keeps motions and findings in order where both go to one place
+  const std::string text = format_diagnostic(diagnostic, colours_);
+  std::fputs(text.c_str(), stderr);
+}
+
+std::string Findings::summary() const {
+  const auto part = [](std::size_t n, const char* word) {
+    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+  };
+  return fmt::format("{}, {}, {}", part(errors(), "error"), part(warnings(), "warning"),
+                     part(notes(), "note"));
+}
+
+}  // namespace mrsim::cli

@@ -1,0 +1,49 @@
+// Findings of a program on their way to the user, counted.
+#pragma once
+
+#include "cli/arguments.h"
+#include <mrsim/types.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mrsim::cli {
+
+/// Text to the standard output.
+void print(const std::string& text);
+/// Flushes it: a full disk or a closed pipe is an Error, not a short answer. Returns `code`.
+int finish_output(int code);
+
+/// Prints findings to stderr (JSON: to stdout) as they come and counts them.
+class Findings {
+ public:
+  /// `program`: stands in each JSON object, for a run over several programs; empty: it does not.
+  explicit Findings(const Arguments& arguments, std::string program = "");
+
+  void add(const Diagnostic& diagnostic);
+  void add(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) add(diagnostic);
+  }
+
+  std::size_t errors() const { return count_[static_cast<std::size_t>(Severity::error)]; }
+  std::size_t warnings() const { return count_[static_cast<std::size_t>(Severity::warning)]; }
+  std::size_t notes() const { return count_[static_cast<std::size_t>(Severity::note)]; }
+  bool failed() const { return errors() > 0 || (strict_ && warnings() > 0); }
+  /// "1 error, 0 warnings, 2 notes"
+  std::string summary() const;
+
+ private:
+  bool fails(Severity severity) const {
+    return severity == Severity::error || (strict_ && severity == Severity::warning);
+  }
+  std::string program_;
+  bool quiet_, strict_, json_, colours_;
+  std::array<std::size_t, 3> count_{};
+};
+
+/// `text` as a JSON string, with its quotes.
+std::string json_quoted(const std::string& text);
+
+}  // namespace mrsim::cli

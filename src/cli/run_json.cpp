@@ -1,0 +1,235 @@
+#include "cli/run_json.h"
+
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "core/text_io.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mrsim::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Infinities, which JSON lacks, stand for "nothing".
+Json number(double x) { return x - x == 0 ? Json(x) : Json(nullptr); }
+Json point(const Vec3& p) { return {number(p.x), number(p.y), number(p.z)}; }
+Json box(const Box3& b) { return {point(b.lo), point(b.hi)}; }
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(to_utf8(text));
+}
+
+const char* status_of(int exit_code) {
+  switch (exit_code) {
+    case kDone:
+      return "done";
+    case kUsage:
+      return "usage";
+    case kInternal:
+      return "internal";
+    case kRejected:
+      return "rejected";
+    case kCollision:
+      return "collision";
+    default:
+      return exit_code > 128 ? "stopped" : "failed";
+  }
+}
+
+Json program_json(const RunRecord& record) {
+  const JobResult& r = *record.result;
+  Json files = Json::array();
+  for (const std::string& file : r.program.files) files.push_back(to_utf8(file));
+  return {{"path", to_utf8(record.arguments->input)},
+          {"files", std::move(files)},
+          {"dialect", dialect_name(r.program.dialect)},
+          {"dialect_reason", to_utf8(r.program.dialect_reason)},
+          {"machine", machine_name(r.program.machine)},
+          {"machine_reason", to_utf8(r.program.machine_reason)},
+          {"motions",
+           {{"rapid", r.rapid_motions},
+            {"line", r.line_motions},
+            {"arc", r.arc_motions},
+            {"cutting", r.cutting_motions}}},
+          {"machine_seconds", number(r.cycle.total)}};
+}
+
+Json tools_json(const Program& program) {
+  Json out = Json::array();
+  for (const Tool& tool : program.tools)
+    out.push_back({{"id", to_utf8(tool.id)},
+                   {"text", to_utf8(tool_text(tool))},
+                   {"diameter", number(tool.diameter)},
+                   {"corner_radius", number(tool.corner_radius)},
+                   {"nose_radius", number(tool.nose_radius)},
+                   {"flute_length", number(tool.flute_length)},
+                   {"origin", to_utf8(tool.origin)}});
+  return out;
+}
+
+Json stock_json(const RunRecord& record) {
+  const StockShape& stock = record.result->stock;
+  const bool known = stock.box.lo.x <= stock.box.hi.x;
+  return {{"given", text_or_null(record.arguments->stock)},
+          {"description", text_or_null(stock.description)},
+          {"box", known ? box(stock.box) : Json(nullptr)},
+          {"volume", number(record.result->stock_volume)}};
+}
+
+Json mesh_json(const JobResult& r) {
+  return {{"triangles", r.triangles},
+          {"closed", r.summary.closed},
+          {"oriented", r.summary.oriented},
+          {"manifold", r.summary.manifold},
+          {"components", r.summary.components},
+          {"euler", r.summary.euler},
+          {"area", number(r.summary.area)},
+          {"volume", number(r.summary.volume)},
+          {"slabs", r.slabs}};
+}
+
+Json pieces_json(const JobResult& r) {
+  Json out = Json::array();
+  for (const PartPiece& piece : r.pieces)
+    out.push_back({{"volume", number(piece.volume)},
+                   {"center", point(piece.center)},
+                   {"bounds", box(piece.bounds)},
+                   {"triangles", piece.triangles},
+                   {"kept", piece.kept}});
+  return out;
+}
+
+Json collisions_json(const JobResult& r) {
+  constexpr std::array kParts{"cutter", "shank", "holder"};
+  Json lines = Json::array();
+  for (const Collision& c : r.collisions.lines) {
+    const bool known = c.motion < r.program.motions.size();
+    const Motion motion = known ? r.program.motions[c.motion] : Motion();
+    lines.push_back({{"line", motion.line},
+                     {"part", kParts[static_cast<std::size_t>(c.part)]},
+                     {"depth", number(c.depth)},
+                     {"at", point(c.place)},
+                     {"motions", c.motions}});
+  }
+  return {{"lines", std::move(lines)}, {"more", r.collisions.more}};
+}
+
+Json diagnostics_json(const Program& program) {
+  Json out = Json::array();
+  for (const Diagnostic& d : program.diagnostics) {
+    Json one = Json::parse(diagnostic_json(d), nullptr, false);
+    if (one.is_object() && !one.contains("file")) one["file"] = to_utf8(d.place.file);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+Json seconds_json(const JobResult& r) {
+  Json stages = Json::object();
+  double total = 0;
+  for (const auto& [stage, seconds] : r.stage_seconds) {
+    stages[stage] = number(seconds);
+    total += seconds;
+  }
+  return {{"total", number(total)}, {"stages", std::move(stages)}};
+}
+
+Json outputs_json(const RunRecord& record) {
+  Json out = Json::array();
+  const bool written = record.exit_code == kDone || record.exit_code == kRejected;
+  if (!written) return out;
+  for (const WrittenFile& file : record.result->files)
+    out.push_back({{"path", to_utf8(file.path)},
+                   {"bytes", file.bytes},
+                   {"sha256", text_or_null(file.sha256)}});
+  return out;
+}
+
+Json reasoned(double value, const std::string& reason) {
+  return {{"value", number(value)}, {"reason", text_or_null(reason)}};
+}
+
+const char* verdict_of(const Comparison* c) {
+  if (c == nullptr || !c->accepted) return "none";
+  return *c->accepted ? "accepted" : "rejected";
+}
+
+std::string xml(const std::string& text) { return xml_escaped(to_utf8(text)); }
+
+// The findings of one severity, one a line.
+std::string findings(const RunRecord& record, Severity severity) {
+  std::string out;
+  for (const Diagnostic& d : record.result->program.diagnostics)
+    if (d.severity == severity)
+      out += fmt::format("{}:{}: {} [{}]\n", d.place.file, d.place.line, d.text, d.code);
+  return out;
+}
+
+}  // namespace
+
+std::string run_json(const RunRecord& given) {
+  static const JobResult nothing;
+  RunRecord record = given;
+  if (record.result == nullptr) record.result = &nothing;
+  const JobResult& r = *record.result;
+  const bool failed = !record.error_code.empty();
+  Json out{{"schema", 1},
+           {"kind", "run"},
+           {"mrsim", version()},
+           {"unit", "mm"},
+           {"status", status_of(record.exit_code)},
+           {"exit_code", record.exit_code}};
+  out["error"] = failed ? Json{{"code", record.error_code}, {"text", to_utf8(record.error_text)}}
+                        : Json(nullptr);
+  out["program"] = program_json(record);
+  out["tools"] = tools_json(r.program);
+  out["stock"] = stock_json(record);
+  out["voxel"] = reasoned(r.voxel, r.voxel_reason);
+  out["tolerance"] = reasoned(r.tolerance, r.tolerance_reason);
+  out["bound"] = {{"distance", number(r.mesh_bound)}, {"sampled_triangles", r.mesh_sampled}};
+  out["volume"] = {{"part", number(r.volume)}, {"removed", number(r.removed_volume)}};
+  out["mesh"] = mesh_json(r);
+  out["pieces"] = pieces_json(r);
+  out["collisions"] = collisions_json(r);
+  out["diagnostics"] = diagnostics_json(r.program);
+  out["seconds"] = seconds_json(r);
+  out["memory"] = {{"peak", r.peak_memory}, {"expected", r.expected_memory}};
+  out["outputs"] = outputs_json(record);
+  out["verdict"] = verdict_of(record.comparison);
+  out["comparison"] = record.comparison != nullptr
+                          ? Json::parse(comparison_json(*record.comparison), nullptr, false)
+                          : Json(nullptr);
+  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string run_junit(const RunRecord& given) {
+  static const JobResult nothing;
+  RunRecord record = given;
+  if (record.result == nullptr) record.result = &nothing;
+  std::string cases;
+  int failures = 0;
+  const auto add = [&](const char* name, bool failed, const std::string& text) {
+    failures += failed;
+    cases += fmt::format("  <testcase classname=\"mrsim.run\" name=\"{}\">", name);
+    if (failed) cases += fmt::format("<failure message=\"{0}\">{0}</failure>", xml(text));
+    cases += "</testcase>\n";
+  };
+  const std::string errors = findings(record, Severity::error);
+  add("program", !errors.empty(), errors);
+  add("run", record.exit_code != kDone && record.exit_code != kRejected,
+      record.error_text.empty() ? status_of(record.exit_code) : record.error_text);
+  add("collisions", record.exit_code == kCollision, findings(record, Severity::warning));
+  add("comparison", record.exit_code == kRejected,
+      record.comparison != nullptr ? comparison_text(*record.comparison) : "");
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuites tests=\"4\" failures=\"{0}\">\n"
+      " <testsuite name=\"mrsim {1}\" tests=\"4\" failures=\"{0}\">\n{2} </testsuite>\n"
+      "</testsuites>\n",
+      failures, xml(record.arguments->input), cases);
+}
+
+}  // namespace mrsim::cli

@@ -1,0 +1,221 @@
+// `mrsim PROGRAM`: from the command line to the part, with its comparison and its report.
+#include "cli/commands.h"
+#include "cli/compare_command.h"
+#include "cli/findings.h"
+#include "cli/report.h"
+#include "cli/run_json.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
+#include "core/output_place.h"
+#include "core/text_io.h"
+#include <mrsim/memory.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace mrsim::cli {
+namespace {
+
+// The part just cut against --nominal, while its owners are at hand: measured before anything is
+// written, so that a nominal that does not fit leaves no files.
+class PartComparison {
+ public:
+  explicit PartComparison(const Arguments& arguments)
+      : arguments_(arguments),
+        request_(arguments.compare),
+        nominal_(prepare_comparison(arguments.compare)) {
+    request_.part = arguments.outputs.empty() ? arguments.input : arguments.outputs[0];
+    request_.quiet = arguments.quiet;
+    request_.options.threads = arguments.carve.threads;
+    request_.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
+  }
+
+  /// Whether anything is to be told of the mesh.
+  bool is_wanted() const { return is_compared() || !request_.report.empty(); }
+
+  void measure(const TriMesh& part) {
+    if (!is_compared()) return;
+    comparison_ = compare_named(request_, part, nominal_.mesh);
+    is_measured_ = true;
+  }
+
+  /// The report and the other files, to be written with the part.
+  std::vector<SideFile> files() {
+    std::vector<SideFile> out;
+    if (!request_.deviation.empty())
+      out.push_back({{request_.deviation, "--deviation"},
+                     [this](const JobResult& result, const ByteSink& sink) {
+                       write_deviation(request_, result.mesh, nominal_.mesh, comparison_, sink);
+                     }});
+    const auto add = [&](const std::string& path, const char* role, auto text) {
+      if (path.empty()) return;
+      out.push_back({{path, role}, [this, text](const JobResult& result, const ByteSink& sink) {
+                       const std::string bytes = (this->*text)(result);
+                       sink(bytes.data(), bytes.size());
+                     }});
+    };
+    add(request_.report, "--report", &PartComparison::report);
+    add(request_.junit, "--junit", &PartComparison::junit);
+    add(request_.json, "--json", &PartComparison::json);
+    return out;
+  }
+
+  /// The comparison, once there is one.
+  const Comparison* measured() const {
+    return is_compared() && is_measured_ ? &comparison_ : nullptr;
+  }
+
+  /// Prints the comparison; the exit code.
+  int finish() const {
+    return is_compared() ? show_comparison(request_, nominal_, comparison_) : kDone;
+  }
+
+ private:
+  bool is_compared() const { return !request_.nominal.empty(); }
+  std::string report(const JobResult& result) {
+    ReportFacts facts = facts_of(result, arguments_.input);
+    if (!nominal_.note.empty()) facts.facts.emplace_back("Nominal", nominal_.note);
+    if (!is_compared()) {
+      comparison_.origin = result.mesh.origin;
+      comparison_.part_name = request_.part;
+      comparison_.text = read_program_lines(result.mesh.origin, arguments_.input);
+    }
+    return report_html(result.mesh, nominal_.mesh, comparison_, facts, request_.options.threads);
+  }
+  RunRecord record(const JobResult& result) const {
+    const bool rejected = !comparison_.accepted.value_or(true);
+    return {&arguments_, &result, measured(), rejected ? kRejected : kDone, {}, {}};
+  }
+  std::string junit(const JobResult& result) { return run_junit(record(result)); }
+  std::string json(const JobResult& result) { return run_json(record(result)); }
+
+  const Arguments& arguments_;
+  CompareRequest request_;
+  NamedNominal nominal_;
+  Comparison comparison_;
+  bool is_measured_ = false;
+};
+
+Job job_of(const Arguments& arguments) {
+  Job job;
+  job.program = arguments.input;
+  job.interp = arguments.interp;
+  job.stock = arguments.stock;
+  job.stock_options = arguments.stock_options;
+  job.carve = arguments.carve;
+  job.mesh = arguments.mesh;
+  job.collisions.threads = arguments.carve.threads;
+  job.outputs = arguments.outputs;
+  job.files = arguments.files;
+  job.inputs = arguments.named_inputs;
+  job.hash_files = !arguments.compare.json.empty();
+  job.keep = arguments.keep;
+  job.until = arguments.until;
+  job.machine = arguments.machine;
+  job.strict = arguments.strict;
+  if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
+  return job;
+}
+
+// Where nothing but collisions under --strict kept the run from its files, they have a code of
+// their own.
+int failed_code(const JobResult& result) {
+  const auto& all = result.program.diagnostics;
+  const bool wrong = std::any_of(all.begin(), all.end(),
+                                 [](const Diagnostic& d) { return d.severity == Severity::error; });
+  return !wrong && !result.collisions.lines.empty() ? kCollision : kFailed;
+}
+
+// --json and --junit of a run that wrote nothing else. They replace no input and no output either.
+void tell_failure(const RunRecord& record) {
+  const Arguments& arguments = *record.arguments;
+  std::vector<NamedPath> kept = arguments.named_inputs;
+  kept.push_back({arguments.input, "the program"});
+  kept.push_back({arguments.stock, "the stock"});
+  for (const std::string& path : arguments.outputs) kept.push_back({path, "-o"});
+  for (const std::string& path : {arguments.compare.report, arguments.compare.deviation})
+    kept.push_back({path, "an output"});
+  const auto tell = [&](const NamedPath& file, const std::string& text) {
+    if (file.path.empty()) return;
+    try {
+      refuse_overwrites({&file, 1}, kept);
+      write_file_atomically(file.path,
+                            [&](const ByteSink& sink) { sink(text.data(), text.size()); });
+    } catch (const Error& error) {
+      fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
+    }
+  };
+  if (arguments.compare.json != arguments.compare.junit)
+    tell({arguments.compare.junit, "--junit"}, run_junit(record));
+  tell({arguments.compare.json, "--json"}, run_json(record));
+}
+
+int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& result) {
+  set_memory_limit(arguments.carve.max_memory);  // of the comparison and its report, too
+  Job job = job_of(arguments);
+  PartComparison comparison(arguments);
+  job.whole_mesh = comparison.is_wanted();
+  job.side_files = comparison.files();
+  if (job.whole_mesh) job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
+  {
+    ProgressBar bar(!arguments.quiet);
+    job.stock_options.progress = job.carve.progress = job.collisions.progress = job.mesh.progress =
+        bar.callback();
+    simulate(job, result);
+  }
+  Findings findings(arguments);
+  findings.add(result.program.diagnostics);
+  if (!result.ok) {
+    fmt::print(stderr, "{}: {}; nothing was cut or written\n", arguments.input, findings.summary());
+    record.exit_code = failed_code(result);
+    tell_failure(record);
+    return record.exit_code;
+  }
+  const bool talks =
+      !arguments.quiet && arguments.compare.json != "-" && arguments.compare.junit != "-";
+  if (talks) print(format_report(arguments, result, has_colours(stdout)));
+  if (talks && arguments.outputs.empty())
+    print("  nothing was written: no output given (-o part.stl)\n");
+  return finish_output(comparison.finish());
+}
+
+}  // namespace
+
+int run_simulate(const Arguments& arguments) {
+  JobResult result;
+  RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}};
+  const auto fail = [&](const std::string& code, const char* text, int exit_code) {
+    if (result.ok) return;  // all files are there
+    record.error_code = code;
+    record.error_text = text;
+    record.exit_code = exit_code;
+    tell_failure(record);
+  };
+  set_last_words([&arguments](int code) {
+    tell_failure({&arguments, nullptr, nullptr, code, "cancelled", "the run was stopped"});
+  });
+  try {
+    const int code = simulate_and_tell(arguments, record, result);
+    set_last_words({});
+    return code;
+  } catch (const Error& error) {
+    set_last_words({});
+    fail(error.code(), error.what(), exit_code_of(error));
+    throw;
+  } catch (const std::bad_alloc& error) {
+    set_last_words({});
+    result = {};
+    fail("memory", error.what(), kFailed);
+    throw;
+  } catch (const std::exception& error) {
+    set_last_words({});
+    fail("internal", error.what(), kInternal);
+    throw;
+  }
+}
+
+}  // namespace mrsim::cli

@@ -1,0 +1,21 @@
+// Ctrl-C and SIGTERM: the run ends in order where it can, and within a second in any case.
+#pragma once
+
+#include <functional>
+
+namespace mrsim::cli {
+
+/// Takes SIGINT and SIGTERM from now on. Once one has come, stop_code() tells it; a run that has
+/// not ended within 0.8 s, or a second signal, ends the process with that code. Nothing is lost by
+/// that: drafts have no names, and what is just being published is settled by the next run. Call it
+/// before the process has other threads.
+void watch_signals();
+
+/// 130 (SIGINT) or 143 (SIGTERM) once the user has asked for the end, else 0.
+int stop_code();
+
+/// What is still to be said where the process is about to end out of order; called from another
+/// thread, once. Empty: nothing.
+void set_last_words(std::function<void(int code)> say);
+
+}  // namespace mrsim::cli

@@ -1,0 +1,61 @@
+#include "core/memory_limit.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <limits>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kProgram = 10e6;  // bytes: code, stacks, libraries
+
+thread_local std::size_t limit = 0;  // 0: none
+
+// Bytes of the heap that are in use. The resident size would count what was freed and will be
+// used again.
+double memory_in_use() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 heap = ::mallinfo2();
+  return kProgram + double(heap.uordblks) + double(heap.hblkhd);
+#else
+  return kProgram;
+#endif
+}
+
+double free_memory() {
+  const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && page > 0 ? double(pages) * double(page) : 4e9;
+}
+
+}  // namespace
+
+void set_thread_limit(std::size_t bytes) {
+  limit = bytes > 0 ? bytes : static_cast<std::size_t>(memory_in_use() + free_memory());
+}
+
+MemoryLimit::MemoryLimit(std::size_t bytes) : outer_(limit) { set_thread_limit(bytes); }
+
+MemoryLimit::~MemoryLimit() { limit = outer_; }
+
+double memory_left() {
+  if (limit == 0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, double(limit) - memory_in_use());
+}
+
+void require_memory(double bytes, const std::string& what, const std::string& advice) {
+  const double left = memory_left();
+  if (bytes <= left) return;
+  throw Error("memory", fmt::format("{} takes about {:.3g} GB, {:.3g} GB of the limit of {:.3g} GB "
+                                    "are left; {}",
+                                    what, bytes / 1e9, left / 1e9, double(limit) / 1e9,
+                                    advice.empty() ? "--max-memory allows more" : advice));
+}
+
+}  // namespace mrsim

@@ -1,0 +1,37 @@
+// How much memory the process may use while this thread works. Stages that read or write large data
+// ask before they allocate, so that too much is an Error and not a crash.
+//
+// Callers estimate what they need. Memory that nobody asks for is not limited.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace mrsim {
+
+/// While this object lives, require_memory() on this thread keeps the whole process to `bytes`; 0
+/// means what is in use now plus what the machine has free. Limits may be nested; the inner one
+/// holds.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::size_t bytes);
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+  ~MemoryLimit();
+
+ private:
+  std::size_t outer_;
+};
+
+/// The same for the rest of the thread's life.
+void set_thread_limit(std::size_t bytes);
+
+/// Throws Error "memory" where `bytes` more would exceed the limit. Both texts go into the message:
+/// `what` needs the memory ("reading a.stl"), `advice` says how to need less. Does nothing without
+/// a limit.
+void require_memory(double bytes, const std::string& what, const std::string& advice = "");
+
+/// The part of the limit that is not in use yet, in bytes; infinity without a limit.
+double memory_left();
+
+}  // namespace mrsim

@@ -1,0 +1,19 @@
+#include "interp/control/block_words.h"
+
+namespace mrsim {
+
+void BlockWords::begin() {
+  ++epoch_;
+  groups = 0;
+  motion_code = oneshot = frame_code = call_word = m98 = comp_word = nullptr;
+  motion = Code::unknown;
+  suppress_frames = comp_selected = comp_moved = length_changed = false;
+  tool_change = stop_after = return_after = loops = false;
+}
+
+void BlockWords::forget_words() {
+  words.clear();
+  ++epoch_;
+}
+
+}  // namespace mrsim

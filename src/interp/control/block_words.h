@@ -1,0 +1,89 @@
+// One block and all that dies with it: its words by address, which of them were used, and what its
+// function words ask for. Does not know what the words mean. Private to src/interp.
+#pragma once
+
+#include "interp/text/block.h"
+#include "interp/text/codes.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace mrsim {
+
+class BlockWords : public Block {
+ public:
+  /// Forgets the block before.
+  void begin();
+  /// Makes word `index` the one of its address. False: the address has one already.
+  /// `used`: nobody needs to ask for it.
+  bool add(std::size_t index, bool used) {
+    Slot& slot = slots_[static_cast<std::size_t>(words[index].address)];
+    if (slot.epoch == epoch_) return false;
+    slot = {epoch_, static_cast<std::uint16_t>(std::min<std::size_t>(index, 65535)), used};
+    return true;
+  }
+  /// No word is found any more.
+  void forget_words();
+
+  /// The first word of an address, or null.
+  const Word* find(Address a) const {
+    const Slot& slot = slots_[static_cast<std::size_t>(a)];
+    return slot.epoch == epoch_ ? &words[slot.index] : nullptr;
+  }
+  /// The same, and it counts as used.
+  const Word* take(Address a) {
+    Slot& slot = slots_[static_cast<std::size_t>(a)];
+    if (slot.epoch != epoch_) return nullptr;
+    slot.used = true;
+    return &words[slot.index];
+  }
+  /// Given, and not yet used.
+  bool open(Address a) const {
+    const Slot& slot = slots_[static_cast<std::size_t>(a)];
+    return slot.epoch == epoch_ && !slot.used;
+  }
+  /// As written, shortened.
+  std::string text_of(const Word& word) const {
+    return std::string(line.substr(static_cast<std::size_t>(word.column),
+                                   static_cast<std::size_t>(std::min(word.length, 40))));
+  }
+
+  // Where the block stands.
+  int file = 0;            ///< index into Program::files
+  int call = -1;           ///< index into Program::calls
+  std::size_t number = 0;  ///< running number of the blocks with words
+
+  // What the function words of the block ask for.
+  std::uint64_t groups = 0;  ///< modal groups that have a word, a bit each
+  const Word* motion_code = nullptr;
+  const Word* oneshot = nullptr;
+  const Word* frame_code = nullptr;
+  Code motion{};        ///< motion of this block alone, else Code::unknown
+  Code oneshot_code{};  ///< counts when `oneshot` is set
+  Code frame_op{};      ///< counts when `frame_code` is set
+  bool suppress_frames = false;
+  const Word* comp_word = nullptr;  ///< G40 G41 G42
+  bool comp_selected = false;       ///< ... says something new
+  bool comp_moved = false;          ///< a straight move in the plane
+  Code comp_before{};               ///< in force before this block
+  bool length_changed = false;      ///< G43 G44 G49
+  bool tool_change = false;         ///< M6, or T where T changes tools
+  bool stop_after = false;          ///< M30
+  bool return_after = false;        ///< M17, M99
+  bool loops = false;               ///< M99
+  const Word* call_word = nullptr;
+  const Word* m98 = nullptr;
+
+ private:
+  // Epochs make clearing free.
+  struct Slot {
+    std::uint32_t epoch = 0;
+    std::uint16_t index = 0;
+    bool used = false;
+  };
+  std::array<Slot, static_cast<std::size_t>(Address::count)> slots_;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace mrsim

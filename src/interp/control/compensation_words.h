@@ -1,0 +1,35 @@
+// Radius compensation as the program switches it: start, end, radius in force. The offset itself is
+// made by CompensationStage. Private to src/interp.
+#pragma once
+
+#include "interp/control/tool_changer.h"
+#include "interp/path/corners.h"
+
+namespace mrsim {
+
+class CompensationWords : public ControlPart {
+ public:
+  CompensationWords(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
+
+  /// Before a move is given on: G40 G41 G42 take effect with a straight move in the plane.
+  /// False: an error was reported.
+  bool begin_move(const Motion& motion, const Word& where);
+  /// After the block. SINUMERIK: G41 and G42 count only in a block that moves in the plane.
+  void end_block(bool move_waits);
+  /// What CompensationStage needs to know about the next move.
+  Compensation for_move() const;
+  bool started() const { return started_; }
+
+ private:
+  void set_radius();
+  Vec2 tip_vector(const Tool& tool) const;
+
+  ToolChanger& tools_;
+  bool started_ = false;
+  double radius_ = 0;
+  Vec2 tip_;
+  std::string key_;  ///< register and tool that `radius_` was made of
+  int tool_ = -2;
+};
+
+}  // namespace mrsim

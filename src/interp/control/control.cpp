@@ -1,0 +1,59 @@
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+bool is_circular(Code c) {
+  return c == Code::arc_cw || c == Code::arc_ccw || c == Code::arc_point || c == Code::arc_tangent;
+}
+bool is_thread(Code c) {
+  return c == Code::thread || c == Code::thread_growing || c == Code::thread_shrinking ||
+         c == Code::tap_in || c == Code::tap_return || c == Code::tap_out ||
+         c == Code::tap_floating;
+}
+
+bool ControlPart::error(const char* code, const std::string& text, const Word& word) {
+  reporter_.add(Severity::error, code, text, word);
+  return false;
+}
+
+void ControlPart::warning(const char* code, const std::string& text, const Word& word) {
+  reporter_.add(Severity::warning, code, text, word);
+}
+
+void ControlPart::note_once(const char* code, const std::string& text, const Word& word,
+                            const std::string& key) {
+  reporter_.once(Severity::note, code, text, word, key);
+}
+
+double ControlPart::length_unit(const Word& word) const {
+  const double unit = modal_.inch ? 25.4 : 1.0;
+  if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;
+  return unit * (modal_.inch ? 1e-4 : 1e-3);
+}
+
+double ControlPart::axis_value(int axis, const Word& word, bool incremental) const {
+  const double value = word.value * length_unit(word);
+  if (axis != 0) return value;
+  switch (word.form) {
+    case Form::dac:
+    case Form::dic:
+      return value / 2;
+    case Form::rac:
+    case Form::ric:
+      return value;
+    default:
+      break;
+  }
+  if (modal_.diameter == Code::diameter_on) return value / 2;
+  if (modal_.diameter == Code::diameter_absolute && !incremental) return value / 2;
+  return value;
+}
+
+Basis ControlPart::stock_basis() const {
+  const Basis b = basis();
+  const Frame& f = frames_.total;
+  if (f.plain) return b;
+  return {normalized(turn(f, b.u)), normalized(turn(f, b.v)), normalized(turn(f, b.w))};
+}
+
+}  // namespace mrsim

@@ -1,0 +1,119 @@
+// What the parts of a control share: the program, the block being read, the state in force. Each
+// part (frames, tools, arcs ...) is a class of its own that derives from ControlPart and names what
+// it needs. Guarantees: a rejected block leaves no trace in the state. Private to src/interp.
+#pragma once
+
+#include "interp/control/block_words.h"
+#include "interp/control/state.h"
+#include "interp/text/reporter.h"
+#include <mrsim/options.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// A tool that T named and M6 has not yet changed to.
+struct PendingTool {
+  bool active = false;
+  std::string id;
+  Motion at;  ///< only its place counts
+};
+
+/// What T and M6 have done so far.
+struct ToolState {
+  PendingTool pending;
+  std::string current;  ///< id in the spindle
+  Motion place;         ///< of its T word
+  int index = -1;       ///< into Program::tools, -1 = not used yet
+  bool chosen = false;
+  bool direct_change = false;  ///< a mill without M6: T changes at once
+  bool failed = false;
+};
+
+struct Control {
+  Control(const InterpOptions& options_in, Program& program_in, Reporter& reporter_in)
+      : options(options_in),
+        program(program_in),
+        reporter(reporter_in),
+        dialect(program_in.dialect) {}
+
+  const InterpOptions& options;
+  Program& program;
+  Reporter& reporter;
+  Dialect dialect;
+
+  BlockWords block;
+  Modal modal;
+  Position position;
+  Frames frames;
+  ToolState tool;
+  Word edge_word;                            ///< the last D
+  std::vector<WorkOffset> work;              ///< of the tool table, changed by G10
+  std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
+  std::vector<OffsetRegister> registers;     ///< the same
+
+  /// Copies of the state before this block, made by the parts that change it.
+  std::optional<Frames> saved_frames;
+  std::optional<ToolState> saved_tool;
+};
+
+bool is_circular(Code c);
+bool is_thread(Code c);
+
+class ControlPart {
+ protected:
+  explicit ControlPart(Control& control)
+      : control_(control),
+        options_(control.options),
+        program_(control.program),
+        reporter_(control.reporter),
+        block_(control.block),
+        modal_(control.modal),
+        position_(control.position),
+        frames_(control.frames) {}
+
+  bool is(Dialect d) const { return control_.dialect == d; }
+  bool lathe() const { return program_.machine == MachineKind::lathe; }
+  /// mm of a length of 1 and of a feed of 1.
+  double scale() const { return modal_.inch ? 25.4 : 1.0; }
+  double feed_scale() const { return modal_.inch_feed ? 25.4 : 1.0; }
+  Code current_motion() const {
+    return block_.motion != Code::unknown ? block_.motion : modal_.motion;
+  }
+  /// The axes of the plane in force.
+  Basis basis() const {
+    return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
+  }
+  /// The same in the stock's coordinates, unit length; left-handed under a mirror.
+  Basis stock_basis() const;
+  /// mm of a length of 1 in `word`.
+  double length_unit(const Word& word) const;
+  /// What the word says in mm; X of a lathe as a radius.
+  double axis_value(int axis, const Word& word, bool incremental) const;
+
+  const Word* find(Address a) const { return block_.find(a); }
+  const Word* take(Address a) { return block_.take(a); }
+  const Word* take(char c) { return block_.take(letter(c)); }
+  const Word* peek(char c) const { return block_.find(letter(c)); }
+  std::string text_of(const Word& word) const { return block_.text_of(word); }
+
+  /// Reports and returns false.
+  bool error(const char* code, const std::string& text, const Word& word);
+  void warning(const char* code, const std::string& text, const Word& word);
+  void note_once(const char* code, const std::string& text, const Word& word,
+                 const std::string& key);
+
+  Control& control_;
+  const InterpOptions& options_;
+  Program& program_;
+  Reporter& reporter_;
+  BlockWords& block_;
+  Modal& modal_;
+  Position& position_;
+  Frames& frames_;
+};
+
+}  // namespace mrsim

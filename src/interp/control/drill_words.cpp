@@ -1,0 +1,162 @@
+#include "interp/control/drill_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr long kMostRepeats = 99'999;
+
+}  // namespace
+
+bool DrillWords::wants_block() const {
+  if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code) return false;
+  for (const char c : {'X', 'Y', 'Z', 'R'})
+    if (block_.open(letter(c))) return true;
+  return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
+}
+
+// R, the level along the normal, Q and P: each is kept for the points that follow.
+bool DrillWords::read_words(const Basis& b) {
+  DrillCycle& cycle = modal_.drill;
+  const auto level = [&](const Word* word, CycleLevel& out) {
+    if (!word) return;
+    out = {word->value * length_unit(*word), modal_.incremental, true};
+  };
+  level(take('R'), cycle.safe);
+  for (int i = 0; i < 3; ++i)
+    if (component(b.w, i) != 0) level(take("XYZ"[i]), cycle.bottom);
+  take('P');
+  if (const Word* q = take('Q')) {
+    if (q->value < 0 || (q->value == 0 && is(Dialect::ngc)))
+      return error("value-range", "Q, the depth of a stroke, must be above 0", *q);
+    cycle.peck = q->value * length_unit(*q);
+  }
+  return true;
+}
+
+// K (FANUC) or L: how often the block is run.
+bool DrillWords::repeats(long& count) {
+  const Word* word = take('L');
+  if (!is(Dialect::ngc) && !peek('I'))
+    if (const Word* k = take('K')) word = k;
+  if (!word) return true;
+  const double least = is(Dialect::ngc) ? 1 : 0;
+  if (word->value < least || word->value != std::floor(word->value) || word->value > kMostRepeats)
+    return error(
+        "value-range",
+        fmt::format("the number of repeats is a whole number from {:g} to {}", least, kMostRepeats),
+        *word);
+  count = static_cast<long>(word->value);
+  return true;
+}
+
+bool DrillWords::run() {
+  DrillCycle& cycle = modal_.drill;
+  const Basis b = basis();
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (cycle.number == 87 || (is(Dialect::ngc) && cycle.number == 88))
+    return error("not-supported",
+                 fmt::format("G{} (back boring) is not supported yet", cycle.number), where);
+  if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
+    return error("cycle-compensation", "a canned cycle under radius compensation", where);
+  const double before = holes_.level();
+  if (!cycle.begun) cycle.initial = before;
+  cycle.begun = true;
+  long count = 1;
+  Hole hole;
+  if (!read_words(b) || !repeats(count)) return false;
+  const Vec3 from = position_.programmed;
+  Target to;
+  if (!axes_.target(to, from)) return false;
+  if (!fill(hole, before)) return false;
+  const Vec3 step = to.programmed - from;
+  for (long i = 0; i < count; ++i) {
+    // LinuxCNC leaves the work before it goes aside.
+    if (is(Dialect::ngc) && holes_.level() < hole.safe) holes_.rise(hole.safe, where);
+    Vec3 point = to.programmed;
+    if (modal_.incremental && i > 0) point = from + static_cast<double>(i + 1) * step;
+    point = point + (holes_.level() - dot(point, b.w)) * b.w;
+    if (to.named) holes_.approach(point, to.named, where);
+    holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
+  }
+  return true;
+}
+
+// The levels: in G91 R counts from the level before the cycle, Z from R.
+bool DrillWords::fill(Hole& hole, double current) {
+  const DrillCycle& cycle = modal_.drill;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (!cycle.bottom.given)
+    return error("value-missing", fmt::format("G{} needs the depth of the hole", cycle.number),
+                 where);
+  if (!cycle.safe.given && is(Dialect::ngc))
+    return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
+  const double base = is(Dialect::ngc) ? current : cycle.initial;
+  const bool from_initial = cycle.safe.incremental || (lathe() && is(Dialect::fanuc));
+  hole.safe = !cycle.safe.given ? cycle.initial
+              : from_initial    ? base + cycle.safe.value
+                                : cycle.safe.value;
+  hole.bottom = cycle.bottom.incremental ? hole.safe + cycle.bottom.value : cycle.bottom.value;
+  hole.end = modal_.return_to_r ? hole.safe : std::max(cycle.initial, hole.safe);
+  if (hole.bottom > hole.safe && is(Dialect::ngc))
+    return error("value-range", "R lies below the bottom of the hole", where);
+  if (hole.bottom > hole.safe)
+    reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
+  const int g = cycle.number;
+  hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
+  if (g == 74 || g == 84) hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
+  if (g == 76)
+    note_once("cycle-shift", "G76: the shift by Q at the bottom is not run, its side is not known",
+              where, "G76");
+  if (g != 73 && g != 83) return true;
+  hole.chips_out = g == 83;
+  return fill_pecks(hole);
+}
+
+bool DrillWords::fill_pecks(Hole& hole) {
+  const double depth = hole.safe - hole.bottom;
+  if (const Word* first = take('I')) return haas_pecks(hole, *first);
+  const double q = modal_.drill.peck;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (q <= 0) {
+    if (is(Dialect::ngc))
+      return error("value-missing", fmt::format("G{} needs Q", modal_.drill.number), where);
+    reporter_.once(Severity::warning, "value-missing", "no Q: the hole is drilled in one stroke",
+                   where, "Q");
+    return true;
+  }
+  if (depth / q > static_cast<double>(kMostStrokes))
+    return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
+                 where);
+  for (std::size_t i = 1; static_cast<double>(i) * q < depth - 1e-9; ++i)
+    hole.strokes.push_back(hole.safe - static_cast<double>(i) * q);
+  return true;
+}
+
+// Haas: the first stroke is I, each next one less by J, the least K.
+bool DrillWords::haas_pecks(Hole& hole, const Word& first) {
+  const Word* less = take('J');
+  const Word* least = take('K');
+  double stroke = first.value * length_unit(first);
+  const double by = less ? less->value * length_unit(*less) : 0;
+  const double smallest = least ? least->value * length_unit(*least) : stroke;
+  if (stroke <= 0 || smallest <= 0 || by < 0 ||
+      (hole.safe - hole.bottom) / std::min(stroke, smallest) > static_cast<double>(kMostStrokes))
+    return error("value-range", "I J K: the strokes of the cycle must be above 0", first);
+  for (double at = hole.safe - stroke; at > hole.bottom + 1e-9; at -= stroke) {
+    hole.strokes.push_back(at);
+    stroke = std::max(stroke - by, smallest);
+  }
+  return true;
+}
+
+double DrillWords::tapping_lead() const {
+  if (modal_.feed_unit == FeedUnit::mm_per_rev) return modal_.feed;
+  return modal_.speed > 0 ? modal_.feed / modal_.speed : 0;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,32 @@
+// Drilling, tapping and boring cycles G73, G74, G76, G81 to G89 of FANUC, ISO and LinuxCNC: what
+// their words say, and at which points they run. The motions are HoleMaker's.
+// Private to src/interp.
+#pragma once
+
+#include "interp/control/hole_maker.h"
+
+namespace mrsim {
+
+class DrillWords : public ControlPart {
+ public:
+  DrillWords(Control& control, AxisWords& axes, HoleMaker& holes)
+      : ControlPart(control), axes_(axes), holes_(holes) {}
+
+  /// A cycle is in force, and the block has words for it.
+  bool wants_block() const;
+  /// Holes at the points of the block. False: an error was reported.
+  bool run();
+
+ private:
+  bool read_words(const Basis& b);
+  bool repeats(long& count);
+  bool fill(Hole& hole, double current);
+  bool fill_pecks(Hole& hole);
+  bool haas_pecks(Hole& hole, const Word& first);
+  double tapping_lead() const;
+
+  AxisWords& axes_;
+  HoleMaker& holes_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,127 @@
+#include "interp/control/engine.h"
+
+#include "interp/control/start_modes.h"
+#include "interp/control/workpiece.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+Engine::Engine(const InterpOptions& options, Program& program, int leader_lines, MotionSink& sink)
+    : options_(options),
+      reporter_(sink, program),
+      control_(options, program, reporter_),
+      reader_(control_),
+      statements_(Statements::make(control_, reader_)),
+      flow_(control_, reader_, statements_.get()),
+      index_(control_),
+      axes_(control_),
+      frames_(control_),
+      tools_(control_),
+      compensation_(control_, tools_),
+      out_(control_, compensation_, sink),
+      moves_(control_, axes_, frames_, tools_, compensation_, out_),
+      modes_(control_, frames_, compensation_),
+      values_(control_, tools_),
+      oneshots_(control_, axes_, frames_, moves_),
+      holes_(control_, reader_, moves_),
+      drilling_(control_, axes_, holes_),
+      cycles_(control_, holes_) {
+  control_.work = options.table.work;
+  control_.registers = options.table.offsets;
+  control_.modal = start_modal(program.dialect, program.machine);
+  Position& position = control_.position;
+  if (options.start) {
+    position.physical = position.programmed = *options.start;
+    position.known = 7;
+  }
+  if (program.machine == MachineKind::lathe) position.known |= 2;  // a lathe has no Y to give
+  frames_.start();
+  reader_.set_language(statements_.get());
+  reader_.open(leader_lines);
+}
+
+void Engine::run() {
+  while (!reader_.finished()) {
+    if (!reader_.next()) {
+      reader_.end_of_text();
+      continue;
+    }
+    if (++executed_ > options_.max_blocks) {
+      reporter_.add(Severity::error, "program-endless",
+                    fmt::format("stopped after {} blocks", options_.max_blocks), 0, 1);
+      reader_.stop();
+      break;
+    }
+    execute();
+  }
+  out_.flush();
+  moves_.finish();
+  if (out_.cuts() == 0 && reporter_.errors() == 0)
+    reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
+                          "program-without-cuts",
+                          "the program has no G1, G2 or G3 move: nothing is cut");
+  reporter_.finish();
+}
+
+void Engine::execute() {
+  BlockWords& block = control_.block;
+  if (block.skip_level >= 0 && (options_.block_skip >> block.skip_level & 1U) != 0) return;
+  block.begin();
+  if (block.statement != Block::kNoStatement) return statements_->run();
+  if (statements_ && statements_->take_block()) return;
+  if (!index_.run()) block.bad = true;
+  if (!block.comments.empty()) tools_.read_comments();
+  if (block.bad) return;
+  if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
+  ++block.number;
+  const Modal modal = control_.modal;
+  const Position position = control_.position;
+  control_.saved_tool.reset();
+  control_.saved_frames.reset();
+  if (!interpret_block()) {  // it leaves no trace
+    control_.modal = modal;
+    control_.position = position;
+    if (control_.saved_frames) control_.frames = *control_.saved_frames;
+    if (control_.saved_tool) control_.tool = *control_.saved_tool;
+    return;
+  }
+  tools_.end_block();
+  flow_.end_block();
+  if (statements_ && !reader_.finished()) statements_->end_block(moved_);
+}
+
+// A move, or holes at its end.
+bool Engine::run_move() {
+  if (drilling_.wants_block()) return drilling_.run();
+  if (control_.block.modal_call) return cycles_.modal_call();
+  if (!control_.block.function_name.empty() && SinumerikCycles::knows(control_.block.function_name))
+    return cycles_.run();
+  if (!axes_.has_move()) return true;
+  if (modes_.in_cycle()) return false;  // said with the cycle
+  const Vec3 from = control_.position.programmed;
+  moved_ = true;
+  return moves_.run() && cycles_.run_modal(from);
+}
+
+bool Engine::interpret_block() {
+  const BlockWords& block = control_.block;
+  moved_ = false;
+  if (!modes_.apply()) return false;
+  if (block.function_name == "WORKPIECE" && !WorkpieceWords(control_).run()) return false;
+  if (!flow_.begin_block()) return false;
+  if (reader_.finished()) return true;
+  if (!flow_.m_words()) return false;
+  const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
+  if (!dwells && !values_.apply()) return false;
+  if (block.oneshot && !oneshots_.run()) return false;
+  if (!dwells) {
+    if (block.frame_code && !frames_.run()) return false;
+    if (!run_move()) return false;
+    compensation_.end_block(moves_.waits());
+  }
+  index_.report_unused();
+  return true;
+}
+
+}  // namespace mrsim

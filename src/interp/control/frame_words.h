@@ -1,0 +1,45 @@
+// Frames: work offsets, TRANS and its kin, FANUC's rotations, scalings and mirrors, poles. Keeps
+// Frames::total up to date and the programmed position in the frame in force.
+// Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class FrameWords : public ControlPart {
+ public:
+  explicit FrameWords(Control& control) : ControlPart(control) {}
+
+  /// What is in force before the first block.
+  void start();
+  /// The frame word of the block. False: an error was reported.
+  bool run();
+  /// G54 and its kin.
+  bool select_work(const CodeEntry& entry, const Word& word);
+  /// The work offset in force may have new values.
+  void renew_work();
+  /// The frame of this block's points.
+  Frame now() const { return block_.suppress_frames ? Frame{} : frames_.total; }
+
+  /// Before a change of frames_, so that a rejected block can be undone ...
+  void save();
+  /// ... and after it.
+  void rebuild();
+
+ private:
+  bool in_range();
+  void arguments(Vec3& values, unsigned& named, bool lengths);
+  void rotation_arguments(Frame& frame);
+  bool sinumerik();
+  void trans_part(const Vec3& values, unsigned named);
+  bool sinumerik_step(const Vec3& values, unsigned named);
+  bool fanuc(const Word& word);
+  bool fanuc_scaling(const Word& word, const Vec3& center);
+  void set_mirror();
+  bool codesys();
+  bool pole();
+  bool set_work(const std::string& name);
+};
+
+}  // namespace mrsim

@@ -1,0 +1,44 @@
+// G words that last: which mode each sets. Private to src/interp.
+#pragma once
+
+#include "interp/control/compensation_words.h"
+#include "interp/control/frame_words.h"
+
+namespace mrsim {
+
+class ModalWords : public ControlPart {
+ public:
+  ModalWords(Control& control, FrameWords& frames, CompensationWords& compensation)
+      : ControlPart(control),
+        codes_(code_table(control.dialect, control.program.machine)),
+        frame_words_(frames),
+        compensation_(compensation) {}
+
+  /// All function words of the block, in order. False: errors were reported.
+  bool apply();
+  /// A modal cycle that is not read is in force: points belong to it.
+  bool in_cycle() const { return in_cycle_; }
+
+ private:
+  CodeEntry lookup(const Word& word) const;
+  bool claim_group(const Word& word, const CodeEntry& entry);
+  bool apply_code(const Word& word, const CodeEntry& entry);
+  bool refuse(const Word& word, const CodeEntry& entry);
+  bool high_speed(const Word& word);
+  void select_cycle(int number);
+  bool refuse_cycle(const Word& word, const CodeEntry& entry);
+  bool apply_modal_code(const Word& word, const CodeEntry& entry);
+  bool apply_mode(Code code, const Word& word);
+  bool apply_feed_mode(Code code, const Word& word);
+  bool apply_comp_code(Code code, const Word& word);
+  bool select_distance(Code code, const Word& word);
+  bool select_plane(int plane, const Word& word);
+  bool select_normal(const Word& word);
+
+  const CodeTable& codes_;
+  FrameWords& frame_words_;
+  CompensationWords& compensation_;
+  bool in_cycle_ = false;
+};
+
+}  // namespace mrsim

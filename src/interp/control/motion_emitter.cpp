@@ -1,0 +1,73 @@
+#include "interp/control/motion_emitter.h"
+
+namespace mrsim {
+
+MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
+    : ControlPart(control),
+      words_(compensation),
+      sink_(sink),
+      corners_(control.reporter, [this](const PathMove& m) { compensation_.push(m); }),
+      compensation_(control.reporter, [this](const PathMove& m) { sink_.motion(m.motion); }) {}
+
+void MotionEmitter::flush() {
+  corners_.flush();
+  compensation_.flush();
+}
+
+void MotionEmitter::emit(const Motion& motion) {
+  emit(motion, motion.kind == MotionKind::rapid ? CornerSpec{} : corner_spec());
+}
+
+void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
+  if (motion.kind != MotionKind::rapid) {
+    ++cuts_;
+    motion.tool = control_.tool.index;
+  }
+  motion.start.z += last_length_;
+  motion.end.z += modal_.length_offset;
+  motion.center.z += modal_.length_offset;
+  last_length_ = modal_.length_offset;
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
+    for (const Address a : {Address::rnd, Address::chr, Address::chf})
+      if (const Word* word = find(a))
+        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
+                *word);
+    return;
+  }
+  const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
+  if (plain && idle_) return sink_.motion(motion);
+  PathMove path;
+  path.motion = motion;
+  path.basis = stock_basis();
+  path.corner = corner;
+  path.comp = words_.for_move();
+  path.block = block_.number;
+  corners_.push(path);
+  idle_ = corners_.idle() && compensation_.idle();
+}
+
+CornerSpec MotionEmitter::corner_spec() {
+  CornerSpec spec;
+  const Word* round = take(Address::rnd);
+  const Word* leg = take(Address::chr);
+  const Word* cut = take(Address::chf);
+  const Word* feed = take(Address::frc);
+  using Kind = CornerSpec::Kind;
+  if (round) {
+    spec = {Kind::round, round->value * scale(), 0};
+  } else if (leg) {
+    spec = {Kind::leg, leg->value * scale(), 0};
+  } else if (cut) {
+    spec = {Kind::cut, cut->value * scale(), 0};
+  } else if (modal_.rndm > 0) {
+    spec = {Kind::round, modal_.rndm, 0};
+  }
+  for (const Word* word : {round, leg, cut})
+    if (word && word->value < 0)
+      warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
+  if (spec.size <= 0) spec.kind = Kind::none;
+  spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
+  return spec;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,73 @@
+// From the words of a block to Motions: lines, rapids, threads, arcs, and what every motion
+// carries. Moves the position. Private to src/interp.
+#pragma once
+
+#include "interp/control/arc_solver.h"
+#include "interp/control/frame_words.h"
+#include "interp/control/motion_emitter.h"
+#include "interp/control/spline_words.h"
+
+namespace mrsim {
+
+class Moves : public ControlPart {
+ public:
+  Moves(Control& control, AxisWords& axes, FrameWords& frames, ToolChanger& tools,
+        CompensationWords& compensation, MotionEmitter& out)
+      : ControlPart(control),
+        axes_(axes),
+        frame_words_(frames),
+        tools_(tools),
+        compensation_(compensation),
+        out_(out),
+        arcs_(control, axes),
+        splines_(control, axes) {}
+
+  /// The move of the block. False: an error was reported.
+  bool run();
+  /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
+  /// force.
+  void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  /// `axes` went to where only the machine knows.
+  void unknown(unsigned axes, const Word& where);
+  /// The position becomes `to`, without a path.
+  void jump(const Target& to);
+  /// A block ANG= waits for the next one.
+  bool waits() const { return pending_angle_.active; }
+  /// The program ends.
+  void finish();
+
+ private:
+  /// The first of two blocks ANG=: it waits for the second.
+  struct PendingAngle {
+    bool active = false;
+    double angle = 0;
+    Motion motion;
+    CornerSpec corner;
+  };
+
+  bool machine_move();
+  bool probe();
+  bool line(const Target& to, const Frame& frame);
+  bool arc(const Vec3& from, const Frame& frame);
+  bool spline(const Vec3& from, const Frame& frame);
+  bool emit_arc(const SolvedArc& arc, const Frame& frame);
+  bool hold_angle(const Word& ang);
+  bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
+  bool thread_values(const Target& to, const Vec3& from);
+  void sinumerik_lead(const Vec3& path);
+  Motion motion_template(const Word& where, MotionKind kind);
+  void begin_cut(const Word& where);
+  void commit(const Target& to, const Frame& frame, Motion& motion);
+
+  AxisWords& axes_;
+  FrameWords& frame_words_;
+  ToolChanger& tools_;
+  CompensationWords& compensation_;
+  MotionEmitter& out_;
+  ArcSolver arcs_;
+  SplineWords splines_;
+  PendingAngle pending_angle_;
+  bool feed_warned_ = false;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,108 @@
+#include "interp/control/offset_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+WorkOffset& work_entry(std::vector<WorkOffset>& list, const std::string& name) {
+  for (WorkOffset& offset : list)
+    if (offset.name == name) return offset;
+  return list.emplace_back(WorkOffset{name, {}});
+}
+
+OffsetRegister& register_entry(std::vector<OffsetRegister>& list, const std::string& name) {
+  for (OffsetRegister& reg : list)
+    if (reg.name == name) return reg;
+  OffsetRegister fresh;
+  fresh.name = name;
+  return list.emplace_back(fresh);
+}
+
+}  // namespace
+
+bool OffsetWords::run() {
+  const Word& where = *block_.oneshot;
+  const Word* l = take('L');
+  const Word* p = take('P');
+  if (!l) return error("value-missing", "G10 needs L, which says what is set", where);
+  const double number = p ? p->value : 0;
+  if (number < 0 || number > 9999 || number != std::floor(number))
+    return error("value-range", "P of G10 is a whole number", *p);
+  const int kind = static_cast<int>(l->value);
+  if (kind == 2 || kind == 20) return work(kind, static_cast<int>(number));
+  if (kind == 1 || (kind >= 10 && kind <= 13))
+    return tool_register(kind, static_cast<int>(number), where);
+  return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
+}
+
+// The offset that P means: the one in force for P0 of LinuxCNC; L20 of FANUC is G54.1.
+std::string OffsetWords::work_name(int l, int p) const {
+  if (l == 20 && !is(Dialect::ngc)) return fmt::format("G54.1P{}", p);
+  if (p == 0) return is(Dialect::ngc) ? frames_.work_name : std::string();
+  if (p <= 6) return fmt::format("G{}", 53 + p);
+  return p <= 9 && is(Dialect::ngc) ? fmt::format("G59.{}", p - 6) : std::string();
+}
+
+bool OffsetWords::work(int l, int p) {
+  const std::string name = work_name(l, p);
+  if (name.empty())
+    return error("value-range", fmt::format("G10 L{} P{}: there is no such work offset", l, p),
+                 *block_.oneshot);
+  const Word* r = take('R');
+  if (r && !is(Dialect::ngc))
+    return error("word-unexpected", "R turns a work offset on LinuxCNC only", *r);
+  frame_words_.save();
+  if (r) control_.work_turns[name] = r->value;
+  WorkOffset& offset = work_entry(control_.work, name);
+  if (l == 20 && is(Dialect::ngc)) {
+    offset.shift = shift_to_here(offset.shift, name);
+    frame_words_.renew_work();
+    return true;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (!word) continue;
+    const double value = axis_value(i, *word, false);
+    double& shift = component(offset.shift, i);
+    shift = modal_.incremental && !is(Dialect::ngc) ? shift + value : value;
+  }
+  frame_words_.renew_work();
+  return true;
+}
+
+// G10 L20: the offset in which the position of now has the coordinates of the block.
+Vec3 OffsetWords::shift_to_here(const Vec3& old, const std::string& name) {
+  const auto angle = control_.work_turns.find(name);
+  const Frame turned = rotation_frame(2, angle == control_.work_turns.end() ? 0 : angle->second);
+  const Vec3 inner = frames_.position_shift + frames_.local;
+  Vec3 at = turn_inverse(turned, position_.physical - old) - inner;
+  for (int i = 0; i < 3; ++i)
+    if (const Word* word = take("XYZ"[i])) component(at, i) = axis_value(i, *word, false);
+  return position_.physical - turn(turned, at + inner);
+}
+
+// L12 and L13: radius and its wear. Lengths (L10, L11) are taken to be those of the real tools: the
+// program's positions are those of the tip. LinuxCNC: P is the tool, R its radius.
+bool OffsetWords::tool_register(int l, int p, const Word& where) {
+  const Word* r = take('R');
+  const Word* z = take('Z');
+  for (const char c : {'X', 'Y', 'I', 'J', 'Q'}) take(c);
+  if (is(Dialect::ngc) && p < 1)
+    return error("value-range", "P of G10 is the number of a tool", where);
+  if (!is(Dialect::ngc) && !r) return error("value-missing", "G10 needs R with the value", where);
+  const bool radius = is(Dialect::ngc) ? r != nullptr : l >= 12;
+  if (z || !radius)
+    note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
+              where, "length");
+  if (!radius) return true;
+  OffsetRegister& reg = register_entry(control_.registers, fmt::format("D{}", p));
+  double& value = l == 13 ? reg.wear : reg.radius;
+  const double mm = r->value * length_unit(*r);
+  value = modal_.incremental && !is(Dialect::ngc) ? value + mm : mm;
+  return true;
+}
+
+}  // namespace mrsim

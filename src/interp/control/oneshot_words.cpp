@@ -1,0 +1,127 @@
+#include "interp/control/oneshot_words.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+bool OneShotWords::run() {
+  switch (block_.oneshot_code) {
+    case Code::dwell:
+      return dwell();
+    case Code::reference:
+    case Code::reference_second:
+      return reference();
+    case Code::reference_approach:
+    case Code::fixed_point:
+      return reference_sinumerik();
+    case Code::reference_check:
+    case Code::one_way:
+      return rapid_to();
+    case Code::data_setting:
+      return offsets_.run();
+    case Code::position_reset:
+    case Code::position_suspend:
+    case Code::position_resume:
+      return suspend_position();
+    case Code::set_position:
+      return set_position();
+    case Code::position_jump:
+      return position_jump();
+    case Code::decoder_length:
+      for (const char c : {'I', 'J', 'K'}) take(c);
+      note_once("tool-length", "G43: positions are read as those of the tool's tip",
+                *block_.oneshot, "G43");
+      return true;
+    default:
+      return true;
+  }
+}
+
+// G4: the words mean seconds or turns, not axes or feeds.
+bool OneShotWords::dwell() {
+  for (const char c : {'X', 'U', 'P', 'F', 'S', 'T', 'E'})
+    if (c != 'T' || is(Dialect::codesys)) take(c);
+  take(Address::data);
+  return true;
+}
+
+// G28 G30: a rapid to the intermediate point, then away to where only the machine knows.
+bool OneShotWords::reference() {
+  take('P');
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  moves_.unknown(to.named, *block_.oneshot);
+  return true;
+}
+
+// G74 G75: to where only the machine knows.
+bool OneShotWords::reference_sinumerik() {
+  unsigned axes = 0;
+  for (const char c : {'X', 'Y', 'Z'})
+    if (take(c)) axes |= 1U << (c - 'X');
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'X' && c <= 'Z') axes |= 1U << (c - 'X');
+  }
+  moves_.unknown(axes, *block_.oneshot);
+  return true;
+}
+
+// G92 (lathe G50): the position gets new coordinates, nothing moves. S alone is a speed limit.
+bool OneShotWords::set_position() {
+  frame_words_.save();
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (!word) continue;
+    const double value = axis_value(i, *word, false);
+    if ((position_.known >> i & 1U) == 0) {  // the first position that the program states
+      component(position_.physical, i) = value + component(frames_.total.shift, i);
+      component(position_.programmed, i) = value;
+      position_.known |= 1U << i;
+      continue;
+    }
+    component(frames_.position_shift, i) += component(position_.programmed, i) - value;
+  }
+  frame_words_.rebuild();
+  return true;
+}
+
+// G27 and G60 arrive with a rapid; from where G60 arrives makes no difference to the part.
+bool OneShotWords::rapid_to() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  return true;
+}
+
+// G92.1 forgets the shift of G92, G92.2 sets it aside, G92.3 takes it back.
+bool OneShotWords::suspend_position() {
+  for (const char c : {'X', 'Y', 'Z'}) take(c);  // FANUC names the axes
+  frame_words_.save();
+  if (block_.oneshot_code == Code::position_resume) {
+    frames_.position_shift = frames_.position_memory;
+  } else {
+    frames_.position_memory =
+        block_.oneshot_code == Code::position_suspend ? frames_.position_shift : Vec3{};
+    frames_.position_shift = {};
+  }
+  frame_words_.rebuild();
+  return true;
+}
+
+// CODESYS G92: the position jumps, without a path.
+bool OneShotWords::position_jump() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  moves_.jump(to);
+  return true;
+}
+
+}  // namespace mrsim

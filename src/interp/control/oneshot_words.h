@@ -1,0 +1,35 @@
+// Functions of one block: dwell, reference points, setting the position. Private to src/interp.
+#pragma once
+
+#include "interp/control/moves.h"
+#include "interp/control/offset_words.h"
+
+namespace mrsim {
+
+class OneShotWords : public ControlPart {
+ public:
+  OneShotWords(Control& control, AxisWords& axes, FrameWords& frames, Moves& moves)
+      : ControlPart(control),
+        axes_(axes),
+        frame_words_(frames),
+        moves_(moves),
+        offsets_(control, frames) {}
+  /// The one-shot word of the block. False: an error was reported.
+  bool run();
+
+ private:
+  bool dwell();
+  bool reference();
+  bool reference_sinumerik();
+  bool rapid_to();
+  bool suspend_position();
+  bool set_position();
+  bool position_jump();
+
+  AxisWords& axes_;
+  FrameWords& frame_words_;
+  Moves& moves_;
+  OffsetWords offsets_;
+};
+
+}  // namespace mrsim

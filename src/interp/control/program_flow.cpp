@@ -1,0 +1,171 @@
+#include "interp/control/program_flow.h"
+
+#include "core/text_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// M words that control spindle, coolant, chuck and the like: no geometry, no note.
+constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
+                                         13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
+                                         43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
+constexpr int kMostM = 5;  // in a block of SINUMERIK
+
+}  // namespace
+
+bool ProgramFlow::begin_block() {
+  const Word* program = is(Dialect::codesys) ? nullptr : take('O');
+  if (reader_.ends_at_header(program)) {
+    block_.forget_words();
+    block_.return_after = block_.stop_after = false;
+    return true;
+  }
+  if (const Word* call = take(Address::call)) block_.call_word = call;
+  if (const Word* l = is(Dialect::sinumerik) ? take('L') : nullptr) block_.call_word = l;
+  if (block_.call_word && !alone(*block_.call_word)) return false;
+  for (const Word& word : block_.words)
+    if (is(Dialect::sinumerik) && word.code == Code::program_return && block_.words.size() > 1 &&
+        word.address == Address::function)
+      warning("call-not-alone", "RET stands alone in its block", word);
+  if (block_.call_word || find(letter('M'))) {  // repeats of a call
+    take('P');
+    if (!is(Dialect::codesys)) take('L');
+  }
+  return true;
+}
+
+// A call stands alone in its block; a name beside other words is a word that nobody knows.
+bool ProgramFlow::alone(const Word& call) {
+  bool others = false, known = true;
+  for (const Word& word : block_.words) {
+    if (&word == &call || word.address == letter('P')) continue;
+    others = true;
+    if (word.address != Address::call) continue;
+    known =
+        error("word-unknown", fmt::format("{} is not a word of this control", text_of(word)), word);
+  }
+  if (!others) return true;
+  if (call.address == Address::call && !call.string)
+    return error(
+        "word-unknown",
+        fmt::format("{} is not a word of this control{}, and a call stands alone in its block{}",
+                    text_of(call), is(Dialect::sinumerik) ? " (alarm 12550)" : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(call.text) : ""),
+        call);
+  return known && error("call-not-alone", "a call stands alone in its block", call);
+}
+
+bool ProgramFlow::m_words() {
+  bool ok = true;
+  int count = 0;
+  for (const Word& word : block_.words) {
+    if (word.address != letter('M')) continue;
+    if (is(Dialect::sinumerik) && ++count == kMostM + 1)
+      ok = error("m-words", fmt::format("at most {} M words in a block", kMostM), word);
+    if (!m_word(word)) ok = false;
+  }
+  return ok;
+}
+
+bool ProgramFlow::m_word(const Word& word) {
+  const double v = word.value;
+  if (v < 0 || v != std::floor(v) || v > 1e8)
+    return error("value-range", "an M number is a whole number", word);
+  const int m = static_cast<int>(v);
+  if (m == 6) block_.tool_change = true;
+  if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
+    (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
+        true;
+  if (m == 17 && !is(Dialect::fanuc)) block_.return_after = true;
+  if (m == 99 && !is(Dialect::sinumerik)) {
+    const Word* p = peek('P');
+    if (p && !statements_)
+      return error("not-supported", "M99 P (return to a block number) is not supported yet", word);
+    block_.return_after = true;
+    block_.loops = true;
+  }
+  if (m == 97 && is(Dialect::iso))
+    return error("not-supported", "M97 (a call of a block number) is not supported yet", word);
+  if (m >= 70 && m <= 73 && is(Dialect::ngc))
+    return error("not-supported",
+                 fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
+  if ((m == 98 || (m == 97 && is(Dialect::fanuc))) && !is(Dialect::sinumerik)) block_.m98 = &word;
+  if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
+    note_once("m-unknown",
+              fmt::format("M{} is not known: taken to be without effect on the part", m), word,
+              fmt::format("M{}", m));
+  return true;
+}
+
+// M98 P2 L50; M98 P500002: the last four digits are the program, those before them the count.
+bool ProgramFlow::fanuc_call(const Word& word) {
+  const Word* p = find(letter('P'));
+  const Word* l = find(letter('L'));
+  if (!p) return error("call-without-program", "M98 needs P with the number of a program", word);
+  if (p->value < 1 || p->value != std::floor(p->value) || p->value > 99999999)
+    return error("value-range", "P is the number of a program", *p);
+  if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 99999999))
+    return error("value-range", "L is how often the program runs", *l);
+  long number = static_cast<long>(p->value), repeats = 1;
+  if (l) {
+    repeats = static_cast<long>(l->value);
+  } else if (number > 9999) {
+    repeats = number / 10000;
+    number %= 10000;
+  }
+  return call({number, {}}, repeats, *p);
+}
+
+// M97 P10 L2 (Haas): from block N10 of the same program up to M99.
+bool ProgramFlow::local_call(const Word& word) {
+  const Word* p = find(letter('P'));
+  const Word* l = find(letter('L'));
+  if (!p || p->value < 0 || p->value != std::floor(p->value))
+    return error("call-without-program", "M97 needs P with the number of a block", word);
+  if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 99999999))
+    return error("value-range", "L is how often it runs", *l);
+  return statements_ && statements_->call_number(*p, l ? static_cast<long>(l->value) : 1);
+}
+
+bool ProgramFlow::call(const SubprogramName& name, long repeats, const Word& word) {
+  return statements_ ? statements_->call_program(name, repeats, word)
+                     : reader_.call(name, repeats, word);
+}
+
+bool ProgramFlow::named_call(const Word& word) {
+  const Word* p = find(letter('P'));
+  long repeats = 1;
+  if (p && is(Dialect::sinumerik)) {
+    if (p->value < 1 || p->value > 9999 || p->value != std::floor(p->value))
+      return error("value-range", "P is 1 to 9999 runs", *p);
+    repeats = static_cast<long>(p->value);
+  }
+  SubprogramName name;
+  name.text = std::string(word.text);
+  if (word.address == letter('L')) name.text = text_of(word);
+  return call(name, repeats, word);
+}
+
+void ProgramFlow::end_block() {
+  if (block_.stop_after) {
+    reader_.stop();
+  } else if (block_.m98) {
+    block_.m98->value == 97 ? local_call(*block_.m98) : fanuc_call(*block_.m98);
+  } else if (block_.call_word) {
+    named_call(*block_.call_word);
+  } else if (block_.return_after) {
+    const Word* target = block_.loops && statements_ ? find(letter('P')) : nullptr;
+    reader_.leave_stretches();
+    if (target && reader_.depth() > 1) reader_.drop_repeats();
+    if (!target || reader_.depth() > 1) reader_.end_activation(block_.loops);
+    if (target) statements_->jump_to_number(*target);
+  }
+}
+
+}  // namespace mrsim

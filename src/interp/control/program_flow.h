@@ -1,0 +1,34 @@
+// Program flow in the words of a block: headers, calls, M words. Private to src/interp.
+#pragma once
+
+#include "interp/control/statements.h"
+
+namespace mrsim {
+
+class ProgramFlow : public ControlPart {
+ public:
+  /// `statements`: null where the control has no language.
+  ProgramFlow(Control& control, BlockReader& reader, Statements* statements)
+      : ControlPart(control), reader_(reader), statements_(statements) {}
+
+  /// Headers, and which word is a call. False: an error was reported.
+  bool begin_block();
+  /// The M words. False: errors were reported.
+  bool m_words();
+  /// Calls, returns and ends, after all else in the block.
+  void end_block();
+
+ private:
+  bool alone(const Word& call);
+  bool m_word(const Word& word);
+  bool fanuc_call(const Word& word);
+  bool named_call(const Word& word);
+
+  bool local_call(const Word& word);
+  bool call(const SubprogramName& name, long repeats, const Word& word);
+
+  BlockReader& reader_;
+  Statements* statements_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,286 @@
+#include "interp/control/sinumerik_cycles.h"
+
+#include "core/text_io.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::array<std::string_view, 10> kCycles = {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84",
+                                                      "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88",
+                                                      "CYCLE89", "CYCLE840"};
+constexpr std::array<std::string_view, 5> kPatterns = {"HOLES1", "HOLES2", "CYCLE800", "CYCLE801",
+                                                       "CYCLE802"};
+constexpr double kMostHoles = 10'000;
+
+bool is_cycle(std::string_view name) {
+  return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
+}
+
+}  // namespace
+
+bool SinumerikCycles::knows(std::string_view name) {
+  return is_cycle(name) || std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
+}
+
+Word SinumerikCycles::where() const {
+  Word word;
+  const std::size_t at = upper_case(block_.line).find(block_.function_name);
+  word.column = at == std::string::npos ? 0 : static_cast<int>(at);
+  word.length = static_cast<int>(block_.function_name.size());
+  return word;
+}
+
+bool SinumerikCycles::read_call(Call& call) {
+  call.name = std::string(block_.function_name);
+  call.place = {block_.file, block_.line_number, block_.call};
+  std::string_view rest = block_.argument;
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    more = comma != std::string_view::npos;
+    std::string text;
+    for (const char c : rest.substr(0, comma))
+      if (c != ' ' && c != '\t') text += c;
+    if (more) rest.remove_prefix(comma + 1);
+    const bool none = text.empty() || text[0] == '"';
+    const std::optional<double> value = none ? std::nullopt : parse_number(text);
+    if (!none && !value)
+      return error("not-supported",
+                   fmt::format("{}: the argument \"{}\" is not a number", call.name,
+                               to_utf8(text.substr(0, 40))),
+                   where());
+    call.values.push_back(value);
+  }
+  return true;
+}
+
+bool SinumerikCycles::run() {
+  Call call;
+  if (!read_call(call)) return false;
+  return is_cycle(call.name) ? drill(call) : pattern(call);
+}
+
+bool SinumerikCycles::modal_call() {
+  modal_call_.reset();
+  if (block_.function_name.empty()) return true;
+  Call call;
+  if (!read_call(call)) return false;
+  Hole test;
+  if (!hole(call, test)) return false;
+  modal_call_ = call;
+  return true;
+}
+
+bool SinumerikCycles::run_modal(const Vec3& from) {
+  if (!modal_call_) return true;
+  const Basis b = basis();
+  const Vec3 d = position_.programmed - from;
+  if (dot(d, b.u) == 0 && dot(d, b.v) == 0 && !block_.find(letter('X')) &&
+      !block_.find(letter('Y')))
+    return true;
+  return drill(*modal_call_);
+}
+
+bool SinumerikCycles::drill(const Call& call) {
+  Hole made;
+  if (!hole(call, made)) return false;
+  holes_.drill(made, call.place, where());
+  return true;
+}
+
+// RTP RFP SDIS DP DPR: retraction, reference, safety clearance, depth absolute or from RFP.
+bool SinumerikCycles::hole(const Call& call, Hole& out) {
+  if (!is_cycle(call.name))
+    return error("not-supported", fmt::format("MCALL {} is not supported yet", call.name), where());
+  if (!call.given(0) || !call.given(1))
+    return error(
+        "value-missing",
+        fmt::format("{} needs RTP and RFP, the planes of retraction and reference", call.name),
+        where());
+  const double unit = scale(), rtp = call.get(0) * unit, rfp = call.get(1) * unit;
+  const double down = rtp < rfp ? 1 : -1;
+  out.safe = rfp - down * std::abs(call.get(2)) * unit;
+  out.end = rtp;
+  const std::size_t mode = call.name == "CYCLE81"   ? 8
+                           : call.name == "CYCLE82" ? 8
+                           : call.name == "CYCLE83" ? 19
+                                                    : 99;
+  if (!depth(call, mode, rfp, down, out.bottom)) return false;
+  if (call.name == "CYCLE83") return strokes(call, rfp, out);
+  if (call.name == "CYCLE84" || call.name == "CYCLE840") tapping(call, out);
+  if (call.name == "CYCLE85") {
+    out.feed = call.get(6) * feed_scale();
+    out.feed_back = call.get(7) * feed_scale();
+  }
+  out.feed_out = out.lead != 0 || call.name == "CYCLE85" || call.name == "CYCLE89";
+  if (call.name == "CYCLE86" && (call.get(7) != 0 || call.get(8) != 0 || call.get(9) != 0)) {
+    const Basis b = basis();
+    out.lift = call.get(7) * unit * b.u + call.get(8) * unit * b.v + call.get(9) * unit * b.w;
+  }
+  return true;
+}
+
+bool SinumerikCycles::depth(const Call& call, std::size_t mode, double reference, double down,
+                            double& bottom) {
+  const int amode = static_cast<int>(call.get(mode)) % 10;
+  const bool relative = amode == 1 || (amode == 0 && call.given(4) && call.get(4) != 0);
+  if (!relative && !call.given(3))
+    return error("value-missing", fmt::format("{} needs DP or DPR, the depth", call.name), where());
+  // With a mode, the value stands in DP; without one, DPR counts before DP.
+  const double value = amode == 1 && call.given(3) ? call.get(3) : call.get(4);
+  bottom = relative ? reference + down * std::abs(value) * scale() : call.get(3) * scale();
+  if ((bottom - reference) * down < 0)
+    return error("value-range",
+                 fmt::format("{}: the depth lies on the side of the retraction plane (alarm 61101)",
+                             call.name),
+                 where());
+  return true;
+}
+
+// FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor; the last
+// two are equal.
+bool SinumerikCycles::strokes(const Call& call, double reference, Hole& hole) {
+  const double unit = scale(), total = std::abs(hole.bottom - reference);
+  const double down = hole.bottom < reference ? -1 : 1;
+  const bool relative = call.given(6) && call.get(6) != 0;
+  double stroke =
+      relative ? std::abs(call.get(6)) * unit : std::abs(call.get(5) * unit - reference);
+  if (!relative && !call.given(5)) stroke = total;
+  const double dam = call.get(7), least = std::abs(call.get(13)) * unit;
+  hole.chips_out = call.get(11) >= 1;
+  if (call.given(14) && call.get(14) > 0 && !hole.chips_out) hole.clearance = call.get(14) * unit;
+  if (!hole.chips_out && !(call.get(14) > 0)) hole.clearance = 1;
+  if (call.given(16) && call.get(16) > 0 && hole.chips_out) hole.clearance = call.get(16) * unit;
+  if (stroke <= 0)
+    return error("value-range", "CYCLE83: the first drilling depth must lie below RFP", where());
+  const double smallest = dam > 0 ? std::max(dam * unit, least) : least;
+  double at = 0;
+  while (at + stroke < total - 1e-9) {
+    at += stroke;
+    hole.strokes.push_back(reference + down * at);
+    if (hole.strokes.size() > kMostStrokes)
+      return error("value-range", "CYCLE83: too many strokes", where());
+    if (dam > 0) stroke = std::max(stroke - dam * unit, smallest);
+    if (dam < 0) stroke = std::max(stroke * -dam, std::max(smallest, 1e-3));
+    const double rest = total - at;
+    if (dam > 0 && rest > stroke && rest < 2 * stroke && stroke <= smallest) stroke = rest / 2;
+  }
+  return true;
+}
+
+// MPIT (size of the thread) or PIT (its pitch); the sign is the hand.
+void SinumerikCycles::tapping(const Call& call, Hole& hole) {
+  static constexpr std::array<std::pair<double, double>, 22> kPitches = {
+      {{3, 0.5}, {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},
+       {16, 2},  {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},   {30, 3.5},  {33, 3.5},
+       {36, 4},  {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}}};
+  const bool rigid = call.name == "CYCLE84";
+  const std::size_t mpit = rigid ? 7 : 9, pit = mpit + 1;
+  double lead = call.get(pit) * scale();
+  for (const auto& [size, pitch] : kPitches)
+    if (lead == 0 && std::abs(call.get(mpit)) == size) lead = call.get(mpit) < 0 ? -pitch : pitch;
+  if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
+  hole.lead = lead != 0 ? lead : 1;
+  if (lead == 0)
+    reporter_.add(Severity::warning, "thread-lead", "the pitch of the thread is not given",
+                  where());
+}
+
+bool SinumerikCycles::pattern(const Call& call) {
+  if (call.name == "HOLES1") return row(call);
+  if (call.name == "HOLES2") return circle(call);
+  if (call.name == "CYCLE800") return swivel(call);
+  return call.name == "CYCLE801" ? grid(call) : points(call);
+}
+
+// CYCLE800() and a call with angles and shifts of 0 leave the plane where it is.
+bool SinumerikCycles::swivel(const Call& call) {
+  for (std::size_t i = 4; i <= 12; ++i)
+    if (call.get(i) != 0)
+      return error("not-supported",
+                   "CYCLE800 (a swivelled plane) is supported only without angles and shifts",
+                   where());
+  return true;
+}
+
+// SPCA SPCO STA1 FDIS DBH NUM: holes on a line.
+bool SinumerikCycles::row(const Call& call) {
+  const double count = call.get(5), unit = scale();
+  if (count < 0 || count > kMostHoles)
+    return error("value-range", "HOLES1: the number of holes is 1 to 10000", where());
+  const SinCos sc = sincos_deg(call.get(2));
+  std::vector<Vec2> list;
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const double along = (call.get(3) + i * call.get(4)) * unit;
+    list.push_back({call.get(0) * unit + along * sc.cos, call.get(1) * unit + along * sc.sin});
+  }
+  return at_points(list);
+}
+
+// CPA CPO RAD STA1 INDA NUM: holes on a circle; INDA 0: all round.
+bool SinumerikCycles::circle(const Call& call) {
+  const double count = call.get(5), unit = scale();
+  if (count < 1 || count > kMostHoles)
+    return error("value-range", "HOLES2: the number of holes is 1 to 10000", where());
+  const double step = call.get(4) != 0 ? call.get(4) : 360 / std::floor(count);
+  std::vector<Vec2> list;
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const SinCos sc = sincos_deg(call.get(3) + i * step);
+    list.push_back(
+        {(call.get(0) + call.get(2) * sc.cos) * unit, (call.get(1) + call.get(2) * sc.sin) * unit});
+  }
+  return at_points(list);
+}
+
+// SPCA SPCO STA DIS1 DIS2 NUM1 NUM2: a grid, or its frame alone (VARI 1).
+bool SinumerikCycles::grid(const Call& call) {
+  const double columns = call.get(5), rows = call.get(6), unit = scale();
+  if (columns < 1 || rows < 1 || columns * rows > kMostHoles)
+    return error("value-range", "CYCLE801: the number of holes is 1 to 10000", where());
+  const bool frame = static_cast<int>(call.get(7)) % 10 == 1;
+  const int nu = static_cast<int>(columns), nv = static_cast<int>(rows);
+  const SinCos sc = sincos_deg(call.get(2));
+  std::vector<Vec2> list;
+  for (int j = 0; j < nv; ++j)
+    for (int k = 0; k < nu; ++k) {
+      const int i = j % 2 ? nu - 1 - k : k;  // there and back
+      if (frame && i > 0 && i < nu - 1 && j > 0 && j < nv - 1) continue;
+      const Vec2 d{i * call.get(3) * unit, j * call.get(4) * unit};
+      list.push_back({call.get(0) * unit + d.x * sc.cos - d.y * sc.sin,
+                      call.get(1) * unit + d.x * sc.sin + d.y * sc.cos});
+    }
+  return at_points(list);
+}
+
+// CYCLE802: up to nine points, behind the two masks.
+bool SinumerikCycles::points(const Call& call) {
+  std::vector<Vec2> list;
+  for (std::size_t i = 2; i + 1 < 20; i += 2)
+    if (call.given(i) && call.given(i + 1))
+      list.push_back({call.get(i) * scale(), call.get(i + 1) * scale()});
+  return at_points(list);
+}
+
+// Without MCALL the pattern is a row of rapids.
+bool SinumerikCycles::at_points(const std::vector<Vec2>& points) {
+  const Basis b = basis();
+  unsigned named = 0;
+  for (int i = 0; i < 3; ++i)
+    if (component(b.u, i) != 0 || component(b.v, i) != 0) named |= 1U << i;
+  for (const Vec2 p : points) {
+    const Vec3 at = from_plane(b, p, holes_.level());
+    holes_.approach(at, named, where());
+    if (modal_call_ && !drill(*modal_call_)) return false;
+  }
+  return true;
+}
+
+}  // namespace mrsim

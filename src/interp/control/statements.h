@@ -1,0 +1,88 @@
+// The language of a control while a program runs: values of expressions, assignments, and the
+// statements that decide which block comes next. What the controls share; each control's own
+// statements are in a class that derives from this one. Private to src/interp.
+#pragma once
+
+#include "interp/control/block_reader.h"
+#include "interp/control/system_values.h"
+#include "interp/language/variables.h"
+#include "interp/text/language_reader.h"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace mrsim {
+
+class Statements : public ControlPart, public LanguageReader {
+ public:
+  /// Null: this control has no language here.
+  static std::unique_ptr<Statements> make(Control& control, BlockReader& reader);
+
+  Answer value(std::string_view line, std::size_t& p, Word& word, bool whole) override;
+  bool assignment(std::string_view line, std::size_t& p) override;
+  bool starts_function(std::string_view line, std::size_t p) const override;
+  bool is_variable(std::string_view name) override { return variables_.is_defined(name); }
+
+  /// Carries out the statement of the block. One that fails ends the program.
+  void run();
+  /// Before the words of a block are looked at. True: it is done with.
+  virtual bool take_block() { return false; }
+  /// After a block of words; `moved`: it had a motion.
+  virtual void end_block(bool moved) { (void)moved; }
+  /// A call by number or name without arguments. False: reported.
+  virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
+    return reader_.call(name, repeats, word);
+  }
+  /// M99 P: goes on at a block number of the program that is being read.
+  virtual bool jump_to_number(const Word& word);
+  /// M97 P: calls from a block number on. False: reported.
+  bool call_number(const Word& word, long repeats);
+
+ protected:
+  Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
+             VariableForm variables, OutlineForm outline);
+
+  /// The statement at `p` of block_.line. False: reported, or nothing can go on.
+  virtual bool statement(std::size_t p) = 0;
+
+  bool fail(const char* code, const std::string& text, std::size_t from, std::size_t to);
+  bool report(const Fault& fault);
+  bool condition(std::size_t& p, bool& out);
+  bool number(std::size_t& p, double& out, bool whole);
+  /// Values in brackets up to the end: "[1] [#2]".
+  bool store(double number, const Value& value, std::size_t from, std::size_t to);
+  bool store(std::string_view name, std::span<const Value> indices, const Value& value,
+             std::size_t from, std::size_t to);
+
+  Outline& outline();
+  Outline& outline(const std::string& file);
+  /// The entry of the statement at `p`; reports what is wrong with the structure.
+  const FlowEntry* entry_at(std::size_t p);
+  bool jump_behind(const FlowEntry& entry);
+  /// Searches block `number` forward from here and then from the top, or one of these.
+  bool find_number(long number, bool forward, bool backward, Place& out);
+  std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }
+  static std::string letters_of(std::string_view line, std::size_t& p);
+  char at(std::size_t p) const { return p < block_.line.size() ? block_.line[p] : '\0'; }
+  std::size_t skip_blanks(std::size_t p) const;
+  Word place_word(std::size_t from, std::size_t to) const;
+
+  BlockReader& reader_;
+  SystemValues system_;
+  Variables variables_;
+  Evaluator evaluator_;
+
+ private:
+  bool scan_number(long number, const Place& from, const Place& to, bool last, Place& out);
+
+  OutlineForm form_;
+  std::map<std::string, std::unique_ptr<Outline>> outlines_;
+  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
+  std::string numbers_file_;
+  std::deque<std::string> texts_;  ///< that words of the block point to
+  std::size_t texts_line_ = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,55 @@
+// Variables that are the control's state: positions, modal codes, tool data, frames. What geometry
+// needs is answered from the state in force; anything else is refused by name. Private to
+// src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+#include "interp/language/variables.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+class SystemValues : public ControlPart, public SystemVariables {
+ public:
+  explicit SystemValues(Control& control) : ControlPart(control) {}
+
+  bool read(double number, Value& out, std::string& why) override;
+  bool read(std::string_view name, std::span<const Value> indices, Value& out,
+            std::string& why) override;
+  bool write(double number, const Value& value, std::string& why) override;
+  bool write(std::string_view name, std::span<const Value> indices, const Value& value,
+             std::string& why) override;
+  bool knows(std::string_view name) override;
+
+  /// LinuxCNC: what the last subprogram returned.
+  void set_returned(double value, bool given) {
+    returned_ = value;
+    has_returned_ = given;
+  }
+  void set_call_level(std::size_t level) { call_level_ = level; }
+
+ private:
+  bool read_fanuc(int number, double& out) const;
+  bool read_modal(int number, double& out) const;
+  bool read_linuxcnc(int number, double& out) const;
+  bool named_linuxcnc(std::string_view name, double& out) const;
+  bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
+  bool axis_value_of(std::string_view name, int axis, double& out) const;
+  bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
+  double work_position(int axis) const;
+  double machine_position(int axis) const;
+  double tool_radius() const;
+  double work_number() const;
+  bool work_cell(int number, std::string& name, int& axis) const;
+  Vec3 work_shift(const std::string& name) const;
+  void set_work(const std::string& name, const Vec3& shift);
+
+  double returned_ = 0;
+  bool has_returned_ = false;
+  std::size_t call_level_ = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,43 @@
+// Tools: T words and names, what comments say of them, registers. Adds the tools that the program
+// uses to Program::tools. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+#include "interp/control/tool_notes.h"
+
+namespace mrsim {
+
+class ToolChanger : public ControlPart {
+ public:
+  explicit ToolChanger(Control& control) : ControlPart(control), tool_(control.tool) {}
+
+  /// Comments come before the words of their block: a hint may be for the T in it.
+  void read_comments();
+  /// T and M6 of the block.
+  bool apply();
+  /// A block with words was read.
+  void end_block() { notes_.end_block(); }
+  /// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
+  /// when it cuts.
+  void require(const Word& where, bool cuts);
+  /// The tool in the spindle, or null.
+  const Tool* current() const {
+    return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
+  }
+  const OffsetRegister* find_register(const std::string& name) const;
+
+ private:
+  bool select(const Word& word);
+  void change();
+  bool resolve(const std::string& id, Tool& out, std::string& why) const;
+  bool infer(const std::string& id, Tool& out, std::string& why) const;
+  void missing(const Word& where, const std::string& why);
+
+  ToolState& tool_;
+  ToolNotes notes_;
+};
+
+/// "end mill 5 mm"
+std::string tool_summary(const Tool& tool);
+
+}  // namespace mrsim

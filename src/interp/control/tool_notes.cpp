@@ -1,0 +1,53 @@
+#include "interp/control/tool_notes.h"
+
+namespace mrsim {
+
+void ToolNotes::add(const std::string& id, const ToolHint& hint) {
+  const auto [at, fresh] = hints_.try_emplace(id, hint);
+  const bool repeated = at->second.text.find(hint.text) != std::string::npos;
+  if (!fresh && !repeated) merge_hint(at->second, hint);
+}
+
+void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone) {
+  const ToolHint hint = read_tool_comment(bytes);
+  if (!hint.id.empty() && hint) return add(hint.id, hint);
+  if (!called.empty()) {
+    if (hint) add(called, hint);
+    return;
+  }
+  if (!alone || !(hint || !hint.id.empty())) return;
+  if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
+    return add(current_, hint);
+  if (!hint.id.empty() || interrupted_) {  // "TOOL 3" begins what is said of it
+    if (!group_.id.empty() && group_) add(group_.id, group_);
+    group_ = {};
+  }
+  interrupted_ = false;
+  if (group_.text.empty())
+    group_ = hint;
+  else
+    merge_hint(group_, hint);
+}
+
+void ToolNotes::call(const std::string& id) {
+  const bool other = !group_.id.empty() && group_.id != id;
+  if (group_ && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
+  group_ = {};
+}
+
+void ToolNotes::change(const std::string& id) {
+  current_ = id;
+  blocks_since_change_ = -1;  // the block of the change is still to end
+}
+
+void ToolNotes::end_block() {
+  interrupted_ = true;
+  if (blocks_since_change_ < 1) ++blocks_since_change_;
+}
+
+const ToolHint* ToolNotes::find(const std::string& id) const {
+  const auto at = hints_.find(id);
+  return at == hints_.end() ? nullptr : &at->second;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,41 @@
+// Which tool a comment is about: the one it names, the one of its block, the next one that is
+// called (comments stand above the call), or the one just changed to (some posts write them below
+// it).
+#pragma once
+
+#include "interp/text/tool_comment.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+class ToolNotes {
+ public:
+  /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
+  /// nothing else stands in the block.
+  void comment(std::string_view bytes, const std::string& called, bool alone);
+  /// A T word names `id`: the comments above it are about this tool.
+  void call(const std::string& id);
+  /// `id` has come into the spindle.
+  void change(const std::string& id);
+  /// A block with words has been read.
+  void end_block();
+  /// A cut: comments above it are not about the next tool.
+  void cut() { group_ = {}; }
+
+  /// What is known of the tool; null: nothing.
+  const ToolHint* find(const std::string& id) const;
+
+ private:
+  void add(const std::string& id, const ToolHint& hint);
+
+  std::map<std::string, ToolHint> hints_;
+  ToolHint group_;            ///< the comments that wait for their tool
+  bool interrupted_ = false;  ///< a block stands between the group and the next comment
+  std::string current_;
+  int blocks_since_change_ = 1;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,152 @@
+#include "interp/control/value_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+bool ValueWords::apply() {
+  const bool own = is(Dialect::codesys) ? codesys() : rotary_axes() && speed() && edge();
+  if (!own || !feed() || !tools_.apply() || !length_register()) return false;
+  return !is(Dialect::sinumerik) || sinumerik();
+}
+
+bool ValueWords::rotary_axes() {
+  for (const char c : {'A', 'B', 'C'}) {
+    const Word* word = take(c);
+    if (!word) continue;
+    if (word->value != 0)
+      return error("not-supported",
+                   fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
+    note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
+  }
+  return true;
+}
+
+bool ValueWords::sinumerik() {
+  take('H');
+  const bool machine_axes = block_.oneshot && (block_.oneshot_code == Code::reference_approach ||
+                                               block_.oneshot_code == Code::fixed_point);
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
+      return error("not-supported",
+                   "a machine axis is named, which is supported only in G74 and G75", word);
+  }
+  if (const Word* word = take(Address::rndm)) {
+    if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
+    modal_.rndm = word->value * scale();
+  }
+  if (const Word* word = take(Address::frcm)) modal_.frcm = word->value * feed_scale();
+  if (const Word* word = take(Address::disc)) {
+    if (word->value < 0 || word->value > 100)
+      return error("value-range", "DISC is 0 to 100", *word);
+    modal_.disc = word->value;
+  }
+  return true;
+}
+
+bool ValueWords::feed() {
+  const Word* word = take('F');
+  if (!word) return true;
+  if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
+  if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
+    return error("feed-range",
+                 fmt::format("F{:g}: the feed must be above 0{}", word->value,
+                             is(Dialect::sinumerik) ? " (alarm 14800)" : ""),
+                 *word);
+  if (is_thread(current_motion()) && current_motion() != Code::tap_floating) return true;
+  modal_.feed =
+      modal_.feed_unit == FeedUnit::inverse_time ? word->value : word->value * feed_scale();
+  return true;
+}
+
+bool ValueWords::speed() {
+  if (const Word* word = take(Address::lims)) {
+    if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
+  }
+  const Word* word = take('S');
+  if (!word) return true;
+  if (word->value < 0) return error("speed-range", "S must not be negative", *word);
+  if (block_.frame_code && block_.frame_op == Code::speed_limit) return true;
+  if (block_.oneshot && block_.oneshot_code == Code::set_position) return true;  // G50 S: a limit
+  if (modal_.surface_speed)
+    modal_.cutting_speed = word->value * (modal_.inch_feed ? 0.3048 : 1.0);
+  else
+    modal_.speed = word->value;
+  return true;
+}
+
+// D: number of a register or of a cutting edge.
+bool ValueWords::edge() {
+  const Word* word = take('D');
+  if (!word) return true;
+  if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
+    modal_.edge_radius = word->value * length_unit(*word) / 2;
+    return true;
+  }
+  if (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e6)
+    return error("value-range", "D is a whole number", *word);
+  modal_.edge = static_cast<int>(word->value);
+  modal_.edge_given = true;
+  control_.edge_word = *word;
+  return true;
+}
+
+bool ValueWords::length_register() {
+  if (is(Dialect::sinumerik) || is(Dialect::codesys)) return true;
+  const Word* word = take('H');
+  if (!word && !block_.length_changed) return true;
+  block_.length_changed = false;
+  if (modal_.length == Code::length_dynamic || modal_.length == Code::length_add) {
+    if (modal_.length == Code::length_dynamic)
+      for (const char c : {'X', 'Y', 'Z'}) take(c);
+    note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
+              block_.words.front(), "length");
+    return true;
+  }
+  if (modal_.length == Code::length_off) {
+    modal_.length_offset = 0;
+    return true;
+  }
+  if (!word) return true;
+  const std::string name = fmt::format("H{:g}", word->value);
+  const OffsetRegister* reg = tools_.find_register(name);
+  if (!reg && word->value != 0)
+    note_once("register-missing", name + " is not in the tool table: 0 is used", *word, name);
+  const double sign = modal_.length == Code::length_minus ? -1 : 1;
+  modal_.length_offset = reg ? sign * (reg->length + reg->wear) : 0;
+  return true;
+}
+
+// E H L O S: dynamics and switch points, without geometry, but checked.
+bool ValueWords::codesys() {
+  for (const char c : {'A', 'B', 'C', 'P', 'Q', 'U', 'V', 'W', 'E', 'S'}) take(c);
+  take(Address::ff);
+  take(Address::ef);
+  int switches = 0, negative = 0, positive = 0;
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.address);
+    if (c == 'H' && (word.value == 0 || word.value != std::floor(word.value)))
+      return error("value-range", "H is a whole number, not 0: the switch and its state", word);
+    if (c == 'H' && ++switches > 3)
+      return error("value-range", "at most three switch points in a block", word);
+    if (c == 'O' && (word.value < 0 || word.value > 1))
+      return error("value-range", "O is a share of the path from 0 to 1", word);
+    if (c == 'E') {
+      int& count = word.value < 0 ? negative : positive;
+      if (++count > 1) return error("address-twice", "E is given twice with the same sign", word);
+    }
+  }
+  const Word* d = take('D');
+  if (d) {
+    if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
+    // Beside G41 and G42 the tool's radius, anywhere else that of smoothing.
+    const bool named = (block_.groups >> static_cast<unsigned>(Group::comp) & 1U) != 0;
+    if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
+  }
+  return true;
+}
+
+}  // namespace mrsim

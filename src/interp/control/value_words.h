@@ -1,0 +1,26 @@
+// Words whose values last: F S D H RNDM and their kin. Private to src/interp.
+#pragma once
+
+#include "interp/control/tool_changer.h"
+
+namespace mrsim {
+
+class ValueWords : public ControlPart {
+ public:
+  ValueWords(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
+  /// False: an error was reported.
+  bool apply();
+
+ private:
+  bool rotary_axes();
+  bool feed();
+  bool speed();
+  bool edge();
+  bool length_register();
+  bool codesys();
+  bool sinumerik();
+
+  ToolChanger& tools_;
+};
+
+}  // namespace mrsim

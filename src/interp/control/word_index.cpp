@@ -1,0 +1,82 @@
+#include "interp/control/word_index.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+WordIndex::WordIndex(Control& control) : ControlPart(control) {
+  const std::string_view letters = is(Dialect::sinumerik) ? "ABCDFGHIJKLMNOPSTXYZ"
+                                   : is(Dialect::codesys) || is(Dialect::ngc)
+                                       ? "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                   : is(Dialect::iso) ? "ABCDFGHIJKLMNOPQRSTXYZ"
+                                   : lathe()          ? "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      : "ABCDFGHIJKLMNOPQRSTXYZ";
+  for (const char c : letters) legal_[static_cast<std::size_t>(c)] = true;
+  if (is(Dialect::ngc)) legal_['@'] = legal_['^'] = true;
+  for (auto a = static_cast<std::size_t>(Address::function); a < legal_.size(); ++a)
+    legal_[a] = true;
+}
+
+// Reports an address that this control does not know.
+bool WordIndex::refuse_address(const Word& word) {
+  const auto c = static_cast<char>(word.address);
+  if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
+    for (const Word& other : block_.words)
+      if (other.address == letter('G') && other.value == 4) return true;
+  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G187 is
+    for (const Word& other : block_.words)
+      if (other.address == letter('G') && other.value == 187) return true;
+  if (is(Dialect::sinumerik) && c == 'R')
+    return error("not-supported",
+                 "R is a variable of SINUMERIK, which is not supported yet; "
+                 "for a radius write CR=",
+                 word);
+  return error("address-unknown",
+               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
+               word);
+}
+
+// Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
+bool WordIndex::run() {
+  bool ok = true;
+  for (std::size_t i = 0; i < block_.words.size(); ++i) {
+    const Word& word = block_.words[i];
+    if (!legal_[static_cast<std::size_t>(word.address)] && !refuse_address(word)) ok = false;
+    const auto c = static_cast<char>(word.address);
+    const bool repeats = c == 'G' || c == 'M' || word.address == Address::function ||
+                         word.address == Address::data || (is(Dialect::sinumerik) && c == 'H') ||
+                         (is(Dialect::fanuc) && c == 'T') ||
+                         (is(Dialect::codesys) && (c == 'E' || c == 'H' || c == 'L' || c == 'O'));
+    if (!block_.add(i, repeats) && !repeats) {
+      const bool axis = (c >= 'I' && c <= 'K') || (c >= 'X' && c <= 'Z');
+      const std::string alarm =
+          is(Dialect::sinumerik) ? axis ? " (alarm 16420)" : " (alarm 12010)" : "";
+      ok = error(
+          "address-twice",
+          fmt::format("{} is given twice in the block{}",
+                      word.address < Address::function
+                          ? std::string(1, c)
+                          : std::string(block_.line.substr(static_cast<std::size_t>(word.column),
+                                                           static_cast<std::size_t>(word.length))),
+                      alarm),
+          word);
+    }
+  }
+  if (block_.words.size() > 65535)
+    return error("block-too-long", "more than 65535 words in a block", block_.words.back());
+  return ok;
+}
+
+// A known address that nothing in its block wanted.
+void WordIndex::report_unused() {
+  for (const Word& word : block_.words) {
+    if (!block_.open(word.address)) continue;
+    warning("word-without-effect",
+            fmt::format("{} has no effect in this block",
+                        block_.line.substr(static_cast<std::size_t>(word.column),
+                                           static_cast<std::size_t>(std::min(word.length, 40)))),
+            word);
+  }
+}
+
+}  // namespace mrsim

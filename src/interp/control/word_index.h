@@ -1,0 +1,23 @@
+// Which addresses a control knows, how often each may stand in a block, and which of them nobody
+// wanted. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class WordIndex : public ControlPart {
+ public:
+  explicit WordIndex(Control& control);
+  /// Enters the words of the block by address. False: errors were reported.
+  bool run();
+  /// Warns of each known address that nothing in its block wanted.
+  void report_unused();
+
+ private:
+  bool refuse_address(const Word& word);
+
+  std::array<bool, static_cast<std::size_t>(Address::count)> legal_{};  ///< by address
+};
+
+}  // namespace mrsim

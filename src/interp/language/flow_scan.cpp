@@ -1,0 +1,235 @@
+#include "interp/language/flow_scan.h"
+
+#include "interp/text/characters.h"
+
+#include <utility>
+
+namespace mrsim {
+namespace {
+
+std::size_t skip_blanks(std::string_view line, std::size_t p) {
+  while (p < line.size() && (line[p] == ' ' || line[p] == '\t' || line[p] == '\r')) ++p;
+  return p;
+}
+
+char at(std::string_view line, std::size_t p) { return p < line.size() ? line[p] : '\0'; }
+
+std::string digits_at(std::string_view line, std::size_t& p) {
+  p = skip_blanks(line, p);
+  const std::size_t from = p;
+  while (is_digit(at(line, p))) ++p;
+  return std::string(line.substr(from, p - from));
+}
+
+constexpr std::pair<std::string_view, FlowWord> kOwords[] = {
+    {"SUB", FlowWord::sub},
+    {"ENDSUB", FlowWord::sub_end},
+    {"RETURN", FlowWord::sub_return},
+    {"CALL", FlowWord::call},
+    {"IF", FlowWord::branch},
+    {"ELSEIF", FlowWord::branch_else_if},
+    {"ELSE", FlowWord::branch_else},
+    {"ENDIF", FlowWord::branch_end},
+    {"WHILE", FlowWord::loop_while},
+    {"ENDWHILE", FlowWord::loop_end},
+    {"DO", FlowWord::loop_do},
+    {"REPEAT", FlowWord::loop_repeat},
+    {"ENDREPEAT", FlowWord::loop_end},
+    {"BREAK", FlowWord::loop_break},
+    {"CONTINUE", FlowWord::loop_continue},
+};
+
+constexpr std::pair<std::string_view, FlowWord> kSinumerikWords[] = {
+    {"IF", FlowWord::branch},         {"ELSE", FlowWord::branch_else},
+    {"ENDIF", FlowWord::branch_end},  {"WHILE", FlowWord::loop_while},
+    {"ENDWHILE", FlowWord::loop_end}, {"FOR", FlowWord::loop_for},
+    {"ENDFOR", FlowWord::loop_end},   {"LOOP", FlowWord::loop_forever},
+    {"ENDLOOP", FlowWord::loop_end},  {"REPEAT", FlowWord::loop_repeat},
+    {"UNTIL", FlowWord::loop_until},
+};
+
+// The end of a FANUC block: behind ";" outside of comments.
+std::size_t end_of_block(std::string_view line, std::size_t p) {
+  for (; p < line.size() && line[p] != ';'; ++p)
+    if (line[p] == '(') {
+      p = line.find(')', p);
+      if (p == std::string_view::npos) return line.size();
+    }
+  return p;
+}
+
+bool has_jump(std::string_view rest) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (rest[i] == ';') return false;
+    const bool starts = i == 0 || !is_name(rest[i - 1]);
+    if (starts && upper(rest[i]) == 'G' && upper_case(rest.substr(i, 4)) == "GOTO") return true;
+  }
+  return false;
+}
+
+bool ends_here(std::string_view line, std::size_t p) {
+  p = skip_blanks(line, p);
+  return p >= line.size() || line[p] == ';';
+}
+
+}  // namespace
+
+std::size_t closing_bracket(std::string_view line, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < line.size(); ++i) {
+    if (line[i] == '[') ++depth;
+    if (line[i] == ']' && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+std::size_t behind_number(std::string_view line, std::size_t from, long& number) {
+  number = -1;
+  std::size_t p = skip_blanks(line, from);
+  if (at(line, p) == '/') {
+    ++p;
+    if (is_digit(at(line, p))) ++p;
+    p = skip_blanks(line, p);
+  }
+  if (upper(at(line, p)) != 'N') return p;
+  std::size_t q = skip_blanks(line, p + 1);
+  if (!is_digit(at(line, q))) return p;
+  const std::string digits = digits_at(line, q);
+  if (digits.size() <= 9) number = std::stol(digits);
+  if (at(line, q) == '.') {  // LinuxCNC: fractions of block numbers
+    ++q;
+    digits_at(line, q);
+  }
+  return skip_blanks(line, q);
+}
+
+std::string letters_at(std::string_view line, std::size_t& p) {
+  p = skip_blanks(line, p);
+  const std::size_t from = p;
+  while (is_letter(at(line, p))) ++p;
+  return upper_case(line.substr(from, std::min<std::size_t>(p - from, 16)));
+}
+
+void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
+  for (std::size_t from = 0; from < line.size(); from = end_of_block(line, from) + 1) {
+    long number = -1;
+    std::size_t p = behind_number(line, from, number);
+    const char c = upper(at(line, p));
+    FoundWord found;
+    found.at = p;
+    if (c == 'O' || c == ':') {
+      ++p;
+      found.name = digits_at(line, p);
+      if (!found.name.empty()) found.word = FlowWord::section;
+    } else if (c == 'W' || c == 'D' || c == 'E') {
+      std::string name = letters_at(line, p);
+      if (name.starts_with("WH") && name.size() <= 5) {
+        p = skip_blanks(line, p);
+        const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
+        if (close == std::string_view::npos || at(line, p) != '[') continue;
+        p = close + 1;
+        found.word = FlowWord::loop_while;
+        name = letters_at(line, p);
+      }
+      if (name == "DO") {
+        if (found.word == FlowWord::none) found.word = FlowWord::loop_do;
+      } else if (name == "END" || name == "EN") {
+        found.word = FlowWord::loop_end;
+      } else {
+        found.word = FlowWord::none;
+      }
+      found.name = digits_at(line, p);
+      if (found.name.empty()) found.word = FlowWord::none;
+    }
+    found.behind = p;
+    if (found.word != FlowWord::none) out.push_back(std::move(found));
+  }
+}
+
+bool oword_name(std::string_view line, std::size_t& p, std::string& name) {
+  name.clear();
+  if (upper(at(line, p)) != 'O') return false;
+  std::size_t q = skip_blanks(line, p + 1);
+  const char c = at(line, q);
+  if (c == '<') {
+    const std::size_t end = line.find('>', q);
+    if (end == std::string_view::npos) return false;
+    for (std::size_t i = q + 1; i < end; ++i)
+      if (line[i] != ' ' && line[i] != '\t') name += upper(line[i]);
+    q = end + 1;
+  } else if (is_digit(c)) {
+    name = digits_at(line, q);
+    const std::size_t zeros = name.find_first_not_of('0');
+    name.erase(0, zeros == std::string::npos ? name.size() - 1 : zeros);
+  } else if (c == '[') {
+    const std::size_t end = closing_bracket(line, q);
+    if (end == std::string_view::npos) return false;
+    q = end + 1;
+  } else if (c == '#') {
+    ++q;
+    while (at(line, q) == '#') ++q;
+    const std::size_t end = at(line, q) == '<' ? line.find('>', q) : q;
+    if (end == std::string_view::npos) return false;
+    if (end > q) q = end + 1;
+    while (is_digit(at(line, q))) ++q;
+  } else {
+    return false;
+  }
+  p = q;
+  return true;
+}
+
+std::string oword_keyword(std::string_view line, std::size_t& p) {
+  std::string word = letters_at(line, p);
+  for (std::size_t q = p; !word.empty() && word.size() < 16;) {
+    const std::string more = letters_at(line, q);
+    if (more.empty()) break;
+    word += more;
+    p = q;
+  }
+  return word;
+}
+
+void scan_oword_line(std::string_view line, std::vector<FoundWord>& out) {
+  long number = -1;
+  FoundWord found;
+  std::size_t p = found.at = behind_number(line, 0, number);
+  if (!oword_name(line, p, found.name)) return;
+  const std::string word = oword_keyword(line, p);
+  if (word.empty()) found.word = FlowWord::label;
+  for (const auto& [name, meaning] : kOwords)
+    if (name == word) found.word = meaning;
+  found.behind = p;
+  if (found.word != FlowWord::none && found.word != FlowWord::call) out.push_back(std::move(found));
+}
+
+void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out) {
+  long number = -1;
+  std::size_t p = behind_number(line, 0, number);
+  for (;;) {
+    const std::size_t from = p;
+    const char c = upper(at(line, p));
+    if (!is_letter(c) && c != '_') return;
+    while (is_name(at(line, p))) ++p;
+    const std::string name = upper_case(line.substr(from, std::min<std::size_t>(p - from, 33)));
+    const std::size_t end = skip_blanks(line, p);
+    if (at(line, end) == ':') {
+      out.push_back({FlowWord::label, from, end + 1, name});
+      p = skip_blanks(line, end + 1);
+      continue;
+    }
+    for (const auto& [known, word] : kSinumerikWords) {
+      if (known != name || at(line, end) == '=') continue;
+      if (word == FlowWord::branch && has_jump(line.substr(p))) return;
+      if (word == FlowWord::loop_repeat && !ends_here(line, p)) return;
+      out.push_back({word, from, p, {}});
+      return;
+    }
+    return;
+  }
+}
+
+}  // namespace mrsim

@@ -1,0 +1,38 @@
+// Finds the words of control structures in one line of text, by the rules of each control.
+// Does not: match them with one another (Outline does) or read expressions.
+#pragma once
+
+#include "interp/language/outline.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+struct FoundWord {
+  FlowWord word = FlowWord::none;
+  std::size_t at = 0, behind = 0;
+  std::string name;  ///< loop number, label, name of a subprogram; upper case
+};
+
+/// Appends what stands in the line.
+void scan_macro_line(std::string_view line, std::vector<FoundWord>& out);
+void scan_oword_line(std::string_view line, std::vector<FoundWord>& out);
+void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out);
+
+/// Where the words of a block begin behind blanks, "/2" and "N10". `number`: the N word, or -1.
+std::size_t behind_number(std::string_view line, std::size_t from, long& number);
+
+/// The bracket that closes the one at `open`, or npos.
+std::size_t closing_bracket(std::string_view line, std::size_t open);
+
+/// The O word at `p`: its name (upper case, without blanks; empty for an expression), `p` behind
+/// it. False: no O word.
+bool oword_name(std::string_view line, std::size_t& p, std::string& name);
+/// The word behind an O word, in which blanks mean nothing ("end sub").
+std::string oword_keyword(std::string_view line, std::size_t& p);
+/// The letters at `p`, upper case, and the position behind them and before it (blanks skipped).
+std::string letters_at(std::string_view line, std::size_t& p);
+
+}  // namespace mrsim

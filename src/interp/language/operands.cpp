@@ -1,0 +1,314 @@
+// The operands of expressions: numbers, variables, functions, frames.
+#include "core/text_io.h"
+#include "interp/language/expression.h"
+#include "interp/language/operations.h"
+#include "interp/text/characters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kMostIndices = 3;
+
+constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+}  // namespace
+
+bool Evaluator::number(Value& out) {
+  const std::size_t from = p_;
+  std::uint64_t mantissa = 0;
+  std::size_t digits = 0, fraction = 0;
+  bool point = false;
+  for (;; ++p_) {
+    const char c = at(p_);
+    if (is_digit(c)) {
+      if (++digits <= 15) mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
+      if (point) ++fraction;
+    } else if (c == '.' && !point) {
+      point = true;
+    } else if (!(rules_.glued_blanks && (c == ' ' || c == '\t'))) {
+      break;
+    }
+  }
+  while (p_ > from && (line_[p_ - 1] == ' ' || line_[p_ - 1] == '\t')) --p_;
+  const bool exponent = !rules_.hash && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X';
+  if (digits > 0 && digits <= 15 && !exponent) {
+    out = Value::of(static_cast<double>(mantissa) / kPowersOfTen[fraction]);
+    return at(p_) != '.' || fail("number-malformed", "a second point in the number", from, p_ + 1);
+  }
+  std::string text;
+  for (std::size_t i = from; i < p_; ++i)
+    if (line_[i] != ' ' && line_[i] != '\t') text += line_[i];
+  if (exponent) {
+    text += 'e';
+    p_ += 2;
+    if (at(p_) == '-' || at(p_) == '+') text += line_[p_++];
+    while (is_digit(at(p_))) text += line_[p_++];
+  }
+  const std::optional<double> value = parse_number(text, true);
+  if (!value)
+    return fail("number-malformed", fmt::format("\"{}\" is not a number", text.substr(0, 40)), from,
+                p_);
+  out = Value::of(*value);
+  return true;
+}
+
+// 'HFF' and 'B101'
+bool Evaluator::radix(Value& out) {
+  const std::size_t from = p_, end = line_.find('\'', p_ + 1);
+  const char kind = upper(at(p_ + 1));
+  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
+  if (base == 0 || end == std::string_view::npos || end - from > 34 || end == from + 2)
+    return fail("number-malformed", "expected 'H...' or 'B...'", from, from + 1);
+  double value = 0;
+  for (std::size_t i = from + 2; i < end; ++i) {
+    const char c = upper(line_[i]);
+    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+    if (digit >= base) return fail("number-malformed", "expected 'H...' or 'B...'", from, end + 1);
+    value = value * base + digit;
+  }
+  p_ = end + 1;
+  out = Value::of(value);
+  return true;
+}
+
+bool Evaluator::text(Value& out) {
+  const std::size_t end = line_.find('"', p_ + 1);
+  if (end == std::string_view::npos)
+    return fail("string-unterminated", "the text that starts here is not closed with \"", p_,
+                p_ + 1);
+  out = Value::of_text(std::string(line_.substr(p_ + 1, end - p_ - 1)));
+  p_ = end + 1;
+  return true;
+}
+
+bool Evaluator::bracketed_name(std::string_view line, std::size_t& p, std::string& name) {
+  const std::size_t end = line.find('>', p);
+  name.clear();
+  if (end == std::string_view::npos)
+    return fail("bracket", "the < here is not closed with >", p, p + 1);
+  for (std::size_t i = p + 1; i < end; ++i)
+    if (line[i] != ' ' && line[i] != '\t') name += line[i];
+  p = end + 1;
+  return !name.empty() || fail("expression", "the name between < and > is empty", end - 1, end);
+}
+
+// "#", then a number, a name in < > or any operand that gives the number.
+bool Evaluator::hash_variable(Value& out) {
+  const std::size_t from = p_++;
+  skip_blanks();
+  std::string why;
+  if (at(p_) == '<' && rules_.named_hash) {
+    std::string name;
+    if (!bracketed_name(line_, p_, name)) return false;
+    if (!variables_.named(name, {}, out, why))
+      return fail("variable-unset", std::move(why), from, p_);
+  } else {
+    if (++depth_ > kDeepest) return fail("expression-deep", "too many # in a row", from, p_);
+    Value index;
+    const std::size_t inner = p_;
+    if (!unary(index) || !usable(index, inner)) return false;
+    --depth_;
+    if (!index.is_number() || std::abs(index.number - nearest_whole(index.number)) > 1e-4)
+      return fail("variable-number", "the number of a variable is a whole number", from, p_);
+    if (!variables_.numbered(nearest_whole(index.number), out, why))
+      return fail("variable-number", std::move(why), from, p_);
+  }
+  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  seen(from, out);
+  return true;
+}
+
+const FunctionRow* Evaluator::function_named(std::string_view name) const {
+  for (const FunctionRow& row : rules_.functions)
+    if (row.name == name) return &row;
+  if (!rules_.abbreviated || name.size() < 2) return nullptr;
+  for (const FunctionRow& row : rules_.functions)
+    if (row.name.starts_with(name)) return &row;
+  return nullptr;
+}
+
+bool Evaluator::word(Value& out) {
+  const std::size_t from = p_;
+  if (at(p_) == '$') ++p_;
+  while (rules_.hash ? is_letter(at(p_)) : is_name(at(p_))) ++p_;
+  const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 64)));
+  if (!rules_.hash && (name == "NOT" || name == "B_NOT")) {
+    if (++depth_ > kDeepest) return fail("expression-deep", "too many NOT in a row", from, p_);
+    if (!unary(out)) return false;
+    --depth_;
+    if (!out.is_number()) return fail("expression", "NOT needs a number", from, p_);
+    out.number = name == "NOT" ? (out.number == 0 ? 1.0 : 0.0) : -nearest_whole(out.number) - 1;
+    return true;
+  }
+  const std::size_t end = p_;
+  skip_blanks();
+  if (at(p_) == rules_.open && (rules_.hash || at(p_) == '(')) {
+    if (const FunctionRow* row = function_named(name)) return call(*row, from, out);
+    return fail("function-unknown", fmt::format("{} is no function of this control", name), from,
+                end);
+  }
+  if (rules_.hash)
+    return fail("expression", fmt::format("{} is not known in an expression", name), from, end);
+  p_ = end;
+  return name_variable(from, line_.substr(from, end - from), out);
+}
+
+// R1, R[2], a name with up to three indices, TRUE, FALSE.
+bool Evaluator::name_variable(std::size_t from, std::string_view name, Value& out) {
+  std::array<Value, kMostIndices> indices;
+  std::size_t count = 0;
+  const std::string upper_name = upper_case(name);
+  if (upper_name == "TRUE" || upper_name == "FALSE") {
+    out = Value::of(upper_name == "TRUE");
+    return true;
+  }
+  if (at(p_) == '[') {
+    if (++depth_ > kDeepest) return fail("expression-deep", "too many brackets", from, p_);
+    do {
+      ++p_;
+      if (count == kMostIndices) return fail("expression", "too many indices", from, p_);
+      if (!binary(0, indices[count]) || !usable(indices[count], from)) return false;
+      ++count;
+      skip_blanks();
+    } while (at(p_) == ',');
+    if (at(p_) != ']') return fail("bracket", "the [ here is not closed with ]", from, p_);
+    ++p_;
+    --depth_;
+  }
+  std::string why;
+  const bool r_number =
+      upper_name[0] == 'R' && upper_name.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (r_number && (upper_name.size() > 1) != (count == 1)) {
+    const double number =
+        count == 1 ? indices[0].number : parse_number(upper_name.substr(1)).value_or(-1);
+    if ((count == 1 && !indices[0].is_number()) || number != std::floor(number))
+      return fail("variable-number", "the number of an R parameter is a whole number", from, p_);
+    if (!variables_.numbered(number, out, why))
+      return fail("variable-unset", std::move(why), from, p_);
+  } else if (!variables_.named(name, {indices.data(), count}, out, why)) {
+    return fail("variable-unset", std::move(why), from, p_);
+  }
+  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  seen(from, out);
+  return true;
+}
+
+// Values between the brackets of a function, `p_` on the opening one.
+bool Evaluator::arguments(std::vector<Value>& values, std::size_t most) {
+  const std::size_t from = p_;
+  if (++depth_ > kDeepest) return fail("expression-deep", "too many brackets", from, p_);
+  do {
+    ++p_;
+    Value value;
+    const std::size_t begin = p_;
+    if (!binary(0, value) || !usable(value, begin)) return false;
+    values.push_back(std::move(value));
+    skip_blanks();
+  } while (at(p_) == ',' && values.size() < most);
+  if (at(p_) != rules_.close)
+    return fail("bracket",
+                fmt::format("the {} here is not closed with {}", rules_.open, rules_.close), from,
+                from + 1);
+  ++p_;
+  --depth_;
+  return true;
+}
+
+bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
+  if (row.function == Function::exists) return exists_call(from, out);
+  if (row.function >= Function::frame_trans && row.function <= Function::frame_mirror)
+    return frame_call(row, from, out);
+  std::vector<Value> values;
+  if (!arguments(values, static_cast<std::size_t>(row.most))) return false;
+  skip_blanks();
+  if (row.function == Function::arc_tangent && rules_.hash && at(p_) == '/') {
+    std::size_t behind = p_ + 1;
+    while (at(behind) == ' ' || at(behind) == '\t') ++behind;
+    if (at(behind) == rules_.open) {  // ATAN[y]/[x]
+      p_ = behind;
+      if (!arguments(values, 1)) return false;
+    }
+  }
+  const bool bare = row.function == Function::arc_tangent && rules_.named_hash;
+  if (values.size() < static_cast<std::size_t>(row.least) || (bare && values.size() != 2))
+    return fail("function-arguments",
+                bare ? std::string("ATAN is written ATAN[y]/[x]")
+                     : fmt::format("{} needs {} arguments", row.name, row.least),
+                from, p_);
+  std::string why;
+  if (!apply_function(rules_, row.function, values, round_step_, out, why))
+    return fail("expression", std::move(why), from, p_);
+  return !out.is_number() || std::abs(out.number) <= kLargestValue ||
+         fail("number-too-large", "the result is too large", from, p_);
+}
+
+// EXISTS[#<name>], EXISTS[#1]: asks without reading.
+bool Evaluator::exists_call(std::size_t from, Value& out) {
+  ++p_;
+  skip_blanks();
+  if (at(p_) != '#')
+    return fail("expression", "EXISTS asks for a variable: # expected", p_, p_ + 1);
+  ++p_;
+  skip_blanks();
+  if (at(p_) == '<') {
+    std::string name;
+    if (!bracketed_name(line_, p_, name)) return false;
+    out = Value::of(variables_.exists(name));
+  } else {
+    Value index;
+    if (!unary(index) || !usable(index, from)) return false;
+    out = Value::of(index.is_number() && variables_.exists(nearest_whole(index.number)));
+  }
+  skip_blanks();
+  if (at(p_) != rules_.close)
+    return fail("bracket", "EXISTS asks for one variable: ] expected", p_, p_ + 1);
+  ++p_;
+  return true;
+}
+
+// CTRANS(X, 10, Y, 5), CROT(Z, 30), CMIRROR(X): axes and values in turn.
+bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out) {
+  Frame frame;
+  Vec3 factors{1, 1, 1}, shift;
+  const bool mirror = row.function == Function::frame_mirror;
+  do {
+    ++p_;
+    skip_blanks();
+    const char axis = upper(at(p_));
+    if (axis < 'X' || axis > 'Z' || is_name(at(p_ + 1)))
+      return fail("frame-axis", "the axis X, Y or Z is expected here", p_, p_ + 1);
+    ++p_;
+    skip_blanks();
+    Value value = Value::of(-1);
+    if (!mirror) {
+      if (at(p_) != ',') return fail("expression", "a comma is expected here", p_, p_ + 1);
+      ++p_;
+      const std::size_t begin = p_;
+      if (!binary(0, value) || !usable(value, begin)) return false;
+      if (!value.is_number()) return fail("expression", "a number is needed here", begin, p_);
+    }
+    const int i = axis - 'X';
+    if (row.function == Function::frame_trans)
+      component(shift, i) = value.number;
+    else if (row.function == Function::frame_rot)
+      frame = compose(frame, rotation_frame(i, value.number));
+    else
+      component(factors, i) = value.number;
+    skip_blanks();
+  } while (at(p_) == ',');
+  if (at(p_) != ')') return fail("bracket", "the ( here is not closed with )", from, p_);
+  ++p_;
+  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+    return fail("expression", "a scale of 0 leaves nothing", from, p_);
+  if (row.function == Function::frame_trans) frame = shift_frame(shift);
+  if (row.function == Function::frame_scale || mirror) frame = scale_frame(factors);
+  out = Value::of_frame(frame);
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,385 @@
+#include "interp/language/operations.h"
+
+#include "core/exponential.h"
+#include "core/text_io.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLargestAngle = 1e9;
+constexpr double kLargestBits = 9007199254740992.0;  // 2^53
+constexpr std::size_t kLongestText = 1000;
+
+bool fail(std::string& why, std::string text) {
+  why = std::move(text);
+  return false;
+}
+
+bool equal(const ExpressionRules& rules, double a, double b) {
+  const double gap = std::abs(a - b);
+  return gap <= rules.equal_within ||
+         gap <= rules.equal_relative * std::max(std::abs(a), std::abs(b));
+}
+
+bool text_operator(Operator op, Value& left, const Value& right, std::string& why) {
+  const auto as_text = [](const Value& value) {
+    return value.kind == Value::Kind::text ? value.text : value_text(value.number);
+  };
+  if (op == Operator::join) {
+    left = Value::of_text(as_text(left) + as_text(right));
+    if (left.text.size() > kLongestText) return fail(why, "the text grows too long");
+    return true;
+  }
+  if (left.kind != right.kind) return fail(why, "a text and a number cannot be combined here");
+  const int order = left.text.compare(right.text);
+  switch (op) {
+    case Operator::equal:
+      left = Value::of(order == 0);
+      return true;
+    case Operator::unequal:
+      left = Value::of(order != 0);
+      return true;
+    case Operator::less:
+      left = Value::of(order < 0);
+      return true;
+    case Operator::less_equal:
+      left = Value::of(order <= 0);
+      return true;
+    case Operator::greater:
+      left = Value::of(order > 0);
+      return true;
+    case Operator::greater_equal:
+      left = Value::of(order >= 0);
+      return true;
+    default:
+      return fail(why, "texts can only be compared and joined with <<");
+  }
+}
+
+bool bit_operator(Operator op, double& a, double b, std::string& why) {
+  if (std::abs(a) > kLargestBits || std::abs(b) > kLargestBits)
+    return fail(why, "too large for an operation on bits");
+  const auto x = static_cast<std::int64_t>(nearest_whole(a));
+  const auto y = static_cast<std::int64_t>(nearest_whole(b));
+  a = static_cast<double>(op == Operator::bits_and  ? x & y
+                          : op == Operator::bits_or ? x | y
+                                                    : x ^ y);
+  return true;
+}
+
+bool divide(const ExpressionRules& rules, Operator op, double& a, double b, std::string& why) {
+  if (b == 0) return fail(why, fmt::format("division by 0{}", rules.zero_divide_alarm));
+  switch (op) {
+    case Operator::divide:
+      a /= b;
+      break;
+    case Operator::divide_whole:
+      a = std::trunc(a / b);
+      break;
+    default:
+      a = std::fmod(a, b);
+      if (op == Operator::remainder_up && a < 0) a += std::abs(b);
+  }
+  return true;
+}
+
+bool raise(double& a, double b, std::string& why) {
+  if (a < 0 && b != std::floor(b))
+    return fail(why, "a negative number has no power with a fraction as exponent");
+  if (a == 0 && b < 0) return fail(why, "0 has no negative power");
+  a = a == 0 ? (b == 0 ? 1.0 : 0.0) : power(a, b);
+  return true;
+}
+
+bool number_operator(const ExpressionRules& rules, Operator op, double& a, double b,
+                     std::string& why) {
+  switch (op) {
+    case Operator::add:
+      a += b;
+      return true;
+    case Operator::subtract:
+      a -= b;
+      return true;
+    case Operator::multiply:
+      a *= b;
+      return true;
+    case Operator::equal:
+      a = equal(rules, a, b);
+      return true;
+    case Operator::unequal:
+      a = !equal(rules, a, b);
+      return true;
+    case Operator::less:
+      a = a < b;
+      return true;
+    case Operator::less_equal:
+      a = a <= b;
+      return true;
+    case Operator::greater:
+      a = a > b;
+      return true;
+    case Operator::greater_equal:
+      a = a >= b;
+      return true;
+    case Operator::both:
+      a = a != 0 && b != 0;
+      return true;
+    case Operator::either:
+      a = a != 0 || b != 0;
+      return true;
+    case Operator::one_of:
+      a = (a != 0) != (b != 0);
+      return true;
+    case Operator::bits_and:
+    case Operator::bits_or:
+    case Operator::bits_xor:
+      return bit_operator(op, a, b, why);
+    case Operator::power:
+      return raise(a, b, why);
+    case Operator::join:
+    case Operator::chain:
+      return fail(why, "this operator is not for numbers");
+    default:
+      return divide(rules, op, a, b, why);
+  }
+}
+
+bool trigonometric(const ExpressionRules& rules, Function function, double x, double& out,
+                   std::string& why) {
+  if (std::abs(x) > kLargestAngle) return fail(why, "the angle is above 1e9 degrees");
+  const SinCos sc = sincos_deg(x);
+  if (function == Function::sine) {
+    out = sc.sin;
+  } else if (function == Function::cosine) {
+    out = sc.cos;
+  } else {
+    if (sc.cos == 0)
+      return fail(why, fmt::format("TAN of {:g} degrees is infinite{}", x, rules.range_alarm));
+    out = sc.sin / sc.cos;
+  }
+  return true;
+}
+
+bool arc_function(const ExpressionRules& rules, Function function, double x, double& out,
+                  std::string& why) {
+  if (x < -1 || x > 1)
+    return fail(
+        why, fmt::format("{} of {:g}: the argument is -1 to 1{}",
+                         function == Function::arc_sine ? "ASIN" : "ACOS", x, rules.range_alarm));
+  const double other = std::sqrt((1 - x) * (1 + x));
+  out = degrees(function == Function::arc_sine ? mrsim::atan2(x, other) : mrsim::atan2(other, x));
+  if (function == Function::arc_sine && rules.arc_sine_full && out < 0) out += 360;
+  return true;
+}
+
+// Between binary-coded decimal and number: each digit is four bits.
+bool coded_decimal(bool decode, double x, double& out, std::string& why) {
+  const double limit = decode ? 4294967295.0 : 99999999.0;
+  if (x < 0 || x > limit || x != std::floor(x))
+    return fail(why, fmt::format("{:g} is out of the range of BCD and BIN", x));
+  auto rest = static_cast<std::uint64_t>(x);
+  const std::uint64_t from = decode ? 16 : 10, to = decode ? 10 : 16;
+  std::uint64_t place = 1, sum = 0;
+  for (; rest != 0; rest /= from, place *= to) {
+    if (rest % from > 9) return fail(why, "a digit of the binary-coded number is above 9");
+    sum += place * (rest % from);
+  }
+  out = static_cast<double>(sum);
+  return true;
+}
+
+bool one_number(const ExpressionRules& rules, Function function, double x, double round_step,
+                double& out, std::string& why) {
+  switch (function) {
+    case Function::sine:
+    case Function::cosine:
+    case Function::tangent:
+      return trigonometric(rules, function, x, out, why);
+    case Function::arc_sine:
+    case Function::arc_cosine:
+      return arc_function(rules, function, x, out, why);
+    case Function::arc_tangent:
+      out = degrees(mrsim::atan2(x, 1));
+      return true;
+    case Function::absolute:
+      out = std::abs(x);
+      return true;
+    case Function::square_root:
+      if (x < 0) return fail(why, fmt::format("the square root of {:g}{}", x, rules.range_alarm));
+      out = std::sqrt(x);
+      return true;
+    case Function::square:
+      out = x * x;
+      return true;
+    case Function::exponential:
+      out = exponential(x);
+      return true;
+    case Function::logarithm:
+      if (x <= 0) return fail(why, fmt::format("the logarithm of {:g}{}", x, rules.range_alarm));
+      out = natural_logarithm(x);
+      return true;
+    case Function::round:
+      out = round_step == 1 ? nearest_whole(x) : nearest_whole(x / round_step) * round_step;
+      return true;
+    case Function::floor:
+      out = std::floor(x);
+      return true;
+    case Function::ceiling:
+      out = std::ceil(x);
+      return true;
+    case Function::truncate:
+      out = std::trunc(x);
+      return true;
+    case Function::away:
+      out = x < 0 ? std::floor(x) : std::ceil(x);
+      return true;
+    case Function::from_decimal:
+    case Function::to_decimal:
+      return coded_decimal(function == Function::from_decimal, x, out, why);
+    case Function::tool_decimals:
+      out = x;
+      return true;
+    default:
+      return fail(why, "this function is not for numbers");
+  }
+}
+
+bool several_numbers(const ExpressionRules& rules, Function function,
+                     std::span<const Value> arguments, double& out, std::string& why) {
+  const double a = arguments[0].number, b = arguments[1].number;
+  switch (function) {
+    case Function::arc_tangent:
+      out = degrees(mrsim::atan2(a, b));
+      if (rules.full_turn && out < 0) out += 360;
+      return true;
+    case Function::power:
+      out = a;
+      return raise(out, b, why);
+    case Function::smallest:
+      out = std::min(a, b);
+      return true;
+    case Function::largest:
+      out = std::max(a, b);
+      return true;
+    case Function::bound:  // BOUND(lowest, highest, value)
+      out = std::min(std::max(arguments[2].number, a), b);
+      return true;
+    default:
+      return fail(why, "this function is not for numbers");
+  }
+}
+
+double index_of(const std::string& text, const std::string& sought, bool last) {
+  if (sought.size() != 1) return -1;
+  const std::size_t at = last ? text.rfind(sought[0]) : text.find(sought[0]);
+  return at == std::string::npos ? -1 : static_cast<double>(at);
+}
+
+bool text_function(Function function, std::span<const Value> arguments, Value& out,
+                   std::string& why) {
+  const std::string& text = arguments[0].text;
+  const std::optional<double> number = parse_number(text, true);
+  switch (function) {
+    case Function::to_number:
+      if (!number) return fail(why, fmt::format("\"{}\" is not a number", text.substr(0, 40)));
+      out = Value::of(*number);
+      return true;
+    case Function::is_number:
+      out = Value::of(number.has_value());
+      return true;
+    case Function::text_length:
+      out = Value::of(static_cast<double>(text.size()));
+      return true;
+    case Function::upper_text:
+      out = Value::of_text(upper_case(text));
+      return true;
+    case Function::lower_text: {
+      std::string lower = text;
+      for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+      out = Value::of_text(std::move(lower));
+      return true;
+    }
+    case Function::text_index:
+    case Function::text_rindex:
+      out = Value::of(index_of(text, arguments[1].text, function == Function::text_rindex));
+      return true;
+    case Function::as_text:
+      out = Value::of_text(text);
+      return true;
+    case Function::part_of_text: {
+      const double from = arguments[1].number,
+                   count = arguments.size() > 2 ? arguments[2].number : kLargestAngle;
+      if (!(from >= 0) || !(count >= 0) || from > static_cast<double>(text.size()))
+        return fail(why, "SUBSTR begins outside of the text");
+      out = Value::of_text(
+          text.substr(static_cast<std::size_t>(from),
+                      static_cast<std::size_t>(std::min(count, static_cast<double>(text.size())))));
+      return true;
+    }
+    default:
+      return fail(why, "this function is not for texts");
+  }
+}
+
+}  // namespace
+
+double nearest_whole(double x) {
+  const double whole = std::trunc(x);
+  return std::abs(x - whole) >= 0.5 ? whole + (x < 0 ? -1 : 1) : whole;
+}
+
+std::string value_text(double value) { return fmt::format("{:.10g}", value); }
+
+std::string value_shown(const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::number:
+      return value_text(value.number);
+    case Value::Kind::text:
+      return fmt::format("\"{}\"", to_utf8(value.text));
+    case Value::Kind::frame:
+      return "a frame";
+    default:
+      return "vacant";
+  }
+}
+
+bool apply_operator(const ExpressionRules& rules, Operator op, Value& left, const Value& right,
+                    std::string& why) {
+  using Kind = Value::Kind;
+  if (left.kind == Kind::number && right.kind == Kind::number && op != Operator::join)
+    return number_operator(rules, op, left.number, right.number, why);
+  if (op == Operator::chain && left.kind == Kind::frame && right.kind == Kind::frame) {
+    left = Value::of_frame(compose(*left.frame, *right.frame));
+    return true;
+  }
+  if (left.kind == Kind::frame || right.kind == Kind::frame)
+    return fail(why, "frames can only be chained with :");
+  return text_operator(op, left, right, why);
+}
+
+bool apply_function(const ExpressionRules& rules, Function function,
+                    std::span<const Value> arguments, double round_step, Value& out,
+                    std::string& why) {
+  if (arguments[0].kind == Value::Kind::text) return text_function(function, arguments, out, why);
+  for (const Value& argument : arguments)
+    if (argument.kind != Value::Kind::number) return fail(why, "a number is needed here");
+  double result = 0;
+  const bool one = arguments.size() == 1;
+  if (!(one ? one_number(rules, function, arguments[0].number, round_step, result, why)
+            : several_numbers(rules, function, arguments, result, why)))
+    return false;
+  out = Value::of(result);
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,112 @@
+// The control structures of a program file, found in one scan: where loops, branches, labels and
+// subprograms are, and which belong together. Expressions are not read here.
+// Guarantees: memory grows with the number of structures, not with the length of the program.
+// Does not: know the numbers of blocks (find_block_number scans for one).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// A spot in a file where reading can go on.
+struct Place {
+  std::uint64_t offset = 0;  ///< of the start of a line
+  int line = 0;              ///< number of the line before it
+  std::size_t position = 0;  ///< in the line
+  friend auto operator<=>(const Place& a, const Place& b) {
+    return a.offset != b.offset ? a.offset <=> b.offset : a.position <=> b.position;
+  }
+  friend bool operator==(const Place& a, const Place& b) {
+    return a.offset == b.offset && a.position == b.position;
+  }
+};
+
+enum class FlowWord : std::uint8_t {
+  none,
+  branch,  ///< IF
+  branch_else_if,
+  branch_else,
+  branch_end,
+  loop_while,  ///< WHILE
+  loop_do,     ///< FANUC DO, LinuxCNC do
+  loop_for,
+  loop_forever,  ///< SINUMERIK LOOP
+  loop_repeat,   ///< LinuxCNC repeat, SINUMERIK REPEAT ... UNTIL
+  loop_end,
+  loop_until,  ///< ends a loop_repeat or loop_do with a condition
+  loop_break,
+  loop_continue,
+  sub,
+  sub_end,
+  sub_return,
+  call,
+  label,
+  section,  ///< header of a program
+};
+
+struct FlowEntry {
+  Place at;            ///< where the statement starts
+  std::size_t behind;  ///< position behind its keyword
+  FlowWord word = FlowWord::none;
+  std::uint32_t name = 0;                ///< index into Outline::names, 0 = none
+  int first = -1, next = -1, last = -1;  ///< entries of the same structure
+  int section = 0;
+};
+
+/// How structures are written: FANUC WHILE DO END, LinuxCNC's O words, SINUMERIK's names.
+enum class OutlineForm : std::uint8_t { macro, owords, sinumerik };
+
+/// A fault of the structure as a whole: something is not closed, or closes nothing.
+struct OutlineFault {
+  Place at;
+  std::string text;
+};
+
+class Outline {
+ public:
+  /// Throws Error "file-...".
+  Outline(const std::string& file, OutlineForm form);
+
+  /// The entry that starts at a place, or -1.
+  int find(const Place& at) const;
+  const FlowEntry& entry(int i) const { return entries_[static_cast<std::size_t>(i)]; }
+  std::size_t size() const { return entries_.size(); }
+  const std::string& name(const FlowEntry& entry) const { return names_[entry.name]; }
+  /// The sub or label of a name (upper case) in a section, or anywhere with section -1; or -1.
+  int find_name(FlowWord word, std::string_view name, int section) const;
+  /// Labels of a name between two places, in order of the text: the first, or the last.
+  int find_label(std::string_view name, const Place& from, const Place& to, bool last) const;
+  /// The section that holds a place, and where it begins and ends.
+  int section_at(const Place& at) const;
+  Place section_begin(int section) const;
+  Place section_end(int section) const;
+  const OutlineFault* fault_in(int section) const;
+
+ private:
+  struct Open {
+    int entry;
+    FlowWord word;
+    std::uint32_t name;
+  };
+  void add(FlowEntry entry, std::vector<Open>& open);
+  void close(int index, std::vector<Open>& open);
+  void chain(int index, std::vector<Open>& open, bool last);
+  void leave_loop(int index, const std::vector<Open>& open);
+  void begin_section(const Place& at, std::vector<Open>& open);
+  void fault(const Place& at, std::string text);
+  std::uint32_t name_index(const std::string& name);
+
+  std::vector<FlowEntry> entries_;
+  std::vector<Place> sections_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t, std::less<>> name_indices_;
+  std::multimap<std::uint32_t, int> named_;  ///< subs and labels
+  std::map<int, OutlineFault> faults_;
+  Place end_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,137 @@
+#include "interp/language/rules.h"
+
+namespace mrsim {
+namespace {
+
+using O = Operator;
+using F = Function;
+
+// LinuxCNC: ** before * / MOD before + - before comparisons before AND OR XOR; equal ones from the
+// left.
+constexpr OperatorRow kLinuxcnc[] = {
+    {"**", O::power, 5},         {"*", O::multiply, 4}, {"/", O::divide, 4},
+    {"MOD", O::remainder_up, 4}, {"+", O::add, 3},      {"-", O::subtract, 3},
+    {"EQ", O::equal, 2},         {"NE", O::unequal, 2}, {"GT", O::greater, 2},
+    {"GE", O::greater_equal, 2}, {"LT", O::less, 2},    {"LE", O::less_equal, 2},
+    {"AND", O::both, 1},         {"OR", O::either, 1},  {"XOR", O::one_of, 1},
+};
+
+constexpr FunctionRow kLinuxcncFunctions[] = {
+    {"ABS", F::absolute},     {"ACOS", F::arc_cosine}, {"ASIN", F::arc_sine},
+    {"ATAN", F::arc_tangent}, {"COS", F::cosine},      {"EXISTS", F::exists},
+    {"EXP", F::exponential},  {"FIX", F::floor},       {"FUP", F::ceiling},
+    {"LN", F::logarithm},     {"ROUND", F::round},     {"SIN", F::sine},
+    {"SQRT", F::square_root}, {"TAN", F::tangent},
+};
+
+// FANUC: * / AND MOD before + - OR XOR before comparisons.
+constexpr OperatorRow kFanuc[] = {
+    {"*", O::multiply, 3},    {"/", O::divide, 3},      {"AND", O::bits_and, 3},
+    {"MOD", O::remainder, 3}, {"+", O::add, 2},         {"-", O::subtract, 2},
+    {"OR", O::bits_or, 2},    {"XOR", O::bits_xor, 2},  {"EQ", O::equal, 1},
+    {"NE", O::unequal, 1},    {"GT", O::greater, 1},    {"GE", O::greater_equal, 1},
+    {"LT", O::less, 1},       {"LE", O::less_equal, 1},
+};
+
+constexpr FunctionRow kFanucFunctions[] = {
+    {"SIN", F::sine},          {"COS", F::cosine},      {"TAN", F::tangent},
+    {"ASIN", F::arc_sine},     {"ACOS", F::arc_cosine}, {"ATAN", F::arc_tangent, 1, 2},
+    {"SQRT", F::square_root},  {"SQR", F::square_root}, {"ABS", F::absolute},
+    {"BIN", F::from_decimal},  {"BCD", F::to_decimal},  {"ROUND", F::round},
+    {"RND", F::round},         {"FIX", F::truncate},    {"FUP", F::away},
+    {"LN", F::logarithm},      {"EXP", F::exponential}, {"POW", F::power, 2, 2},
+    {"ADP", F::tool_decimals},
+};
+
+// SINUMERIK: NOT and B_NOT (operands), * / DIV MOD, + -, B_AND, B_XOR, B_OR, AND, XOR, OR, <<,
+// comparisons; the colon of frames binds most closely.
+constexpr OperatorRow kSinumerik[] = {
+    {":", O::chain, 12},       {"*", O::multiply, 10},
+    {"/", O::divide, 10},      {"DIV", O::divide_whole, 10},
+    {"MOD", O::remainder, 10}, {"+", O::add, 9},
+    {"-", O::subtract, 9},     {"B_AND", O::bits_and, 8},
+    {"B_XOR", O::bits_xor, 7}, {"B_OR", O::bits_or, 6},
+    {"AND", O::both, 5},       {"XOR", O::one_of, 4},
+    {"OR", O::either, 3},      {"<<", O::join, 2},
+    {"==", O::equal, 1},       {"<>", O::unequal, 1},
+    {"<=", O::less_equal, 1},  {">=", O::greater_equal, 1},
+    {"<", O::less, 1},         {">", O::greater, 1},
+};
+
+constexpr FunctionRow kSinumerikFunctions[] = {
+    {"SIN", F::sine},
+    {"COS", F::cosine},
+    {"TAN", F::tangent},
+    {"ASIN", F::arc_sine},
+    {"ACOS", F::arc_cosine},
+    {"ATAN2", F::arc_tangent, 2, 2},
+    {"SQRT", F::square_root},
+    {"POT", F::square},
+    {"ABS", F::absolute},
+    {"TRUNC", F::truncate},
+    {"ROUND", F::round},
+    {"ROUNDUP", F::ceiling},
+    {"LN", F::logarithm},
+    {"EXP", F::exponential},
+    {"MINVAL", F::smallest, 2, 2},
+    {"MAXVAL", F::largest, 2, 2},
+    {"BOUND", F::bound, 3, 3},
+    {"NUMBER", F::to_number},
+    {"ISNUMBER", F::is_number},
+    {"STRLEN", F::text_length},
+    {"TOUPPER", F::upper_text},
+    {"TOLOWER", F::lower_text},
+    {"INDEX", F::text_index, 2, 2},
+    {"RINDEX", F::text_rindex, 2, 2},
+    {"SUBSTR", F::part_of_text, 2, 3},
+    {"AXSTRING", F::as_text},
+    {"CTRANS", F::frame_trans, 2, 16},
+    {"CROT", F::frame_rot, 2, 16},
+    {"CSCALE", F::frame_scale, 2, 16},
+    {"CMIRROR", F::frame_mirror, 1, 8},
+};
+
+}  // namespace
+
+const ExpressionRules& linuxcnc_rules() {
+  static const ExpressionRules kRules = [] {
+    ExpressionRules rules;
+    rules.operators = kLinuxcnc;
+    rules.functions = kLinuxcncFunctions;
+    rules.named_hash = true;
+    rules.equal_within = 1e-4;
+    return rules;
+  }();
+  return kRules;
+}
+
+const ExpressionRules& fanuc_rules() {
+  static const ExpressionRules kRules = [] {
+    ExpressionRules rules;
+    rules.operators = kFanuc;
+    rules.functions = kFanucFunctions;
+    rules.abbreviated = rules.vacant_is_zero = true;
+    rules.full_turn = rules.arc_sine_full = true;
+    rules.zero_divide_alarm = " (alarm 112)";
+    rules.range_alarm = " (alarm 119)";
+    return rules;
+  }();
+  return kRules;
+}
+
+const ExpressionRules& sinumerik_rules() {
+  static const ExpressionRules kRules = [] {
+    ExpressionRules rules;
+    rules.open = '(';
+    rules.close = ')';
+    rules.operators = kSinumerik;
+    rules.functions = kSinumerikFunctions;
+    rules.hash = rules.glued_blanks = false;
+    rules.equal_relative = 1e-12;
+    rules.zero_divide_alarm = rules.range_alarm = " (alarm 14051)";
+    return rules;
+  }();
+  return kRules;
+}
+
+}  // namespace mrsim

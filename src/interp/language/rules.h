@@ -1,0 +1,109 @@
+// The arithmetic of each control as tables: operators with their precedence, functions with their
+// arguments. No logic.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace mrsim {
+
+enum class Operator : std::uint8_t {
+  add,
+  subtract,
+  multiply,
+  divide,
+  divide_whole,  ///< SINUMERIK DIV
+  remainder,     ///< sign of the dividend
+  remainder_up,  ///< LinuxCNC MOD: never negative
+  power,
+  equal,
+  unequal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  bits_and,
+  bits_or,
+  bits_xor,
+  both,  ///< truth values
+  either,
+  one_of,
+  join,   ///< SINUMERIK <<
+  chain,  ///< SINUMERIK : of frames
+};
+
+enum class Function : std::uint8_t {
+  sine,
+  cosine,
+  tangent,
+  arc_sine,
+  arc_cosine,
+  arc_tangent,
+  absolute,
+  square_root,
+  square,
+  exponential,
+  logarithm,
+  power,
+  round,
+  floor,         ///< LinuxCNC FIX
+  ceiling,       ///< LinuxCNC FUP
+  truncate,      ///< towards 0
+  away,          ///< away from 0
+  from_decimal,  ///< BIN: binary-coded decimal to number
+  to_decimal,    ///< BCD
+  exists,        ///< LinuxCNC EXISTS[#<name>]
+  smallest,
+  largest,
+  bound,
+  to_number,
+  is_number,
+  text_length,
+  upper_text,
+  lower_text,
+  text_index,
+  text_rindex,
+  part_of_text,
+  as_text,
+  frame_trans,
+  frame_rot,
+  frame_scale,
+  frame_mirror,
+  tool_decimals,  ///< FANUC ADP: the value itself
+};
+
+struct OperatorRow {
+  std::string_view name;
+  Operator op;
+  int level;  ///< a higher level binds more closely
+};
+
+struct FunctionRow {
+  std::string_view name;
+  Function function;
+  int least = 1, most = 1;  ///< arguments
+};
+
+/// What the arithmetic of one control looks like.
+struct ExpressionRules {
+  char open = '[', close = ']';
+  std::span<const OperatorRow> operators;
+  std::span<const FunctionRow> functions;
+  bool hash = true;             ///< variables are #1; else R1 and names
+  bool named_hash = false;      ///< #<name>
+  bool glued_blanks = true;     ///< blanks mean nothing, even inside a number
+  bool abbreviated = false;     ///< two letters of a function's name are enough
+  bool vacant_is_zero = false;  ///< a vacant operand counts as 0
+  bool full_turn = false;       ///< the arc tangent of two arguments is 0 to 360
+  bool arc_sine_full = false;   ///< ASIN is 270 to 90, written as 0 to 360
+  double equal_within = 0;      ///< absolute tolerance of = and its opposite
+  double equal_relative = 0;    ///< relative one
+  std::string_view zero_divide_alarm, range_alarm;
+};
+
+const ExpressionRules& linuxcnc_rules();
+const ExpressionRules& fanuc_rules();
+const ExpressionRules& sinumerik_rules();
+
+}  // namespace mrsim

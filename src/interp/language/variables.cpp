@@ -1,0 +1,319 @@
+#include "interp/language/variables.h"
+
+#include "core/text_io.h"
+#include "interp/language/operations.h"
+#include "interp/text/characters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kMostElements = 1'000'000;
+constexpr int kMostR = 32536;
+constexpr int kLinuxcncLast = 5602, kLinuxcncSystem = 5001, kLinuxcncLocals = 30;
+constexpr int kFanucLast = 1000, kFanucLocals = 33;
+
+int locals_of(VariableForm form) {
+  return form == VariableForm::linuxcnc ? kLinuxcncLocals
+         : form == VariableForm::fanuc  ? kFanucLocals
+                                        : -1;
+}
+
+std::string shown(VariableForm form, double number) {
+  return fmt::format("{}{:.0f}", form == VariableForm::sinumerik ? "R" : "#", number);
+}
+
+}  // namespace
+
+Variables::Variables(VariableForm form) : form_(form) {
+  common_.resize(form == VariableForm::linuxcnc ? kLinuxcncLast
+                 : form == VariableForm::fanuc  ? kFanucLast
+                                                : 300);
+  levels_.push_back(std::make_unique<Level>());
+}
+
+void Variables::enter_level() {
+  levels_.push_back(std::make_unique<Level>());
+  if (form_ == VariableForm::fanuc)  // what the call does not give is vacant
+    for (Cell& cell : levels_.back()->cells) cell.state = State::vacant;
+}
+
+void Variables::leave_level() {
+  for (const auto& [name, variable] : levels_.back()->names) elements_ -= variable.elements.size();
+  levels_.pop_back();
+}
+
+// The cell of a number that is no system variable; nullptr with or without `why`.
+Variables::Cell* Variables::cell(double number, std::string& why) {
+  const double last = form_ == VariableForm::sinumerik  ? kMostR - 1
+                      : form_ == VariableForm::linuxcnc ? kLinuxcncLast - 1
+                                                        : kFanucLast - 1;
+  const bool linuxcnc_zero = form_ == VariableForm::linuxcnc && number == 0;
+  if (!(number >= 0 && number <= last) || linuxcnc_zero) {
+    why = fmt::format("{} is no variable of this control: the numbers go from {} to {:.0f}",
+                      shown(form_, number),
+                      linuxcnc_zero || form_ == VariableForm::linuxcnc ? 1 : 0, last);
+    return nullptr;
+  }
+  const auto n = static_cast<std::size_t>(number);
+  if (static_cast<int>(n) <= locals_of(form_)) return &levels_.back()->cells[n];
+  const bool gap = (n > 33 && n < 100) || (n > 199 && n < 500);
+  if (form_ == VariableForm::fanuc && gap) {
+    why = fmt::format(
+        "#{} is no variable of this control: there are #1-#33, #100-#199, #500-#999 "
+        "and system variables from #1000",
+        n);
+    return nullptr;
+  }
+  if (n >= common_.size()) common_.resize(n + 1);
+  return &common_[n];
+}
+
+void Variables::answer(const Cell& cell, double number, Value& out) const {
+  if (cell.state == State::number || form_ == VariableForm::linuxcnc) {
+    out = Value::of(cell.number);  // LinuxCNC: 0 when never set
+    if (cell.state == State::faulty) out.kind = Value::Kind::faulty;
+    return;
+  }
+  out = Value::nothing(cell.state == State::unset);
+  if (cell.state == State::faulty) out.kind = Value::Kind::faulty;
+  if (!out.never_set) return;
+  const std::string name = shown(form_, number);
+  out.text = form_ == VariableForm::fanuc
+                 ? fmt::format("{} was never set: assign it first, or say --set '{}=1'", name, name)
+                 : fmt::format("{} was never set: assign it first, or say --set {}=1", name, name);
+}
+
+bool Variables::numbered(double number, Value& out, std::string& why) {
+  const bool system =
+      (form_ == VariableForm::fanuc && number >= kFanucLast) ||
+      (form_ == VariableForm::linuxcnc && number >= kLinuxcncSystem && number < kLinuxcncLast);
+  if (system) {
+    if (system_) return system_->read(number, out, why);
+    why = fmt::format("the system variable {} is not answered here", shown(form_, number));
+    return false;
+  }
+  if (form_ == VariableForm::fanuc && number == 0) {
+    out = Value::nothing(false);
+    return true;
+  }
+  const Cell* const at = cell(number, why);
+  if (!at) return false;
+  answer(*at, number, out);
+  return true;
+}
+
+bool Variables::assign(double number, const Value& value, std::string& why) {
+  const bool system =
+      (form_ == VariableForm::fanuc && number >= kFanucLast) ||
+      (form_ == VariableForm::linuxcnc && number >= kLinuxcncSystem && number < kLinuxcncLast);
+  if (system) {
+    if (system_) return system_->write(number, value, why);
+    why = fmt::format("the system variable {} cannot be set here", shown(form_, number));
+    return false;
+  }
+  if (form_ == VariableForm::fanuc && number == 0) {
+    why = "#0 is always vacant: nothing can be assigned to it";
+    return false;
+  }
+  Cell* const at = cell(number, why);
+  if (!at) return false;
+  switch (value.kind) {
+    case Value::Kind::number:
+      *at = {value.number, State::number};
+      return true;
+    case Value::Kind::vacant:
+      *at = {0, State::vacant};
+      return true;
+    case Value::Kind::faulty:
+      *at = {0, State::faulty};
+      return true;
+    default:
+      why = fmt::format("{} holds numbers only", shown(form_, number));
+      return false;
+  }
+}
+
+bool Variables::exists(double number) {
+  if (form_ != VariableForm::linuxcnc) return false;
+  return number >= 1 && number < kLinuxcncLast;
+}
+
+// Names differ in no case and have no blanks.
+std::string Variables::key(std::string_view name) const { return upper_case(name); }
+
+Variables::Named* Variables::find(std::string_view name) {
+  const std::string wanted = key(name);
+  const bool global = form_ == VariableForm::linuxcnc && name[0] == '_';
+  if (!global)
+    if (const auto at = levels_.back()->names.find(wanted); at != levels_.back()->names.end())
+      return &at->second;
+  if (form_ == VariableForm::linuxcnc && !global) return nullptr;
+  const auto at = globals_.find(wanted);
+  return at == globals_.end() ? nullptr : &at->second;
+}
+
+bool Variables::exists(std::string_view name) {
+  return !name.empty() && (find(name) || (system_ && system_->knows(name)));
+}
+
+bool Variables::named(std::string_view name, std::span<const Value> indices, Value& out,
+                      std::string& why) {
+  if (Named* const variable = find(name)) {
+    std::size_t at = 0;
+    if (!element(name, *variable, indices, at, why)) return false;
+    out = variable->elements[at];
+    return true;
+  }
+  const bool dollar = name[0] == '$';
+  if (system_ && (dollar || system_->knows(name))) return system_->read(name, indices, out, why);
+  const std::string text = to_utf8(name.substr(0, 60));
+  if (dollar)
+    why = fmt::format("the system variable {} is not answered here", text);
+  else if (form_ == VariableForm::linuxcnc)
+    why = fmt::format("#<{}> was never set: assign it first{}", text,
+                      name[0] == '_' ? fmt::format(", or say --set '#<{}>=1'", text) : "");
+  else
+    why = fmt::format("{} is not defined (alarm 12550): DEF it, or say --set {}=1", text, text);
+  return false;
+}
+
+bool Variables::assign(std::string_view name, std::span<const Value> indices, const Value& value,
+                       std::string& why) {
+  Named* variable = find(name);
+  if (!variable && system_ && (name[0] == '$' || system_->knows(name)))
+    return system_->write(name, indices, value, why);
+  if (!variable && form_ == VariableForm::linuxcnc) {
+    if (!define(name, VariableType::real, {}, name[0] == '_', why)) return false;
+    variable = find(name);
+  }
+  if (!variable) {
+    why = fmt::format("{} is not defined (alarm 12550): DEF it first", to_utf8(name.substr(0, 60)));
+    return false;
+  }
+  std::size_t at = 0;
+  return element(name, *variable, indices, at, why) && store(*variable, at, value, why);
+}
+
+bool Variables::define(std::string_view name, VariableType type, std::array<int, 3> dimensions,
+                       bool global, std::string& why) {
+  Names& names = global ? globals_ : levels_.back()->names;
+  std::size_t count = 1;
+  for (const int size : dimensions) {
+    if (size < 0 || static_cast<std::size_t>(size) > kMostElements) count = kMostElements + 1;
+    if (size > 0 && count <= kMostElements) count *= static_cast<std::size_t>(size);
+  }
+  if (elements_ + count > kMostElements) {
+    why = fmt::format("more than {} variables and elements of arrays", kMostElements);
+    return false;
+  }
+  const auto [at, fresh] = names.try_emplace(key(name));
+  if (!fresh && !global) {
+    why = fmt::format("{} is defined twice (alarm 12170)", to_utf8(name.substr(0, 60)));
+    return false;
+  }
+  elements_ += count - at->second.elements.size();
+  at->second.type = type;
+  at->second.dimensions = dimensions;
+  const Value first = type == VariableType::frame ? Value::of_frame({})
+                      : type == VariableType::text || type == VariableType::axis
+                          ? Value::of_text({})
+                          : Value::of(0);
+  at->second.elements.assign(count, first);
+  return true;
+}
+
+bool Variables::element(std::string_view name, Named& variable, std::span<const Value> indices,
+                        std::size_t& at, std::string& why) const {
+  at = 0;
+  std::size_t wanted = 0;
+  for (const int size : variable.dimensions) wanted += size > 0 ? 1U : 0U;
+  if (indices.size() != wanted) {
+    why = fmt::format("{} has {} indices, and {} are given", to_utf8(name.substr(0, 60)), wanted,
+                      indices.size());
+    return false;
+  }
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const double index = indices[i].is_number() ? nearest_whole(indices[i].number) : -1;
+    if (index < 0 || index >= variable.dimensions[i]) {
+      why = fmt::format("index {} of {} is 0 to {} (alarm 17020)", i + 1,
+                        to_utf8(name.substr(0, 60)), variable.dimensions[i] - 1);
+      return false;
+    }
+    at = at * static_cast<std::size_t>(variable.dimensions[i]) + static_cast<std::size_t>(index);
+  }
+  return true;
+}
+
+bool Variables::store(Named& variable, std::size_t at, const Value& value, std::string& why) const {
+  using Kind = Value::Kind;
+  Value& out = variable.elements[at];
+  if (value.kind == Kind::faulty) {
+    out = value;
+    return true;
+  }
+  const Kind wanted = variable.type == VariableType::frame ? Kind::frame
+                      : variable.type == VariableType::text || variable.type == VariableType::axis
+                          ? Kind::text
+                          : Kind::number;
+  const bool letter = variable.type == VariableType::character && value.kind == Kind::text &&
+                      value.text.size() == 1;
+  if (letter) {
+    out = Value::of(static_cast<unsigned char>(value.text[0]));
+    return true;
+  }
+  if (value.kind != wanted) {
+    why = wanted == Kind::frame    ? "the variable is a FRAME (alarm 12150)"
+          : wanted == Kind::number ? "the variable is a number (alarm 12150)"
+                                   : "the variable is a text (alarm 12150)";
+    return false;
+  }
+  out = value;
+  if (variable.type == VariableType::integer || variable.type == VariableType::character)
+    out.number = nearest_whole(value.number);
+  if (variable.type == VariableType::boolean) out.number = value.number != 0;
+  return true;
+}
+
+bool Variables::fill(std::string_view name, std::span<const Value> indices,
+                     std::span<const Value> values, bool repeat, std::string& why) {
+  Named* const variable = find(name);
+  std::size_t at = 0;
+  if (!variable) {
+    why = fmt::format("{} is not defined (alarm 12550)", to_utf8(name.substr(0, 60)));
+    return false;
+  }
+  if (!indices.empty() && !element(name, *variable, indices, at, why)) return false;
+  const std::size_t left = variable->elements.size() - at;
+  if (values.size() > left) {
+    why = fmt::format("{} values for {} elements", values.size(), left);
+    return false;
+  }
+  for (std::size_t i = 0; i < (repeat ? left : values.size()); ++i)
+    if (!store(*variable, at + i, values[repeat ? 0 : i], why)) return false;
+  return true;
+}
+
+bool Variables::preset(std::string_view name, const Value& value, std::string& why) {
+  const bool hash = name.starts_with('#');
+  const std::string_view rest = name.substr(hash ? 1 : 0);
+  const bool r = !hash && form_ == VariableForm::sinumerik && name.size() > 1 &&
+                 upper(name[0]) == 'R' &&
+                 name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  const auto number = parse_number(r ? name.substr(1) : rest);
+  why = fmt::format("{} is not a variable of this control", to_utf8(name.substr(0, 60)));
+  if (r || (hash && number && form_ != VariableForm::sinumerik)) return assign(*number, value, why);
+  if (hash && form_ == VariableForm::linuxcnc && rest.size() > 2 && rest.front() == '<' &&
+      rest.back() == '>')
+    return assign(rest.substr(1, rest.size() - 2), {}, value, why);
+  if (hash || form_ != VariableForm::sinumerik || name.empty() || number) return false;
+  for (const char c : name)
+    if (!is_name(c)) return false;
+  const auto type = value.kind == Value::Kind::text ? VariableType::text : VariableType::real;
+  return define(name, type, {}, true, why) && assign(name, {}, value, why);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,109 @@
+// Where the variables of a program live: by number and by name, local to a call or common to all.
+// Guarantees: reading what was never set says how to set it; counts and sizes are bounded.
+// Does not: know the state of the control, which SystemVariables answers for.
+#pragma once
+
+#include "interp/language/expression.h"
+#include "interp/language/value.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// How a control's variables are named and how long they live.
+enum class VariableForm : unsigned char {
+  linuxcnc,   ///< #1-#30 by call, #31-#5000, #<local>, #<_global>
+  fanuc,      ///< #1-#33 by level, #100-#199, #500-#999
+  sinumerik,  ///< R parameters, DEF by program, GUD
+};
+
+/// Variables that are the control's state: positions, offsets, tool data, modal codes.
+class SystemVariables {
+ public:
+  virtual ~SystemVariables() = default;
+  /// False: `why` says that this variable is not answered, by name.
+  virtual bool read(double number, Value& out, std::string& why) = 0;
+  virtual bool read(std::string_view name, std::span<const Value> indices, Value& out,
+                    std::string& why) = 0;
+  virtual bool write(double number, const Value& value, std::string& why) = 0;
+  virtual bool write(std::string_view name, std::span<const Value> indices, const Value& value,
+                     std::string& why) = 0;
+  virtual bool knows(std::string_view name) = 0;
+};
+
+/// Types of SINUMERIK's DEF.
+enum class VariableType : unsigned char { real, integer, boolean, character, text, axis, frame };
+
+class Variables : public VariableReader {
+ public:
+  static constexpr int kLocals = 34;
+
+  explicit Variables(VariableForm form);
+  void set_system(SystemVariables* system) { system_ = system; }
+
+  bool numbered(double number, Value& out, std::string& why) override;
+  bool named(std::string_view name, std::span<const Value> indices, Value& out,
+             std::string& why) override;
+  bool exists(double number) override;
+  bool exists(std::string_view name) override;
+
+  bool assign(double number, const Value& value, std::string& why);
+  bool assign(std::string_view name, std::span<const Value> indices, const Value& value,
+              std::string& why);
+  /// DEF: dimensions of 0 stand for none. Elements hold 0, "" or the identity.
+  bool define(std::string_view name, VariableType type, std::array<int, 3> dimensions, bool global,
+              std::string& why);
+  /// Elements of a defined variable in order (SET, REP), from the element at `indices`.
+  bool fill(std::string_view name, std::span<const Value> indices, std::span<const Value> values,
+            bool repeat, std::string& why);
+  bool is_defined(std::string_view name) { return find(name) != nullptr; }
+  /// A variable from outside: "R1", "#100", "#<_name>", "NAME". False: not a variable of this
+  /// control.
+  bool preset(std::string_view name, const Value& value, std::string& why);
+
+  /// A call begins or ends: its locals. `arguments`: bit n = local n is given, else it is vacant.
+  void enter_level();
+  void leave_level();
+  std::size_t levels() const { return levels_.size(); }
+  VariableForm form() const { return form_; }
+
+ private:
+  enum class State : unsigned char { unset, vacant, number, faulty };
+  struct Cell {
+    double number = 0;
+    State state = State::unset;
+  };
+  struct Named {
+    VariableType type = VariableType::real;
+    std::array<int, 3> dimensions{};
+    std::vector<Value> elements;
+  };
+  using Names = std::map<std::string, Named, std::less<>>;
+  struct Level {
+    std::array<Cell, kLocals> cells;
+    Names names;
+  };
+
+  Cell* cell(double number, std::string& why);
+  void answer(const Cell& cell, double number, Value& out) const;
+  Named* find(std::string_view name);
+  bool element(std::string_view name, Named& variable, std::span<const Value> indices,
+               std::size_t& at, std::string& why) const;
+  bool store(Named& variable, std::size_t at, const Value& value, std::string& why) const;
+  std::string key(std::string_view name) const;
+
+  VariableForm form_;
+  SystemVariables* system_ = nullptr;
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::vector<Cell> common_;
+  Names globals_;
+  std::size_t elements_ = 0;
+};
+
+}  // namespace mrsim

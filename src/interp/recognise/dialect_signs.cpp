@@ -1,0 +1,266 @@
+#include "interp/recognise/dialect_signs.h"
+
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+bool has_any_word(std::string_view c, Names words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return has_word(c, word); });
+}
+
+std::size_t count_numbers(std::string_view c) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i + 1 < c.size(); ++i)
+    if (c[i] == 'N' && is_digit(c[i + 1]) && (i == 0 || !is_name(c[i - 1]))) ++n;
+  return n;
+}
+
+// "O100 SUB", "O<POCKET> CALL [1]", "N10 O5 ENDIF": what LinuxCNC does with O words.
+bool is_o_word(std::string_view c) {
+  std::size_t i = c.find_first_not_of(" \t");
+  if (i != c.npos && c[i] == 'N') i = c.find_first_not_of("0123456789 ", i + 1);
+  if (i == c.npos || c[i] != 'O' || i + 1 >= c.size()) return false;
+  std::size_t end = i + 1;
+  if (c[end] == '<') {
+    end = c.find('>', end);
+    if (end == c.npos) return false;
+    ++end;
+  } else {
+    while (end < c.size() && (is_digit(c[end]) || c[end] == '#')) ++end;
+    if (end == i + 1) return false;
+  }
+  const std::size_t at = c.find_first_not_of(" \t", end);
+  if (at == c.npos) return false;
+  const std::string_view rest = c.substr(at);
+  for (const std::string_view word :
+       {"SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO",
+        "REPEAT", "ENDREPEAT", "BREAK", "CONTINUE"})
+    if (rest.starts_with(word)) return true;
+  return false;
+}
+
+// A whole word of a comment.
+bool names(std::string_view comment, std::string_view word) {
+  for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if ((i == 0 || !is_letter(comment[i - 1])) &&
+        (end >= comment.size() || !is_letter(comment[end])))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void DialectSigns::add(Dialect dialect, int points, std::string_view sign, int line) {
+  Entry& e = entries_[slot(dialect)];
+  if (std::find(e.signs.begin(), e.signs.end(), sign) != e.signs.end()) return;
+  e.signs.emplace_back(sign);
+  e.points += points;
+  if (points <= e.strongest) return;
+  e.strongest = points;
+  e.reason = line > 0 ? fmt::format("{} in line {}", sign, line) : std::string(sign);
+}
+
+Dialect DialectSigns::best() const {
+  Dialect winner = Dialect::iso;
+  for (const Dialect d : {Dialect::sinumerik, Dialect::fanuc, Dialect::codesys, Dialect::ngc})
+    if (points(d) > points(winner)) winner = d;
+  return winner;
+}
+
+bool DialectSigns::certain() const {
+  const Dialect d = best();
+  for (const Dialect o :
+       {Dialect::sinumerik, Dialect::fanuc, Dialect::codesys, Dialect::iso, Dialect::ngc})
+    if (o != d && points(d) < points(o) + 20) return false;
+  return true;
+}
+
+void DialectSigns::name(const std::string& path) {
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos) return;
+  const std::string extension = upper_case(path.substr(dot));
+  const auto sign = fmt::format("the file name ends in {}", extension);
+  if (extension == ".MPF" || extension == ".SPF") add(Dialect::sinumerik, 12, sign, 0);
+  if (extension == ".CNC") add(Dialect::codesys, 2, sign, 0);
+  if (extension == ".NGC") add(Dialect::ngc, 12, sign, 0);
+  if (extension == ".TAP" || extension == ".GCODE") add(Dialect::ngc, 3, sign, 0);
+  if (extension == ".MIN" || extension == ".EIA") add(Dialect::fanuc, 4, sign, 0);
+}
+
+void DialectSigns::line(const LineScan& scan, std::string_view raw, int number) {
+  o_word_ = is_o_word(scan.code);
+  weigh_sinumerik(scan, number);
+  weigh_fanuc(scan, raw, number);
+  weigh_codesys(scan, number);
+  weigh_ngc(scan, raw, number);
+  weigh_iso(scan, raw, number);
+  if (!scan.comment.empty()) weigh_comment(scan, number);
+}
+
+void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
+  constexpr auto d = Dialect::sinumerik;
+  static constexpr std::string_view kSure[] = {
+      "CR=",    "LIMS=",      "TRANS ", "ATRANS",  "AROT",   "CIP ",    "TURN=",  "I1=",  "DIAMON",
+      "DIAMOF", "DIAM90",     "MSG(",   "AR=",     "RP=",    "RND=",    "CHF=",   "CHR=", "ANG=",
+      "RNDM=",  "WORKPIECE(", "SUPA",   "AMIRROR", "ASCALE", "MIRROR ", "SCALE ", "ROT ", "G500",
+      "GOTOF",  "GOTOB",      "CYCLE8", "T=\"",    "MCALL",  "TRAORI",  "EXTCALL"};
+  static constexpr std::string_view kInside[] = {"=AC(", "=IC(", "%_N_"};
+  for (const std::string_view sign : kSure)
+    if (has(s.code, sign)) add(d, 10, sign, line);
+  for (const std::string_view sign : kInside)
+    if (s.code.find(sign) != std::string::npos) add(d, 10, sign, line);
+  if (!o_word_ && has(s.code, "ENDIF")) add(d, 10, "ENDIF", line);
+  const std::size_t equal = s.code.find('=');
+  if (equal != std::string::npos && equal > 0 && is_name(s.code[equal - 1]) &&
+      s.code.find('#') > equal)
+    add(d, 4, "an assignment with =", line);
+  if (s.comment_kind == ';' && !s.code.empty()) add(d, 3, "a comment after ;", line);
+  if (s.comment_kind == ';' && s.code.empty()) add(d, 2, "a comment after ;", line);
+  if (has_word(s.code, "M17")) add(d, 4, "M17", line);
+  if (has_any_word(s.code, {"G710", "G700"})) add(d, 8, "G710", line);
+  if (has_any_word(s.code, {"G450", "G451"})) add(d, 8, "G450/G451", line);
+}
+
+void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line) {
+  constexpr auto d = Dialect::fanuc;
+  const std::string& c = s.code;
+  const bool number = c.size() > 1 && is_digit(c[1]);
+  if (number && (c[0] == 'O' || c[0] == ':') && !o_word_) add(d, 10, "a program number", line);
+  if (raw.size() == 1 && raw[0] == '%') add(d, 3, "% alone", line);
+  if (c.size() > 3 && c[0] == '$' && c.back() == '%') add(d, 10, "a program name of Okuma", line);
+  if (s.ends_block) add(d, 3, "; as end of block", line);
+  if (has(c, "M98")) add(d, 6, "M98", line);
+  if (has_word(c, "M99")) add(d, 4, "M99", line);
+  for (const std::string_view g : {"G43", "G49", "G28"})
+    if (has_word(c, g)) add(d, 3, g, line);
+  for (const std::string_view g :
+       {"G54.1", "G68", "G69", "G51.1", "G50.1", "G52", "G187", "G154", "G43.4", "G68.2"})
+    if (has_word(c, g)) add(d, 6, g, line);
+  if (has_any_word(c, {"M97", "G65", "M198"}) && has_axis(c, 'P')) add(d, 8, "a call with P", line);
+  if (has_any_word(c, {"G20", "G21"})) {
+    add(d, 3, "G20/G21", line);
+    add(Dialect::iso, 3, "G20/G21", line);
+    add(Dialect::sinumerik, -6, "G20/G21", line);
+  }
+  if (s.comment_kind == ';') add(d, -6, "a comment after ;", line);
+  if (has_word(c, "G16") && !has_axis(c, 'I') && !has_axis(c, 'J') && !has_axis(c, 'K'))
+    add(d, 2, "G16 without a normal vector", line);
+  if (c.find('#') != std::string::npos && c.find("#<") == std::string::npos && !o_word_ &&
+      c.find('=') != std::string::npos && c.find(':') == std::string::npos)
+    add(d, 6, "a # variable", line);
+  const bool macro = has(c, "IF[") || has(c, "WHILE[") || has(c, "IF [") || has(c, "WHILE [");
+  if (macro && !o_word_) add(d, 8, "a macro statement", line);
+  for (std::size_t i = 1; i < c.size(); ++i)
+    if (c[i] == 'G' && is_digit(c[i - 1])) add(d, 3, "G codes run together", line);
+  weigh_fanuc_lathe(c, line);
+}
+
+void DialectSigns::weigh_fanuc_lathe(const std::string& c, int line) {
+  constexpr auto d = Dialect::fanuc;
+  const bool lathe_cycle =
+      has_any_word(c, {"G70", "G71", "G72", "G73", "G76"}) && has_axis(c, 'P') && has_axis(c, 'Q');
+  if (lathe_cycle) add(d, 8, "a turning cycle with P and Q", line);
+  if (has_word(c, "G50") && has_axis(c, 'S')) add(d, 6, "G50 S", line);
+  if (has_word(c, "G28") && (has_axis(c, 'U') || has_axis(c, 'W'))) add(d, 6, "G28 U W", line);
+}
+
+void DialectSigns::weigh_codesys(const LineScan& s, int line) {
+  constexpr auto d = Dialect::codesys;
+  const std::string& c = s.code;
+  const bool named_arc = has_any_word(c, {"G2", "G3", "G02", "G03"});
+  if (named_arc) arcs_ = true;
+  if (has_any_word(c, {"G1", "G0", "G01", "G00"}) && count_numbers(c) < 2) arcs_ = false;
+  const bool center = has_axis(c, 'I') || has_axis(c, 'J') || has_axis(c, 'K');
+  if (arcs_ && center && has_axis(c, 'T')) add(d, 12, "T as an opening angle", line);
+  if (count_numbers(c) > 1) add(d, 6, "several N words in a line", line);
+  if (has(c, "SUBPROGRAM") || has(c, "END_SUBPROGRAM")) add(d, 15, "SUBPROGRAM", line);
+  if (c.find(": LREAL") != std::string::npos) add(d, 10, "LREAL", line);
+  if (c.find('{') != std::string::npos) add(d, 6, "a call with { }", line);
+  if (c.find('$') != std::string::npos && c.find("$P_") == std::string::npos &&
+      std::count(c.begin(), c.end(), '$') > 1)
+    add(d, 6, "a variable in $ $", line);
+  if (has_word(c, "G16") && center) add(d, 10, "G16 with a normal vector", line);
+  // FANUC's return level and feed mode stand alone, too; an arc does not follow them.
+  const bool mode = has_any_word(c, {"G98", "G99"});
+  if (named_arc && center && (mode || center_mode_ > 0))
+    add(d, 5, "G98/G99 for the centre", mode ? line : center_mode_);
+  if (!c.empty())
+    center_mode_ = mode && c.find_first_not_of("0123456789NG ") == std::string::npos ? line : 0;
+  for (const std::string_view feed : {"FF", "EF"}) {
+    const std::size_t at = c.find(feed);
+    if (has(c, feed) && at + 2 < c.size() && starts_number(c[at + 2])) add(d, 5, "FF/EF", line);
+  }
+  const std::size_t first = c.find(" E"),
+                    second = first == std::string::npos ? first : c.find(" E", first + 2);
+  if (second != std::string::npos && second + 2 < c.size() && starts_number(c[second + 2]))
+    add(d, 8, "E twice", line);
+  if (c.size() > 2 && c[0] == '%' && c[1] == ' ') add(d, 4, "a header with %", line);
+}
+
+void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) {
+  constexpr auto d = Dialect::ngc;
+  const std::string& c = s.code;
+  if (o_word_) add(d, 15, "an O word with a name of LinuxCNC", line);
+  if (c.find("#<") != std::string::npos) add(d, 15, "a named variable", line);
+  if (c.find("**") != std::string::npos || has(c, "EXISTS["))
+    add(d, 6, "an operator of LinuxCNC", line);
+  for (const std::string_view g :
+       {"G90.1", "G91.1", "G61.1", "G43.1", "G33.1", "G59.1", "G59.2", "G59.3", "G38.2", "G38.3",
+        "G38.4", "G38.5", "G5.2", "G5.3", "G92.2", "G92.3", "G41.1", "G42.1"})
+    if (has_word(c, g)) add(d, 6, g, line);
+  if (has_word(c, "G64") && has_axis(c, 'P')) add(d, 6, "G64 P", line);
+  if (has_any_word(c, {"G7", "G8"}) && !has_axis(c, 'P')) add(d, 6, "G7/G8", line);
+  if (has_word(c, "G10") &&
+      (c.find("L20") != std::string::npos || c.find("L10") != std::string::npos ||
+       c.find("L11") != std::string::npos))
+    add(d, 2, "G10 L20", line);
+  if (has_any_word(c, {"M62", "M63", "M64", "M65", "M66", "M67", "M68"}) &&
+      (has_axis(c, 'P') || has_axis(c, 'E')))
+    add(d, 4, "digital outputs", line);
+  if (has_any_word(c, {"G20", "G21"})) add(d, 2, "G20/G21", line);
+  for (const std::string_view g : {"G43", "G49", "G28"})
+    if (has_word(c, g)) add(d, 2, g, line);
+  if (raw.size() == 1 && raw[0] == '%') add(d, 2, "% alone", line);
+  if (s.comment_kind == ';') add(d, 2, "a comment after ;", line);
+  if (c.find('#') != std::string::npos && c.find('=') != std::string::npos)
+    add(d, 5, "a # variable", line);
+  const std::string head = upper_case(s.comment.substr(0, 10));
+  if (s.comment_kind == '(')
+    for (const std::string_view word : {"MSG,", "DEBUG,", "PRINT,", "PROBEOPEN", "LOG,", "LOGOPEN"})
+      if (head.starts_with(word)) add(d, 6, "an active comment", line);
+}
+
+// Who posted the program, and for what.
+void DialectSigns::weigh_comment(const LineScan& s, int line) {
+  if (line > 60) return;
+  const std::string comment = upper_case(s.comment.substr(0, 200));
+  const auto weigh = [&](Dialect d, Names words) {
+    for (const std::string_view word : words)
+      if (names(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
+  };
+  weigh(Dialect::ngc, {"LINUXCNC", "EMC", "GRBL", "MACH", "ESTLCAM", "CARBIDE", "VECTRIC", "VCARVE",
+                       "SHAPEOKO", "EASEL", "MAKERA", "PATHPILOT", "TORMACH", "CAMOTICS"});
+  weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
+  weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
+  if (names(comment, "FREECAD")) add(Dialect::ngc, 4, "\"FREECAD\"", line);
+}
+
+void DialectSigns::weigh_iso(const LineScan& s, std::string_view raw, int line) {
+  const bool lower =
+      std::any_of(raw.begin(), raw.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  if (lower && s.comment.empty() && s.code.find('=') == std::string::npos && !o_word_)
+    add(Dialect::iso, 1, "lower-case words", line);
+}
+
+}  // namespace mrsim

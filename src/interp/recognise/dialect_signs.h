@@ -1,0 +1,57 @@
+// Signs of the controls in a program's text, weighed.
+#pragma once
+
+#include "interp/text/line_scan.h"
+#include <mrsim/types.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// Points for each dialect, and the strongest sign of each.
+class DialectSigns {
+ public:
+  /// What the file's name says.
+  void name(const std::string& path);
+  void line(const LineScan& scan, std::string_view raw, int number);
+  /// A line of plain motion, as read_plain() tells it.
+  void plain(const PlainLine& line) {
+    if (line.arc) arcs_ = true;
+    if (line.line) arcs_ = false;
+  }
+
+  /// Without signs: ISO.
+  Dialect best() const;
+  const std::string& reason(Dialect d) const { return entries_[slot(d)].reason; }
+  /// No other dialect is near.
+  bool certain() const;
+
+ private:
+  struct Entry {
+    int points = 0, strongest = 0;
+    std::string reason;
+    std::vector<std::string> signs;
+  };
+
+  static std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
+  int points(Dialect d) const { return entries_[slot(d)].points; }
+  /// Each sign counts once: a thousand comments say no more than one.
+  void add(Dialect dialect, int points, std::string_view sign, int line);
+  void weigh_sinumerik(const LineScan& s, int line);
+  void weigh_fanuc(const LineScan& s, std::string_view raw, int line);
+  void weigh_fanuc_lathe(const std::string& c, int line);
+  void weigh_codesys(const LineScan& s, int line);
+  void weigh_ngc(const LineScan& s, std::string_view raw, int line);
+  void weigh_iso(const LineScan& s, std::string_view raw, int line);
+  void weigh_comment(const LineScan& s, int line);
+
+  std::array<Entry, 6> entries_;
+  bool arcs_ = false;    ///< G2 or G3 is in force
+  int center_mode_ = 0;  ///< the line above, if it is G98 or G99 alone
+  bool o_word_ = false;  ///< the line is an O word of LinuxCNC
+};
+
+}  // namespace mrsim

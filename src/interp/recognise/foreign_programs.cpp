@@ -1,0 +1,121 @@
+#include "interp/recognise/foreign_programs.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+#include <mrsim/types.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr int kHeadLines = 400;  // conversational programs say what they are early
+
+bool ends_with(const std::string& path, std::initializer_list<std::string_view> extensions) {
+  const std::size_t dot = path.find_last_of('.');
+  const std::string extension = dot == path.npos ? "" : upper_case(path.substr(dot));
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+// The text without a block number.
+std::string_view body(std::string_view code) {
+  std::size_t i = code.find_first_not_of(" \t0123456789");
+  return i == code.npos ? std::string_view() : code.substr(i);
+}
+
+bool any_of(std::string_view text, std::initializer_list<std::string_view> signs) {
+  return std::any_of(signs.begin(), signs.end(),
+                     [&](std::string_view sign) { return text.find(sign) != text.npos; });
+}
+
+bool begins_any(std::string_view text, std::initializer_list<std::string_view> heads) {
+  return std::any_of(heads.begin(), heads.end(),
+                     [&](std::string_view head) { return text.starts_with(head); });
+}
+
+// What the line alone proves, or nullptr.
+const char* named_control(const std::string& path, std::string_view code, std::string_view raw) {
+  const std::string_view text = body(code);
+  if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
+    return "a Heidenhain conversational program";
+  if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
+      any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
+      ends_with(path, {".PBG", ".PBD", ".MAZ"}))
+    return "a Mazatrol program";
+  if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF ") ||
+      text.starts_with("DEF WORK"))
+    return "an Okuma IGF program";
+  if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
+    return "an APT cutter location file";
+  if (raw.starts_with("ISO-10303-21")) return "a STEP file";
+  if (raw.starts_with("PK\x03\x04")) return "a zip archive";
+  if (raw.starts_with("%PDF-")) return "a PDF document";
+  if (raw.starts_with("solid ") || text.starts_with("FACET NORMAL")) return "an STL file";
+  return nullptr;
+}
+
+}  // namespace
+
+void ForeignPrograms::refuse(const std::string& what, int number, std::string_view raw) const {
+  Diagnostic diagnostic;
+  diagnostic.code = "control-unsupported";
+  diagnostic.text = fmt::format(
+      "this is {}, which mrsim does not read: post the program for SINUMERIK, FANUC, LinuxCNC, ISO "
+      "or CODESYS (or say --dialect, if it is one of them)",
+      what);
+  diagnostic.place = {path_, number, 1};
+  diagnostic.source_line = to_utf8(raw.substr(0, 200));
+  throw PlacedError(diagnostic);
+}
+
+void ForeignPrograms::weigh_printer(const std::string& code, int number, std::string_view raw) {
+  for (const std::string_view word : {"M104", "M109", "M140", "M190"})
+    if (has_word(code, word)) heats_ = true;
+  const bool moves = has_word(code, "G1") || has_word(code, "G0") || has_word(code, "G92");
+  if (moves && has_axis(code, 'E')) extrudes_ = true;
+  if (heats_ && extrudes_)
+    refuse("the program of a 3-D printer (it heats and extrudes)", number, raw);
+}
+
+// A laser's power is S, it is switched by M3, M4 and M5, and nothing moves in Z.
+void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
+  const std::string& c = s.code;
+  if (upper_case(s.comment).find("LASER") != std::string::npos ||
+      upper_case(s.comment).find("LIGHTBURN") != std::string::npos)
+    laser_word_ = true;
+  if (c.find('Z') != std::string::npos || c.find('K') != std::string::npos) z_ = true;
+  if (has_axis(c, 'Y')) y_ = true;
+  for (const std::string_view word : {"M6", "M06", "M98", "G65", "G43", "G96"})
+    if (has_word(c, word)) other_ = true;
+  if (has_axis(c, 'T') || has(c, "CALL") || c.find('(') != std::string::npos) other_ = true;
+  const bool starts =
+      has_word(c, "M3") || has_word(c, "M03") || has_word(c, "M4") || has_word(c, "M04");
+  const bool power = has_axis(c, 'S');
+  if (starts && !on_) {
+    on_ = true;
+    ++switches_;
+    if (laser_line_ == 0) laser_line_ = number;
+  }
+  if (has_word(c, "M5") || has_word(c, "M05")) on_ = false;
+  if (power) power_ = true;
+  if (power && !starts && (has_axis(c, 'X') || has_axis(c, 'Y'))) ++powered_moves_;
+}
+
+void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
+  if (number <= kHeadLines)
+    if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
+  if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);
+  if (!settled()) weigh_laser(scan, number);
+}
+
+void ForeignPrograms::finish() const {
+  const bool switched = laser_line_ > 0 && power_ && y_;
+  if (settled() || !switched) return;
+  if (powered_moves_ >= 2 || switches_ >= 2 || laser_word_)
+    refuse("a laser's program (S is its power, and nothing moves in Z)", laser_line_, "");
+}
+
+}  // namespace mrsim

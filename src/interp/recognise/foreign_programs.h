@@ -1,0 +1,40 @@
+// Programs that are none of the controls mrsim reads: conversational ones, 3-D printers, lasers.
+// They are named and refused with one error, instead of one for each line.
+#pragma once
+
+#include "interp/text/line_scan.h"
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+class ForeignPrograms {
+ public:
+  explicit ForeignPrograms(const std::string& path) : path_(path) {}
+
+  /// A line of the text. Throws PlacedError "control-unsupported" at the first sure sign.
+  void line(std::string_view raw, const LineScan& scan, int number);
+  /// A line of plain motion, which needs no scan.
+  void plain(const PlainLine& line) {
+    z_ |= line.third;
+    y_ |= line.second;
+  }
+  /// The lines to come can not make a laser's program of it.
+  bool settled() const { return z_ || other_; }
+  /// Throws for what only the whole text tells: a laser's program.
+  void finish() const;
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
+  void weigh_printer(const std::string& code, int number, std::string_view raw);
+  void weigh_laser(const LineScan& scan, int number);
+
+  const std::string& path_;
+  bool heats_ = false, extrudes_ = false;
+  bool z_ = false, y_ = false, other_ = false;
+  bool on_ = false, power_ = false, laser_word_ = false;
+  int powered_moves_ = 0, switches_ = 0, laser_line_ = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,155 @@
+#include "interp/recognise/machine_signs.h"
+
+#include "interp/text/characters.h"
+#include "interp/text/tool_comment.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+void note_first(std::string& where, std::string_view what, int line) {
+  if (where.empty()) where = fmt::format("{} in line {}", what, line);
+}
+
+bool moves(const std::string& c) {
+  for (const std::string_view g : {"G0", "G00", "G1", "G01", "G2", "G02", "G3", "G03"})
+    if (has_word(c, g)) return true;
+  return false;
+}
+
+// Words of FANUC that are a lathe's unless something moves in Y: increments U W, cycles of system
+// A, the limit of the speed.
+bool turning_words(const std::string& c) {
+  const bool dwell = has_word(c, "G4") || has_word(c, "G04");
+  if (!dwell && (has_axis(c, 'U') || has_axis(c, 'W'))) return true;
+  if ((has_word(c, "G73") || has_word(c, "G76")) && has_axis(c, 'P') && has_axis(c, 'Q'))
+    return true;
+  if (has_word(c, "G50") && has_axis(c, 'S')) return true;
+  if (has_word(c, "G94") && !moves(c) && has_axis(c, 'X') && has_axis(c, 'Z')) return true;
+  return has_word(c, "G92") && has_axis(c, 'Z') && has_axis(c, 'F');
+}
+
+// G70 to G75 of a lathe have words of their own; alone, G70 and G71 are the units of Mach and
+// Vectric.
+bool turning_cycle(const std::string& c, std::string_view g) {
+  if (!has_word(c, g)) return false;
+  if (has_axis(c, 'P') && has_axis(c, 'Q')) return true;
+  const bool increments = has_axis(c, 'U') || has_axis(c, 'W') || has_axis(c, 'D');
+  return g != "G70" && (increments || g == "G75") && has_axis(c, 'R');
+}
+
+// T0101: station and offset, and no M6 beside it.
+bool turret_word(const std::string& c) {
+  for (std::size_t i = c.find('T'); i != std::string::npos; i = c.find('T', i + 1)) {
+    if (i > 0 && (is_letter(c[i - 1]) || c[i - 1] == '_')) continue;
+    std::size_t end = i + 1;
+    while (end < c.size() && is_digit(c[end])) ++end;
+    if (end - i != 5) continue;
+    const std::string_view station(c.data() + i + 1, 2), offset(c.data() + i + 3, 2);
+    if (station[0] == '0' || station == offset || offset == "00") return true;
+  }
+  return false;
+}
+
+// Words with Y or J that are no motion: frames, data, threads of LinuxCNC.
+bool sets_data(const std::string& c) {
+  for (const std::string_view word : {"TRANS", "ROT ", "SCALE", "MIRROR", "WORKPIECE", "MSG("})
+    if (c.find(word) != std::string::npos) return true;
+  for (const std::string_view g : {"G58", "G59", "G10", "G76"})
+    if (has_word(c, g)) return true;
+  return false;
+}
+
+}  // namespace
+
+void MachineSigns::fanuc_line(const std::string& c, int n) {
+  for (const std::string_view g : {"G70", "G71", "G72", "G75"})
+    if (turning_cycle(c, g)) note_first(fanuc_lathe_, g, n);
+  if (turning_words(c)) note_first(fanuc_turning_, "a turning word", n);
+  if (turret_word(c)) note_first(turret_, "a T word of station and offset", n);
+}
+
+void MachineSigns::weak_signs(const std::string& c, int n) {
+  if (has_word(c, "M6") || has_word(c, "M06")) note_first(change_, "M6", n);
+  if (c.find('G') == std::string::npos) return;
+  if (has_word(c, "G43")) note_first(length_, "G43", n);
+  if (has_word(c, "G17")) note_first(plane_, "G17", n);
+  if (has_word(c, "G95")) note_first(per_revolution_, "G95", n);
+  if (has_word(c, "G18")) note_first(turning_, "G18", n);
+  if (has_word(c, "G96") || has_word(c, "G961")) note_first(lathe_, "G96", n);
+  const bool alone = (has_word(c, "G7") || has_word(c, "G8")) && !has_axis(c, 'P');
+  if (alone) note_first(lathe_, "G7 or G8", n);
+}
+
+void MachineSigns::line(const LineScan& s, int n) {
+  const std::string& c = s.code;
+  weak_signs(c, n);
+  fanuc_line(c, n);
+  if (has(c, "LIMS")) note_first(lathe_, "LIMS", n);
+  if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
+    note_first(lathe_, "DIAMON", n);
+  if (has(c, "CYCLE95") || has(c, "CYCLE951") || has(c, "CYCLE93") || has(c, "CYCLE97"))
+    note_first(lathe_, "a turning cycle", n);
+  const bool data = sets_data(c);
+  if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
+  if (!data && has_axis(c, 'J')) note_first(mill_, "an arc with J", n);
+  if (s.comment.empty()) return;
+  const ToolHint hint = read_tool_comment(s.comment);
+  if (!hint.type) return;
+  note_first(is_turning(*hint.type) ? turning_tool_ : milling_tool_,
+             fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
+}
+
+// Why it is a mill although nothing moves in Y; empty: it is not known to be one.
+std::string MachineSigns::weak_mill(bool tool_in_table, bool commented) const {
+  if (tool_in_table) return "a milling tool in the tool table";
+  const std::string& own = !length_.empty() ? length_ : !change_.empty() ? change_ : plane_;
+  if (own.empty()) return "";
+  if (commented) return fmt::format("milling tool {}, and {}", milling_tool_, own);
+  const bool two = !length_.empty() && (!change_.empty() || !plane_.empty());
+  return two ? fmt::format("{} and {}", length_, !change_.empty() ? change_ : plane_) : "";
+}
+
+void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
+  if (out.dialect == Dialect::codesys) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = "CODESYS has no diameters";
+    return;
+  }
+  bool turning = false, milling = false;
+  for (const Tool& tool : options.table.tools) (is_turning(tool.type) ? turning : milling) = true;
+  const bool fanuc = out.dialect == Dialect::fanuc;
+  const std::string& lathe = lathe_.empty() && fanuc ? fanuc_lathe_ : lathe_;
+  std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
+  if (weak.empty() && fanuc && change_.empty() && milling_tool_.empty() && !milling) weak = turret_;
+  if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
+    weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
+  if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";
+  const std::string mill = weak_mill(milling && !turning, !milling_tool_.empty());
+  const bool ngc = out.dialect == Dialect::ngc;  // X is a length there until G7
+  if (!mill_.empty() && !lathe.empty() && !(ngc && lathe.starts_with("G96"))) {
+    out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", mill_, lathe);
+  } else if (!mill_.empty()) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = mill_;
+  } else if (!lathe.empty()) {
+    out.machine = MachineKind::lathe;
+    out.machine_reason = lathe;
+  } else if (!weak.empty()) {
+    out.machine = MachineKind::lathe;
+    out.machine_reason = weak + ", and no motion with Y";
+  } else if (!mill.empty()) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = mill;
+  } else if (ngc) {
+    out.machine = MachineKind::mill;
+    out.machine_reason = "LinuxCNC reads X as a length until G7";
+  } else {
+    const std::string& comment = milling_tool_.empty() ? turning_tool_ : milling_tool_;
+    out.machine_reason = "no Y motion, G96, LIMS, DIAMON or G18, no known tool";
+    if (!comment.empty()) out.machine_reason += fmt::format("; only the comment {}", comment);
+  }
+}
+
+}  // namespace mrsim

@@ -1,0 +1,36 @@
+// Signs of a mill or a lathe in a program's text. A comment alone decides nothing: it only supports
+// a sign of the program's own words.
+#pragma once
+
+#include "interp/recognise/recognise.h"
+#include "interp/text/line_scan.h"
+
+namespace mrsim {
+
+class MachineSigns {
+ public:
+  void line(const LineScan& s, int n);
+  /// A sign was seen that needs no other.
+  bool settled() const { return !mill_.empty() || !lathe_.empty(); }
+  /// Y and J say no more.
+  bool knows_mill() const { return !mill_.empty(); }
+  /// Sets machine and reason for the dialect of `out`.
+  void judge(const InterpOptions& options, Recognition& out) const;
+
+ private:
+  void fanuc_line(const std::string& code, int n);
+  void weak_signs(const std::string& code, int n);
+  std::string weak_mill(bool tool_in_table, bool commented) const;
+
+  // Where the first such sign is; empty: there is none.
+  std::string mill_, lathe_;
+  std::string fanuc_lathe_;                  ///< the same, of FANUC's words: G71 with P and Q
+  std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y
+  std::string turning_;                      ///< G18, if nothing moves in Y
+  std::string turret_;                       ///< T0101, if nothing is changed by M6
+  std::string per_revolution_;               ///< G95; supports a comment about a turning tool
+  std::string change_, length_, plane_;      ///< M6, G43, G17: two of them make a mill
+  std::string turning_tool_, milling_tool_;  ///< comments
+};
+
+}  // namespace mrsim

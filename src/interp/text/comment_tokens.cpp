@@ -1,0 +1,167 @@
+#include "interp/text/comment_tokens.h"
+
+#include "core/text_io.h"
+#include "core/units.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace mrsim {
+namespace {
+
+using Token = CommentToken;
+using Tokens = std::vector<CommentToken>;
+
+constexpr std::size_t kMostTokens = 200;
+
+bool starts_value(std::string_view text, std::size_t i) {
+  return is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]));
+}
+
+// "6", "6.", ".25", "6,35"; a comma counts as a decimal point between digits when no other comma or
+// point follows or precedes ("3.17,0.0" is two numbers).
+Token number_token(std::string_view text, std::size_t& at) {
+  const std::size_t from = at;
+  bool point = false, comma = false;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (is_digit(c)) continue;
+    if (c == '.' && !point && !comma) {
+      point = true;
+      continue;
+    }
+    if (c != ',' || point || comma || at + 1 >= text.size() || !is_digit(text[at + 1])) break;
+    const std::size_t end = text.find_first_not_of("0123456789", at + 1);
+    if (end != text.npos && (text[end] == ',' || text[end] == '.')) break;
+    comma = true;
+  }
+  Token token;
+  token.kind = Token::Kind::number;
+  token.text = text.substr(from, at - from);
+  token.decimals = point || comma;
+  std::string digits(token.text.substr(0, 20));
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  token.value = parse_number(digits).value_or(0);
+  return token;
+}
+
+Tokens raw_tokens(std::string_view text) {
+  Tokens out;
+  bool blank = true;
+  for (std::size_t i = 0; i < text.size() && out.size() < kMostTokens;) {
+    if (text[i] == ' ' || text[i] == '\t') {
+      blank = true;
+      ++i;
+      continue;
+    }
+    Token token;
+    const std::size_t from = i;
+    if (starts_value(text, i)) {
+      token = number_token(text, i);
+    } else if (is_letter(text[i]) || text[i] == '~') {
+      while (i < text.size() && (is_letter(text[i]) || text[i] == '~')) ++i;
+      token.kind = Token::Kind::word;
+      token.text = text.substr(from, i - from);
+    } else {
+      token.text = text.substr(i++, 1);
+      if (token.text == "." && !out.empty() && out.back().kind == Token::Kind::word && !blank)
+        continue;  // "DIA."
+    }
+    token.glued = !blank;
+    blank = false;
+    out.push_back(token);
+  }
+  return out;
+}
+
+// "1/4", "1-1/2", "1 1/2": one number in place of its pieces.
+void join_fractions(Tokens& tokens) {
+  const auto whole = [&](std::size_t i) {
+    return i < tokens.size() && tokens[i].is_number() && !tokens[i].decimals;
+  };
+  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+    if (!tokens[i].is("/") || !whole(i - 1) || !whole(i + 1) || tokens[i + 1].value < 2) continue;
+    if (!tokens[i].glued || !tokens[i + 1].glued) continue;
+    Token fraction = tokens[i - 1];
+    if (fraction.value >= tokens[i + 1].value) continue;  // "16/9" is no size of a tool
+    fraction.value /= tokens[i + 1].value;
+    fraction.fraction = true;
+    std::size_t first = i - 1;
+    const bool apart = first >= 1 && whole(first - 1) && tokens[first - 1].value < 10 &&
+                       !(first >= 2 && tokens[first - 2].kind == Token::Kind::word);
+    const bool dash = first >= 2 && tokens[first - 1].is("-") && whole(first - 2) &&
+                      tokens[first - 1].glued && fraction.glued && tokens[first - 2].value < 10;
+    if (apart || dash) {
+      first -= apart ? 1 : 2;
+      fraction.value += tokens[first].value;
+      fraction.glued = tokens[first].glued;
+    }
+    tokens[first] = fraction;
+    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                 tokens.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    i = first + 1;
+  }
+}
+
+bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return token.is(w); });
+}
+
+// How many tokens from `i` on are the unit of `number`; sets it.
+std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
+  if (i >= tokens.size()) return 0;
+  const Token& next = tokens[i];
+  if (is_one_of(next, {"MM"})) {
+    number.unit = 1;
+    return 1;
+  }
+  // "5 IN PLATE" is a preposition, ".25 IN" and "5IN" are not.
+  const bool inch = is_one_of(next, {"INCH", "INCHES", "ZOLL", "PULGADAS", "PULG", "\""}) ||
+                    (next.is("IN") && (next.glued || number.fraction || number.decimals));
+  const bool marks = next.is("'") && i + 1 < tokens.size() && tokens[i + 1].is("'");
+  if (inch || marks) {
+    number.unit = kMmPerInch;
+    return marks ? 2 : 1;
+  }
+  if (is_one_of(next, {"DEG", "DEGREE", "DEGREES", "GRAD", "^"})) {
+    number.angle = true;
+    return 1;
+  }
+  return 0;
+}
+
+void join_units(Tokens& tokens) {
+  Tokens out;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    out.push_back(tokens[i]);
+    if (tokens[i].is_number()) i += read_unit(tokens, i + 1, out.back());
+  }
+  tokens = std::move(out);
+}
+
+}  // namespace
+
+std::string fold_comment(std::string_view utf8) {
+  std::string out;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(utf8[i]);
+    if (byte < 0x80) out += upper(utf8[i]);
+    if (byte < 0xC0) continue;
+    const std::string_view rest = utf8.substr(i);
+    const bool degree = rest.starts_with("\xC2\xB0") || rest.starts_with("\xC2\xBA");
+    const bool inch = rest.starts_with("\xE2\x80\x9C") || rest.starts_with("\xE2\x80\x9D") ||
+                      rest.starts_with("\xE2\x80\xB3");
+    out += degree ? '^' : inch ? '"' : '~';
+  }
+  return out;
+}
+
+std::vector<CommentToken> comment_tokens(std::string_view folded) {
+  Tokens tokens = raw_tokens(folded);
+  join_fractions(tokens);
+  join_units(tokens);
+  return tokens;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,94 @@
+#include "interp/text/insert_code.h"
+
+#include "core/units.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace mrsim {
+namespace {
+
+// Shape letter of ISO 1832, the angle of its corner, the usual lead angle of its holder, and the
+// edge's length in diameters of the inscribed circle.
+struct Shape {
+  char letter;
+  double angle, lead, edge_per_circle;
+};
+constexpr Shape kShapes[] = {{'C', 80, 95, 1.0154}, {'D', 55, 93, 1.2208}, {'K', 55, 93, 1.6933},
+                             {'R', 0, 0, 1},        {'S', 90, 75, 1},      {'T', 60, 91, 1.7321},
+                             {'V', 35, 93, 1.7434}, {'W', 80, 95, 0.6847}};
+
+constexpr std::string_view kUsual[] = {
+    "CNMG", "CNMA", "CNMM", "CNGA", "DNMG", "DNMA", "DNGA", "VNMG", "VNGA", "WNMG", "WNMA",
+    "TNMG", "TNMA", "SNMG", "SNMM", "CCMT", "CCGT", "CPMT", "DCMT", "DCGT", "VCMT", "VCGT",
+    "VBMT", "VBGT", "TCMT", "TPMT", "SCMT", "RCMT", "RCMX", "RNMG", "KNUX"};
+
+const Shape* find_shape(std::string_view letters) {
+  if (letters.size() != 4) return nullptr;
+  const bool clearance = std::string_view("ABCDEFGNOP").find(letters[1]) != letters.npos;
+  const bool tolerance = std::string_view("ACEFGHJKLMNU").find(letters[2]) != letters.npos;
+  const bool chipbreaker = std::string_view("ABCFGHJMNQRTUWX").find(letters[3]) != letters.npos;
+  if (!clearance || !tolerance || !chipbreaker) return nullptr;
+  for (const Shape& shape : kShapes)
+    if (shape.letter == letters[0]) return &shape;
+  return nullptr;
+}
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+// "120408": edge 12 mm, thickness 4, nose radius 0.8. "432": inscribed circle 4/8 inch, thickness
+// 3/16, nose radius 2/64. "0803M0" is a round insert of 8 mm.
+bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
+  const auto at = [&](std::size_t i) { return digits[i] - '0'; };
+  if (!all_digits(digits)) return false;
+  const bool round = shape.angle == 0;
+  if (digits.size() == 6 || (round && digits.size() == 4)) {
+    code.edge_length = 10 * at(0) + at(1);
+    code.nose_radius = round ? code.edge_length / 2 : (10 * at(4) + at(5)) / 10.0;
+  } else if (digits.size() == 3 || (round && digits.size() == 2)) {
+    const double circle = at(0) * kMmPerInch / 8;
+    code.edge_length = circle * shape.edge_per_circle;
+    code.nose_radius = round ? circle / 2 : at(2) * kMmPerInch / 64;
+  } else {
+    return false;
+  }
+  code.has_size = code.edge_length > 0;
+  return code.has_size;
+}
+
+// "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
+bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code) {
+  if (text.size() != 5 || text[2] != '.' || text[3] != '5') return false;
+  return read_size(std::string({text[0], text[1], text[4]}), shape, code);
+}
+
+}  // namespace
+
+std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const Shape* shape =
+        tokens[i].kind == CommentToken::Kind::word ? find_shape(tokens[i].text) : nullptr;
+    if (shape == nullptr) continue;
+    InsertCode code;
+    code.shape = std::string(tokens[i].text);
+    code.angle = shape->angle;
+    code.lead_angle = shape->lead;
+    code.first = i;
+    code.end = i + 1;
+    const bool dash = i + 2 < tokens.size() && tokens[i + 1].is("-");
+    const std::size_t size = i + (dash ? 2 : 1);
+    if (size < tokens.size() && tokens[size].is_number() &&
+        (read_size(tokens[size].text, *shape, code) ||
+         read_half_size(tokens[size].text, *shape, code)))
+      code.end = size + 1;
+    const bool usual =
+        std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
+    if (code.has_size || usual) return code;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mrsim

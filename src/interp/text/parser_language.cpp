@@ -1,0 +1,104 @@
+// Where words meet the control's language: expressions as values, assignments, statements.
+#include "interp/text/characters.h"
+#include "interp/text/codes.h"
+#include "interp/text/parser.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+// A statement ends the block of words: it is read and carried out by the language.
+bool Parser::statement(Block& block, std::size_t from) {
+  if (!language_ || !language_->starts_statement(line_, from)) return false;
+  if (!block.words.empty()) {
+    fault(block, "statement-not-alone", "a statement stands alone in its block", from, from + 1);
+    p_ = line_.size();
+  } else {
+    block.statement = p_ = from;
+  }
+  return true;
+}
+
+void Parser::assignment(Block& block, std::size_t from) {
+  p_ = from;
+  if (language_->assignment(line_, p_)) return;
+  block.bad = true;
+  p_ = line_.size();
+}
+
+// The value of a word. False: there is none, because it is vacant or because it failed.
+bool Parser::expression(Block& block, Word& word, bool whole) {
+  const LanguageReader::Answer answer = language_->value(line_, p_, word, whole);
+  word.point = true;  // least increments are for numbers that are written
+  if (answer == LanguageReader::Answer::failed) {
+    block.bad = true;
+    p_ = line_.size();
+  }
+  return answer == LanguageReader::Answer::value;
+}
+
+// Behind an address: a variable, a bracket or a function, with or without signs.
+bool Parser::expression_follows(std::size_t from) const {
+  if (!language_) return false;
+  while (at(from) == '-' || at(from) == '+' || (blank(at(from)) && from < line_.size())) ++from;
+  const char c = at(from);
+  if (dialect_ == Dialect::codesys) return c == '$' || c == '#';
+  return c == '#' || c == '[' || (is_letter(c) && language_->starts_function(line_, from));
+}
+
+// IF, WHILE, GOTO ... of the macro languages.
+bool Parser::macro_word(Block& block) {
+  std::size_t end = p_;
+  while (is_letter(at(end))) ++end;
+  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 12)));
+  const std::string_view what = name.size() < 2 ? std::string_view() : unsupported_name(name);
+  if (what.empty()) return false;
+  const std::size_t from = p_;
+  p_ = end;
+  unsupported(block, line_.substr(from, end - from), what, from);
+  return true;
+}
+
+void Parser::codesys_name(Block& block) {
+  const std::size_t from = p_;
+  while (is_name(at(p_))) ++p_;
+  const std::string_view run = line_.substr(from, p_ - from);
+  const std::string name = upper_case(run);
+  Word word;
+  if ((name.starts_with("FF") || name.starts_with("EF")) &&
+      (name.size() == 2 || is_digit(name[2]))) {
+    p_ = from + 2;
+    word.address = name[0] == 'F' ? Address::ff : Address::ef;
+    if (number(block, word, false)) push(block, word, from);
+    return;
+  }
+  word.address = Address::function;
+  if (name == "SUBPROGRAM") {
+    word.code = Code::header;
+    p_ = line_.size();
+    return push(block, word, from);
+  }
+  if (name == "END_SUBPROGRAM" || name == "RETURN") {
+    word.code = Code::program_return;
+    return push(block, word, from);
+  }
+  const std::string_view what = unsupported_name(name);
+  if (!what.empty()) return unsupported(block, run, what, from);
+  if (run.size() < 3 || run.size() > 80)
+    return fault(block, "address-without-number",
+                 fmt::format("no number after {}", name.substr(0, 1)), from, p_);
+  word.address = Address::call;
+  word.text = run;
+  skip_blanks();
+  if (at(p_) == '{') {
+    const std::size_t close = line_.find('}', p_);
+    if (close == std::string_view::npos)
+      return fault(block, "bracket", "the { here is not closed", p_, p_ + 1);
+    if (line_.substr(p_ + 1, close - p_ - 1).find_first_not_of(" \t") != std::string_view::npos)
+      return unsupported(block, run, "a call with arguments", from);
+    p_ = close + 1;
+  }
+  push(block, word, from);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,59 @@
+// What comments say about tools: "Steblasto frezalo Ø5", "T1 D=6. CR=0. - FLAT END MILL",
+// "T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10.", "OD ROUGH - CNMG 120408".
+//
+// Guarantees: only whole words count; a register (D239 beside H239, DIA. OFF. - 41) is no diameter;
+// where two readings of a comment differ no tool is made and the reason is told. Does not know the
+// units of the program: fill_tool() is given them.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// A length as it was written.
+struct ToolLength {
+  double value = 0;
+  double unit = 0;        ///< mm per unit where the comment says so, 0 = the program's units
+  bool fraction = false;  ///< "1/4": inches, unless something else is said
+  explicit operator bool() const { return value > 0; }
+};
+
+struct ToolHint {
+  std::string id;           ///< when the comment names the tool's number itself
+  bool names_tool = false;  ///< "TOOL", "TC:", a number: the comment is about a tool
+  std::optional<ToolType> type;
+  std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
+  double diameter = 0;                ///< value of the first reading, 0 = none
+  ToolLength corner, nose, width;
+  double corner_radius = 0, nose_radius = 0;  ///< their values
+  double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
+  bool assumed_angle = false;                 ///< the angle follows from the kind alone
+  std::string insert;                         ///< "CNMG"
+  double insert_angle = 0, lead_angle = 0;    ///< radians
+  double edge_length = 0;                     ///< mm
+  bool left_hand = false;
+  std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
+  std::string text;   ///< the comment, UTF-8, for the report
+  explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
+};
+
+/// `bytes` in whatever encoding they came.
+ToolHint read_tool_comment(std::string_view bytes);
+
+/// Adds what a second comment about the same tool says; a contradiction becomes a doubt.
+void merge_hint(ToolHint& into, const ToolHint& more);
+
+/// The tool that the hint describes in a program whose unit is `unit` mm. False when it says too
+/// little or too much: `why` then completes "the comment ... ".
+bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why);
+
+/// What a hint leaves open, filled in by the documented defaults: a turning tool without data is a
+/// sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm.
+void complete_turning_tool(Tool& tool);
+
+}  // namespace mrsim

@@ -1,0 +1,163 @@
+// From what comments say to a tool, or to the reason why there is none.
+#include "core/units.h"
+#include "interp/text/tool_comment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kSame = 0.02;               // mm: two readings of one size differ by rounding only
+constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
+
+// mm in a program of this unit. A fraction is a size in inches wherever it stands.
+double in_mm(const ToolLength& length, double unit) {
+  if (length.unit > 0) return length.value * length.unit;
+  return length.value * (length.fraction ? kMmPerInch : unit);
+}
+
+std::string as_written(const ToolLength& length) {
+  return fmt::format("{:.6g}{}", length.value,
+                     length.unit == 1  ? " mm"
+                     : length.unit > 1 ? " inch"
+                                       : "");
+}
+
+// The diameter in mm; 0 and a reason where the readings differ or the unit is in doubt.
+double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
+  const ToolLength& first = hint.diameters.front();
+  const double diameter = in_mm(first, unit);
+  bool confirmed = false;
+  for (const ToolLength& other : hint.diameters) {
+    if (&other == &first) continue;
+    if (std::abs(in_mm(other, unit) - diameter) > kSame) {
+      why = fmt::format("can be read as diameter {} or {}", as_written(first), as_written(other));
+      return 0;
+    }
+    if (!other.fraction || other.unit > 0) confirmed = true;
+  }
+  if (first.unit == 0 && !confirmed) {
+    const bool metric_fraction = first.fraction && unit == 1;
+    const bool huge = unit > 1 && diameter > kLargestWithoutUnit;
+    if (metric_fraction || huge) {
+      why = fmt::format("gives the diameter {} without a unit, in a program in {}",
+                        as_written(first), unit > 1 ? "inches" : "mm");
+      return 0;
+    }
+  }
+  return diameter;
+}
+
+// A radius without a unit has that of the diameter beside it.
+double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
+  if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return in_mm(radius, unit);
+  const ToolLength& first = hint.diameters.front();
+  return radius.value * (first.unit > 0 ? first.unit : first.fraction ? kMmPerInch : unit);
+}
+
+bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (hint.diameters.empty()) {
+    why = "gives no diameter";
+    return false;
+  }
+  out.diameter = agreed_diameter(hint, unit, why);
+  if (!(out.diameter > 0)) return false;
+  out.taper_angle = hint.taper_angle;
+  out.tip_angle = hint.tip_angle;
+  out.corner_radius = hint.corner ? beside(hint.corner, hint, unit) : 0;
+  const double radius = out.diameter / 2;
+  if (out.corner_radius > radius + kSame) {
+    why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
+                      out.corner_radius);
+    return false;
+  }
+  if (out.type == ToolType::bullmill && !(out.corner_radius > 0)) {
+    why = "gives no corner radius";
+    return false;
+  }
+  const bool whole = out.corner_radius > radius - 1e-3;
+  if (out.type == ToolType::bullmill && whole) out.type = ToolType::ballmill;
+  if (out.type == ToolType::ballmill || out.type == ToolType::drill) out.corner_radius = 0;
+  return true;
+}
+
+void fill_turning(const ToolHint& hint, double unit, Tool& out) {
+  out.insert = hint.insert;
+  out.insert_angle = hint.insert_angle;
+  out.lead_angle = hint.lead_angle;
+  out.edge_length = hint.edge_length;
+  out.left_hand = hint.left_hand;
+  out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
+  out.width = hint.width ? in_mm(hint.width, unit) : 0;
+  complete_turning_tool(out);
+  const std::string insert =
+      out.insert.empty()
+          ? fmt::format("{:.4g} degree {}insert", degrees(out.insert_angle),
+                        hint.insert_angle > 0 ? "" : "finishing ")
+          : fmt::format("insert {} of {:.4g} degrees", out.insert, degrees(out.insert_angle));
+  out.origin += fmt::format(": {}, lead angle {:.4g} degrees, edge {:.4g} mm, {}", insert,
+                            degrees(out.lead_angle), out.edge_length,
+                            out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)
+                                                : std::string("sharp"));
+}
+
+}  // namespace
+
+void merge_hint(ToolHint& into, const ToolHint& more) {
+  if (into.id.empty()) into.id = more.id;
+  into.names_tool |= more.names_tool;
+  const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
+  if (!into.type || (plain && more.type == ToolType::bullmill)) {
+    into.type = more.type;
+  } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
+             !more.diameters.empty() && !into.diameters.empty() &&
+             !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
+    into.doubt = fmt::format("and \"{}\" name different kinds of tool", more.text);
+  }
+  into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
+  if (into.diameter == 0) into.diameter = more.diameter;
+  if (!into.corner) into.corner = more.corner;
+  if (!into.nose) into.nose = more.nose;
+  if (!into.width) into.width = more.width;
+  if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
+  if (into.tip_angle == 0 || into.assumed_angle) into.tip_angle = more.tip_angle;
+  if (into.insert.empty()) into.insert = more.insert;
+  if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
+  if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
+  if (into.edge_length == 0) into.edge_length = more.edge_length;
+  into.left_hand |= more.left_hand;
+  if (into.doubt.empty()) into.doubt = more.doubt;
+  if (into.text.size() < 400) into.text += "\", \"" + more.text;
+}
+
+bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why) {
+  why = hint.doubt;
+  if (!why.empty()) return false;
+  if (!hint.type && (lathe || !hint.names_tool)) {
+    why = "names no kind of tool";
+    return false;
+  }
+  out.type = hint.type.value_or(ToolType::endmill);
+  out.origin = fmt::format("comment \"{}\"", hint.text);
+  if (!hint.type) out.origin += ", taken to be an end mill";
+  if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
+  fill_turning(hint, unit, out);
+  if (out.type == ToolType::grooving && !(out.width > 0)) {
+    why = "gives no width of the blade";
+    return false;
+  }
+  return true;
+}
+
+void complete_turning_tool(Tool& tool) {
+  const bool round = !tool.insert.empty() && tool.insert.front() == 'R';
+  const bool thread = tool.type == ToolType::threading;  // neutral, 60 degrees
+  if (tool.insert.empty() && tool.insert_angle == 0) tool.insert_angle = radians(thread ? 60 : 35);
+  if (tool.lead_angle == 0 && !round && !thread) tool.lead_angle = radians(93);
+  if (tool.edge_length == 0) tool.edge_length = 16;
+}
+
+}  // namespace mrsim

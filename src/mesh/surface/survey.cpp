@@ -1,0 +1,92 @@
+#include "mesh/surface/survey.h"
+
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "mesh/surface/cells.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr int kFirstDepth = 5, kLastDepth = 7;  ///< halvings of the longest side
+constexpr int kApart = 2;                       ///< halvings after which parts are worked on alone
+constexpr std::size_t kEnough = 12000;          ///< blocks that tell the area well enough
+
+struct Count {
+  std::size_t blocks = 0, sweeps = 0;
+};
+
+Box3 octant(const Box3& box, int k) {
+  const Vec3 m = 0.5 * (box.lo + box.hi);
+  return {{k & 1 ? m.x : box.lo.x, k & 2 ? m.y : box.lo.y, k & 4 ? m.z : box.lo.z},
+          {k & 1 ? box.hi.x : m.x, k & 2 ? box.hi.y : m.y, k & 4 ? box.hi.z : m.z}};
+}
+
+// Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
+void count_blocks(ExactField::Descent& descent, const Box3& box, std::size_t level, int depth,
+                  Candidates& left, Count& count) {
+  if (descent.enter(level, box, kSurfaceBand, depth == 0) != ExactField::Region::mixed) return;
+  if (depth == 0) {
+    descent.candidates(level, left);
+    count.blocks += !left.empty();
+    count.sweeps += left.size();
+    return;
+  }
+  for (int k = 0; k < 8; ++k)
+    count_blocks(descent, octant(box, k), level + 1, depth - 1, left, count);
+}
+
+struct Part {
+  Box3 box;
+  Candidates candidates;
+};
+
+// The parts of the box after some halvings, with what can matter in each.
+void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t level, int depth,
+                std::vector<Part>& out) {
+  if (descent.enter(level, box, kSurfaceBand, false) != ExactField::Region::mixed) return;
+  if (depth == 0) {
+    descent.candidates(level, out.emplace_back(Part{box, {}}).candidates);
+    return;
+  }
+  for (int k = 0; k < 8; ++k) find_parts(descent, octant(box, k), level + 1, depth - 1, out);
+}
+
+Box3 cube_about(const Box3& bounds) {
+  const Vec3 size = bounds.hi - bounds.lo, middle = 0.5 * (bounds.lo + bounds.hi);
+  const double half = 0.5 * std::max({size.x, size.y, size.z});
+  return {middle - Vec3{half, half, half}, middle + Vec3{half, half, half}};
+}
+
+}  // namespace
+
+double SurfaceSurvey::cells(double voxel) const {
+  return static_cast<double>(blocks) * (block / voxel) * (block / voxel);
+}
+
+SurfaceSurvey survey_surface(const ExactField& field, int threads) {
+  const Box3 cube = cube_about(field.bounds());
+  std::vector<Part> parts;
+  const auto whole = field.descent(0.5 * (cube.lo + cube.hi), field.all());
+  find_parts(*whole, cube, 1, kApart, parts);
+  SurfaceSurvey survey;
+  for (int depth = kFirstDepth; depth <= kLastDepth && survey.blocks < kEnough; ++depth) {
+    std::vector<Count> counts(parts.size());
+    parallel_for(parts.size(), threads, [&](std::size_t k) {
+      const Part& part = parts[k];
+      Candidates left;
+      const auto own = field.descent(0.5 * (part.box.lo + part.box.hi), part.candidates);
+      count_blocks(*own, part.box, 1, depth - kApart, left, counts[k]);
+    });
+    survey = {(cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth), 0, 0};
+    std::size_t sweeps = 0;
+    for (const Count& count : counts) survey.blocks += count.blocks, sweeps += count.sweeps;
+    survey.sweeps =
+        static_cast<double>(sweeps) / static_cast<double>(std::max<std::size_t>(survey.blocks, 1));
+  }
+  return survey;
+}
+
+}  // namespace mrsim::detail

@@ -1,0 +1,26 @@
+// How much surface the sweeps have made, told from coarse blocks: what a mesh of it will take
+// (docs/mesh.md, Default settings).
+#pragma once
+
+#include "removal/field/field.h"
+
+#include <cstddef>
+
+namespace mrsim::detail {
+
+/// Cubes that the surface may pass and in which a sweep may decide it.
+struct SurfaceSurvey {
+  double block = 0;        ///< mm: their edge
+  std::size_t blocks = 0;  ///< how many they are
+  double sweeps = 0;       ///< that matter in one of them, on average
+
+  /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
+  /// their cells are merged.
+  double cells(double voxel) const;
+};
+
+/// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest
+/// side. The same for any number of threads. Cost: some hundredths of a second.
+SurfaceSurvey survey_surface(const ExactField& field, int threads);
+
+}  // namespace mrsim::detail

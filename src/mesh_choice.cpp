@@ -1,0 +1,144 @@
+#include "mesh_choice.h"
+
+#include "core/vec.h"
+#include "mesh/surface/survey.h"
+#include "removal/part/default_stock.h"
+#include "removal/part/stock.h"
+#include "removal/sweep/sweep_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// Default tolerance of the mesh, as a share of the longest side: a turned part of the usual shape
+// keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
+constexpr double kToleranceShare = 1.7e-4;
+
+// Budgets, as measured on two cores: cells of the grid in some two seconds; blocks of the survey,
+// with the sweeps in them, of which a mesh within a tolerance is made in a second; voxels in whose
+// corners it looks for what its cells may hide.
+constexpr double kMostGridCells = 2e6, kFewGridCells = 4e5;
+constexpr std::size_t kMostBlocks = 6000;
+constexpr double kMostSweeps = 3e4;
+constexpr double kMostScanned = 1e5;
+
+// What a mesh within a tolerance takes, by its cells: within a factor of three.
+constexpr double kCellBytes = 7e3, kCellSeconds = 2e-4;
+
+double longest_side(const Box3& box) {
+  const Vec3 size = box.hi - box.lo;
+  return std::max({size.x, size.y, size.z});
+}
+
+// The tools' smallest radius, from one cut of each tool: the sweeps of a long program are made once
+// only.
+double smallest_radius(const CutList& cuts) {
+  std::vector<bool> seen(cuts.tools().size(), false);
+  std::vector<Motion> samples;
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0 || seen[static_cast<std::size_t>(motion.tool)]) continue;
+    seen[static_cast<std::size_t>(motion.tool)] = true;
+    samples.push_back(motion);
+  }
+  return SweepTable(samples, cuts.tools()).smallest_radius();
+}
+
+// Neighbours in the series 1, 2, 2.5, 5.
+double finer_voxel(double voxel) { return round_down_voxel(0.9 * voxel); }
+double next_voxel(double voxel) { return round_down_voxel(2.01 * voxel); }
+
+// Cells of this size are within the tolerance on a cylinder or ball of the cutter's radius, and
+// hold no more than half of it.
+double wished_cell(const MeshChoice& choice, double longest) {
+  if (!(choice.radius > 0)) return longest / 400;
+  return std::min(2 * std::sqrt(choice.radius * choice.tolerance), choice.radius / 2);
+}
+
+std::string count_text(double count) {
+  return count < 1e6 ? fmt::format("{:.0f} 000", std::ceil(count / 1e3))
+                     : fmt::format("{:.1f} million", count / 1e6);
+}
+
+std::string needs_text(const MeshChoice& choice, double cells) {
+  return fmt::format(
+      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and {:.2g} minutes of one core: "
+      "--tolerance {:.4g}",
+      choice.tolerance, choice.tolerance_reason, count_text(cells), cells * kCellBytes / 1e9,
+      cells * kCellSeconds / 60, choice.tolerance);
+}
+
+void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
+  choice.voxel = choice.fallback_voxel;
+  choice.tolerance = 0;
+  choice.tolerance_reason = tolerance_reason;
+  choice.measure = true;
+}
+
+}  // namespace
+
+MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& cuts) {
+  MeshChoice choice;
+  choice.voxel = job.carve.voxel;
+  choice.voxel_reason = "--voxel";
+  choice.tolerance = job.mesh.tolerance;
+  choice.tolerance_reason = choice.tolerance != 0 ? "--tolerance" : "";
+  if (choice.voxel != 0) return choice;
+  choice.radius = smallest_radius(cuts);
+  const VoxelChoice voxel = default_voxel(stock, choice.radius);
+  choice.voxel = voxel.voxel;
+  choice.voxel_reason = voxel.reason;
+  if (choice.tolerance != 0) return choice;
+  const double longest = longest_side(stock.box);
+  choice.tolerance = longest * kToleranceShare;
+  choice.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
+  choice.is_default = true;
+  if (job.accept > 0 && choice.tolerance > job.accept / 4) {
+    choice.tolerance = job.accept / 4;
+    choice.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
+    choice.is_default = false;
+  }
+  return choice;
+}
+
+void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
+  if (!choice.is_default) return;
+  const double longest = longest_side(field.bounds());
+  const double cell = wished_cell(choice, longest);
+  choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
+  if (field.is_turned(field.all())) return;  // meshed by its section
+  const detail::SurfaceSurvey survey = detail::survey_surface(field, threads);
+  double& grid = choice.fallback_voxel;
+  while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
+    grid = finer_voxel(grid);
+  const double finest = grid;
+  while (survey.cells(grid) > kMostGridCells) grid = next_voxel(grid);
+  const auto blocks = static_cast<double>(survey.blocks);
+  if (survey.blocks <= kMostBlocks && blocks * (1 + survey.sweeps) <= kMostSweeps) {
+    const double given = choice.voxel;
+    while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
+      choice.voxel = next_voxel(choice.voxel);
+    if (choice.voxel > given)
+      choice.voxel_reason = fmt::format("raised from {:.6g} mm, {}: the cuts' surface is large",
+                                        given, choice.voxel_reason);
+    return;
+  }
+  take_grid(choice, needs_text(choice, survey.cells(cell)));
+  choice.voxel_reason =
+      choice.voxel > finest
+          ? fmt::format("{:.6g} mm would take about {} cells", finest,
+                        count_text(survey.cells(finest)))
+          : fmt::format("for a cutter radius of {:.6g} mm, rounded down", choice.radius);
+}
+
+void give_up_tolerance(MeshChoice& choice, const std::string& why) {
+  take_grid(choice, fmt::format("{:.4g} mm, {}, was given up: {}", choice.tolerance,
+                                choice.tolerance_reason, why));
+  choice.voxel_reason = "the grid instead of the tolerance";
+}
+
+}  // namespace mrsim

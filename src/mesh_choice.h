@@ -1,0 +1,35 @@
+// Voxel and tolerance of a run: as they were given, or by default (docs/mesh.md, Default settings).
+//
+// A default depends on the stock, the cutters and counts of the cut surface: never on a clock or on
+// the number of threads, so that equal inputs give equal bytes.
+#pragma once
+
+#include "cuts.h"
+#include "removal/field/field.h"
+#include <mrsim/mrsim.h>
+
+#include <string>
+
+namespace mrsim {
+
+struct MeshChoice {
+  double voxel = 0;  ///< mm
+  std::string voxel_reason;
+  double tolerance = 0;  ///< mm, 0 = the grid of the voxels
+  std::string tolerance_reason;
+  double radius = 0;          ///< mm: the smallest cutter's, 0 = none has one
+  bool is_default = false;    ///< neither was given: fit_mesh() may change both
+  bool measure = false;       ///< MeshOptions::measure
+  double fallback_voxel = 0;  ///< MeshOptions::fallback_voxel
+};
+
+/// What was given; else what the size of stock and cutters suggests.
+MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& cuts);
+
+/// Coarser where the cut surface is so large that the run would take long.
+void fit_mesh(const ExactField& field, int threads, MeshChoice& choice);
+
+/// The mesh within the tolerance was given up for the grid of choice.fallback_voxel.
+void give_up_tolerance(MeshChoice& choice, const std::string& why);
+
+}  // namespace mrsim

@@ -1,0 +1,29 @@
+#include "removal/prune/candidate_list.h"
+
+namespace mrsim {
+
+void CandidateList::reset(std::size_t slots, const Vec3& about) {
+  const std::size_t lines = (slots + kPad - 1) / kPad + 1;
+  runs_.clear();
+  size_ = 0;
+  origin = about;
+  extent = 0;
+  closed = true;
+  if (lines * kPad <= stride_) return;
+  stride_ = lines * kPad;
+  numbers_.resize(stride_ * kNearColumns);
+}
+
+std::size_t CandidateList::open_run(std::uint32_t of, std::size_t numbers) {
+  const std::size_t end = runs_.empty() ? 0 : runs_.back().first + runs_.back().count;
+  runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
+  return runs_.back().first;
+}
+
+void CandidateList::close_run(std::size_t count) {
+  if (count == 0) return runs_.pop_back();
+  runs_.back().count = count;
+  size_ += count;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,28 @@
+#include "removal/prune/heights.h"
+
+#include <algorithm>
+
+namespace mrsim {
+
+void HeightBounds::begin(const RegionArgs& at, float lateral) {
+  const auto band = static_cast<float>(1.000001 * band_);
+  const float tall = at.tall + 2 * at.delta;
+  args_.x = at.x, args_.y = at.y;
+  args_.wide = 1.000001f * lateral + band + 4 * at.delta;
+  args_.error = 2 * at.delta;
+  args_.top = at.z + tall + 2 * band + 4 * at.delta;
+  swept_ = at.z - tall - band - 4 * at.delta;
+  above_ = at.z + tall + band + 4 * at.delta;
+  twice_ = 2 * band + 4 * at.delta;
+}
+
+HeightArgs HeightBounds::args(const HeightTool& tool) const {
+  HeightArgs a = args_;
+  a.tool = tool;
+  a.error *= 1 + tool.steepest / 8;  // heights err with the slope
+  return a;
+}
+
+float HeightBounds::limit() const { return std::min(above_, least_ + twice_); }
+
+}  // namespace mrsim

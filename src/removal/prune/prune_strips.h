@@ -1,0 +1,28 @@
+// The last step of pruning long lists of one ball's lines, where nothing but their indices is
+// wanted. Faster than prune(), for such lists only.
+#pragma once
+
+#include "removal/prune/candidate_list.h"
+#include "removal/sweep/sweep_table.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+/// The list holds nothing but lines of one ball, and no packs.
+bool is_of_strips(const SweepTable& table, const CandidateList& list);
+
+/// Slots of strips near the four parts of a region, `beside` mm from its centre both ways in plan
+/// (CandidateKernels::strip_quarters); the nearest ones where that is 0.
+std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
+                                          const CandidateList& in);
+
+/// As prune() for a list with is_of_strips(), in a region without parts: the indices of what is
+/// left, in the order of the list. `near`: slot of a strip near the region; less is left the nearer
+/// it is.
+bool prune_strips(const SweepTable& table, const PruneRegion& region, double reach,
+                  const CandidateList& in, std::size_t near, std::vector<std::uint32_t>& out);
+
+}  // namespace mrsim

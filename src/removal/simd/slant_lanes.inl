@@ -1,0 +1,102 @@
+// A slanted line, for one point (V = double) or several; included once per instruction set after
+// falling_lanes.inl.
+//
+// Of the positions above the one nearest to p in plan none is better: they are higher and no
+// nearer. From that position down to the lower end the tool moves away from p in plan and falls: a
+// stretch. Its parameter is the way along the line, so that no slope is above 1.
+
+class SlantStretch {
+ public:
+  SlantStretch(const SlantRecord& r, V px, V py, V pz)
+      : core_(splat(r.core)), plan_(splat(r.plan)), rise_(splat(r.rise)) {
+    const V zero = splat(0.0), end = splat(r.length * r.plan);
+    const V dx = px - splat(r.x), dy = py - splat(r.y);
+    const V along = dx * splat(r.ux) + dy * splat(r.uy);
+    const V off = dx * splat(r.uy) - dy * splat(r.ux);
+    const V foot = vmin(vmax(along, zero), end);
+    square_ = off * off;
+    way_ = select(less(along, end), foot / plan_, splat(r.length));
+    from_ = along - foot;
+    low_ = splat(r.z) - pz;
+    high_ = low_ + rise_ * way_;
+    first_ = place(zero, from_, high_);
+    last_ = place(way_, along, low_);
+  }
+
+  const Place& first() const { return first_; }
+  const Place& last() const { return last_; }
+  /// Way from the lower end.
+  V height_way(V t) const { return way_ - t; }
+
+  Place at(V t) const { return place(t, from_ + plan_ * t, high_ - rise_ * t); }
+  Place at(V t, const Place&, M) const { return at(t); }
+
+  Place rim(const Place& a, const Place& b, M) const {
+    const V zero = splat(0.0);
+    const V t = (vsqrt(vmax(core_ * core_ - square_, zero)) - from_) / plan_;
+    Place x = at(t);
+    x.dr = zero;
+    return choose(less(a.t, t), choose(less(t, b.t), x, b), a);
+  }
+
+  Place ground(const Place& a, const Place& b, M) const {
+    const V t = a.t + a.dz / rise_;
+    const V clamped = select(less(t, a.t), a.t, select(less(b.t, t), b.t, t));
+    return choose(less(splat(0.0), rise_), at(clamped), b);
+  }
+
+  // dr^2 + dz^2 is convex where dr >= 0: Newton's method, halving where it leaves the bracket.
+  Place corner(const Place& a, const Place& b, M wanted) const {
+    const V zero = splat(0.0);
+    Place x = choose(less(zero, slope(b)), a, b);
+    M open = except(except(wanted, less_equal(zero, slope(a))), less_equal(slope(b), zero));
+    x = choose(less_equal(zero, slope(a)), a, x);
+    V low = a.t, high = b.t;
+    for (int k = 0; k < 60 && any(open); ++k) {
+      const V v = slope(x), s = bend(x);
+      const M before = less(v, zero);
+      low = select(before, x.t, low), high = select(before, high, x.t);
+      V t = select(less(zero, s), x.t - v / s, high);
+      const M newton = between(low, t, high);
+      t = select(newton, t, splat(0.5) * (low + high));
+      open = both(open, between(low, t, high));
+      if (!any(open)) break;
+      const V step = t - x.t;
+      x = choose(open, at(t), x);
+      open = except(open, both(newton, less(step * step, splat(kLastStep * kLastStep))));
+    }
+    return x;
+  }
+
+ private:
+  // Newton's method squares the step, and the distance changes by the square of what is left.
+  static constexpr double kLastStep = 1e-6;
+
+  Place place(V t, V along, V dz) const {
+    const V zero = splat(0.0), lateral = vsqrt(along * along + square_);
+    const V slope = select(less(zero, lateral), plan_ * along / lateral, zero);
+    return {t, lateral - core_, dz, slope, zero - rise_, zero, zero};
+  }
+  V slope(const Place& x) const { return x.dr * x.dr_slope - rise_ * x.dz; }
+  V bend(const Place& x) const {
+    const V zero = splat(0.0), lateral = x.dr + core_;
+    const V second =
+        select(less(zero, lateral), (plan_ * plan_ - x.dr_slope * x.dr_slope) / lateral, zero);
+    return x.dr_slope * x.dr_slope + x.dr * second + rise_ * rise_;
+  }
+
+  V core_, plan_, rise_;
+  V square_;      // of the distance across the line in plan
+  V way_;         // from the first position to the lower end
+  V from_;        // how far p lies before the first position, in plan
+  V low_, high_;  // dz at both ends
+  Place first_, last_;
+};
+
+struct SlantLeast {
+  V distance, way;  // way: from the lower end
+};
+static inline SlantLeast slant_least(const SlantStretch& s, V round, M wanted) {
+  const Place x = best_place(s, wanted);
+  return {value_of(x, round), s.height_way(x.t)};
+}

@@ -1,0 +1,31 @@
+// Straight pieces of the paths of milling tools, and the tools as a disc with a fillet, a cone and
+// a wall: what the heights of sweeps are bounded with (docs/removal.md, Heights).
+//
+// Guarantee: a path is never farther than a piece's `eps` from the piece, at equal parameters. The
+// bounds made of pieces only drop sweeps; they never enter a distance.
+#pragma once
+
+#include "removal/simd/candidate_kernels.h"
+#include "removal/simd/sweep_kernels.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace mrsim {
+
+class Profile;
+struct ProfileRow;
+struct ToolPath;
+
+/// Whether the tool's underside is known from its tip: pieces may be made of its moves.
+bool has_heights(const Profile& tool);
+/// The tool for the bounds. Tools that are no disc, fillet, cone and wall count as a cylinder, with
+/// `lift` for what it is below them. Requires: has_heights().
+HeightTool height_tool(const Profile& tool);
+
+/// Records of pieces: start of the tip (x, y, z; the lower end), unit direction (x, y) and length
+/// in plan, slope >= 0, eps; all mm. False, and none, where a path would need too many.
+bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out);
+bool append_pieces(const ProfileRow& row, std::vector<LineRecord>& out);
+
+}  // namespace mrsim

@@ -1,0 +1,18 @@
+// Slanted lines of flat, bull-nosed and ball mills that reach up, without a search: the loops of
+// slant_lanes.inl for one point.
+#pragma once
+
+#include "removal/simd/slant_record.h"
+#include "removal/sweep/path_sweep.h"
+
+namespace mrsim {
+
+/// Whether slant_minimum() holds.
+inline bool is_slant(const Profile& tool, const ToolPath& path) {
+  return !path.arc && tool.is_rounded() && tool.is_rising();
+}
+SlantRecord slant_record(const Profile& tool, const ToolPath& path);
+/// The least distance and where it lies, exact but for rounding. Requires: is_slant().
+PathSample slant_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+}  // namespace mrsim

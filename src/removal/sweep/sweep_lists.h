@@ -1,0 +1,23 @@
+// Lists of sweeps: a list is sorted by the form of its sweeps, and each part goes to the kernels of
+// its form. Each function means what its namesake in SweepTable says.
+#pragma once
+
+#include "removal/sweep/sweep_columns.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest);
+std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
+                                          std::span<const std::uint32_t> list, const Box3& box);
+SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
+                                  const Vec3& p);
+void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
+                     double* out);
+void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                     PointColumns& points);
+
+}  // namespace mrsim

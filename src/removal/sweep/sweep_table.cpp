@@ -1,0 +1,64 @@
+#include "removal/sweep/sweep_table.h"
+
+#include "removal/sweep/build_columns.h"
+#include "removal/sweep/sweep_faces.h"
+#include "removal/sweep/sweep_lists.h"
+#include "removal/sweep/sweep_range.h"
+
+namespace mrsim {
+
+SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools,
+                       const SweepSelection& selection, int threads)
+    : columns_(std::make_unique<SweepColumns>()) {
+  build_columns(motions, tools, selection, threads, *columns_);
+}
+SweepTable::SweepTable(SweepTable&&) noexcept = default;
+SweepTable& SweepTable::operator=(SweepTable&&) noexcept = default;
+SweepTable::~SweepTable() = default;
+
+std::size_t SweepTable::size() const { return columns_->refs.size(); }
+std::int32_t SweepTable::motion(std::size_t i) const { return columns_->motions[i]; }
+bool SweepTable::is_turned() const { return columns_->all_turned; }
+const TurnTree& SweepTable::turn_tree() const { return columns_->turn_tree; }
+double SweepTable::max_error() const { return columns_->max_error; }
+double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
+Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds_of_number(i); }
+
+double SweepTable::distance(std::size_t i, const Vec3& p) const { return columns_->distance(i, p); }
+SweepSample SweepTable::sample(std::size_t i, const Vec3& p) const {
+  return sweep_sample(*columns_, i, p);
+}
+std::int32_t SweepTable::patch(std::size_t i, const Vec3& p) const {
+  return columns_->refs[i].kind == SweepKind::ball_line ? 0 : sample(i, p).patch;
+}
+Vec3 SweepTable::gradient(std::size_t i, const Vec3& p, std::int32_t patch) const {
+  return sweep_gradient(*columns_, i, p, patch);
+}
+double SweepTable::patch_distance(std::size_t i, const Vec3& p, std::int32_t patch) const {
+  return sweep_patch_distance(*columns_, i, p, patch);
+}
+FaceRange SweepTable::patch_range(std::size_t i, const Corners3& t, std::int32_t patch) const {
+  return sweep_range(*columns_, i, t, patch);
+}
+std::optional<SweepTable::FlatFloor> SweepTable::flat_floor(std::size_t i, const Vec3& p) const {
+  return mrsim::flat_floor(*columns_, i, p);
+}
+
+std::vector<std::uint32_t> SweepTable::all(double longest) const {
+  return all_numbers(*columns_, longest);
+}
+std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
+                                              const Box3& box) const {
+  return sweeps_meeting(*columns_, list, box);
+}
+SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
+  return nearest_sweep(*columns_, list, p);
+}
+void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
+  sweep_distances(*columns_, ids, p, out);
+}
+void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
+  least_distances(*columns_, ids, points);
+}
+
+}  // namespace mrsim

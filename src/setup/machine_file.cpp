@@ -1,0 +1,131 @@
+#include "setup/machine_file.h"
+
+#include "core/error.h"
+#include "core/suggest.h"
+#include "core/text_io.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kFileLimit = std::size_t(1) << 20;
+constexpr double kLargest = 1e7;
+
+// A key with one number, and the least that it may be.
+struct NumberKey {
+  std::string_view name;
+  double MachineData::*value;
+  double least;
+};
+constexpr std::array kNumbers = {
+    NumberKey{"tool_change", &MachineData::tool_change, 0},
+    NumberKey{"spindle_acceleration", &MachineData::spindle_acceleration, 1e-3},
+    NumberKey{"max_spindle", &MachineData::max_spindle, 1e-3},
+    NumberKey{"corner_tolerance", &MachineData::corner_tolerance, 0},
+};
+// A key with a number for each axis, above 0.
+struct AxesKey {
+  std::string_view name;
+  Vec3 MachineData::*value;
+};
+constexpr std::array kAxes = {
+    AxesKey{"rapid", &MachineData::rapid},
+    AxesKey{"acceleration", &MachineData::acceleration},
+};
+// Read by the command line (job_file.cpp).
+constexpr std::string_view kKind = "kind";
+
+class MachineReader {
+ public:
+  MachineReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  MachineData read() {
+    toml::table root;
+    try {
+      root = toml::parse(text_);
+    } catch (const toml::parse_error& error) {
+      fail(error.source().begin, "machine-syntax", std::string(error.description()));
+    }
+    const toml::table* table = root["machine"].as_table();
+    if (table == nullptr)
+      fail({1, 1}, "machine-missing", "there is no table [machine] in this file");
+    MachineData machine;
+    machine.origin = name_;
+    for (const auto& [key, node] : *table) read_key(machine, key, node);
+    return machine;
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::source_position& at, const char* code,
+                         const std::string& what) const {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.text = what;
+    diagnostic.place = {name_, static_cast<int>(at.line), static_cast<int>(at.column)};
+    throw PlacedError(diagnostic);
+  }
+  double number(std::string_view key, const toml::node& node, double least) const {
+    const std::optional<double> value = node.value<double>();
+    if (!node.is_number() || !value || !(*value >= least && *value <= kLargest))
+      fail(node.source().begin, "machine-value",
+           fmt::format("{} must be a number from {:g} to {:g}", key, least, kLargest));
+    return *value;
+  }
+  Vec3 axes(std::string_view key, const toml::node& node) const {
+    constexpr double kLeast = 1e-3;
+    const toml::array* row = node.as_array();
+    if (row == nullptr) {
+      const double all = number(key, node, kLeast);
+      return {all, all, all};
+    }
+    if (row->size() != 3)
+      fail(node.source().begin, "machine-value",
+           fmt::format("{} must be one number, or three: X, Y, Z", key));
+    return {number(key, (*row)[0], kLeast), number(key, (*row)[1], kLeast),
+            number(key, (*row)[2], kLeast)};
+  }
+  void read_key(MachineData& machine, const toml::key& key, const toml::node& node) const {
+    for (const NumberKey& known : kNumbers)
+      if (key.str() == known.name) {
+        machine.*known.value = number(key.str(), node, known.least);
+        return;
+      }
+    for (const AxesKey& known : kAxes)
+      if (key.str() == known.name) {
+        machine.*known.value = axes(key.str(), node);
+        return;
+      }
+    if (key.str() != kKind) fail_unknown(key);
+  }
+  [[noreturn]] void fail_unknown(const toml::key& key) const {
+    std::vector<std::string_view> known = {kKind};
+    for (const NumberKey& k : kNumbers) known.push_back(k.name);
+    for (const AxesKey& k : kAxes) known.push_back(k.name);
+    std::string hint = suggestion(key.str(), known);
+    if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(known, " "));
+    fail(key.source().begin, "machine-key",
+         fmt::format("unknown key \"{}\" in [machine]{}", key.str(), hint));
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+MachineData parse_machine(std::string_view text, const std::string& name) {
+  return MachineReader(text, name).read();
+}
+
+MachineData load_machine_file(const std::string& path) {
+  return parse_machine(read_file(path, kFileLimit), path);
+}
+
+}  // namespace mrsim

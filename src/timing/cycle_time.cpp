@@ -1,0 +1,117 @@
+// Look-ahead as controls do it: the speed at which each motion may begin is limited by its corner,
+// by what is left to brake in, and by what there was to speed up in.
+#include "core/vec.h"
+#include "timing/motion_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+// The speed at a corner between two directions: that of an arc which touches both and cuts the
+// corner off by `tolerance` mm.
+double corner_speed(const MotionSpeed& before, const MotionSpeed& after, double tolerance) {
+  const double cosine = std::clamp(dot(before.end, after.begin), -1.0, 1.0);
+  const double slowest = std::min(before.speed, after.speed);
+  const double half = std::sqrt(0.5 * (1 + cosine));  // cosine of half the turn
+  if (half >= 1) return slowest;
+  const double radius = tolerance * half / (1 - half);
+  return std::min(slowest, std::sqrt(std::min(before.acceleration, after.acceleration) * radius));
+}
+
+// Seconds over `length` mm from speed v0 to v1, at most v, with acceleration a.
+double trapezoid(double length, double v0, double v1, double v, double a) {
+  const double top = std::min(v, std::sqrt(a * length + 0.5 * (v0 * v0 + v1 * v1)));
+  const double ramps = (2 * top * top - v0 * v0 - v1 * v1) / (2 * a);
+  return (2 * top - v0 - v1) / a + std::max(0.0, length - ramps) / top;
+}
+
+// Rapids stop where cuts begin, and everything stops at a tool change.
+bool stops_between(const Motion& before, const Motion& after) {
+  return before.tool != after.tool ||
+         (before.kind == MotionKind::rapid) != (after.kind == MotionKind::rapid);
+}
+
+// begin[i]: the speed at which motion i begins; one more for the end of the last.
+std::vector<double> begin_speeds(const std::vector<Motion>& motions,
+                                 const std::vector<MotionSpeed>& speeds, double tolerance) {
+  const std::size_t n = motions.size();
+  std::vector<double> begin(n + 1, 0.0);
+  for (std::size_t i = 1; i < n; ++i)
+    if (speeds[i - 1].speed > 0 && speeds[i].speed > 0 &&
+        !stops_between(motions[i - 1], motions[i]))
+      begin[i] = corner_speed(speeds[i - 1], speeds[i], tolerance);
+  const auto reachable = [&](double from, std::size_t i) {
+    return std::sqrt(from * from + 2 * speeds[i].acceleration * speeds[i].length);
+  };
+  for (std::size_t i = n; i-- > 0;)
+    if (begin[i] > 0) begin[i] = std::min(begin[i], reachable(begin[i + 1], i));
+  for (std::size_t i = 0; i < n; ++i)
+    if (begin[i + 1] > 0) begin[i + 1] = std::min(begin[i + 1], reachable(begin[i], i));
+  return begin;
+}
+
+class Sums {
+ public:
+  explicit Sums(CycleTime& time) : time_(time) {}
+  void add(const Motion& m, double seconds) {
+    const bool rapid = m.kind == MotionKind::rapid;
+    (rapid ? time_.rapid : time_.cutting) += seconds;
+    ToolTime& tool = of(m.tool);
+    (rapid ? tool.rapid : tool.cutting) += seconds;
+  }
+
+ private:
+  ToolTime& of(int tool) {
+    if (last_ < time_.tools.size() && time_.tools[last_].tool == tool) return time_.tools[last_];
+    for (last_ = 0; last_ < time_.tools.size(); ++last_)
+      if (time_.tools[last_].tool == tool) return time_.tools[last_];
+    return time_.tools.emplace_back(ToolTime{tool, 0, 0});
+  }
+  CycleTime& time_;
+  std::size_t last_ = 0;
+};
+
+// The spindle starts after each tool change, and runs at another speed where S says so.
+void add_changes(const std::vector<Motion>& motions, const MachineData& machine, CycleTime& time) {
+  int tool = -1;
+  double speed = 0;
+  for (const Motion& m : motions) {
+    if (m.tool != tool && m.tool >= 0) {
+      if (tool >= 0) ++time.tool_changes, speed = 0;
+      tool = m.tool;
+    }
+    if (m.kind == MotionKind::rapid || !(m.speed > 0) || m.constant_surface_speed) continue;
+    const double wanted = spindle_speed(m, m.start.x, machine);
+    time.spindle += std::fabs(wanted - speed) / machine.spindle_acceleration;
+    speed = wanted;
+  }
+  time.tool_change = static_cast<double>(time.tool_changes) * machine.tool_change;
+}
+
+}  // namespace
+
+CycleTime cycle_time(const Program& program, const MachineData& machine) {
+  const std::vector<Motion>& motions = program.motions;
+  CycleTime time;
+  std::vector<MotionSpeed> speeds(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (!motions[i].assumed_start) speeds[i] = motion_speed(motions[i], machine);
+  const std::vector<double> begin = begin_speeds(motions, speeds, machine.corner_tolerance);
+  time.seconds.resize(motions.size());
+  Sums sums(time);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const MotionSpeed& s = speeds[i];
+    if (s.speed > 0)
+      time.seconds[i] = trapezoid(s.length, begin[i], begin[i + 1], s.speed, s.acceleration);
+    else if (s.length > 0)
+      ++time.without_feed;
+    sums.add(motions[i], time.seconds[i]);
+  }
+  add_changes(motions, machine, time);
+  time.total = time.cutting + time.rapid + time.tool_change + time.spindle;
+  return time;
+}
+
+}  // namespace mrsim

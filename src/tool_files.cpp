@@ -1,0 +1,91 @@
+// Tools from files of any format; what remarks say of LinuxCNC's tools, whose table has no kinds.
+#include "core/units.h"
+#include "interp/text/tool_comment.h"
+#include "setup/tool_library.h"
+#include <mrsim/mrsim.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// The unit of a LinuxCNC table is the machine's; a remark such as "1/4 end mill" beside D0.25 tells
+// it.
+double table_unit(const std::vector<LibraryTool>& tools) {
+  int inches = 0, millimetres = 0;
+  for (const LibraryTool& entry : tools) {
+    const ToolHint hint = read_tool_comment(entry.remark);
+    for (const ToolLength& said : hint.diameters) {
+      if (said.unit == 0 && !said.fraction) continue;
+      const double mm = said.value * (said.unit > 0 ? said.unit : kMmPerInch);
+      if (std::abs(entry.tool.diameter - mm) < 0.05) ++millimetres;
+      if (std::abs(entry.tool.diameter * kMmPerInch - mm) < 0.05) ++inches;
+    }
+  }
+  return inches > millimetres ? kMmPerInch : 1;
+}
+
+void complete_linuxcnc(LibraryTool& entry, double unit) {
+  Tool& tool = entry.tool;
+  tool.diameter *= unit;
+  tool.nose_radius *= unit;
+  tool.origin += unit > 1 ? ", in inches" : ", in mm";
+  const ToolHint hint = read_tool_comment(entry.remark);
+  Tool said;
+  std::string why;
+  const bool told = fill_tool(hint, unit, false, said, why);
+  if (is_turning(tool.type)) {
+    const double nose = tool.nose_radius;
+    if (told && is_turning(said.type)) {
+      said.id = tool.id;
+      said.tip = tool.tip;
+      said.tip_is_nose_centre = tool.tip_is_nose_centre;
+      said.origin = tool.origin;
+      tool = said;
+    }
+    if (nose > 0) tool.nose_radius = nose;
+    complete_turning_tool(tool);
+    return;
+  }
+  const bool same = told && !is_turning(said.type) && std::abs(said.diameter - tool.diameter) < 0.1;
+  if (same) {
+    tool.type = said.type;
+    tool.corner_radius = said.corner_radius;
+    tool.tip_angle = said.tip_angle;
+    tool.taper_angle = said.taper_angle;
+    return;
+  }
+  const bool simple = hint.type == ToolType::drill || hint.type == ToolType::ballmill;
+  if (simple && hint.diameters.empty())
+    tool.type = *hint.type;
+  else if (hint.type != ToolType::endmill)
+    tool.origin += ", taken to be an end mill";
+}
+
+}  // namespace
+
+ToolTable load_tools(const std::string& path, std::vector<std::string>* notes) {
+  ToolLibrary library = load_library(path);
+  if (library.format == LibraryFormat::toml) return std::move(library.table);
+  if (library.format == LibraryFormat::linuxcnc) {
+    const double unit = table_unit(library.tools);
+    for (LibraryTool& entry : library.tools) complete_linuxcnc(entry, unit);
+  }
+  if (notes != nullptr) {
+    notes->push_back(
+        fmt::format("{}: {}, {} tools", path, library_name(library.format), library.tools.size()));
+    for (const std::string& text : library.skipped)
+      notes->push_back(fmt::format("{}: {}; left out", path, text));
+  }
+  ToolTable table;
+  for (LibraryTool& entry : library.tools) {
+    if (!entry.remark.empty()) entry.tool.origin += fmt::format(" \"{}\"", entry.remark);
+    table.tools.push_back(std::move(entry.tool));
+  }
+  return table;
+}
+
+}  // namespace mrsim

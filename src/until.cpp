@@ -1,0 +1,84 @@
+#include "until.h"
+
+#include "core/error.h"
+
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+[[noreturn]] void fail_invalid(const std::string& until) {
+  throw Error("until-invalid",
+              fmt::format("--until {}: a line of the program (12), of another file (O100:7), or a "
+                          "motion (#5000) is wanted",
+                          until),
+              Error::Kind::usage);
+}
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value == 0) return std::nullopt;
+  return value;
+}
+
+int file_named(const Program& program, const std::string& name) {
+  std::string known;
+  for (std::size_t i = 0; i < program.files.size(); ++i) {
+    const std::filesystem::path path = program.files[i];
+    if (name == path.filename() || name == path.stem()) return static_cast<int>(i);
+    known += (known.empty() ? "" : ", ") + path.filename().string();
+  }
+  throw Error(
+      "until-file",
+      fmt::format("--until: no motion comes from a file \"{}\" (there are: {})", name, known),
+      Error::Kind::usage);
+}
+
+// The line of `file` at which a motion stands, or from which it was called; 0 = neither.
+int line_in(const Program& program, const Motion& motion, int file) {
+  if (motion.file == file) return motion.line;
+  for (int call = motion.call; call >= 0;) {
+    const CallSite& site = program.calls[static_cast<std::size_t>(call)];
+    if (site.file == file) return site.line;
+    call = site.outer;
+  }
+  return 0;
+}
+
+std::size_t motions_until_line(const Program& program, int file, std::size_t line) {
+  const std::vector<Motion>& motions = program.motions;
+  int last = 0;  // the last line at or before `line` that moves
+  for (const Motion& motion : motions) {
+    const int at = line_in(program, motion, file);
+    if (at > last && static_cast<std::size_t>(at) <= line) last = at;
+  }
+  if (last == 0) return 0;
+  std::size_t i = 0;
+  while (line_in(program, motions[i], file) != last) ++i;
+  while (i < motions.size() && line_in(program, motions[i], file) == last) ++i;
+  return i;
+}
+
+}  // namespace
+
+std::size_t motions_until(const Program& program, const std::string& until) {
+  if (until.starts_with('#')) {
+    const std::optional<std::size_t> motion = whole_number(std::string_view(until).substr(1));
+    if (!motion) fail_invalid(until);
+    return std::min(*motion, program.motions.size());
+  }
+  const std::size_t colon = until.rfind(':');
+  const std::optional<std::size_t> line =
+      whole_number(std::string_view(until).substr(colon == until.npos ? 0 : colon + 1));
+  if (!line || colon == 0) fail_invalid(until);
+  const int file = colon == until.npos ? 0 : file_named(program, until.substr(0, colon));
+  return motions_until_line(program, file, *line);
+}
+
+}  // namespace mrsim

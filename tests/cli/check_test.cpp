@@ -1,0 +1,66 @@
+// `mrsim check` on programs, folders and pipes, `mrsim tools`, projects of CAMotics.
+#include "run_program.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace mrsim {
+namespace {
+
+using CheckCli = CliTest;
+
+const char* const kPart = "T1 M6 (6MM ENDMILL)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX20\nM30\n";
+
+TEST_F(CheckCli, TellsWhatARunRefuses) {
+  write("thread.nc", "G18 G21\nG96 S100\nT1 (CNMG 120408)\nG0 X50 Z2\nG33 Z-20 K1.5\n");
+  const Outcome thread = run("check thread.nc");
+  EXPECT_EQ(thread.code, 1);
+  EXPECT_TRUE(contains(thread.err, "thread")) << thread.err;
+  write("bare.nc", "G1 X5 Y5 Z1 F100\nX6\n");
+  EXPECT_EQ(run("check bare.nc").code, 1);
+  EXPECT_EQ(run("check bare.nc --tool endmill:d=5").code, 0);
+}
+
+TEST_F(CheckCli, ManyProgramsAreOneProcess) {
+  std::filesystem::create_directories(folder_ / "posts/inner");
+  write("posts/a.nc", kPart);
+  write("posts/inner/b.nc", "0 BEGIN PGM A MM\n");
+  write("posts/readme.md", "no program");
+  const Outcome text = run("check posts");
+  EXPECT_EQ(text.code, 1);
+  EXPECT_TRUE(contains(text.out, "2 programs, 1 failed")) << text.out;
+  EXPECT_TRUE(contains(text.err, "Heidenhain")) << text.err;
+  const Outcome json = run("check --json posts/a.nc posts");
+  EXPECT_EQ(json.code, 1);
+  EXPECT_TRUE(contains(json.out, "\"kind\":\"summary\",\"program\":\"posts/a.nc\"")) << json.out;
+  EXPECT_TRUE(contains(json.out, "{\"kind\":\"total\",\"programs\":3,\"failed\":1")) << json.out;
+}
+
+TEST_F(CheckCli, TraceIsQuietAndNeedsNoTools) {
+  write("bare.nc", "G1 X5 Y5 Z1 F100\nX6\n");
+  const Outcome quiet = run("trace -q -o path.svg bare.nc");
+  EXPECT_EQ(quiet.code, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "path.svg"));
+}
+
+TEST_F(CheckCli, CamoticsProjectsRun) {
+  write("a.nc", "T1 M6\nG21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX20\nM30\n");
+  write(
+      "p.camotics",
+      R"({"units":"metric","tools":{"1":{"units":"metric","shape":"cylindrical","length":20,"diameter":4}},
+        "workpiece":{"automatic":false,"bounds":{"min":[-5,-5,-5],"max":[30,5,0]}},"files":["a.nc"]})");
+  const Outcome cut = run("p.camotics -o p.stl");
+  EXPECT_EQ(cut.code, 0) << cut.err;
+  EXPECT_TRUE(contains(cut.out, "box 35 x 10 x 5 mm")) << cut.out;
+  EXPECT_TRUE(contains(cut.out, "end mill Ø4")) << cut.out;
+  const Outcome tools = run("tools p.camotics -o t.svg -o t.png");
+  EXPECT_EQ(tools.code, 0) << tools.err;
+  EXPECT_TRUE(contains(tools.out, "end mill Ø4")) << tools.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "t.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "t.png"));
+  EXPECT_EQ(run("tools a.nc").code, 1);
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,64 @@
+// The limits of docs/limits.md, as a user meets them.
+#include "run_program.h"
+
+namespace mrsim {
+namespace {
+
+class Limits : public CliTest {
+ protected:
+  // A raster of many short lines, so that files of its mesh are large.
+  void write_raster(int moves) {
+    std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
+    for (int i = 0; i < moves; ++i)
+      text += "G1 X" + std::to_string(i % 100) + " Y" + std::to_string(i / 100 % 100) + " Z-" +
+              std::to_string(1 + i % 7 * 0.1) + " F500\n";
+    write("raster.MPF", text + "G0 Z9\nM30\n");
+  }
+};
+
+TEST_F(Limits, FilesThatNeverEnd) {
+  std::filesystem::create_symlink("/dev/zero", folder_ / "zero.stl");
+  std::filesystem::create_symlink("/dev/zero", folder_ / "zero.MPF");
+  expect_failure("PRIMER_2F.MPF --stock zero.stl -o part.stl", 1, "[file-too-large]");
+  expect_failure("zero.MPF --stock block.stl -o part.stl", 1, "[file-too-large]");
+  expect_failure("compare zero.stl block.stl", 1, "[file-too-large]");
+}
+
+TEST_F(Limits, MessagesOfADamagedProgram) {
+  write("flood.MPF", std::string(200000, '/') + "\n");
+  const Outcome outcome = run("flood.MPF --machine mill --stock block.stl -o part.stl");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_LT(outcome.err.size(), 100000U);
+  EXPECT_TRUE(contains(outcome.err, "more of these")) << outcome.err.substr(0, 2000);
+}
+
+TEST_F(Limits, Comparison) {
+  const Outcome dense = run("compare block.stl block.stl --density 1e300");
+  EXPECT_EQ(dense.code, 2) << dense.err;
+  EXPECT_TRUE(contains(dense.err, "[density-too-large]")) << dense.err;
+  EXPECT_TRUE(contains(dense.err, "at most 5000000")) << dense.err;
+  std::string far = read("block.stl");
+  const float coordinate = 1e38F;
+  far.replace(96, 4, std::string(reinterpret_cast<const char*>(&coordinate), 4));
+  write("far.stl", far);
+  for (const char* arguments : {"compare far.stl block.stl", "compare block.stl far.stl",
+                                "PRIMER_2F.MPF --stock far.stl -o part.stl"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "[stl-too-far]")) << arguments << outcome.err;
+  }
+  const Outcome small = run("compare block.stl block.stl --max-memory 20M");
+  EXPECT_EQ(small.code, 1) << small.err;
+  EXPECT_TRUE(contains(small.err, "[memory]")) << small.err;
+}
+
+TEST_F(Limits, MemoryOfReading) {
+  write_raster(60000);
+  expect_failure(
+      "raster.MPF --stock box:0,0,-8,100,100,0 --tool ballmill:d=6 -o part.stl "
+      "--max-memory 20M",
+      1, "[memory]");
+}
+
+}  // namespace
+}  // namespace mrsim

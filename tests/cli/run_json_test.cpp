@@ -1,0 +1,118 @@
+// What a run tells programs: --json and --junit, the same keys whatever happens.
+#include "run_program.h"
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::json;
+
+class RunJson : public CliTest {
+ protected:
+  static constexpr const char* kCut = "PRIMER_2F.MPF --stock block.stl --voxel 5 -q ";
+  Json parsed(const std::string& name) { return Json::parse(read(name), nullptr, false); }
+  /// `name` fits docs/schema/`schema`.json.
+  void expect_valid(const std::string& schema, const std::string& name, const char* lines = "") {
+    const std::string root = MRSIM_DATA_DIR "/..";
+    const std::string command = "python3 '" + root + "/scripts/check_schema.py' " + lines + " '" +
+                                root + "/docs/schema/" + schema + ".json' '" +
+                                (folder_ / name).string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << read(name).substr(0, 2000);
+  }
+  /// The run ends with `code`, and its JSON fits the schema and says so.
+  Json told(const std::string& arguments, int code) {
+    const Outcome o = run(arguments + " --json r.json --junit r.xml");
+    EXPECT_EQ(o.code, code) << o.err;
+    expect_valid("run", "r.json");
+    const Json j = parsed("r.json");
+    EXPECT_EQ(j["exit_code"], code);
+    EXPECT_TRUE(contains(read("r.xml"), "<testsuites tests=\"4\"")) << read("r.xml");
+    return j;
+  }
+};
+
+TEST_F(RunJson, SaysWhatTheSummarySays) {
+  const Json j = told(std::string(kCut) + "-o part.stl -o part.ply", 0);
+  EXPECT_EQ(j["status"], "done");
+  EXPECT_EQ(j["program"]["dialect"], "SINUMERIK");
+  EXPECT_EQ(j["program"]["motions"]["arc"], 3);
+  EXPECT_EQ(j["tools"][0]["diameter"], 5);
+  EXPECT_EQ(j["voxel"]["value"], 5);
+  ASSERT_EQ(j["outputs"].size(), 3u);  // the JUnit file, too; not the JSON itself
+  EXPECT_EQ(j["outputs"][0]["path"], "part.stl");
+  EXPECT_EQ(j["outputs"][0]["bytes"], read("part.stl").size());
+  const std::string sum = j["outputs"][0]["sha256"];
+  const std::string check =
+      "cd '" + folder_.string() + "' && echo '" + sum + "  part.stl' | sha256sum -c --status";
+  EXPECT_EQ(std::system(check.c_str()), 0) << sum;
+}
+
+TEST_F(RunJson, HoldsTheComparison) {
+  const Json j = told(std::string(kCut) + "--nominal block.stl --accept 0.02", 4);
+  EXPECT_EQ(j["status"], "rejected");
+  EXPECT_EQ(j["comparison"]["verdict"], "rejected");
+  EXPECT_TRUE(contains(read("r.xml"), "<failure"));
+  write("c.json", j["comparison"].dump());
+  expect_valid("compare", "c.json");
+}
+
+TEST_F(RunJson, HasTheSameKeysWhenTheRunFails) {
+  const auto keys = [](const Json& j) {
+    std::string out;
+    for (const auto& [key, value] : j.items()) out += key + " ";
+    return out;
+  };
+  const std::string all = keys(told(kCut, 0));
+  const Json missing = told("missing.MPF --stock block.stl", 1);
+  EXPECT_EQ(missing["error"]["code"], "file-missing");
+  EXPECT_EQ(keys(missing), all);
+  write("bad.MPF", "G54\nTRANS X0\nT1 M6\nG0 X0 Y0 Z5\nG1 X1.2.3\nM30\n");
+  const Json bad = told("bad.MPF --machine mill --tool 1=endmill:d=5 -o part.stl", 1);
+  EXPECT_EQ(keys(bad), all);
+  EXPECT_FALSE(bad["diagnostics"].empty());
+  EXPECT_TRUE(bad["outputs"].empty());
+  EXPECT_FALSE(exists("part.stl"));
+  // An old part is no place for it, however the run ends.
+  write("old.stl", "old");
+  EXPECT_EQ(run("missing.MPF -o old.stl --json old.stl").code, 2);
+  EXPECT_EQ(read("old.stl"), "old");
+}
+
+TEST_F(RunJson, StandsAloneOnTheStandardOutput) {
+  const Outcome o = run("PRIMER_2F.MPF --stock block.stl --voxel 5 -o part.stl --json -");
+  EXPECT_EQ(Json::parse(o.out, nullptr, false)["status"], "done") << o.out;
+}
+
+TEST_F(RunJson, OtherCommandsFitTheirSchemas) {
+  write("t.json", run("trace PRIMER_2F.MPF --json").out);
+  expect_valid("trace", "t.json", "--lines");
+  write("c.json", run("check PRIMER_2S.MPF --json").out);
+  expect_valid("check", "c.json", "--lines");
+  ASSERT_EQ(run("compare block.stl block.stl --accept 0.02 --json x.json").code, 0);
+  expect_valid("compare", "x.json");
+}
+
+TEST_F(RunJson, OptionsOfAComparisonNeedANominal) {
+  for (const char* option : {"--deviation d.ply", "--align icp", "--density 3", "--colors safe"}) {
+    const Outcome o = run(std::string(kCut) + option);
+    EXPECT_EQ(o.code, 2) << option;
+    EXPECT_TRUE(contains(o.err, "--nominal")) << o.err;
+  }
+}
+
+TEST_F(RunJson, ACoarseToleranceIsAWarningLikeOthers) {
+  const std::string coarse =
+      "PRIMER_2F.MPF --stock block.stl --tolerance 0.1 --nominal block.stl --accept 0.02";
+  EXPECT_TRUE(contains(run(coarse).err, "[tolerance-coarse]"));
+  EXPECT_EQ(run(coarse + " -q").err, "");
+  EXPECT_EQ(run(coarse + " --strict").code, 1);
+}
+
+TEST_F(RunJson, RefusalsSayWhatIsWrong) {
+  EXPECT_TRUE(contains(run(std::string(kCut) + "--threads 4096").err, "too many threads"));
+  EXPECT_TRUE(contains(run("PRIMER_2F.MPF --tolerance 1e9").err, "too large"));
+}
+
+}  // namespace
+}  // namespace mrsim

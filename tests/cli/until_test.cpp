@@ -1,0 +1,69 @@
+// --until: the part at a moment is the part of a program that ends there, to the byte.
+#include "run_program.h"
+
+namespace mrsim {
+namespace {
+
+class Until : public CliTest {
+ protected:
+  // PRIMER_2F up to `line`, then M30.
+  void write_shortened(int line) {
+    std::istringstream text(read("PRIMER_2F.MPF"));
+    std::string out, row;
+    for (int i = 0; i < line && std::getline(text, row); ++i) out += row + "\n";
+    write("SHORT.MPF", out + "M30\n");
+  }
+  void expect_same(const std::string& until, int line) {
+    write_shortened(line);
+    ASSERT_EQ(run("SHORT.MPF --stock block.stl -q -o short.stl").code, 0);
+    const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl -o part.stl --until " + until);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "the program ends after")) << outcome.err;
+    EXPECT_EQ(read("part.stl"), read("short.stl")) << until;
+  }
+};
+
+TEST_F(Until, LineEndsTheProgramThere) {
+  expect_same("7", 7);
+  expect_same("PRIMER_2F:8", 8);
+  expect_same("11", 11);
+}
+
+TEST_F(Until, MotionsAreCountedFromOne) { expect_same("'#3'", 7); }
+
+TEST_F(Until, LineOfACallHoldsAllThatItCalls) {
+  write("SUB.SPF", "G91 G1 X5 F200\nY5\nX-5\nY-5 G90\nM17\n");
+  const std::string head = "G54 G17 G90 G71\nT1 M6\nG0 X20 Y-30 Z5\nG1 Z-2 F200\n";
+  write("main.MPF", head + "SUB\nG1 X40\nM30\n");
+  write("short.MPF", head + "SUB\nM30\n");
+  const std::string rest =
+      " --machine mill --stock box:0,-60,-10,100,0,0 --tool 1=endmill:d=4 -q -o ";
+  ASSERT_EQ(run("short.MPF" + rest + "short.stl").code, 0);
+  const Outcome outcome = run("main.MPF" + rest + "part.stl --until 5");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read("part.stl"), read("short.stl"));
+  EXPECT_EQ(run("main.MPF" + rest + "sub.stl --until SUB:2").code, 0);
+  EXPECT_NE(read("sub.stl"), read("short.stl"));
+}
+
+TEST_F(Until, MomentsThatAreNoneAreWrongUsage) {
+  for (const char* moment : {"0", "'#'", "-3", "7a", ":7", "OTHER:7"})
+    expect_failure(std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --until ") + moment, 2,
+                   "until");
+}
+
+TEST_F(Until, CycleTimeIsToldAndFollowsTheMachine) {
+  const Outcome usual = run("PRIMER_2F.MPF --stock block.stl -o part.stl");
+  EXPECT_TRUE(contains(usual.out, "a usual machine")) << usual.out;
+  write("job.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\noutputs = \"part.stl\"\n"
+        "[machine]\nkind = \"mill\"\nacceleration = 100000\nspindle_acceleration = 1e6\n");
+  const Outcome fast = run("job.toml");
+  ASSERT_EQ(fast.code, 0) << fast.err;
+  // 7 mm down and three half circles at 200 mm/min.
+  EXPECT_NEAR(number_after(fast.out, "cutting"), (7 + 37.5 * 3.14159265) * 60 / 200, 0.06)
+      << fast.out;
+}
+
+}  // namespace
+}  // namespace mrsim

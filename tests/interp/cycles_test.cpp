@@ -1,0 +1,141 @@
+// Drilling, tapping and boring cycles against the pictures of the controls' manuals.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+// "r X Y Z" for a rapid, "l X Y Z" for a line, to the end of each motion.
+std::string ends(const Program& program) {
+  std::string out;
+  for (const Motion& m : program.motions) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%c%g,%g,%g ", m.kind == MotionKind::rapid ? 'r' : 'l',
+                  m.end.x + 0.0, m.end.y + 0.0, m.end.z + 0.0);
+    out += text;
+  }
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+std::string run(Dialect dialect, const std::string& text) {
+  const Program p = read_text(text, at_origin(dialect));
+  return ends(p) + (codes(p).empty() ? "" : " | " + codes(p));
+}
+
+TEST(Cycles, FanucG81WithBothReturnLevels) {
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z50\nG98 G81 X10 Y0 Z-5 R2 F100\nX20\nG99 X30\nX40\nG80\nX0\n"),
+            "r0,0,50 r10,0,50 r10,0,2 l10,0,-5 r10,0,50 r20,0,50 r20,0,2 l20,0,-5 r20,0,50 "
+            "r30,0,50 r30,0,2 l30,0,-5 r30,0,2 r40,0,2 l40,0,-5 r40,0,2 r0,0,2");
+}
+
+TEST(Cycles, IncrementalLevelsAndRepeats) {
+  // R from the initial level, Z from R; K3 makes three holes 10 apart.
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z20\nG91 G99 G81 X10 Z-7 R-18 K3 F100\n"),
+            "r0,0,20 r10,0,20 r10,0,2 l10,0,-5 r10,0,2 r20,0,2 l20,0,-5 r20,0,2 r30,0,2 l30,0,-5 "
+            "r30,0,2");
+  EXPECT_EQ(run(Dialect::iso, "G0 Z20\nG91 G99 G81 X10 Z-7 R-18 L0 F100\nG90 G1 X5\n"),
+            "r0,0,20 l5,0,20");
+}
+
+TEST(Cycles, PecksWithFullRetractAndChipBreaking) {
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG83 Z-5 R1 Q2.5 F100\n"),
+            "r0,0,5 r0,0,1 l0,0,-1.5 r0,0,1 r0,0,-1.246 l0,0,-4 r0,0,1 r0,0,-3.746 l0,0,-5 r0,0,5");
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG73 Z-5 R1 Q3 F100\n"),
+            "r0,0,5 r0,0,1 l0,0,-2 r0,0,-1.746 l0,0,-5 r0,0,5");
+  // Haas: first stroke I, each next one J less, at least K.
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG73 Z-6 R0 I3 J1 K1.5 F100\n"),
+            "r0,0,5 r0,0,0 l0,0,-3 r0,0,-2.746 l0,0,-5 r0,0,-4.746 l0,0,-6 r0,0,5");
+}
+
+TEST(Cycles, WaysOut) {
+  for (const char* g : {"G84", "G85", "G89", "G74"})
+    EXPECT_EQ(run(Dialect::fanuc, std::string("G0 Z5\nS100 M3\n") + g + " Z-5 R1 F100\n"),
+              "r0,0,5 r0,0,1 l0,0,-5 l0,0,1 r0,0,5")
+        << g;
+  for (const char* g : {"G81", "G82", "G86", "G88", "G76"})
+    EXPECT_EQ(run(Dialect::fanuc, std::string("G0 Z5\n") + g + " Z-5 R1 P100 Q0.1 F100\n"),
+              "r0,0,5 r0,0,1 l0,0,-5 r0,0,5")
+        << g;
+  EXPECT_EQ(codes(read_text("G0 Z5\nG87 Z-5 R-8 F100\n", at_origin(Dialect::fanuc))),
+            "not-supported");
+}
+
+TEST(Cycles, TappingHasItsLead) {
+  const Program p =
+      read_text("G0 Z5\nS500 M3\nG84 Z-5 R1 F625\nG74 X5 Z-5 R1 F625\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(p.motions.size(), 10U);
+  EXPECT_DOUBLE_EQ(p.motions[2].lead, 1.25);
+  EXPECT_DOUBLE_EQ(p.motions[7].lead, -1.25);
+  EXPECT_EQ(p.motions[1].lead, 0);
+}
+
+TEST(Cycles, OtherPlanes) {
+  EXPECT_EQ(run(Dialect::fanuc, "G0 X5 Y20\nG18 G81 X10 Z3 Y-5 R2 F100\nG80\n"),
+            "r5,20,0 r10,20,3 r10,2,3 l10,-5,3 r10,20,3");
+  EXPECT_EQ(run(Dialect::fanuc, "G0 X20\nG19 G81 Y10 Z3 X-5 R2 F100\nG80\n"),
+            "r20,0,0 r20,10,3 r2,10,3 l-5,10,3 r20,10,3");
+}
+
+TEST(Cycles, EachMotionNamesTheCycleCalledFromThePoint) {
+  const Program p = read_text("G0 Z5\nG81 X1 Z-5 R1 F100\nX2\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(p.motions.size(), 9U);
+  EXPECT_EQ(p.motions[3].line, 2);
+  EXPECT_EQ(p.motions[3].call, -1);
+  EXPECT_EQ(p.motions[5].line, 3);  // to the point
+  EXPECT_EQ(p.motions[7].line, 2);
+  ASSERT_GE(p.motions[7].call, 0);
+  EXPECT_EQ(p.calls[static_cast<std::size_t>(p.motions[7].call)].line, 3);
+}
+
+TEST(Cycles, LinuxCncLeavesTheWorkFirst) {
+  // Its manual: below R the tool rises to R before it goes aside; G98 returns to R then.
+  EXPECT_EQ(run(Dialect::ngc, "G0 Z1\nG98 G81 X4 Y5 Z-3 R2.8 F100\n"),
+            "r0,0,1 r0,0,2.8 r4,5,2.8 l4,5,-3 r4,5,2.8");
+  // G91 G81 G98 X4 Y5 Z-0.6 R1.8 L3 from X1 Y2 Z3, as in its manual.
+  EXPECT_EQ(run(Dialect::ngc, "G0 X1 Y2 Z3\nG91 G81 G98 X4 Y5 Z-0.6 R1.8 L3 F100\n"),
+            "r1,2,3 r1,2,4.8 r5,7,4.8 l5,7,4.2 r5,7,4.8 r9,12,4.8 l9,12,4.2 r9,12,4.8 "
+            "r13,17,4.8 l13,17,4.2 r13,17,4.8");
+  EXPECT_EQ(codes(read_text("G0 Z5\nG81 X1 Z3 R2 F100\n", at_origin(Dialect::ngc))), "value-range");
+  EXPECT_EQ(codes(read_text("G0 Z5\nG83 X1 Z-3 R2 F100\n", at_origin(Dialect::ngc))),
+            "value-missing");
+}
+
+TEST(Cycles, SinumerikCallsAndMcall) {
+  const auto s = Dialect::sinumerik;
+  EXPECT_EQ(run(s, "G0 X10 Y5 Z40\nF100\nCYCLE81(30,0,2,-15)\n"),
+            "r10,5,40 r10,5,2 l10,5,-15 r10,5,30");
+  EXPECT_EQ(run(s, "G0 Z40\nF100\nMCALL CYCLE82(30,0,2,,15,0.5)\nX10\nX20 Y5\nMCALL\nX0 Y0\n"),
+            "r0,0,40 r10,0,40 r10,0,2 l10,0,-15 r10,0,30 r20,5,30 r20,5,2 l20,5,-15 r20,5,30 "
+            "r0,0,30");
+  EXPECT_EQ(run(s, "G0 Z40\nF100\nMCALL CYCLE81(30,0,2,-5)\nHOLES1(10,0,0,0,5,2)\nMCALL\n"),
+            "r0,0,40 r10,0,40 r10,0,2 l10,0,-5 r10,0,30 r15,0,30 r15,0,2 l15,0,-5 r15,0,30");
+  EXPECT_EQ(run(s, "G0 Z9\nF100\nMCALL CYCLE81(9,0,2,-5,,,0,1,11)\nHOLES2(0,0,10,90,0,2)\n"),
+            "r0,0,9 r0,10,9 r0,10,2 l0,10,-5 r0,10,9 r0,-10,9 r0,-10,2 l0,-10,-5 r0,-10,9")
+      << "AMODE 1: the value in DP is incremental";
+}
+
+TEST(Cycles, SinumerikDeepHoles) {
+  const auto s = Dialect::sinumerik;
+  // First depth 5, each next one 1 less, chips out.
+  EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-12,,-5,,1,0,0,1,1)\n"),
+            "r0,0,5 r0,0,1 l0,0,-5 r0,0,1 r0,0,-4.746 l0,0,-9 r0,0,1 r0,0,-8.746 l0,0,-12 r0,0,5");
+  // Chip breaking: 1 mm back.
+  EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-8,,,5,0,0,0,1,0)\n"),
+            "r0,0,5 r0,0,1 l0,0,-5 r0,0,-4 l0,0,-8 r0,0,5");
+}
+
+TEST(Cycles, SinumerikTappingAndBoring) {
+  const auto s = Dialect::sinumerik;
+  const Program tap = read_text("G0 Z5\nCYCLE84(5,0,2,-10,,0,3,8,,0,500,500)\n", at_origin(s));
+  EXPECT_EQ(ends(tap), "r0,0,5 r0,0,2 l0,0,-10 l0,0,2 r0,0,5");
+  EXPECT_DOUBLE_EQ(tap.motions[2].lead, 1.25);  // MPIT 8
+  const Program ream = read_text("G0 Z5\nCYCLE85(5,0,2,-10,,0,150,600)\n", at_origin(s));
+  EXPECT_EQ(ends(ream), "r0,0,5 r0,0,2 l0,0,-10 l0,0,2 r0,0,5");
+  EXPECT_EQ(ream.motions[2].feed, 150);
+  EXPECT_EQ(ream.motions[3].feed, 600);
+  EXPECT_EQ(run(s, "F100\nG0 Z5\nCYCLE86(5,0,2,-10,,0,3,-1,0,1,0)\n"),
+            "r0,0,5 r0,0,2 l0,0,-10 r-1,0,-9 r-1,0,5 r0,0,5");
+}
+
+}  // namespace
+}  // namespace mrsim

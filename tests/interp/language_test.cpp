@@ -1,0 +1,266 @@
+// Variables, loops and subprograms: a program with loops moves like the same program written out.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+/// End points of the motions, and the codes of errors and warnings.
+std::string path_of(const Program& program) {
+  std::string out;
+  for (const Motion& m : program.motions)
+    out += fmt::format("{:.9g},{:.9g},{:.9g} ", m.end.x + 0.0, m.end.y + 0.0, m.end.z + 0.0);
+  return out + codes(program);
+}
+
+std::string run(Dialect dialect, const std::string& text) {
+  return path_of(read_text(text, at_origin(dialect)));
+}
+
+TEST(Macro, WhileLoopsEqualTheWrittenOutProgram) {
+  std::string plain = "G1 X0 Y0 F100\n";
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      plain += fmt::format("X{} Y{}\nZ-{}\nZ1\n", column * 10, row * 5 + 1, row + 1);
+  const std::string loops =
+      "G1 X0 Y0 F100\n#1=0\nWHILE[#1LT3]DO1\n#2=0\nWHILE[#2LE3]DO2\n"
+      "X[#2*10] Y[#1*5+1]\nZ-[#1+1]\nZ1\n#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30\n";
+  EXPECT_EQ(run(Dialect::fanuc, loops), run(Dialect::fanuc, plain));
+  const std::string jumps =
+      "G1 X0 Y0 F100\n#1=0\nN10 #2=0\nN20 X[#2*10] Y[#1*5+1]\nZ-[#1+1]\nZ1\n#2=#2+1\n"
+      "IF [#2 LT 4] GOTO 20\n#1=#1+1\nIF [#1 LT 3] GOTO 10\nM30\n";
+  EXPECT_EQ(run(Dialect::fanuc, jumps), run(Dialect::fanuc, plain));
+}
+
+// One pocket by repeated calls, by a loop and by a macro with arguments.
+TEST(Macro, PocketByThreeRoads) {
+  const std::string turn = "G1 X10\nG2 I-10\nG1 X20\nG2 I-20\nG1 X0\n";
+  const std::string calls =
+      "G1 X0 Y0 Z0 F100\nM98 P20003\nM30\nO3\nG91 G1 Z-1\nG90\n" + turn + "M99\n";
+  const std::string old =
+      "G1 X0 Y0 Z0 F100\nM98 P3 L2\nM30\nO3\nG91 G1 Z-1\nG90\n" + turn + "M99\n";
+  const std::string loop =
+      "G1 X0 Y0 Z0 F100\n#5=1\nWHILE [#5 LE 2] DO1\nG1 Z-#5\n" + turn + "#5=#5+1\nEND1\nM30\n";
+  const std::string macro =
+      "G1 X0 Y0 Z0 F100\nG65 P9010 A2 R20\nM30\nO9010\n#30=0\nWHILE [#30 LT #1] DO1\n#30=#30+1\n"
+      "G1 Z-#30\nX[#18/2]\nG2 I-[#18/2]\nG1 X#18\nG2 I-#18\nG1 X0\nEND1\nM99\n";
+  const std::string first = run(Dialect::fanuc, calls);
+  EXPECT_EQ(run(Dialect::fanuc, old), first);
+  EXPECT_EQ(run(Dialect::fanuc, loop), first);
+  EXPECT_EQ(run(Dialect::fanuc, macro), first);
+  EXPECT_EQ(read_text(macro, at_origin(Dialect::fanuc)).motions.size(), 12U);
+}
+
+TEST(Macro, ArgumentListsAndLevels) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "#1=50\nG1 F100 X1\nG65 P7 A1 B2 C3 I4 J5 K6 I7 J8 K9\nX#1\nM30\n"
+                "O7\nX[#1*100+#2*10+#3] Y[#4*100+#5*10+#6] Z[#7*100+#8*10+#9]\nM99\n"),
+            "1,0,0 123,456,789 50,456,789 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 P7 X5\nM30\nO7\nX#24 Y#25\nM99\n"), "1,0,0 5,0,0 ")
+      << "a vacant word counts as not written";
+  EXPECT_EQ(
+      run(Dialect::fanuc, "G1 F100 X1\nG66 P7 Z2\nX2\nX3\nG67\nX4\nM30\nO7\nG1 Z-#26\nZ0\nM99\n"),
+      "1,0,0 2,0,0 2,0,-2 2,0,0 3,0,0 3,0,-2 3,0,0 4,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nG66.1 P7\nX2 Y3\nX4 Y5\nG67\nX6\nM30\nO7\nG1 X[#24*10] Y#25\nM99\n"),
+            "1,0,0 20,3,0 40,5,0 6,5,0 ");
+}
+
+TEST(Macro, ReturnsAndLocalCalls) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nM98 P7\nX99\nN50 X2\nM97 P900 L2\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"
+                "O7\nX5\nM99 P50\n"),
+            "1,0,0 5,0,0 2,0,0 2,1,0 2,2,0 3,2,0 ");
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nIF [1 EQ 1] THEN #1=4\nIF [1 EQ 2] THEN #1=5\n"
+                "X#1\nG#3 X5\n"),
+            "1,0,0 4,0,0 variable-unset");
+}
+
+TEST(Macro, FaultsAreToldWithTheirPlace) {
+  const Program unset = read_text("G1 X1 F1\nX[#5+1]\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(unset.diagnostics.size(), 1U);
+  EXPECT_EQ(unset.diagnostics[0].place.line, 2);
+  EXPECT_EQ(unset.diagnostics[0].place.column, 3);
+  EXPECT_NE(unset.diagnostics[0].text.find("--set '#5=1'"), std::string::npos);
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nGOTO 7\n"), "1,0,0 jump-target");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nWHILE [1 EQ 1] DO1\nX2\n"), "1,0,0 structure");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nX[1/0]\n"), "1,0,0 expression");
+  const Program deep =
+      read_text("G1 X1 F1\nM98 P7\nM30\nO7\n#100=0\nX[4/#100]\nM99\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(deep.diagnostics.size(), 1U);
+  EXPECT_NE(deep.diagnostics[0].text.find("(#100 = 0)"), std::string::npos);
+  ASSERT_EQ(deep.diagnostics[0].called_from.size(), 1U);
+  EXPECT_EQ(deep.diagnostics[0].called_from[0].line, 2);
+}
+
+TEST(Macro, VariablesFromOutside) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.variables = {{"#100", "2.5"}, {"#1", "4"}};
+  EXPECT_EQ(path_of(read_text("G1 F1 X#100 Y#1\n", options)), "2.5,4,0 ");
+  options.variables = {{"R1", "5"}};
+  EXPECT_THROW(read_text("G1 X1 F1\n", options), Error);
+  options = at_origin(Dialect::sinumerik);
+  options.variables = {{"R1", "5"}, {"WIDTH", "7"}};
+  EXPECT_EQ(path_of(read_text("G1 F1 X=R1 Y=WIDTH\n", options)), "5,7,0 ");
+}
+
+TEST(Language, EndlessProgramsEnd) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.max_steps = 20000;
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nM98 P7 L9999\nM30\nO7\nM98 P8 L9999\nM99\nO8\nX1\nM99\n",
+                            options)),
+            "program-endless");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nN1 GOTO 1\n", options)), "program-endless");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG65 P7\nM30\nO7\nG65 P7\nM99\n", options)),
+            "subprogram-depth");
+  options.dialect = Dialect::ngc;
+  EXPECT_EQ(codes(read_text("G1 X1 F1\no1 while [1]\no1 endwhile\nM2\n", options)),
+            "program-endless");
+  options.dialect = Dialect::sinumerik;
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nLOOP\nENDLOOP\nM30\n", options)), "program-endless");
+}
+
+TEST(Language, SkippedBlocksAreNotEvaluated) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.block_skip = 1;
+  EXPECT_EQ(path_of(read_text("G1 X1 F1\n/X#5\n/GOTO 7\n/#1=#6\nX2\n", options)), "1,0,0 2,0,0 ");
+}
+
+TEST(Owords, ControlStructures) {
+  EXPECT_EQ(run(Dialect::ngc,
+                "G1 F100 X1\n#1=0\no1 while [#1 lt 3]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\n"
+                "o2 endif\nX[#1*10]\no1 endwhile\nM2\n"),
+            "1,0,0 10,0,0 30,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc,
+                "G1 F100 X1\n#1=0\no1 do\n#1=[#1+1]\nX[#1*10]\no1 while [#1 lt 3]\no3 repeat [2]\n"
+                "G91 Y1\nG90\no3 endrepeat\nM2\n"),
+            "1,0,0 10,0,0 20,0,0 30,0,0 30,1,0 30,2,0 ");
+  const auto branch = [](int value) {
+    return run(Dialect::ngc,
+               fmt::format("G1 F100 X1\n#<v>={}\no1 if [#<v> eq 1]\nX10\no1 elseif [#<v> eq 2]\n"
+                           "X20\no1 elseif [#<v> eq 3]\nX30\no1 else\nX40\no1 endif\nY1\nM2\n",
+                           value));
+  };
+  EXPECT_EQ(branch(1), "1,0,0 10,0,0 10,1,0 ");
+  EXPECT_EQ(branch(2), "1,0,0 20,0,0 20,1,0 ");
+  EXPECT_EQ(branch(3), "1,0,0 30,0,0 30,1,0 ");
+  EXPECT_EQ(branch(4), "1,0,0 40,0,0 40,1,0 ");
+}
+
+TEST(Owords, SubsWithValuesAndLocals) {
+  EXPECT_EQ(run(Dialect::ngc,
+                "o<area> sub\n#<local>=[#1*#2]\n#1=99\no<area> endsub [#<local>]\n"
+                "G1 F100 X1\n#1=7\no<area> call [3] [4]\nX#<_value> Y#1\nM2\n"),
+            "1,0,0 12,7,0 ");
+  EXPECT_EQ(run(Dialect::ngc,
+                "o<fact> sub\no1 if [#1 le 1]\no<fact> return [1]\no1 endif\n"
+                "o<fact> call [#1-1]\no<fact> endsub [#1*#<_value>]\n"
+                "G1 F100 X1\no<fact> call [5]\nX#<_value>\nM2\n"),
+            "1,0,0 120,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X1\no<a> sub\n#<x>=5\no<a> endsub\no<a> call\nX#<x>\nM2\n"),
+            "1,0,0 variable-unset");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X1\no<missing> call\nM2\n"), "1,0,0 subprogram-missing");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X1\no1 sub\no2 sub\no2 endsub\no1 endsub\no1 call\nM2\n"),
+            "1,0,0 structure");
+}
+
+TEST(Owords, SubprogramsInFilesOfTheirOwn) {
+  const Scratch scratch;
+  scratch.write("square.ngc", "o<square> sub\nG1 X#1\nY#1\nX0\nY0\no<square> endsub\nM2\n");
+  const std::string main =
+      scratch.write("main.ngc", "G1 F100 Z1\no<square> call [5]\no<square> call [2]\nM2\n");
+  EXPECT_EQ(path_of(read_program(main, at_origin(Dialect::ngc))),
+            "0,0,1 5,0,1 5,5,1 0,5,1 0,0,1 2,0,1 2,2,1 0,2,1 0,0,1 ");
+  const std::string outside = scratch.write("out.ngc", "G1 F100 Z1\no<../square> call [5]\nM2\n");
+  EXPECT_EQ(path_of(read_program(outside, at_origin(Dialect::ngc))), "0,0,1 subprogram-missing");
+}
+
+TEST(Owords, AssignmentsHoldFromTheNextBlock) {
+  EXPECT_EQ(run(Dialect::ngc, "#3=15\nG1 F100 X1\n#3=6 X#3\nX#3\nM2\n"), "1,0,0 15,0,0 6,0,0 ");
+}
+
+TEST(Sinumerik, LoopsEqualTheWrittenOutProgram) {
+  const std::string plain = "1,0,0 10,1,0 20,2,0 30,3,0 ";
+  const auto s = Dialect::sinumerik;
+  EXPECT_EQ(run(s, "G1 F100 X1\nFOR R1=1 TO 3\nX=R1*10 Y=R1\nENDFOR\nM30\n"), plain);
+  EXPECT_EQ(run(s, "G1 F100 X1\nR1=1\nWHILE R1<=3\nX=R1*10 Y=R1\nR1=R1+1\nENDWHILE\nM30\n"), plain);
+  EXPECT_EQ(run(s, "G1 F100 X1\nR1=0\nREPEAT\nR1=R1+1\nX=R1*10 Y=R1\nUNTIL R1>=3\nM30\n"), plain);
+  EXPECT_EQ(run(s,
+                "G1 F100 X1\nR1=0\nLOOP\nR1=R1+1\nIF R1>3 GOTOF ENDE\nX=R1*10 Y=R1\nENDLOOP\n"
+                "ENDE: M30\n"),
+            plain);
+  EXPECT_EQ(run(s, "G1 F100 X1\nR1=1\nAGAIN: X=R1*10 Y=R1\nR1=R1+1\nIF R1<=3 GOTOB AGAIN\nM30\n"),
+            plain);
+  EXPECT_EQ(run(s, "G1 F100 X1\nR1=0\nN10 R1=R1+1 X=R1*10 Y=R1\nIF R1<3 GOTOB N10\nM30\n"), plain);
+  EXPECT_EQ(run(s, "G1 F100 X1\nR1=0\nPART:\nR1=R1+1\nX=R1*10 Y=R1\nREPEAT PART P=2\nM30\n"),
+            plain);
+  EXPECT_EQ(run(s,
+                "DEF INT COUNT, LAST=3\nG1 F100 X1\nFOR COUNT=1 TO LAST\nX=COUNT*10 Y=COUNT\n"
+                "ENDFOR\nM30\n"),
+            plain);
+}
+
+TEST(Sinumerik, BranchesAndCases) {
+  const auto s = Dialect::sinumerik;
+  const auto branch = [&](int value) {
+    return run(s, fmt::format("R1={}\nG1 F100 X1\nIF R1==1\nX10\nELSE\nIF R1==2\nX20\nELSE\nX30\n"
+                              "ENDIF\nENDIF\nY1\nM30\n",
+                              value));
+  };
+  EXPECT_EQ(branch(1), "1,0,0 10,0,0 10,1,0 ");
+  EXPECT_EQ(branch(2), "1,0,0 20,0,0 20,1,0 ");
+  EXPECT_EQ(branch(3), "1,0,0 30,0,0 30,1,0 ");
+  const auto jump = [&](int value) {
+    return run(s, fmt::format("R1={}\nG1 F100 X1\nCASE R1 OF 1 GOTOF ONE 2 GOTOF TWO DEFAULT GOTOF "
+                              "REST\nONE: X10\nTWO: X20\nREST: X30\nM30\n",
+                              value));
+  };
+  EXPECT_EQ(jump(1), "1,0,0 10,0,0 20,0,0 30,0,0 ");
+  EXPECT_EQ(jump(2), "1,0,0 20,0,0 30,0,0 ");
+  EXPECT_EQ(jump(9), "1,0,0 30,0,0 ");
+  EXPECT_EQ(run(s, "G1 F100 X1\nGOTOC NOWHERE\nX2\nGOTOF NOWHERE\nX3\n"),
+            "1,0,0 2,0,0 jump-target");
+}
+
+TEST(Sinumerik, ExpressionsWhereverANumberStands) {
+  EXPECT_EQ(run(Dialect::sinumerik,
+                "R1=30 R2=5\nG1 F=R1*10 X=R1*SIN(30) Y=-R2\nX=AC(R1+1) Y=IC(R2*2)\nG2 X=R1+11 "
+                "CR=R2\nM30\n"),
+            "15,-5,0 31,5,0 41,5,0 ");
+  EXPECT_EQ(run(Dialect::sinumerik,
+                "DEF REAL PP[3]=SET(1,2,3)\nDEF STRING[10] SS=\"A\"\nG1 F100 X=PP[0] "
+                "Y=PP[2]\nPP[1]=PP[0]+9\n"
+                "X=PP[1]\nIF SS==\"A\" GOTOF LAB\nX99\nLAB: Y0\nTRANS X=PP[1]\nX0\nM30\n"),
+            "1,3,0 10,3,0 10,0,0 ");
+}
+
+TEST(Sinumerik, ProceduresWithParameters) {
+  const Scratch scratch;
+  scratch.write("HOLE.SPF",
+                "PROC HOLE(REAL DEPTH, REAL BACK=2, VAR REAL COUNT)\nG1 Z=-DEPTH\nZ=BACK\n"
+                "COUNT=COUNT+1\nRET\n");
+  const std::string main = scratch.write(
+      "MAIN.MPF",
+      "DEF REAL NN=0\nEXTERN HOLE(REAL,REAL,VAR REAL)\nG1 F100 X1\nHOLE(5,,NN)\nX2\nHOLE(3,1,NN)\n"
+      "X=NN*10\nM30\n");
+  EXPECT_EQ(path_of(read_program(main, at_origin(Dialect::sinumerik))),
+            "1,0,0 1,0,-5 1,0,2 2,0,2 2,0,-3 2,0,1 20,0,1 ");
+  scratch.write("TIP.SPF", "PROC TIP SAVE\nG91 G1 Z-1\nZ1\nRET\n");
+  const std::string modal =
+      scratch.write("MODAL.MPF", "G90 G1 F100 X1\nMCALL TIP\nX2\nX3\nMCALL\nX4\nM30\n");
+  EXPECT_EQ(path_of(read_program(modal, at_origin(Dialect::sinumerik))),
+            "1,0,0 2,0,0 2,0,-1 2,0,0 3,0,0 3,0,-1 3,0,0 4,0,0 ");
+}
+
+TEST(Language, SystemVariablesOfGeometry) {
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3 Y4\nX[#5001+10] Y#5002\nG#4001 X1\n"),
+            "3,4,0 13,4,0 1,4,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X3 Y4\nX[#5420+10] Y#<_y>\nM2\n"), "3,4,0 13,4,0 ");
+  EXPECT_EQ(run(Dialect::sinumerik, "G1 F100 X3 Y4\nX=$P_EP[X]+10\n"), "3,4,0 13,4,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3\nX#3011\n"), "3,0,0 variable-number");
+}
+
+}  // namespace
+}  // namespace mrsim

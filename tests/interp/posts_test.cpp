@@ -1,0 +1,184 @@
+// Programs in the manner of CAM posts: their envelope (safe starts, tool changes, ways home) gives
+// no warning, and they move as worked out by hand.
+#include "core/vec.h"
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+struct Post {
+  const char* file;
+  Dialect dialect;
+  MachineKind machine;
+  std::size_t rapids, lines, arcs;  // the rapids with a known start
+  Vec3 low, high;                   // of the ends of lines and arcs
+};
+
+TEST(Posts, RunAsWorkedOut) {
+  constexpr auto mill = MachineKind::mill, lathe = MachineKind::lathe;
+  const Post posts[] = {
+      // A contour at Z-5 with a corner of 10, then two holes in three strokes of 5, 5 and 4 mm:
+      // down to R, six strokes' worth of rapids, out; between them one rapid.
+      {"fusion_fanuc.nc", Dialect::fanuc, mill, 17, 9, 1, {-10, -30, -12}, {60, 0, -3}},
+      {"haas.nc", Dialect::fanuc, mill, 0, 2, 1, {-25.4, 0, -2.54}, {50.8, 0, -2.54}},
+      {"mazak_iso.eia", Dialect::fanuc, mill, 1, 1, 1, {0, 0, -1}, {0, 0, -1}},
+      // Three holes in strokes of 4, 3, 2 and 1 mm.
+      {"sinumerik_cam.mpf", Dialect::sinumerik, mill, 28, 14, 1, {-10, 0, -10}, {40, 30, -3}},
+      {"linuxcnc.ngc", Dialect::ngc, mill, 5, 3, 2, {0, -10, -4}, {20, 5, -2}},
+      {"grbl_vectric.nc", Dialect::iso, mill, 1, 2, 1, {0, -5, -1.5}, {30, 0, -1.5}},
+      {"fanuc_lathe.nc", Dialect::fanuc, lathe, 2, 2, 1, {20, 0, -25}, {25, 0, 2}},
+  };
+  for (const Post& post : posts) {
+    SCOPED_TRACE(post.file);
+    const Program p =
+        read_program(std::string(MRSIM_DATA_DIR) + "/../tests/posts/" + post.file, {});
+    EXPECT_EQ(codes(p), "") << listing(p);
+    EXPECT_EQ(p.dialect, post.dialect) << p.dialect_reason;
+    EXPECT_EQ(p.machine, post.machine) << p.machine_reason;
+    std::size_t rapids = 0, lines = 0, arcs = 0;
+    Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+    for (const Motion& m : p.motions) {
+      if (m.kind == MotionKind::rapid) {
+        rapids += m.assumed_start ? 0 : 1;
+        continue;
+      }
+      (m.kind == MotionKind::line ? lines : arcs) += 1;
+      for (int i = 0; i < 3; ++i) {
+        component(low, i) = std::min(component(low, i), component(m.end, i));
+        component(high, i) = std::max(component(high, i), component(m.end, i));
+      }
+    }
+    EXPECT_EQ(rapids, post.rapids) << listing(p);
+    EXPECT_EQ(lines, post.lines);
+    EXPECT_EQ(arcs, post.arcs);
+    expect_near(low, post.low);
+    expect_near(high, post.high);
+  }
+}
+
+TEST(Posts, ASafeStartNeverWarns) {
+  const std::pair<Dialect, const char*> starts[] = {
+      {Dialect::fanuc, "G90 G94 G17 G21 G40 G49 G80 G69 G50"},
+      {Dialect::fanuc, "G00 G17 G21 G40 G49 G80 G90 G98"},
+      {Dialect::fanuc, "G91 G28 Z0.\nG90 G28 X0. Y0.\nG90"},
+      {Dialect::fanuc, "G28 G91 Z0.\nG30 G91 Z0.\nG90"},
+      {Dialect::fanuc, "G5.1 Q1\nG5.1 Q0\nG5 P10000\nG5 P0\nG8 P1\nG64\nG61"},
+      {Dialect::fanuc,
+       "G10 L2 P1 X0. Y0. Z0.\nG54\nG92.1 X0 Y0 Z0\nG187 P2\nG22 X1. Y1. Z1. I0 J0 K0"},
+      {Dialect::iso, "G90 G94 G17 G21 G40 G49 G80 G90.1 G91.1 G61.1 G64"},
+      {Dialect::iso, "G90.1\nG91.1\nG54.1 P1\nG59.1"},
+      {Dialect::ngc, "G17 G21 G40 G49 G54 G80 G90 G94\nG64 P0.01 Q0.01\nG90.1\nG91.1\nG61\nG61.1"},
+      {Dialect::ngc,
+       "G92.1\nG92.2\nG92.3\nG28.1\nG30.1\nG10 L2 P1 X0 Y0 Z0\nG10 L20 P0 X0\nG59.3\nG8"},
+      {Dialect::sinumerik,
+       "G40 G17 G90 G94 G71 G64 G500\nTRAFOOF\nCYCLE800()\nCYCLE832()\nMSG(\"A\")"},
+      {Dialect::sinumerik, "G0 SUPA Z0 D0\nG0 G153 X0 Y0\nG74 Z1=0\nG75 X1=0 FP=1"},
+  };
+  for (const auto& [dialect, text] : starts) {
+    SCOPED_TRACE(text);
+    InterpOptions options = at_origin(dialect);
+    options.start.reset();
+    const Program p = read_text(std::string(text) + "\nG0 X1 Y1 Z1\nG1 X2 F100\n", options);
+    EXPECT_EQ(codes(p), "") << listing(p);
+    EXPECT_EQ(p.motions.size(), 2U) << listing(p);
+  }
+}
+
+TEST(Posts, WhatMovesTheMachineIsNamed) {
+  const std::pair<const char*, const char*> rows[] = {{"G68.2 X0 Y0 Z0 I0 J0 K0", "tilted"},
+                                                      {"G43.4 H1", "tool centre point"},
+                                                      {"G12 I5. D1", "circular pocket"},
+                                                      {"G5 X1 Y1 I1 J1", "spline"},
+                                                      {"G7.1 C20.", "cylindrical"}};
+  for (const auto& [text, name] : rows) {
+    SCOPED_TRACE(text);
+    const Program p =
+        read_text(std::string("G1 X1 F100\n") + text + "\n", at_origin(Dialect::fanuc));
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_EQ(p.diagnostics[0].code, "not-supported");
+    EXPECT_NE(p.diagnostics[0].text.find(name), std::string::npos) << p.diagnostics[0].text;
+    EXPECT_EQ(p.diagnostics[0].place.line, 2);
+  }
+}
+
+TEST(Posts, SemicolonsPointsAndTurns) {
+  for (const Dialect d : {Dialect::fanuc, Dialect::iso, Dialect::ngc}) {
+    const Program p = read_text("G1 Z-1 F100 ;Z-3\nG1 X1\n", at_origin(d));
+    ASSERT_EQ(p.motions.size(), 2U);
+    EXPECT_EQ(p.motions[0].end.z, -1);
+    const Program turns = read_text("G1 X10 F100\nG3 I-10 Z-3 P3\n", at_origin(d));
+    ASSERT_EQ(turns.motions.size(), 2U);
+    EXPECT_NEAR(turns.motions[1].sweep, 6 * kPi, 1e-12);
+  }
+  EXPECT_EQ(codes(read_text("G1 X1000 F1\n", at_origin(Dialect::fanuc)), Severity::note),
+            "number-without-point");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG55\nX2\n", at_origin(Dialect::iso)), Severity::note),
+            "work-offset-unset");
+  const Program half = read_text("G1 X0 F1\nG2 X10 R4.999\n", at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(half, Severity::error), "");
+  EXPECT_NEAR(half.motions.back().sweep, -kPi, 1e-9);
+}
+
+TEST(Posts, RadiusWithoutARegister) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  const char* text = "G0 X0 Y0\nG1 G41 D1 X0 Y10 F100\nY20\nY30\nG40 X-20\n";
+  const auto x = [&](CompRadius comp, const char* expected) {
+    options.comp = comp;
+    const Program p = read_text(text, options);
+    EXPECT_EQ(codes(p), expected);
+    return p.motions[1].end.x;
+  };
+  EXPECT_NEAR(x(CompRadius::automatic, "register-missing"), -5, 1e-9);
+  EXPECT_NEAR(x(CompRadius::radius, ""), -5, 1e-9);
+  EXPECT_NEAR(x(CompRadius::wear, ""), 0, 1e-9);
+  EXPECT_NEAR(x(CompRadius::off, ""), 0, 1e-9);
+}
+
+TEST(Posts, G10SetsOffsetsAndRadii) {
+  const Program p = read_text(
+      "G10 L2 P2 X100 Y50\nG55\nG1 X1 Y1 F1\nG54\nG10 L12 P3 R2\nG41 D3 X1 Y10\nY20\nG40 X-9\n",
+      at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(p), "");
+  expect_near(p.motions[0].end, {101, 51, 0});
+  EXPECT_NEAR(p.motions[2].end.x, -1, 1e-9);
+  const Program here = read_text("G1 X10 F1\nG10 L20 P1 X0\nG1 X5\n", at_origin(Dialect::ngc));
+  EXPECT_EQ(here.motions.back().end.x, 15);
+}
+
+// LinuxCNC: R of G10 L2 turns the offset about its zero, L20 keeps the position.
+TEST(Posts, G10TurnsAWorkOffset) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  const Program p = read_text("G10 L2 P1 X10 Y0 R90\nG1 X5 Y1 F1\nG10 L20 P1 X1 Y0\nX2\n", options);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.motions.size(), 2U);
+  expect_near(p.motions[0].end, {9, 5, 0});
+  expect_near(p.motions[1].end, {9, 6, 0});
+}
+
+TEST(Posts, LinuxCncArcsAndDiameters) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  EXPECT_EQ(codes(read_text("F1\nG2 X6000 I3100\n", options)), "arc-radii-differ");
+  EXPECT_EQ(codes(read_text("F1\nG2 X1.01 I0.5\n", options), Severity::error), "");
+  EXPECT_EQ(codes(read_text("F1\nG2 X10.1 I5\n", options)), "arc-radii-differ");
+  const Program p = read_text("G1 G41.1 D6.5 X0 Y10 F100\nY20\nY30\nG40 X-20\n", options);
+  EXPECT_EQ(codes(p), "");
+  EXPECT_NEAR(p.motions[1].end.x, -3.25, 1e-9);
+}
+
+TEST(Posts, TwoToolsBesideM6) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  for (const char* id : {"1", "2"}) {
+    Tool tool;
+    tool.id = id;
+    tool.diameter = 4;
+    options.table.tools.push_back(tool);
+  }
+  const Program p = read_text("T01 T02 M06\nG1 X1 F1\nM6\nX2\n", options);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[0].tool)].id, "1");
+  EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[1].tool)].id, "2");
+}
+
+}  // namespace
+}  // namespace mrsim

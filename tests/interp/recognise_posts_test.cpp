@@ -1,0 +1,126 @@
+// Control and machine from the text of real posts, and what is refused by name.
+#include "interp/recognise/recognise.h"
+#include "interp/support.h"
+
+#include <string>
+#include <vector>
+
+namespace mrsim {
+namespace {
+
+Recognition recognised(const std::string& text, const std::string& name = "a.nc") {
+  const Scratch scratch;
+  return recognise(scratch.write(name, text), {});
+}
+
+std::string refusal(const std::string& text, const std::string& name = "a.nc") {
+  try {
+    recognised(text, name);
+  } catch (const PlacedError& error) {
+    EXPECT_EQ(error.code(), "control-unsupported");
+    return error.diagnostic().text;
+  }
+  return "";
+}
+
+TEST(RecogniseDialect, Posts) {
+  struct Row {
+    const char* text;
+    Dialect dialect;
+  };
+  const Row rows[] = {
+      {"O100 SUB\nG1 X1 Y1 F1\nO100 ENDSUB\nO100 CALL\nM2\n", Dialect::ngc},
+      {"o<pocket> sub\nG1 X1 Y1 F1\no<pocket> endsub\nM2\n", Dialect::ngc},
+      {"G20\n#1=3\nO101 IF [#1 GT 2]\nG1 X1 Y1 F1\nO101 ENDIF\nM2\n", Dialect::ngc},
+      {"#<depth> = 5\nG1 X1 Y#<depth> F1\nM2\n", Dialect::ngc},
+      {"(Exported by FreeCAD)\n(Post Processor: linuxcnc_post)\nG17 G54 G40 G49 G80 G90\nG21\n"
+       "T1 M6\nG43 H1\nG0 X0 Y0\nG1 Z-1 F100\nM2\n",
+       Dialect::ngc},
+      {"(Carbide Create)\nG21\nG90\nM05\nM6T102\nM03S8000\nG0X1Y1\nG1Z-1F100\nM02\n", Dialect::ngc},
+      {"; generated for Grbl\nG21 ; mm\nG90\nG0 X1 Y1\nG1 Z-1 F100\nM2\n", Dialect::ngc},
+      {"G90 G94 G17 G91.1\nG21\nG64 P0.02\nT1 M6\nG0 X1 Y1\nG1 Z-1 F10\nM30\n", Dialect::ngc},
+      {"%\nO1001 (PART)\nG21\nG0 G17 G40 G49 G80 G90\nT1 M6\nG0 G90 G54 X1. Y1. S1000 M3\n"
+       "G43 H1 Z5.\nG98 G81 Z-5. R1. F100.\nG80\nM30\n%\n",
+       Dialect::fanuc},
+      {"$PART1.MIN%\nG15 H1\nG0 X1 Y1\nG1 Z-1 F100\nM02\n", Dialect::fanuc},
+      {"\xEF\xBB\xBF%\rO0001\rG90 G0 X1. Y1.\rG98\rG81 Z-5. R1. F100.\rM30\r%\r", Dialect::fanuc},
+      {"G21\nG98\nG1 X1 Y1 F100\nG99\nX2\n", Dialect::iso},
+      {"#100=5\nIF [#100 EQ 5] GOTO 10\nG1 X1 Y1\nN10 M30\n", Dialect::fanuc},
+      {"N5 G0 X100 Y100 Z-1\nN10 G1 X100 Y100 F100\nN15 G98\nN20 G2 X200 Y100 I150 J100\n",
+       Dialect::codesys},
+      {"N10 G54 G90 G94\nN20 IF R1==2 GOTOF END\nN30 G1 X1 Y1\nN40 ENDIF\n", Dialect::sinumerik}};
+  for (const Row& row : rows) {
+    const Recognition r = recognised(row.text);
+    EXPECT_EQ(static_cast<int>(r.dialect), static_cast<int>(row.dialect))
+        << row.text << r.dialect_reason;
+  }
+}
+
+TEST(RecogniseMachine, CommentsDecideNothing) {
+  struct Row {
+    const char* text;
+    MachineKind machine;
+  };
+  const Row rows[] = {
+      {"(SPINDLE TURNING CW)\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::automatic},
+      {"(RETURNING)\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::automatic},
+      {"(TURNING TOOL)\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::automatic},
+      {"(END MILL D10)\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::automatic},
+      {"T1 M6 (END MILL D10)\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::mill},
+      {"T1 M6\nG43 H1 Z50\nG90 G0 X0 Z5\nG1 Z-1 F100\nX20\nM30\n", MachineKind::mill},
+      {"T1 M6\nG90 G0 X0 Y#1\nG1 Z-1 F100\nM30\n", MachineKind::mill},
+      {"G90 G0 X0 Y[#1+2]\nG1 Z-1 F100\nM30\n", MachineKind::mill},
+      {"G90\nG71\nG0 X0 Y0 Z5\nG1 Z-1 F100\nM30\n", MachineKind::mill},
+      {"O1\nG70\nG0 X0 Z5\nG1 Z-1 F100\nM30\n", MachineKind::automatic},
+      {"O1\nG0 X50. Z2.\nG94 X20. Z-1. F.2\nM30\n", MachineKind::lathe},
+      {"O1\nG0 X50. Z2.\nG71 U2. R.5\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X20.\nN20 G1 Z-20.\nM30\n",
+       MachineKind::lathe},
+      {"O1\nG28 U0 W0\nG0 X50. Z2.\nG1 Z-2.\nM30\n", MachineKind::lathe},
+      {"G18 G21 (CNMG 120408)\nG0 X50 Z2\nG1 Z-2 F.1\nM2\n", MachineKind::lathe},
+      {"O100 sub\nG0 X1 Z5\nO100 endsub\nM2\n", MachineKind::mill},
+      {"G7\nG0 X50 Z2\nG76 P1 Z-10 I-1 J0.1 K0.5 R1 Q30 H2 E0 L0\nM2\n", MachineKind::lathe}};
+  for (const Row& row : rows) {
+    const Recognition r = recognised(row.text);
+    EXPECT_EQ(static_cast<int>(r.machine), static_cast<int>(row.machine))
+        << row.text << r.machine_reason;
+  }
+}
+
+TEST(RecogniseForeign, NamedAndRefused) {
+  EXPECT_NE(refusal("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n").find("Heidenhain"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("BEGIN PGM PART MM\nTOOL CALL 1 Z S1000\nL X+10 R0 FMAX\n", "a.H").find("Heidenhain"),
+      std::string::npos);
+  EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),
+            std::string::npos);
+  EXPECT_NE(refusal("G0 X1\n", "PART.PBG").find("Mazatrol"), std::string::npos);
+  EXPECT_NE(refusal("DEF WORK\nPS LC,[-50,0],[50,100]\nEND\n").find("Okuma IGF"),
+            std::string::npos);
+  EXPECT_NE(refusal("M140 S60\nM104 S210\nG28\nG1 X10 Y10 E0.5 F1200\n").find("3-D printer"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("G21\nG90\nM4 S0\nG0 X0 Y0\nG1 X10 S500 F1000\nG1 Y10 S300\nM5\nM2\n").find("laser"),
+      std::string::npos);
+  EXPECT_NE(refusal("G21\nG90\nG0 X0 Y0\nM3 S255\nG1 X10 F1000\nM5\nG0 X20 Y20\nM3 S255\n"
+                    "G1 X30\nM5\nM2\n")
+                .find("laser"),
+            std::string::npos);
+}
+
+TEST(RecogniseForeign, MillsAndLathesAreNot) {
+  for (const char* text :
+       {"G21\nG90\nM3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X10 Y10\nM5\nM2\n",
+        "M3 S1000\nG1 X10 Y10 F100\nM5\n", "G96 S200 M4\nG0 X50\nG1 X-1 F.1\nM5\nM30\n",
+        "M104\nG1 X10 Y10 Z1 F100\n", "G1 X1 Y1 M3 S100\nM98 P2\nM5\nM3 S200\nM5\n",
+        "N10 G2 X1 Y1 I1 J1 E5 E-5\n"})
+    EXPECT_EQ(refusal(text), "") << text;
+  InterpOptions told;
+  told.dialect = Dialect::fanuc;
+  told.machine = MachineKind::mill;
+  const Scratch scratch;
+  EXPECT_NO_THROW(recognise(scratch.write("a.nc", "M4 S0\nG1 X1 Y1 S5\nG1 X2 S6\nM5\n"), told));
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,78 @@
+// Which tool a comment is about, in whole programs.
+#include "interp/support.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// "1:6 2:10": tools and diameters of the cuts, in the order of their first use.
+std::string diameters(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  InterpOptions options;
+  options.dialect = dialect;
+  options.machine = MachineKind::mill;
+  const Program p = read_text(text, options);
+  std::string out;
+  for (const Tool& tool : p.tools)
+    out += fmt::format("{}{}:{:g}", out.empty() ? "" : " ", tool.id, tool.diameter);
+  const std::string errors = codes(p, Severity::error);
+  return errors.empty() ? out : out + " " + errors;
+}
+
+const char* const kCut = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX5\n";
+
+TEST(ToolNotes, AboveTheCall) {
+  const std::string cut = kCut;
+  // FreeCAD: the operation's comment, modes, then the call.
+  EXPECT_EQ(diameters("(begin operation: TC: 5mm Endmill)\n(machine units: mm/min)\n"
+                      "(TC: 5mm Endmill)\n(Begin toolchange)\nM5\nG90\nM6 T1\nG43 H1\n" +
+                      cut + "(TC: 3mm Drill)\nM5\nT2 M6\n" + cut),
+            "1:5 2:3");
+  // The nearest group of comments counts.
+  EXPECT_EQ(diameters("(3MM ENDMILL)\nG90\n(TC: 5mm Endmill)\nT1 M6\n" + cut), "1:5");
+  // Two in one group contradict each other.
+  EXPECT_EQ(diameters("(3MM ENDMILL)\n(TC: 5mm Endmill)\nT1 M6\n" + cut), "1:0 tool-unknown");
+  // A comment is not about the tool after the next cut.
+  EXPECT_EQ(
+      diameters("T1 M6 (6MM ENDMILL)\nG0 X0 Y0 Z5\n(8MM ENDMILL)\nG1 Z-1 F100\nT2 M6\n" + cut),
+      "1:6 2:0 tool-unknown");
+}
+
+TEST(ToolNotes, BelowTheCall) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("T1 M6\n(6MM FLAT ENDMILL)\nT2\n" + cut + "T2 M6\n(10MM DRILL)\n" + cut),
+            "1:6 2:10");
+}
+
+TEST(ToolNotes, SeveralCommentsOfOneTool) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("(TOOL NUMBER: 3)\n(TOOL TYPE: ENDMILL)\n(TOOL DIAMETER: 10.0)\n"
+                      "(TOOL NUMBER: 4)\n(TOOL TYPE: BALLNOSE)\n(TOOL DIAMETER: 6.0)\nT3 M6\n" +
+                      cut + "T4 M6\n" + cut),
+            "3:10 4:6");
+  EXPECT_EQ(
+      diameters("(T1 D=6. CR=0. - ZMIN=-2. - FLAT END MILL)\nT1 M6\n(T1 DRILL HOLES)\n" + cut),
+      "1:6");
+  EXPECT_EQ(diameters("(T1 D=6. - FLAT END MILL)\n(T1 D=8. - FLAT END MILL)\nT1 M6\n" + cut),
+            "1:0 tool-unknown");
+}
+
+TEST(ToolNotes, UnitsOfTheProgram) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("G20\n(T1 | 1/4 FLAT ENDMILL | H1)\nT1 M6\n" + cut), "1:6.35");
+  EXPECT_EQ(diameters("G20\n(T1 | 6MM FLAT ENDMILL | H1)\nT1 M6\n" + cut), "1:6");
+  EXPECT_EQ(
+      diameters("G21\n(T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10.)\nT239 M6\n" + cut),
+      "239:10");
+}
+
+TEST(ToolNotes, ByName) {
+  EXPECT_EQ(diameters("T=\"ENDMILL_D10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
+            "ENDMILL_D10:10");
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,70 @@
+// What default settings stand on: the survey of the cut surface, the distance of a mesh on the
+// voxels, and the grid that takes the place of a tolerance.
+#include "core/error.h"
+#include "core/units.h"
+#include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
+#include "mesh/surface/survey.h"
+#include "removal/part/part_field.h"
+#include "support/field_distance.h"
+#include "support/moves.h"
+#include "support/tools.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using testing::ballmill;
+using testing::endmill;
+using testing::line;
+
+// A slot along x through the middle of a block of 20 x 20 x 8 mm, 3 mm deep.
+PartField slot(const Tool& tool) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const Motion cut = line({-10, 10, 5}, {30, 10, 5});
+  return PartField(StockSolid(shape), SweepTable(std::span(&cut, 1), std::span(&tool, 1)));
+}
+
+// Walls and floor of a slot of Ø4: 20 * (4 + 2 * 3) mm^2.
+TEST(DefaultMesh, SurveyTellsTheCutSurfaceWithinAFactorOfTwo) {
+  const PartField field = slot(endmill(4));
+  const double cells = 200 / 0.01;
+  const detail::SurfaceSurvey survey = detail::survey_surface(field, 2);
+  EXPECT_GT(survey.cells(0.1), cells / 2);
+  EXPECT_LT(survey.cells(0.1), cells * 2);
+  EXPECT_EQ(detail::survey_surface(field, 1).blocks, survey.blocks);
+}
+
+TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {
+  const PartField field = slot(ballmill(6));
+  MeshOptions options;
+  options.measure = true;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, options, &report);
+  EXPECT_LE(testing::largest_distance(field, mesh), report.bound + 1e-5);
+  EXPECT_LT(report.bound, 0.05);
+  EXPECT_LE(report.usual, report.bound);
+  // The volume of a measured mesh is its own: within the area of the cut times the bound.
+  EXPECT_EQ(report.volume_excess, 0);
+  EXPECT_NEAR(check_mesh(mesh).volume, 20.0 * 20 * 8 - 20 * kPi * 9 / 2,
+              20 * kPi * 3 * report.bound);
+}
+
+TEST(DefaultMesh, AGridTakesThePlaceOfAToleranceThatTakesTooMuch) {
+  const PartField field = slot(ballmill(6));
+  MeshOptions options;
+  options.tolerance = 0.001;
+  options.max_memory = 100000;
+  EXPECT_THROW(mesh_part(field, 0.5, options), Error);
+  options.fallback_voxel = 1;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, options, &report);
+  EXPECT_FALSE(report.given_up.empty());
+  EXPECT_GT(report.bound, options.tolerance);
+  EXPECT_LE(testing::largest_distance(field, mesh), report.bound + 1e-5);
+}
+
+}  // namespace
+}  // namespace mrsim

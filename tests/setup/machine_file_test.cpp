@@ -1,0 +1,41 @@
+#include "setup/machine_file.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+std::string code_of(std::string_view text) {
+  try {
+    parse_machine(text, "job.toml");
+  } catch (const PlacedError& error) {
+    return error.code();
+  }
+  return "";
+}
+
+TEST(MachineFile, ReadsWhatItNamesAndKeepsTheRest) {
+  const MachineData machine = parse_machine(
+      "program = \"a.nc\"\n[machine]\nkind = \"mill\"\nrapid = 30000\n"
+      "acceleration = [5000, 4000, 3000]\ntool_change = 0\nmax_spindle = 12000\n",
+      "job.toml");
+  EXPECT_EQ(machine.rapid, (Vec3{30000, 30000, 30000}));
+  EXPECT_EQ(machine.acceleration, (Vec3{5000, 4000, 3000}));
+  EXPECT_EQ(machine.tool_change, 0);
+  EXPECT_EQ(machine.max_spindle, 12000);
+  EXPECT_EQ(machine.corner_tolerance, MachineData{}.corner_tolerance);
+  EXPECT_EQ(machine.origin, "job.toml");
+}
+
+TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
+  EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
+  EXPECT_EQ(code_of("[machine]\nrapid = 0"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nrapid = [1, 2]"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nrapid = [1, 2, nan]"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\ntool_change = \"6\""), "machine-value");
+  EXPECT_EQ(code_of("machine = \"mill\""), "machine-missing");
+  EXPECT_EQ(code_of("[machine"), "machine-syntax");
+}
+
+}  // namespace
+}  // namespace mrsim

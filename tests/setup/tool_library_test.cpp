@@ -1,0 +1,129 @@
+// Tool libraries of other programs, each in the form that its program writes.
+#include "setup/tool_library.h"
+
+#include "core/error.h"
+#include "core/units.h"
+#include "core/zip.h"
+#include "support/temp_folder.h"
+
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+const Tool& tool(const ToolLibrary& library, const std::string& id) {
+  static const Tool kNone;
+  for (const LibraryTool& entry : library.tools)
+    if (entry.tool.id == id) return entry.tool;
+  ADD_FAILURE() << "no tool " << id;
+  return kNone;
+}
+
+TEST(ToolLibrary, LinuxCnc) {
+  const ToolLibrary l = parse_library(
+      "; my tools\nT1 P1 D6.000 Z-51.2 ;6mm flat end mill\r\nT2 P2 D+3.0 Q0\nT12 P3 D0.8 I95 J155 "
+      "Q2 "
+      ";CCMT\nT7 P4\n",
+      "tool.tbl");
+  EXPECT_EQ(l.format, LibraryFormat::linuxcnc);
+  ASSERT_EQ(l.tools.size(), 3U);
+  EXPECT_EQ(tool(l, "1").diameter, 6);
+  EXPECT_EQ(l.tools[0].remark, "6mm flat end mill");
+  EXPECT_EQ(tool(l, "12").type, ToolType::turning);
+  EXPECT_EQ(tool(l, "12").tip, 2);
+  EXPECT_EQ(tool(l, "12").nose_radius, 0.4);
+  ASSERT_EQ(l.skipped.size(), 1U);
+  EXPECT_THROW(parse_library("T1 P1 D6\nG1 X5 end mill\n", "t.tbl"), Error);
+}
+
+TEST(ToolLibrary, Camotics) {
+  const ToolLibrary l = parse_library(
+      R"({"units":"metric","tools":{"1":{"units":"metric","shape":"cylindrical","length":20,"diameter":3},
+      "2":{"units":"imperial","shape":"ballnose","length":1,"diameter":0.25},
+      "3":{"units":"metric","shape":"conical","length":5,"diameter":10},
+      "4":{"units":"metric","shape":"snubnose","length":5,"diameter":10,"snub_diameter":2},
+      "5":{"units":"metric","shape":"spheroid","length":5,"diameter":10}},
+      "workpiece":{"automatic":true},"files":["a.nc"]})",
+      "p.camotics");
+  EXPECT_EQ(l.format, LibraryFormat::camotics);
+  EXPECT_EQ(tool(l, "1").type, ToolType::endmill);
+  EXPECT_EQ(tool(l, "1").flute_length, 20);
+  EXPECT_EQ(tool(l, "2").type, ToolType::ballmill);
+  EXPECT_NEAR(tool(l, "2").diameter, 6.35, 1e-12);
+  EXPECT_NEAR(degrees(tool(l, "3").taper_angle), 45, 1e-9);
+  EXPECT_EQ(tool(l, "4").tip_diameter, 2);
+  EXPECT_EQ(l.skipped.size(), 1U);
+  EXPECT_EQ(parse_library(R"({"7":{"shape":"cylindrical","diameter":2}})", "t.json").tools.size(),
+            1U);
+}
+
+const char* const kFusion = R"({"data":[
+  {"type":"flat end mill","unit":"millimeters","description":"6mm","geometry":{"DC":6,"LB":25,"LCF":15,"SFDM":6,"RE":0},
+   "post-process":{"number":1},"holder":{"unit":"millimeters","segments":[{"height":20,"lower-diameter":20,"upper-diameter":30}]}},
+  {"type":"bull nose end mill","unit":"inches","geometry":{"DC":0.5,"RE":0.0625,"LCF":1},"post-process":{"number":2}},
+  {"type":"drill","unit":"millimeters","geometry":{"DC":5,"SIG":140},"post-process":{"number":3}},
+  {"type":"chamfer mill","unit":"millimeters","geometry":{"DC":8,"TA":45,"tip-diameter":1},"post-process":{"number":4}},
+  {"type":"dovetail mill","unit":"millimeters","geometry":{"DC":8},"post-process":{"number":5}},
+  {"type":"holder"}],"version":2})";
+
+TEST(ToolLibrary, Fusion) {
+  for (const std::string& bytes : {std::string(kFusion), detail::zip({{"tools.json", kFusion}})}) {
+    const ToolLibrary l = parse_library(bytes, "lib.tools");
+    EXPECT_EQ(l.format, LibraryFormat::fusion);
+    ASSERT_EQ(l.tools.size(), 4U);
+    EXPECT_EQ(tool(l, "1").diameter, 6);
+    EXPECT_EQ(tool(l, "1").flute_length, 15);
+    ASSERT_EQ(tool(l, "1").shank.size(), 1U);
+    EXPECT_EQ(tool(l, "1").shank[0].length, 10);
+    ASSERT_EQ(tool(l, "1").holder.size(), 1U);
+    EXPECT_NEAR(tool(l, "2").corner_radius, 1.5875, 1e-12);
+    EXPECT_NEAR(degrees(tool(l, "3").tip_angle), 140, 1e-9);
+    EXPECT_EQ(tool(l, "4").tip_diameter, 1);
+    EXPECT_EQ(l.skipped.size(), 1U);
+  }
+}
+
+using ToolLibraryFiles = TempFolderTest;
+
+TEST_F(ToolLibraryFiles, FreeCad) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(path(name)) << text;
+    return path(name);
+  };
+  write("5mm.fctb", R"({"version":2,"name":"5mm Endmill","shape":"endmill.fcstd","attribute":{},
+    "parameter":{"CuttingEdgeHeight":"30.0000 mm","Diameter":"5.0000 mm","Length":"50.0000 mm","ShankDiameter":"3.0000 mm"}})");
+  write(
+      "v.fctb",
+      R"({"shape-type":"VBit","name":"60","parameter":{"CuttingEdgeAngle":"60.0000 °","Diameter":"1/4 in","TipDiameter":"1.0 mm"}})");
+  const ToolLibrary l = load_library(write(
+      "lib.fctl",
+      R"({"tools":[{"nr":1,"path":"5mm.fctb"},{"nr":2,"path":"v.fctb"},{"nr":3,"path":"../../../etc/passwd"}],"version":1})"));
+  EXPECT_EQ(l.format, LibraryFormat::freecad);
+  ASSERT_EQ(l.tools.size(), 2U);
+  EXPECT_EQ(tool(l, "1").diameter, 5);
+  EXPECT_EQ(tool(l, "1").shank.size(), 1U);
+  EXPECT_NEAR(tool(l, "2").diameter, 6.35, 1e-12);
+  EXPECT_NEAR(degrees(tool(l, "2").tip_angle), 60, 1e-9);
+  EXPECT_EQ(l.skipped.size(), 1U);
+  const ToolLibrary bit = load_library(path("5mm.fctb"));
+  EXPECT_EQ(bit.format, LibraryFormat::freecad_bit);
+  EXPECT_EQ(tool(bit, "").diameter, 5);
+}
+
+TEST(ToolLibrary, OtherFilesAreNamed) {
+  for (const std::string& text :
+       {std::string("{}"), std::string("{\"a\":1}"), std::string("<tools/>"), std::string(""),
+        std::string("[1]"), std::string("{\"tools\":"), std::string(200, '{'),
+        std::string("PK\x03\x04"),
+        "{\"data\":" + std::string(100, '[') + std::string(100, ']') + "}", std::string("a\0b", 3)})
+    EXPECT_THROW(parse_library(text, "x"), Error) << text;
+  EXPECT_EQ(parse_library("[[tool]]\nid = 1\ntype = \"endmill\"\ndiameter = 5\n", "t.toml")
+                .table.tools.size(),
+            1U);
+}
+
+}  // namespace
+}  // namespace mrsim

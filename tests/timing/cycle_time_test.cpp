@@ -1,0 +1,140 @@
+#include <mrsim/cycle_time.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+Motion line(const Vec3& start, const Vec3& end, double feed) {
+  Motion m;
+  m.kind = MotionKind::line;
+  m.start = start, m.end = end, m.feed = feed, m.tool = 0;
+  return m;
+}
+
+Motion rapid(const Vec3& start, const Vec3& end) {
+  Motion m = line(start, end, 0);
+  m.kind = MotionKind::rapid;
+  return m;
+}
+
+Program program_of(std::vector<Motion> motions) {
+  Program program;
+  program.motions = std::move(motions);
+  return program;
+}
+
+MachineData machine() {
+  MachineData m;
+  m.rapid = {12000, 12000, 6000};  // 200, 200, 100 mm/s
+  m.acceleration = {1000, 1000, 500};
+  m.spindle_acceleration = 1e12;
+  return m;
+}
+
+TEST(CycleTime, LineWithRampsIsATrapezoid) {
+  // 100 mm at 50 mm/s with 1000 mm/s^2: L / v + v / a.
+  const CycleTime t = cycle_time(program_of({line({0, 0, 0}, {100, 0, 0}, 3000)}), machine());
+  EXPECT_NEAR(t.cutting, 100.0 / 50 + 50.0 / 1000, 1e-12);
+  EXPECT_EQ(t.total, t.cutting);
+}
+
+TEST(CycleTime, ShortRapidIsATriangle) {
+  // 10 mm never reach 200 mm/s: 2 sqrt(L / a).
+  const CycleTime t = cycle_time(program_of({rapid({0, 0, 0}, {0, 10, 0})}), machine());
+  EXPECT_NEAR(t.rapid, 2 * std::sqrt(10.0 / 1000), 1e-12);
+}
+
+TEST(CycleTime, RapidsAreLimitedByTheSlowestAxis) {
+  // Z takes half of the length at 100 mm/s and 500 mm/s^2: the path 200 and 1000.
+  const double z = 300 * 0.5, x = 300 * std::sqrt(0.75);
+  const CycleTime t = cycle_time(program_of({rapid({0, 0, 0}, {x, 0, z})}), machine());
+  EXPECT_NEAR(t.rapid, 300.0 / 200 + 200.0 / 1000, 1e-9);
+}
+
+TEST(CycleTime, LinesInOneDirectionAreOneLine) {
+  const auto whole = cycle_time(program_of({line({0, 0, 0}, {100, 0, 0}, 3000)}), machine());
+  std::vector<Motion> parts;
+  for (int i = 0; i < 1000; ++i)
+    parts.push_back(line({i * 0.1, 0, 0}, {(i + 1) * 0.1, 0, 0}, 3000));
+  EXPECT_NEAR(cycle_time(program_of(parts), machine()).cutting, whole.cutting, 1e-9);
+}
+
+TEST(CycleTime, CornerOfNinetyDegrees) {
+  // Rounded by an arc that cuts the corner off by 0.01 mm: r = d cos45 / (1 - cos45), v = sqrt(a
+  // r).
+  const double half = std::sqrt(0.5), r = 0.01 * half / (1 - half), v = std::sqrt(1000 * r);
+  const CycleTime t = cycle_time(
+      program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {50, 50, 0}, 3000)}),
+      machine());
+  const double ramps = (50.0 * 50 + (50.0 * 50 - v * v)) / (2 * 1000);
+  const double each = 50.0 / 1000 + (50 - v) / 1000 + (50 - ramps) / 50;
+  EXPECT_NEAR(t.cutting, 2 * each, 1e-12);
+}
+
+TEST(CycleTime, ReversalStops) {
+  const CycleTime t =
+      cycle_time(program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {0, 0, 0}, 3000)}),
+                 machine());
+  EXPECT_NEAR(t.cutting, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
+}
+
+TEST(CycleTime, FacingAtConstantSurfaceSpeed) {
+  // dt = 2 pi r dr 60 / (1000 S f): pi (R^2 - r^2) 60 / (1000 S f).
+  Motion m = line({40, 0, 0}, {20, 0, 0}, 0.2);
+  m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  const CycleTime t = cycle_time(program_of({m}), fast);
+  EXPECT_NEAR(t.cutting, std::numbers::pi * (1600 - 400) * 60 / (1000 * 200 * 0.2), 1e-6);
+}
+
+TEST(CycleTime, FacingToTheCentreIsCapped) {
+  Motion m = line({40, 0, 0}, {0, 0, 0}, 0.2);
+  m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  fast.max_spindle = 2000;
+  const double capped = 1000 * 200 / (2 * std::numbers::pi * 2000);
+  const double slow = std::numbers::pi * (1600 - capped * capped) * 60 / (1000 * 200 * 0.2);
+  EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, slow + capped / (0.2 * 2000 / 60), 1e-6);
+}
+
+TEST(CycleTime, InverseTime) {
+  Motion m = line({0, 0, 0}, {10, 0, 0}, 12);  // a twelfth of a minute
+  m.feed_unit = FeedUnit::inverse_time;
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, 5, 1e-6);
+}
+
+TEST(CycleTime, ArcIsLimitedByItsRadius) {
+  Motion m = line({1, 0, 0}, {1, 0, 0}, 60000);
+  m.kind = MotionKind::arc, m.center = {0, 0, 0}, m.radius = 1, m.sweep = 200 * std::numbers::pi;
+  MachineData flat = machine();
+  flat.acceleration = {500, 500, 500};
+  const double v = std::sqrt(500.0), length = 200 * std::numbers::pi;
+  EXPECT_NEAR(cycle_time(program_of({m}), flat).cutting, length / v + v / 500, 1e-9);
+}
+
+TEST(CycleTime, ToolsAreSummedAndChanged) {
+  Motion a = line({0, 0, 0}, {100, 0, 0}, 6000), b = a, c = a;
+  b.tool = 1;
+  const CycleTime t = cycle_time(program_of({a, b, c}), machine());
+  ASSERT_EQ(t.tools.size(), 2u);
+  EXPECT_EQ(t.tool_changes, 2u);
+  EXPECT_NEAR(t.tools[0].cutting, 2 * t.tools[1].cutting, 1e-12);
+  EXPECT_NEAR(t.total, t.cutting + 12, 1e-12);
+}
+
+TEST(CycleTime, CutsWithoutAFeedAreCounted) {
+  const CycleTime t = cycle_time(program_of({line({0, 0, 0}, {1, 0, 0}, 0)}), machine());
+  EXPECT_EQ(t.without_feed, 1u);
+  EXPECT_EQ(t.total, 0);
+}
+
+}  // namespace
+}  // namespace mrsim
