@@ -73,5 +73,15 @@ TEST(Polar, LinuxCnc) {
   expect_near(p.motions[2].end, {-15, 0, 0});
 }
 
+// They are no letters: a reader of names that skips them finds nothing, and must go on all the
+// same.
+TEST(Polar, WithoutANumberIsAnError) {
+  for (const char* line : {"G1^X\n", "G1 @\n", "G1 X1 @ ^ Y2\n"}) {
+    SCOPED_TRACE(line);
+    EXPECT_NE(codes(read_text(line, at_origin(Dialect::ngc))).find("address-without-number"),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

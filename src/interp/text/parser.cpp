@@ -367,6 +367,7 @@ void Parser::letter_word(Block& block) {
   if (statement(block, from)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block)) return;
+  ++p_;  // also behind "@" and "^", which are no names
   while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
   const std::string_view run = line_.substr(from, p_ - from);
   const bool assigned = run.find('=') != std::string_view::npos;

@@ -123,6 +123,25 @@ bool touch_only(const TriMesh& mesh, std::size_t f, std::size_t g) {
   return false;
 }
 
+// Where two triangles of one edge lie on each other there is no inside, and CGAL's orientation,
+// which looks at the topmost edge, would have no answer.
+void refuse_folds(const SurfaceMesh& surface, const std::string& name) {
+  for (const auto edge : surface.edges()) {
+    const auto h = surface.halfedge(edge);
+    const Point &p = surface.point(surface.source(h)), &q = surface.point(surface.target(h));
+    const Point& r = surface.point(surface.target(surface.next(h)));
+    const Point& s = surface.point(surface.target(surface.next(surface.opposite(h))));
+    if (CGAL::collinear(p, q, r) || CGAL::collinear(p, q, s)) continue;
+    if (!CGAL::coplanar(p, q, r, s) || CGAL::coplanar_orientation(p, q, r, s) != CGAL::POSITIVE)
+      continue;
+    throw Error("mesh-folded",
+                fmt::format("{}: two triangles lie on each other at the edge from ({:.6g}, {:.6g}, "
+                            "{:.6g}) to ({:.6g}, {:.6g}, {:.6g}) mm, so that nothing is inside; "
+                            "check the unit and the shape and export it again",
+                            name, p.x(), p.y(), p.z(), q.x(), q.y(), q.z()));
+  }
+}
+
 // Turns pieces so that they bound a solid; what is in the way is told from the mesh afterwards.
 TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   SurfaceMesh surface = to_surface(mesh);
@@ -131,6 +150,7 @@ TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   if (!CGAL::is_closed(surface)) return out;
   refuse_self_intersections(out, name);
   if (is_solid(out)) return out;
+  refuse_folds(surface, name);
   pmp::orient_to_bound_a_volume(surface);
   return to_mesh(surface);
 }
