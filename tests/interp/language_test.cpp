@@ -202,6 +202,31 @@ TEST(Sinumerik, LoopsEqualTheWrittenOutProgram) {
             plain);
 }
 
+// Each end belongs to one kind of loop; the error stands at the end and names both.
+TEST(Language, AnEndOfAnotherLoopIsAnError) {
+  const auto fault = [](Dialect dialect, const std::string& text) {
+    const Program p = read_text(text, at_origin(dialect));
+    if (p.diagnostics.size() != 1) return codes(p);
+    const Diagnostic& d = p.diagnostics[0];
+    return fmt::format("{} {}: {}", d.code, d.place.line, d.text);
+  };
+  const auto s = Dialect::sinumerik;
+  EXPECT_EQ(fault(s, "G1 F100 X1\nR1=0\nWHILE R1<3\nR1=R1+1\nX=R1\nENDFOR\nM30\n"),
+            "structure 6: ENDFOR does not belong to the WHILE of line 3, which is not closed");
+  EXPECT_EQ(fault(s, "G1 F100 X1\nFOR R1=1 TO 3\nX=R1\nENDLOOP\nM30\n"),
+            "structure 4: ENDLOOP does not belong to the FOR of line 2, which is not closed");
+  EXPECT_EQ(fault(s, "G1 F100 X1\nR1=0\nLOOP\nX1\nUNTIL R1==0\nM30\n"),
+            "structure 5: UNTIL does not belong to the LOOP of line 3, which is not closed");
+  EXPECT_EQ(fault(s, "G1 F100 X1\nR1=0\nREPEAT\nX1\nENDWHILE\nM30\n"),
+            "structure 5: ENDWHILE does not belong to the REPEAT of line 3, which is not closed");
+  EXPECT_EQ(fault(s, "G1 F100 X1\nR1=0\nIF R1==0\nLOOP\nX1\nENDIF\nENDLOOP\nM30\n"),
+            "structure 6: ENDIF does not belong to the LOOP of line 4, which is not closed");
+  EXPECT_EQ(fault(Dialect::ngc, "G1 F100 X1\no1 repeat [2]\nX2\no1 endwhile\nM2\n"),
+            "structure 4: ENDWHILE does not belong to the REPEAT of line 2, which is not closed");
+  EXPECT_EQ(fault(s, "G1 F100 X1\nENDFOR\nM30\n"),
+            "structure 2: nothing begins what ENDFOR goes on with or ends");
+}
+
 TEST(Sinumerik, BranchesAndCases) {
   const auto s = Dialect::sinumerik;
   const auto branch = [&](int value) {

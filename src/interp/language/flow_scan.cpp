@@ -21,7 +21,13 @@ std::string digits_at(std::string_view line, std::size_t& p) {
   return std::string(line.substr(from, p - from));
 }
 
-constexpr std::pair<std::string_view, FlowWord> kOwords[] = {
+struct Keyword {
+  std::string_view name;
+  FlowWord word;
+  FlowWord ends = FlowWord::none;  ///< the loop that it ends
+};
+
+constexpr Keyword kOwords[] = {
     {"SUB", FlowWord::sub},
     {"ENDSUB", FlowWord::sub_end},
     {"RETURN", FlowWord::sub_return},
@@ -31,21 +37,26 @@ constexpr std::pair<std::string_view, FlowWord> kOwords[] = {
     {"ELSE", FlowWord::branch_else},
     {"ENDIF", FlowWord::branch_end},
     {"WHILE", FlowWord::loop_while},
-    {"ENDWHILE", FlowWord::loop_end},
+    {"ENDWHILE", FlowWord::loop_end, FlowWord::loop_while},
     {"DO", FlowWord::loop_do},
     {"REPEAT", FlowWord::loop_repeat},
-    {"ENDREPEAT", FlowWord::loop_end},
+    {"ENDREPEAT", FlowWord::loop_end, FlowWord::loop_repeat},
     {"BREAK", FlowWord::loop_break},
     {"CONTINUE", FlowWord::loop_continue},
 };
 
-constexpr std::pair<std::string_view, FlowWord> kSinumerikWords[] = {
-    {"IF", FlowWord::branch},         {"ELSE", FlowWord::branch_else},
-    {"ENDIF", FlowWord::branch_end},  {"WHILE", FlowWord::loop_while},
-    {"ENDWHILE", FlowWord::loop_end}, {"FOR", FlowWord::loop_for},
-    {"ENDFOR", FlowWord::loop_end},   {"LOOP", FlowWord::loop_forever},
-    {"ENDLOOP", FlowWord::loop_end},  {"REPEAT", FlowWord::loop_repeat},
-    {"UNTIL", FlowWord::loop_until},
+constexpr Keyword kSinumerikWords[] = {
+    {"IF", FlowWord::branch},
+    {"ELSE", FlowWord::branch_else},
+    {"ENDIF", FlowWord::branch_end},
+    {"WHILE", FlowWord::loop_while},
+    {"ENDWHILE", FlowWord::loop_end, FlowWord::loop_while},
+    {"FOR", FlowWord::loop_for},
+    {"ENDFOR", FlowWord::loop_end, FlowWord::loop_for},
+    {"LOOP", FlowWord::loop_forever},
+    {"ENDLOOP", FlowWord::loop_end, FlowWord::loop_forever},
+    {"REPEAT", FlowWord::loop_repeat},
+    {"UNTIL", FlowWord::loop_until, FlowWord::loop_repeat},
 };
 
 // The end of a FANUC block: behind ";" outside of comments.
@@ -200,8 +211,11 @@ void scan_oword_line(std::string_view line, std::vector<FoundWord>& out) {
   if (!oword_name(line, p, found.name)) return;
   const std::string word = oword_keyword(line, p);
   if (word.empty()) found.word = FlowWord::label;
-  for (const auto& [name, meaning] : kOwords)
-    if (name == word) found.word = meaning;
+  for (const Keyword& known : kOwords)
+    if (known.name == word) {
+      found.word = known.word;
+      found.ends = known.ends;
+    }
   found.behind = p;
   if (found.word != FlowWord::none && found.word != FlowWord::call) out.push_back(std::move(found));
 }
@@ -217,15 +231,15 @@ void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out) {
     const std::string name = upper_case(line.substr(from, std::min<std::size_t>(p - from, 33)));
     const std::size_t end = skip_blanks(line, p);
     if (at(line, end) == ':') {
-      out.push_back({FlowWord::label, from, end + 1, name});
+      out.push_back({FlowWord::label, from, end + 1, name, FlowWord::none});
       p = skip_blanks(line, end + 1);
       continue;
     }
-    for (const auto& [known, word] : kSinumerikWords) {
-      if (known != name || at(line, end) == '=') continue;
-      if (word == FlowWord::branch && has_jump(line.substr(p))) return;
-      if (word == FlowWord::loop_repeat && !ends_here(line, p)) return;
-      out.push_back({word, from, p, {}});
+    for (const Keyword& known : kSinumerikWords) {
+      if (known.name != name || at(line, end) == '=') continue;
+      if (known.word == FlowWord::branch && has_jump(line.substr(p))) return;
+      if (known.word == FlowWord::loop_repeat && !ends_here(line, p)) return;
+      out.push_back({known.word, from, p, {}, known.ends});
       return;
     }
     return;

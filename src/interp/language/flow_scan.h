@@ -13,7 +13,8 @@ namespace mrsim {
 struct FoundWord {
   FlowWord word = FlowWord::none;
   std::size_t at = 0, behind = 0;
-  std::string name;  ///< loop number, label, name of a subprogram; upper case
+  std::string name;                ///< loop number, label, name of a subprogram; upper case
+  FlowWord ends = FlowWord::none;  ///< see FlowEntry
 };
 
 /// Appends what stands in the line.

@@ -21,8 +21,36 @@ const char* shown(FlowWord word) {
     case FlowWord::sub:
     case FlowWord::sub_end:
       return "sub";
+    case FlowWord::loop_while:
+      return "WHILE";
+    case FlowWord::loop_do:
+      return "DO";
+    case FlowWord::loop_for:
+      return "FOR";
+    case FlowWord::loop_forever:
+      return "LOOP";
+    case FlowWord::loop_repeat:
+      return "REPEAT";
     default:
       return "loop";
+  }
+}
+
+// What goes on with a structure or ends it, as it is written.
+std::string shown_end(const FlowEntry& entry) {
+  switch (entry.word) {
+    case FlowWord::branch_else_if:
+      return "ELSEIF";
+    case FlowWord::branch_else:
+      return "ELSE";
+    case FlowWord::branch_end:
+      return "ENDIF";
+    case FlowWord::sub_end:
+      return "endsub";
+    case FlowWord::loop_until:
+      return "UNTIL";
+    default:
+      return entry.ends == FlowWord::none ? "END" : fmt::format("END{}", shown(entry.ends));
   }
 }
 
@@ -57,6 +85,7 @@ Outline::Outline(const std::string& file, OutlineForm form) : names_(1) {
       entry.at = {offset, start.line, one.at};
       entry.behind = one.behind;
       entry.word = one.word;
+      entry.ends = one.ends;
       entry.name = one.name.empty() ? 0 : name_index(one.name);
       if (one.word == FlowWord::section)
         begin_section(entry.at, open);
@@ -132,16 +161,16 @@ void Outline::chain(int index, std::vector<Open>& open, bool last) {
   FlowEntry& entry = entries_[static_cast<std::size_t>(index)];
   const bool branch = entry.word >= FlowWord::branch && entry.word <= FlowWord::branch_end;
   const auto fits = [&](const Open& one) {
-    const bool kind = branch ? one.word == FlowWord::branch
-                      : entry.word == FlowWord::sub_end
-                          ? one.word == FlowWord::sub
+    const bool kind = branch                            ? one.word == FlowWord::branch
+                      : entry.word == FlowWord::sub_end ? one.word == FlowWord::sub
+                      : entry.ends != FlowWord::none
+                          ? one.word == entry.ends
                           : one.word != FlowWord::branch && one.word != FlowWord::sub;
     return kind && one.name == entry.name;
   };
   const auto at = std::find_if(open.rbegin(), open.rend(), fits);
   if (at == open.rend() || (entry.name == 0 && at != open.rbegin()))
-    return fault(entry.at,
-                 fmt::format("nothing begins the {} that goes on or ends here", shown(entry.word)));
+    return fault(entry.at, unmatched(entry, open));
   const int first = at->entry;
   FlowEntry& head = entries_[static_cast<std::size_t>(first)];
   const int tail = head.last < 0 ? first : head.last;
@@ -156,6 +185,16 @@ void Outline::chain(int index, std::vector<Open>& open, bool last) {
     fault(inner.at, fmt::format("the {} that begins here is not closed", shown(inner.word)));
   }
   open.erase(std::next(at).base(), open.end());
+}
+
+// Why `entry` neither goes on with nor ends what is open.
+std::string Outline::unmatched(const FlowEntry& entry, const std::vector<Open>& open) const {
+  for (auto one = open.rbegin(); one != open.rend(); ++one)
+    if (one->name == entry.name)
+      return fmt::format("{} does not belong to the {} of line {}, which is not closed",
+                         shown_end(entry), shown(one->word),
+                         entries_[static_cast<std::size_t>(one->entry)].at.line + 1);
+  return fmt::format("nothing begins what {} goes on with or ends", shown_end(entry));
 }
 
 void Outline::close(int index, std::vector<Open>& open) { chain(index, open, true); }

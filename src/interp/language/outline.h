@@ -52,6 +52,7 @@ struct FlowEntry {
   Place at;            ///< where the statement starts
   std::size_t behind;  ///< position behind its keyword
   FlowWord word = FlowWord::none;
+  FlowWord ends = FlowWord::none;        ///< the only loop that a loop_end can end; none = any
   std::uint32_t name = 0;                ///< index into Outline::names, 0 = none
   int first = -1, next = -1, last = -1;  ///< entries of the same structure
   int section = 0;
@@ -95,6 +96,7 @@ class Outline {
   void add(FlowEntry entry, std::vector<Open>& open);
   void close(int index, std::vector<Open>& open);
   void chain(int index, std::vector<Open>& open, bool last);
+  std::string unmatched(const FlowEntry& entry, const std::vector<Open>& open) const;
   void leave_loop(int index, const std::vector<Open>& open);
   void begin_section(const Place& at, std::vector<Open>& open);
   void fault(const Place& at, std::string text);
