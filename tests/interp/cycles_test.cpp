@@ -95,6 +95,10 @@ TEST(Cycles, LinuxCncLeavesTheWorkFirst) {
   EXPECT_EQ(run(Dialect::ngc, "G0 X1 Y2 Z3\nG91 G81 G98 X4 Y5 Z-0.6 R1.8 L3 F100\n"),
             "r1,2,3 r1,2,4.8 r5,7,4.8 l5,7,4.2 r5,7,4.8 r9,12,4.8 l9,12,4.2 r9,12,4.8 "
             "r13,17,4.8 l13,17,4.2 r13,17,4.8");
+  // R of G91 counts from the level before the first cycle, however often the cycle is written.
+  EXPECT_EQ(
+      run(Dialect::ngc, "G0 Z0.25\nG91 G99 G81 X1 Z-1 R0.25 F100\nG91 G99 G81 X1 Z-1 R0.25\n"),
+      "r0,0,0.25 r0,0,0.5 r1,0,0.5 l1,0,-0.5 r1,0,0.5 r2,0,0.5 l2,0,-0.5 r2,0,0.5");
   EXPECT_EQ(codes(read_text("G0 Z5\nG81 X1 Z3 R2 F100\n", at_origin(Dialect::ngc))), "value-range");
   EXPECT_EQ(codes(read_text("G0 Z5\nG83 X1 Z-3 R2 F100\n", at_origin(Dialect::ngc))),
             "value-missing");

@@ -145,6 +145,22 @@ TEST(Posts, G10SetsOffsetsAndRadii) {
   EXPECT_EQ(here.motions.back().end.x, 15);
 }
 
+// LinuxCNC: the entry ends beside its own end, not beside the next element's start; round an
+// outside corner an arc follows, an inside one ends the entry where the moved elements meet.
+TEST(Posts, LinuxCncEntersCompensationBesideTheEntry) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  const Program outside = read_text("G42.1 D2 G1 X10 F100\nY10\nG40 X20\nM2\n", options);
+  EXPECT_EQ(codes(outside), "");
+  ASSERT_EQ(outside.motions.size(), 4U) << listing(outside);
+  expect_near(outside.motions[0].end, {10, -1, 0});
+  EXPECT_EQ(outside.motions[1].kind, MotionKind::arc);
+  expect_near(outside.motions[1].center, {10, 0, 0});
+  expect_near(outside.motions[1].end, {11, 0, 0});
+  const Program inside = read_text("G41.1 D2 G1 X10 F100\nY10\nG40 X20\nM2\n", options);
+  expect_near(inside.motions[0].end, {9, 1, 0});
+  EXPECT_EQ(codes(read_text("G41.1 D4 G1 X2 F100\nY10\nG40 X20\nM2\n", options)), "comp-entry");
+}
+
 // LinuxCNC: R of G10 L2 turns the offset about its zero, L20 keeps the position.
 TEST(Posts, G10TurnsAWorkOffset) {
   const InterpOptions options = at_origin(Dialect::ngc);

@@ -94,6 +94,7 @@ Compensation CompensationWords::for_move() const {
   c.arcs = modal_.corner == Code::corner_arc && modal_.disc < 100;
   c.disc = modal_.disc / 100;
   c.two_points = is(Dialect::fanuc);
+  c.entry_beside = is(Dialect::ngc);
   c.sharpest = is(Dialect::fanuc)                  ? kPi / 2
                : modal_.corner == Code::corner_arc ? kSharpestDisc
                                                    : radians(100);

@@ -63,8 +63,7 @@ bool DrillWords::run() {
                  fmt::format("G{} (back boring) is not supported yet", cycle.number), where);
   if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
     return error("cycle-compensation", "a canned cycle under radius compensation", where);
-  const double before = holes_.level();
-  if (!cycle.begun) cycle.initial = before;
+  if (!cycle.begun) cycle.initial = holes_.level();
   cycle.begun = true;
   long count = 1;
   Hole hole;
@@ -72,7 +71,7 @@ bool DrillWords::run() {
   const Vec3 from = position_.programmed;
   Target to;
   if (!axes_.target(to, from)) return false;
-  if (!fill(hole, before)) return false;
+  if (!fill(hole)) return false;
   const Vec3 step = to.programmed - from;
   for (long i = 0; i < count; ++i) {
     // LinuxCNC leaves the work before it goes aside.
@@ -86,8 +85,8 @@ bool DrillWords::run() {
   return true;
 }
 
-// The levels: in G91 R counts from the level before the cycle, Z from R.
-bool DrillWords::fill(Hole& hole, double current) {
+// The levels: in G91 R counts from the level before the first cycle, Z from R.
+bool DrillWords::fill(Hole& hole) {
   const DrillCycle& cycle = modal_.drill;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (!cycle.bottom.given)
@@ -95,10 +94,9 @@ bool DrillWords::fill(Hole& hole, double current) {
                  where);
   if (!cycle.safe.given && is(Dialect::ngc))
     return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
-  const double base = is(Dialect::ngc) ? current : cycle.initial;
   const bool from_initial = cycle.safe.incremental || (lathe() && is(Dialect::fanuc));
   hole.safe = !cycle.safe.given ? cycle.initial
-              : from_initial    ? base + cycle.safe.value
+              : from_initial    ? cycle.initial + cycle.safe.value
                                 : cycle.safe.value;
   hole.bottom = cycle.bottom.incremental ? hole.safe + cycle.bottom.value : cycle.bottom.value;
   hole.end = modal_.return_to_r ? hole.safe : std::max(cycle.initial, hole.safe);

@@ -20,7 +20,7 @@ class DrillWords : public ControlPart {
  private:
   bool read_words(const Basis& b);
   bool repeats(long& count);
-  bool fill(Hole& hole, double current);
+  bool fill(Hole& hole);
   bool fill_pecks(Hole& hole);
   bool haas_pecks(Hole& hole, const Word& first);
   double tapping_lead() const;

@@ -145,6 +145,7 @@ void CompensationStage::enter() {
   active_ = true;
   const double h = height(first, first.motion.end);
   if (j >= queue_.size()) return send_line(first, moved(first).end, h);
+  if (first.comp.entry_beside) return enter_beside(h);
   const PlanePiece next = moved(queue_[j]);
   if (is_void(next)) return send_line(first, moved(first).end, h);
   const Vec2 corner = corner_of(first), outer = in_plane(first.basis, at_) + first.comp.tip;
@@ -156,6 +157,25 @@ void CompensationStage::enter() {
   const CornerWay way = outside_corner(before.comp, corner, line, next);
   send_line(before, way.end, h);
   run_corner(before, way);
+}
+
+// LinuxCNC: the entry is an element like others, and must be longer than the radius. The tool is
+// not beside its start, so that an inside corner may end it earlier than that.
+void CompensationStage::enter_beside(double h) {
+  const PathMove first = queue_.front();
+  const double travel = length(corner_of(first) - in_plane(first.basis, at_) - first.comp.tip);
+  if (travel <= first.comp.radius && first.comp.radius > 0)
+    reporter_.add_at(Severity::error, "comp-entry",
+                     fmt::format("the entry into compensation is {:.6g} long and must be longer "
+                                 "than the tool's radius {:.6g}",
+                                 travel, first.comp.radius),
+                     first.motion);
+  PlanePiece piece = moved(first);
+  piece.start = piece.start - (2 * first.comp.radius + travel) * end_tangent(piece);
+  cursor_ = piece.start;
+  const CornerWay way = choose_end(piece);
+  send_line(first, way.end, h);
+  run_corner(first, way);
 }
 
 // A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.

@@ -22,6 +22,7 @@ class CompensationStage {
   bool ready(bool last) const;
   void settle(bool last);
   void enter();
+  void enter_beside(double height);
   void skip_void_entry();
   void follow();
   void leave_or_shift();
