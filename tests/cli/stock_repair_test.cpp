@@ -111,6 +111,26 @@ TEST_F(StockRepair, DropsTrianglesWithoutCornersOfTheirOwn) {
   expect_repaired(flat, "");  // every reader of triangles does that, too
 }
 
+// Closed by indices, but two vertices have one place, so that two triangles have no area: the
+// nearest of them would tell no side.
+TEST_F(StockRepair, WeldsClosedMeshesWithTrianglesWithoutArea) {
+  Facets split = block();
+  split.corners.push_back(split.corners[2]);
+  split.triangles[0] = {0, 8, 3};
+  split.triangles.push_back({3, 8, 2});
+  split.triangles.push_back({8, 0, 2});
+  expect_repaired(split, "1 vertex welded, 2 triangles without area dropped");
+}
+
+TEST_F(StockRepair, KeepsTrianglesOnALine) {
+  Facets cap = block();
+  cap.corners.push_back({50, 0, 0});  // on the side from corner 2 to corner 3
+  cap.triangles[7] = {2, 7, 8};
+  cap.triangles.push_back({8, 7, 3});
+  cap.triangles.push_back({3, 2, 8});
+  expect_repaired(cap, "");
+}
+
 TEST_F(StockRepair, RefusesBodiesThatTouchAlongAnEdge) {
   Facets two = block(), other = block(100, 0);
   two.corners[7][2] = 10;

@@ -175,7 +175,8 @@ void require_triangles(const TriMesh& mesh, const std::string& name) {
 
 std::string make_solid(TriMesh& mesh, const std::string& name) {
   const MeshSummary summary = check_mesh(mesh);
-  if (summary.oriented) return {};
+  // Closed by indices, a mesh may still have vertices that share a place.
+  if (summary.oriented && summary.degenerate == 0) return {};
   if (summary.components == 0) require_solid(mesh, name);  // not a mesh at all
   std::vector<std::string> done;
   const auto step = [&](std::size_t before, std::size_t after, const char* one, const char* many) {
