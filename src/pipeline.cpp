@@ -4,19 +4,16 @@
 #include "core/error.h"
 #include "core/heap.h"
 #include "core/memory_limit.h"
-#include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "cuts.h"
-#include "interp/interpreter.h"
-#include "interp/show/motion_text.h"
 #include "mesh/draw/render.h"
 #include "mesh/extract.h"
 #include "mesh/solid/check.h"
-#include "mesh/solid/pieces.h"
 #include "mesh/solid/solid_repair.h"
 #include "mesh_choice.h"
 #include "outputs.h"
+#include "part_findings.h"
 #include "part_mesh.h"
 #include "removal/collision/collisions.h"
 #include "removal/part/default_stock.h"
@@ -36,65 +33,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 namespace mrsim {
 namespace {
-
-class Collector : public MotionSink {
- public:
-  // Room for a program of short lines: growing would copy all motions, and touch new pages for
-  // them, again and again.
-  explicit Collector(const std::string& path) {
-    constexpr std::uintmax_t kLineBytes = 24;
-    std::error_code failed;
-    const std::uintmax_t bytes = std::filesystem::file_size(path, failed);
-    const double most = memory_left() / 4 / sizeof(Motion);
-    if (!failed && double(bytes) / kLineBytes <= most) reserve_large(motions, bytes / kLineBytes);
-  }
-  void motion(const Motion& motion) override {
-    if (motions.size() == motions.capacity() && motions.size() > kFew)
-      require_memory(2.0 * double(motions.size()) * sizeof(Motion),
-                     fmt::format("a program of more than {} motions", motions.size()));
-    motions.push_back(motion);
-  }
-  void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
-  std::vector<Motion> motions;
-  std::vector<Diagnostic> diagnostics;
-
- private:
-  static constexpr std::size_t kFew = 10000;  // of which nothing is asked
-};
-
-class TraceSinkAdapter : public MotionSink {
- public:
-  TraceSinkAdapter(const TraceSink& sink, bool json) : sink_(sink), json_(json) {}
-  void begin(const Program& program) override { program_ = &program; }
-  void motion(const Motion& motion) override {
-    if (sink_.motion) sink_.motion(motion);
-    if (sink_.line)
-      sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
-  }
-  void diagnostic(const Diagnostic& diagnostic) override {
-    if (sink_.diagnostic) sink_.diagnostic(diagnostic);
-  }
-  void assignment(const SourcePlace& place, const std::string& name,
-                  const std::string& value) override {
-    if (!sink_.line) return;
-    sink_.line(json_ ? fmt::format(R"({{"line":{},"kind":"variable","name":{},"value":{}}})",
-                                   place.line, json_string(name), json_string(value))
-                     : fmt::format("{:5}     {} = {}", place.line, name, value));
-  }
-
- private:
-  const TraceSink& sink_;
-  bool json_;
-  const Program* program_ = nullptr;
-};
 
 class StageClock {
  public:
@@ -123,15 +67,6 @@ bool has(const Program& program, Severity severity) {
 
 bool is_faulty(const JobResult& result, bool strict) {
   return has(result.program, Severity::error) || (strict && has(result.program, Severity::warning));
-}
-
-void report(JobResult& result, Severity severity, const char* code, const std::string& text) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.code = code;
-  diagnostic.text = text;
-  diagnostic.place.file = result.program.files.empty() ? "" : result.program.files[0];
-  result.program.diagnostics.push_back(diagnostic);
 }
 
 void count_motions(JobResult& result) {
@@ -165,15 +100,6 @@ StockShape choose_stock(const Job& job, JobResult& result) {
   return shape;
 }
 
-// A coarse mesh may decide the verdict instead of the part.
-void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result) {
-  if (job.accept > 0 && tolerance > job.accept / 4 * (1 + 1e-9))
-    report(result, Severity::warning, "tolerance-coarse",
-           fmt::format("a tolerance of {:g} mm is coarse for an --accept of {:g} mm: use a quarter "
-                       "of it or less",
-                       tolerance, job.accept));
-}
-
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
 double volume_before(const StockShape& shape, CarveOptions options, const MeshOptions& mesh) {
   if (!shape.history.motions.empty()) {
@@ -191,77 +117,6 @@ double volume_before(const StockShape& shape, CarveOptions options, const MeshOp
   return kPi * (outer * outer - inner * inner) * size.z;
 }
 
-// `excess`: what the mesh holds more than the exact part, mm^3.
-void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess) {
-  result.summary = part.summary();
-  const MeshSummary& s = result.summary;
-  if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
-    throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
-  part.set_origin(owner_table(part.owners(), cuts));
-  result.triangles = part.source().triangles();
-  result.volume = s.volume - excess;
-  result.removed_volume = result.stock_volume - result.volume;
-}
-
-// A few by name: a stock shot through may leave thousands of crumbs.
-std::string describe_detached(const std::vector<Piece>& pieces) {
-  constexpr std::size_t kNamed = 4;
-  std::string text;
-  for (std::size_t i = 1; i < std::min(pieces.size(), kNamed); ++i)
-    text += (i > 1 ? "; " : "") + describe_piece(pieces[i]);
-  if (pieces.size() > kNamed) text += fmt::format("; and {} more", pieces.size() - kNamed);
-  return text;
-}
-
-// Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
-void keep_pieces(JobResult& result, PartMesh& part, const Job& job) {
-  const std::vector<Piece> pieces = find_pieces(part.audit(), part.source());
-  const bool drop = job.keep == KeepPieces::largest;
-  for (const Piece& piece : pieces)
-    result.pieces.push_back({piece.volume, piece.center, piece.bounds, piece.triangles,
-                             !drop || result.pieces.empty()});
-  if (pieces.size() < 2) return;
-  const std::string found = describe_detached(pieces);
-  if (!drop)
-    return report(result, Severity::warning, "detached-pieces",
-                  fmt::format("the part is in {} pieces: {}; --keep largest drops all but the "
-                              "largest",
-                              pieces.size(), found));
-  part.keep(pieces[0]);
-  report(result, Severity::note, "pieces-dropped",
-         fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
-                     found));
-  if (writes_vdb(job))
-    report(result, Severity::note, "pieces-in-vdb",
-           "the .vdb holds all pieces: it is the stock and its cuts");
-}
-
-void tell_choice(JobResult& result, const MeshChoice& choice) {
-  result.voxel = choice.voxel;
-  result.voxel_reason = choice.voxel_reason;
-  result.tolerance = choice.tolerance;
-  result.tolerance_reason = choice.tolerance_reason;
-}
-
-void report_mesh(JobResult& result, const MeshReport& found) {
-  result.mesh_bound = found.bound;
-  result.mesh_usual = found.usual;
-  result.mesh_sampled = found.sampled;
-  result.mesh_kept = found.kept;
-  if (found.unresolved > 0)
-    report(result, Severity::warning, "tolerance-missed",
-           fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
-                       found.unresolved, result.tolerance));
-  if (!found.thin.empty()) {
-    const ThinFeature& first = found.thin.front();
-    report(result, Severity::warning, "thin-feature",
-           fmt::format("{} walls or gaps are thinner than a voxel and may be missing, the first a "
-                       "{} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}); a smaller --voxel shows them",
-                       found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
-                       first.place.x, first.place.y, first.place.z));
-  }
-}
-
 // Empty where the run can be done in slabs, should memory be short.
 std::string no_slabs(const Job& job, double tolerance) {
   if (tolerance > 0)
@@ -272,25 +127,63 @@ std::string no_slabs(const Job& job, double tolerance) {
   return whole_output(job.outputs);
 }
 
-void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
-  result.slabs = part.blocks();
-  report(result, Severity::note, "slabs",
-         fmt::format("done in {} slabs, to stay below {:.3g} GB: in one piece it would take about "
-                     "{:.3g} GB",
-                     part.blocks(), static_cast<double>(stock.memory_limit()) / 1e9,
-                     stock.memory_whole() / 1e9));
+Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, MeshChoice& choice) {
+  CarveOptions options = job.carve;
+  options.keep_grid = writes_vdb(job);  // nothing else reads the samples
+  return carve(shape, cuts.motions(), cuts.tools(), options,
+               [&](const ExactField& field, CarveOptions& chosen) {
+                 fit_mesh(field, job.mesh.threads, choice);
+                 chosen.voxel = choice.voxel;
+                 chosen.grid_mesh = choice.tolerance == 0;
+                 chosen.no_slabs = no_slabs(job, choice.tolerance);
+               });
 }
 
-// Makes the mesh, which is checked as it comes.
-void make_mesh(JobResult& result, PartMesh& part, const Stock& stock, const MeshOptions& options,
-               MeshReport& found) {
+MeshOptions mesh_options(const Job& job, const MeshChoice& choice) {
+  MeshOptions options = job.mesh;
+  options.tolerance = choice.tolerance;
+  options.measure = choice.measure;
+  options.fallback_voxel = choice.fallback_voxel;
+  return options;
+}
+
+// Makes the mesh, which is checked as it comes. Returns what it holds more than the exact part,
+// mm^3.
+double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoice& choice,
+                 PartMesh& part) {
+  MeshOptions options = mesh_options(job, choice);
+  options.max_memory = stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
+  MeshReport found;
   extract_mesh(stock, options, part, &found);
   if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
+  if (!found.given_up.empty()) give_up_tolerance(choice, found.given_up);
+  tell_choice(result, choice);
   if (stock.in_slabs()) report_slabs(result, part, stock);
   if (part.owners().back() < 0)
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
+  warn_of_coarse_tolerance(job, choice.tolerance, result);
+  result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + found.memory);
+  result.stock_volume = volume_before(result.stock, job.carve, options);
+  return found.volume_excess;
+}
+
+// Drops loose pieces where that was asked for, and fills in the part's figures.
+void settle_part(const Job& job, JobResult& result, const CutList& cuts, double excess,
+                 PartMesh& part, Outputs& outputs) {
+  keep_pieces(result, part, job.keep, writes_vdb(job));
+  const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
+                                    [](const PartPiece& piece) { return piece.kept; });
+  if (!is_whole) outputs.replace_mesh();
+  summarize_part(result, part, cuts, is_whole ? excess : 0);
+}
+
+StockRecipe recipe_of(const Job& job, const JobResult& result, const CutList& cuts) {
+  if (!writes_vdb(job)) return {};
+  StockRecipe recipe{result.stock, result.voxel};
+  recipe.shape.history = cuts.history();
+  return recipe;
 }
 
 void require_cuts(const Job& job, const JobResult& result) {
@@ -310,20 +203,6 @@ void end_program(const Job& job, JobResult& result) {
 }
 
 }  // namespace
-
-Program interpret(const std::string& path, const InterpOptions& options) {
-  Collector collector(path);
-  Program program = interpret(path, options, collector);
-  program.motions = std::move(collector.motions);
-  program.diagnostics = std::move(collector.diagnostics);
-  return program;
-}
-
-Program trace(const std::string& path, const InterpOptions& options, bool json,
-              const TraceSink& sink) {
-  TraceSinkAdapter adapter(sink, json);
-  return interpret(path, options, adapter);
-}
 
 JobFile load_job(const std::string& path, bool allow_outside) {
   return path.ends_with(".camotics") ? load_camotics_project(path)
@@ -371,51 +250,28 @@ void simulate(const Job& job, JobResult& result) {
   if (!job.until.empty()) end_program(job, result);
   result.cycle = cycle_time(result.program, job.machine);
   const CutList cuts(result.stock.history, result.program);
-  CarveOptions options = job.carve;
   MeshChoice choice = choose_mesh(job, result.stock, cuts);
-  options.keep_grid = writes_vdb(job);  // nothing else reads the samples
   clock.done("stock");
   if (is_faulty(result, job.strict)) return;
 
-  const Stock stock = carve(result.stock, cuts.motions(), cuts.tools(), options,
-                            [&](const ExactField& field, CarveOptions& chosen) {
-                              fit_mesh(field, job.mesh.threads, choice);
-                              chosen.voxel = choice.voxel;
-                              chosen.grid_mesh = choice.tolerance == 0;
-                              chosen.no_slabs = no_slabs(job, choice.tolerance);
-                            });
-  MeshOptions mesh_options = job.mesh;
-  mesh_options.tolerance = choice.tolerance;
-  mesh_options.measure = choice.measure;
-  mesh_options.fallback_voxel = choice.fallback_voxel;
+  const Stock stock = carve_part(job, result.stock, cuts, choice);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
-  MeshReport mesh_report;
+
+  // Blocks on the voxels come while the threads make the next ones.
+  const int block_threads = choice.tolerance > 0 ? job.mesh.threads : 1;
   MeshFileOptions files = job.files;
   files.threads = job.mesh.threads;
-  // Blocks on the voxels come while the threads make the next ones.
-  const int block_threads = mesh_options.tolerance > 0 ? mesh_options.threads : 1;
   Outputs outputs(job.outputs, files, block_threads);
   PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
                 block_threads, outputs);
-  mesh_options.max_memory =
-      stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
-  make_mesh(result, part, stock, mesh_options, mesh_report);
-  if (!mesh_report.given_up.empty()) give_up_tolerance(choice, mesh_report.given_up);
-  tell_choice(result, choice);
-  warn_of_coarse_tolerance(job, choice.tolerance, result);
-  result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + mesh_report.memory);
+  const double excess = make_mesh(job, result, stock, choice, part);
   clock.done("mesh");
-  result.stock_volume = volume_before(result.stock, options, mesh_options);
-  keep_pieces(result, part, job);
-  const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
-                                    [](const PartPiece& piece) { return piece.kept; });
-  if (!is_whole) outputs.replace_mesh();
-  summarize_part(result, part, cuts, is_whole ? mesh_report.volume_excess : 0);
+  settle_part(job, result, cuts, excess, part, outputs);
   clock.done("check");
   if (is_faulty(result, job.strict)) return;
   if (job.inspect) {
@@ -423,12 +279,8 @@ void simulate(const Job& job, JobResult& result) {
     clock.done("inspect");
   }
 
-  StockRecipe recipe;
-  if (writes_vdb(job)) {
-    recipe = {result.stock, result.voxel};
-    recipe.shape.history = cuts.history();
-  }
-  outputs.complete(part.source(), stock, recipe, job.hash_files, result.files);
+  outputs.complete(part.source(), stock, recipe_of(job, result, cuts), job.hash_files,
+                   result.files);
   result.mesh = std::move(part.in_memory());
   result.stock.mesh = {};
   result.peak_memory = peak_memory();

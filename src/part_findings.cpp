@@ -1,0 +1,112 @@
+#include "part_findings.h"
+
+#include "core/error.h"
+#include "mesh/solid/pieces.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// A few by name: a stock shot through may leave thousands of crumbs.
+std::string describe_detached(const std::vector<Piece>& pieces) {
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t i = 1; i < std::min(pieces.size(), kNamed); ++i)
+    text += (i > 1 ? "; " : "") + describe_piece(pieces[i]);
+  if (pieces.size() > kNamed) text += fmt::format("; and {} more", pieces.size() - kNamed);
+  return text;
+}
+
+}  // namespace
+
+void report(JobResult& result, Severity severity, const char* code, const std::string& text) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.code = code;
+  diagnostic.text = text;
+  diagnostic.place.file = result.program.files.empty() ? "" : result.program.files[0];
+  result.program.diagnostics.push_back(diagnostic);
+}
+
+void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result) {
+  if (job.accept > 0 && tolerance > job.accept / 4 * (1 + 1e-9))
+    report(result, Severity::warning, "tolerance-coarse",
+           fmt::format("a tolerance of {:g} mm is coarse for an --accept of {:g} mm: use a quarter "
+                       "of it or less",
+                       tolerance, job.accept));
+}
+
+void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess) {
+  result.summary = part.summary();
+  const MeshSummary& s = result.summary;
+  if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
+    throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
+  part.set_origin(owner_table(part.owners(), cuts));
+  result.triangles = part.source().triangles();
+  result.volume = s.volume - excess;
+  result.removed_volume = result.stock_volume - result.volume;
+}
+
+// Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
+void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb) {
+  const std::vector<Piece> pieces = find_pieces(part.audit(), part.source());
+  const bool drop = keep == KeepPieces::largest;
+  for (const Piece& piece : pieces)
+    result.pieces.push_back({piece.volume, piece.center, piece.bounds, piece.triangles,
+                             !drop || result.pieces.empty()});
+  if (pieces.size() < 2) return;
+  const std::string found = describe_detached(pieces);
+  if (!drop)
+    return report(result, Severity::warning, "detached-pieces",
+                  fmt::format("the part is in {} pieces: {}; --keep largest drops all but the "
+                              "largest",
+                              pieces.size(), found));
+  part.keep(pieces[0]);
+  report(result, Severity::note, "pieces-dropped",
+         fmt::format("the part was in {} pieces, the largest is kept; dropped: {}", pieces.size(),
+                     found));
+  if (in_vdb)
+    report(result, Severity::note, "pieces-in-vdb",
+           "the .vdb holds all pieces: it is the stock and its cuts");
+}
+
+void tell_choice(JobResult& result, const MeshChoice& choice) {
+  result.voxel = choice.voxel;
+  result.voxel_reason = choice.voxel_reason;
+  result.tolerance = choice.tolerance;
+  result.tolerance_reason = choice.tolerance_reason;
+}
+
+void report_mesh(JobResult& result, const MeshReport& found) {
+  result.mesh_bound = found.bound;
+  result.mesh_usual = found.usual;
+  result.mesh_sampled = found.sampled;
+  result.mesh_kept = found.kept;
+  if (found.unresolved > 0)
+    report(result, Severity::warning, "tolerance-missed",
+           fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
+                       found.unresolved, result.tolerance));
+  if (!found.thin.empty()) {
+    const ThinFeature& first = found.thin.front();
+    report(result, Severity::warning, "thin-feature",
+           fmt::format("{} walls or gaps are thinner than a voxel and may be missing, the first a "
+                       "{} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}); a smaller --voxel shows them",
+                       found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
+                       first.place.x, first.place.y, first.place.z));
+  }
+}
+
+void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
+  result.slabs = part.blocks();
+  report(result, Severity::note, "slabs",
+         fmt::format("done in {} slabs, to stay below {:.3g} GB: in one piece it would take about "
+                     "{:.3g} GB",
+                     part.blocks(), static_cast<double>(stock.memory_limit()) / 1e9,
+                     stock.memory_whole() / 1e9));
+}
+
+}  // namespace mrsim

@@ -1,0 +1,32 @@
+// What a run has to say about its part: diagnostics, pieces and figures of the result.
+#pragma once
+
+#include "mesh/extract.h"
+#include "mesh_choice.h"
+#include "part_mesh.h"
+#include "removal/part/stock.h"
+#include <mrsim/mrsim.h>
+
+#include <string>
+
+namespace mrsim {
+
+/// A diagnostic of the whole program, without a line.
+void report(JobResult& result, Severity severity, const char* code, const std::string& text);
+
+/// Warns where a coarse mesh may decide the verdict instead of the part.
+void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result);
+
+void tell_choice(JobResult& result, const MeshChoice& choice);
+void report_mesh(JobResult& result, const MeshReport& found);
+void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock);
+
+/// Finds the pieces and drops all but the largest where that was asked for. `in_vdb`: a .vdb is
+/// written, which holds all.
+void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb);
+
+/// Figures of what is kept. `excess`: what the mesh holds more than the exact part, mm^3. Throws
+/// InternalError where the mesh is no closed, oriented 2-manifold.
+void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess);
+
+}  // namespace mrsim

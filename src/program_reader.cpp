@@ -1,0 +1,85 @@
+// Whole programs by the public functions interpret() and trace().
+
+#include "core/memory_limit.h"
+#include "core/text_io.h"
+#include "interp/interpreter.h"
+#include "interp/show/motion_text.h"
+#include <mrsim/memory.h>
+#include <mrsim/mrsim.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+class Collector : public MotionSink {
+ public:
+  // Room for a program of short lines: growing would copy all motions, and touch new pages for
+  // them, again and again.
+  explicit Collector(const std::string& path) {
+    constexpr std::uintmax_t kLineBytes = 24;
+    std::error_code failed;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, failed);
+    const double most = memory_left() / 4 / sizeof(Motion);
+    if (!failed && double(bytes) / kLineBytes <= most) reserve_large(motions, bytes / kLineBytes);
+  }
+  void motion(const Motion& motion) override {
+    if (motions.size() == motions.capacity() && motions.size() > kFew)
+      require_memory(2.0 * double(motions.size()) * sizeof(Motion),
+                     fmt::format("a program of more than {} motions", motions.size()));
+    motions.push_back(motion);
+  }
+  void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
+  std::vector<Motion> motions;
+  std::vector<Diagnostic> diagnostics;
+
+ private:
+  static constexpr std::size_t kFew = 10000;  // of which nothing is asked
+};
+
+class TraceSinkAdapter : public MotionSink {
+ public:
+  TraceSinkAdapter(const TraceSink& sink, bool json) : sink_(sink), json_(json) {}
+  void begin(const Program& program) override { program_ = &program; }
+  void motion(const Motion& motion) override {
+    if (sink_.motion) sink_.motion(motion);
+    if (sink_.line)
+      sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
+  }
+  void diagnostic(const Diagnostic& diagnostic) override {
+    if (sink_.diagnostic) sink_.diagnostic(diagnostic);
+  }
+  void assignment(const SourcePlace& place, const std::string& name,
+                  const std::string& value) override {
+    if (!sink_.line) return;
+    sink_.line(json_ ? fmt::format(R"({{"line":{},"kind":"variable","name":{},"value":{}}})",
+                                   place.line, json_string(name), json_string(value))
+                     : fmt::format("{:5}     {} = {}", place.line, name, value));
+  }
+
+ private:
+  const TraceSink& sink_;
+  bool json_;
+  const Program* program_ = nullptr;
+};
+
+}  // namespace
+
+Program interpret(const std::string& path, const InterpOptions& options) {
+  Collector collector(path);
+  Program program = interpret(path, options, collector);
+  program.motions = std::move(collector.motions);
+  program.diagnostics = std::move(collector.diagnostics);
+  return program;
+}
+
+Program trace(const std::string& path, const InterpOptions& options, bool json,
+              const TraceSink& sink) {
+  TraceSinkAdapter adapter(sink, json);
+  return interpret(path, options, adapter);
+}
+
+}  // namespace mrsim
