@@ -27,7 +27,8 @@ constexpr std::size_t kMostBlocks = 6000;
 constexpr double kMostSweeps = 3e4;
 constexpr double kMostScanned = 1e5;
 
-// What a mesh within a tolerance takes, by its cells: within a factor of three.
+// What a cell of a mesh within a tolerance takes: bytes within a factor of three, seconds at least.
+// Where creases lie close together a cell is halved again and again, and takes five times as long.
 constexpr double kCellBytes = 7e3, kCellSeconds = 2e-4;
 
 double longest_side(const Box3& box) {
@@ -66,10 +67,10 @@ std::string count_text(double count) {
 
 std::string needs_text(const MeshChoice& choice, double cells) {
   return fmt::format(
-      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and {:.2g} minutes of one core: "
+      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and at least {:.0f} s of one core: "
       "--tolerance {:.4g}",
       choice.tolerance, choice.tolerance_reason, count_text(cells), cells * kCellBytes / 1e9,
-      cells * kCellSeconds / 60, choice.tolerance);
+      std::ceil(cells * kCellSeconds), choice.tolerance);
 }
 
 void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
@@ -118,7 +119,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   const double finest = grid;
   while (survey.cells(grid) > kMostGridCells) grid = next_voxel(grid);
   const auto blocks = static_cast<double>(survey.blocks);
-  if (survey.blocks <= kMostBlocks && blocks * (1 + survey.sweeps) <= kMostSweeps) {
+  const double met = blocks * (1 + survey.sweeps);
+  if (survey.blocks <= kMostBlocks && met <= kMostSweeps) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
@@ -127,7 +129,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, needs_text(choice, survey.cells(cell)));
+  // Each sweep of a block leaves a crease beside its neighbours, and each crease has cells.
+  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), met)));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,

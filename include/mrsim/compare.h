@@ -171,12 +171,27 @@ MRSIM_API TriMesh deviation_mesh(const TriMesh& part, const TriMesh& nominal,
                                  int threads = 0);
 
 /// What the report shows beside the deviations; all may stay empty.
+/// A line of the program that runs a part of its tool into material.
+struct ReportCollision {
+  std::string part;        ///< "cutter", "shank" or "holder"
+  std::string tool, file;  ///< its id; the program's file
+  int line = 0;            ///< from 1
+  std::string text;        ///< of the line
+  bool rapid = false;
+  double depth = 0;         ///< mm, of the deepest motion of the line
+  Vec3 place;               ///< mm, where that is, in the part's coordinates
+  std::size_t motion = 0;   ///< its number from 1, as --until counts
+  std::size_t motions = 1;  ///< of the line that collide with this part
+};
+
 struct ReportFacts {
   std::string title;
   std::vector<std::pair<std::string, std::string>> facts;  ///< "Stock" -> "box 100 x 60 x 10 mm"
   std::vector<std::pair<std::string, double>> times;       ///< stage -> seconds
   std::vector<Tool> tools;
   std::vector<Diagnostic> diagnostics;
+  std::vector<ReportCollision> collisions;  ///< worst first
+  std::size_t more_collisions = 0;          ///< lines beyond these
 };
 /// A self-contained HTML page: the part with its deviations, regions, program text. Works from
 /// disk without a network. `nominal` may have no triangles, `comparison` no figures (a plain

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
+#include "cli/report.h"
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/suggest.h"
@@ -261,6 +262,37 @@ int run_compare(int argc, const char* const* argv) {
   return finish_output(show_comparison(request, nominal, comparison));
 }
 
+namespace {
+
+// The lines that collide, the deepest first.
+std::vector<ReportCollision> collisions_of(const JobResult& result) {
+  const Program& program = result.program;
+  std::vector<ReportCollision> out;
+  for (const Collision& c : result.collisions.lines) {
+    const Motion& m = program.motions[c.motion];
+    ReportCollision shown;
+    shown.part = tool_part_name(c.part);
+    shown.tool = program.tools[static_cast<std::size_t>(m.tool)].id;
+    shown.file = program.files[static_cast<std::size_t>(m.file)];
+    shown.line = m.line;
+    shown.rapid = m.kind == MotionKind::rapid;
+    shown.depth = c.depth;
+    shown.place = c.place;
+    shown.motion = c.motion + 1;
+    shown.motions = c.motions;
+    for (const Diagnostic& d : program.diagnostics)
+      if (d.place.line == m.line && d.place.file == shown.file && !d.source_line.empty())
+        shown.text = d.source_line;
+    out.push_back(shown);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const ReportCollision& a, const ReportCollision& b) {
+    return a.depth > b.depth;
+  });
+  return out;
+}
+
+}  // namespace
+
 ReportFacts facts_of(const JobResult& result, const std::string& program) {
   ReportFacts out;
   out.title = std::filesystem::path(program).filename().string();
@@ -280,6 +312,8 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
   out.times = result.stage_seconds;
   out.tools = result.program.tools;
   out.diagnostics = result.program.diagnostics;
+  out.collisions = collisions_of(result);
+  out.more_collisions = result.collisions.more;
   return out;
 }
 

@@ -162,6 +162,10 @@ const char* dialect_name(Dialect dialect) {
   return "unknown";
 }
 
+const char* tool_part_name(ToolPart part) {
+  return part == ToolPart::cutter ? "cutter" : part == ToolPart::shank ? "shank" : "holder";
+}
+
 const char* machine_name(MachineKind kind) {
   return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
 }

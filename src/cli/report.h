@@ -18,6 +18,8 @@ std::string format_program(const Program& program, bool verbose, bool colours);
 /// "SINUMERIK"; "mill".
 const char* dialect_name(Dialect dialect);
 const char* machine_name(MachineKind kind);
+/// "cutter", "shank", "holder".
+const char* tool_part_name(ToolPart part);
 /// "end mill Ø5, flutes 20 mm"
 std::string tool_text(const Tool& tool);
 /// "58 782.63": thousands apart, as in the project's documents.

@@ -103,15 +103,19 @@ Json pieces_json(const JobResult& r) {
 }
 
 Json collisions_json(const JobResult& r) {
-  constexpr std::array kParts{"cutter", "shank", "holder"};
   Json lines = Json::array();
   for (const Collision& c : r.collisions.lines) {
     const bool known = c.motion < r.program.motions.size();
     const Motion motion = known ? r.program.motions[c.motion] : Motion();
-    lines.push_back({{"line", motion.line},
-                     {"part", kParts[static_cast<std::size_t>(c.part)]},
+    const Program& program = r.program;
+    lines.push_back({{"file", known ? to_utf8(program.files[std::size_t(motion.file)]) : ""},
+                     {"line", motion.line},
+                     {"tool", known ? to_utf8(program.tools[std::size_t(motion.tool)].id) : ""},
+                     {"part", tool_part_name(c.part)},
+                     {"rapid", motion.kind == MotionKind::rapid},
                      {"depth", number(c.depth)},
                      {"at", point(c.place)},
+                     {"motion", c.motion + 1},
                      {"motions", c.motions}});
   }
   return {{"lines", std::move(lines)}, {"more", r.collisions.more}};

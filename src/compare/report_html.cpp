@@ -182,6 +182,25 @@ Json tool_json(const Tool& t) {
           {"origin", to_utf8(t.origin)}};
 }
 
+// Their places move with the part.
+Json collisions_json(const ReportFacts& facts, const RigidTransform& moved) {
+  Json lines = Json::array();
+  for (const ReportCollision& c : facts.collisions) {
+    const Vec3 at = apply(moved, c.place);
+    lines.push_back({{"part", c.part},
+                     {"tool", to_utf8(c.tool)},
+                     {"file", to_utf8(c.file)},
+                     {"line", c.line},
+                     {"text", to_utf8(c.text)},
+                     {"rapid", c.rapid},
+                     {"depth", c.depth},
+                     {"at", {at.x, at.y, at.z}},
+                     {"motion", c.motion},
+                     {"motions", c.motions}});
+  }
+  return {{"lines", std::move(lines)}, {"more", facts.more_collisions}};
+}
+
 Json facts_json(const ReportFacts& facts) {
   Json out{{"title", to_utf8(facts.title)}};
   for (const char* key : {"facts", "times", "tools", "diagnostics"}) out[key] = Json::array();
@@ -236,6 +255,7 @@ std::string report_html(const TriMesh& part, const TriMesh& nominal, const Compa
             {"reduced", shown.mesh.triangles.size() < part.triangles.size()},
             {"comparison", Json::parse(comparison_json(comparison))},
             {"facts", facts_json(facts)},
+            {"collisions", collisions_json(facts, comparison.transform)},
             {"keys", keys_json(lines.lines(), part.origin)},
             {"programs", programs_json(comparison, lines.lines())},
             {"grid", {{"lo", {grid.lo.x, grid.lo.y, grid.lo.z}}, {"step", grid.step}}},

@@ -1,7 +1,7 @@
 import { $, el, place, signed } from "./dom.js";
 import { css, deviationColor, kCutColor, kStockColor, listColor } from "./colors.js";
 import { decodeMesh } from "./decode.js";
-import { paintFigures, paintRegions, paintRun, paintVerdict } from "./panels.js";
+import { collisionRow, paintCollisions, paintCrashes, paintFigures, paintRegions, paintRun, paintVerdict } from "./panels.js";
 import { ProgramPane } from "./program.js";
 import { PartView } from "./scene.js";
 
@@ -45,11 +45,20 @@ const hasProgram = data.programs.some((p) => p.lines.length);
 const program = hasProgram ? new ProgramPane(data.programs, keysOf, chip, noteOf, chooseLine) : null;
 let regionRows = [];
 
-const tabs = [["regions", data.compared ? `Regions (${c.region_count})` : null], ["program", hasProgram ? "Program" : null], ["run", "Run"]].filter(([, name]) => name);
+// --- collisions come first: the worst is number 1 ---
+const crashes = data.collisions.lines, crashCount = crashes.length + data.collisions.more;
+const crashOf = (file, line) => crashes.find((k) => k.line === line && k.file.split("/").pop() === file.split("/").pop());
+paintCrashes(crashCount, crashes[0], () => { openTab("collisions"); chooseCollision(0); });
+const crashRows = crashes.length ? paintCollisions(data.collisions, chooseCollision) : [];
+const crashMarks = crashes.map((k, i) => el("button", { class: "crash", title: collisionRow(k), "aria-label": `Collision ${i + 1}: ${collisionRow(k)}`, onclick: () => chooseCollision(i) }, String(i + 1)));
+$("crash-marks").append(...crashMarks);
+
+const tabs = [["collisions", crashCount ? `Collisions (${crashCount})` : null], ["regions", data.compared ? `Regions (${c.region_count})` : null], ["program", hasProgram ? "Program" : null], ["run", "Run"]].filter(([, name]) => name);
 $("tabs").append(...tabs.map(([id, name]) => el("button", { role: "tab", id: `tab-${id}`, "aria-controls": `panel-${id}`, onclick: () => openTab(id) }, name)));
-for (const id of ["regions", "program", "run"]) $(`panel-${id}`).setAttribute("aria-labelledby", `tab-${id}`);
+const panels = ["collisions", "regions", "program", "run"];
+for (const id of panels) $(`panel-${id}`).setAttribute("aria-labelledby", `tab-${id}`);
 function openTab(id) {
-  for (const t of ["regions", "program", "run"]) {
+  for (const t of panels) {
     $(`panel-${t}`).hidden = t !== id;
     $(`tab-${t}`)?.setAttribute("aria-selected", String(t === id));
   }
@@ -105,6 +114,11 @@ function paintLegend() {
 
 // --- selection: a place, a line or a region ---
 function placeMark() {
+  crashes.forEach((k, i) => {
+    const p = view?.project(k.at);
+    crashMarks[i].hidden = !p?.front;
+    if (p) Object.assign(crashMarks[i].style, { left: `${p.x}px`, top: `${p.y}px` });
+  });
   const mark = $("mark");
   if (!state.mark || !view) { mark.hidden = true; return; }
   const p = view.project(state.mark);
@@ -156,11 +170,31 @@ function chooseLine(file, line) {
   setMark(null);
   program.show(file, line, true);
   view?.select(list);
+  const crash = crashOf(data.programs[file].file, line);
+  if (crash) return showCollision(crashes.indexOf(crash));
   if (!list.length) return showPicked(`Line ${line}`, [el("span", {}, " cut nothing that is still there")], "currentColor");
   const f = list.map((i) => figuresOf.get(i)).filter(Boolean);
   const area = f.reduce((s, l) => s + l.area, 0), out = f.reduce((s, l) => s + l.out_area, 0);
   const range = data.compared && f.length ? el("div", {}, el("span", {}, `${area.toFixed(1)} mm\u00b2, ${signed(Math.min(...f.map((l) => l.min)))} to ${signed(Math.max(...f.map((l) => l.max)))} mm${out > 0 ? `, ${out.toFixed(1)} mm\u00b2 out of tolerance` : ", in tolerance"}`)) : null;
   showPicked(`Line ${line}`, [el("code", {}, textOf(file, line)), range].filter(Boolean), css(chip(list)));
+}
+
+function showCollision(i) {
+  const k = crashes[i];
+  setMark(k.at);
+  crashRows.forEach((row, at) => row.setAttribute("aria-selected", String(at === i)));
+  showPicked(`Collision ${i + 1}`, [el("span", {}, ` ${collisionRow(k)}`), el("code", {}, k.text.trim()), el("div", {}, el("span", {}, place(k.at)))], "var(--bad)");
+}
+
+function chooseCollision(i) {
+  clearRegion();
+  const k = crashes[i];
+  view?.select([]);
+  view?.flyTo(k.at, [0, 0, 1], [k.at, k.at]);
+  showCollision(i);
+  crashRows[i].scrollIntoView({ block: "nearest" });
+  const file = data.programs.findIndex((p) => p.file.split("/").pop() === k.file.split("/").pop());
+  if (program && file >= 0) program.show(file, k.line);
 }
 
 function chooseRegion(i) {
@@ -181,6 +215,7 @@ function chooseRegion(i) {
 function clearRegion() {
   if (state.region >= 0) regionRows[state.region]?.setAttribute("aria-selected", "false");
   state.region = -1;
+  crashRows.forEach((row) => row.setAttribute("aria-selected", "false"));
 }
 function clear() {
   clearRegion();
@@ -254,7 +289,7 @@ paintRun(data, (file, line) => {
 if (view) section();
 setTheme(dark.matches ? "dark" : "light");
 setMode(state.mode);
-openTab(data.compared && c.region_count > 0 ? "regions" : hasProgram ? "program" : "run");
+openTab(crashCount ? "collisions" : data.compared && c.region_count > 0 ? "regions" : hasProgram ? "program" : "run");
 document.documentElement.dataset.ready = "true";
 // For tests: where a point of the part is on the screen, and what has been chosen.
 window.mrsimReport = { view, data, state };

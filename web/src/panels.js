@@ -11,6 +11,29 @@ export function paintVerdict(c, compared) {
     el("span", {}, `${c.verdict === "none" ? "shown against" : "tolerance"} ${signed(c.tolerance.lo, 3)} / ${signed(c.tolerance.hi, 3)} mm`));
 }
 
+/// "the shank of T4, 2.315 mm deep, in a rapid"
+export const collisionRow = (k) => `the ${k.part} of T${k.tool}, ${plain(k.depth, 3)} mm deep${k.rapid ? ", in a rapid" : ""}`;
+
+export function paintCrashes(count, worst, open) {
+  const box = $("crashes");
+  if (!count) return;
+  box.hidden = false;
+  box.addEventListener("click", open);
+  box.replaceChildren(el("strong", {}, count === 1 ? "1 collision" : `${grouped(count)} collisions`), el("span", {}, worst ? `worst: ${collisionRow(worst)}` : "beyond those listed"));
+}
+
+export function paintCollisions({ lines, more }, choose) {
+  const rows = lines.map((k, i) => {
+    const go = () => choose(i);
+    return el("tr", { tabindex: 0, "aria-selected": "false", onclick: go, onkeydown: (e) => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); go(); } } },
+      el("td", { class: "n" }, String(i + 1)), el("td", { class: "n" }, el("b", {}, plain(k.depth, 3))),
+      el("td", {}, el("span", {}, `${k.part} of T${k.tool}${k.rapid ? ", rapid" : ""}`), el("div", { class: "dim" }, `${k.file.split("/").pop()}:${k.line} \u00b7 motion ${grouped(k.motion)}${k.motions > 1 ? `, ${k.motions} of this line` : ""}`), k.text ? el("code", {}, k.text.trim()) : null));
+  });
+  $("panel-collisions").replaceChildren(el("table", {}, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", { class: "n" }, "mm deep"), el("th", {}, "What runs into material"))), el("tbody", {}, rows)),
+    more ? el("p", { class: "empty" }, `${grouped(more)} more lines are not listed.`) : el("span"));
+  return rows;
+}
+
 export function paintFigures(c, safe) {
   const p = c.part_to_nominal, n = c.nominal_to_part, h = c.hausdorff.symmetric;
   const pairs = [["Worst gouge", signed(Math.min(p.min, n.min, 0), 4)], ["Most left", signed(Math.max(p.max, n.max, 0), 4)],

@@ -94,6 +94,21 @@ const cases = {
     await page.waitForTimeout(300);
     assert.equal(await drawn(), before + 1);
   },
+  async "collisions come first"(page) {
+    assert.match(await page.textContent("#crashes"), /2 collisions.*shank of T4, 2\.500 mm deep, in a rapid/);
+    assert.equal(await page.getAttribute("#tab-collisions", "aria-selected"), "true");
+    assert.equal(await page.locator(".crash:visible").count(), 2);
+    await page.click("#panel-collisions tbody tr:nth-child(2)");
+    await settle(page);
+    assert.match(await page.textContent("#picked"), /Collision 2 the cutter of T4, 0\.250 mm deep/);
+    await page.click("#crashes");
+    await settle(page);
+    assert.match(await page.textContent("#picked"), /N31 G0 X115 Y85 <i>Z30<\/i>/);
+    assert.equal(await selectedLine(page), 31);
+    await page.click("#tab-program");
+    await page.click("#code .row[data-line='45']");
+    assert.match(await page.textContent("#picked"), /Collision 2/);
+  },
   async "nothing of the program is run"(page) {
     assert.equal(await page.evaluate(() => window.evil), undefined);
     await page.click("#tab-program");
