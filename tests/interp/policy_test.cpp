@@ -197,15 +197,6 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
   }
 }
 
-// A cycle that is not read takes its points with it, up to G80 or a word of motion.
-TEST(Policy, PointsOfACycleAreNoMoves) {
-  const InterpOptions lathe = at_origin(Dialect::fanuc, MachineKind::lathe);
-  const Program turn = read_text("G0 X50 Z2\nG90 X40 Z-10 F.2\nX35\nX30\nG1 X60 F1\n", lathe);
-  EXPECT_EQ(codes(turn), "not-supported");
-  ASSERT_EQ(turn.motions.size(), 2U) << listing(turn);
-  EXPECT_EQ(turn.motions[1].end.x, 30);
-}
-
 TEST(Policy, TextBehindTheTapeIsNamed) {
   const auto notes = [](const char* text) {
     return codes(read_text(text, at_origin(Dialect::fanuc)), Severity::note);

@@ -218,6 +218,7 @@ void BlockReader::end_of_text() {
 // A FANUC subprogram whose text ends without M99.
 void BlockReader::missing_return() {
   if (!is(Dialect::fanuc) || stack_.size() < 2 || !stack_.back().level) return;
+  if (stack_.back().end != std::numeric_limits<std::uint64_t>::max()) return;  // a contour
   reporter_.forget_text();
   Word place;
   place.length = 1;

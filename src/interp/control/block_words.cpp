@@ -7,6 +7,7 @@ void BlockWords::begin() {
   groups = 0;
   motion_code = oneshot = frame_code = call_word = m98 = comp_word = nullptr;
   motion = Code::unknown;
+  turn_cycle = 0;
   suppress_frames = comp_selected = comp_moved = length_changed = false;
   tool_change = stop_after = return_after = loops = false;
 }

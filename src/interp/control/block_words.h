@@ -63,6 +63,7 @@ class BlockWords : public Block {
   Code oneshot_code{};  ///< counts when `oneshot` is set
   Code frame_op{};      ///< counts when `frame_code` is set
   bool suppress_frames = false;
+  int turn_cycle = 0;               ///< G70 to G76 of a lathe; 0 = none
   const Word* comp_word = nullptr;  ///< G40 G41 G42
   bool comp_selected = false;       ///< ... says something new
   bool comp_moved = false;          ///< a straight move in the plane

@@ -26,7 +26,9 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       oneshots_(control_, axes_, frames_, moves_),
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
-      cycles_(control_, holes_) {
+      cycles_(control_, holes_),
+      turning_(control_, axes_, moves_),
+      contours_(control_, reader_, statements_.get(), moves_, out_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
   control_.modal = start_modal(program.dialect, program.machine);
@@ -55,6 +57,7 @@ void Engine::run() {
     }
     execute();
   }
+  contours_.end_program();
   out_.flush();
   moves_.finish();
   if (out_.cuts() == 0 && reporter_.errors() == 0)
@@ -88,20 +91,27 @@ void Engine::execute() {
   }
   tools_.end_block();
   flow_.end_block();
+  contours_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
 
 // A move, or holes at its end.
 bool Engine::run_move() {
   if (drilling_.wants_block()) return drilling_.run();
+  if (control_.block.turn_cycle != 0) return run_turning();
+  if (turning_.wants_block()) return turning_.pass();
   if (control_.block.modal_call) return cycles_.modal_call();
   if (!control_.block.function_name.empty() && SinumerikCycles::knows(control_.block.function_name))
     return cycles_.run();
   if (!axes_.has_move()) return true;
-  if (modes_.in_cycle()) return false;  // said with the cycle
   const Vec3 from = control_.position.programmed;
   moved_ = true;
   return moves_.run() && cycles_.run_modal(from);
+}
+
+// Each cycle in a block of its own that moves, or a line of values for it.
+bool Engine::run_turning() {
+  return control_.block.turn_cycle <= 73 ? contours_.run() : turning_.run();
 }
 
 bool Engine::interpret_block() {

@@ -2,11 +2,13 @@
 // says in which order they see a block; what words mean is theirs. Private to src/interp.
 #pragma once
 
+#include "interp/control/contour_cycles.h"
 #include "interp/control/drill_words.h"
 #include "interp/control/modal_words.h"
 #include "interp/control/oneshot_words.h"
 #include "interp/control/program_flow.h"
 #include "interp/control/sinumerik_cycles.h"
+#include "interp/control/turn_words.h"
 #include "interp/control/value_words.h"
 #include "interp/control/word_index.h"
 
@@ -22,6 +24,7 @@ class Engine {
   void execute();
   bool interpret_block();
   bool run_move();
+  bool run_turning();
 
   const InterpOptions& options_;
   Reporter reporter_;
@@ -42,6 +45,8 @@ class Engine {
   HoleMaker holes_;
   DrillWords drilling_;
   SinumerikCycles cycles_;
+  TurnWords turning_;
+  ContourCycles contours_;
   std::size_t executed_ = 0;
   bool moved_ = false;  ///< the block had a motion
 };

@@ -55,13 +55,20 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
   return true;
 }
 
-// A modal cycle is run at every point up to G80 or a word of motion: those go with it.
-bool ModalWords::refuse_cycle(const Word& word, const CodeEntry& entry) {
-  in_cycle_ = entry.group != Group::oneshot;
-  return error("not-supported",
-               fmt::format("{} is a canned cycle, which is not supported yet{}", text_of(word),
-                           in_cycle_ ? "; neither are its points in the blocks behind it" : ""),
-               word);
+// G92 and G94 of a lathe. Without an axis G92 S limits the speed, and G94 is the feed per minute of
+// code systems B and C.
+bool ModalWords::select_turning(const Word& word, int number) {
+  const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
+  if (!axes && number == 94) return apply_feed_mode(Code::per_minute, word);
+  if (!axes && number == 92) {
+    block_.oneshot = &word;
+    block_.oneshot_code = Code::set_position;
+    return true;
+  }
+  if (modal_.turn.number != number) modal_.turn = {};
+  modal_.turn.number = number;
+  modal_.drill.number = 0;
+  return true;
 }
 
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
@@ -73,8 +80,13 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
                                : is(Dialect::fanuc)   ? " (alarm 010)"
                                                       : ""),
                    word);
-    case Code::cycle:
-      return refuse_cycle(word, entry);
+    case Code::turn_pass:
+      return select_turning(word, entry.number);
+    case Code::turn_cycle:
+      block_.turn_cycle = entry.number;
+      block_.oneshot = &word;
+      block_.oneshot_code = entry.code;
+      return true;
     case Code::unsupported:
       return refuse(word, entry);
     case Code::ignored:
@@ -90,7 +102,6 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::cycle_off:
     case Code::motion_off:
-      in_cycle_ = false;
       modal_.drill.number = 0;
       if (entry.code == Code::motion_off && !block_.motion_code) modal_.motion = entry.code;
       return true;
@@ -123,8 +134,8 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::spline_quadratic:
     case Code::nurbs:
     case Code::nurbs_end:
-      in_cycle_ = false;
       modal_.drill.number = 0;
+      modal_.turn.number = 0;
       block_.motion_code = &word;
       modal_.motion = entry.code;
       return true;
@@ -158,7 +169,7 @@ bool ModalWords::high_speed(const Word& word) {
 
 // A cycle behind another keeps its values, and the level before the first of them.
 void ModalWords::select_cycle(int number) {
-  in_cycle_ = false;
+  modal_.turn.number = 0;
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
   cycle.number = number;
@@ -287,20 +298,14 @@ bool ModalWords::apply_comp_code(Code code, const Word& word) {
   return true;
 }
 
-// On FANUC lathes G90 is a turning cycle in code system A. Beside a motion word of the same group
-// it cannot be one, and G91 exists only in systems B and C.
+// On FANUC lathes G90 with axes is a turning cycle of code system A. Beside a motion word of the
+// same group it cannot be one, and G91 exists only in systems B and C.
 bool ModalWords::select_distance(Code code, const Word& word) {
   if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
     const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
       return w.address == letter('G') && lookup(w).group == Group::motion;
     });
-    if (!moves && code == Code::absolute) {
-      in_cycle_ = true;
-      return error("not-supported",
-                   "G90 with axes is a turning cycle of code system A, which is not supported yet; "
-                   "neither are its points in the blocks behind it",
-                   word);
-    }
+    if (!moves && code == Code::absolute) return select_turning(word, 90);
     note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
               word, "code-system");
   }

@@ -16,8 +16,6 @@ class ModalWords : public ControlPart {
 
   /// All function words of the block, in order. False: errors were reported.
   bool apply();
-  /// A modal cycle that is not read is in force: points belong to it.
-  bool in_cycle() const { return in_cycle_; }
 
  private:
   CodeEntry lookup(const Word& word) const;
@@ -26,7 +24,7 @@ class ModalWords : public ControlPart {
   bool refuse(const Word& word, const CodeEntry& entry);
   bool high_speed(const Word& word);
   void select_cycle(int number);
-  bool refuse_cycle(const Word& word, const CodeEntry& entry);
+  bool select_turning(const Word& word, int number);
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_mode(Code code, const Word& word);
   bool apply_feed_mode(Code code, const Word& word);
@@ -38,7 +36,6 @@ class ModalWords : public ControlPart {
   const CodeTable& codes_;
   FrameWords& frame_words_;
   CompensationWords& compensation_;
-  bool in_cycle_ = false;
 };
 
 }  // namespace mrsim

@@ -7,7 +7,14 @@ MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, 
       words_(compensation),
       sink_(sink),
       corners_(control.reporter, [this](const PathMove& m) { compensation_.push(m); }),
-      compensation_(control.reporter, [this](const PathMove& m) { sink_.motion(m.motion); }) {}
+      compensation_(control.reporter, [this](const PathMove& m) { sink_.motion(m.motion); }),
+      captured_corners_(control.reporter,
+                        [this](const PathMove& m) { captured_->push_back(m.motion); }) {}
+
+void MotionEmitter::capture(std::vector<Motion>* contour) {
+  if (!contour) captured_corners_.flush();
+  captured_ = contour;
+}
 
 void MotionEmitter::flush() {
   corners_.flush();
@@ -19,6 +26,15 @@ void MotionEmitter::emit(const Motion& motion) {
 }
 
 void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
+  if (captured_) {
+    if (captured_->size() >= kMostCaptured) return;
+    PathMove path;
+    path.motion = motion;
+    path.basis = stock_basis();
+    path.corner = corner;
+    path.block = block_.number;
+    return captured_corners_.push(path);
+  }
   if (motion.kind != MotionKind::rapid) {
     ++cuts_;
     motion.tool = control_.tool.index;

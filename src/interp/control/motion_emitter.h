@@ -19,6 +19,12 @@ class MotionEmitter : public ControlPart {
   CornerSpec corner_spec();
   /// What is held back goes out: the program ends.
   void flush();
+  /// Motions of a contour that are kept.
+  static constexpr std::size_t kMostCaptured = 1'000'000;
+  /// From now on motions go to `contour`, corners inserted and without compensation; null: they go
+  /// on again. Motions before it are given on.
+  void capture(std::vector<Motion>* contour);
+  bool captures() const { return captured_ != nullptr; }
   /// Lines and arcs given on.
   std::size_t cuts() const { return cuts_; }
 
@@ -27,6 +33,8 @@ class MotionEmitter : public ControlPart {
   MotionSink& sink_;
   CornerStage corners_;
   CompensationStage compensation_;
+  std::vector<Motion>* captured_ = nullptr;
+  CornerStage captured_corners_;
   bool idle_ = true;
   double last_length_ = 0;
   std::size_t cuts_ = 0;

@@ -153,11 +153,28 @@ bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame) {
 }
 
 void Moves::step(const Target& to, const Word& where, MotionKind kind, double lead, double feed) {
-  Motion motion = motion_template(where, kind);
-  if (lead != 0) motion.lead = lead;
+  Motion motion = motion_template(where, kind, lead);
   if (feed > 0) motion.feed = feed;
   commit(to, frame_words_.now(), motion);
   out_.emit(motion);
+}
+
+void Moves::follow(const Motion& like, const Vec3& shift, const Word& where) {
+  const Motion own = motion_template(where, like.kind);
+  Motion motion = like;
+  motion.start = own.start;
+  motion.assumed_start = own.assumed_start;
+  motion.tool = own.tool;
+  motion.feed = own.feed;
+  motion.feed_unit = own.feed_unit;
+  motion.speed = own.speed;
+  motion.constant_surface_speed = own.constant_surface_speed;
+  motion.end = like.end + shift;
+  motion.center = like.center + shift;
+  position_.physical = motion.end;
+  position_.programmed = apply_inverse(frames_.total, motion.end);
+  position_.has_tangent = false;
+  out_.emit(motion, {});
 }
 
 void Moves::jump(const Target& to) {
@@ -248,11 +265,11 @@ bool Moves::thread_values(const Target& to, const Vec3& from) {
   return true;
 }
 
-Motion Moves::motion_template(const Word& where, MotionKind kind) {
+Motion Moves::motion_template(const Word& where, MotionKind kind, double lead) {
   if (kind == MotionKind::rapid)
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
-    begin_cut(where);
+    begin_cut(where, lead != 0 || is_thread(current_motion()));
   Motion m;
   m.kind = kind;
   m.feed_unit = modal_.feed_unit;
@@ -262,7 +279,7 @@ Motion Moves::motion_template(const Word& where, MotionKind kind) {
   m.tool = control_.tool.index;
   m.feed = modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
-  if (is_thread(current_motion())) m.lead = modal_.lead;
+  m.lead = lead == 0 && is_thread(current_motion()) ? modal_.lead : lead;
   m.file = block_.file;
   m.line = block_.line_number;
   m.column = where.column + 1;
@@ -271,9 +288,9 @@ Motion Moves::motion_template(const Word& where, MotionKind kind) {
 }
 
 // What a cut needs: a tool, and once a feed.
-void Moves::begin_cut(const Word& where) {
+void Moves::begin_cut(const Word& where, bool threads) {
   tools_.require(where, true);
-  if (modal_.feed != 0 || feed_warned_ || is_thread(current_motion())) return;
+  if (modal_.feed != 0 || feed_warned_ || threads) return;
   feed_warned_ = true;
   reporter_.add(
       is(Dialect::ngc) ? Severity::error : Severity::warning, "feed-missing",

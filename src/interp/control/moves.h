@@ -27,6 +27,9 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
+  /// force; its place in the text stays.
+  void follow(const Motion& like, const Vec3& shift, const Word& where);
   /// `axes` went to where only the machine knows.
   void unknown(unsigned axes, const Word& where);
   /// The position becomes `to`, without a path.
@@ -55,8 +58,8 @@ class Moves : public ControlPart {
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
   bool thread_values(const Target& to, const Vec3& from);
   void sinumerik_lead(const Vec3& path);
-  Motion motion_template(const Word& where, MotionKind kind);
-  void begin_cut(const Word& where);
+  Motion motion_template(const Word& where, MotionKind kind, double lead = 0);
+  void begin_cut(const Word& where, bool threads);
   void commit(const Target& to, const Frame& frame, Motion& motion);
 
   AxisWords& axes_;

@@ -245,14 +245,6 @@ bool SinumerikStatements::modal_call(std::size_t p) {
   return end_statement(p);
 }
 
-Place SinumerikStatements::behind_line(Place at) const {
-  LineSource source(reader_.file(), std::size_t(1) << 16);
-  source.seek(at.offset, at.line);
-  std::string_view line;
-  source.next(line);
-  return {source.next_offset(), source.line_number(), 0};
-}
-
 // REPEAT A, REPEAT A B, REPEATB A, each with P=n.
 bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
   const std::size_t from = p;

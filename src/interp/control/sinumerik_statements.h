@@ -63,7 +63,6 @@ class SinumerikStatements : public Statements {
             CallRequest& request);
   Procedure read_procedure(const SubprogramPlace& place);
   std::string name_at(std::size_t& p) const;
-  Place behind_line(Place at) const;
   bool end_statement(std::size_t p);
 
   ModalCall modal_call_;

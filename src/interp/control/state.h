@@ -27,6 +27,27 @@ struct DrillCycle {
   int file = 0, line = 0, call = -1;  ///< of the block that chose the cycle
 };
 
+/// A turning cycle in force: G90, G92 or G94 of a FANUC lathe.
+struct TurnCycle {
+  int number = 0;       ///< 0 = none
+  double x = 0, z = 0;  ///< the end, in the frame in force, X as radius
+  unsigned named = 0;   ///< axes of the end that were given
+  double taper = 0;     ///< mm
+  double lead = 0;      ///< mm per revolution
+};
+
+/// What the first lines of G71 to G76 have set.
+struct TurnSettings {
+  double depth = 0, escape = 0;        ///< G71 G72: of a pass, and aside at its end, mm
+  double shift_x = 0, shift_z = 0;     ///< G73: from the first pass to the last, mm
+  int repeats = 1;                     ///< G73: passes
+  double peck_return = 0;              ///< G74 G75, mm
+  int finishes = 1;                    ///< G76: passes at the full depth
+  double chamfer = 0;                  ///< G76: in leads
+  double angle = 0;                    ///< G76: of the tip, degrees
+  double least_depth = 0, finish = 0;  ///< G76, mm
+};
+
 /// What G words and modal values say.
 struct Modal {
   Code motion = Code::line;
@@ -56,6 +77,8 @@ struct Modal {
   double length_offset = 0;  ///< mm along the tool axis
   DrillCycle drill;
   bool return_to_r = false;  ///< G99: cycles end at R
+  TurnCycle turn;
+  TurnSettings turn_settings;
 };
 
 /// Where the tool is.

@@ -260,6 +260,20 @@ bool Statements::find_number(long wanted, bool forward, bool backward, Place& ou
   return known->second.first;
 }
 
+Place Statements::behind_line(Place at) const {
+  LineSource source(reader_.file(), std::size_t(1) << 16);
+  source.seek(at.offset, at.line);
+  std::string_view line;
+  source.next(line);
+  return {source.next_offset(), source.line_number(), 0};
+}
+
+bool Statements::find_blocks(long first, long last, Place& begin, Place& end) {
+  if (!find_number(first, true, true, begin) || !find_number(last, true, true, end)) return false;
+  end = behind_line(end);
+  return begin < end;
+}
+
 bool Statements::jump_to_number(const Word& word) {
   Place to;
   reader_.leave_stretches();

@@ -39,6 +39,8 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool jump_to_number(const Word& word);
   /// M97 P: calls from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
+  /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
+  bool find_blocks(long first, long last, Place& begin, Place& end);
 
  protected:
   Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
@@ -61,6 +63,8 @@ class Statements : public ControlPart, public LanguageReader {
   /// The entry of the statement at `p`; reports what is wrong with the structure.
   const FlowEntry* entry_at(std::size_t p);
   bool jump_behind(const FlowEntry& entry);
+  /// Where the next line begins.
+  Place behind_line(Place at) const;
   /// Searches block `number` forward from here and then from the top, or one of these.
   bool find_number(long number, bool forward, bool backward, Place& out);
   std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }

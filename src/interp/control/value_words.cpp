@@ -7,6 +7,8 @@
 namespace mrsim {
 
 bool ValueWords::apply() {
+  if (block_.turn_cycle != 0)  // its A D H K have meanings of their own
+    return speed() && (block_.turn_cycle == 76 || feed()) && tools_.apply();
   const bool own = is(Dialect::codesys) ? codesys() : rotary_axes() && speed() && edge();
   if (!own || !feed() || !tools_.apply() || !length_register()) return false;
   return !is(Dialect::sinumerik) || sinumerik();
@@ -51,6 +53,7 @@ bool ValueWords::feed() {
   const Word* word = take('F');
   if (!word) return true;
   if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
+  if (modal_.turn.number == 92) return true;                                // the same
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
     return error("feed-range",
                  fmt::format("F{:g}: the feed must be above 0{}", word->value,

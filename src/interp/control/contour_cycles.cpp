@@ -1,0 +1,255 @@
+#include "interp/control/contour_cycles.h"
+
+#include "interp/control/hole_maker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
+constexpr double kMostMotions = 1e7;  // of a G73
+constexpr double kLongDepth = 50;     // D4000 counts thousandths
+
+PlanePiece piece_of(const Motion& m, int u, int v, const Vec3& shift) {
+  const auto flat = [&](const Vec3& p) { return Vec2{component(p, u), component(p, v)}; };
+  PlanePiece piece;
+  piece.arc = m.kind == MotionKind::arc;
+  piece.start = flat(m.start + shift);
+  piece.end = flat(m.end + shift);
+  piece.center = flat(m.center + shift);
+  piece.radius = m.radius;
+  // The axis of arcs is Y: from Z to X; in (x, z) such an arc turns the other way.
+  piece.sweep = (u == 0 ? -1 : 1) * (m.axis.y < 0 ? -m.sweep : m.sweep);
+  return piece;
+}
+
+}  // namespace
+
+// The first of two lines: what it says holds for the cycles that follow.
+bool ContourCycles::settings() {
+  TurnSettings& set = modal_.turn_settings;
+  const Word* u = take('U');
+  const Word* w = take('W');
+  const Word* r = take('R');
+  const auto length = [&](const Word* word) { return word->value * length_unit(*word); };
+  if (block_.turn_cycle == 73) {
+    if (u) set.shift_x = length(u);
+    if (w) set.shift_z = length(w);
+    if (r) set.repeats = static_cast<int>(std::min(1e5, std::max(1.0, std::floor(r->value))));
+    return true;
+  }
+  if (const Word* depth = block_.turn_cycle == 71 ? u : w) set.depth = std::abs(length(depth));
+  if (r) set.escape = std::abs(length(r));
+  return true;
+}
+
+// D I K of the cycle in one line. D without a point counts least increments where it is long.
+bool ContourCycles::old_words(bool given) {
+  TurnSettings& set = modal_.turn_settings;
+  const Word* d = take('D');
+  const Word* i = take('I');
+  const Word* k = take('K');
+  if (!given) return true;
+  if (block_.turn_cycle == 73) {
+    if (d) set.repeats = static_cast<int>(std::min(1e5, std::max(1.0, std::floor(d->value))));
+    if (i) set.shift_x = i->value * length_unit(*i);
+    if (k) set.shift_z = k->value * length_unit(*k);
+    return true;
+  }
+  if ((i && i->value != 0) || (k && k->value != 0))
+    return error("not-supported", "I and K (semi-finishing of the contour) are not supported yet",
+                 i ? *i : *k);
+  if (!d) return true;
+  set.depth = std::abs(d->value * length_unit(*d));
+  if (!d->point && d->value >= kLongDepth && !options_.least_increments) {
+    set.depth *= modal_.inch ? 1e-4 : 1e-3;
+    note_once("number-without-point",
+              fmt::format("{} without a decimal point counts least increments", text_of(*d)), *d,
+              "D");
+  }
+  return true;
+}
+
+bool ContourCycles::run() {
+  const Word* first = take('P');
+  const Word* last = take('Q');
+  const int g = block_.turn_cycle;
+  if (out_.captures())
+    return error("not-supported", fmt::format("G{} inside the contour of a cycle", g),
+                 *block_.oneshot);
+  if (!first && !last && g != 70) return settings();
+  if (!first || !last)
+    return error("value-missing", fmt::format("G{} needs P and Q, the blocks of its contour", g),
+                 *block_.oneshot);
+  if (!old_words(peek('D') || peek('I') || peek('K'))) return false;
+  call_ = {};
+  if (const Word* u = take('U')) call_.allowance.x = axis_value(0, *u, true);
+  if (const Word* w = take('W')) call_.allowance.z = w->value * length_unit(*w);
+  if (const Word* r = take('R'); r && r->value != 0)
+    note_once("cycle-type",
+              "R beside P and Q (type II) changes nothing on a contour without pockets", *r,
+              "type");
+  call_.number = g;
+  call_.where = *block_.oneshot;
+  call_.first = *first;
+  call_.last = *last;
+  if ((g == 71 || g == 72) && modal_.turn_settings.depth <= 0)
+    return error("value-missing", fmt::format("G{} needs the depth of a pass, U, W or D", g),
+                 call_.where);
+  waits_ = true;
+  return true;
+}
+
+void ContourCycles::end_block() {
+  if (!waits_) return;
+  waits_ = false;
+  Place begin, end;
+  const bool found =
+      statements_ && statements_->find_blocks(static_cast<long>(call_.first.value),
+                                              static_cast<long>(call_.last.value), begin, end);
+  if (!found) {
+    error("jump-target",
+          fmt::format("there are no blocks N{:.0f} to N{:.0f} behind one another in this program",
+                      call_.first.value, call_.last.value),
+          call_.first);
+    return;
+  }
+  file_ = block_.file;
+  line_ = block_.line_number;
+  site_ = block_.call;
+  position_before_ = position_;
+  modal_before_ = modal_;
+  CallRequest request;
+  request.file = reader_.file();
+  request.begin = begin;
+  request.end = end.offset;
+  const bool finishing = call_.number == 70;
+  if (!finishing && reader_.place_at(0) < end && !reader_.jump(end)) return;
+  if (!finishing) request.on_start = [this] { begin_contour(); };
+  request.on_end = [this, finishing] { finishing ? finish() : end_contour(); };
+  const Word where = call_.where;
+  reader_.enter(std::move(request), where);
+}
+
+void ContourCycles::end_program() {
+  if (!out_.captures()) return;
+  out_.capture(nullptr);
+  reporter_.set_place(file_, line_, site_, {});
+  error("program-end-missing", "the program ends inside the contour of this cycle", call_.where);
+}
+
+// G70 ends where it began.
+void ContourCycles::finish() {
+  block_.forget_words();
+  block_.begin();
+  go(position_before_.physical, kRapid);
+}
+
+void ContourCycles::begin_contour() {
+  contour_.clear();
+  errors_before_ = reporter_.errors();
+  out_.capture(&contour_);
+}
+
+void ContourCycles::end_contour() {
+  out_.capture(nullptr);
+  modal_ = modal_before_;
+  position_ = position_before_;
+  modal_.comp = Code::comp_off;  // roughing does not regard it
+  block_.forget_words();
+  block_.begin();
+  block_.file = file_;
+  block_.line_number = line_;
+  block_.call = site_;
+  reporter_.set_place(file_, line_, site_, {});
+  if (contour_.size() >= MotionEmitter::kMostCaptured)
+    error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
+          call_.where);
+  if (reporter_.errors() == errors_before_) call_.number == 73 ? repeat_pattern() : rough();
+  modal_.comp = modal_before_.comp;
+}
+
+void ContourCycles::go(const Vec3& to, MotionKind kind) {
+  if (distance(to, position_.physical) <= 1e-9) return;
+  Target target;
+  target.programmed = apply_inverse(frames_.total, to);
+  target.named = 5;
+  moves_.step(target, call_.where, kind);
+}
+
+// G73: the whole contour, each time nearer.
+bool ContourCycles::repeat_pattern() {
+  const TurnSettings& set = modal_.turn_settings;
+  if (static_cast<double>(set.repeats) * static_cast<double>(contour_.size()) > kMostMotions)
+    return error("value-range", fmt::format("more than {:g} motions", kMostMotions), call_.where);
+  const Vec3 from = position_.physical;
+  for (int i = 0; i < set.repeats; ++i) {
+    const double share = set.repeats > 1 ? 1 - static_cast<double>(i) / (set.repeats - 1) : 0;
+    const Vec3 shift = call_.allowance + share * Vec3{set.shift_x, 0, set.shift_z};
+    go(from + shift, kRapid);
+    for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
+  }
+  go(from, kRapid);
+  return true;
+}
+
+// G71 along Z, G72 along X: passes at levels down to the contour, then once along it.
+bool ContourCycles::rough() {
+  if (contour_.size() < 2)
+    return error("value-missing", "the contour of the cycle has no motions", call_.where);
+  const Vec3 from = position_.physical, shift = call_.allowance;
+  Rough r;
+  r.u = call_.number == 72 ? 2 : 0;
+  r.v = 2 - r.u;
+  const double u0 = component(from + shift, r.u), v0 = component(from + shift, r.v);
+  const double lowest = component(contour_.front().end + shift, r.u);
+  const double end_v = component(contour_.back().end + shift, r.v);
+  r.down = lowest > u0 ? 1 : -1;
+  r.run = end_v > v0 ? 1 : -1;
+  std::vector<PlanePiece> pieces;
+  for (std::size_t i = 1; i < contour_.size(); ++i)
+    pieces.push_back(piece_of(contour_[i], r.u, r.v, shift));
+  const RoughContour shape(std::move(pieces), -r.down, r.run);
+  if (const int bad = shape.pocket(); bad >= 0) {
+    const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
+    reporter_.add_at(Severity::error, "not-supported",
+                     "the contour of the cycle falls or runs back here (a pocket, type II), which "
+                     "is not supported yet",
+                     m);
+    return false;
+  }
+  const double depth = modal_.turn_settings.depth;
+  if (std::abs(lowest - u0) / depth > static_cast<double>(kMostStrokes))
+    return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
+  go(from + shift, kRapid);
+  for (int i = 1; i * depth < std::abs(lowest - u0) - 1e-9; ++i)
+    level(r, shape, u0 + r.down * i * depth, v0);
+  for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
+  go(from, kRapid);
+  return true;
+}
+
+// One pass: to the level, along it to the contour, off at 45 degrees, back.
+void ContourCycles::level(const Rough& r, const RoughContour& shape, double at, double v0) {
+  const std::optional<double> hit = shape.meet(at);
+  const double end = hit.value_or(component(contour_.back().end + call_.allowance, r.v));
+  const double travel = (end - v0) * r.run;
+  if (travel <= 1e-9) return;
+  Vec3 p = position_.physical;
+  component(p, r.u) = at;
+  go(p, contour_.front().kind);
+  component(p, r.v) = end;
+  go(p, kLine);
+  const double escape = std::min(modal_.turn_settings.escape, travel);
+  component(p, r.u) = at - r.down * escape;
+  component(p, r.v) = end - r.run * escape;
+  go(p, kRapid);
+  component(p, r.v) = v0;
+  go(p, kRapid);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,64 @@
+// G70 to G73 of FANUC lathes: the contour is the blocks N(P) to N(Q). They are read like any others
+// with their motions kept; then the passes follow from them. G70 runs the blocks as they stand.
+// Private to src/interp.
+#pragma once
+
+#include "interp/control/moves.h"
+#include "interp/control/statements.h"
+#include "interp/path/rough_contour.h"
+
+#include <vector>
+
+namespace mrsim {
+
+class ContourCycles : public ControlPart {
+ public:
+  ContourCycles(Control& control, BlockReader& reader, Statements* statements, Moves& moves,
+                MotionEmitter& out)
+      : ControlPart(control), reader_(reader), statements_(statements), moves_(moves), out_(out) {}
+
+  /// The words of G70 to G73. False: an error was reported.
+  bool run();
+  /// Goes on with the contour, after the block is done.
+  void end_block();
+  /// The program ends.
+  void end_program();
+
+ private:
+  /// A cycle whose contour is read next.
+  struct Call {
+    int number = 0;
+    Word where, first, last;
+    Vec3 allowance;  ///< mm, X as radius
+  };
+  /// A roughing cycle as levels in u, cuts in v; see RoughContour.
+  struct Rough {
+    int u = 0, v = 2;  ///< axes
+    double down = 1;   ///< from the start to the contour, in u
+    double run = -1;   ///< from the start to the contour's end, in v
+  };
+
+  bool settings();
+  bool old_words(bool given);
+  void finish();
+  void begin_contour();
+  void end_contour();
+  bool rough();
+  void level(const Rough& rough, const RoughContour& shape, double at, double v0);
+  bool repeat_pattern();
+  void go(const Vec3& to, MotionKind kind);
+
+  BlockReader& reader_;
+  Statements* statements_;
+  Moves& moves_;
+  MotionEmitter& out_;
+  Call call_;
+  bool waits_ = false;  ///< the contour of call_ comes next
+  std::vector<Motion> contour_;
+  Modal modal_before_;
+  Position position_before_;
+  int file_ = 0, line_ = 0, site_ = -1;  ///< of the cycle's block
+  std::size_t errors_before_ = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,169 @@
+// Turning cycles of FANUC lathes and LinuxCNC against the pictures of their manuals. Ends of the
+// motions, worked out by hand; X as radius.
+#include "interp/support.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// "r X Z" for a rapid, "l X Z" for a line, "t X Z" for a thread, "a X Z" for an arc.
+std::string turned(const Program& program) {
+  std::string out;
+  for (const Motion& m : program.motions) {
+    const char kind = m.kind == MotionKind::rapid ? 'r'
+                      : m.kind == MotionKind::arc ? 'a'
+                      : m.lead != 0               ? 't'
+                                                  : 'l';
+    out += fmt::format("{}{:.4g},{:.4g} ", kind, m.end.x + 0.0, m.end.z + 0.0);
+  }
+  if (!out.empty()) out.pop_back();
+  return out + (codes(program).empty() ? "" : " | " + codes(program));
+}
+
+Program lathe(const std::string& text) {
+  return read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe));
+}
+
+TEST(Turning, G90CutsAlongZ) {
+  // In X to 25, along Z to -20 with the feed, out to 30 with the feed, back; Z stays for X46.
+  EXPECT_EQ(turned(lathe("G0 X60 Z2\nG90 X50 Z-20 F.2\nX46\nG0 X70\n")),
+            "r30,2 r25,2 l25,-20 l30,-20 r30,2 r23,2 l23,-20 l30,-20 r30,2 r35,2");
+  // the radius at the start is 4 less than at the end. U and W count from the start.
+  EXPECT_EQ(turned(lathe("G0 X60 Z2\nG90 U-10 W-22 R-4 F.2\n")),
+            "r30,2 r21,2 l25,-20 l30,-20 r30,2");
+}
+
+TEST(Turning, G94CutsAlongX) {
+  EXPECT_EQ(turned(lathe("G0 X60 Z2\nG94 X20 Z-2 F.2\nZ-4\nG0 Z5\n")),
+            "r30,2 r30,-2 l10,-2 l10,2 r30,2 r30,-4 l10,-4 l10,2 r30,2 r30,5");
+  EXPECT_EQ(turned(lathe("G94\nG0 X60 Z2\nG1 X50 F100\n")), "r30,2 l25,2")
+      << "without axes: feed per minute of code systems B and C";
+}
+
+TEST(Turning, G92CutsThreads) {
+  const Program p = lathe("G0 X24 Z4\nG92 X19.3 Z-20 F1.5\nX18.9\nX18.4 R-1\nG0 X50\n");
+  EXPECT_EQ(turned(p),
+            "r12,4 r9.65,4 t9.65,-20 r12,-20 r12,4 r9.45,4 t9.45,-20 r12,-20 r12,4 "
+            "r8.2,4 t9.2,-20 r12,-20 r12,4 r25,4");
+  EXPECT_EQ(p.motions[2].lead, 1.5);
+  EXPECT_EQ(p.motions[2].line, 2);
+  EXPECT_EQ(turned(lathe("G0 X24 Z4\nG92 X19.3 Z-20\n")), "r12,4 | thread-lead");
+}
+
+// A shoulder: 20 diameter to Z-10, a face to 30, then to Z-20. Depth 3, escape 1, allowances 0.5 in
+// radius and 0.2: the contour moves to radius 10.5 and 15.5, faces at -9.8; levels at 20.5 - 3 n
+// (from the start moved by the allowances): 17.5, 14.5, 11.5.
+TEST(Turning, G71RoughsToTheContour) {
+  const std::string contour = "N10 G0 X20\nG1 Z-10 F.1\nX30\nZ-20\nN20 X40\nG0 X100\n";
+  const std::string expected =
+      "r20,2 r20.5,2.2 r17.5,2.2 l17.5,-19.8 r18.5,-18.8 r18.5,2.2 "
+      "r14.5,2.2 l14.5,-9.8 r15.5,-8.8 r15.5,2.2 r11.5,2.2 l11.5,-9.8 r12.5,-8.8 r12.5,2.2 "
+      "r10.5,2.2 l10.5,-9.8 l15.5,-9.8 l15.5,-19.8 l20.5,-19.8 r20,2 r50,2";
+  const Program two = lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q20 U1 W.2 F.3\n" + contour);
+  EXPECT_EQ(turned(two), expected);
+  for (const Motion& m : two.motions) {
+    if (m.kind == MotionKind::line) EXPECT_EQ(m.feed, 0.3) << "F of the contour is for G70";
+  }
+  EXPECT_EQ(two.motions[3].line, 3) << "a pass is the cycle's";
+  EXPECT_EQ(two.motions[15].line, 5) << "the last one is the contour's, called from the cycle";
+  ASSERT_GE(two.motions[15].call, 0);
+  EXPECT_EQ(two.calls[static_cast<std::size_t>(two.motions[15].call)].line, 3);
+  const std::string one = "G0 X40 Z2\nG71 P10 Q20 U1 W.2 D3 R1 F.3\n";
+  // In one line D is the depth; the escape is that of the machine: none is known.
+  EXPECT_EQ(turned(lathe(one + contour)).substr(0, 44),
+            "r20,2 r20.5,2.2 r17.5,2.2 l17.5,-19.8 r17.5,");
+}
+
+// A bore: the levels go outwards, the allowance is negative.
+TEST(Turning, G71BoresAndMeetsSlopesAndArcs) {
+  EXPECT_EQ(turned(lathe("G0 X20 Z1\nG71 U2 R.5\nG71 P1 Q2 U-.4 W.1 F.2\nN1 G0 X30\n"
+                         "G1 Z-10\nN2 X20\n")),
+            "r10,1 r9.8,1.1 r11.8,1.1 l11.8,-9.9 r11.3,-9.4 r11.3,1.1 r13.8,1.1 l13.8,-9.9 "
+            "r13.3,-9.4 r13.3,1.1 r14.8,1.1 l14.8,-9.9 l9.8,-9.9 r10,1");
+  // A cone of 45 degrees from radius 5, Z 0 meets the level 8 at Z-3; a quarter of radius 10 about
+  // (15, -5) from (5, -5) to (15, -15) meets 9 at Z -5 - 8.
+  EXPECT_EQ(turned(lathe("G0 X20 Z1\nG71 U2 R0\nG71 P1 Q2 F.2\nN1 G0 X10\nG1 Z0\nN2 X20 Z-5\n")),
+            "r10,1 r8,1 l8,-3 r8,1 r6,1 l6,-1 r6,1 r5,1 l5,0 l10,-5 r10,1");
+  EXPECT_EQ(turned(lathe("G0 X30 Z1\nG71 U6 R0\nG71 P1 Q2 F.2\nN1 G0 X10\nG1 Z-5\n"
+                         "N2 G2 X30 Z-15 R10\n")),
+            "r15,1 r9,1 l9,-13 r9,1 r5,1 l5,-5 a15,-15 r15,1");
+}
+
+TEST(Turning, G71RefusesPocketsAndMissingBlocks) {
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q20 F.3\nN10 G0 X20\nG1 Z-10 F.1\n"
+                         "X16\nZ-20\nN20 X40\nG1 X50\n")),
+            "r20,2 l25,2 | not-supported");
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q30 F.3\nN10 G0 X20\nN20 G1 X40\n")),
+            "r20,2 r10,2 l20,2 | jump-target");
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 P10 Q20 F.3\nN10 G0 X20\nN20 G1 X40\n")),
+            "r20,2 r10,2 l20,2 | value-missing feed-missing");
+}
+
+TEST(Turning, AContourThatEndsTheProgramIsAnError) {
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q20 F.3\nN10 G0 X20\nM30\nN20 G1 X40\n")),
+            "r20,2 | program-end-missing");
+}
+
+// Levels along Z; the contour runs inwards: from Z-4 at radius 20 to the face at Z0, radius 5.
+TEST(Turning, G72RoughsFaces) {
+  EXPECT_EQ(turned(lathe("G0 X44 Z2\nG72 W2 R.5\nG72 P1 Q2 U0 W.5 F.2\nN1 G0 Z-4\nG1 X20\n"
+                         "Z0\nN2 X0\n")),
+            "r22,2 r22,2.5 r22,0.5 l0,0.5 r0.5,1 r22,1 r22,-1.5 l10,-1.5 r10.5,-1 r22,-1 "
+            "r22,-3.5 l10,-3.5 l10,0.5 l0,0.5 r22,2");
+}
+
+// Two passes: the first 3 in radius and 1 in Z away, the second at the allowance; G70 follows.
+TEST(Turning, G73RepeatsThePatternAndG70Finishes) {
+  const Program p = lathe(
+      "G0 X40 Z5\nG73 U3 W1 R2\nG73 P1 Q2 U.4 W.1 F.3\nN1 G0 X20 Z1\nG1 Z-10 F.1\nN2 X30\n"
+      "G70 P1 Q2\nG0 X80\n");
+  EXPECT_EQ(turned(p),
+            "r20,5 r23.2,6.1 r13.2,2.1 l13.2,-8.9 l18.2,-8.9 r20.2,5.1 r10.2,1.1 l10.2,-9.9 "
+            "l15.2,-9.9 r20,5 r10,1 l10,-10 l15,-10 r20,5 r40,5");
+  EXPECT_EQ(p.motions[3].feed, 0.3);
+  EXPECT_EQ(p.motions[11].feed, 0.1);
+}
+
+TEST(Turning, G74AndG75Peck) {
+  // Strokes of 4 with 1 back; P and Q without a point count micrometres.
+  EXPECT_EQ(turned(lathe("G0 X0 Z2\nG74 R1\nG74 Z-8 Q4000 F.1\n")),
+            "r0,2 l0,-2 r0,-1 l0,-6 r0,-5 l0,-8 r0,2");
+  // A groove of three cuts 2.5 apart, each in strokes of 3.
+  EXPECT_EQ(turned(lathe("G0 X42 Z-10\nG75 R.5\nG75 X30 Z-14 P3000 Q2500 F.1\nG0 X60\n")),
+            "r21,-10 l18,-10 r18.5,-10 l15,-10 r21,-10 r21,-12.5 l18,-12.5 r18.5,-12.5 l15,-12.5 "
+            "r21,-12.5 r21,-14 l18,-14 r18.5,-14 l15,-14 r21,-14 r21,-10 r30,-10");
+}
+
+// Height 1, passes at 0.5 and 0.5 sqrt 2 and so on, 0.9 before the allowance of 0.1; one at full
+// depth. No angle and no chamfer: all start at Z 3.
+TEST(Turning, G76InTwoLines) {
+  const Program p = lathe("G0 X24 Z3\nG76 P010000 Q100 R.1\nG76 X18 Z-20 P1000 Q500 F1.5\n");
+  EXPECT_EQ(turned(p),
+            "r12,3 r9.5,3 t9.5,-20 r12,-20 r12,3 r9.293,3 t9.293,-20 r12,-20 r12,3 "
+            "r9.134,3 t9.134,-20 r12,-20 r12,3 r9.1,3 t9.1,-20 r12,-20 r12,3 "
+            "r9,3 t9,-20 r12,-20 r12,3");
+  // 60 degrees: Z moves by depth * tan 30; a chamfer of 1.0 leads at 45 degrees.
+  const Program flank = lathe("G0 X24 Z3\nG76 P011060 Q100 R0\nG76 X18 Z-20 P1000 Q1000 F1.5\n");
+  EXPECT_EQ(turned(flank), "r12,3 r12,2.423 r9,2.423 t9,-18.5 t10.5,-20 r12,-20 r12,3");
+  EXPECT_EQ(flank.motions[2].lead, 0);
+  EXPECT_EQ(flank.motions[3].lead, 1.5);
+  // In one line: K height, D first depth.
+  EXPECT_EQ(turned(lathe("G0 X24 Z3\nG76 X18 Z-20 K1. D1.0 F1.5 A60\n")),
+            "r12,3 r12,2.423 r9,2.423 t9,-20 r12,-20 r12,3");
+}
+
+// Drive line at X 5, crest 1 inside of it, depths 0.2, 0.4 and the full 0.5 twice.
+TEST(Turning, G76OfLinuxCnc) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  EXPECT_EQ(turned(read_text("G18\nG0 X5 Z2\nG76 P1.5 Z-10 I-1 J0.2 K0.5 R1 H1\nM2\n", options)),
+            "r5,2 r5.3,2 r3.8,2 t3.8,-10 r5.3,-10 r5.1,2 r3.6,2 t3.6,-10 r5.1,-10 "
+            "r5,2 r3.5,2 t3.5,-10 r5,-10 r5,2 r3.5,2 t3.5,-10 r5,-10");
+  EXPECT_EQ(codes(read_text("G18\nG0 X5 Z2\nG76 P1.5 Z-10 I-1 J0.2\nM2\n", options)),
+            "value-missing");
+}
+
+}  // namespace
+}  // namespace mrsim
