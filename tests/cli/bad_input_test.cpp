@@ -141,7 +141,11 @@ TEST_F(BadInput, Voxel) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel -1 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel nan -o part.stl", 2, "--voxel");
-  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.0001 -o part.stl", 1, "memory");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.0001 -o part.stl", 1,
+                 "voxel-too-small");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.001 -o part.stl", 1,
+                 "--voxel 0.00394 or more");
+  expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.001 -o part.vdb", 1, "voxel-too-small");
   expect_failure("PRIMER_2F.MPF --stock block.stl --max-memory 1M -o part.stl", 1, "memory");
 }
 

@@ -25,7 +25,8 @@ constexpr double kGridColumn = 130;
 constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
-constexpr double kTile = 400;  ///< what is kept of each, by the sizes of its records
+constexpr double kTile = 400;         ///< what is kept of each, by the sizes of its records
+constexpr double kMostColumns = 1e9;  ///< of surface voxels; the triangles of a mesh are twice that
 
 std::size_t free_memory() {
   const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
@@ -79,6 +80,17 @@ struct Need {
                   may_slab ? "" : "; " + need.options.no_slabs));
 }
 
+// Slabs bound the memory, not the time.
+void require_columns(const StockSolid& stock, double voxel) {
+  const double columns = stock.area() / (voxel * voxel);
+  if (columns <= kMostColumns) return;
+  throw Error(
+      "voxel-too-small",
+      fmt::format("a voxel of {:.6g} mm divides this stock's surface into {:.3g} squares, "
+                  "{:.3g} are the most; --voxel {:.3g} or more",
+                  voxel, columns, kMostColumns, 1.01 * std::sqrt(stock.area() / kMostColumns)));
+}
+
 }  // namespace
 
 MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options) {
@@ -86,6 +98,7 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveO
     throw Error("voxel-invalid",
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),
                 Error::Kind::usage);
+  if (options.grid_mesh || options.keep_grid) require_columns(field.solid(), options.voxel);
   const Need need{field.solid(), motions, field.sweeps().turn_tree().size(), options};
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();

@@ -17,8 +17,9 @@ struct MemoryPlan {
   bool in_slabs = false;
 };
 
-/// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "memory" where the
-/// run does not fit, with what would.
+/// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "voxel-too-small"
+/// where the stock's surface has too many voxels; "memory" where the run does not fit, with what
+/// would.
 MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options);
 
 }  // namespace mrsim
