@@ -1,15 +1,31 @@
 #include "voxel_module.h"
 
+#include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/module.h"
 #include "removal/vdb/module.h"
+
+#include <system_error>
 
 namespace mrsim {
 namespace {
 
+// log4cplus, which OpenVDB is linked to, starts four threads while it is loaded, with stacks of 8
+// MB and heaps of 64 to 128 MB of address space; where one cannot be started it waits for ever.
+constexpr std::size_t kLoading = std::size_t(512) << 20;
+
+Module::Description description() {
+  if (!has_address_space(kLoading))
+    throw Error("memory",
+                "the module that samples voxels needs 0.5 GB of address space to be opened; raise "
+                "its limit (ulimit -v), or ask for a mesh instead of a .vdb");
+  return {"vdb", "vdb-module", "samples voxels",
+          "install mrsim with all its files and OpenVDB's library, build it again where that has "
+          "changed, or ask for a mesh instead of a .vdb"};
+}
+
 struct VoxelModule {
-  Module module{{"vdb", "vdb-module", "samples voxels",
-                 "install mrsim with all its files and OpenVDB's library, build it again where "
-                 "that has changed, or ask for a mesh instead of a .vdb"}};
+  Module module{description()};
   SampleVoxels* sample = module.function<SampleVoxels>(kSampleVoxels);
 };
 
@@ -22,7 +38,15 @@ const VoxelModule& voxel_module() {
 }  // namespace
 
 std::future<void> open_voxel_module() {
-  return std::async(std::launch::async, [] { voxel_module(); });
+  if (is_address_space_limited()) {  // other threads would take what was found free
+    voxel_module();
+    return {};
+  }
+  try {
+    return std::async(std::launch::async, [] { voxel_module(); });
+  } catch (const std::system_error&) {  // no thread: opened when it is needed
+    return {};
+  }
 }
 
 std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,

@@ -6,8 +6,9 @@
 
 namespace mrsim {
 
-/// Starts to open the module. A fault is thrown by sample_voxels, not here. The future waits for
-/// the thread when it is destroyed.
+/// Starts to open the module. A fault is thrown by sample_voxels, not here; but where the address
+/// space is limited, the module is opened at once, and Error "memory" or "vdb-module" thrown. The
+/// future waits for the thread when it is destroyed.
 std::future<void> open_voxel_module();
 
 }  // namespace mrsim

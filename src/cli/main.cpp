@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnostics.h"
+#include "cli/shortage.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/tools_command.h"
@@ -11,7 +12,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -59,14 +59,11 @@ int run_guarded(int argc, const char* const* argv) {
     const int code = fail(error.what(), error.code().c_str(), exit_code_of(error));
     if (error.code() == "usage") std::fputs("Try: mrsim --help\n", stderr);
     return code;
-  } catch (const std::bad_alloc&) {
-    return fail("memory ran out; a larger --voxel or --tolerance needs less", "memory", kFailed);
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again)
-      return fail("the system gives no more threads: fewer --threads, or a higher limit of it",
-                  "threads", kFailed);
-    return fail(error.what(), "system", kFailed);
   } catch (const std::exception& error) {
+    if (const Shortage* shortage = find_shortage(error))
+      return fail(shortage->text, shortage->code, kFailed);
+    if (dynamic_cast<const std::system_error*>(&error))
+      return fail(error.what(), "system", kFailed);
     return fail(error.what(), "internal", kInternal);
   }
 }
@@ -75,6 +72,7 @@ int run_guarded(int argc, const char* const* argv) {
 }  // namespace mrsim::cli
 
 int main(int argc, char** argv) {
+  mrsim::cli::catch_shortages();
   mrsim::grow_heap_in_large_steps();
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk
   mrsim::cli::watch_signals();    // before there are other threads

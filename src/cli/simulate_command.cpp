@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/report.h"
 #include "cli/run_json.h"
+#include "cli/shortage.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <new>
 
 #include <fmt/format.h>
 
@@ -206,13 +206,13 @@ int run_simulate(const Arguments& arguments) {
     set_last_words({});
     fail(error.code(), error.what(), exit_code_of(error));
     throw;
-  } catch (const std::bad_alloc& error) {
-    set_last_words({});
-    result = {};
-    fail("memory", error.what(), kFailed);
-    throw;
   } catch (const std::exception& error) {
     set_last_words({});
+    if (const Shortage* shortage = find_shortage(error)) {
+      result = {};
+      fail(shortage->code, shortage->text, kFailed);
+      throw;
+    }
     fail("internal", error.what(), kInternal);
     throw;
   }

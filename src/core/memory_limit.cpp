@@ -9,6 +9,8 @@
 #include <malloc.h>
 #endif
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace mrsim {
@@ -56,6 +58,19 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
                                     "are left; {}",
                                     what, bytes / 1e9, left / 1e9, double(limit) / 1e9,
                                     advice.empty() ? "--max-memory allows more" : advice));
+}
+
+bool has_address_space(std::size_t bytes) {
+  void* const room =
+      ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) return false;
+  ::munmap(room, bytes);
+  return true;
+}
+
+bool is_address_space_limited() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
 }  // namespace mrsim

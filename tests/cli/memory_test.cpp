@@ -44,6 +44,25 @@ TEST_F(Memory, IsWithinAFactorOfWhatWasExpected) {
   }
 }
 
+// Libraries need memory and threads of their own while they are loaded: where the system gives too
+// little, the run ends with an error, whatever asked for it.
+TEST_F(Memory, LittleAddressSpaceIsAnError) {
+  if (!kIsPlain) GTEST_SKIP();
+  for (const char* output : {"part.stl", "part.vdb"})
+    for (int kilobytes = 60000; kilobytes <= 900000;
+         kilobytes += kilobytes < 320000 ? 20000 : 100000) {
+      std::filesystem::remove(folder_ / output);
+      const std::string limit = "ulimit -v " + std::to_string(kilobytes) + " &&";
+      const Outcome outcome =
+          run("PRIMER_2F.MPF --stock block.stl --voxel 1 -q --threads 7 -o " + std::string(output),
+              limit);
+      if (outcome.code == 0) continue;
+      EXPECT_EQ(outcome.code, 1) << output << " " << kilobytes << "\n" << outcome.err;
+      EXPECT_NE(outcome.err.find("error:"), std::string::npos) << output << " " << kilobytes;
+      EXPECT_FALSE(exists(output)) << kilobytes;
+    }
+}
+
 // A mesh with a tolerance is refused once its cells are known, or too many.
 TEST_F(Memory, LimitsMeshesWithATolerance) {
   const std::string milled =

@@ -1,0 +1,22 @@
+// Runs that the system gives too little memory or too few threads.
+#pragma once
+
+#include <exception>
+
+namespace mrsim::cli {
+
+/// An error of the user's machine or limits, exit 1.
+struct Shortage {
+  const char* code;
+  const char* text;
+};
+
+/// What the system refused where `error` says that it did; null for other faults.
+const Shortage* find_shortage(const std::exception& error);
+
+/// From now on a shortage that no caller can catch ends the process with exit 1 and an error:
+/// libraries start threads while they are loaded (log4cplus of OpenVDB) or on threads of their own
+/// (TBB). Other calls of std::terminate end as before.
+void catch_shortages();
+
+}  // namespace mrsim::cli
