@@ -19,13 +19,15 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
-// Budgets, as measured on two cores: cells of the grid in some two seconds; blocks of the survey,
-// with the sweeps in them, of which a mesh within a tolerance is made in a second; voxels in whose
-// corners it looks for what its cells may hide.
+// Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
+// tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
+// another one leaves one); voxels in whose corners it looks for what its cells may hide.
 constexpr double kMostGridCells = 2e6, kFewGridCells = 4e5;
-constexpr std::size_t kMostBlocks = 6000;
-constexpr double kMostSweeps = 3e4;
+constexpr double kMostCells = 1.2e5, kMostCreases = 1e4;
 constexpr double kMostScanned = 1e5;
+// A helix costs a search for each of its points: fewer blocks, and sweeps in them.
+constexpr std::size_t kMostHelixBlocks = 6000;
+constexpr double kMostHelixSweeps = 3e4;
 
 // What a cell of a mesh within a tolerance takes: bytes within a factor of three, seconds at least.
 // Where creases lie close together a cell is halved again and again, and takes five times as long.
@@ -73,6 +75,19 @@ std::string needs_text(const MeshChoice& choice, double cells) {
       std::ceil(cells * kCellSeconds), choice.tolerance);
 }
 
+// Of all blocks together.
+double sweeps_met(const detail::SurfaceSurvey& survey) {
+  return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
+}
+
+bool suits_tolerance(const detail::SurfaceSurvey& survey, double cells, bool has_helix) {
+  if (has_helix) return survey.blocks <= kMostHelixBlocks && sweeps_met(survey) <= kMostHelixSweeps;
+  const double creases = static_cast<double>(survey.blocks) * std::max(0.0, survey.sweeps - 1);
+  return cells <= kMostCells && creases <= kMostCreases;
+}
+
+bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
+
 void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
   choice.voxel = choice.fallback_voxel;
   choice.tolerance = 0;
@@ -90,6 +105,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.tolerance_reason = choice.tolerance != 0 ? "--tolerance" : "";
   if (choice.voxel != 0) return choice;
   choice.radius = smallest_radius(cuts);
+  choice.has_helix = std::ranges::any_of(cuts.motions(), is_helix);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
   choice.voxel_reason = voxel.reason;
@@ -118,9 +134,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
     grid = finer_voxel(grid);
   const double finest = grid;
   while (survey.cells(grid) > kMostGridCells) grid = next_voxel(grid);
-  const auto blocks = static_cast<double>(survey.blocks);
-  const double met = blocks * (1 + survey.sweeps);
-  if (survey.blocks <= kMostBlocks && met <= kMostSweeps) {
+  if (suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
@@ -130,7 +144,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
     return;
   }
   // Each sweep of a block leaves a crease beside its neighbours, and each crease has cells.
-  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), met)));
+  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), sweeps_met(survey))));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,

@@ -18,6 +18,7 @@ struct MeshChoice {
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
   double radius = 0;          ///< mm: the smallest cutter's, 0 = none has one
+  bool has_helix = false;     ///< a cut is one
   bool is_default = false;    ///< neither was given: fit_mesh() may change both
   bool measure = false;       ///< MeshOptions::measure
   double fallback_voxel = 0;  ///< MeshOptions::fallback_voxel

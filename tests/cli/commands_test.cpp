@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 namespace mrsim {
 namespace {
 
@@ -143,6 +145,18 @@ TEST_F(Cli, ToolsComeFromCommentFileOrCommandLine) {
   const Outcome both =
       run("PRIMER_2F.MPF --stock block.stl --tools tools.toml --tool 4=endmill:d=6 --voxel 1");
   EXPECT_TRUE(contains(both.out, "end mill Ø6")) << both.out << both.err;
+}
+
+// Two slots of a large cutter are planes and cylinders, however many voxels they pass.
+TEST_F(Cli, FewLargeCutsKeepTheTolerance) {
+  write("slots.nc", "%\nO1\nG90 G21\nG0 X10 Y10 Z2\nG1 Z-5 F200\nX50\nY40\nG0 Z2\nM30\n");
+  const Outcome outcome =
+      run("slots.nc --stock box:0,0,-20,80,60,0 --tool endmill:d=6 --dialect fanuc -q -o part.stl "
+          "--json run.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json told = nlohmann::json::parse(read("run.json"));
+  EXPECT_NEAR(told["tolerance"]["value"].get<double>(), 80 * 1.7e-4, 1e-9);
+  EXPECT_LT(told["mesh"]["triangles"].get<int>(), 3000);
 }
 
 TEST_F(Cli, DefaultStockIsReported) {
