@@ -1,5 +1,8 @@
 // STEP files and .vdb as stock, nominal and part; without Open CASCADE, what is said of STEP.
 #include "run_program.h"
+#include "support/rounds.h"
+
+#include <cstdint>
 
 #include <nlohmann/json.hpp>
 
@@ -105,6 +108,36 @@ TEST_F(StepFiles, BadOnesLeaveNothing) {
   fails(cut + "text.step", "STEP");
   fails("compare block.stl inch.step", "25.4");
   fails(cut + "block.stl --nominal inch.step", "25.4");
+}
+
+// Open CASCADE crashes on some of them, in a process of its own.
+TEST_F(StepFiles, DamagedOnesAreErrors) {
+  write_step(bar(50, 51), "whole.step");
+  const std::string whole = read("whole.step");
+  const std::size_t data = whole.find("DATA;");
+  ASSERT_NE(data, std::string::npos);
+  std::uint32_t state = 1;
+  const auto random = [&](std::size_t below) {
+    state = state * 1664525u + 1013904223u;
+    return std::size_t(state >> 8) % below;
+  };
+  unsigned errors = 0;
+  for (unsigned k = 0; k < testing::rounds(40); ++k) {
+    std::string text = whole;
+    const std::size_t at = data + random(whole.size() - data - 100), reference = text.find('#', at),
+                      number = text.find_first_of("0123456789", at);
+    if (k % 5 == 0) text.replace(reference + 1, 1, "99999999999999999999");
+    if (k % 5 == 1) text.erase(at, 1 + random(60));
+    if (k % 5 == 2) text.resize(at);
+    if (k % 5 == 3) text.replace(number, 1, "1.E999");
+    if (k % 5 == 4) text[at] = static_cast<char>(random(256));
+    write("mutant.step", text);
+    const Outcome o = run("compare mutant.step bar.stl --threads 1");
+    EXPECT_TRUE(o.code == 0 || o.code == 1) << k << ": " << o.code << "\n" << o.err;
+    EXPECT_EQ(o.code == 1, contains(o.err, "error: ")) << k << "\n" << o.err;
+    errors += o.code == 1;
+  }
+  EXPECT_GT(errors, testing::rounds(40) / 4);  // the others are still files of a solid
 }
 
 #else

@@ -156,10 +156,11 @@ double CollisionDetector::depth_at(const Vec3& p, std::int32_t time,
                                    std::span<const std::uint32_t> cuts) const {
   const SweepTable& sweeps = scene_.part.sweeps();
   double least = -scene_.part.solid().distance(p);
-  for (const std::uint32_t cut : cuts) {
-    if (sweeps.motion(cut) > time || least <= scene_.threshold) break;
-    least = std::min(least, sweeps.distance(cut, p));
-  }
+  const auto end = std::partition_point(
+      cuts.begin(), cuts.end(), [&](std::uint32_t cut) { return sweeps.motion(cut) <= time; });
+  // Backwards: of many cuts in one place the last one is likely to have cleared it.
+  for (auto cut = end; cut != cuts.begin() && least > scene_.threshold;)
+    least = std::min(least, sweeps.distance(*--cut, p));
   return least;
 }
 

@@ -1,0 +1,42 @@
+// Ctrl-C and SIGTERM during a long run: it ends within a second, with 130 or 143, and leaves
+// nothing.
+#include "run_program.h"
+
+#include <chrono>
+
+namespace mrsim {
+namespace {
+
+class Stop : public CliTest {
+ protected:
+  // A run of a minute or more gets the signal after 0.5 s.
+  void expect_stopped(const std::string& arguments, const std::string& signal, int code) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        run(arguments, "timeout --foreground --preserve-status -s " + signal + " 0.5");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "stopped")) << arguments << "\n" << outcome.err;
+    EXPECT_LT(took.count(), 0.5 + 1 + kBusy) << arguments;
+    EXPECT_FALSE(exists("part.stl")) << arguments;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
+  }
+
+  static constexpr double kBusy = 1.5;  // s: other tests start and end beside this one
+};
+
+TEST_F(Stop, EndsALongRunWithinASecond) {
+  for (const char* rest : {" --voxel 0.005", " --tolerance 0.0002"}) {
+    const std::string arguments = "PRIMER_2F.MPF --stock block.stl -o part.stl" + std::string(rest);
+    expect_stopped(arguments, "INT", 130);
+    expect_stopped(arguments, "TERM", 143);
+  }
+}
+
+TEST_F(Stop, EndsAComparisonWithinASecond) {
+  expect_stopped("compare block.stl bar.stl --density 300", "TERM", 143);
+}
+
+}  // namespace
+}  // namespace mrsim
