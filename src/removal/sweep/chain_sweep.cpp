@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
@@ -58,10 +57,10 @@ double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p) 
   return lane::chain_bound(tool, line, lane::chain_view(line, p.x, p.y, p.z));
 }
 
-PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p) {
+PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                         double limit) {
   const lane::ChainObjective F{tool, line, lane::chain_view(line, p.x, p.y, p.z)};
-  const lane::ChainPlace least =
-      lane::chain_least(F, std::numeric_limits<double>::infinity(), true);
+  const lane::ChainPlace least = lane::chain_least(F, limit, true);
   return {least.f, least.t};
 }
 

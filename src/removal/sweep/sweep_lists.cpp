@@ -122,8 +122,13 @@ std::span<const std::uint32_t> nearest_of_chains(const SweepColumns& c,
       others.push_back(id);
   }
   if (!chains.empty()) std::swap(chains.front(), *std::min_element(chains.begin(), chains.end()));
-  for (const auto& [bound, id] : chains)
-    if (bound <= best.distance + kBoundError) take_nearer(c.distance(id, p), id, best);
+  for (const auto& [bound, id] : chains) {
+    const double limit = best.distance + kBoundError;
+    if (bound > limit) continue;
+    const SweepRef& ref = c.refs[id];
+    const ChainTool& tool = c.chain_tools[ref.shape];
+    take_nearer(chain_minimum(tool, c.chain_lines[ref.row], p, limit).distance, id, best);
+  }
   return others;
 }
 
