@@ -3,6 +3,7 @@
 
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"
+#include "removal/sweep/chain_sweep.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 
@@ -27,6 +28,8 @@ Scene mixed_scene(Random& r, int n) {
   s.tools = {ballmill(6), endmill(10), endmill(8, 1.5), endmill(4, 1, 7)};
   s.tools.push_back(endmill(5));
   s.tools.back().type = ToolType::drill;
+  s.tools.push_back(mill(ToolType::taper, 1, 0.5, 12));
+  s.tools.back().taper_angle = 0.2;
   for (int i = 0; i < n; ++i) {
     const Vec3 a = {r(-20, 20), r(-20, 20), r(-5, 5)};
     Vec3 b = {r(-20, 20), r(-20, 20), r(-5, 5)};
@@ -35,7 +38,7 @@ Scene mixed_scene(Random& r, int n) {
     if (kind == 2) b = {a.x, a.y, b.z};
     Motion m = kind == 3 ? arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7)) : line(a, b);
     if (kind == 4) m = arc(a, {a.x + r(1, 3), a.y, a.z}, {0, 0, 1}, r(5, 20), -r(0, 5));
-    m.tool = r.pick(5);
+    m.tool = r.pick(6);
     s.motions.push_back(m);
   }
   return s;
@@ -233,6 +236,36 @@ TEST(SweepKernels, SlantsAreTheSameOnEveryInstructionSet) {
       if (set == nullptr) continue;
       PointColumns other = before;
       set->slant(slant, 5, other);
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
+TEST(SweepKernels, ChainsAreTheSameOnEveryInstructionSet) {
+  Random r(12);
+  std::vector<Tool> tools = {mill(ToolType::drill, 5), mill(ToolType::chamfer, 6, 0, 4),
+                             mill(ToolType::taper, 1, 0.5, 12), mill(ToolType::lollipop, 4)};
+  tools[1].tip_diameter = 1, tools[2].taper_angle = 0.05, tools[3].neck_diameter = 1;
+  for (int round = 0; round < 2000; ++round) {
+    const Profile cutter = make_cutter(tools[static_cast<std::size_t>(round % 4)]);
+    const ChainTool tool = chain_tool(cutter);
+    ToolPath path;
+    path.start = {r(0, 5), r(0, 5), r(-3, 3)};
+    const double rise = round % 5 == 0 ? 1e-4 : 1;
+    path.travel = {r(-4, 4), round % 7 == 0 ? 0 : r(-4, 4), rise * r(-3, 3)};
+    const ChainLine line = chain_line(tool, path);
+    PointColumns one = random_points(r, 8 << round % 4);
+    for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
+    if (round % 8 == 0) one.x[0] = line.x, one.y[0] = line.y;
+    if (round % 8 == 1) one.x[1] = line.x, one.y[1] = line.y, one.z[1] = line.z + tool.tip;
+    const PointColumns before = one;
+    sweep_kernels(SimdLevel::scalar)->chain(tool, line, 5, one);
+    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      PointColumns other = before;
+      set->chain(tool, line, 5, other);
       ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
       ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
     }

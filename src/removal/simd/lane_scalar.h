@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/lane_scalar.h"
+#include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
+
+#include <limits>
 
 namespace mrsim::lane {
 
@@ -15,6 +18,8 @@ namespace mrsim::lane {
 #include "removal/simd/helix_lanes.inl"
 //
 #include "removal/simd/slant_lanes.inl"
+//
+#include "removal/simd/chain_lanes.inl"
 #undef MRSIM_LANE
 
 }  // namespace mrsim::lane

@@ -120,6 +120,8 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 #include "removal/simd/helix_lanes.inl"
 #include "removal/simd/slant_lanes.inl"
 //
+#include "removal/simd/chain_lanes.inl"
+//
 #include "removal/simd/sweep_kernels.inl"
 
 }  // namespace
@@ -202,6 +204,8 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 //
 #include "removal/simd/helix_lanes.inl"
 #include "removal/simd/slant_lanes.inl"
+//
+#include "removal/simd/chain_lanes.inl"
 //
 #include "removal/simd/sweep_kernels.inl"
 

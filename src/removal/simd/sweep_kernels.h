@@ -2,6 +2,7 @@
 // instruction set of this machine. All of them give the same bits.
 #pragma once
 
+#include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
 #include "removal/tool/polygon.h"
@@ -56,6 +57,9 @@ struct SweepKernels {
                 PointColumns& points);
   /// Brings `points` up to date with sweep `id`, a slanted line.
   void (*slant)(const SlantRecord& record, std::uint32_t id, PointColumns& points);
+  /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.
+  void (*chain)(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
+                PointColumns& points);
   /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
   /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
   void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,

@@ -328,6 +328,26 @@ static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointCol
   }
 }
 
+constexpr double kChainBoundError = 1e-8;  // mm: rounding of bounds, with room
+
+static void chain_least_of(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
+                           PointColumns& points) {
+  const V own = splat(static_cast<double>(id));
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V limit = least + splat(kChainBoundError);
+    const ChainView at =
+        chain_view(line, read(points.x + k), read(points.y + k), read(points.z + k));
+    const M wanted = less_equal(chain_bound(tool, line, at), limit);
+    if (!any(wanted)) continue;
+    const V d = chain_least({tool, line, at}, limit, wanted).f;
+    const M closer =
+        both(wanted, either(less(d, least), both(less_equal(d, least), less(own, nearest))));
+    store(points.least + k, select(closer, d, least));
+    store(points.nearest + k, select(closer, own, nearest));
+  }
+}
+
 // polygon_distance side by side. The least root is the root of the least.
 struct SideSum {
   V most, least;
@@ -388,6 +408,7 @@ static const SweepKernels kKernels = {
     bore_least,
     helix_least_of,
     slant_least_of,
+    chain_least_of,
     polygons,
     polygon_least,
 };

@@ -103,6 +103,18 @@ class Joiner {
   std::map<ShapeKey, std::int32_t> shapes_;
 };
 
+void add_chains(SweepColumns& c) {
+  for (const ToolShape& shape : c.shapes)
+    c.chain_tools.push_back(shape.turning ? ChainTool{} : chain_tool(shape.cutter));
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path || c.paths[ref.row].arc) continue;
+    const ChainTool& tool = c.chain_tools[ref.shape];
+    if (tool.count == 0) continue;
+    c.chain_lines.resize(c.paths.size());
+    c.chain_lines[ref.row] = chain_line(tool, c.paths[ref.row]);
+  }
+}
+
 // Up and down on the Z axis, as lathes drill.
 bool is_on_axis(const Motion& m) {
   const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
@@ -125,6 +137,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
                 },
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
   out.uniform = out.uniform && !out.refs.empty();
+  add_chains(out);
   out.packs = SweepPacks(out, threads);
   cut_pieces(out);
   classify(out, threads);

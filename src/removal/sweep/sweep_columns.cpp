@@ -58,11 +58,17 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
       return tool_distance(cutter(ref), rho, p.z - row.z);
     }
     case SweepKind::path:
+      if (is_chain(ref)) return path_sample(ref, p).distance;
       return path_value(cutter(ref), paths[ref.row], p);
     case SweepKind::turn:
       return turn_distance(turns[ref.row], p);
   }
   return 0;
+}
+
+PathSample SweepColumns::path_sample(const SweepRef& ref, const Vec3& p) const {
+  if (is_chain(ref)) return chain_minimum(chain_tools[ref.shape], chain_lines[ref.row], p);
+  return path_distance(cutter(ref), paths[ref.row], p);
 }
 
 SweepColumns::Foot SweepColumns::foot(const SweepRef& ref, const Vec3& p) const {

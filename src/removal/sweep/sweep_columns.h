@@ -4,6 +4,7 @@
 #pragma once
 
 #include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/chain_sweep.h"
 #include "removal/sweep/curtain_sweep.h"
 #include "removal/sweep/height_pieces.h"
 #include "removal/sweep/path_sweep.h"
@@ -77,6 +78,8 @@ struct SweepColumns {
   std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
   std::vector<ToolPath> paths;
+  std::vector<ChainLine> chain_lines;  ///< by row of paths; empty when there are none
+  std::vector<ChainTool> chain_tools;  ///< by shape, likewise
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
@@ -99,6 +102,12 @@ struct SweepColumns {
     const SweepRef& ref = refs[i];
     return distance(ref, ref.frame > 0 ? frames[ref.frame - 1].in(p) : p);
   }
+  /// Whether a sweep is a straight move of a convex tool with chain_minimum().
+  bool is_chain(const SweepRef& ref) const {
+    return ref.kind == SweepKind::path && !chain_lines.empty() && chain_lines[ref.row].plan >= 0;
+  }
+  /// The least distance over the positions of a path, in the frame of its tool, and where it is.
+  PathSample path_sample(const SweepRef& ref, const Vec3& p) const;
   /// A box that holds a sweep.
   Box3 bounds_of(const SweepRef& ref) const;
   /// The same of a number of a list: a sweep, or a pack of sweeps.

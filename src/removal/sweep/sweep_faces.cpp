@@ -119,8 +119,8 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
                    std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
-  const PathSample at = path.arc ? branch_distance(tool, path, p, patch / kBranchPatch)
-                                 : path_distance(tool, path, p);
+  const PathSample at =
+      path.arc ? branch_distance(tool, path, p, patch / kBranchPatch) : columns.path_sample(ref, p);
   const Contact c = contact_at(path, at.t, p);
   const std::int32_t face = patch % kBranchPatch;
   if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
@@ -154,7 +154,7 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point
     }
     case SweepKind::path: {
       const ToolPath& path = c.paths[ref.row];
-      const PathSample s = path_distance(c.cutter(ref), path, p);
+      const PathSample s = c.path_sample(ref, p);
       return {s.distance, path_patch(c.cutter(ref), path, s.t, p)};
     }
     case SweepKind::turn:

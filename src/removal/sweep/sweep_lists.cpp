@@ -2,7 +2,6 @@
 
 #include "core/vec.h"
 #include "removal/sweep/helix_sweep.h"
-#include "removal/sweep/line_bound.h"
 #include "removal/sweep/slant_sweep.h"
 
 #include <algorithm>
@@ -51,6 +50,8 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
   const SweepRef& ref = c.refs[id];
   std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
+  if (c.is_chain(ref) && ref.frame == 0)
+    return sweep_kernels().chain(c.chain_tools[ref.shape], c.chain_lines[ref.row], id, points);
   if (ref.kind == SweepKind::path && ref.frame == 0) {
     const ToolPath& path = c.paths[ref.row];
     const Profile& tool = c.cutter(ref);
@@ -59,13 +60,9 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     if (path.lowest_turn && tool.is_rounded())
       return sweep_kernels().helix(helix_record(tool, path), id, open, points);
   }
-  const bool bounded = ref.kind == SweepKind::path && ref.frame == 0 && !c.paths[ref.row].arc &&
-                       c.cutter(ref).is_convex();
   for (; open != 0; open &= open - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(open));
     const Vec3 p{points.x[k], points.y[k], points.z[k]};
-    if (bounded && line_bound(c.cutter(ref), c.paths[ref.row], p) > points.least[k] + kBoundError)
-      continue;
     const double d = c.distance(id, p);
     if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
     points.least[k] = d;
@@ -102,6 +99,37 @@ void least_of_packs(const SweepColumns& c, std::span<const std::uint32_t> ids,
       c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, points.z[k], best);
     points.least[k] = best.distance, points.nearest[k] = best.sweep;
   }
+}
+
+void take_nearer(double d, std::uint32_t id, TurnTree::Nearest& best) {
+  if (d < best.distance || (d == best.distance && id < best.sweep))
+    best.distance = d, best.sweep = id;
+}
+
+// The nearest chain of a list; what is left of the list, valid until the thread's next call. The
+// one with the least bound comes first: few others can then be nearer.
+std::span<const std::uint32_t> nearest_of_chains(const SweepColumns& c,
+                                                 std::span<const std::uint32_t> list, const Vec3& p,
+                                                 TurnTree::Nearest& best) {
+  static thread_local std::vector<std::uint32_t> others;
+  static thread_local std::vector<std::pair<double, std::uint32_t>> chains;
+  others.clear(), chains.clear();
+  for (const std::uint32_t id : list) {
+    const SweepRef& ref = c.refs[id];
+    if (ref.frame == 0 && c.is_chain(ref))
+      chains.emplace_back(chain_bound(c.chain_tools[ref.shape], c.chain_lines[ref.row], p), id);
+    else
+      others.push_back(id);
+  }
+  if (!chains.empty()) std::swap(chains.front(), *std::min_element(chains.begin(), chains.end()));
+  for (const auto& [bound, id] : chains) {
+    const double limit = best.distance + kBoundError;
+    if (bound > limit) continue;
+    const SweepRef& ref = c.refs[id];
+    const ChainTool& tool = c.chain_tools[ref.shape];
+    take_nearer(chain_minimum(tool, c.chain_lines[ref.row], p, limit).distance, id, best);
+  }
+  return others;
 }
 
 }  // namespace
@@ -156,12 +184,12 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const auto numbers = c.numbers_of(list);
   std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
+  if (!c.chain_lines.empty()) plain = nearest_of_chains(c, plain, p, best);
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
     const auto some = plain.first(std::min(kChunk, plain.size()));
     sweep_distances(c, some, p, d);
-    for (std::size_t k = 0; k < some.size(); ++k)
-      if (d[k] < best.distance) best.distance = d[k], best.sweep = some[k];
+    for (std::size_t k = 0; k < some.size(); ++k) take_nearer(d[k], some[k], best);
   }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)

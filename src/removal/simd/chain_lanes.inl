@@ -1,0 +1,208 @@
+// A straight move of a convex tool (chain_record.h), for one point (V = double) or several;
+// included once per instruction set after falling_lanes.inl.
+//
+// Seen from the tool, p moves on a line, and the tool's distance F(t) from it is convex on the
+// whole line. So the least F of the move is that of the whole line, or at the end before it. Where
+// a cone, a cylinder or a ball about the axis is nearest, place and distance are closed. Discs'
+// rims, tori and the inside are searched, from the nearest of these places (docs/sweeps.md).
+
+struct ChainView {
+  V u, v, w;  ///< p, as ChainLine counts it
+};
+MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
+  const V dx = px - splat(line.x), dy = py - splat(line.y);
+  const V ux = splat(line.ux), uy = splat(line.uy);
+  return {dx * ux + dy * uy, vabs(dx * uy - dy * ux), pz - splat(line.z)};
+}
+
+/// No position of the tool is nearer: the largest distance from planes that the sweep lies behind.
+MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
+  const double low = line.rise < 0 ? tool.bottom + line.rise : tool.bottom;
+  const double high = line.rise > 0 ? tool.top + line.rise : tool.top;
+  V bound = vmax(vmax(-at.u, at.u - splat(line.plan)) - splat(tool.radius),
+                 vmax(splat(low) - at.w, at.w - splat(high)));
+  for (std::size_t i = 0; i < tool.flank_count; ++i) {
+    if (line.across[i] == 0) continue;
+    const V side = at.u * splat(line.along[i]) + at.v * splat(line.across[i]);
+    bound = vmax(side + at.w * splat(tool.flanks[i].up) - splat(tool.flanks[i].offset), bound);
+  }
+  return bound;
+}
+
+/// The nearest edge so far: distance squared, and what its outward normal is, times `scale`; a
+/// scale of zero means the signed distance.
+struct ChainFoot {
+  V square, r, z, scale;
+  M outside;
+};
+MRSIM_LANE void take_foot(ChainFoot& foot, V square, V r, V z, V scale) {
+  const M closer = less(square, foot.square);
+  foot.square = select(closer, square, foot.square);
+  foot.r = select(closer, r, foot.r), foot.z = select(closer, z, foot.z);
+  foot.scale = select(closer, scale, foot.scale);
+}
+// The normal at an end is that towards q, but on the end itself any of the edge's.
+MRSIM_LANE void add_line(ChainFoot& foot, const ProfileEdge& e, V rho, V z) {
+  const V zero = splat(0.0), one = splat(1.0);
+  const V dx = splat(e.direction.x), dy = splat(e.direction.y);
+  const V wx = rho - splat(e.a.x), wy = z - splat(e.a.y);
+  const V side = dy * wx - dx * wy, along = dx * wx + dy * wy;
+  const V over = along - vmin(vmax(along, zero), splat(e.length));
+  const V square = side * side + over * over;
+  const M end = both(either(less(over, zero), less(zero, over)), less(zero, square));
+  foot.outside = either(foot.outside, less(zero, side));
+  take_foot(foot, square, select(end, side * dy + over * dx, dy),
+            select(end, over * dy - side * dx, -dx), select(end, zero, one));
+}
+MRSIM_LANE void add_arc(ChainFoot& foot, const ProfileEdge& e, V rho, V z) {
+  const V zero = splat(0.0), one = splat(1.0), radius = splat(e.radius);
+  const V wx = rho - splat(e.center.x), wy = z - splat(e.center.y);
+  const V sx = splat(e.a.x - e.center.x), sy = splat(e.a.y - e.center.y);
+  const V ex = splat(e.b.x - e.center.x), ey = splat(e.b.y - e.center.y);
+  const M sector = both(less_equal(zero, sx * wy - sy * wx), less_equal(zero, wx * ey - wy * ex));
+  const V n = vsqrt(wx * wx + wy * wy), away = n - radius;
+  const V ax = wx - sx, ay = wy - sy, bx = wx - ex, by = wy - ey;
+  const V to_a = ax * ax + ay * ay, to_b = bx * bx + by * by;
+  const M first = less(to_a, to_b);
+  const V square = select(sector, away * away, select(first, to_a, to_b));
+  // At the end a, b the tool lies behind the arc's tangent.
+  const V ahead = select(first, wx * sx + wy * sy, wx * ex + wy * ey);
+  foot.outside = either(foot.outside, either(both(sector, less(zero, away)),
+                                             except(less(radius * radius, ahead), sector)));
+  const M center = both(sector, less_equal(n, zero)), on_end = less_equal(square, zero);
+  const V r = select(sector, select(center, one, wx),
+                     select(on_end, select(first, sx, ex), select(first, ax, bx)));
+  const V h = select(sector, wy, select(on_end, select(first, sy, ey), select(first, ay, by)));
+  take_foot(foot, square, r, h,
+            select(sector, select(center, one, n), select(on_end, radius, zero)));
+}
+
+/// Profile::sample of a convex chain.
+struct ChainValue {
+  V f, slope_r, slope_z;
+};
+MRSIM_LANE ChainValue chain_value(const ChainTool& tool, V rho, V z) {
+  const V zero = splat(0.0);
+  ChainFoot foot{splat(std::numeric_limits<double>::infinity()), zero, zero, zero,
+                 less(zero, zero)};
+  for (std::size_t i = 0; i < tool.count; ++i)
+    if (tool.edges[i].radius > 0)
+      add_arc(foot, tool.edges[i], rho, z);
+    else
+      add_line(foot, tool.edges[i], rho, z);
+  const V d = vsqrt(foot.square), f = select(foot.outside, d, -d);
+  const V inverse = splat(1.0) / select(less(zero, foot.scale), foot.scale, f);
+  return {f, foot.r * inverse, foot.z * inverse};
+}
+
+/// F at t, and its slope there.
+struct ChainPlace {
+  V t, f, slope;
+};
+MRSIM_LANE ChainPlace choose(M m, const ChainPlace& a, const ChainPlace& b) {
+  return {select(m, a.t, b.t), select(m, a.f, b.f), select(m, a.slope, b.slope)};
+}
+/// F of one point.
+struct ChainObjective {
+  const ChainTool& tool;
+  const ChainLine& line;
+  ChainView at;
+
+  ChainPlace operator()(V t) const {
+    const V zero = splat(0.0), along = at.u - t * splat(line.plan);
+    const V rho = vsqrt(along * along + at.v * at.v);
+    const ChainValue x = chain_value(tool, rho, at.w - t * splat(line.rise));
+    const V towards = select(less(zero, rho), along / rho, zero);
+    return {t, x.f, -(x.slope_r * towards * splat(line.plan) + x.slope_z * splat(line.rise))};
+  }
+
+  /// The place of the least F if a flank is nearest there, or else the ball at the tip; whether
+  /// that is so and p is outside, F with it.
+  struct Closed {
+    V t, f;
+    M holds;
+  };
+  Closed closed() const {
+    const V zero = splat(0.0), one = splat(1.0), h = at.w - splat(tool.tip);
+    const double scale = 1 / (line.plan * line.plan + line.rise * line.rise);
+    const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(scale);
+    Closed x{vmin(vmax(t, zero), one), zero, less(zero, zero)};
+    if (tool.pointed) {
+      const V along = at.u - x.t * splat(line.plan), up = h - x.t * splat(line.rise);
+      const V square = along * along + at.v * at.v, rho = vsqrt(square);
+      x.f = vsqrt(square + up * up) - splat(tool.ball);
+      x.holds = both(less_equal(zero, x.f),
+                     less_equal(up * splat(tool.last.x), rho * splat(tool.last.y)));
+    }
+    for (std::size_t i = 0; i < tool.flank_count; ++i) add_flank(i, x);
+    return x;
+  }
+
+ private:
+  void add_flank(std::size_t i, Closed& x) const {
+    const V zero = splat(0.0), one = splat(1.0);
+    const ChainTool::Flank& flank = tool.flanks[i];
+    const ProfileEdge& e = tool.edges[flank.edge];
+    V t = flank.up * line.rise > 0 ? one : zero;  // steeper than the flank
+    if (line.across[i] != 0) {
+      const V tilt = splat(line.along[i] / line.across[i]);
+      t = vmin(vmax((at.u - at.v * tilt) * splat(1 / line.plan), zero), one);
+    }
+    const V along = at.u - t * splat(line.plan), z = at.w - t * splat(line.rise);
+    const V rho = vsqrt(along * along + at.v * at.v);
+    const V place =
+        splat(e.direction.x) * (rho - splat(e.a.x)) + splat(e.direction.y) * (z - splat(e.a.y));
+    const M fits = both(less_equal(zero, place), less_equal(place, splat(e.length)));
+    const V f = rho * splat(flank.across) + z * splat(flank.up) - splat(flank.offset);
+    x.t = select(fits, t, x.t), x.f = select(fits, f, x.f);
+    x.holds = either(both(fits, less_equal(zero, f)), except(x.holds, fits));
+  }
+};
+
+MRSIM_LANE V chain_tolerance(V f) { return splat(1e-13) * (splat(1.0) + vabs(f)); }
+
+// Between a with a falling F and b with a rising one. Tangents find kinks at once, the secant of
+// the slopes smooth minima; halving bounds both.
+static inline ChainPlace chain_search(const ChainObjective& F, ChainPlace a, ChainPlace b, V limit,
+                                      M open) {
+  const V zero = splat(0.0);
+  for (int i = 0; i < 80; ++i) {
+    const V gain = b.slope - a.slope, best = vmin(a.f, b.f);
+    const V met = (a.f - b.f + b.slope * b.t - a.slope * a.t) / gain;
+    const V cut = vmin(vmax(met, a.t), b.t), floor = a.f + a.slope * (cut - a.t);
+    open = both(open, both(less(chain_tolerance(best), best - floor), less_equal(floor, limit)));
+    const V half = splat(0.5) * (a.t + b.t);
+    V t = i % 3 == 0 ? cut : i % 3 == 1 ? a.t - a.slope * (b.t - a.t) / gain : half;
+    t = select(between(a.t, t, b.t), t, half);
+    open = both(open, between(a.t, t, b.t));
+    if (!any(open)) break;
+    const ChainPlace m = F(t);
+    const M falls = less(m.slope, zero);
+    a = choose(both(open, falls), m, a), b = choose(except(open, falls), m, b);
+    open = both(open, either(falls, less(zero, m.slope)));
+  }
+  return choose(less(a.f, b.f), a, b);
+}
+
+/// The least F, and where it is: in the lanes that are wanted and whose least is below `limit`;
+/// elsewhere some F.
+static inline ChainPlace chain_least(const ChainObjective& F, V limit, M wanted) {
+  const V zero = splat(0.0), one = splat(1.0);
+  const ChainObjective::Closed closed = F.closed();
+  M open = except(wanted, closed.holds);
+  ChainPlace x{closed.t, closed.f, zero};
+  if (!any(open)) return x;
+  x = choose(open, F(closed.t), x);
+  const V gap = vmax(x.slope * x.t, x.slope * (x.t - one));
+  open = both(open, both(less(chain_tolerance(x.f), gap), less_equal(x.f - gap, limit)));
+  if (!any(open)) return x;
+  const M falls = less(x.slope, zero);
+  const ChainPlace end = F(select(falls, one, zero));
+  const M beyond =
+      either(both(falls, less_equal(end.slope, zero)), except(less_equal(zero, end.slope), falls));
+  const ChainPlace best = choose(both(open, beyond), end, x);
+  open = except(open, beyond);
+  if (!any(open)) return best;
+  const ChainPlace a = choose(falls, x, end), b = choose(falls, end, x);
+  return choose(open, chain_search(F, a, b, limit, open), best);
+}

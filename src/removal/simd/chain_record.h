@@ -1,0 +1,41 @@
+// What the loops of chain_lanes.inl know of a straight move of a convex tool.
+#pragma once
+
+#include "removal/tool/tool.h"
+
+#include <cstddef>
+
+namespace mrsim {
+
+inline constexpr std::size_t kMostFlanks = 4;  ///< others have neither planes nor guesses
+
+/// A convex tool whose profile is a chain of lines and of arcs below half a turn.
+struct ChainTool {
+  /// A straight edge of the profile that draws a cone or a cylinder.
+  struct Flank {
+    std::size_t edge;
+    double across, up;  ///< outward normal, from the axis and along it
+    double offset;      ///< the tool lies in across r + up z <= offset
+  };
+  const ProfileEdge* edges = nullptr;  ///< the profile's
+  std::size_t count = 0;               ///< 0: the tool is none
+  bool pointed = false;                ///< its lower end is a ball about the axis, or a point of it
+  double tip = 0, ball = 0;            ///< height of the ball's centre and its radius
+  Vec2 last;                           ///< the ball's last normal, seen from its centre
+  double radius = 0, bottom = 0, top = 0;
+  std::size_t flank_count = 0;
+  Flank flanks[kMostFlanks] = {};
+};
+
+/// A straight move. u and v are along and across it in plan, from its start, v >= 0; w is the
+/// height above the start.
+struct alignas(64) ChainLine {
+  double x = 0, y = 0, z = 0;  ///< of the tip at the start
+  double ux = 1, uy = 0;       ///< direction in plan, unit
+  double plan = -1, rise = 0;  ///< of the whole move, in plan and upwards, mm; plan < 0: no move
+  /// The move is tangent to a flank where the normal has these parts along u and v; across = 0
+  /// where it is steeper than the flank.
+  double along[kMostFlanks] = {}, across[kMostFlanks] = {};
+};
+
+}  // namespace mrsim

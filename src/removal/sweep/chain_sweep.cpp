@@ -1,0 +1,67 @@
+#include "removal/sweep/chain_sweep.h"
+
+#include "removal/simd/lane_scalar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kMostEdges = 12;
+
+bool is_half_turn(const ProfileEdge& e) {
+  return e.radius > 0 && !(cross(e.a - e.center, e.b - e.center) > 0);
+}
+
+}  // namespace
+
+ChainTool chain_tool(const Profile& tool) {
+  ChainTool c;
+  const std::vector<ProfileEdge>& edges = tool.edges();
+  if (!tool.is_convex() || edges.size() > kMostEdges || (tool.is_rounded() && tool.is_rising()) ||
+      std::any_of(edges.begin(), edges.end(), is_half_turn))
+    return c;
+  c.edges = edges.data(), c.count = edges.size();
+  const ProfileEdge& first = edges.front();
+  const bool ball = first.radius > 0 && first.center.x == 0;
+  c.pointed = ball || (first.radius == 0 && first.direction.y > 0);
+  c.tip = ball ? first.center.y : first.a.y, c.ball = ball ? first.radius : 0;
+  c.last = ball ? first.b - first.center : Vec2{first.direction.y, -first.direction.x};
+  c.radius = tool.max_radius(), c.bottom = tool.bottom(), c.top = tool.top();
+  for (std::size_t i = 0; i < edges.size() && c.flank_count < kMostFlanks; ++i) {
+    const double across = edges[i].direction.y, up = -edges[i].direction.x;
+    if (edges[i].radius > 0 || across <= 0) continue;
+    c.flanks[c.flank_count++] = {i, across, up, across * edges[i].a.x + up * edges[i].a.y};
+  }
+  return c;
+}
+
+ChainLine chain_line(const ChainTool& tool, const ToolPath& path) {
+  ChainLine line;
+  const Vec3& way = path.travel;
+  line.x = path.start.x, line.y = path.start.y, line.z = path.start.z;
+  line.plan = std::sqrt(way.x * way.x + way.y * way.y), line.rise = way.z;
+  if (line.plan == 0) return line;
+  line.ux = way.x / line.plan, line.uy = way.y / line.plan;
+  for (std::size_t i = 0; i < tool.flank_count; ++i) {
+    // Across the move: along * plan + up * rise = 0.
+    const double slope = tool.flanks[i].up * line.rise / line.plan, across = tool.flanks[i].across;
+    if (!(across * across > slope * slope)) continue;
+    line.along[i] = -slope, line.across[i] = std::sqrt(across * across - slope * slope);
+  }
+  return line;
+}
+
+double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p) {
+  return lane::chain_bound(tool, line, lane::chain_view(line, p.x, p.y, p.z));
+}
+
+PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                         double limit) {
+  const lane::ChainObjective F{tool, line, lane::chain_view(line, p.x, p.y, p.z)};
+  const lane::ChainPlace least = lane::chain_least(F, limit, true);
+  return {least.f, least.t};
+}
+
+}  // namespace mrsim

@@ -1,0 +1,25 @@
+// Straight moves of convex tools, almost without a search: the loops of chain_lanes.inl for one
+// point.
+#pragma once
+
+#include "removal/simd/chain_record.h"
+#include "removal/sweep/path_sweep.h"
+
+#include <limits>
+
+namespace mrsim {
+
+/// None (count 0) where the tool is not convex, has too many edges, or has a closed form of its
+/// own. Valid as long as `tool`.
+ChainTool chain_tool(const Profile& tool);
+/// Requires: a straight path, a chain.
+ChainLine chain_line(const ChainTool& tool, const ToolPath& path);
+
+/// The sweep is no nearer to p than this, mm, but for rounding (1e-9 mm within 10 m of the origin).
+double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p);
+/// The least distance and where it lies, up to 1e-13 of the size. Where it is above `limit`, any
+/// distance above that, so that a search may end early.
+PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                         double limit = std::numeric_limits<double>::infinity());
+
+}  // namespace mrsim

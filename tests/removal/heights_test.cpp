@@ -1,0 +1,260 @@
+// Bounds of heights: the same on every instruction set, and bounds of dense samples of the sweeps.
+#include "removal/prune/heights.h"
+
+#include "core/units.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/sweep/height_pieces.h"
+#include "removal/sweep/path_sweep.h"
+#include "support/rounds.h"
+#include "sweep_support.h"
+
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace testing;
+
+constexpr float kNone = std::numeric_limits<float>::infinity();
+
+std::vector<Tool> tools_with_heights() {
+  std::vector<Tool> t = {endmill(6),
+                         endmill(6, 1),
+                         endmill(6, 1, 4),
+                         ballmill(5),
+                         mill(ToolType::drill, 5),
+                         mill(ToolType::chamfer, 6, 0, 2.5),
+                         mill(ToolType::taper, 1, 0.5, 12),
+                         mill(ToolType::tslot, 8, 0, 3)};
+  t[5].tip_diameter = 1;
+  t[6].taper_angle = radians(10);
+  t[7].neck_diameter = 4;
+  return t;
+}
+
+/// Height of the underside above the tip at `rho`: where the profile first comes as far.
+double underside(const Profile& tool, double rho) {
+  for (const ProfileEdge& e : tool.edges()) {
+    if (rho > e.b.x || (rho < e.a.x && e.a.x > 0)) continue;
+    if (e.radius > 0)
+      return e.center.y -
+             std::sqrt(std::max(0.0, e.radius * e.radius - std::pow(rho - e.center.x, 2)));
+    return e.b.x > e.a.x ? e.a.y + (e.b.y - e.a.y) * (rho - e.a.x) / (e.b.x - e.a.x) : e.a.y;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Pieces in columns, padded for whole registers.
+struct PieceColumns {
+  static constexpr std::size_t kStride = 320;
+  alignas(64) float values[kNearColumns * kStride] = {};
+  std::size_t count = 0;
+
+  void add(const std::vector<LineRecord>& pieces) {
+    for (const LineRecord& piece : pieces) {
+      for (std::size_t i = 0; i < 8; ++i)
+        values[i * kStride + count] = static_cast<float>(piece.c[i]);
+      values[kIdColumn * kStride + count] = static_cast<float>(count + 1);
+      ++count;
+    }
+  }
+  CandidateColumns columns() const { return {values, kStride}; }
+};
+
+ToolPath random_path(Random& r, bool arc) {
+  ToolPath path;
+  path.start = {r(-6, 6), r(-6, 6), r(-3, 3)};
+  const double flat = r.pick(6) == 0 ? 1e-3 : 1, steep = r.pick(4) == 0 ? 0.01 : 1;
+  path.travel = {flat * r(-5, 5), flat * r(-5, 5), steep * r(-4, 4)};
+  path.arc = arc;
+  path.radius = r(0.5, 5), path.sweep = r(0.5, 6), path.center = path.start;
+  const double turn = r(0, kTwoPi), lean = r.pick(2) == 0 ? 0 : r(-1, 1);
+  path.u = path.radius * Vec3{std::cos(turn), std::sin(turn), 0};
+  path.v = path.radius *
+           Vec3{-std::sin(turn) * std::cos(lean), std::cos(turn) * std::cos(lean), std::sin(lean)};
+  path.rise = {0, 0, r(-0.5, 0.5)};
+  path.speed =
+      arc ? std::sqrt(path.radius * path.radius + dot(path.rise, path.rise)) : length(path.travel);
+  return path;
+}
+
+HeightArgs square(const Vec3& center, double half_diagonal, const HeightTool& tool) {
+  RegionArgs at;
+  at.x = static_cast<float>(center.x), at.y = static_cast<float>(center.y);
+  at.z = -20;                     // bounds hold for all that lies above
+  at.delta = 64 * 20 * 0x1p-24F;  // docs/removal.md, Single precision
+  HeightBounds bounds(0);
+  bounds.begin(at, static_cast<float>(half_diagonal));
+  return bounds.args(tool);
+}
+
+// The least height over dense positions of a path, at a place in plan.
+double bottom(const Profile& tool, const ToolPath& path, double x, double y) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= 400; ++i) {
+    const Vec3 c = path_point(path, i / 400.0 * (path.arc ? path.sweep : 1)).position;
+    least = std::min(least, c.z + underside(tool, std::hypot(x - c.x, y - c.y)));
+  }
+  return least;
+}
+
+// At the upper bound every place of the square is in the sweep.
+TEST(Heights, OfPathsAreBoundsOverASquare) {
+  Random r(91);
+  int below = 0, above = 0;
+  for (unsigned round = 0; round < rounds(1500); ++round) {
+    const Profile tool = make_cutter(tools_with_heights()[round % 8]);
+    ASSERT_TRUE(has_heights(tool));
+    const ToolPath path = random_path(r, round % 3 == 0);
+    std::vector<LineRecord> pieces;
+    ASSERT_TRUE(append_pieces(path, pieces));
+    PieceColumns columns;
+    columns.add(pieces);
+    const double wide = r.pick(3) == 0 ? 0 : r(0, 1.5);
+    const Vec3 on_path = path_point(path, r(0, 1)).position;
+    const Vec3 center = on_path + Vec3{r(-4, 4), r(-4, 4), 0};
+    std::vector<float> lower(PieceColumns::kStride);
+    const float upper = candidate_kernels().piece_heights(
+        columns.columns(), columns.count, square(center, wide, height_tool(tool)), lower.data());
+    const float least =
+        *std::min_element(lower.begin(), lower.begin() + static_cast<long>(columns.count));
+    for (int k = 0; k < 12; ++k) {
+      const double turn = r(0, kTwoPi), away = k < 6 ? wide : r(0, wide);
+      const double x = center.x + away * std::cos(turn), y = center.y + away * std::sin(turn);
+      ASSERT_LE(least, bottom(tool, path, x, y)) << "round " << round;
+      if (upper < kNone) {
+        ASSERT_LE(path_distance(tool, path, {x, y, upper}).distance, kPathError)
+            << "round " << round;
+        ++above;
+      }
+      if (least < kNone) ++below;
+    }
+  }
+  EXPECT_GT(below, 3000) << "bounds that tell something";
+  EXPECT_GT(above, 2000);
+}
+
+// Of a flat end on a line both bounds are the height itself where the square is a point.
+TEST(Heights, OfFlatEndsAreExactAtAPoint) {
+  Random r(92);
+  const Profile tool = make_cutter(endmill(6));
+  int told = 0;
+  for (int round = 0; round < 500; ++round) {
+    ToolPath path = random_path(r, false);
+    path.travel = {r(1, 5), r(-5, 5), r(-4, 4)};
+    std::vector<LineRecord> pieces;
+    ASSERT_TRUE(append_pieces(path, pieces));
+    PieceColumns columns;
+    columns.add(pieces);
+    const Vec3 center = path_point(path, r(0, 1)).position + Vec3{r(-3, 3), r(-3, 3), 0};
+    const Vec3 way = path.travel, low = way.z < 0 ? path.start + way : path.start;
+    const double plan = std::hypot(way.x, way.y), m = std::fabs(way.z) / plan;
+    const double sign = way.z < 0 ? -1 : 1, ux = sign * way.x / plan, uy = sign * way.y / plan;
+    const double u = (center.x - low.x) * ux + (center.y - low.y) * uy;
+    const double v = (center.x - low.x) * uy - (center.y - low.y) * ux;
+    const double reach = std::sqrt(std::max(0.0, 9 - v * v)), s = std::max(u - reach, 0.0);
+    if (std::fabs(v) > 2.99 || s > plan - 0.01 || u + reach < 0.01) continue;
+    float lower[PieceColumns::kStride];
+    const float upper = candidate_kernels().piece_heights(
+        columns.columns(), columns.count, square(center, 0, height_tool(tool)), lower);
+    // Errors in plan count with the slope, and grow where the rim passes at a flat angle.
+    const double error = 2e-3 * (1 + m) * (1 + m);
+    EXPECT_NEAR(lower[0], low.z + m * s, error);
+    EXPECT_NEAR(upper, low.z + m * s, error);
+    ++told;
+  }
+  EXPECT_GT(told, 100);
+}
+
+TEST(Heights, OfLevelMovesAreBoundsOverARing) {
+  Random r(93);
+  constexpr std::size_t kMost = 48;
+  for (unsigned round = 0; round < rounds(400); ++round) {
+    const Profile tool = make_cutter(tools_with_heights()[round % 8]);
+    alignas(64) float squared[kMost] = {}, z[kMost] = {}, lower[kMost] = {};
+    const std::size_t n = 1 + static_cast<std::size_t>(r.pick(30));
+    const double wide = r(0, 1);
+    for (std::size_t k = 0; k < n; ++k)
+      squared[k] = static_cast<float>(std::pow(r(0, 5), 2)), z[k] = static_cast<float>(r(-3, 3));
+    squared[0] = round % 4 == 0 ? kNone : squared[0];
+    CandidateRows rows{};
+    rows.squared = squared, rows.z = z;
+    const float upper = candidate_kernels().level_heights(
+        rows, n, square({0, 0, 0}, wide, height_tool(tool)), lower);
+    double most = kNone;  // the least of what each is at most
+    for (std::size_t k = 0; k < n; ++k) {
+      const double rho = std::sqrt(squared[k]);
+      if (squared[k] == kNone) {
+        EXPECT_EQ(lower[k], -kNone) << "nothing is known of it";
+        continue;
+      }
+      for (int i = 0; i <= 20; ++i)
+        EXPECT_LE(lower[k],
+                  z[k] + underside(tool, std::max(0.0, rho - wide) + i / 20.0 * 2 * wide));
+      most = std::min(most, z[k] + underside(tool, rho + wide));
+    }
+    if (upper < kNone) {
+      EXPECT_GE(upper, most);
+    }
+  }
+}
+
+TEST(Heights, AreTheSameOnEveryInstructionSet) {
+  Random r(94);
+  for (unsigned round = 0; round < rounds(600); ++round) {
+    const HeightTool tool = height_tool(make_cutter(tools_with_heights()[round % 8]));
+    PieceColumns columns;
+    std::vector<LineRecord> pieces;
+    const int wanted = 1 + r.pick(20);
+    for (int i = 0; i < wanted; ++i) ASSERT_TRUE(append_pieces(random_path(r, false), pieces));
+    columns.add(pieces);
+    const std::size_t n = columns.count;
+    const HeightArgs args = square({r(-6, 6), r(-6, 6), 0}, r(0, 2), tool);
+    alignas(64) float squared[PieceColumns::kStride] = {};
+    for (std::size_t k = 0; k < n; ++k)
+      squared[k] = r.pick(8) == 0 ? kNone : static_cast<float>(r(0, 25));
+    CandidateRows rows{};
+    rows.squared = squared, rows.z = columns.values + 2 * PieceColumns::kStride;
+    struct Result {
+      std::vector<float> lower = std::vector<float>(PieceColumns::kStride), level = lower,
+                         kept = std::vector<float>(kNearColumns * PieceColumns::kStride);
+      float least, least_level;
+      std::size_t count;
+    };
+    const auto run = [&](const CandidateKernels& kernels) {
+      Result x;
+      x.least = kernels.piece_heights(columns.columns(), n, args, x.lower.data());
+      x.least_level = kernels.level_heights(rows, n, args, x.level.data());
+      x.count = kernels.keep_low(x.lower.data(), n, 1, columns.columns(), x.kept.data(),
+                                 PieceColumns::kStride);
+      return x;
+    };
+    const auto same = [](const float* a, const float* b, std::size_t count) {
+      return std::memcmp(a, b, count * sizeof(float)) == 0;
+    };
+    const Result plain = run(*candidate_kernels(SimdLevel::scalar));
+    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const CandidateKernels* set = candidate_kernels(level);
+      if (set == nullptr) continue;
+      const Result other = run(*set);
+      ASSERT_TRUE(same(plain.lower.data(), other.lower.data(), n))
+          << "level " << static_cast<int>(level);
+      ASSERT_TRUE(same(plain.level.data(), other.level.data(), n))
+          << "level " << static_cast<int>(level);
+      ASSERT_TRUE(same(&plain.least, &other.least, 1) &&
+                  same(&plain.least_level, &other.least_level, 1));
+      ASSERT_EQ(plain.count, other.count);
+      for (std::size_t i = 0; i < kNearColumns; ++i) {
+        if (i == kPackColumn) continue;
+        const std::size_t column = i * PieceColumns::kStride;
+        ASSERT_TRUE(same(&plain.kept[column], &other.kept[column], plain.count)) << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
