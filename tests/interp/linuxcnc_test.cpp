@@ -86,6 +86,7 @@ InterpOptions linuxcnc_options(const fs::path& program) {
   InterpOptions options = at_origin(Dialect::ngc);
   options.comp = CompRadius::automatic;
   options.require_tools = false;
+  options.places.zero = {{"G54", {}}};  // machine and program coordinates agree at the start
   options.table.tools.clear();
   for (int i = 1; i <= 200; ++i) {
     Tool tool;

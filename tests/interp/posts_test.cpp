@@ -119,6 +119,34 @@ TEST(Posts, SemicolonsPointsAndTurns) {
   EXPECT_NEAR(half.motions.back().sweep, -kPi, 1e-9);
 }
 
+// G54's zero at X-200 Y-100 Z-300 of the machine: machine X0 lies at X200 of the stock.
+TEST(Posts, MachineCoordinatesWithAKnownZero) {
+  const auto moved = [](Dialect dialect, const std::string& text, bool table = false) {
+    InterpOptions options = at_origin(dialect);
+    options.places.zero = {{"G54", {-200, -100, -300}}, {"G55", {-150, -100, -300}}};
+    options.places.reference = {0, 0, -10};
+    options.places.second = Vec3{-300, 0, 0};
+    if (table) options.table.work.push_back({"G54", {0, 0, 40}});
+    const Program p = read_text(text, options);
+    std::string out = codes(p, Severity::note);
+    for (const Motion& m : p.motions)
+      out += " " + std::to_string(static_cast<int>(m.end.x)) + "," +
+             std::to_string(static_cast<int>(m.end.y)) + "," +
+             std::to_string(static_cast<int>(m.end.z)) + (m.assumed_start ? "?" : "");
+    return out;
+  };
+  const auto f = Dialect::fanuc, s = Dialect::sinumerik;
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG53 G0 Z0.\nG53 X-50.\nG0 X0.\n"),
+            " 5,0,0 5,0,300 150,0,300 0,0,300");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG91 G28 Z3.\nG28 X0. Y0.\nG90 G30 X10.\n"),
+            " 5,0,0 5,0,3 5,0,290 200,100,290 10,100,290 -100,100,290");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG55\nX0. Y0.\n"), " 5,0,0 50,0,0");
+  EXPECT_EQ(moved(f, "G10 L2 P1 X-190. Y-100. Z-300.\nG1 X5. F100.\n"), " 15,0,0");
+  EXPECT_EQ(moved(f, "G1 X5. Z0. F100.\nG53 G0 Z0.\n", true), " 5,0,40 5,0,340");
+  EXPECT_EQ(moved(s, "G1 X5 F100\nG0 SUPA Z0 D0\nG74 X1=0\nG75 X1=0 Z1=0\n"),
+            " 5,0,0 5,0,300 200,0,300 -100,0,300");
+}
+
 TEST(Posts, RadiusWithoutARegister) {
   InterpOptions options = at_origin(Dialect::fanuc);
   const char* text = "G0 X0 Y0\nG1 G41 D1 X0 Y10 F100\nY20\nY30\nG40 X-20\n";
