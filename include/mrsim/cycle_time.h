@@ -23,6 +23,7 @@ struct MachineData {
   double spindle_acceleration = 2000;   ///< rev/min per second
   double max_spindle = 6000;            ///< rev/min: G96 turns no faster
   double corner_tolerance = 0.01;       ///< mm; 0 = the machine stops at every corner
+  MachinePlaces places;                 ///< for the moves in machine coordinates
   std::string origin;                   ///< where the data came from; empty: the values above
 };
 

@@ -40,6 +40,8 @@ struct InterpOptions {
   std::vector<std::string> search_path;
   /// Known tools, registers and work offsets; an empty id is the tool of a program that names none.
   ToolTable table;
+  /// Where the machine's own coordinates and reference points lie. Default: unknown.
+  MachinePlaces places;
   /// Print the contour instead of the compensated tool reference point.
   bool programmed_contour = false;
   /// FANUC: numbers without a decimal point count least increments (0.001 mm, 0.0001 inch) instead

@@ -201,6 +201,12 @@ struct WorkOffset {
   std::string name;
   Vec3 shift;  ///< mm; X on a lathe is a radius
 };
+/// Places of the machine in its own coordinates, mm; X of a lathe is a radius.
+struct MachinePlaces {
+  std::vector<WorkOffset> zero;  ///< work zeros; empty: where the machine's zero lies is unknown
+  Vec3 reference;                ///< where G28 and G74 lead
+  std::optional<Vec3> second;    ///< where G30 and G75 lead
+};
 struct ToolTable {
   std::vector<Tool> tools;
   std::vector<OffsetRegister> offsets;

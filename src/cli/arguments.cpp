@@ -95,6 +95,8 @@ void add_program_options(CLI::App& app, Typed& typed) {
       ->type_name("T")
       ->group(group)
       ->allow_extra_args(false);
+  add("--machine-file", typed.machine_file, "FILE",
+      "TOML with a table [machine]: zeros for G53 and G28, rapids and accelerations for the time");
   add("--start", typed.start, "X,Y,Z", "position before the first move, mm; default: unknown");
   add("--block-skip", typed.block_skip, "N,N", "skip blocks that begin with /N (/ is /0)");
   add("--comp", typed.comp, "C",
@@ -134,8 +136,6 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
   add("Cutting", "--until", typed.until, "WHEN",
       "end the program after line 12, line O100:7 of another file, or motion #5000");
-  add("Cutting", "--machine-file", typed.machine_file, "FILE",
-      "TOML with a table [machine]: rapids, accelerations, for the cycle time");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -235,6 +235,8 @@ std::string single_spaced(std::string text) {
 
 void read_program_options(Arguments& out, const Typed& typed) {
   if (!typed.dialect.empty()) out.interp.dialect = dialect_value(typed.dialect);
+  if (!typed.machine_file.empty()) out.machine = load_machine(typed.machine_file);
+  out.interp.places = out.machine.places;
   if (!typed.machine.empty()) out.interp.machine = machine_value(typed.machine);
   if (!typed.start.empty()) out.interp.start = point_value("--start", typed.start);
   if (!typed.comp.empty()) out.interp.comp = comp_value(typed.comp);
@@ -286,7 +288,6 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
   out.until = typed.until;
-  if (!typed.machine_file.empty()) out.machine = load_machine(typed.machine_file);
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.threads.empty()) {
     const int threads = threads_value("--threads", typed.threads);

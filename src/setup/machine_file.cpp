@@ -39,6 +39,8 @@ constexpr std::array kAxes = {
     AxesKey{"rapid", &MachineData::rapid},
     AxesKey{"acceleration", &MachineData::acceleration},
 };
+// Places of the machine.
+constexpr std::string_view kZero = "zero", kReference = "reference", kSecond = "second";
 // Read by the command line (job_file.cpp).
 constexpr std::string_view kKind = "kind";
 
@@ -91,6 +93,33 @@ class MachineReader {
     return {number(key, (*row)[0], kLeast), number(key, (*row)[1], kLeast),
             number(key, (*row)[2], kLeast)};
   }
+  Vec3 place(std::string_view key, const toml::node& node) const {
+    const toml::array* row = node.as_array();
+    if (row == nullptr || row->size() != 3)
+      fail(node.source().begin, "machine-value", fmt::format("{} must be three numbers", key));
+    return {number(key, (*row)[0], -kLargest), number(key, (*row)[1], -kLargest),
+            number(key, (*row)[2], -kLargest)};
+  }
+  // zero.G54 = [x, y, z]
+  void read_zeros(MachineData& machine, const toml::node& node) const {
+    const toml::table* zeros = node.as_table();
+    if (zeros == nullptr)
+      fail(node.source().begin, "machine-value",
+           "zero must name a work offset: zero.G54 = [x, y, z]");
+    for (const auto& [name, value] : *zeros)
+      machine.places.zero.push_back({std::string(name.str()), place(name.str(), value)});
+  }
+  bool read_place(MachineData& machine, const toml::key& key, const toml::node& node) const {
+    if (key.str() == kZero)
+      read_zeros(machine, node);
+    else if (key.str() == kReference)
+      machine.places.reference = place(kReference, node);
+    else if (key.str() == kSecond)
+      machine.places.second = place(kSecond, node);
+    else
+      return false;
+    return true;
+  }
   void read_key(MachineData& machine, const toml::key& key, const toml::node& node) const {
     for (const NumberKey& known : kNumbers)
       if (key.str() == known.name) {
@@ -102,10 +131,10 @@ class MachineReader {
         machine.*known.value = axes(key.str(), node);
         return;
       }
-    if (key.str() != kKind) fail_unknown(key);
+    if (key.str() != kKind && !read_place(machine, key, node)) fail_unknown(key);
   }
   [[noreturn]] void fail_unknown(const toml::key& key) const {
-    std::vector<std::string_view> known = {kKind};
+    std::vector<std::string_view> known = {kKind, kZero, kReference, kSecond};
     for (const NumberKey& k : kNumbers) known.push_back(k.name);
     for (const AxesKey& k : kAxes) known.push_back(k.name);
     std::string hint = suggestion(key.str(), known);

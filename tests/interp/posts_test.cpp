@@ -12,6 +12,7 @@ struct Post {
   MachineKind machine;
   std::size_t rapids, lines, arcs;  // the rapids with a known start
   Vec3 low, high;                   // of the ends of lines and arcs
+  const char* found = "";           // codes of warnings and errors
 };
 
 TEST(Posts, RunAsWorkedOut) {
@@ -27,12 +28,35 @@ TEST(Posts, RunAsWorkedOut) {
       {"linuxcnc.ngc", Dialect::ngc, mill, 5, 3, 2, {0, -10, -4}, {20, 5, -2}},
       {"grbl_vectric.nc", Dialect::iso, mill, 1, 2, 1, {0, -5, -1.5}, {30, 0, -1.5}},
       {"fanuc_lathe.nc", Dialect::fanuc, lathe, 2, 2, 1, {20, 0, -25}, {25, 0, 2}},
+      {"mastercam_mill.nc", Dialect::fanuc, mill, 2, 3, 1, {-20, 0, -2}, {50, 30, -2}},
+      // G71 from radius 32 by 2 to 20: five passes of three rapids and a cut, the contour and back;
+      // G70: in, three cuts, back; one rapid.
+      {"mastercam_lathe.nc", Dialect::fanuc, lathe, 20, 11, 0, {20, 0, -35}, {30, 0, -30}},
+      {"solidcam_haas.nc", Dialect::fanuc, mill, 2, 3, 1, {0, -30, -5}, {60, 40, -5}},
+      // Two holes, and a tap that begins at R and comes back with its lead.
+      {"hsmworks_haas.nc", Dialect::fanuc, mill, 8, 4, 0, {10, 10, -18}, {30, 10, 5}},
+      {"vcarve_mach3.txt", Dialect::ngc, mill, 4, 3, 1, {20, 20, -3}, {60, 40, -3}},
+      {"carbide_create.nc", Dialect::ngc, mill, 1, 2, 1, {10, 0, -1}, {60, 10, -1}},
+      {"freecad_linuxcnc.ngc", Dialect::ngc, mill, 2, 3, 1, {-3, 0, -2}, {30, 23, -2}},
+      {"freecad_grbl.gcode", Dialect::ngc, mill, 5, 2, 0, {5, 5, -4}, {15, 5, -4}},
+      {"powermill_fanuc.nc", Dialect::fanuc, mill, 3, 3, 0, {0, 0, -1.5}, {20, 0, -1}},
+      {"nx_sinumerik.mpf", Dialect::sinumerik, mill, 2, 4, 1, {-10, -20, -4}, {60, 5, 3}},
+      // The first hole lies where the tool is: MCALL drills there, too.
+      {"fusion_840d.mpf", Dialect::sinumerik, mill, 5, 2, 0, {10, 10, -10}, {30, 10, -10}},
+      // Two runs of the subprogram, at Z-2 and Z-4.
+      {"edgecam_fanuc.nc", Dialect::fanuc, mill, 1, 11, 2, {-20, -20, -4}, {30, 40, 0}},
+      {"gibbscam.nc", Dialect::fanuc, mill, 2, 2, 2, {0, 0, -2}, {5, 0, 0}},
+      // Three passes of G92: three rapids and a thread each; G75: two strokes of 2, one back.
+      {"esprit_lathe.nc", Dialect::fanuc, lathe, 14, 5, 0, {9.3, 0, -25}, {14, 0, -18}},
+      {"shopturn_iso.mpf", Dialect::sinumerik, lathe, 1, 2, 1, {25, 0, -25}, {30, 0, 2}},
+      // No T word: a run asks for --tool.
+      {"estlcam.nc", Dialect::ngc, mill, 2, 3, 1, {10, 5, -1}, {45, 30, -1}, "tool-unknown"},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);
     const Program p =
         read_program(std::string(MRSIM_DATA_DIR) + "/../tests/posts/" + post.file, {});
-    EXPECT_EQ(codes(p), "") << listing(p);
+    EXPECT_EQ(codes(p), post.found) << listing(p);
     EXPECT_EQ(p.dialect, post.dialect) << p.dialect_reason;
     EXPECT_EQ(p.machine, post.machine) << p.machine_reason;
     std::size_t rapids = 0, lines = 0, arcs = 0;
@@ -117,6 +141,34 @@ TEST(Posts, SemicolonsPointsAndTurns) {
   const Program half = read_text("G1 X0 F1\nG2 X10 R4.999\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(half, Severity::error), "");
   EXPECT_NEAR(half.motions.back().sweep, -kPi, 1e-9);
+}
+
+// G54's zero at X-200 Y-100 Z-300 of the machine: machine X0 lies at X200 of the stock.
+TEST(Posts, MachineCoordinatesWithAKnownZero) {
+  const auto moved = [](Dialect dialect, const std::string& text, bool table = false) {
+    InterpOptions options = at_origin(dialect);
+    options.places.zero = {{"G54", {-200, -100, -300}}, {"G55", {-150, -100, -300}}};
+    options.places.reference = {0, 0, -10};
+    options.places.second = Vec3{-300, 0, 0};
+    if (table) options.table.work.push_back({"G54", {0, 0, 40}});
+    const Program p = read_text(text, options);
+    std::string out = codes(p, Severity::note);
+    for (const Motion& m : p.motions)
+      out += " " + std::to_string(static_cast<int>(m.end.x)) + "," +
+             std::to_string(static_cast<int>(m.end.y)) + "," +
+             std::to_string(static_cast<int>(m.end.z)) + (m.assumed_start ? "?" : "");
+    return out;
+  };
+  const auto f = Dialect::fanuc, s = Dialect::sinumerik;
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG53 G0 Z0.\nG53 X-50.\nG0 X0.\n"),
+            " 5,0,0 5,0,300 150,0,300 0,0,300");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG91 G28 Z3.\nG28 X0. Y0.\nG90 G30 X10.\n"),
+            " 5,0,0 5,0,3 5,0,290 200,100,290 10,100,290 -100,100,290");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG55\nX0. Y0.\n"), " 5,0,0 50,0,0");
+  EXPECT_EQ(moved(f, "G10 L2 P1 X-190. Y-100. Z-300.\nG1 X5. F100.\n"), " 15,0,0");
+  EXPECT_EQ(moved(f, "G1 X5. Z0. F100.\nG53 G0 Z0.\n", true), " 5,0,40 5,0,340");
+  EXPECT_EQ(moved(s, "G1 X5 F100\nG0 SUPA Z0 D0\nG74 X1=0\nG75 X1=0 Z1=0\n"),
+            " 5,0,0 5,0,300 200,0,300 -100,0,300");
 }
 
 TEST(Posts, RadiusWithoutARegister) {

@@ -27,6 +27,22 @@ TEST(MachineFile, ReadsWhatItNamesAndKeepsTheRest) {
   EXPECT_EQ(machine.origin, "job.toml");
 }
 
+TEST(MachineFile, ReadsThePlacesOfTheMachine) {
+  const MachineData machine = parse_machine(
+      "[machine]\nzero.G54 = [-210.5, -120, -180]\nzero.\"G54.1P3\" = [1, 2, 3]\n"
+      "reference = [0, 0, -5]\nsecond = [-400, 0, 0]\n",
+      "job.toml");
+  ASSERT_EQ(machine.places.zero.size(), 2U);
+  EXPECT_EQ(machine.places.zero[0].name, "G54");
+  EXPECT_EQ(machine.places.zero[0].shift, (Vec3{-210.5, -120, -180}));
+  EXPECT_EQ(machine.places.zero[1].name, "G54.1P3");
+  EXPECT_EQ(machine.places.reference, (Vec3{0, 0, -5}));
+  EXPECT_EQ(*machine.places.second, (Vec3{-400, 0, 0}));
+  EXPECT_EQ(code_of("[machine]\nzero = 1"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nzero.G54 = [1, 2]"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nsecond = 3"), "machine-value");
+}
+
 TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
   EXPECT_EQ(code_of("[machine]\nrapid = 0"), "machine-value");

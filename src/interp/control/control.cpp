@@ -1,6 +1,27 @@
 #include "interp/control/control.h"
 
+#include <algorithm>
+
 namespace mrsim {
+
+// The first zero (G54, if it is there) is that of the tool table, or the stock's own: that ties the
+// machine to the stock. The others follow, unless the tool table has them.
+void Control::place_machine() {
+  const std::vector<WorkOffset>& zeros = options.places.zero;
+  if (zeros.empty()) return;
+  const auto find = [](const auto& list, const std::string& name) {
+    return std::find_if(list.begin(), list.end(),
+                        [&](const WorkOffset& one) { return one.name == name; });
+  };
+  auto base = find(zeros, "G54");
+  if (base == zeros.end()) base = zeros.begin();
+  const auto known = find(work, base->name);
+  machine_shift = (known == work.end() ? Vec3{} : known->shift) - base->shift;
+  machine_known = true;
+  for (const WorkOffset& zero : zeros)
+    if (find(work, zero.name) == work.end())
+      work.push_back({zero.name, zero.shift + machine_shift});
+}
 
 bool is_circular(Code c) {
   return c == Code::arc_cw || c == Code::arc_ccw || c == Code::arc_point || c == Code::arc_tangent;

@@ -40,6 +40,9 @@ struct Control {
         reporter(reporter_in),
         dialect(program_in.dialect) {}
 
+  /// Where the machine's coordinates lie in the stock's, and the work offsets that follow from it.
+  void place_machine();
+
   const InterpOptions& options;
   Program& program;
   Reporter& reporter;
@@ -50,8 +53,11 @@ struct Control {
   Position position;
   Frames frames;
   ToolState tool;
-  Word edge_word;                            ///< the last D
-  std::vector<WorkOffset> work;              ///< of the tool table, changed by G10
+  Word edge_word;                ///< the last D
+  std::vector<WorkOffset> work;  ///< of the tool table, changed by G10
+  /// From machine coordinates to the stock's, where they are known; else 0.
+  Vec3 machine_shift;
+  bool machine_known = false;
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
 

@@ -31,6 +31,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       contours_(control_, reader_, statements_.get(), moves_, out_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
+  control_.place_machine();
   control_.modal = start_modal(program.dialect, program.machine);
   Position& position = control_.position;
   if (options.start) {

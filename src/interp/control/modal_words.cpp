@@ -35,6 +35,7 @@ CodeEntry ModalWords::lookup(const Word& word) const {
 
 // Two words of one modal group contradict each other; what happens then is the dialect's.
 bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
+  if (entry.code == Code::motion_off || entry.code == Code::cycle_off) return true;
   const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
   if (entry.group == Group::none || entry.group == Group::other ||
       (dynamics && !is(Dialect::sinumerik)))
@@ -88,7 +89,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot_code = entry.code;
       return true;
     case Code::unsupported:
-      return refuse(word, entry);
+      return units_of_mach(word) || refuse(word);
     case Code::ignored:
       return true;
     case Code::ignored_words:
@@ -144,8 +145,13 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   }
 }
 
-bool ModalWords::refuse(const Word& word, const CodeEntry& entry) {
-  static_cast<void>(entry);
+// Mach and Vectric write G70 and G71 for the units; LinuxCNC's cycles of these numbers have words.
+bool ModalWords::units_of_mach(const Word& word) {
+  if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
+  return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+}
+
+bool ModalWords::refuse(const Word& word) {
   const std::string_view what =
       word.address == letter('G')
           ? unsupported_code(control_.dialect, static_cast<int>(word.value * 10 + 0.5))

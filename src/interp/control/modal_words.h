@@ -21,7 +21,8 @@ class ModalWords : public ControlPart {
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool apply_code(const Word& word, const CodeEntry& entry);
-  bool refuse(const Word& word, const CodeEntry& entry);
+  bool units_of_mach(const Word& word);
+  bool refuse(const Word& word);
   bool high_speed(const Word& word);
   void select_cycle(int number);
   bool select_turning(const Word& word, int number);

@@ -51,16 +51,19 @@ bool Moves::run() {
   return line(to, frame);
 }
 
-// G53 SUPA: to where only the machine knows. The move is neither swept nor checked.
+// G53 SUPA: in machine coordinates. Without a machine zero only the machine knows where that is:
+// the move is neither swept nor checked.
 bool Moves::machine_move() {
+  const Frame machine = shift_frame(control_.machine_shift);
   Target to;
-  if (!axes_.target(to, position_.programmed)) return false;
+  if (!axes_.target(to, apply_inverse(machine, position_.physical))) return false;
   if (modal_.incremental && is(Dialect::ngc))
     return error("machine-incremental", "G53 does not go with G91", *axes_.motion_word(to));
   if (modal_.incremental && !is(Dialect::sinumerik))
     return error("machine-incremental",
                  "G53 in G91 does nothing on some controls and moves on others: write G90",
                  *axes_.motion_word(to));
+  if (control_.machine_known && !is_circular(current_motion())) return line(to, machine);
   unknown(to.named, *axes_.motion_word(to));
   return true;
 }
@@ -76,6 +79,18 @@ bool Moves::probe() {
             "unknown until they are given again",
             *axes_.motion_word(to), "probe");
   return true;
+}
+
+void Moves::to_place(const Vec3* place, unsigned axes, const Word& where) {
+  if (!control_.machine_known || !place) return unknown(axes, where);
+  Target to;
+  to.programmed = position_.physical;
+  to.named = axes;
+  for (int i = 0; i < 3; ++i)
+    if (axes >> i & 1U)
+      component(to.programmed, i) = component(*place, i) + component(control_.machine_shift, i);
+  to.programmed = apply_inverse(frames_.total, to.programmed);
+  if (axes != 0) step(to, where, MotionKind::rapid);
 }
 
 void Moves::unknown(unsigned axes, const Word& where) {

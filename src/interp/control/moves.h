@@ -30,6 +30,8 @@ class Moves : public ControlPart {
   /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
   /// force; its place in the text stays.
   void follow(const Motion& like, const Vec3& shift, const Word& where);
+  /// A rapid of `axes` to a place in machine coordinates, or to where only the machine knows.
+  void to_place(const Vec3* place, unsigned axes, const Word& where);
   /// `axes` went to where only the machine knows.
   void unknown(unsigned axes, const Word& where);
   /// The position becomes `to`, without a path.

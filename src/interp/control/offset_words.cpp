@@ -67,7 +67,8 @@ bool OffsetWords::work(int l, int p) {
     if (!word) continue;
     const double value = axis_value(i, *word, false);
     double& shift = component(offset.shift, i);
-    shift = modal_.incremental && !is(Dialect::ngc) ? shift + value : value;
+    const bool more = modal_.incremental && !is(Dialect::ngc);
+    shift = value + (more ? shift : component(control_.machine_shift, i));
   }
   frame_words_.renew_work();
   return true;

@@ -51,17 +51,20 @@ bool OneShotWords::dwell() {
   return true;
 }
 
-// G28 G30: a rapid to the intermediate point, then away to where only the machine knows.
+// G28 G30: a rapid to the intermediate point, then to the reference point.
 bool OneShotWords::reference() {
-  take('P');
+  const Word* p = take('P');
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
   if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
-  moves_.unknown(to.named, *block_.oneshot);
+  const MachinePlaces& places = options_.places;
+  const Vec3* second = places.second && (!p || p->value == 2) ? &*places.second : nullptr;
+  moves_.to_place(block_.oneshot_code == Code::reference ? &places.reference : second, to.named,
+                  *block_.oneshot);
   return true;
 }
 
-// G74 G75: to where only the machine knows.
+// G74 G75: to the reference point, to a fixed point.
 bool OneShotWords::reference_sinumerik() {
   unsigned axes = 0;
   for (const char c : {'X', 'Y', 'Z'})
@@ -70,7 +73,10 @@ bool OneShotWords::reference_sinumerik() {
     const auto c = static_cast<char>(word.code);
     if (word.address == Address::data && c >= 'X' && c <= 'Z') axes |= 1U << (c - 'X');
   }
-  moves_.unknown(axes, *block_.oneshot);
+  const MachinePlaces& places = options_.places;
+  const Vec3* second = places.second ? &*places.second : nullptr;
+  moves_.to_place(block_.oneshot_code == Code::reference_approach ? &places.reference : second,
+                  axes, *block_.oneshot);
   return true;
 }
 

@@ -58,7 +58,7 @@ double SystemValues::work_position(int axis) const {
 }
 
 double SystemValues::machine_position(int axis) const {
-  return component(position_.physical, axis) / scale();
+  return component(position_.physical - control_.machine_shift, axis) / scale();
 }
 
 // 54 of "G54", 0 where none is in force.
@@ -78,7 +78,7 @@ bool SystemValues::work_cell(int number, std::string& name, int& axis) const {
 
 Vec3 SystemValues::work_shift(const std::string& name) const {
   for (const WorkOffset& work : control_.work)
-    if (work.name == name) return work.shift;
+    if (work.name == name) return work.shift - control_.machine_shift;
   return {};
 }
 
@@ -86,7 +86,7 @@ void SystemValues::set_work(const std::string& name, const Vec3& shift) {
   auto at = std::find_if(control_.work.begin(), control_.work.end(),
                          [&](const WorkOffset& work) { return work.name == name; });
   if (at == control_.work.end()) at = control_.work.insert(at, WorkOffset{name, {}});
-  at->shift = shift;
+  at->shift = shift + control_.machine_shift;
   FrameWords(control_).renew_work();
 }
 

@@ -253,6 +253,9 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
                        "SHAPEOKO", "EASEL", "MAKERA", "PATHPILOT", "TORMACH", "CAMOTICS"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
+  for (const std::string_view word : {"STOCKMIN:", "STOCK/BLOCK", "TOOL/MILL"})  // Carbide
+    if (comment.find(word) != std::string::npos)
+      add(Dialect::ngc, 8, fmt::format("\"{}\"", word), line);
   if (names(comment, "FREECAD")) add(Dialect::ngc, 4, "\"FREECAD\"", line);
 }
 
