@@ -125,8 +125,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes in(data, size);
   const Tool tool = random_tool(in);
   const Motion motion = random_motion(in, is_turning(tool.type));
-  // Tools that are neither convex nor level cost a millisecond a value: fewer points for forms.
-  const int points = tool.type == ToolType::form ? 1 : 12;
+  // Tools that are neither convex nor level cost a millisecond a value, tilted arcs half of one.
+  const int points = tool.type == ToolType::form ? 1 : motion.kind == MotionKind::arc ? 4 : 12;
   try {
     const SweepTable s({&motion, 1}, {&tool, 1});
     for (int k = 0; k < points && s.size() == 1; ++k) check_point(s, in);
