@@ -24,7 +24,7 @@ bool AxisWords::has_move() const {
   const auto any = [&](std::initializer_list<Address> list) {
     return std::any_of(list.begin(), list.end(), open);
   };
-  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, Address::ang,
+  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, angle_address(),
            letter('@'), letter('^')}))
     return true;
   if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
@@ -212,14 +212,14 @@ const Word* AxisWords::motion_word(const Target& to) const {
 
 // ANG= with one coordinate: the other follows.
 bool AxisWords::angle_target(Target& out, const Vec3& from) {
-  const Word* ang = take(Address::ang);
+  const Word* ang = take(angle_address());
   const Basis b = basis();
   const SinCos sc = sincos_deg(ang->value);
   const Vec2 direction{sc.cos, sc.sin}, s = in_plane(b, from), e = in_plane(b, out.programmed);
   const bool has_u = named_along(out, b.u), has_v = named_along(out, b.v);
   if (has_u == has_v)
     return error("angle-coordinates",
-                 "ANG= needs exactly one coordinate of the plane, or the two "
+                 "the angle needs exactly one coordinate of the plane, or the two "
                  "blocks of a corner",
                  *ang);
   const double given = has_u ? e.x - s.x : e.y - s.y;

@@ -100,6 +100,12 @@ class ControlPart {
   /// What the word says in mm; X of a lathe as a radius.
   double axis_value(int axis, const Word& word, bool incremental) const;
 
+  /// Where the angle of a line stands: ANG= or ,A; on FANUC lathes A as well.
+  Address angle_address() const {
+    const bool plain = lathe() && is(Dialect::fanuc) && current_motion() == Code::line;
+    return plain && !find(Address::ang) ? letter('A') : Address::ang;
+  }
+
   const Word* find(Address a) const { return block_.find(a); }
   const Word* take(Address a) { return block_.take(a); }
   const Word* take(char c) { return block_.take(letter(c)); }

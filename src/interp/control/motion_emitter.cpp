@@ -1,5 +1,7 @@
 #include "interp/control/motion_emitter.h"
 
+#include <cmath>
+
 namespace mrsim {
 
 MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
@@ -62,24 +64,40 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   idle_ = corners_.idle() && compensation_.idle();
 }
 
+// FANUC lathes: R, or C and (in the direction of the next block) I and K, without a comma, beside
+// one axis.
+void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
+  const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
+  if (x == z) return;
+  round = take('R');
+  leg = take('C');
+  if (!leg) leg = take(z ? 'I' : 'K');
+}
+
 CornerSpec MotionEmitter::corner_spec() {
   CornerSpec spec;
   const Word* round = take(Address::rnd);
   const Word* leg = take(Address::chr);
   const Word* cut = take(Address::chf);
   const Word* feed = take(Address::frc);
+  if (lathe() && is(Dialect::fanuc) && current_motion() == Code::line && !round && !leg)
+    turned_corner(round, leg);
   using Kind = CornerSpec::Kind;
+  const auto size = [&](const Word& word) {  // I and K have the sign of the direction
+    const bool directed = word.address < Address::function;
+    return (directed ? std::abs(word.value) : word.value) * length_unit(word);
+  };
   if (round) {
-    spec = {Kind::round, round->value * scale(), 0};
+    spec = {Kind::round, size(*round), 0};
   } else if (leg) {
-    spec = {Kind::leg, leg->value * scale(), 0};
+    spec = {Kind::leg, size(*leg), 0};
   } else if (cut) {
     spec = {Kind::cut, cut->value * scale(), 0};
   } else if (modal_.rndm > 0) {
     spec = {Kind::round, modal_.rndm, 0};
   }
   for (const Word* word : {round, leg, cut})
-    if (word && word->value < 0)
+    if (word && word->value < 0 && word->address >= Address::function)
       warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
   if (spec.size <= 0) spec.kind = Kind::none;
   spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;

@@ -29,6 +29,8 @@ class MotionEmitter : public ControlPart {
   std::size_t cuts() const { return cuts_; }
 
  private:
+  void turned_corner(const Word*& round, const Word*& leg);
+
   CompensationWords& words_;
   MotionSink& sink_;
   CornerStage corners_;

@@ -18,12 +18,13 @@ bool Moves::run() {
   const Frame frame = frame_words_.now();
   const Vec3 from =
       block_.suppress_frames ? apply_inverse(frame, position_.physical) : position_.programmed;
-  const Word* ang = find(Address::ang);
+  const Word* ang = find(angle_address());
   if (pending_angle_.active && !ang) {
     pending_angle_.active = false;
-    return error("angle-incomplete",
-                 "the block before gives only ANG=, so this one needs ANG= and both coordinates",
-                 block_.words.front());
+    return error(
+        "angle-incomplete",
+        "the block before gives only an angle, so this one needs an angle and both coordinates",
+        block_.words.front());
   }
   const Code code = current_motion();
   if (code == Code::spline_cubic || code == Code::spline_quadratic) return spline(from, frame);
@@ -31,7 +32,8 @@ bool Moves::run() {
   if (code == Code::nurbs || code == Code::nurbs_end)
     return error("not-supported", "G5.2 (a NURBS) is not supported yet", block_.words.front());
   if (is_circular(current_motion())) {
-    if (ang) return error("angle-line-only", "ANG= is for straight lines only", *ang);
+    if (ang)
+      return error("angle-line-only", "the angle of a line is for straight lines only", *ang);
     return arc(from, frame);
   }
   Target to;
@@ -201,12 +203,13 @@ void Moves::jump(const Target& to) {
 void Moves::finish() {
   if (!pending_angle_.active) return;
   reporter_.add_at(Severity::error, "angle-incomplete",
-                   "the program ends after a block that gives only ANG=", pending_angle_.motion);
+                   "the program ends after a block that gives only an angle",
+                   pending_angle_.motion);
 }
 
 // The first of two blocks ANG=a1, ANG=a2 X Z: its end is known with the second.
 bool Moves::hold_angle(const Word& ang) {
-  take(Address::ang);
+  take(angle_address());
   pending_angle_.active = true;
   pending_angle_.angle = ang.value;
   pending_angle_.motion =
@@ -216,11 +219,11 @@ bool Moves::hold_angle(const Word& ang) {
 }
 
 bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& frame) {
-  const Word& ang = *take(Address::ang);
+  const Word& ang = *take(angle_address());
   pending_angle_.active = false;
   const Basis b = basis();
   if (!named_along(to, b.u) || !named_along(to, b.v))
-    return error("angle-coordinates", "the second ANG= needs both end coordinates", ang);
+    return error("angle-coordinates", "the second angle needs both end coordinates", ang);
   const SinCos a = sincos_deg(pending_angle_.angle), c = sincos_deg(ang.value);
   const Vec2 d1{a.cos, a.sin}, d2{c.cos, c.sin};
   const Vec2 s = in_plane(b, from), e = in_plane(b, to.programmed);

@@ -14,8 +14,24 @@ bool ValueWords::apply() {
   return !is(Dialect::sinumerik) || sinumerik();
 }
 
+// FANUC lathes: A is the angle of a line, C a chamfer where one axis stands beside it.
+bool ValueWords::turned_line(char c) {
+  if (!lathe() || !is(Dialect::fanuc) || current_motion() != Code::line || block_.oneshot)
+    return false;
+  const Word* word = peek(c);
+  if (!word || c == 'B') return false;
+  const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
+  if (c == 'C' && (x == z || word->value <= 0)) return false;
+  note_once("lathe-corner",
+            fmt::format("{} is read as {} (on a machine with an axis {} write ,{})", text_of(*word),
+                        c == 'A' ? "the angle of the line" : "a chamfer", c, c),
+            *word, std::string(1, c));
+  return true;
+}
+
 bool ValueWords::rotary_axes() {
   for (const char c : {'A', 'B', 'C'}) {
+    if (turned_line(c)) continue;
     const Word* word = take(c);
     if (!word) continue;
     if (word->value != 0)

@@ -12,6 +12,7 @@ class ValueWords : public ControlPart {
   bool apply();
 
  private:
+  bool turned_line(char c);
   bool rotary_axes();
   bool feed();
   bool speed();

@@ -197,6 +197,7 @@ void Parser::strange_character(Block& block) {
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (c == ',' && corner_word(block)) return;
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);
   if (c == '(' && dialect_ == Dialect::sinumerik) {

@@ -42,6 +42,7 @@ class Parser {
   bool sinumerik_radix(Word& word);
   void codesys_name(Block& block);
   bool macro_word(Block& block);
+  bool corner_word(Block& block);
   bool statement(Block& block, std::size_t from);
   void assignment(Block& block, std::size_t from);
   bool expression(Block& block, Word& word, bool whole);

@@ -59,6 +59,30 @@ bool Parser::macro_word(Block& block) {
   return true;
 }
 
+// FANUC: ,R rounds the corner to the next block, ,C cuts it off, ,A is the angle of a line.
+bool Parser::corner_word(Block& block) {
+  const std::size_t from = p_;
+  std::size_t value = p_ + 1;
+  while (value < line_.size() && blank(line_[value])) ++value;
+  const char c = upper(at(value));
+  if ((dialect_ != Dialect::fanuc && dialect_ != Dialect::iso) ||
+      (c != 'R' && c != 'C' && c != 'A'))
+    return false;
+  ++value;
+  while (value < line_.size() && blank(line_[value])) ++value;
+  Word word;
+  word.address = c == 'R' ? Address::rnd : c == 'C' ? Address::chr : Address::ang;
+  if (expression_follows(value)) {
+    p_ = value;
+    if (expression(block, word, false)) push(block, word, from);
+    return true;
+  }
+  if (!starts_number(at(value))) return false;
+  p_ = value;
+  if (number(block, word, false)) push(block, word, from);
+  return true;
+}
+
 void Parser::codesys_name(Block& block) {
   const std::size_t from = p_;
   while (is_name(at(p_))) ++p_;
