@@ -69,6 +69,25 @@ TEST(Cycles, TappingHasItsLead) {
   EXPECT_EQ(p.motions[1].lead, 0);
 }
 
+// Along Z from X0, R counted from the start; along X from the side. Ends are radii.
+TEST(Cycles, LathesDrillAlongZOrX) {
+  const auto turned = [](const std::string& text) {
+    const Program p = read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe));
+    return ends(p) + (codes(p).empty() ? "" : " | " + codes(p));
+  };
+  EXPECT_EQ(turned("G0 X0 Z5.\nG83 Z-8. R-3. Q5000 F.1\nG80\nG0 Z10.\n"),
+            "r0,0,5 r0,0,2 l0,0,-3 r0,0,2 r0,0,-2.746 l0,0,-8 r0,0,5 r0,0,10");
+  EXPECT_EQ(turned("G0 X0 Z5.\nG83 W-10. R-3. F.1\n"),
+            "r0,0,5 r0,0,2 l0,0,-8 r0,0,5 | value-missing")
+      << "no Q";
+  EXPECT_EQ(turned("G0 X0 Z5.\nG81 Z-8. R1. F.1\nG80\nG85 Z-9. R-4. F.2\n"),
+            "r0,0,5 r0,0,1 l0,0,-8 r0,0,5 r0,0,1 l0,0,-9 l0,0,1 r0,0,5")
+      << "R above 0 is a level";
+  EXPECT_EQ(turned("G0 X52. Z-10.\nG87 X40. R-1. Q3000 F100.\nZ-20.\n"),
+            "r26,0,-10 r25,0,-10 l22,0,-10 r25,0,-10 r22.254,0,-10 l20,0,-10 r26,0,-10 r26,0,-20 "
+            "r25,0,-20 l22,0,-20 r25,0,-20 r22.254,0,-20 l20,0,-20 r26,0,-20");
+}
+
 TEST(Cycles, OtherPlanes) {
   EXPECT_EQ(run(Dialect::fanuc, "G0 X5 Y20\nG18 G81 X10 Z3 Y-5 R2 F100\nG80\n"),
             "r5,20,0 r10,20,3 r10,2,3 l10,-5,3 r10,20,3");

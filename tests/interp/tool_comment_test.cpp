@@ -50,7 +50,9 @@ using enum ToolType;
 
 TEST(ToolComment, PostsInMillimetres) {
   expect_rows(
-      {{" T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10. ", endmill, 10, 0, "239"},
+      {{"T01 10. FLAT ENDMILL", endmill, 10, 0, "1"},
+       {"TOOL : END MILL D 10", endmill, 10, 0, ""},
+       {" T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10. ", endmill, 10, 0, "239"},
        {"T1 | 12. BULL ENDMILL 2. RAD | H1 | D1 | TOOL DIA. - 12.", bullmill, 12, 2, "1"},
        {"T7|6. BALL ENDMILL|H7|D7", ballmill, 6, 0, "7"},
        {"T3 | 8.5 DRILL | H3", drill, 8.5, 0, "3"},
@@ -95,7 +97,8 @@ TEST(ToolComment, PostsInMillimetres) {
 
 TEST(ToolComment, PostsInInches) {
   expect_rows(
-      {{"T1 | 1/4 FLAT ENDMILL | H1 ", endmill, 6.35, 0, "1"},
+      {{"TOOL 1: .500 ROUGH EM, TUFF-KUT COOLANT", endmill, 12.7, 0, "1"},
+       {"T1 | 1/4 FLAT ENDMILL | H1 ", endmill, 6.35, 0, "1"},
        {"1/2 FLAT ENDMILL TOOL - 1 DIA. OFF. - 41 LEN. - 1 DIA. - .5", endmill, 12.7, 0, "1"},
        {"TOOL 1 1/4 ENDMILL", endmill, 6.35, 0, "1"},
        {"1-1/2 FACE MILL", endmill, 38.1, 0, ""},

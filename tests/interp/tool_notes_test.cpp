@@ -41,6 +41,22 @@ TEST(ToolNotes, AboveTheCall) {
       "1:6 2:0 tool-unknown");
 }
 
+TEST(ToolNotes, FourDigitsAreStationAndOffsetOnLathes) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const Program p = read_text(
+      "(T0202 D=10 DRILL)\n(T0101 OD TURN CNMG 120408)\nT0101\nG0 X50. Z2.\nG1 Z-5. F.2\n"
+      "T0202\nG0 X0 Z5.\nG1 Z-20. F.1\nT1212 (12. DRILL)\nG1 Z-30.\n",
+      options);
+  ASSERT_EQ(p.tools.size(), 3U) << listing(p);
+  EXPECT_EQ(p.tools[0].insert, "CNMG");
+  EXPECT_EQ(p.tools[1].type, ToolType::drill);
+  EXPECT_EQ(p.tools[1].diameter, 10);
+  EXPECT_EQ(p.tools[2].id, "12");
+  EXPECT_EQ(p.tools[2].diameter, 12);
+}
+
 TEST(ToolNotes, BelowTheCall) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("T1 M6\n(6MM FLAT ENDMILL)\nT2\n" + cut + "T2 M6\n(10MM DRILL)\n" + cut),

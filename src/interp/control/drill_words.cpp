@@ -9,6 +9,7 @@ namespace mrsim {
 namespace {
 
 constexpr long kMostRepeats = 99'999;
+constexpr double kLongPeck = 50;  // Q5000 counts thousandths
 
 }  // namespace
 
@@ -27,14 +28,29 @@ bool DrillWords::read_words(const Basis& b) {
     out = {word->value * length_unit(*word), modal_.incremental, true};
   };
   level(take('R'), cycle.safe);
-  for (int i = 0; i < 3; ++i)
-    if (component(b.w, i) != 0) level(take("XYZ"[i]), cycle.bottom);
-  take('P');
-  if (const Word* q = take('Q')) {
-    if (q->value < 0 || (q->value == 0 && is(Dialect::ngc)))
-      return error("value-range", "Q, the depth of a stroke, must be above 0", *q);
-    cycle.peck = q->value * length_unit(*q);
+  for (int i = 0; i < 3; ++i) {
+    if (component(b.w, i) == 0) continue;
+    level(take("XYZ"[i]), cycle.bottom);
+    if (cycle.plane < 0) continue;
+    if (i == 0 && peek('X')) cycle.bottom.value = axis_value(0, *peek('X'), modal_.incremental);
+    const Word* relative = take("UVW"[i]);
+    if (relative) cycle.bottom = {axis_value(i, *relative, true), true, true};
   }
+  take('P');
+  const Word* q = take('Q');
+  return !q || peck(*q);
+}
+
+// Q; without a point it counts least increments where it is long.
+bool DrillWords::peck(const Word& q) {
+  if (q.value < 0 || (q.value == 0 && is(Dialect::ngc)))
+    return error("value-range", "Q, the depth of a stroke, must be above 0", q);
+  modal_.drill.peck = q.value * length_unit(q);
+  if (q.point || q.value < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
+    return true;
+  modal_.drill.peck *= modal_.inch ? 1e-4 : 1e-3;
+  note_once("number-without-point",
+            fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
   return true;
 }
 
@@ -55,10 +71,18 @@ bool DrillWords::repeats(long& count) {
 }
 
 bool DrillWords::run() {
+  const int plane = modal_.plane;
+  if (modal_.drill.plane >= 0) modal_.plane = modal_.drill.plane;
+  const bool ok = drill();
+  modal_.plane = plane;
+  return ok;
+}
+
+bool DrillWords::drill() {
   DrillCycle& cycle = modal_.drill;
   const Basis b = basis();
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
-  if (cycle.number == 87 || (is(Dialect::ngc) && cycle.number == 88))
+  if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
     return error("not-supported",
                  fmt::format("G{} (back boring) is not supported yet", cycle.number), where);
   if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
@@ -94,7 +118,12 @@ bool DrillWords::fill(Hole& hole) {
                  where);
   if (!cycle.safe.given && is(Dialect::ngc))
     return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
-  const bool from_initial = cycle.safe.incremental || (lathe() && is(Dialect::fanuc));
+  const bool from_initial =
+      cycle.safe.incremental || cycle.plane == 2 || (cycle.plane == 0 && cycle.safe.value <= 0);
+  if (cycle.plane == 0 && cycle.safe.value > 0 && !cycle.safe.incremental)
+    note_once("cycle-level",
+              "R above 0 is read as a level, as Haas does; others count it from the start", where,
+              "R");
   hole.safe = !cycle.safe.given ? cycle.initial
               : from_initial    ? cycle.initial + cycle.safe.value
                                 : cycle.safe.value;
@@ -104,7 +133,7 @@ bool DrillWords::fill(Hole& hole) {
     return error("value-range", "R lies below the bottom of the hole", where);
   if (hole.bottom > hole.safe)
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
-  const int g = cycle.number;
+  const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
   if (g == 74 || g == 84) hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
   if (g == 76)

@@ -18,7 +18,9 @@ class DrillWords : public ControlPart {
   bool run();
 
  private:
+  bool drill();
   bool read_words(const Basis& b);
+  bool peck(const Word& q);
   bool repeats(long& count);
   bool fill(Hole& hole);
   bool fill_pecks(Hole& hole);

@@ -179,6 +179,9 @@ void ModalWords::select_cycle(int number) {
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
   cycle.number = number;
+  // FANUC lathes drill along Z, or along X from the side, whatever the plane.
+  const bool turned = lathe() && is(Dialect::fanuc);
+  cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? 2 : 0;
   cycle.file = block_.file;
   cycle.line = block_.line_number;
   cycle.call = block_.call;

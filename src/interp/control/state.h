@@ -24,6 +24,7 @@ struct DrillCycle {
   double peck = 0;                    ///< Q, mm
   double initial = 0;                 ///< level along the plane's normal before the first cycle
   bool begun = false;                 ///< `initial` counts
+  int plane = -1;                     ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
   int file = 0, line = 0, call = -1;  ///< of the block that chose the cycle
 };
 

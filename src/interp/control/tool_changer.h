@@ -9,7 +9,8 @@ namespace mrsim {
 
 class ToolChanger : public ControlPart {
  public:
-  explicit ToolChanger(Control& control) : ControlPart(control), tool_(control.tool) {}
+  explicit ToolChanger(Control& control)
+      : ControlPart(control), tool_(control.tool), notes_(lathe() && is(Dialect::fanuc)) {}
 
   /// Comments come before the words of their block: a hint may be for the T in it.
   void read_comments();

@@ -9,7 +9,8 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 }
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone) {
-  const ToolHint hint = read_tool_comment(bytes);
+  ToolHint hint = read_tool_comment(bytes);
+  if (turret_ && hint.id.size() > 2) hint.id.resize(hint.id.size() - 2);
   if (!hint.id.empty() && hint) return add(hint.id, hint);
   if (!called.empty()) {
     if (hint) add(called, hint);

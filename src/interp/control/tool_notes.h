@@ -13,6 +13,9 @@ namespace mrsim {
 
 class ToolNotes {
  public:
+  /// `turret`: numbers of four digits are station and offset, as T0202 of FANUC lathes.
+  explicit ToolNotes(bool turret) : turret_(turret) {}
+
   /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
   /// nothing else stands in the block.
   void comment(std::string_view bytes, const std::string& called, bool alone);
@@ -31,6 +34,7 @@ class ToolNotes {
  private:
   void add(const std::string& id, const ToolHint& hint);
 
+  bool turret_;
   std::map<std::string, ToolHint> hints_;
   ToolHint group_;            ///< the comments that wait for their tool
   bool interrupted_ = false;  ///< a block stands between the group and the next comment

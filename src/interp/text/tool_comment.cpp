@@ -27,12 +27,12 @@ bool one_of(const Token& token, Words words) {
 
 // Words that may stand between a size and the kind of tool: "10 MM CARBIDE LONG ENDMILL".
 bool is_adjective(const Token& token) {
-  return one_of(token,
-                {"DIA",    "DIAM",    "DIAMETER", "ROUGH",    "ROUGHING", "FINISH",  "FINISHING",
-                 "SOLID",  "CARBIDE", "HSS",      "HSSE",     "COBALT",   "VHM",     "HM",
-                 "LONG",   "SHORT",   "STUB",     "EXTENDED", "CENTER",   "CUTTING", "SQUARE",
-                 "UPCUT",  "DOWNCUT", "SPIRAL",   "STRAIGHT", "SINGLE",   "COATED",  "TIALN",
-                 "JOBBER", "TWIST",   "STANDARD", "FLUTE",    "TWO",      "THREE",   "FOUR"});
+  return one_of(token, {"DIA",       "DIAM",     "DIAMETER", "ROUGH", "ROUGHING", "FINISH",
+                        "FINISHING", "SOLID",    "CARBIDE",  "HSS",   "HSSE",     "COBALT",
+                        "VHM",       "HM",       "LONG",     "SHORT", "STUB",     "EXTENDED",
+                        "CENTER",    "CUTTING",  "SQUARE",   "UPCUT", "DOWNCUT",  "SPIRAL",
+                        "STRAIGHT",  "SINGLE",   "COATED",   "TIALN", "FLAT",     "JOBBER",
+                        "TWIST",     "STANDARD", "FLUTE",    "TWO",   "THREE",    "FOUR"});
 }
 
 bool is_flute_word(const Token& token) {
@@ -251,6 +251,7 @@ void CommentReader::read_sizes_about_kind() {
   }
   std::size_t at = kind_->end;
   while (has(at) && one_of(tokens_[at], {"{", "(", "[", ":", "-", "="})) ++at;
+  if (has(at) && tokens_[at].is("D") && has(at + 1) && !tokens_[at + 1].glued) ++at;  // "D 10"
   if (!is_size(at)) return;
   const bool ends = !has(at + 1) || is_separator(tokens_[at + 1]) || tokens_[at + 1].is("R");
   if (tokens_[at].unit > 0 || tokens_[at].fraction || (ends && hint_.diameters.empty()))

@@ -159,6 +159,7 @@ constexpr Phrase kPhrases[] = {
     {"DOWNCUT", endmill, soft},
     {"FLAT", endmill, soft},
     {"MILL", endmill, soft},
+    {"EM", endmill, soft},
     {"TURNING", turning, soft},
     {"GROOVING", grooving, soft},
     {"PARTING", grooving, soft},
