@@ -173,7 +173,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::sinumerik, "ASPLINE X5"},
       {Dialect::sinumerik, "BSPLINE"},
       {Dialect::sinumerik, "POLY PO[X]=(1,2)"},
-      {Dialect::sinumerik, "OFFN=2"},
+      {Dialect::sinumerik, "TOFFR=2"},
       {Dialect::sinumerik, "TRAORI"},
 
       {Dialect::fanuc, "G5 X1 Y2 I1 J1"},

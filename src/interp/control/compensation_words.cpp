@@ -102,7 +102,7 @@ Compensation CompensationWords::for_move() const {
   if (modal_.comp == Code::comp_off) return c;
   c.side = modal_.comp == Code::comp_left ? 1 : -1;
   c.suspended = modal_.comp_suspended;
-  c.radius = radius_;
+  c.radius = radius_ + modal_.offn;
   if (c.radius < 0) {  // a negative radius is the other side
     c.side = -c.side;
     c.radius = -c.radius;

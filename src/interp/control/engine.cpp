@@ -26,7 +26,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       oneshots_(control_, axes_, frames_, moves_),
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
-      cycles_(control_, holes_),
+      cycles_(control_, holes_, statements_.get()),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_) {
   control_.work = options.table.work;
@@ -40,6 +40,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
   }
   if (program.machine == MachineKind::lathe) position.known |= 2;  // a lathe has no Y to give
   frames_.start();
+  if (statements_) statements_->set_tools(tools_);
   reader_.set_language(statements_.get());
   reader_.open(leader_lines);
 }

@@ -45,6 +45,11 @@ bool OneShotWords::run() {
 
 // G4: the words mean seconds or turns, not axes or feeds.
 bool OneShotWords::dwell() {
+  if (is(Dialect::sinumerik)) {
+    for (const char c : {'X', 'Y', 'Z'})
+      if (const Word* axis = peek(c))
+        return error("call-not-alone", "G4 stands alone in its block, without axes", *axis);
+  }
   for (const char c : {'X', 'U', 'P', 'F', 'S', 'T', 'E'})
     if (c != 'T' || is(Dialect::codesys)) take(c);
   take(Address::data);

@@ -83,7 +83,13 @@ bool ProgramFlow::m_word(const Word& word) {
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
         true;
   if (m == 17 && !is(Dialect::fanuc)) block_.return_after = true;
-  if (m == 99 && !is(Dialect::sinumerik)) {
+  if (m >= 97 && m <= 99 && is(Dialect::sinumerik))
+    return error("not-supported",
+                 fmt::format("M{} calls or returns in ISO mode (G291), which is not supported yet; "
+                             "is it a FANUC program? --dialect fanuc",
+                             m),
+                 word);
+  if (m == 99) {
     const Word* p = peek('P');
     if (p && !statements_)
       return error("not-supported", "M99 P (return to a block number) is not supported yet", word);
@@ -95,7 +101,7 @@ bool ProgramFlow::m_word(const Word& word) {
   if (m >= 70 && m <= 73 && is(Dialect::ngc))
     return error("not-supported",
                  fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
-  if ((m == 98 || (m == 97 && is(Dialect::fanuc))) && !is(Dialect::sinumerik)) block_.m98 = &word;
+  if (m == 98 || (m == 97 && is(Dialect::fanuc))) block_.m98 = &word;
   if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
     note_once("m-unknown",
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,

@@ -42,24 +42,7 @@ Word SinumerikCycles::where() const {
 bool SinumerikCycles::read_call(Call& call) {
   call.name = std::string(block_.function_name);
   call.place = {block_.file, block_.line_number, block_.call};
-  std::string_view rest = block_.argument;
-  for (bool more = true; more;) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    std::string text;
-    for (const char c : rest.substr(0, comma))
-      if (c != ' ' && c != '\t') text += c;
-    if (more) rest.remove_prefix(comma + 1);
-    const bool none = text.empty() || text[0] == '"';
-    const std::optional<double> value = none ? std::nullopt : parse_number(text);
-    if (!none && !value)
-      return error("not-supported",
-                   fmt::format("{}: the argument \"{}\" is not a number", call.name,
-                               to_utf8(text.substr(0, 40))),
-                   where());
-    call.values.push_back(value);
-  }
-  return true;
+  return statements_ && statements_->call_values(block_.argument, call.values);
 }
 
 bool SinumerikCycles::run() {

@@ -3,7 +3,8 @@
 // src/interp.
 #pragma once
 
-#include "interp/control/hole_maker.h"
+#include "interp/control/cycle_call.h"
+#include "interp/control/statements.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +13,8 @@ namespace mrsim {
 
 class SinumerikCycles : public ControlPart {
  public:
-  SinumerikCycles(Control& control, HoleMaker& holes) : ControlPart(control), holes_(holes) {}
+  SinumerikCycles(Control& control, HoleMaker& holes, Statements* statements)
+      : ControlPart(control), holes_(holes), statements_(statements) {}
 
   /// A name that run() knows.
   static bool knows(std::string_view name);
@@ -24,17 +26,7 @@ class SinumerikCycles : public ControlPart {
   bool run_modal(const Vec3& from);
 
  private:
-  using Values = std::vector<std::optional<double>>;
-  /// A cycle with its arguments.
-  struct Call {
-    std::string name;
-    Values values;
-    CyclePlace place;
-    double get(std::size_t i, double otherwise = 0) const {
-      return i < values.size() && values[i] ? *values[i] : otherwise;
-    }
-    bool given(std::size_t i) const { return i < values.size() && values[i]; }
-  };
+  using Call = CycleCall;
 
   bool read_call(Call& call);
   bool hole(const Call& call, Hole& out);
@@ -52,6 +44,7 @@ class SinumerikCycles : public ControlPart {
   Word where() const;
 
   HoleMaker& holes_;
+  Statements* statements_;
   std::optional<Call> modal_call_;
 };
 

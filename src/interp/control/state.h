@@ -70,6 +70,7 @@ struct Modal {
   Code corner = Code::corner_arc;
   Code approach = Code::approach_normal;
   double disc = 0;
+  double offn = 0;  ///< allowance on the contour under G41 and G42, mm
   double rndm = 0, frcm = 0;
   int edge = 1;  ///< D number; CODESYS: see edge_radius
   bool edge_given = false;

@@ -15,9 +15,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLargest = 1e9;             // of a word
-constexpr std::size_t kMostTexts = 100;      // of a block
-constexpr std::size_t kMostNumbers = 10000;  // places of block numbers kept
+constexpr double kLargest = 1e9;              // of a word
+constexpr std::size_t kMostCallValues = 128;  // of a call
+constexpr std::size_t kMostTexts = 100;       // of a block
+constexpr std::size_t kMostNumbers = 10000;   // places of block numbers kept
 
 }  // namespace
 
@@ -169,6 +170,25 @@ bool Statements::assignment(std::string_view line, std::size_t& p) {
     return false;
   }
   return store(nearest_whole(index), value, from, to);
+}
+
+bool Statements::call_values(std::string_view argument, std::vector<std::optional<Value>>& out) {
+  const auto from = static_cast<std::size_t>(argument.data() - block_.line.data());
+  const std::size_t to = from + argument.size();
+  std::size_t p = skip_blanks(from);
+  while (out.size() < kMostCallValues) {
+    out.emplace_back();
+    if (p < to && at(p) != ',') {
+      Value value;
+      if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+      out.back() = std::move(value);
+      p = skip_blanks(p);
+    }
+    if (p >= to) return true;
+    if (at(p) != ',') return fail("bracket", "a comma is expected here (alarm 12080)", p, p + 1);
+    p = skip_blanks(p + 1);
+  }
+  return fail("value-range", fmt::format("more than {} values", kMostCallValues), from, to);
 }
 
 bool Statements::condition(std::size_t& p, bool& out) {

@@ -11,7 +11,9 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace mrsim {
 
@@ -35,6 +37,11 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
     return reader_.call(name, repeats, word);
   }
+  /// Who knows the data of the tool in the spindle.
+  void set_tools(ToolChanger& tools) { system_.set_tools(tools); }
+  /// The values of a call whose text between the brackets is `argument`, a part of the block's
+  /// line; one may be left out. False: reported.
+  bool call_values(std::string_view argument, std::vector<std::optional<Value>>& out);
   /// M99 P: goes on at a block number of the program that is being read.
   virtual bool jump_to_number(const Word& word);
   /// M97 P: calls from a block number on. False: reported.

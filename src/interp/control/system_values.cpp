@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "interp/control/frame_words.h"
+#include "interp/control/tool_changer.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -91,9 +92,7 @@ void SystemValues::set_work(const std::string& name, const Vec3& shift) {
 }
 
 double SystemValues::tool_radius() const {
-  const int index = control_.tool.index;
-  if (index < 0 || static_cast<std::size_t>(index) >= program_.tools.size()) return 0;
-  return program_.tools[static_cast<std::size_t>(index)].diameter / 2;
+  return tools_ ? tools_->radius(is(Dialect::sinumerik) ? modal_.edge : -1) : 0;
 }
 
 // FANUC #4001 to #4130: the modal code of a group, and the last value of an address.

@@ -12,6 +12,8 @@
 
 namespace mrsim {
 
+class ToolChanger;
+
 class SystemValues : public ControlPart, public SystemVariables {
  public:
   explicit SystemValues(Control& control) : ControlPart(control) {}
@@ -23,6 +25,8 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool write(std::string_view name, std::span<const Value> indices, const Value& value,
              std::string& why) override;
   bool knows(std::string_view name) override;
+  /// Who knows the data of the tool in the spindle.
+  void set_tools(ToolChanger& tools) { tools_ = &tools; }
 
   /// LinuxCNC: what the last subprogram returned.
   void set_returned(double value, bool given) {
@@ -47,6 +51,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   Vec3 work_shift(const std::string& name) const;
   void set_work(const std::string& name, const Vec3& shift);
 
+  ToolChanger* tools_ = nullptr;
   double returned_ = 0;
   bool has_returned_ = false;
   std::size_t call_level_ = 0;

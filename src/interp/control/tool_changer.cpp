@@ -183,6 +183,22 @@ const OffsetRegister* ToolChanger::find_register(const std::string& name) const 
   return nullptr;
 }
 
+double ToolChanger::radius(int edge) {
+  if (edge == 0) return 0;
+  Word where;
+  where.length = 1;
+  require(where, false);
+  const OffsetRegister* reg = nullptr;
+  if (edge > 0) {
+    reg = find_register(fmt::format("T{}.D{}", tool_.current, edge));
+    if (!reg) reg = find_register(fmt::format("D{}", edge));
+  }
+  if (reg) return reg->radius + reg->wear;
+  const Tool* tool = current();
+  if (!tool) return 0;
+  return is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+}
+
 std::string tool_summary(const Tool& tool) {
   static constexpr const char* kNames[] = {
       "end mill",     "ball mill",     "bull-nose mill", "chamfer mill",  "tapered mill",

@@ -26,6 +26,9 @@ class ToolChanger : public ControlPart {
     return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
   }
   const OffsetRegister* find_register(const std::string& name) const;
+  /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
+  /// 0 without a tool. `edge` below 0: the tool's own.
+  double radius(int edge);
 
  private:
   bool select(const Word& word);

@@ -56,6 +56,7 @@ bool ValueWords::sinumerik() {
     if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
     modal_.rndm = word->value * scale();
   }
+  if (const Word* word = take(Address::offn)) modal_.offn = word->value * scale();
   if (const Word* word = take(Address::frcm)) modal_.frcm = word->value * feed_scale();
   if (const Word* word = take(Address::disc)) {
     if (word->value < 0 || word->value > 100)

@@ -34,6 +34,7 @@ enum class Address : std::uint8_t {
   lims,
   sf,
   disc,
+  offn,
   ff,
   ef,
   data,  ///< accepted, without geometry (SPOS=, ADIS=, S2=)

@@ -16,24 +16,25 @@ namespace {
 constexpr std::size_t kLongestName = 32;
 
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
-    {"CR", Address::cr},       {"AR", Address::ar},        {"AP", Address::ap},
-    {"RP", Address::rp},       {"TURN", Address::turn},    {"RND", Address::rnd},
-    {"RNDM", Address::rndm},   {"CHF", Address::chf},      {"CHR", Address::chr},
-    {"ANG", Address::ang},     {"FRC", Address::frc},      {"FRCM", Address::frcm},
-    {"RPL", Address::rpl},     {"LIMS", Address::lims},    {"SF", Address::sf},
-    {"DISC", Address::disc},   {"SPOS", Address::data},    {"SPOSA", Address::data},
-    {"ADIS", Address::data},   {"ADISPOS", Address::data}, {"OVR", Address::data},
-    {"OVRRAP", Address::data}, {"FP", Address::data},      {"CTOL", Address::data},
-    {"OTOL", Address::data}};
+    {"CR", Address::cr},      {"AR", Address::ar},       {"AP", Address::ap},
+    {"RP", Address::rp},      {"TURN", Address::turn},   {"RND", Address::rnd},
+    {"RNDM", Address::rndm},  {"CHF", Address::chf},     {"CHR", Address::chr},
+    {"ANG", Address::ang},    {"FRC", Address::frc},     {"FRCM", Address::frcm},
+    {"RPL", Address::rpl},    {"LIMS", Address::lims},   {"SF", Address::sf},
+    {"DISC", Address::disc},  {"OFFN", Address::offn},   {"SPOS", Address::data},
+    {"SPOSA", Address::data}, {"ADIS", Address::data},   {"ADISPOS", Address::data},
+    {"OVR", Address::data},   {"OVRRAP", Address::data}, {"FP", Address::data},
+    {"CTOL", Address::data},  {"OTOL", Address::data}};
 
-constexpr std::pair<std::string_view, Form> kForms[] = {{"AC", Form::ac},   {"IC", Form::ic},
-                                                        {"DAC", Form::dac}, {"DIC", Form::dic},
-                                                        {"RAC", Form::rac}, {"RIC", Form::ric}};
+constexpr std::pair<std::string_view, Form> kForms[] = {
+    {"AC", Form::ac},   {"IC", Form::ic},   {"DAC", Form::dac},
+    {"DIC", Form::dic}, {"RAC", Form::rac}, {"RIC", Form::ric},
+    {"DC", Form::ac},   {"ACP", Form::ac},  {"ACN", Form::ac}};
 
 // Calls without effect on geometry.
-constexpr std::string_view kHarmlessCalls[] = {"MSG",   "SETMS", "FGROUP",  "CYCLE832", "WAITM",
-                                               "WAITP", "WAITS", "INIT",    "START",    "CLRINT",
-                                               "SPCON", "SPCOF", "COMPLETE"};
+constexpr std::string_view kHarmlessCalls[] = {
+    "MSG",   "SETMS",  "FGROUP", "CYCLE832", "WAITM",    "WAITP",       "WAITS",    "INIT",
+    "START", "CLRINT", "SPCON",  "SPCOF",    "COMPLETE", "GROUP_BEGIN", "GROUP_END"};
 
 // Calls whose arguments the interpreter reads.
 constexpr std::string_view kReadCalls[] = {
@@ -74,7 +75,7 @@ void Parser::sinumerik_word(Block& block) {
   }
   if (n == ':' && block.words.empty()) return label(block, from, from + 1);
   if (n == '[' && c == 'R' && language_) return assignment(block, from);
-  if (n == '[') return unsupported(block, line_.substr(from, p_ - from), "an array", from);
+  if (n == '[') return array_word(block, from, std::string(1, c));
   if (n == '$' || n == '(')
     return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
   if (!starts_number(n))
@@ -308,7 +309,7 @@ void Parser::sinumerik_name(Block& block) {
     block.modal_call = true;
     return;
   }
-  if (c == '[') return unsupported(block, run, "an array", from);
+  if (c == '[') return array_word(block, from, name);
   p_ = after_name;
   const CodeEntry entry = find_function(name);
   Word word;

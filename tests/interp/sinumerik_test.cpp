@@ -1,0 +1,66 @@
+// SINUMERIK programs as controls and CAM systems write them: words that change nothing are read
+// over, words that move the machine count, and nothing is dropped in silence.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+/// End points of the motions, and the codes of errors and warnings.
+std::string run(const std::string& text) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.variables = {{"R1", "3"}};
+  const Program program = read_text(text, options);
+  std::string out;
+  for (const Motion& m : program.motions)
+    out += fmt::format("{:.6g},{:.6g},{:.6g} ", m.end.x + 0.0, m.end.y + 0.0, m.end.z + 0.0);
+  return out + codes(program);
+}
+
+TEST(Sinumerik, RadiusOfTheToolIsKnownBeforeItCuts) {
+  EXPECT_EQ(run("T1 D1 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "15,0,0 ");
+  EXPECT_EQ(run("T1 D0 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "20,0,0 ") << "D0: no edge";
+}
+
+TEST(Sinumerik, AxesBesideADwellAreNotDropped) {
+  EXPECT_EQ(run("F100 G1 X1\nG4 F2 X30\nX2\n"), "1,0,0 2,0,0 call-not-alone");
+  EXPECT_EQ(run("F100 G1 X1\nG4 F2\nG4 S3\nX2\n"), "1,0,0 2,0,0 ");
+}
+
+TEST(Sinumerik, CallsOfIsoModeAreRefused) {
+  EXPECT_EQ(run("F100 G1 X1\nM98 P1\nX2\n"), "1,0,0 2,0,0 not-supported");
+  EXPECT_EQ(run("F100 G1 X1\nM99\nX2\n"), "1,0,0 2,0,0 not-supported");
+}
+
+TEST(Sinumerik, EnvelopeOfPosts) {
+  EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
+                "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
+                "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
+            "1,0,0 ");
+  EXPECT_EQ(run("TRANSMIT\nF100 G1 X1\n"), "1,0,0 not-supported");
+  EXPECT_EQ(run("TRACYL(50)\n"), "not-supported");
+}
+
+TEST(Sinumerik, AxesAndCodesByIndex) {
+  EXPECT_EQ(run("DEF AXIS WAY=X\nF100 G1 AX[WAY]=5 AX[Y]=R1*2\nG[14]=2\nAX[Z]=-1\nAX[Z]=-1\n"
+                "G[14]=1 AX[X]=IC(1)\n"),
+            "5,6,0 5,6,-1 5,6,-2 6,6,-2 ");
+  EXPECT_EQ(run("F100 G1 AX[A]=5\n"), "variable-unset");
+  EXPECT_EQ(run("F100 G[1]=99 X1\n"), "not-supported");
+}
+
+TEST(Sinumerik, OffsetOfTheContour) {
+  // The tool of 5 mm keeps 5.5 mm from the contour.
+  EXPECT_EQ(run("F100 G1 X-20 Y-20\nOFFN=0.5\nG41 X0 Y0 D1\nY50\nG40 X-20\nOFFN=0\n"),
+            "-20,-20,0 -5.5,0,0 -5.5,50,0 -20,50,0 ");
+}
+
+TEST(Sinumerik, CyclesTakeExpressions) {
+  EXPECT_EQ(run("F100 G0 Z50\nCYCLE82(50,0,2,-R1*2,,0.5)\n"),
+            run("F100 G0 Z50\nCYCLE82(50,0,2,-6,,0.5)\n"));
+  EXPECT_EQ(run("F100 G0 Z50\nCYCLE82(50,0,2,-R9,,0.5)\n"), "0,0,50 variable-unset");
+}
+
+}  // namespace
+}  // namespace mrsim
