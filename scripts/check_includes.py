@@ -35,6 +35,7 @@ ROOMS = {
     "removal/prune": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/"),
     "removal/part": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/sweep/", "removal/prune/"),
     "removal/collision": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/", "removal/prune/", "removal/part/"),
+    "removal/history": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/sweep/", "removal/prune/", "removal/part/"),
     "removal/vdb": CORE + ("removal/",),
     "mesh/solid": SOLID,
     "mesh/draw": SOLID + ("mesh/solid/",),

@@ -1,0 +1,52 @@
+// What each motion removes, by program, voxel and threads; without the sweeps and their field.
+//   history_bench --benchmark_filter=raster-100000
+#include "programs.h"
+#include "removal/history/removed_volumes.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <benchmark/benchmark.h>
+
+namespace mrsim::bench {
+namespace {
+
+void run(benchmark::State& state, const std::string& name, double voxel, int threads) {
+  const BenchProgram program = expand_packs(name);
+  const PartField field(StockSolid(program.stock),
+                        SweepTable(program.motions, std::span(&program.tool, 1)));
+  const CutLattice lattice = history_lattice(field, voxel);
+  std::vector<double> removed;
+  for (auto _ : state) removed = removed_volumes(field, lattice, program.motions.size(), threads);
+  state.counters["mm3"] = std::accumulate(removed.begin(), removed.end(), 0.0);
+  state.counters["air"] = static_cast<double>(std::count(removed.begin(), removed.end(), 0.0));
+}
+
+struct Case {
+  const char* program;
+  double voxel;
+};
+
+constexpr Case kCases[] = {{"raster-10000", 0.25},   {"raster-100000", 0.25},
+                           {"raster-100000", 0.5},   {"adaptive-100000", 0.5},
+                           {"helix-drill-200", 0.5}, {"arcs-5000", 0.25},
+                           {"turn-1000", 0.25},      {"turn-10000", 0.25}};
+
+}  // namespace
+}  // namespace mrsim::bench
+
+int main(int argc, char** argv) {
+  using namespace mrsim::bench;
+  for (const Case& c : kCases)
+    for (const int threads : {1, 2})
+      benchmark::RegisterBenchmark(
+          (std::string(c.program) + "/voxel:" + std::to_string(c.voxel).substr(0, 4) +
+           "/threads:" + std::to_string(threads))
+              .c_str(),
+          [c, threads](benchmark::State& state) { run(state, c.program, c.voxel, threads); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

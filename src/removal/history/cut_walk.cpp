@@ -1,0 +1,188 @@
+#include "removal/history/cut_walk.h"
+
+#include "core/units.h"
+#include "core/vec.h"
+#include "removal/field/lattice.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }
+
+}  // namespace
+
+Vec3 CutLattice::position(const std::array<std::int32_t, 3>& at) const {
+  const double z = lattice_position(voxel, at[2], kLatticeShift.z);
+  if (half_plane) return {lattice_position(voxel, at[0], 0.5), 0, z};
+  return {lattice_position(voxel, at[0], kLatticeShift.x),
+          lattice_position(voxel, at[1], kLatticeShift.y), z};
+}
+
+CutWalker::CutWalker(const PartField& field, const CutLattice& lattice)
+    : field_(field),
+      lattice_(lattice),
+      band_(0.5 * lattice.voxel + field.slack()),
+      share_(1 / lattice.voxel) {
+  std::fill_n(points_.nearest, PointColumns::kMost, 0.0);
+}
+
+void CutWalker::walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink) {
+  sweeps_ = sweeps;
+  sink_ = sink;
+  removed_.assign(sweeps.size(), 0.0);
+  List all(sweeps.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
+  visit(block, all, false, 0);
+}
+
+// Of the ball about all voxel centres of a cell.
+double CutWalker::radius_of(int size) const {
+  const double half = 0.5 * (size - 1) * lattice_.voxel;
+  return half * (lattice_.half_plane ? 1.4142135623730952 : 1.7320508075688774);
+}
+
+// mm^3 of a voxel at x.
+double CutWalker::ring(double x) const {
+  const double h = lattice_.voxel;
+  return lattice_.half_plane ? kTwoPi * x * h * h : h * h * h;
+}
+
+void CutWalker::visit(const CutCell& cell, const List& list, bool in_stock, std::size_t depth) {
+  Children& children = levels_[depth];
+  const std::size_t count = divide(cell, in_stock, children);
+  distribute(list, radius_of(cell.size / 2), std::span(children).first(count));
+  for (std::size_t c = 0; c < count; ++c) settle(children[c], depth);
+}
+
+// The children, their centres in points_, and what the stock says about each.
+std::size_t CutWalker::divide(const CutCell& cell, bool in_stock, Children& children) {
+  const int size = cell.size / 2;
+  const double middle = 0.5 * (size - 1) * lattice_.voxel, reach = radius_of(size) + band_;
+  const std::size_t count = lattice_.half_plane ? 4 : 8;
+  for (std::size_t c = 0; c < count; ++c) {
+    Child& child = children[c];
+    child.cell = {cell.origin, size};
+    child.cell.origin[2] += c & 1 ? size : 0;
+    child.cell.origin[0] += c & 2 ? size : 0;
+    child.cell.origin[1] += c & 4 ? size : 0;
+    const Vec3 center = lattice_.position(child.cell.origin) +
+                        Vec3{middle, lattice_.half_plane ? 0 : middle, middle};
+    points_.x[c] = center.x, points_.y[c] = center.y, points_.z[c] = center.z;
+    child.list.clear();
+    child.least = kInfinity;
+    const double stock = in_stock ? -kInfinity : field_.solid().distance(center);
+    child.in_stock = stock < -reach;
+    child.closed = stock > reach;
+    if (child.closed && sink_ != nullptr) sink_->tile(child.cell, kNeverThere);
+  }
+  for (std::size_t c = count; c < PointColumns::kPad; ++c)
+    points_.x[c] = points_.x[0], points_.y[c] = points_.y[0], points_.z[c] = points_.z[0];
+  points_.count = count;
+  return count;
+}
+
+// A child's list ends with the first sweep that holds all of it. A sweep goes where an earlier one
+// is nearer everywhere: both distances are 1-Lipschitz.
+void CutWalker::distribute(const List& list, double radius, std::span<Child> children) {
+  const double reach = radius + band_, lost = 2 * radius + field_.slack();
+  bool open = std::any_of(children.begin(), children.end(),
+                          [](const Child& child) { return !child.closed; });
+  for (auto place = list.begin(); place != list.end() && open; ++place) {
+    measure(*place);
+    open = false;
+    for (std::size_t c = 0; c < children.size(); ++c) {
+      Child& child = children[c];
+      const double d = points_.least[c];
+      if (!child.closed && d <= reach && d <= child.least + lost) {
+        child.list.push_back(*place);
+        child.least = std::min(child.least, d);
+        child.closed = d < -reach;
+      }
+      open = open || !child.closed;
+    }
+  }
+}
+
+void CutWalker::settle(Child& child, std::size_t depth) {
+  if (child.closed && child.list.empty()) return;  // in the air
+  if (child.in_stock && child.list.empty()) {
+    if (sink_ != nullptr) sink_->tile(child.cell, kStillThere);
+  } else if (child.in_stock && child.closed && child.list.size() == 1) {
+    fill_tile(child.cell, child.list.front());
+  } else if (child.cell.size > leaf_size()) {
+    visit(child.cell, child.list, child.in_stock, depth + 1);
+  } else {
+    evaluate(child.cell, child.list, child.in_stock);
+  }
+}
+
+void CutWalker::fill_tile(const CutCell& cell, std::uint32_t place) {
+  const double size = cell.size, middle = 0.5 * (size - 1) * lattice_.voxel;
+  removed_[place] += ring(lattice_.position(cell.origin).x + middle) * size * size *
+                     (lattice_.half_plane ? 1 : size);
+  if (sink_ != nullptr) sink_->tile(cell, field_.sweeps().motion(sweeps_[place]));
+}
+
+void CutWalker::place_points(const CutCell& cell) {
+  const int size = cell.size, deep = lattice_.half_plane ? 1 : size;
+  std::size_t k = 0;
+  for (int x = 0; x < size; ++x)
+    for (int y = 0; y < deep; ++y)
+      for (int z = 0; z < size; ++z, ++k) {
+        const Vec3 p =
+            lattice_.position({cell.origin[0] + x, cell.origin[1] + y, cell.origin[2] + z});
+        points_.x[k] = p.x, points_.y[k] = p.y, points_.z[k] = p.z;
+        volume_[k] = ring(p.x);
+      }
+  points_.count = k;
+}
+
+void CutWalker::evaluate(const CutCell& cell, const List& list, bool in_stock) {
+  place_points(cell);
+  std::fill_n(left_, points_.count, 1.0);
+  std::fill_n(cut_, points_.count, kStillThere);
+  if (!in_stock) {
+    double stock[PointColumns::kMost];
+    field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock);
+    for (std::size_t k = 0; k < points_.count; ++k) {
+      left_[k] = within_one(0.5 - share_ * stock[k]);
+      if (stock[k] >= 0) cut_[k] = kNeverThere;
+    }
+  }
+  for (const std::uint32_t place : list)
+    if (!take(place)) break;
+  if (sink_ != nullptr) sink_->leaf(cell, cut_);
+}
+
+// The share of a voxel that is left after some sweeps is the least of their shares. False where
+// nothing is left.
+bool CutWalker::take(std::uint32_t place) {
+  measure(place);
+  const std::int32_t motion = field_.sweeps().motion(sweeps_[place]);
+  double gone = 0, rest = 0;
+  for (std::size_t k = 0; k < points_.count; ++k) {
+    const double d = points_.least[k];
+    const double left = std::min(left_[k], within_one(0.5 + share_ * d));
+    gone += (left_[k] - left) * volume_[k];
+    rest += left;
+    left_[k] = left;
+    cut_[k] = d <= 0 && cut_[k] == kStillThere ? motion : cut_[k];
+  }
+  removed_[place] += gone;
+  return rest > 0;
+}
+
+// Distances of the points from one sweep.
+void CutWalker::measure(std::uint32_t place) {
+  const std::size_t padded =
+      (points_.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
+  std::fill_n(points_.least, padded, kInfinity);
+  field_.sweeps().least(sweeps_.subspan(place, 1), points_);
+}
+
+}  // namespace mrsim

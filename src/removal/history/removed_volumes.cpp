@@ -1,0 +1,85 @@
+#include "removal/history/removed_volumes.h"
+
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "removal/field/lattice.h"
+#include "removal/part/block_index.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What the sweeps of one block remove of it.
+using BlockSums = std::vector<std::pair<std::int32_t, double>>;  // by motion, those above 0
+
+void add_removed(const PartField& field, const CutWalker& walker,
+                 std::span<const std::uint32_t> sweeps, BlockSums& out) {
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    if (walker.removed()[i] > 0)
+      out.emplace_back(field.sweeps().motion(sweeps[i]), walker.removed()[i]);
+}
+
+std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice,
+                                     int threads) {
+  const double near = 0.5 * lattice.voxel + field.slack();
+  const BlockIndex index(field, lattice.voxel, near, std::numeric_limits<std::size_t>::max(),
+                         threads);
+  std::vector<BlockSums> blocks(index.size());
+  parallel_for(index.size(), threads, [&](std::size_t b) {
+    const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
+    if (sweeps.empty()) return;
+    CutWalker walker(field, lattice);
+    walker.walk({index.origin(b), kBlockVoxels}, sweeps, nullptr);
+    add_removed(field, walker, sweeps, blocks[b]);
+  });
+  return blocks;
+}
+
+// Rows of blocks across the axis: the sweeps of a row are found once.
+std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLattice& lattice,
+                                          int threads) {
+  constexpr int kSize = 32;
+  const double h = lattice.voxel, near = 0.5 * h + field.slack();
+  const Box3 stock = inflated(field.bounds(), near);
+  const auto first = static_cast<std::int32_t>(lattice_floor(h, stock.lo.z, kLatticeShift.z));
+  const auto last = static_cast<std::int32_t>(lattice_floor(h, stock.hi.z, kLatticeShift.z)) + 1;
+  const auto wide = static_cast<std::int32_t>(std::ceil(stock.hi.x / h)) + 1;
+  const Candidates all = field.all();
+  std::vector<BlockSums> rows(static_cast<std::size_t>((last - first) / kSize + 1));
+  parallel_for(rows.size(), threads, [&](std::size_t r) {
+    const std::int32_t z = first + static_cast<std::int32_t>(r) * kSize;
+    const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
+    const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
+    const Candidates sweeps = field.sweeps().opened(all, box);
+    CutWalker walker(field, lattice);
+    for (std::int32_t x = 0; x < wide && !sweeps.empty(); x += kSize) {
+      walker.walk({{x, 0, z}, kSize}, sweeps, nullptr);
+      add_removed(field, walker, sweeps, rows[r]);
+    }
+  });
+  return rows;
+}
+
+}  // namespace
+
+CutLattice history_lattice(const PartField& field, double voxel) {
+  return {voxel, field.solid().is_turned() && field.sweeps().is_turned()};
+}
+
+std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
+                                    std::size_t motions, int threads) {
+  const std::vector<BlockSums> blocks = lattice.half_plane
+                                            ? sums_in_half_plane(field, lattice, threads)
+                                            : sums_in_space(field, lattice, threads);
+  std::vector<double> removed(motions, 0.0);
+  for (const BlockSums& block : blocks)
+    for (const auto& [motion, volume] : block) removed[static_cast<std::size_t>(motion)] += volume;
+  return removed;
+}
+
+}  // namespace mrsim
