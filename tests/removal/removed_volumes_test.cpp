@@ -33,7 +33,7 @@ void expect_closed_form(const Scene& scene, double exact, double voxel) {
   const auto error = [&](double h) { return std::abs(scene.removed(h)[0] / exact - 1); };
   EXPECT_LT(error(voxel), 0.02);
   EXPECT_LT(error(voxel / 2), 0.01);
-  EXPECT_LT(error(voxel / 8), 0.0025);
+  EXPECT_LT(error(voxel / 4), 0.005);
 }
 
 const StockShape kBlock = box_stock({0, 0, -20}, {100, 60, 0});

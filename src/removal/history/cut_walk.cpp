@@ -16,13 +16,6 @@ double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
 }  // namespace
 
-Vec3 CutLattice::position(const std::array<std::int32_t, 3>& at) const {
-  const double z = lattice_position(voxel, at[2], kLatticeShift.z);
-  if (half_plane) return {lattice_position(voxel, at[0], 0.5), 0, z};
-  return {lattice_position(voxel, at[0], kLatticeShift.x),
-          lattice_position(voxel, at[1], kLatticeShift.y), z};
-}
-
 CutWalker::CutWalker(const PartField& field, const CutLattice& lattice)
     : field_(field),
       lattice_(lattice),
@@ -31,10 +24,9 @@ CutWalker::CutWalker(const PartField& field, const CutLattice& lattice)
   std::fill_n(points_.nearest, PointColumns::kMost, 0.0);
 }
 
-void CutWalker::walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink) {
-  sweeps_ = sweeps;
-  sink_ = sink;
-  removed_.assign(sweeps.size(), 0.0);
+void CutWalker::walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink,
+                     std::span<double> removed) {
+  sweeps_ = sweeps, sink_ = sink, removed_ = removed;
   List all(sweeps.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
   visit(block, all, false, 0);

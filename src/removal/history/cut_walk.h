@@ -5,6 +5,7 @@
 // method and its error bound are told in docs/history.md.
 #pragma once
 
+#include "removal/history/cut_sink.h"
 #include "removal/part/part_field.h"
 #include "removal/simd/sweep_kernels.h"
 
@@ -15,34 +16,6 @@
 
 namespace mrsim {
 
-inline constexpr std::int32_t kStillThere = -1;  ///< no motion removes the place
-inline constexpr std::int32_t kNeverThere = -2;  ///< the place lies outside of the stock
-
-/// Where voxels lie: in space, or for turned parts in the half plane y = 0, x >= 0, where each
-/// voxel stands for a ring about the Z axis.
-struct CutLattice {
-  double voxel = 0;  ///< mm
-  bool half_plane = false;
-
-  /// Centre of a voxel, mm. In space the lattice is that of the level set (lattice.h).
-  Vec3 position(const std::array<std::int32_t, 3>& at) const;
-};
-
-/// A cube of size^3 voxels; in the half plane a square of size x 1 x size.
-struct CutCell {
-  std::array<std::int32_t, 3> origin{};  ///< its first voxel
-  int size = 0;
-};
-
-/// Takes the voxels of a walk, each exactly once.
-class CutSink {
- public:
-  virtual ~CutSink() = default;
-  /// All voxels of a cell are cut by one motion, or are kStillThere or kNeverThere.
-  virtual void tile(const CutCell& cell, std::int32_t cut) = 0;
-  /// The voxels of a cell of kCutLeaf^3, z fastest.
-  virtual void leaf(const CutCell& cell, const std::int32_t* cut) = 0;
-};
 inline constexpr int kCutLeaf = 4;
 
 /// One block of voxels at a time, on one thread: from large cells to small ones, each with the
@@ -53,11 +26,10 @@ class CutWalker {
 
   /// `sweeps`: all that reach the block or half a voxel beyond, ascending. `sink` may be null.
   /// Requires: the block's size is a power of two, at least 16.
-  void walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink);
-
-  /// mm^3 that each sweep of the last walk removes, in the order of its list. A voxel on a surface
-  /// counts by its share of material, 1/2 - d / voxel within [0, 1].
-  std::span<const double> removed() const { return removed_; }
+  /// Adds the mm^3 that each sweep removes to `removed`, in the order of the list; a voxel on a
+  /// surface counts by its share of material, 1/2 - d / voxel within [0, 1].
+  void walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink,
+            std::span<double> removed);
 
  private:
   using List = std::vector<std::uint32_t>;  // places in sweeps_, ascending
@@ -90,7 +62,7 @@ class CutWalker {
   std::span<const std::uint32_t> sweeps_;
   CutSink* sink_ = nullptr;
   std::array<Children, 8> levels_;
-  std::vector<double> removed_;
+  std::span<double> removed_;
   PointColumns points_;
   double left_[PointColumns::kMost];    // share of each voxel that is still there
   double volume_[PointColumns::kMost];  // mm^3 of each voxel

@@ -3,8 +3,10 @@
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/field/lattice.h"
+#include "removal/history/cut_columns.h"
 #include "removal/part/block_index.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,11 +19,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // What the sweeps of one block remove of it.
 using BlockSums = std::vector<std::pair<std::int32_t, double>>;  // by motion, those above 0
 
-void add_removed(const PartField& field, const CutWalker& walker,
-                 std::span<const std::uint32_t> sweeps, BlockSums& out) {
+void add_removed(const PartField& field, std::span<const std::uint32_t> sweeps,
+                 std::span<const double> removed, BlockSums& out) {
   for (std::size_t i = 0; i < sweeps.size(); ++i)
-    if (walker.removed()[i] > 0)
-      out.emplace_back(field.sweeps().motion(sweeps[i]), walker.removed()[i]);
+    if (removed[i] > 0) out.emplace_back(field.sweeps().motion(sweeps[i]), removed[i]);
 }
 
 std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice,
@@ -33,9 +34,9 @@ std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& l
   parallel_for(index.size(), threads, [&](std::size_t b) {
     const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
     if (sweeps.empty()) return;
-    CutWalker walker(field, lattice);
-    walker.walk({index.origin(b), kBlockVoxels}, sweeps, nullptr);
-    add_removed(field, walker, sweeps, blocks[b]);
+    std::vector<double> removed(sweeps.size(), 0.0);
+    walk_block(field, lattice, index.origin(b), sweeps, nullptr, removed);
+    add_removed(field, sweeps, removed, blocks[b]);
   });
   return blocks;
 }
@@ -56,16 +57,28 @@ std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLatti
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
     const Candidates sweeps = field.sweeps().opened(all, box);
+    if (sweeps.empty()) return;
     CutWalker walker(field, lattice);
-    for (std::int32_t x = 0; x < wide && !sweeps.empty(); x += kSize) {
-      walker.walk({{x, 0, z}, kSize}, sweeps, nullptr);
-      add_removed(field, walker, sweeps, rows[r]);
-    }
+    std::vector<double> removed(sweeps.size(), 0.0);
+    for (std::int32_t x = 0; x < wide; x += kSize)
+      walker.walk({{x, 0, z}, kSize}, sweeps, nullptr, removed);
+    add_removed(field, sweeps, removed, rows[r]);
   });
   return rows;
 }
 
 }  // namespace
+
+void walk_block(const PartField& field, const CutLattice& lattice,
+                const std::array<std::int32_t, 3>& origin, std::span<const std::uint32_t> sweeps,
+                CutSink* sink, std::span<double> removed) {
+  const bool upward = std::all_of(sweeps.begin(), sweeps.end(),
+                                  [&](std::uint32_t i) { return is_upward(field.sweeps(), i); });
+  if (upward)
+    ColumnWalker(field, lattice.voxel).walk(origin, sweeps, sink, removed);
+  else
+    CutWalker(field, lattice).walk({origin, kBlockVoxels}, sweeps, sink, removed);
+}
 
 CutLattice history_lattice(const PartField& field, double voxel) {
   return {voxel, field.solid().is_turned() && field.sweeps().is_turned()};

@@ -13,6 +13,12 @@ namespace mrsim {
 /// turned.
 CutLattice history_lattice(const PartField& field, double voxel);
 
+/// Walks one block of kBlockVoxels^3 in space. `sweeps`: all that reach the block or half a voxel
+/// beyond, ascending. Adds the mm^3 that each of them removes to `removed`; `sink` may be null.
+void walk_block(const PartField& field, const CutLattice& lattice,
+                const std::array<std::int32_t, 3>& origin, std::span<const std::uint32_t> sweeps,
+                CutSink* sink, std::span<double> removed);
+
 /// mm^3 by motion, 0 for those that remove nothing; the same bits on any number of threads.
 /// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory".
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,

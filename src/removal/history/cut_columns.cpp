@@ -1,0 +1,294 @@
+#include "removal/history/cut_columns.h"
+
+#include "core/vec.h"
+#include "removal/part/block_index.h"
+#include "removal/sweep/sweep_columns.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRootTwo = 1.4142135623730952, kRootThree = 1.7320508075688774;
+
+double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }
+
+std::size_t padded(std::size_t count) {
+  return (count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
+}
+
+void copy_point(const PointColumns& from, std::size_t k, PointColumns& to, std::size_t at) {
+  to.x[at] = from.x[k], to.y[at] = from.y[k], to.z[at] = from.z[k];
+}
+
+// The kernels read whole registers.
+void pad(PointColumns& points) {
+  for (std::size_t k = points.count; k < padded(points.count); ++k)
+    copy_point(points, points.count - 1, points, k);
+}
+
+}  // namespace
+
+bool is_upward(const SweepTable& sweeps, std::uint32_t i) {
+  const SweepRef& ref = sweeps.columns().refs[i];
+  return ref.kind != SweepKind::turn && ref.frame == 0 && sweeps.columns().cutter(ref).is_rising();
+}
+
+ColumnWalker::ColumnWalker(const PartField& field, double voxel)
+    : field_(field),
+      lattice_{voxel, false},
+      voxel_(voxel),
+      share_(1 / voxel),
+      band_(0.5 * voxel + field.slack()),
+      slack_(field.slack()) {
+  std::fill_n(points_.nearest, PointColumns::kMost, 0.0);
+  std::fill_n(below_.nearest, PointColumns::kMost, 0.0);
+}
+
+void ColumnWalker::walk(const std::array<std::int32_t, 3>& origin,
+                        std::span<const std::uint32_t> sweeps, CutSink* sink,
+                        std::span<double> removed) {
+  sweeps_ = sweeps, removed_ = removed, sink_ = sink;
+  Part block{.origin = origin, .list = List(sweeps.size())};
+  lowest_.resize(sweeps.size());
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    block.list[i] = static_cast<std::uint32_t>(i);
+    lowest_[i] = field_.sweeps().bounds(sweeps[i]).lo.z;
+  }
+  bottom_ = lattice_.position(origin).z;
+  block.clear = height(kDeep - 1);
+  block.floor = kInfinity;
+  visit(block, kBlockVoxels, 0);
+}
+
+void ColumnWalker::visit(const Part& part, int size, std::size_t depth) {
+  if (size == kSide) return carve(part.origin, part.list);
+  std::array<Part, 4>& parts = levels_[depth];
+  const int half = size / 2;
+  const double middle = 0.5 * (half - 1) * voxel_;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    parts[k].origin = {part.origin[0] + (k & 2 ? half : 0), part.origin[1] + (k & 1 ? half : 0),
+                       part.origin[2]};
+    parts[k].list.clear();
+    parts[k].clear = height(kDeep - 1), parts[k].floor = kInfinity, parts[k].closed = false;
+    const Vec3 corner = lattice_.position(parts[k].origin);
+    points_.x[k] = corner.x + middle, points_.y[k] = corner.y + middle;
+    points_.z[k] = parts[k].clear;
+  }
+  points_.count = parts.size();
+  pad(points_);
+  distribute(part.list, middle * kRootTwo, parts);
+  for (const Part& child : parts) visit(child, half, depth + 1);
+}
+
+void ColumnWalker::distribute(const List& list, double radius, std::array<Part, 4>& parts) {
+  const double reach = radius + band_;
+  for (const std::uint32_t place : list) {
+    bool closed = true;
+    for (const Part& part : parts) closed = closed && part.closed;
+    if (closed) return;
+    measure(place, points_);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      Part& part = parts[k];
+      const Vec3 center{points_.x[k], points_.y[k], points_.z[k]};
+      if (part.closed || !reaches(place, points_.least[k], reach, center, part)) continue;
+      part.list.push_back(place);
+      points_.z[k] = part.clear;
+      part.closed = part.clear < bottom_;
+    }
+  }
+}
+
+// Whether a sweep, at distance d from the centre of a part, can remove anything of it that is left;
+// and what is left after it. Distances are 1-Lipschitz and do not grow upwards.
+bool ColumnWalker::reaches(std::uint32_t place, double d, double reach, const Vec3& center,
+                           Part& part) const {
+  if (d > reach || lowest_[place] >= part.floor) return false;
+  if (d < -reach) part.clear -= -reach - d;
+  if (const auto flat = field_.sweeps().flat_floor(sweeps_[place], center))
+    if (flat->inside > reach) part.floor = std::min(part.floor, flat->z - slack_);
+  return true;
+}
+
+void ColumnWalker::carve(const std::array<std::int32_t, 3>& origin, const List& list) {
+  if (list.empty() && sink_ == nullptr) return;
+  fill_from_stock(origin);
+  place_lanes(origin);
+  for (const std::uint32_t place : list)
+    if (!take(place)) break;
+  if (sink_ != nullptr) hand_on(origin);
+}
+
+void ColumnWalker::fill_from_stock(const std::array<std::int32_t, 3>& origin) {
+  const double middle = 0.5 * (kSide - 1) * voxel_, reach = middle * kRootThree + band_;
+  for (int low = 0; low < kDeep; low += kSide) {
+    const Vec3 corner = lattice_.position({origin[0], origin[1], origin[2] + low});
+    const double stock = field_.solid().distance(corner + Vec3{middle, middle, middle});
+    if (stock >= -reach && stock <= reach) {
+      fill_cell(origin, low);
+      continue;
+    }
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      std::fill_n(left_[lane].data() + low, kSide, stock < 0 ? 1.0f : 0.0f);
+      std::fill_n(cut_[lane].data() + low, kSide, stock < 0 ? kStillThere : kNeverThere);
+    }
+  }
+}
+
+// A cell on the stock's surface, layer by layer.
+void ColumnWalker::fill_cell(const std::array<std::int32_t, 3>& origin, int low) {
+  double x[kLanes], y[kLanes], z[kLanes], stock[kLanes];
+  for (int deep = low; deep < low + kSide; ++deep) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto i = static_cast<std::int32_t>(lane);
+      const Vec3 p =
+          lattice_.position({origin[0] + i / kSide, origin[1] + i % kSide, origin[2] + deep});
+      x[lane] = p.x, y[lane] = p.y, z[lane] = p.z;
+    }
+    field_.solid().distances(kLanes, x, y, z, stock);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto at = static_cast<std::size_t>(deep);
+      left_[lane][at] = static_cast<float>(within_one(0.5 - share_ * stock[lane]));
+      cut_[lane][at] = stock[lane] < 0 ? kStillThere : kNeverThere;
+    }
+  }
+}
+
+void ColumnWalker::place_lanes(const std::array<std::int32_t, 3>& origin) {
+  open_ = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const auto i = static_cast<std::int32_t>(lane);
+    const Vec3 p = lattice_.position({origin[0] + i / kSide, origin[1] + i % kSide, origin[2]});
+    top_[lane] = kDeep - 1, floor_at_[lane] = -1;
+    lower_top(lane);
+    if (top_[lane] < 0) continue;
+    points_.x[open_] = p.x, points_.y[open_] = p.y, points_.z[open_] = height(top_[lane]);
+    lanes_[open_++] = static_cast<std::uint8_t>(lane);
+  }
+  points_.count = open_;
+  if (open_ > 0) pad(points_);
+}
+
+void ColumnWalker::lower_top(std::size_t lane) {
+  while (top_[lane] >= 0 && !(left_[lane][static_cast<std::size_t>(top_[lane])] > 0)) --top_[lane];
+}
+
+// What one sweep removes at the tops of the columns, and below them where it reaches further. False
+// where nothing is left.
+bool ColumnWalker::take(std::uint32_t place) {
+  if (open_ == 0) return false;
+  measure(place, points_);
+  const double half = 0.5 * voxel_;
+  if (*std::min_element(points_.least, points_.least + open_) >= half) return true;
+  falling_count_ = 0;
+  for (std::size_t k = 0; k < open_; ++k) {
+    const std::size_t lane = lanes_[k];
+    const double d = points_.least[k];
+    if (d >= half || (top_[lane] <= floor_at_[lane] && lowest_[place] >= floor_[lane])) continue;
+    falling_[falling_count_++] = {static_cast<std::uint8_t>(lane), top_[lane], 1, d};
+    below_.x[falling_count_ - 1] = points_.x[k], below_.y[falling_count_ - 1] = points_.y[k];
+  }
+  if (falling_count_ == 0) return true;
+  motion_ = field_.sweeps().motion(sweeps_[place]);
+  removed_[place] += cut_down(place) * voxel_ * voxel_ * voxel_;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < open_; ++k) {
+    const std::size_t lane = lanes_[k];
+    lower_top(lane);
+    if (top_[lane] < 0) continue;
+    copy_point(points_, k, points_, kept);
+    points_.z[kept] = height(top_[lane]);
+    lanes_[kept++] = static_cast<std::uint8_t>(lane);
+  }
+  points_.count = open_ = kept;
+  if (kept > 0) pad(points_);
+  return kept > 0;
+}
+
+// Down the columns of falling_, as far as the sweep reaches. Shares do not fall downwards: where
+// two voxels have the same, those between them have it too, so steps grow while they do.
+double ColumnWalker::cut_down(std::uint32_t place) {
+  double gone = 0;
+  for (std::size_t k = 0; k < falling_count_; ++k)
+    gone += remove(falling_[k].lane, falling_[k].at, falling_[k].at, falling_[k].distance);
+  while (true) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < falling_count_; ++k) {
+      if (falling_[k].at == 0) continue;
+      falling_[kept] = falling_[k];
+      below_.x[kept] = below_.x[k], below_.y[kept] = below_.y[k];
+      below_.z[kept] = height(std::max(falling_[k].at - falling_[k].step, 0));
+      ++kept;
+    }
+    below_.count = kept;
+    if (kept == 0) return gone;
+    pad(below_);
+    measure(place, below_);
+    falling_count_ = 0;
+    for (std::size_t k = 0; k < kept; ++k) {
+      if (!step_down(falling_[k], below_.least[k], gone)) continue;
+      falling_[falling_count_] = falling_[k];
+      below_.x[falling_count_] = below_.x[k], below_.y[falling_count_++] = below_.y[k];
+    }
+  }
+}
+
+// d: the distance one step below. False where the sweep reaches no further.
+bool ColumnWalker::step_down(Falling& f, double d, double& gone) {
+  const int next = std::max(f.at - f.step, 0);
+  const bool same = share_of(d) == share_of(f.distance);
+  if (!same && f.at - next > 1) {
+    f.step = 1;
+    return true;
+  }
+  if (d >= 0.5 * voxel_) {
+    // The distance grows as fast as it can: the sweep's lowest point here is right above.
+    if (d - f.distance >= voxel_ * (1 - 1e-9))
+      floor_[f.lane] = height(next) + d - slack_, floor_at_[f.lane] = f.at;
+    return false;
+  }
+  gone += remove(f.lane, next, f.at - 1, d);
+  f.step = same ? 2 * f.step : 1;
+  f.at = next, f.distance = d;
+  return true;
+}
+
+double ColumnWalker::share_of(double d) const { return within_one(0.5 + share_ * d); }
+
+// Leaves no more than a sweep at distance d does of the voxels low .. high of a column.
+double ColumnWalker::remove(std::size_t lane, int low, int high, double d) {
+  const auto share = static_cast<float>(share_of(d));
+  double gone = 0;
+  for (auto z = static_cast<std::size_t>(low); z <= static_cast<std::size_t>(high); ++z) {
+    float& left = left_[lane][z];
+    std::int32_t& cut = cut_[lane][z];
+    if (d <= 0 && cut == kStillThere) cut = motion_;
+    if (left <= share) continue;
+    gone += static_cast<double>(left - share);
+    left = share;
+  }
+  return gone;
+}
+
+// Distances of the points from one sweep.
+void ColumnWalker::measure(std::uint32_t place, PointColumns& points) {
+  std::fill_n(points.least, padded(points.count), kInfinity);
+  field_.sweeps().least(sweeps_.subspan(place, 1), points);
+}
+
+void ColumnWalker::hand_on(const std::array<std::int32_t, 3>& origin) {
+  std::array<std::int32_t, kLanes * kSide> cell;
+  for (int low = 0; low < kDeep; low += kSide) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      std::copy_n(cut_[lane].data() + low, kSide, cell.data() + lane * kSide);
+    const CutCell whole{{origin[0], origin[1], origin[2] + low}, kSide};
+    if (std::all_of(cell.begin(), cell.end(), [&](std::int32_t c) { return c == cell[0]; }))
+      sink_->tile(whole, cell[0]);
+    else
+      sink_->leaf(whole, cell.data());
+  }
+}
+
+}  // namespace mrsim
