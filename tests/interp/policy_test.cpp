@@ -181,7 +181,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::fanuc, "G7.1 C10"},
       {Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 J0 K0"},
       {Dialect::fanuc, "G43.4 H1"},
-      {Dialect::fanuc, "G12 I5 D1"},
+      {Dialect::fanuc, "G150 I5 D1"},
       {Dialect::iso, "G8 X1 Y1"},
       {Dialect::iso, "G68.2 I0"},
 

@@ -111,7 +111,7 @@ TEST(Posts, ASafeStartNeverWarns) {
 TEST(Posts, WhatMovesTheMachineIsNamed) {
   const std::pair<const char*, const char*> rows[] = {{"G68.2 X0 Y0 Z0 I0 J0 K0", "tilted"},
                                                       {"G43.4 H1", "tool centre point"},
-                                                      {"G12 I5. D1", "circular pocket"},
+                                                      {"G150 P1", "a pocket"},
                                                       {"G5 X1 Y1 I1 J1", "spline"},
                                                       {"G7.1 C20.", "cylindrical"}};
   for (const auto& [text, name] : rows) {

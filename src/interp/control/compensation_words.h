@@ -19,6 +19,12 @@ class CompensationWords : public ControlPart {
   /// What CompensationStage needs to know about the next move.
   Compensation for_move() const;
   bool started() const { return started_; }
+  /// The tool's radius by the register in force, mm.
+  double register_radius(const Word& where) {
+    tools_.require(where, true);
+    set_radius();
+    return radius_;
+  }
 
  private:
   void set_radius();

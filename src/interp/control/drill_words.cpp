@@ -109,8 +109,24 @@ bool DrillWords::drill() {
   return true;
 }
 
+bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where) {
+  DrillCycle& cycle = modal_.drill;
+  const Basis b = basis();
+  if (cycle.number == 0 || cycle.number == 87)
+    return error("value-missing", "a pattern of holes needs a drilling cycle in force", where);
+  if (!cycle.begun) cycle.initial = holes_.level();
+  cycle.begun = true;
+  Hole hole;
+  if (!read_words(b) || !fill(hole, false)) return false;
+  for (const Vec3& point : points) {
+    holes_.approach(point + (holes_.level() - dot(point, b.w)) * b.w, 3, where);
+    holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
+  }
+  return true;
+}
+
 // The levels: in G91 R counts from the level before the first cycle, Z from R.
-bool DrillWords::fill(Hole& hole) {
+bool DrillWords::fill(Hole& hole, bool haas_words) {
   const DrillCycle& cycle = modal_.drill;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (!cycle.bottom.given)
@@ -141,12 +157,12 @@ bool DrillWords::fill(Hole& hole) {
               where, "G76");
   if (g != 73 && g != 83) return true;
   hole.chips_out = g == 83;
-  return fill_pecks(hole);
+  return fill_pecks(hole, haas_words);
 }
 
-bool DrillWords::fill_pecks(Hole& hole) {
+bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   const double depth = hole.safe - hole.bottom;
-  if (const Word* first = take('I')) return haas_pecks(hole, *first);
+  if (const Word* first = haas_words ? take('I') : nullptr) return haas_pecks(hole, *first);
   const double q = modal_.drill.peck;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (q <= 0) {

@@ -16,14 +16,16 @@ class DrillWords : public ControlPart {
   bool wants_block() const;
   /// Holes at the points of the block. False: an error was reported.
   bool run();
+  /// Holes of the cycle in force at `points`; they have the level of now. False: as above.
+  bool at_points(const std::vector<Vec3>& points, const Word& where);
 
  private:
   bool drill();
   bool read_words(const Basis& b);
   bool peck(const Word& q);
   bool repeats(long& count);
-  bool fill(Hole& hole);
-  bool fill_pecks(Hole& hole);
+  bool fill(Hole& hole, bool haas_words = true);
+  bool fill_pecks(Hole& hole, bool haas_words);
   bool haas_pecks(Hole& hole, const Word& first);
   double tapping_lead() const;
 

@@ -26,6 +26,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       oneshots_(control_, axes_, frames_, moves_),
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
+      haas_(control_, axes_, moves_, compensation_, drilling_),
       cycles_(control_, holes_, statements_.get()),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_) {
@@ -99,6 +100,7 @@ void Engine::execute() {
 
 // A move, or holes at its end.
 bool Engine::run_move() {
+  if (haas_.wants_block()) return haas_.run();
   if (drilling_.wants_block()) return drilling_.run();
   if (control_.block.turn_cycle != 0) return run_turning();
   if (turning_.wants_block()) return turning_.pass();

@@ -4,6 +4,7 @@
 
 #include "interp/control/contour_cycles.h"
 #include "interp/control/drill_words.h"
+#include "interp/control/haas_cycles.h"
 #include "interp/control/modal_words.h"
 #include "interp/control/oneshot_words.h"
 #include "interp/control/program_flow.h"
@@ -44,6 +45,7 @@ class Engine {
   OneShotWords oneshots_;
   HoleMaker holes_;
   DrillWords drilling_;
+  HaasCycles haas_;
   SinumerikCycles cycles_;
   TurnWords turning_;
   ContourCycles contours_;

@@ -90,6 +90,16 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::unsupported:
       return units_of_mach(word) || refuse(word);
+    case Code::circle_pocket:
+      block_.oneshot = &word;
+      block_.oneshot_code = entry.code;
+      return true;
+    case Code::hole_pattern:
+      if (word.value != 72 && !peek('I') && !peek('L'))
+        return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+      block_.oneshot = &word;
+      block_.oneshot_code = entry.code;
+      return true;
     case Code::ignored:
       return true;
     case Code::ignored_words:

@@ -27,6 +27,8 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  /// An arc that has been worked out, in the frame in force. False: an error was reported.
+  bool solved_arc(const SolvedArc& arc) { return emit_arc(arc, frame_words_.now()); }
   /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
   /// force; its place in the text stays.
   void follow(const Motion& like, const Vec3& shift, const Word& where);

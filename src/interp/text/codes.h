@@ -23,6 +23,8 @@ enum class Code : std::uint8_t {
   turn_cycle,      ///< G70 to G76 of a lathe
   drill_cycle,     ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
   cycle_off,       ///< G80
+  circle_pocket,   ///< G12 G13 of Haas
+  hole_pattern,    ///< G70 G71 G72 of Haas; G70 and G71 alone are the units
   return_initial,  ///< G98: cycles return to the level before them
   return_r,        ///< G99: ... to R
   rapid,

@@ -1,0 +1,56 @@
+// G12, G13 and G70 to G72 of Haas mills: the motions of the manual's pictures, by hand.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+std::string haas_path(const std::string& text) {
+  const Program program = read_text(text, at_origin(Dialect::fanuc));
+  std::string out;
+  for (const Motion& m : program.motions)
+    out += fmt::format("{}{:.4g},{:.4g},{:.4g} ", "rla"[static_cast<int>(m.kind)], m.end.x + 0.0,
+                       m.end.y + 0.0, m.end.z + 0.0);
+  if (!out.empty()) out.pop_back();
+  return out + (codes(program).empty() ? "" : " | " + codes(program));
+}
+
+// One hole: rapid beside, to R, down, out to R.
+std::string hole(const std::string& at) {
+  return fmt::format(" r{0},10 r{0},2 l{0},-5 r{0},10", at);
+}
+
+TEST(HaasCycles, HolesOnACircleAnArcAndALine) {
+  const std::string start = "G0 X50. Y10. Z10.\nG81 G98 Z-5. R2. F100. L0\n";
+  EXPECT_EQ(haas_path(start + "G70 I10. J90. L4\nG80\n"),
+            "r50,10,10" + hole("50,20") + hole("40,10") + hole("50,0") + hole("60,10"));
+  EXPECT_EQ(haas_path(start + "G71 X0 Y0 I10. J0 K-90. L2\nG80\n"),
+            "r50,10,10" + hole("10,0") + hole("0,-10"));
+  EXPECT_EQ(haas_path(start + "G72 I5. J90. L3\nG80\n"),
+            "r50,10,10" + hole("50,10").substr(10) + hole("50,15") + hole("50,20"));
+  EXPECT_EQ(haas_path("G0 Z10.\nG81 G98 G70 I10. L1 Z-5. R2. F100.\n"), "r0,0,10" + hole("10,0"));
+  EXPECT_EQ(haas_path("G0 Z10.\nG70 I10. L4\n"), "r0,0,10 | value-missing") << "no cycle";
+}
+
+TEST(HaasCycles, AloneG70AndG71AreTheUnits) {
+  EXPECT_EQ(haas_path("G40 G17 G90 G70\nG1 X1. F10.\nG71\nX1.\n"), "l25.4,0,0 l1,0,0");
+}
+
+// Tool radius 5: the path's radii are 3, 7, 10; each circle begins and ends towards +X.
+TEST(HaasCycles, CircularPockets) {
+  EXPECT_EQ(haas_path("G0 Z1.\nG13 Z-2. I8. F100. D1\n"), "r0,0,1 l0,0,-2 a3,0,-2 a3,0,-2 a0,0,-2");
+  EXPECT_EQ(haas_path("G0 Z0\nG12 G91 Z-2. I8. K15. Q4. L2 D1 F100.\nG90\n"),
+            "l0,0,-2 a3,0,-2 a3,0,-2 l7,0,-2 a7,0,-2 l10,0,-2 a10,0,-2 a0,0,-2 "
+            "l0,0,-4 a3,0,-4 a3,0,-4 l7,0,-4 a7,0,-4 l10,0,-4 a10,0,-4 a0,0,-4");
+  const Program p = read_text("G13 Z-2. I8. F100. D1\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(p.motions.size(), 4U);
+  EXPECT_NEAR(p.motions[2].sweep, kTwoPi, 1e-12);
+  EXPECT_NEAR(p.motions[2].radius, 3, 1e-12);
+  EXPECT_EQ(haas_path("G13 Z-2. I4. F100. D1\n"), " | value-range");
+  EXPECT_EQ(codes(read_text("G13 Z-2. I30. F100. D1\n", at_origin(Dialect::fanuc)), Severity::note),
+            "cycle-entry");
+}
+
+}  // namespace
+}  // namespace mrsim
