@@ -233,6 +233,25 @@ TEST(Posts, LinuxCncArcsAndDiameters) {
   EXPECT_NEAR(p.motions[1].end.x, -3.25, 1e-9);
 }
 
+// A macro of a probe that is not at hand cuts nothing; where it ends is unknown.
+TEST(Posts, ProbingMacrosAreNotRun) {
+  const Program p = read_text(
+      "G0 X1. Y1. Z1.\nG65 P9810 Z-5. F2000.\nG65 P9811 Z0. S1.\nG0 X5. Y5.\nZ5.\nG1 X9. F1.\n",
+      at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(p, Severity::note), "probe") << listing(p);
+  ASSERT_EQ(p.motions.size(), 4U);
+  EXPECT_TRUE(p.motions[2].assumed_start);
+  EXPECT_FALSE(p.motions[3].assumed_start);
+  EXPECT_EQ(codes(read_text("G65 P9100 Z-5.\n", at_origin(Dialect::fanuc)), Severity::error),
+            "subprogram-missing");
+}
+
+TEST(Posts, ProgramNamesOfOkumaAreHeaders) {
+  const Program p = read_text("$PART1.MIN%\nO1\nG1 X1. F1.\n", at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(p), "");
+  EXPECT_EQ(p.motions.size(), 1U);
+}
+
 TEST(Posts, TwoToolsBesideM6) {
   InterpOptions options = at_origin(Dialect::fanuc);
   for (const char* id : {"1", "2"}) {

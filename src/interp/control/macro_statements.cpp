@@ -12,6 +12,11 @@ namespace {
 constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
 constexpr std::size_t kMostMacroLevels = 4;
 
+// Numbers of probing macros as makers of probes give them: Renishaw 98xx, Haas 9023 and 999x.
+bool is_probing(long number) {
+  return (number >= 9800 && number <= 9899) || number == 9023 || (number >= 9994 && number <= 9996);
+}
+
 // Argument list I: the local variable of each letter; 0 = no argument.
 int local_of(char c) {
   static constexpr std::array<int, 26> kLocals = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
@@ -163,6 +168,19 @@ bool MacroStatements::call_macro(long program, long repeats, const Arguments& ar
   return reader_.enter(std::move(request), where);
 }
 
+// A macro of a probe that is not at hand: it cuts nothing, and where it ends only the machine
+// knows.
+bool MacroStatements::probing(long number, const Word& code) {
+  if (!is_probing(number) || reader_.has_subprogram({number, {}})) return false;
+  position_.known = lathe() ? 2 : 0;
+  note_once("probe",
+            fmt::format("O{} is a macro of a probe: it is not run, and the axes' position is "
+                        "unknown until they are given again",
+                        number),
+            code, "probing");
+  return true;
+}
+
 // G65 P9010 L2 A1 B2; G66 and G66.1 the same, later.
 bool MacroStatements::macro_call(const Word& code) {
   const Word* p = nullptr;
@@ -175,6 +193,7 @@ bool MacroStatements::macro_call(const Word& code) {
     return error("call-without-program", "P with the number of the macro is needed", code);
   if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 9999))
     return error("value-range", "L is how often the macro runs", *l);
+  if (code.value == 65 && probing(static_cast<long>(p->value), code)) return true;
   const long repeats = l ? static_cast<long>(l->value) : 1;
   Arguments arguments;
   if (!collect(&code, true, arguments)) return false;

@@ -38,6 +38,7 @@ class MacroStatements : public Statements {
   bool go_to(std::size_t p);
   bool collect(const Word* code, bool first, Arguments& out);
   bool call_macro(long program, long repeats, const Arguments& arguments, const Word& where);
+  bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
   std::size_t end_of_block(std::size_t p) const;
 

@@ -149,6 +149,9 @@ bool Parser::head_of_block(Block& block) {
     ++p_;
     word.address = letter('O');
     if (number(block, word, false) && dialect_ != Dialect::sinumerik) push(block, word, from);
+  } else if (c == '$' && dialect_ == Dialect::fanuc && p_ + 2 < line_.size() &&
+             line_.find_last_not_of(" \t\r") == line_.rfind('%')) {
+    p_ = line_.size();  // Okuma: $NAME.MIN%
   } else {
     return false;
   }
