@@ -49,6 +49,26 @@ TEST(Posts, RunAsWorkedOut) {
       // Three passes of G92: three rapids and a thread each; G75: two strokes of 2, one back.
       {"esprit_lathe.nc", Dialect::fanuc, lathe, 14, 5, 0, {9.3, 0, -25}, {14, 0, -18}},
       {"shopturn_iso.mpf", Dialect::sinumerik, lathe, 1, 2, 1, {25, 0, -25}, {30, 0, 2}},
+      // A contour with a corner of 5 and a chamfer of 2, then two taps of four motions each.
+      {"fusion_haas_corners.nc", Dialect::fanuc, mill, 7, 10, 1, {-10, -10, -15}, {30, 40, 5}},
+      // A pocket in three depths, each down, in, round and out; four holes round (50, 50).
+      {"haas_patterns.nc", Dialect::fanuc, mill, 11, 8, 9, {20, 20, -6}, {80, 80, 0}},
+      // #101 is -5, #102 is 50; the loop runs twice, so that GOTO passes over X500.
+      {"macro_header.nc", Dialect::fanuc, mill, 1, 5, 0, {-2, 0, -5}, {100, 25, -5}},
+      // (20, 0) turned by 90 degrees, (10, 10) twice as far, (10, 5) mirrored, a local zero, two
+      // holes at 0 and 60 degrees.
+      {"rotation_scaling_polar.nc", Dialect::fanuc, mill, 7, 8, 0, {-10, 0, -3}, {100, 50, -1}},
+      {"catia_v5.nc", Dialect::fanuc, mill, 1, 3, 1, {-5, -5, -5}, {60, 50, -5}},
+      {"bobcad.nc", Dialect::fanuc, mill, 2, 3, 0, {0, 0, -6.35}, {101.6, 101.6, -6.35}},
+      {"onecnc.nc", Dialect::fanuc, mill, 2, 3, 2, {0, 0, -6}, {100, 20, -3}},
+      // G66: two holes; G65 twice with I J K in two groups; three steps in X, two in Y.
+      {"macro_calls.nc", Dialect::fanuc, mill, 8, 11, 0, {1, 2, -3}, {20, 10, 6}},
+      // A corner of 0.1 and a chamfer of 0.1 inch; a bore in strokes of half an inch.
+      {"haas_lathe.nc", Dialect::fanuc, lathe, 9, 9, 1, {0, 0, -50.8}, {25.4, 0, 2.54}},
+      {"edgecam_lathe.nc", Dialect::fanuc, lathe, 8, 10, 1, {-0.5, 0, -50}, {30, 0, 0}},
+      // Five runs of O1002, each 1 mm deeper in radius.
+      {"bar_puller.nc", Dialect::fanuc, lathe, 21, 5, 0, {11, 0, -18}, {15, 0, -18}},
+      {"probing_haas.nc", Dialect::fanuc, mill, 1, 2, 0, {0, 0, -1}, {10, 0, -1}},
       // No T word: a run asks for --tool.
       {"estlcam.nc", Dialect::ngc, mill, 2, 3, 1, {10, 5, -1}, {45, 30, -1}, "tool-unknown"},
   };
@@ -77,6 +97,24 @@ TEST(Posts, RunAsWorkedOut) {
     EXPECT_EQ(arcs, post.arcs);
     expect_near(low, post.low);
     expect_near(high, post.high);
+  }
+}
+
+TEST(Posts, OtherControlsAreNamed) {
+  const std::pair<const char*, const char*> programs[] = {{"heidenhain.h", "Heidenhain"},
+                                                          {"okuma_lap.min", "Okuma"},
+                                                          {"mazatrol.pbg", "Mazatrol"},
+                                                          {"printer.gcode", "3-D printer"},
+                                                          {"laser.nc", "laser"}};
+  for (const auto& [file, name] : programs) {
+    SCOPED_TRACE(file);
+    try {
+      read_program(std::string(MRSIM_DATA_DIR) + "/../tests/posts/" + file, {});
+      FAIL() << "it is read";
+    } catch (const PlacedError& error) {
+      EXPECT_EQ(error.diagnostic().code, "control-unsupported");
+      EXPECT_NE(error.diagnostic().text.find(name), std::string::npos) << error.diagnostic().text;
+    }
   }
 }
 

@@ -48,6 +48,7 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF ") ||
       text.starts_with("DEF WORK"))
     return "an Okuma IGF program";
+  if (text.starts_with("NLAP")) return "an Okuma lathe's program with LAP cycles";
   if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
     return "an APT cutter location file";
   if (raw.starts_with("ISO-10303-21")) return "a STEP file";
