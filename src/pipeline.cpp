@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "cuts.h"
+#include "history.h"
 #include "mesh/draw/render.h"
 #include "mesh/extract.h"
 #include "mesh/solid/check.h"
@@ -257,6 +258,8 @@ void simulate(const Job& job, JobResult& result) {
   const Stock stock = carve_part(job, result.stock, cuts, choice);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
+  result.history = make_history(job, result, stock, cuts);
+  clock.done("history");
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
   add_collisions(result.program, cuts, result.collisions);

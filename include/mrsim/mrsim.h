@@ -16,6 +16,7 @@
 #include <mrsim/collisions.h>
 #include <mrsim/cycle_time.h>
 #include <mrsim/files.h>
+#include <mrsim/history.h>
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -124,6 +125,8 @@ struct Job {
   /// "#5000" (a motion), see src/until.h; empty: its end. The stock and the tools are those of the
   /// whole program.
   std::string until;
+  /// What each motion removes is found, too, for JobResult::history.
+  HistoryDetail history = HistoryDetail::summary;
   MachineData machine;  ///< what decides how long the program takes
   bool strict = false;  ///< warnings are errors
   /// Tolerance of the part in mm that the mesh will be judged by; 0 = none. Where neither a voxel
@@ -161,6 +164,7 @@ struct JobResult {
       0;  ///< vertices that stay because the mesh would meet itself without them
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   CycleTime cycle;                  ///< how long the machine takes
+  History history;                  ///< what the motions remove
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;    ///< 0 where none were sampled: CarveOptions::keep_grid
   CollisionReport collisions;       ///< each a warning among the diagnostics as well

@@ -20,7 +20,7 @@ struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip, comp;
   bool least_increments = false;
-  std::string until, machine_file;
+  std::string until, history, machine_file;
   std::vector<std::string> variables;
   std::string max_blocks, max_steps;
   bool trace_variables = false;
@@ -136,6 +136,9 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
   add("Cutting", "--until", typed.until, "WHEN",
       "end the program after line 12, line O100:7 of another file, or motion #5000");
+  add("Cutting", "--history", typed.history, "FILE",
+      "what each motion, line and tool removes, with its time: .csv or .json; off: no sums in the "
+      "summary");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -288,6 +291,10 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
   out.until = typed.until;
+  out.history = typed.history;
+  if (!typed.history.empty() && typed.history != "off" && !typed.history.ends_with(".csv") &&
+      !typed.history.ends_with(".json"))
+    fail_usage(fmt::format("--history {}: a .csv or .json file, or off", typed.history));
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.threads.empty()) {
     const int threads = threads_value("--threads", typed.threads);

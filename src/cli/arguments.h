@@ -27,6 +27,7 @@ struct Arguments {
   MeshFileOptions files;
   KeepPieces keep = KeepPieces::all;
   std::string until;    ///< as Job::until
+  std::string history;  ///< --history: a file, "off" or empty
   MachineData machine;  ///< of --machine-file
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal

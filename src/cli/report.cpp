@@ -130,6 +130,23 @@ void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result
                             duration(tool.cutting + tool.rapid)));
 }
 
+void add_history(Sheet& sheet, const JobResult& result) {
+  const History& history = result.history;
+  if (!(history.voxel > 0) || !(history.total.removed > 0)) return;
+  const auto text = [](const Removal& r) {
+    return fmt::format("{} mm³ in {}, {:.3g} cm³/min, {:.0f} % of the time in air",
+                       grouped(r.removed, r.removed < 100 ? 2 : 0), duration(r.seconds),
+                       r.rate() * 0.06, 100 * r.air());
+  };
+  sheet.row("cuts", text(history.total), fmt::format("by voxels of {:.3g} mm", history.voxel));
+  if (history.tools.size() < 2) return;
+  for (const ToolRemoval& tool : history.tools)
+    if (tool.tool >= 0)
+      sheet.row("",
+                fmt::format("T{}  {}", result.program.tools[static_cast<std::size_t>(tool.tool)].id,
+                            text(tool.removal)));
+}
+
 void add_time(Sheet& sheet, const JobResult& result) {
   double total = 0;
   std::string stages;
@@ -232,6 +249,7 @@ std::string format_report(const Arguments& arguments, const JobResult& result, b
   add_cycle(sheet, arguments, result);
   sheet.title("part");
   add_part(sheet, arguments, result);
+  add_history(sheet, result);
   add_time(sheet, result);
   return head + sheet.text();
 }

@@ -131,6 +131,26 @@ Json diagnostics_json(const Program& program) {
   return out;
 }
 
+Json removal_json(const Removal& removal) {
+  return {{"removed", number(removal.removed)},
+          {"seconds", number(removal.seconds)},
+          {"rate", number(removal.rate())},
+          {"air", number(removal.air())}};
+}
+
+Json removals_json(const JobResult& r) {
+  Json tools = Json::array();
+  for (const ToolRemoval& tool : r.history.tools) {
+    Json one = removal_json(tool.removal);
+    one["id"] =
+        tool.tool < 0 ? "" : to_utf8(r.program.tools[static_cast<std::size_t>(tool.tool)].id);
+    tools.push_back(std::move(one));
+  }
+  return {{"voxel", number(r.history.voxel)},
+          {"total", removal_json(r.history.total)},
+          {"tools", std::move(tools)}};
+}
+
 Json seconds_json(const JobResult& r) {
   Json stages = Json::object();
   double total = 0;
@@ -195,6 +215,7 @@ std::string run_json(const RunRecord& given) {
   out["tolerance"] = reasoned(r.tolerance, r.tolerance_reason);
   out["bound"] = {{"distance", number(r.mesh_bound)}, {"sampled_triangles", r.mesh_sampled}};
   out["volume"] = {{"part", number(r.volume)}, {"removed", number(r.removed_volume)}};
+  out["history"] = removals_json(r);
   out["mesh"] = mesh_json(r);
   out["pieces"] = pieces_json(r);
   out["collisions"] = collisions_json(r);

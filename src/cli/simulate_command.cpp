@@ -115,10 +115,26 @@ Job job_of(const Arguments& arguments) {
   job.hash_files = !arguments.compare.json.empty();
   job.keep = arguments.keep;
   job.until = arguments.until;
+  if (arguments.history == "off")
+    job.history = HistoryDetail::off;
+  else if (!arguments.history.empty())
+    job.history = HistoryDetail::full;
   job.machine = arguments.machine;
   job.strict = arguments.strict;
   if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
   return job;
+}
+
+// The file of --history, to be written with the part.
+void add_history_file(const Arguments& arguments, Job& job) {
+  if (job.history != HistoryDetail::full) return;
+  const bool json = arguments.history.ends_with(".json");
+  job.side_files.push_back(
+      {{arguments.history, "--history"}, [json](const JobResult& result, const ByteSink& sink) {
+         const std::string text =
+             (json ? history_json : history_csv)(result.program, result.cycle, result.history);
+         sink(text.data(), text.size());
+       }});
 }
 
 // Where nothing but collisions under --strict kept the run from its files, they have a code of
@@ -160,6 +176,7 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
   PartComparison comparison(arguments);
   job.whole_mesh = comparison.is_wanted();
   job.side_files = comparison.files();
+  add_history_file(arguments, job);
   if (job.whole_mesh) job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
   {
     ProgressBar bar(!arguments.quiet);

@@ -20,10 +20,11 @@ constexpr std::size_t kFileLimit = std::size_t(1) << 20;
 constexpr double kLargest = 1e6;
 
 enum class Value : std::uint8_t {
-  text,     // as it is
-  texts,    // one or a list
-  choice,   // one of a few words
-  path,     // relative to the file
+  text,    // as it is
+  texts,   // one or a list
+  choice,  // one of a few words
+  path,    // relative to the file
+  path_or_off,
   paths,    // one or a list
   stock,    // a path, or a primitive such as "box:..."
   number,   // above 0
@@ -53,6 +54,7 @@ constexpr std::array kKeys = {
     JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys ngc auto"},
     JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
     JobKey{"until", "--until", Value::text},
+    JobKey{"history", "--history", Value::path_or_off},
     JobKey{"machine_file", "--machine-file", Value::path},
     JobKey{"start", "--start", Value::numbers},
     JobKey{"block_skip", "--block-skip", Value::numbers},
@@ -229,6 +231,8 @@ std::string JobReader::single(const JobKey& key, const toml::node& node) const {
     case Value::path:
     case Value::paths:
       return path(key, node);
+    case Value::path_or_off:
+      return text(key, node) == "off" ? "off" : path(key, node);
     case Value::stock:
       return stock(key, node);
     case Value::choice:

@@ -1,0 +1,61 @@
+/// mrsim: what each motion of a program removes, and in what time.
+///
+/// The stock is divided into voxels; a motion removes what no motion before it has removed. A voxel
+/// on a surface counts by its share of material, so that volumes are finer than the voxels
+/// (docs/history.md). Standard library types only.
+#pragma once
+
+#include <mrsim/cycle_time.h>
+#include <mrsim/types.h>
+
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// How much of the history a run makes.
+enum class HistoryDetail : std::uint8_t {
+  off,      ///< nothing
+  summary,  ///< for sums by tool: voxels of longest side / 200, coarser where the program is long
+  full,     ///< for single motions: the voxels of the run
+};
+
+/// What some motions remove together.
+struct Removal {
+  double removed = 0;      ///< mm^3
+  double seconds = 0;      ///< of cutting, rapids excluded
+  double air_seconds = 0;  ///< of these, of cuts that remove nothing
+
+  Removal& operator+=(const Removal& other) {
+    removed += other.removed, seconds += other.seconds, air_seconds += other.air_seconds;
+    return *this;
+  }
+  double rate() const { return seconds > 0 ? removed / seconds : 0; }     ///< mm^3/s
+  double air() const { return seconds > 0 ? air_seconds / seconds : 0; }  ///< share of the time
+};
+
+struct ToolRemoval {
+  int tool = -1;  ///< index into Program::tools
+  Removal removal;
+};
+
+struct History {
+  double voxel = 0;             ///< mm; 0 = no history was made
+  std::vector<double> removed;  ///< #motions of the program, mm^3
+  Removal total;
+  std::vector<ToolRemoval> tools;  ///< in the order of their first cuts
+};
+
+/// What one motion removes.
+MRSIM_API Removal removal_of(const Program& program, const CycleTime& time, const History& history,
+                             std::size_t motion);
+
+/// The history as a table: a row for each cutting motion ("motion"), and sums for each line
+/// ("line"), tool ("tool") and the program ("program"); docs/history.md tells the columns.
+MRSIM_API std::string history_csv(const Program& program, const CycleTime& time,
+                                  const History& history);
+/// The same as one JSON object.
+MRSIM_API std::string history_json(const Program& program, const CycleTime& time,
+                                   const History& history);
+
+}  // namespace mrsim

@@ -1,0 +1,102 @@
+// --history: what motions, lines and tools remove, in the summary, in files and in the run's JSON.
+#include "run_program.h"
+
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::json;
+
+class HistoryOfRun : public CliTest {
+ protected:
+  // A slot in the stock, the same again, and a slot beside it with another tool.
+  void write_slots() {
+    write("slots.nc",
+          "G54 G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-10 Y10 Z-4\nG1 X40 F600\nG1 X-10\n"
+          "G0 Z5\nT2 M6\nG0 X-10 Y30 Z-2\nG1 X60 F1200\nG0 Z5\nM30\n");
+  }
+  static constexpr const char* kRun =
+      "slots.nc --dialect sinumerik --machine mill --stock box:0,0,-10,50,50,0 "
+      "--tool 1=endmill:d=8 --tool 2=endmill:d=6 -o part.stl ";
+  static constexpr double kFirst = 4 * (8 * 40 + 3.14159265 * 16 / 2), kSecond = 2 * 6 * 50;
+
+  Json history() { return Json::parse(read("h.json"), nullptr, false); }
+};
+
+TEST_F(HistoryOfRun, FilesTellMotionsLinesToolsAndTheProgram) {
+  write_slots();
+  const Outcome outcome = run(std::string(kRun) + "--history h.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json j = history();
+  double motions = 0, lines = 0;
+  std::size_t air = 0;
+  for (const Json& row : j["rows"]) {
+    const double removed = row["removed"];
+    if (row["kind"] == "motion") motions += removed, air += row["air"] == 1.0;
+    if (row["kind"] == "line") lines += removed;
+    if (row["kind"] == "line" && row["line"] == 5) {
+      EXPECT_NEAR(removed, kFirst, 0.02 * kFirst);
+    }
+    if (row["kind"] == "tool" && row["tool"] == "2") {
+      EXPECT_NEAR(removed, kSecond, 0.02 * kSecond);
+      EXPECT_NEAR(row["rate"].get<double>() * row["seconds"].get<double>(), removed,
+                  1e-6 * removed);
+    }
+  }
+  EXPECT_EQ(air, 1u);  // the way back
+  const Json& program = j["rows"].back();
+  EXPECT_EQ(program["kind"], "program");
+  EXPECT_NEAR(program["removed"], number_after(outcome.out, "removed"), 1e-3 * (kFirst + kSecond));
+  EXPECT_NEAR(program["removed"], motions, 1e-6);
+  EXPECT_NEAR(program["removed"], lines, 1e-6);
+}
+
+TEST_F(HistoryOfRun, TableHoldsTheSame) {
+  write_slots();
+  ASSERT_EQ(run(std::string(kRun) + "--history h.csv").code, 0);
+  std::istringstream table(read("h.csv"));
+  std::string row, last;
+  std::getline(table, row);
+  EXPECT_EQ(row, "kind,file,line,motion,tool,seconds,removed_mm3,rate_cm3_min,air_share");
+  std::size_t motions = 0;
+  while (std::getline(table, row)) motions += row.starts_with("motion,"), last = row;
+  EXPECT_EQ(motions, 3u);
+  EXPECT_TRUE(last.starts_with("program,slots.nc,")) << last;
+}
+
+TEST_F(HistoryOfRun, SummaryAndJsonHaveTheSumsByTool) {
+  write_slots();
+  const Outcome outcome = run(std::string(kRun) + "--json r.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "of the time in air")) << outcome.out;
+  const Json h = Json::parse(read("r.json"), nullptr, false)["history"];
+  ASSERT_EQ(h["tools"].size(), 2u);
+  EXPECT_NEAR(h["tools"][0]["removed"], kFirst, 0.02 * kFirst);
+  EXPECT_GT(h["tools"][0]["air"], 0.4);
+  EXPECT_EQ(h["tools"][1]["air"], 0.0);
+  EXPECT_NEAR(h["total"]["removed"], kFirst + kSecond, 0.02 * kFirst);
+}
+
+TEST_F(HistoryOfRun, OffLeavesItOut) {
+  write_slots();
+  const Outcome outcome = run(std::string(kRun) + "--history off --json r.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_FALSE(contains(outcome.out, "in air")) << outcome.out;
+  EXPECT_EQ(Json::parse(read("r.json"), nullptr, false)["history"]["voxel"], 0.0);
+}
+
+TEST_F(HistoryOfRun, OtherFormatsAreWrongUsage) {
+  expect_failure("PRIMER_2F.MPF --stock block.stl --history h.txt", 2, "--history");
+}
+
+TEST_F(HistoryOfRun, IsTheSameOnAnyNumberOfThreads) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -q --history a.csv --threads 1").code, 0);
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl -q --history b.csv --threads 5").code, 0);
+  EXPECT_EQ(read("a.csv"), read("b.csv"));
+}
+
+}  // namespace
+}  // namespace mrsim
