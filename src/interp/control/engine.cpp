@@ -27,7 +27,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
       haas_(control_, axes_, moves_, compensation_, drilling_),
-      cycles_(control_, holes_, statements_.get()),
+      cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_) {
   control_.work = options.table.work;

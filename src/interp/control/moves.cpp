@@ -135,7 +135,7 @@ bool Moves::spline(const Vec3& from, const Frame& frame) {
   return true;
 }
 
-bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame) {
+bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame, double feed) {
   const Vec3 u = turn(frame, arc.u), v = turn(frame, arc.v);
   const double su = length(u), sv = length(v);
   if (std::abs(su - sv) > 1e-9 * su || std::abs(dot(u, v)) > 1e-9 * su * sv)
@@ -147,7 +147,7 @@ bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame) {
                                    "an ellipse",
                                    su, sv),
                  *arc.where);
-  Motion motion = motion_template(*arc.where, MotionKind::arc);
+  Motion motion = motion_template(*arc.where, MotionKind::arc, 0, feed);
   motion.center = apply(frame, arc.center);
   motion.axis = normalized(cross(u, v));
   motion.radius = arc.radius * su;
@@ -170,8 +170,7 @@ bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame) {
 }
 
 void Moves::step(const Target& to, const Word& where, MotionKind kind, double lead, double feed) {
-  Motion motion = motion_template(where, kind, lead);
-  if (feed > 0) motion.feed = feed;
+  Motion motion = motion_template(where, kind, lead, feed);
   commit(to, frame_words_.now(), motion);
   out_.emit(motion);
 }
@@ -283,11 +282,11 @@ bool Moves::thread_values(const Target& to, const Vec3& from) {
   return true;
 }
 
-Motion Moves::motion_template(const Word& where, MotionKind kind, double lead) {
+Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, double feed) {
   if (kind == MotionKind::rapid)
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
-    begin_cut(where, lead != 0 || is_thread(current_motion()));
+    begin_cut(where, feed > 0 || lead != 0 || is_thread(current_motion()));
   Motion m;
   m.kind = kind;
   m.feed_unit = modal_.feed_unit;
@@ -295,7 +294,7 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead) {
   m.assumed_start = position_.known != 7U;
   m.start = position_.physical;
   m.tool = control_.tool.index;
-  m.feed = modal_.feed;
+  m.feed = feed > 0 ? feed : modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
   m.lead = lead == 0 && is_thread(current_motion()) ? modal_.lead : lead;
   m.file = block_.file;
@@ -306,9 +305,9 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead) {
 }
 
 // What a cut needs: a tool, and once a feed.
-void Moves::begin_cut(const Word& where, bool threads) {
+void Moves::begin_cut(const Word& where, bool has_feed) {
   tools_.require(where, true);
-  if (modal_.feed != 0 || feed_warned_ || threads) return;
+  if (modal_.feed != 0 || feed_warned_ || has_feed) return;
   feed_warned_ = true;
   reporter_.add(
       is(Dialect::ngc) ? Severity::error : Severity::warning, "feed-missing",

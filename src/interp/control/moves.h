@@ -27,8 +27,11 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
-  /// An arc that has been worked out, in the frame in force. False: an error was reported.
-  bool solved_arc(const SolvedArc& arc) { return emit_arc(arc, frame_words_.now()); }
+  /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
+  /// error was reported.
+  bool solved_arc(const SolvedArc& arc, double feed = 0) {
+    return emit_arc(arc, frame_words_.now(), feed);
+  }
   /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
   /// force; its place in the text stays.
   void follow(const Motion& like, const Vec3& shift, const Word& where);
@@ -57,13 +60,13 @@ class Moves : public ControlPart {
   bool line(const Target& to, const Frame& frame);
   bool arc(const Vec3& from, const Frame& frame);
   bool spline(const Vec3& from, const Frame& frame);
-  bool emit_arc(const SolvedArc& arc, const Frame& frame);
+  bool emit_arc(const SolvedArc& arc, const Frame& frame, double feed = 0);
   bool hold_angle(const Word& ang);
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
   bool thread_values(const Target& to, const Vec3& from);
   void sinumerik_lead(const Vec3& path);
-  Motion motion_template(const Word& where, MotionKind kind, double lead = 0);
-  void begin_cut(const Word& where, bool threads);
+  Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  void begin_cut(const Word& where, bool has_feed);
   void commit(const Target& to, const Frame& frame, Motion& motion);
 
   AxisWords& axes_;

@@ -28,7 +28,8 @@ bool is_cycle(std::string_view name) {
 }  // namespace
 
 bool SinumerikCycles::knows(std::string_view name) {
-  return is_cycle(name) || std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
+  return is_cycle(name) || MillCycles::knows(name) ||
+         std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
 Word SinumerikCycles::where() const {
@@ -48,6 +49,7 @@ bool SinumerikCycles::read_call(Call& call) {
 bool SinumerikCycles::run() {
   Call call;
   if (!read_call(call)) return false;
+  if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
   return is_cycle(call.name) ? drill(call) : pattern(call);
 }
 
@@ -57,7 +59,7 @@ bool SinumerikCycles::modal_call() {
   Call call;
   if (!read_call(call)) return false;
   Hole test;
-  if (!hole(call, test)) return false;
+  if (!MillCycles::knows(call.name) && !hole(call, test)) return false;
   modal_call_ = call;
   return true;
 }
@@ -72,7 +74,21 @@ bool SinumerikCycles::run_modal(const Vec3& from) {
   return drill(*modal_call_);
 }
 
+// The motions name the line of MCALL, called from that of the place.
+bool SinumerikCycles::mill(const Call& call) {
+  const int line = block_.line_number, file = block_.file, site = block_.call;
+  block_.call = reader_.call_site(line);
+  block_.file = call.place.file;
+  block_.line_number = call.place.line;
+  const bool ok = mills_.run(call, where(), true);
+  block_.line_number = line;
+  block_.file = file;
+  block_.call = site;
+  return ok;
+}
+
 bool SinumerikCycles::drill(const Call& call) {
+  if (MillCycles::knows(call.name)) return mill(call);
   Hole made;
   if (!hole(call, made)) return false;
   holes_.drill(made, call.place, where());

@@ -1,9 +1,9 @@
 // SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840, the patterns HOLES1, HOLES2,
-// CYCLE801 and CYCLE802, and MCALL, which runs a cycle behind every move in the plane. Private to
-// src/interp.
+// CYCLE801 and CYCLE802, and MCALL, which runs a cycle, also one of milling, behind every move in
+// the plane. Private to src/interp.
 #pragma once
 
-#include "interp/control/cycle_call.h"
+#include "interp/control/mill_cycles.h"
 #include "interp/control/statements.h"
 
 #include <optional>
@@ -13,8 +13,13 @@ namespace mrsim {
 
 class SinumerikCycles : public ControlPart {
  public:
-  SinumerikCycles(Control& control, HoleMaker& holes, Statements* statements)
-      : ControlPart(control), holes_(holes), statements_(statements) {}
+  SinumerikCycles(Control& control, BlockReader& reader, Statements* statements, HoleMaker& holes,
+                  ToolChanger& tools, Moves& moves)
+      : ControlPart(control),
+        reader_(reader),
+        statements_(statements),
+        holes_(holes),
+        mills_(control, tools, moves) {}
 
   /// A name that run() knows.
   static bool knows(std::string_view name);
@@ -41,10 +46,13 @@ class SinumerikCycles : public ControlPart {
   bool points(const Call& call);
   bool at_points(const std::vector<Vec2>& points);
   bool drill(const Call& call);
+  bool mill(const Call& call);
   Word where() const;
 
-  HoleMaker& holes_;
+  BlockReader& reader_;
   Statements* statements_;
+  HoleMaker& holes_;
+  MillCycles mills_;
   std::optional<Call> modal_call_;
 };
 

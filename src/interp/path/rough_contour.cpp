@@ -7,8 +7,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSame = 1e-6;     // mm
-constexpr double kTangent = 2e-3;  // of a unit tangent: rounded ends of arcs
+constexpr double kSame = 1e-6;   // mm
+constexpr double kFalls = 2e-3;  // of a unit tangent: rounded ends of arcs
 
 }  // namespace
 
@@ -20,7 +20,7 @@ int RoughContour::pocket() const {
     if (piece.arc) {
       back = back || std::abs(piece.sweep) > kPi;
       for (const Vec2 t : {start_tangent(piece), end_tangent(piece)})
-        back = back || rise_ * t.x < -kTangent || run_ * t.y < -kTangent;
+        back = back || rise_ * t.x < -kFalls || run_ * t.y < -kTangent;
     }
     if (back) return static_cast<int>(i);
   }
