@@ -21,6 +21,21 @@ std::string describe_detached(const std::vector<Piece>& pieces) {
   return text;
 }
 
+std::string describe(const ThinPlace& thin) {
+  return fmt::format("a {} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f})", thin.wall ? "wall" : "gap",
+                     thin.thickness, thin.place.x, thin.place.y, thin.place.z);
+}
+
+void warn_of_thin(JobResult& result) {
+  const std::size_t count = result.thin.size();
+  const std::string advice = "a smaller --voxel shows what is thinner than the voxel";
+  report(result, Severity::warning, "thin-feature",
+         count == 1
+             ? fmt::format("{} may be missing in the mesh; {}", describe(result.thin[0]), advice)
+             : fmt::format("{} walls or gaps may be missing in the mesh, the first {}; {}", count,
+                           describe(result.thin[0]), advice));
+}
+
 }  // namespace
 
 void report(JobResult& result, Severity severity, const char* code, const std::string& text) {
@@ -90,14 +105,8 @@ void report_mesh(JobResult& result, const MeshReport& found) {
     report(result, Severity::warning, "tolerance-missed",
            fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
                        found.unresolved, result.tolerance));
-  if (!found.thin.empty()) {
-    const ThinFeature& first = found.thin.front();
-    report(result, Severity::warning, "thin-feature",
-           fmt::format("{} walls or gaps are thinner than a voxel and may be missing, the first a "
-                       "{} of {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}); a smaller --voxel shows them",
-                       found.thin.size(), first.wall ? "wall" : "gap", first.thickness,
-                       first.place.x, first.place.y, first.place.z));
-  }
+  for (const ThinFeature& f : found.thin) result.thin.push_back({f.place, f.wall, f.thickness});
+  if (!found.thin.empty()) warn_of_thin(result);
 }
 
 void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {

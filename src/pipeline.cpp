@@ -156,7 +156,7 @@ double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoi
   options.max_memory = stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
   MeshReport found;
   extract_mesh(stock, options, part, &found);
-  if (part.source().triangles() == 0) throw Error("part-empty", "nothing is left of the stock");
+  if (part.source().triangles() == 0) refuse_empty(stock.field(), stock.voxel());
   if (!found.given_up.empty()) give_up_tolerance(choice, found.given_up);
   tell_choice(result, choice);
   if (stock.in_slabs()) report_slabs(result, part, stock);

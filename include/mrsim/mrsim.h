@@ -148,6 +148,13 @@ struct PartPiece {
   bool kept = true;  ///< false: dropped by Job::keep, and not in JobResult::mesh
 };
 
+/// A wall (material between air) or gap that the mesh does not hold, or may not hold.
+struct ThinPlace {
+  Vec3 place;  ///< mm, on or in it
+  bool wall = false;
+  double thickness = 0;  ///< mm
+};
+
 struct JobResult {
   Program program;   ///< with all diagnostics, those of later stages too
   StockShape stock;  ///< as simulated, without its mesh
@@ -162,6 +169,8 @@ struct JobResult {
       0;  ///< triangles of the mesh for which samples stand for a proof of it
   std::size_t mesh_kept =
       0;  ///< vertices that stay because the mesh would meet itself without them
+  /// What mesh_bound does not hold for, in an order that depends on nothing but the part.
+  std::vector<ThinPlace> thin;
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   CycleTime cycle;                  ///< how long the machine takes
   History history;                  ///< what the motions remove

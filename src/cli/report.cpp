@@ -62,6 +62,14 @@ double printed_bound(double bound) {
   return std::ceil(bound / unit * (1 - 1e-9)) * unit;
 }
 
+// Where a bound and a volume do not hold.
+std::string without_thin(const JobResult& result) {
+  const std::size_t count = result.thin.size();
+  return count == 1 ? "but for the thin place above"
+                    : fmt::format("but for the {} thin places above",
+                                  grouped(static_cast<double>(count), 0));
+}
+
 std::string bound_text(const JobResult& result) {
   if (!(result.mesh_bound > 0)) return "";
   std::string bound =
@@ -71,16 +79,19 @@ std::string bound_text(const JobResult& result) {
     bound =
         fmt::format(", measured: each within {:.2g} mm of the exact part, 99 % within {:.2g} mm",
                     printed_bound(result.mesh_bound), printed_bound(result.mesh_usual));
-  if (result.mesh_sampled == 0) return bound;
-  return bound + fmt::format(", by samples on {} of them",
-                             grouped(static_cast<double>(result.mesh_sampled), 0));
+  if (result.mesh_sampled > 0)
+    bound += fmt::format(", by samples on {} of them",
+                         grouped(static_cast<double>(result.mesh_sampled), 0));
+  if (!result.thin.empty()) bound += fmt::format(", {}", without_thin(result));
+  return bound;
 }
 
 void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const MeshSummary& summary = result.summary;
   const bool from_field = std::abs(result.volume - summary.volume) >= 5e-4;
-  sheet.row("volume", grouped(result.volume, 3) + " mm³",
-            from_field ? "the mesh " + grouped(summary.volume, 3) + " mm³" : "");
+  std::string volume_of = from_field ? "the mesh " + grouped(summary.volume, 3) + " mm³" : "";
+  if (!result.thin.empty()) volume_of += (from_field ? ", " : "") + without_thin(result);
+  sheet.row("volume", grouped(result.volume, 3) + " mm³", volume_of);
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.triangles), 0),

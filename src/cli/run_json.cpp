@@ -91,6 +91,19 @@ Json mesh_json(const JobResult& r) {
           {"slabs", r.slabs}};
 }
 
+// All are counted, the first hundred are named.
+Json thin_json(const JobResult& r) {
+  constexpr std::size_t kMostNamed = 100;
+  Json places = Json::array();
+  for (std::size_t i = 0; i < std::min(r.thin.size(), kMostNamed); ++i) {
+    const ThinPlace& thin = r.thin[i];
+    places.push_back({{"kind", thin.wall ? "wall" : "gap"},
+                      {"thickness", number(thin.thickness)},
+                      {"place", point(thin.place)}});
+  }
+  return {{"count", r.thin.size()}, {"places", places}};
+}
+
 Json pieces_json(const JobResult& r) {
   Json out = Json::array();
   for (const PartPiece& piece : r.pieces)
@@ -214,6 +227,7 @@ std::string run_json(const RunRecord& given) {
   out["voxel"] = reasoned(r.voxel, r.voxel_reason);
   out["tolerance"] = reasoned(r.tolerance, r.tolerance_reason);
   out["bound"] = {{"distance", number(r.mesh_bound)}, {"sampled_triangles", r.mesh_sampled}};
+  out["thin"] = thin_json(r);
   out["volume"] = {{"part", number(r.volume)}, {"removed", number(r.removed_volume)}};
   out["history"] = removals_json(r);
   out["mesh"] = mesh_json(r);

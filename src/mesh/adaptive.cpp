@@ -415,8 +415,20 @@ TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& opti
                   MeshReport* report) {
   MeshCollector collector;
   mesh_part(field, voxel, options, collector, report);
-  if (collector.mesh().triangles.empty()) throw Error("part-empty", "nothing is left of the stock");
+  if (collector.mesh().triangles.empty()) refuse_empty(field, voxel);
   return std::move(collector.mesh());
+}
+
+void refuse_empty(const ExactField& field, double voxel) {
+  const std::optional<ThinFeature> left = detail::find_material(field, voxel);
+  if (!left) throw Error("part-empty", "nothing is left of the stock");
+  throw Error(
+      "part-thin",
+      fmt::format("what is left of the stock is thinner than a voxel, {:.3g} mm at ({:.3f}, "
+                  "{:.3f}, {:.3f}), so that no mesh was made; --voxel {:.2g} --tolerance "
+                  "{:.2g} shows it",
+                  left->thickness, left->place.x, left->place.y, left->place.z,
+                  0.45 * left->thickness, voxel / 8));
 }
 
 }  // namespace mrsim

@@ -20,15 +20,20 @@
 namespace mrsim {
 
 /// The surface of `field`, with the owner of each triangle. `voxel` (mm) is the size of features to
-/// resolve, and the edge of all cells where options.tolerance is 0. Throws Error "part-empty",
+/// resolve, and the edge of all cells where options.tolerance is 0. Throws as refuse_empty() does,
 /// "voxel-invalid", "tolerance-invalid", "memory" (options.max_memory); "mesh-unresolved" rather
 /// than give a mesh that breaks a guarantee.
 TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options = {},
                   MeshReport* report = nullptr);
 
 /// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
-/// memory as a whole. Does not throw "part-empty": there are no triangles then.
+/// memory as a whole. Does not throw where the part is empty: there are no triangles then.
 void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
                MeshReport* report = nullptr);
+
+/// Ends a run whose mesh has no triangles: Error "part-empty", or "part-thin" where something is
+/// left that is thicker than an eighth of the voxel (mm). Costs a few samples for each voxel that
+/// the surface may pass.
+[[noreturn]] void refuse_empty(const ExactField& field, double voxel);
 
 }  // namespace mrsim

@@ -8,8 +8,8 @@
 
 namespace mrsim {
 
-/// The part's surface: closed, oriented, 2-manifold, with the owner of each face. Throws Error
-/// "part-empty" when nothing is left.
+/// The part's surface: closed, oriented, 2-manifold, with the owner of each face. Throws as
+/// refuse_empty() does where it has none.
 TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {},
                      MeshReport* report = nullptr);
 

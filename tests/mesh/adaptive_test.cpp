@@ -236,6 +236,11 @@ TEST(Contour, RefusesWhatItCanNotMesh) {
   EXPECT_EQ(error_code([&] { mesh_part(part, 1, with_tolerance(-1)); }), "tolerance-invalid");
   const AnalyticField nothing({{0, 0, 0}, {5, 5, 5}}, false, {{Cut::Kind::half, {}, 0, -1, 0}});
   EXPECT_EQ(error_code([&] { mesh_part(nothing, 1); }), "part-empty");
+  // A floor of 0.1 mm between two planes of the lattice is not nothing.
+  const AnalyticField floor({{0, 0, -10}, {50, 50, 0}}, false,
+                            {flat_line({-20, 25}, {70, 25}, 75, -9.9)});
+  for (const double tolerance : {0.0, 0.01})
+    EXPECT_EQ(error_code([&] { mesh_part(floor, 0.25, with_tolerance(tolerance)); }), "part-thin");
 }
 
 }  // namespace

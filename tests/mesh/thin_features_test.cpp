@@ -107,6 +107,43 @@ TEST(Thin, ShortWallsAreKeptOrReported) {
       }
 }
 
+// A pin between four cuts may stand amid a column of cells, so that it passes none of their edges;
+// one that is as low as a cell does not even pass their sides.
+TEST(Thin, PinsAreKeptOrReported) {
+  for (const double tolerance : {0.0, 0.01, 0.05})
+    for (const double half : {0.1 * kVoxel, 0.3 * kVoxel})
+      for (const double turn : {0.0, 0.02, 0.4})
+        for (unsigned k = 0; k < rounds(6); ++k) {
+          const Place at = place(k, turn);
+          std::vector<Cut> cuts = wall(at, half);
+          cuts.push_back(slot_beside(at, at.across(), -half));
+          cuts.push_back(slot_beside(at, at.across(), half));
+          const Made part = made({kStock, false, cuts}, tolerance);
+          const int wanted =
+              tolerance > 0 ? kPoints : 1;  // a grid draws what is thinner than it badly
+          EXPECT_TRUE(held(part.mesh, at, 0.5 * half) >= wanted || !part.report.thin.empty())
+              << tolerance << " " << half << " " << turn << " " << k;
+        }
+}
+
+TEST(Thin, LowPinsAreKeptOrReported) {
+  constexpr double kHalf = 0.15 * kVoxel, kHeight = 0.6 * kVoxel;
+  for (const double turn : {0.0, 0.4})
+    for (unsigned k = 0; k < rounds(12); ++k) {
+      const Place at = place(k, turn);
+      std::vector<Cut> cuts = wall(at, kHalf);
+      cuts.push_back(slot_beside(at, at.across(), -kHalf));
+      cuts.push_back(slot_beside(at, at.across(), kHalf));
+      const Vec2 a = at.middle - 4.0 * at.along, b = at.middle + 4.0 * at.along;
+      cuts.push_back(flat_line(a, b, kRadius, kFloor + kHeight));
+      const Made part = made({kStock, false, cuts}, 0.01);
+      const TriangleTree tree(part.mesh);
+      const Vec3 middle{at.middle.x, at.middle.y, kFloor + 0.5 * kHeight};
+      EXPECT_TRUE(tree.signed_distance(middle) < 0 || !part.report.thin.empty())
+          << turn << " " << k;
+    }
+}
+
 // Slots whose round ends come through the side of the stock, by little, beside each other: thin
 // edges at the side end on the floor.
 std::vector<Cut> scallops() {
@@ -164,14 +201,14 @@ TEST_F(Lost, NothingByItsOwnMesh) {
 TEST_F(Lost, WallThatIsNotThere) {
   std::vector<Cut> cuts = wall(place(1, 0));
   cuts.push_back(flat_line({12, 10}, {18, 10}, kRadius, kFloor));
-  EXPECT_EQ(lost(cuts), shown());
+  EXPECT_GE(lost(cuts), shown());  // edges beside it, too
 }
 
 TEST_F(Lost, WallElsewhere) {
   Place moved = place(1, 0);
   moved.middle.y += 2 * kTolerance;
-  EXPECT_EQ(lost(wall(moved)), shown());
-  EXPECT_EQ(lost(wall(place(1, 0), kHalfWall + 2 * kTolerance)), shown());
+  EXPECT_GE(lost(wall(moved)), shown());
+  EXPECT_GE(lost(wall(place(1, 0), kHalfWall + 2 * kTolerance)), shown());
 }
 
 // Between this plane of the grid and the next, so that all edges that show the wall are held.

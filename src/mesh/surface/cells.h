@@ -2,9 +2,11 @@
 // of the uniform grid.
 #pragma once
 
+#include "core/vec.h"
 #include "mesh/solid/vertex_lattice.h"
 #include "removal/field/field.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +23,20 @@ inline constexpr double kReach = 1.0 / 16;
 /// Where candidates must hold for cells of size `cell` mm in the box.
 inline Box3 reach_of(const Box3& box, double cell) {
   return inflated(box, kReach * cell + kQuantum);
+}
+
+/// The smallest cube about the box's middle that holds it.
+inline Box3 cube_about(const Box3& box) {
+  const Vec3 size = box.hi - box.lo, middle = 0.5 * (box.lo + box.hi);
+  const double half = 0.5 * std::max({size.x, size.y, size.z});
+  return inflated(Box3{middle, middle}, half);
+}
+
+/// One of a box's eight, by bits x, y, z.
+inline Box3 octant(const Box3& box, int k) {
+  const Vec3 m = 0.5 * (box.lo + box.hi);
+  return {{k & 1 ? m.x : box.lo.x, k & 2 ? m.y : box.lo.y, k & 4 ? m.z : box.lo.z},
+          {k & 1 ? box.hi.x : m.x, k & 2 ? box.hi.y : m.y, k & 4 ? box.hi.z : m.z}};
 }
 
 /// One edge of the grid that no smaller cell divides, and the four cells about it (equal where one
@@ -85,6 +101,8 @@ class SurfaceCells {
   virtual std::size_t lists() const { return size(); }
   /// False for cells at the border, of which only a part of the surroundings is there.
   virtual bool is_complete(std::int32_t cell) const = 0;
+  /// No surface passes the edges of the cell or of its neighbours, as far as these are known here.
+  virtual bool is_far(std::int32_t cell) const = 0;
   /// Counted here, not by another tile.
   virtual bool is_owned_cell(std::int32_t cell) const = 0;
 

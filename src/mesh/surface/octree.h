@@ -56,6 +56,8 @@ class CellOctree final : public SurfaceCells {
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
+  /// Knows the cell's own edges alone.
+  bool is_far(std::int32_t cell) const override { return !node(cell).signs_differ; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
   bool is_owned(const LatticePoint& edge_start) const {
     return is_whole() || in_range(edge_start, part_.owned);

@@ -18,12 +18,6 @@ struct Count {
   std::size_t blocks = 0, sweeps = 0;
 };
 
-Box3 octant(const Box3& box, int k) {
-  const Vec3 m = 0.5 * (box.lo + box.hi);
-  return {{k & 1 ? m.x : box.lo.x, k & 2 ? m.y : box.lo.y, k & 4 ? m.z : box.lo.z},
-          {k & 1 ? box.hi.x : m.x, k & 2 ? box.hi.y : m.y, k & 4 ? box.hi.z : m.z}};
-}
-
 // Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
 void count_blocks(ExactField::Descent& descent, const Box3& box, std::size_t level, int depth,
                   Candidates& left, Count& count) {
@@ -52,12 +46,6 @@ void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t level
     return;
   }
   for (int k = 0; k < 8; ++k) find_parts(descent, octant(box, k), level + 1, depth - 1, out);
-}
-
-Box3 cube_about(const Box3& bounds) {
-  const Vec3 size = bounds.hi - bounds.lo, middle = 0.5 * (bounds.lo + bounds.hi);
-  const double half = 0.5 * std::max({size.x, size.y, size.z});
-  return {middle - Vec3{half, half, half}, middle + Vec3{half, half, half}};
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 constexpr int kSearchSteps = 14;
 constexpr int kBeside = 4;        ///< lines beside an edge are apart by this share of its length
 constexpr int kMostPassages = 4;  ///< on one edge, one after the other, that a mesh may hold
+constexpr int kHiddenSteps = 24;
+constexpr double kGridDepth = 1.0 / 16;  ///< of a voxel: what a grid is asked for beside its edges
 
 struct EdgeEnd {
   Vec3 position;
@@ -86,11 +88,83 @@ ThinFeature feature_of(const EdgeEnd& a, const EdgeEnd& b, const Passage& passag
   const auto [low, high] = std::minmax(a.at.owner, b.at.owner);
   return {passage.middle, is_wall, distance(passage.from, passage.to), {low, high}};
 }
+std::uint64_t block_of(const SurfaceCells& cells, const MinimalEdge& e) {
+  const std::int32_t block = kThinBlock * cells.lattice().per_voxel();
+  return key({e.start.x / block, e.start.y / block, e.start.z / block});
+}
 FoundThin feature_of(const SurfaceCells& cells, const MinimalEdge& e, const EdgeEnd& a,
                      const EdgeEnd& b, const Passage& passage, bool is_wall) {
-  const std::int32_t block = kThinBlock * cells.lattice().per_voxel();
-  const LatticePoint place{e.start.x / block, e.start.y / block, e.start.z / block};
-  return {feature_of(a, b, passage, is_wall), key(place)};
+  return {feature_of(a, b, passage, is_wall), block_of(cells, e)};
+}
+
+// The part of a cell that is no farther from the edge than the edge is long.
+Box3 room_about(const SurfaceCells& cells, const MinimalEdge& e, std::int32_t cell) {
+  const EdgeEnds ends = cells.ends(e);
+  const Box3 near = inflated(Box3{ends.low, high_end(ends, e.axis)},
+                             ends.high - mrsim::component(ends.low, e.axis));
+  const Box3 box = cells.box(cell);
+  return {max(box.lo, near.lo), min(box.hi, near.hi)};
+}
+
+Vec3 clamped(const Vec3& p, const Box3& room) { return max(room.lo, min(p, room.hi)); }
+
+// A point in the room that lies at least `depth` mm on the other side of the surface, found by
+// projections in turn onto what the deepest sweep leaves and onto the room [Cheney, Goldstein
+// 1959]: they end in what all sweeps leave, where that is convex and not empty.
+std::optional<Vec3> find_hidden(const Probe& probe, const Box3& room, bool ends_inside,
+                                double depth) {
+  const double side = ends_inside ? -1 : 1;
+  Vec3 p = 0.5 * (room.lo + room.hi);
+  for (int k = 0; k < kHiddenSteps; ++k) {
+    const FieldSample at = probe.sample(p);
+    const double above = side * at.distance;
+    if (above <= -depth) return p;
+    // A little farther than needed, or the last steps become ever shorter.
+    const Vec3 next = clamped(p - side * (above + 1.5 * depth) * probe.field.gradient(p, at), room);
+    if (distance(p, next) < 0.1 * depth) return {};
+    p = next;
+  }
+  return {};
+}
+
+// How thick it is: twice the first maximum of |d| on the way from p away from the surface, if there
+// is one in the room.
+ThinFeature measured(const Probe& probe, const Box3& room, const Vec3& p) {
+  constexpr int kSamples = 32;
+  const FieldSample first = probe.sample(p);
+  const double side = is_inside(first.distance) ? 1 : -1;
+  ThinFeature found{p, side > 0, 2 * std::abs(first.distance), {first.owner, first.owner}};
+  const Vec3 way = length(room.hi - room.lo) * probe.field.gradient(p, first);
+  const Vec3 end = clamped(p - side * way, room);
+  double deepest = std::abs(first.distance);
+  for (int k = 1; k <= kSamples; ++k) {
+    const FieldSample at = probe.sample(lerp(p, end, static_cast<double>(k) / kSamples));
+    if (-side * at.distance >= deepest) {
+      deepest = -side * at.distance;
+      continue;
+    }
+    found.thickness = 2 * deepest;
+    found.owner[1] = at.owner;
+    break;
+  }
+  if (found.owner[0] > found.owner[1]) std::swap(found.owner[0], found.owner[1]);
+  return found;
+}
+
+// What stands amid the cells about an edge that may hide it, up to `depth` mm from its sides.
+template <class MayHide, class IsLost>
+std::optional<ThinFeature> find_hidden(const ExactField& field, const SurfaceCells& cells,
+                                       const MinimalEdge& e, double depth, const MayHide& may_hide,
+                                       const IsLost& is_lost) {
+  for (int k = 0; k < 4; ++k) {
+    const std::int32_t cell = e.cells[k];
+    if (std::find(e.cells, e.cells + k, cell) != e.cells + k || !may_hide(cell)) continue;
+    const Probe probe{field, cells.candidates(cell), 0};
+    const Box3 room = room_about(cells, e, cell);
+    const std::optional<Vec3> p = find_hidden(probe, room, e.low_inside, depth);
+    if (p && is_lost(*p)) return measured(probe, room, *p);
+  }
+  return {};
 }
 
 // Looks for what a mesh has lost. A closed mesh has a point on the side that the pseudonormal at
@@ -120,10 +194,19 @@ class LostSearch {
         const std::int32_t cell = e.cells[(i >= 0 ? 1 : 0) | (j >= 0 ? 2 : 0)];
         lost = on_line(e, cell, low + beside, high + beside, -tolerance_, found);
       }
-    return lost;
+    return lost ? lost : beside_edge(e);
   }
 
  private:
+  // Something thicker than the tolerance that passes no edge.
+  std::optional<FoundThin> beside_edge(const MinimalEdge& e) const {
+    const auto found = find_hidden(
+        field_, cells_, e, tolerance_ / 2, [](auto) { return true; },
+        [&](const Vec3& p) { return !is_held(p, !e.low_inside, -tolerance_); });
+    if (!found) return {};
+    return FoundThin{*found, block_of(cells_, e)};
+  }
+
   // `found`: set where the line passes something thin.
   std::optional<FoundThin> on_line(const MinimalEdge& e, std::int32_t cell, const Vec3& low,
                                    const Vec3& high, double least, bool& found) const {
@@ -188,6 +271,29 @@ class LostSearch {
 
 }  // namespace
 
+namespace {
+
+// Blocks that hold nothing of a depth are told by the first projections in most cases.
+std::optional<ThinFeature> find_material(const ExactField& field, const Box3& box, double voxel,
+                                         std::span<const std::uint32_t> candidates) {
+  Candidates own;
+  const auto region = field.restrict_to(inflated(box, kQuantum), kSurfaceBand, candidates, own);
+  if (region == ExactField::Region::air) return {};
+  const Probe probe{field, own, 0};
+  if (const auto p = find_hidden(probe, box, /*ends_inside=*/false, kGridDepth * voxel))
+    return measured(probe, box, *p);
+  if (box.hi.x - box.lo.x <= voxel) return {};
+  for (int k = 0; k < 8; ++k)
+    if (const auto found = find_material(field, octant(box, k), voxel, own)) return found;
+  return {};
+}
+
+}  // namespace
+
+std::optional<ThinFeature> find_material(const ExactField& field, double voxel) {
+  return find_material(field, cube_about(field.bounds()), voxel, field.all());
+}
+
 std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high) {
   const EdgeEnd a = sampled(probe, low), b = sampled(probe, high);
   const bool ends_inside = is_inside(a.at.distance);
@@ -205,6 +311,10 @@ std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells
     const EdgeEnd a = sampled(probe, ends.low), b = sampled(probe, high_end(ends, e.axis));
     if (const std::optional<Passage> found = find_passage(probe, a, b, e.low_inside))
       out.push_back(feature_of(cells, e, a, b, *found, !e.low_inside));
+    else if (const auto hidden = find_hidden(
+                 field, cells, e, kGridDepth * cells.lattice().voxel(),
+                 [&](std::int32_t cell) { return cells.is_far(cell); }, [](auto) { return true; }))
+      out.push_back({*hidden, block_of(cells, e)});
   }
   return out;
 }

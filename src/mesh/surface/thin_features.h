@@ -36,6 +36,10 @@ std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
                                      double tolerance, int threads);
 
+/// Material of the part, if blocks down to a voxel (mm) show any that is thicker than an eighth of
+/// it. Costs a few samples for each block that the surface may pass.
+std::optional<ThinFeature> find_material(const ExactField& field, double voxel);
+
 /// One for each pair of owners in each block.
 std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 

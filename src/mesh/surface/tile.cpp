@@ -223,6 +223,24 @@ bool CellTile::is_complete(std::int32_t cell) const {
   return in(p.x) && in(p.y) && in(p.z);
 }
 
+bool CellTile::is_far(std::int32_t cell) const {
+  const LatticePoint p = place(cell);
+  const auto range = [](std::int32_t i) {
+    return std::pair(std::max(i - 1, 0), std::min(i + 2, kCells - 1));
+  };
+  const auto [x0, x1] = range(p.x);
+  const auto [y0, y1] = range(p.y);
+  const auto [z0, z1] = range(p.z);
+  std::uint64_t any = 0, all = ~std::uint64_t(0);
+  for (std::int32_t x = x0; x <= x1; ++x)
+    for (std::int32_t y = y0; y <= y1; ++y) {
+      any |= column(x, y).inside;
+      all &= column(x, y).inside;
+    }
+  const std::uint64_t bits = run(z0, z1 - z0 + 1);
+  return (any & bits) == 0 || (all & bits) == bits;
+}
+
 MinimalEdge CellTile::edge_at(const LatticePoint& p, int axis) const {
   const std::int32_t n = cell_at(p.x, p.y, p.z);
   const std::int32_t u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];

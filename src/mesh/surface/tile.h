@@ -52,6 +52,7 @@ class CellTile final : public SurfaceCells {
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
+  bool is_far(std::int32_t cell) const override;
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
