@@ -57,6 +57,17 @@ TEST_F(Figures, PocketOfTheFanucDocument) {
   EXPECT_NEAR(60 * 60 * 30 - part_volume(folder + "FANUC_POCKET.NC" + rest), 49044.5, 0.1);
 }
 
+// G71 with a pocket between two cones, then G70: discs of radius 20, 12, 20 and 32, and two cones
+// between 20 and 12 of 8 each.
+TEST_F(Figures, PartOfATurningCycle) {
+  write("shaft.nc",
+        "O1\nT0101\nG0 X64 Z2\nG71 U4 R1\nG71 P10 Q20 U.4 W0 F.3\nN10 G0 X40\nG1 Z-10 F.1\n"
+        "X24 Z-18\nZ-30\nX40 Z-38\nZ-50\nN20 X64\nG70 P10 Q20\nM30\n");
+  const double cone = 8 * (400 + 20 * 12 + 144) / 3.0;
+  EXPECT_NEAR(part_volume("shaft.nc --stock cylinder:64,-60,0 -o part.stl"),
+              kPi * (10 * 400 + 2 * cone + 12 * 144 + 12 * 400 + 10 * 1024), 0.01);
+}
+
 TEST_F(Figures, VolumeErrorFallsByThreeWhenTheVoxelIsHalved) {
   const std::string command = "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel ";
   const double coarse = std::fabs(part_volume(command + "0.5") - kPart2S);

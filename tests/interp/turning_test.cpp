@@ -92,9 +92,25 @@ TEST(Turning, G71BoresAndMeetsSlopesAndArcs) {
             "r15,1 r9,1 l9,-13 r9,1 r5,1 l5,-5 a15,-15 r15,1");
 }
 
-TEST(Turning, G71RefusesPocketsAndMissingBlocks) {
+// Depth 4 from radius 32: 28, 24 and 20 to the face at Z-50; the pocket between (20, -10) and
+// (20, -38) has its bottom at 12, so that the level 16 lies in it from Z-14 to Z-34.
+TEST(Turning, G71CutsPocketsBehindTheOtherPasses) {
+  EXPECT_EQ(turned(lathe("G0 X64 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X40\nG1 Z-10 F.1\n"
+                         "X24 Z-18\nZ-30\nX40 Z-38\nZ-50\nN20 X64\n")),
+            "r32,2 r28,2 l28,-50 r29,-49 r29,2 r24,2 l24,-50 r25,-49 r25,2 r20,2 l20,-50 r21,-49 "
+            "r21,2 r32,2 r32,-14 r21,-14 l16,-14 l16,-34 r17,-33 r32,-33 r32,2 "
+            "r20,2 l20,-10 l12,-18 l12,-30 l20,-38 l20,-50 l32,-50 r32,2");
+  // An arc of radius 12.5 about (25.5, -20), its bottom at 13: the level 16 lies in it for 8.124 on
+  // both sides of Z-20.
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X36\nG1 Z-10 F.1\n"
+                         "G2 Z-30 R12.5\nG1 Z-40\nN20 X40\n")),
+            "r20,2 r20,-11.88 l16,-11.88 l16,-28.12 r17,-27.12 r20,-27.12 r20,2 "
+            "r18,2 l18,-10 a18,-30 l18,-40 l20,-40 r20,2");
+}
+
+TEST(Turning, G71RefusesUndercutsAndMissingBlocks) {
   EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q20 F.3\nN10 G0 X20\nG1 Z-10 F.1\n"
-                         "X16\nZ-20\nN20 X40\nG1 X50\n")),
+                         "X16 Z-8\nZ-20\nN20 X40\nG1 X50\n")),
             "r20,2 l25,2 | not-supported");
   EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q30 F.3\nN10 G0 X20\nN20 G1 X40\n")),
             "r20,2 r10,2 l20,2 | jump-target");

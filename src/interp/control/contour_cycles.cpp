@@ -89,10 +89,7 @@ bool ContourCycles::run() {
   call_ = {};
   if (const Word* u = take('U')) call_.allowance.x = axis_value(0, *u, true);
   if (const Word* w = take('W')) call_.allowance.z = w->value * length_unit(*w);
-  if (const Word* r = take('R'); r && r->value != 0)
-    note_once("cycle-type",
-              "R beside P and Q (type II) changes nothing on a contour without pockets", *r,
-              "type");
+  take('R');  // Haas: R1 says that there are pockets
   call_.number = g;
   call_.where = *block_.oneshot;
   call_.first = *first;
@@ -197,7 +194,8 @@ bool ContourCycles::repeat_pattern() {
   return true;
 }
 
-// G71 along Z, G72 along X: passes at levels down to the contour, then once along it.
+// G71 along Z, G72 along X: passes at levels down to the contour, then in its pockets, then once
+// along it.
 bool ContourCycles::rough() {
   if (contour_.size() < 2)
     return error("value-missing", "the contour of the cycle has no motions", call_.where);
@@ -205,50 +203,100 @@ bool ContourCycles::rough() {
   Rough r;
   r.u = call_.number == 72 ? 2 : 0;
   r.v = 2 - r.u;
-  const double u0 = component(from + shift, r.u), v0 = component(from + shift, r.v);
-  const double lowest = component(contour_.front().end + shift, r.u);
-  const double end_v = component(contour_.back().end + shift, r.v);
-  r.down = lowest > u0 ? 1 : -1;
-  r.run = end_v > v0 ? 1 : -1;
+  r.top = component(from + shift, r.u);
+  r.start = component(from + shift, r.v);
+  r.down = -1;
+  double farthest = 0;
+  for (const Motion& m : contour_) {
+    const double travel = component(m.end + shift, r.u) - r.top;
+    if (std::abs(travel) <= farthest) continue;
+    farthest = std::abs(travel);
+    r.down = travel > 0 ? 1 : -1;
+  }
+  r.run = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i < contour_.size(); ++i)
     pieces.push_back(piece_of(contour_[i], r.u, r.v, shift));
   const RoughContour shape(std::move(pieces), -r.down, r.run);
-  if (const int bad = shape.pocket(); bad >= 0) {
+  if (const int bad = shape.runs_back(); bad >= 0) {
     const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
     reporter_.add_at(Severity::error, "not-supported",
-                     "the contour of the cycle falls or runs back here (a pocket, type II), which "
-                     "is not supported yet",
+                     "the contour of the cycle runs back here (an undercut), which is not "
+                     "supported yet",
                      m);
     return false;
   }
-  const double depth = modal_.turn_settings.depth;
-  if (std::abs(lowest - u0) / depth > static_cast<double>(kMostStrokes))
-    return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
   go(from + shift, kRapid);
-  for (int i = 1; i * depth < std::abs(lowest - u0) - 1e-9; ++i)
-    level(r, shape, u0 + r.down * i * depth, v0);
+  if (!levels(r, shape)) return false;
   for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
   go(from, kRapid);
   return true;
 }
 
-// One pass: to the level, along it to the contour, off at 45 degrees, back.
-void ContourCycles::level(const Rough& r, const RoughContour& shape, double at, double v0) {
-  const std::optional<double> hit = shape.meet(at);
-  const double end = hit.value_or(component(contour_.back().end + call_.allowance, r.v));
-  const double travel = (end - v0) * r.run;
-  if (travel <= 1e-9) return;
+// First the stretches that the start sees, from the top down; then the pockets, from the top down.
+bool ContourCycles::levels(const Rough& r, const RoughContour& shape) {
+  const double depth = modal_.turn_settings.depth;
+  const double whole = r.down * (shape.deepest() - r.top);
+  if (whole / depth > static_cast<double>(kMostStrokes))
+    return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
+  std::vector<std::pair<double, FreeStretch>> pockets;
+  for (int i = 1; i * depth < whole - 1e-9; ++i) {
+    const double at = r.top + r.down * i * depth;
+    for (const FreeStretch& stretch : shape.free_at(at)) {
+      if (stretch.first)
+        pass(r, at, stretch.to);
+      else
+        pockets.emplace_back(at, stretch);
+    }
+    if (pockets.size() > kMostStrokes)
+      return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
+  }
+  for (const auto& [at, stretch] : pockets) pocket_pass(r, at, stretch);
+  if (pockets.empty()) return true;
+  Vec3 p = position_.physical;
+  component(p, r.u) = r.top;
+  go(p, kRapid);
+  component(p, r.v) = r.start;
+  go(p, kRapid);
+  return true;
+}
+
+// To the level, along it to the contour, off at 45 degrees, back.
+void ContourCycles::pass(const Rough& r, double at, double end) {
+  if ((end - r.start) * r.run <= 1e-9) return;
   Vec3 p = position_.physical;
   component(p, r.u) = at;
   go(p, contour_.front().kind);
+  cut(r, at, r.start, end);
+  p = position_.physical;
+  component(p, r.v) = r.start;
+  go(p, kRapid);
+}
+
+// Over the pocket at the height of the start, down to the pass before, into the material.
+void ContourCycles::pocket_pass(const Rough& r, double at, const FreeStretch& stretch) {
+  const TurnSettings& set = modal_.turn_settings;
+  if ((stretch.to - stretch.from) * r.run <= 1e-9) return;
+  Vec3 p = position_.physical;
+  component(p, r.u) = r.top;
+  go(p, kRapid);
+  component(p, r.v) = stretch.from;
+  go(p, kRapid);
+  const double above = std::min(set.depth + set.escape, r.down * (at - r.top));
+  component(p, r.u) = at - r.down * above;
+  go(p, kRapid);
+  component(p, r.u) = at;
+  go(p, kLine);
+  cut(r, at, stretch.from, stretch.to);
+}
+
+void ContourCycles::cut(const Rough& r, double at, double begin, double end) {
+  Vec3 p = position_.physical;
   component(p, r.v) = end;
   go(p, kLine);
-  const double escape = std::min(modal_.turn_settings.escape, travel);
+  const double escape = std::min(modal_.turn_settings.escape, (end - begin) * r.run);
   component(p, r.u) = at - r.down * escape;
   component(p, r.v) = end - r.run * escape;
-  go(p, kRapid);
-  component(p, r.v) = v0;
   go(p, kRapid);
 }
 

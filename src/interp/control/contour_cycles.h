@@ -33,9 +33,10 @@ class ContourCycles : public ControlPart {
   };
   /// A roughing cycle as levels in u, cuts in v; see RoughContour.
   struct Rough {
-    int u = 0, v = 2;  ///< axes
-    double down = 1;   ///< from the start to the contour, in u
-    double run = -1;   ///< from the start to the contour's end, in v
+    int u = 0, v = 2;           ///< axes
+    double top = 0, start = 0;  ///< where the passes begin, u and v
+    double down = 1;            ///< from the start to the contour, in u
+    double run = -1;            ///< from the start to the contour's end, in v
   };
 
   bool settings();
@@ -44,7 +45,10 @@ class ContourCycles : public ControlPart {
   void begin_contour();
   void end_contour();
   bool rough();
-  void level(const Rough& rough, const RoughContour& shape, double at, double v0);
+  bool levels(const Rough& rough, const RoughContour& shape);
+  void pass(const Rough& rough, double at, double end);
+  void pocket_pass(const Rough& rough, double at, const FreeStretch& stretch);
+  void cut(const Rough& rough, double at, double begin, double end);
   bool repeat_pattern();
   void go(const Vec3& to, MotionKind kind);
 

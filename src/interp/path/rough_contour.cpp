@@ -1,7 +1,9 @@
 #include "interp/path/rough_contour.h"
 
 #include "core/units.h"
+#include "interp/path/arc.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
@@ -10,38 +12,74 @@ namespace {
 constexpr double kSame = 1e-6;   // mm
 constexpr double kFalls = 2e-3;  // of a unit tangent: rounded ends of arcs
 
+Vec2 point_at(const PlanePiece& piece, double along) {
+  if (!piece.arc) return piece.start + along * start_tangent(piece);
+  return rotated(piece.start, piece.center, piece.sweep < 0 ? -along : along);
+}
+
+// Where the piece passes u, in order, between its start and its end.
+std::vector<double> crossings(const PlanePiece& piece, double u) {
+  std::vector<double> out{0, extent(piece)};
+  const auto add = [&](Vec2 p) {
+    const double along = position_on(piece, p);
+    if (along > 0 && along < out[1]) out.push_back(along);
+  };
+  if (!piece.arc) {
+    const double rise = piece.end.x - piece.start.x;
+    if (rise != 0) add(piece.start + ((u - piece.start.x) / rise) * (piece.end - piece.start));
+  } else if (const double du = u - piece.center.x; std::abs(du) < piece.radius) {
+    const double h = std::sqrt(piece.radius * piece.radius - du * du);
+    add({u, piece.center.y - h});
+    add({u, piece.center.y + h});
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
-int RoughContour::pocket() const {
+int RoughContour::runs_back() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PlanePiece& piece = pieces_[i];
-    const Vec2 d = piece.end - piece.start;
-    bool back = rise_ * d.x < -kSame || run_ * d.y < -kSame;
+    bool back = run_ * (piece.end.y - piece.start.y) < -kSame;
     if (piece.arc) {
       back = back || std::abs(piece.sweep) > kPi;
       for (const Vec2 t : {start_tangent(piece), end_tangent(piece)})
-        back = back || rise_ * t.x < -kFalls || run_ * t.y < -kTangent;
+        back = back || run_ * t.y < -kFalls;
     }
     if (back) return static_cast<int>(i);
   }
   return -1;
 }
 
-std::optional<double> RoughContour::meet(double u) const {
+double RoughContour::deepest() const {
+  double low = 1e300;
   for (const PlanePiece& piece : pieces_) {
-    if (rise_ * (piece.end.x - u) < kSame) continue;  // a flat piece at the level is run along
-    if (rise_ * (piece.start.x - u) >= 0) return piece.start.y;
-    if (!piece.arc) {
-      const double t = (u - piece.start.x) / (piece.end.x - piece.start.x);
-      return piece.start.y + t * (piece.end.y - piece.start.y);
-    }
-    const double du = u - piece.center.x;
-    const double h = std::sqrt(std::max(0.0, piece.radius * piece.radius - du * du));
-    const double low = piece.center.y - h, high = piece.center.y + h;
-    const double middle = (piece.start.y + piece.end.y) / 2;
-    return std::abs(low - middle) < std::abs(high - middle) ? low : high;
+    low = std::min({low, rise_ * piece.start.x, rise_ * piece.end.x});
+    if (!piece.arc) continue;
+    const Vec2 bottom{piece.center.x - rise_ * piece.radius, piece.center.y};
+    if (position_on(piece, bottom) <= extent(piece)) low = std::min(low, rise_ * bottom.x);
   }
-  return std::nullopt;
+  return rise_ * low;
+}
+
+// A flat piece at the level is run along.
+std::vector<FreeStretch> RoughContour::free_at(double u) const {
+  std::vector<FreeStretch> out;
+  bool free = false;
+  for (const PlanePiece& piece : pieces_) {
+    const std::vector<double> cuts = crossings(piece, u);
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if (cuts[i] - cuts[i - 1] <= 0) continue;
+      const Vec2 middle = point_at(piece, (cuts[i - 1] + cuts[i]) / 2);
+      const bool below = rise_ * (middle.x - u) < kSame;
+      if (below && !free)
+        out.push_back({point_at(piece, cuts[i - 1]).y, 0, &piece == pieces_.data() && i == 1});
+      free = below;
+      if (free) out.back().to = point_at(piece, cuts[i]).y;
+    }
+  }
+  return out;
 }
 
 }  // namespace mrsim

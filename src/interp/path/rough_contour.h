@@ -1,27 +1,34 @@
-// The contour that a roughing cycle leaves: where a pass at some level meets it. Works in two
-// coordinates: u, along which the levels lie, and v, along which the tool cuts.
-// Guarantees: only contours that rise in u and run on in v are accepted; each level then meets
-// once.
+// The contour that a roughing cycle leaves: where a level lies above it. Works in two coordinates:
+// u, along which the levels lie, and v, along which the tool cuts. Guarantees: a contour that runs
+// on in v is a height over v, so that the stretches of a level that lie above it are found in
+// order. It may rise and fall (pockets, type II).
 #pragma once
 
 #include "interp/path/plane_piece.h"
 
-#include <optional>
 #include <vector>
 
 namespace mrsim {
 
+/// A stretch of a level that lies above the contour.
+struct FreeStretch {
+  double from = 0, to = 0;  ///< v
+  bool first = false;       ///< it begins where the contour does
+};
+
 class RoughContour {
  public:
-  /// `pieces` from the end of the approach on; `rise` and `run` (1 or -1): the directions in which
-  /// the contour rises and runs.
+  /// `pieces` from the end of the approach on; `rise` and `run` (1 or -1): away from the material,
+  /// and the direction in which the contour runs.
   RoughContour(std::vector<PlanePiece> pieces, double rise, double run)
       : pieces_(std::move(pieces)), rise_(rise), run_(run) {}
 
-  /// Index of the first piece that falls back or runs back, or -1.
-  int pocket() const;
-  /// v where the level u meets the contour; none: it lies above its end.
-  std::optional<double> meet(double u) const;
+  /// Index of the first piece that runs back in v, or -1.
+  int runs_back() const;
+  /// The stretches of the level `u`, in the order of the contour.
+  std::vector<FreeStretch> free_at(double u) const;
+  /// u of the deepest point.
+  double deepest() const;
 
  private:
   std::vector<PlanePiece> pieces_;
