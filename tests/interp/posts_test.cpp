@@ -284,6 +284,11 @@ TEST(Posts, ProbingMacrosAreNotRun) {
             "subprogram-missing");
 }
 
+TEST(Posts, LAloneIsACallThatIsNotMade) {
+  for (const Dialect d : {Dialect::fanuc, Dialect::iso})
+    EXPECT_EQ(codes(read_text("G1 X1. F1.\nL101\n", at_origin(d))), "call-without-program");
+}
+
 TEST(Posts, ProgramNamesOfOkumaAreHeaders) {
   const Program p = read_text("$PART1.MIN%\nO1\nG1 X1. F1.\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(p), "");

@@ -33,6 +33,10 @@ bool ProgramFlow::begin_block() {
     if (is(Dialect::sinumerik) && word.code == Code::program_return && block_.words.size() > 1 &&
         word.address == Address::function)
       warning("call-not-alone", "RET stands alone in its block", word);
+  if ((is(Dialect::fanuc) || is(Dialect::iso)) && block_.words.size() == 1 && peek('L'))
+    return error("call-without-program",
+                 "L alone calls a subprogram on other controls (Fadal, DIN): write M98 P or G65 P",
+                 block_.words.front());
   if (block_.call_word || find(letter('M'))) {  // repeats of a call
     take('P');
     if (!is(Dialect::codesys)) take('L');
