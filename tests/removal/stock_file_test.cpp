@@ -66,13 +66,37 @@ TEST(StockFile, OpensInOpenVdb) {
   std::istringstream in(saved(recipe_of_a_slot()));
   openvdb::io::Stream archive(in);
   const auto grids = archive.getGrids();
-  ASSERT_EQ(grids->size(), 2u);
+  ASSERT_EQ(grids->size(), 3u);
   const auto distance = openvdb::gridPtrCast<openvdb::FloatGrid>((*grids)[0]);
   ASSERT_TRUE(distance);
   EXPECT_EQ(distance->getName(), "distance");
   EXPECT_GT(distance->activeVoxelCount(), 1000u);
   EXPECT_EQ(openvdb::gridPtrCast<openvdb::Int32Grid>((*grids)[1])->activeVoxelCount(),
             distance->activeVoxelCount());
+}
+
+TEST(StockFile, CutTellsWhenEachVoxelWasRemoved) {
+  openvdb::initialize();
+  StockRecipe recipe = recipe_of_a_slot();
+  recipe.shape.history.motions.push_back(recipe.shape.history.motions[0]);
+  recipe.shape.history.motions[1].start.z = recipe.shape.history.motions[1].end.z = 2;
+  std::istringstream in(saved(recipe));
+  openvdb::io::Stream archive(in);
+  const auto cut = openvdb::gridPtrCast<openvdb::Int32Grid>((*archive.getGrids())[2]);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->getName(), "cut");
+  EXPECT_EQ(cut->activeVoxelCount(), 40u * 20u * 10u);  // the stock, by voxel centres
+  const openvdb::Int32Grid::Accessor at(cut->tree());
+  const auto value = [&](double x, double y, double z) {
+    return at.getValue(openvdb::Coord::round(cut->worldToIndex({x, y, z})));
+  };
+  EXPECT_EQ(value(10, 5, 4), 0);
+  EXPECT_EQ(value(10, 5, 2.5), 1);
+  EXPECT_EQ(value(10, 5, 1), -1);
+  EXPECT_EQ(value(10, 8.5, 4), -1);
+  EXPECT_EQ(value(10, 5, 8), -2);
+  EXPECT_EQ(value(10, -5, 4), -2);
+  EXPECT_LT(cut->tree().leafCount(), 4u * 8u * 8u);
 }
 
 TEST(StockFile, RefusesWhatIsDamaged) {

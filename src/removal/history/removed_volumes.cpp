@@ -72,8 +72,9 @@ std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLatti
 void walk_block(const PartField& field, const CutLattice& lattice,
                 const std::array<std::int32_t, 3>& origin, std::span<const std::uint32_t> sweeps,
                 CutSink* sink, std::span<double> removed) {
-  const bool upward = std::all_of(sweeps.begin(), sweeps.end(),
-                                  [&](std::uint32_t i) { return is_upward(field.sweeps(), i); });
+  const bool upward =
+      !sweeps.empty() && std::all_of(sweeps.begin(), sweeps.end(),
+                                     [&](std::uint32_t i) { return is_upward(field.sweeps(), i); });
   if (upward)
     ColumnWalker(field, lattice.voxel).walk(origin, sweeps, sink, removed);
   else

@@ -22,6 +22,7 @@ constexpr double kTurn = 1500;     ///< the outline that an insert sweeps, besid
 constexpr double kOpenVdb = 30e6;  ///< its library
 constexpr double kRecipe = 400;    ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
+constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
 constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 61;
@@ -48,13 +49,15 @@ struct Need {
   std::size_t motions, turns;
   const CarveOptions& options;
 
+  double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
     const double always =
         kProgram + kMotion * static_cast<double>(motions) + kTurn * static_cast<double>(turns);
     double grid = options.keep_grid ? kOpenVdb : 0;
     if (options.keep_grid && !in_slabs)
-      grid += columns * kGridColumn + kRecipe * static_cast<double>(motions);
+      grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel +
+              kRecipe * static_cast<double>(motions);
     if (!options.grid_mesh) return always + grid;
     const double working = kThread * resolve_threads(options.threads) +
                            section_tiles(stock, voxel) * kFrontTile +

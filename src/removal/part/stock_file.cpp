@@ -65,7 +65,7 @@ void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& ou
   identity.update(encoded.data(), encoded.size());
   SinkBuffer buffer(out, hash, identity.uuid());
   std::ostream stream(&buffer);
-  stock.grid().voxels->write(stream);
+  stock.grid().voxels->write(*stock.grid().field, *stock.grid().index, stream);
   if (!stream) throw Error("output-unwritable", "cannot write the .vdb file");
 
   hash.update(encoded.data(), encoded.size());

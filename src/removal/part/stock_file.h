@@ -1,6 +1,6 @@
-// The stock as a .vdb file: two grids, "distance" (mm, level set) and "owner", that any OpenVDB
-// tool opens, followed by the recipe they were made from, so that the next setup goes on exactly
-// and not from samples.
+// The stock as a .vdb file: three grids, "distance" (mm, level set), "owner" and "cut" (when each
+// voxel was removed: docs/history.md), that any OpenVDB tool opens, followed by the recipe they
+// were made from, so that the next setup goes on exactly and not from samples.
 //
 // Layout: an OpenVDB stream, then the recipe (little endian), then 32 bytes: length of the recipe,
 // hash of all before, the word "MRSIMVDB" and the version. Reading checks the hash and takes the

@@ -20,9 +20,10 @@ class VoxelGrid {
   virtual ~VoxelGrid() = default;
   virtual std::size_t active_voxels() const = 0;
   virtual std::size_t memory() const = 0;  ///< bytes
-  /// As a stream of OpenVDB: two grids, "distance" (mm, level set) and "owner". Faults of `out`
-  /// are left in its state.
-  virtual void write(std::ostream& out) const = 0;
+  /// As a stream of OpenVDB: three grids, "distance" (mm, level set), "owner", and "cut", which is
+  /// made here, of the field and the blocks that the samples were taken from. Faults of `out` are
+  /// left in its state.
+  virtual void write(const PartField& field, const BlockIndex& index, std::ostream& out) const = 0;
 };
 
 /// Samples the exact part block by block, voxels of `voxel` mm, kBandVoxels each way of the

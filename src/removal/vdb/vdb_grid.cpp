@@ -1,6 +1,7 @@
 #include "removal/vdb/vdb_grid.h"
 
 #include "core/parallel.h"
+#include "removal/vdb/cut_grid.h"
 
 #include <algorithm>
 #include <functional>
@@ -52,10 +53,13 @@ VdbGrid::~VdbGrid() {
 
 std::size_t VdbGrid::memory() const { return distance->memUsage() + owner->memUsage(); }
 
-void VdbGrid::write(std::ostream& out) const {
+void VdbGrid::write(const PartField& field, const BlockIndex& index, std::ostream& out) const {
+  openvdb::Int32Grid::Ptr cut;
+  with_threads(threads,
+               [&] { cut = make_cut_grid(field, index, distance->transform().copy(), threads); });
   openvdb::io::Stream archive(out);
   archive.setCompression(openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_ACTIVE_MASK);
-  archive.write(openvdb::GridCPtrVec{distance, owner});
+  archive.write(openvdb::GridCPtrVec{distance, owner, cut});
 }
 
 }  // namespace mrsim

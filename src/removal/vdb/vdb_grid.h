@@ -29,7 +29,7 @@ struct VdbGrid final : VoxelGrid {
 
   std::size_t active_voxels() const override { return active; }
   std::size_t memory() const override;
-  void write(std::ostream& out) const override;
+  void write(const PartField& field, const BlockIndex& index, std::ostream& out) const override;
 };
 
 }  // namespace mrsim

@@ -1,0 +1,17 @@
+// The grid "cut": when each voxel of the stock was removed (docs/history.md).
+#pragma once
+
+#include "removal/part/block_index.h"
+#include "removal/part/part_field.h"
+
+#include <openvdb/openvdb.h>
+
+namespace mrsim {
+
+/// Active: the voxels of the stock before the first cut, with the index of the first motion that
+/// removes each, or kStillThere; others hold kNeverThere. Uniform regions are tiles. The same for
+/// any number of threads. `index`: blocks of the voxels of `transform`.
+openvdb::Int32Grid::Ptr make_cut_grid(const PartField& field, const BlockIndex& index,
+                                      const openvdb::math::Transform::Ptr& transform, int threads);
+
+}  // namespace mrsim
