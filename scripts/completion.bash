@@ -19,7 +19,7 @@ _mrsim() {
       tools) common="--output --json --quiet --help" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
       render) common="$common --output --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
-      *) common="$program $common --output --color --stock --stock-exact --keep --until --history --machine-file --allow-outside --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
+      *) common="$program $common --output --color --stock --stock-exact --keep --until --frames --history --machine-file --allow-outside --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

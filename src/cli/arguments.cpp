@@ -20,7 +20,7 @@ struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip, comp;
   bool least_increments = false;
-  std::string until, history, machine_file;
+  std::string until, frames, history, machine_file;
   std::vector<std::string> variables;
   std::string max_blocks, max_steps;
   bool trace_variables = false;
@@ -136,6 +136,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
   add("Cutting", "--until", typed.until, "WHEN",
       "end the program after line 12, line O100:7 of another file, or motion #5000");
+  add("Cutting", "--frames", typed.frames, "N",
+      "N parts, part-1.stl and so on, at equal shares of the machine's time");
   add("Cutting", "--history", typed.history, "FILE",
       "what each motion, line and tool removes, with its time: .csv or .json; off: no sums in the "
       "summary");
@@ -291,6 +293,8 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
   out.until = typed.until;
+  if (!typed.frames.empty()) out.frames = whole_value("--frames", typed.frames, 1, 256);
+  if (out.frames > 0 && !out.until.empty()) fail_usage("--frames and --until: give one of them");
   out.history = typed.history;
   if (!typed.history.empty() && typed.history != "off" && !typed.history.ends_with(".csv") &&
       !typed.history.ends_with(".json"))
@@ -332,6 +336,8 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
   out.inputs = typed.inputs;
   out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
+  if (!typed.frames.empty() && out.outputs.empty())
+    fail_usage("--frames numbers the outputs: -o part.stl");
   if (line.command == Command::trace && out.outputs.size() > 1)
     fail_usage("trace draws one picture: -o path.svg");
 }

@@ -27,6 +27,7 @@ struct Arguments {
   MeshFileOptions files;
   KeepPieces keep = KeepPieces::all;
   std::string until;    ///< as Job::until
+  int frames = 0;       ///< --frames; 0 = the part at the end alone
   std::string history;  ///< --history: a file, "off" or empty
   MachineData machine;  ///< of --machine-file
   RenderOptions render;

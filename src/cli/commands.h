@@ -14,6 +14,8 @@ inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejecte
 int exit_code_of(const Error& error);
 
 int run_simulate(const Arguments& arguments);
+/// run_simulate() for each of arguments.frames moments.
+int run_frames(const Arguments& arguments);
 int run_trace(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_render(const Arguments& arguments);

@@ -23,7 +23,7 @@ namespace {
 int run(const Arguments& arguments) {
   switch (arguments.command) {
     case Command::simulate:
-      return run_simulate(arguments);
+      return arguments.frames > 0 ? run_frames(arguments) : run_simulate(arguments);
     case Command::trace:
       return run_trace(arguments);
     case Command::check:

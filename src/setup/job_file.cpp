@@ -54,6 +54,7 @@ constexpr std::array kKeys = {
     JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys ngc auto"},
     JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
     JobKey{"until", "--until", Value::text},
+    JobKey{"frames", "--frames", Value::whole},
     JobKey{"history", "--history", Value::path_or_off},
     JobKey{"machine_file", "--machine-file", Value::path},
     JobKey{"start", "--start", Value::numbers},

@@ -52,6 +52,27 @@ TEST_F(Until, MomentsThatAreNoneAreWrongUsage) {
                    "until");
 }
 
+TEST_F(Until, FramesAreThePartsAtTheirMoments) {
+  const std::string rest = "PRIMER_2F.MPF --stock block.stl -q -o part.stl ";
+  ASSERT_EQ(run(rest + "--frames 4").code, 0);
+  EXPECT_FALSE(exists("part.stl"));
+  ASSERT_EQ(run(rest).code, 0);
+  EXPECT_EQ(read("part-4.stl"), read("part.stl"));
+  // A plunge of 2.1 s, half circles of 14.1, 7.1 and 14.1 s, and rapids.
+  ASSERT_EQ(run(rest + "--until '#3'").code, 0);
+  EXPECT_EQ(read("part-1.stl"), read("part.stl"));
+  ASSERT_EQ(run(rest + "--until '#4'").code, 0);
+  EXPECT_EQ(read("part-2.stl"), read("part.stl"));
+  EXPECT_NE(read("part-1.stl"), read("part-2.stl"));
+  EXPECT_NE(read("part-2.stl"), read("part-3.stl"));
+}
+
+TEST_F(Until, FramesNeedOutputsAndNoOtherMoment) {
+  expect_failure("PRIMER_2F.MPF --stock block.stl --frames 3", 2, "--frames");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stl --frames 3 --until 7", 2, "--frames");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stl --frames 0", 2, "--frames");
+}
+
 TEST_F(Until, CycleTimeIsToldAndFollowsTheMachine) {
   const Outcome usual = run("PRIMER_2F.MPF --stock block.stl -o part.stl");
   EXPECT_TRUE(contains(usual.out, "a usual machine")) << usual.out;
