@@ -14,19 +14,6 @@ constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
 constexpr double kMostMotions = 1e7;  // of a G73
 constexpr double kLongDepth = 50;     // D4000 counts thousandths
 
-PlanePiece piece_of(const Motion& m, int u, int v, const Vec3& shift) {
-  const auto flat = [&](const Vec3& p) { return Vec2{component(p, u), component(p, v)}; };
-  PlanePiece piece;
-  piece.arc = m.kind == MotionKind::arc;
-  piece.start = flat(m.start + shift);
-  piece.end = flat(m.end + shift);
-  piece.center = flat(m.center + shift);
-  piece.radius = m.radius;
-  // The axis of arcs is Y: from Z to X; in (x, z) such an arc turns the other way.
-  piece.sweep = (u == 0 ? -1 : 1) * (m.axis.y < 0 ? -m.sweep : m.sweep);
-  return piece;
-}
-
 }  // namespace
 
 // The first of two lines: what it says holds for the cycles that follow.
@@ -216,7 +203,7 @@ bool ContourCycles::rough() {
   r.run = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i < contour_.size(); ++i)
-    pieces.push_back(piece_of(contour_[i], r.u, r.v, shift));
+    pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift));
   const RoughContour shape(std::move(pieces), -r.down, r.run);
   if (const int bad = shape.runs_back(); bad >= 0) {
     const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];

@@ -34,4 +34,7 @@ struct CycleCall {
   }
 };
 
+/// Pitch of the metric thread of a size (M10: 1.5), mm; 0: not a size of the table.
+double iso_pitch(double thread);
+
 }  // namespace mrsim

@@ -27,7 +27,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
       haas_(control_, axes_, moves_, compensation_, drilling_),
-      cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_),
+      cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_) {
   control_.work = options.table.work;
@@ -61,6 +61,7 @@ void Engine::run() {
     execute();
   }
   contours_.end_program();
+  cycles_.end_program();
   out_.flush();
   moves_.finish();
   if (out_.cuts() == 0 && reporter_.errors() == 0)
@@ -95,6 +96,7 @@ void Engine::execute() {
   tools_.end_block();
   flow_.end_block();
   contours_.end_block();
+  cycles_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
 

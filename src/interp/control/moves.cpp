@@ -175,6 +175,14 @@ void Moves::step(const Target& to, const Word& where, MotionKind kind, double le
   out_.emit(motion);
 }
 
+bool Moves::compensated_step(const Target& to, const Word& where, double feed) {
+  Motion motion = motion_template(where, MotionKind::line, 0, feed);
+  commit(to, frame_words_.now(), motion);
+  if (!compensation_.begin_move(motion, where)) return false;
+  out_.emit(motion, {});
+  return true;
+}
+
 void Moves::follow(const Motion& like, const Vec3& shift, const Word& where) {
   const Motion own = motion_template(where, like.kind);
   Motion motion = like;

@@ -27,6 +27,8 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  /// A line to `to` with which compensation may begin or end.
+  bool compensated_step(const Target& to, const Word& where, double feed);
   /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
   /// error was reported.
   bool solved_arc(const SolvedArc& arc, double feed = 0) {

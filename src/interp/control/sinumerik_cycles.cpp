@@ -27,8 +27,18 @@ bool is_cycle(std::string_view name) {
 
 }  // namespace
 
+double iso_pitch(double thread) {
+  static constexpr std::array<std::pair<double, double>, 22> kPitches = {
+      {{3, 0.5}, {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},
+       {16, 2},  {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},   {30, 3.5},  {33, 3.5},
+       {36, 4},  {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}}};
+  for (const auto& [size, pitch] : kPitches)
+    if (thread == size) return pitch;
+  return 0;
+}
+
 bool SinumerikCycles::knows(std::string_view name) {
-  return is_cycle(name) || MillCycles::knows(name) ||
+  return is_cycle(name) || MillCycles::knows(name) || SinumerikContours::knows(name) ||
          std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
@@ -50,6 +60,7 @@ bool SinumerikCycles::run() {
   Call call;
   if (!read_call(call)) return false;
   if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
+  if (SinumerikContours::knows(call.name)) return contours_.run(call, where());
   return is_cycle(call.name) ? drill(call) : pattern(call);
 }
 
@@ -177,15 +188,10 @@ bool SinumerikCycles::strokes(const Call& call, double reference, Hole& hole) {
 
 // MPIT (size of the thread) or PIT (its pitch); the sign is the hand.
 void SinumerikCycles::tapping(const Call& call, Hole& hole) {
-  static constexpr std::array<std::pair<double, double>, 22> kPitches = {
-      {{3, 0.5}, {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},
-       {16, 2},  {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},   {30, 3.5},  {33, 3.5},
-       {36, 4},  {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}}};
   const bool rigid = call.name == "CYCLE84";
   const std::size_t mpit = rigid ? 7 : 9, pit = mpit + 1;
   double lead = call.get(pit) * scale();
-  for (const auto& [size, pitch] : kPitches)
-    if (lead == 0 && std::abs(call.get(mpit)) == size) lead = call.get(mpit) < 0 ? -pitch : pitch;
+  if (lead == 0) lead = std::copysign(iso_pitch(std::abs(call.get(mpit))), call.get(mpit));
   if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
   hole.lead = lead != 0 ? lead : 1;
   if (lead == 0)

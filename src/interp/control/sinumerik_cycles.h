@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/control/mill_cycles.h"
+#include "interp/control/sinumerik_contours.h"
 #include "interp/control/statements.h"
 
 #include <optional>
@@ -14,12 +15,13 @@ namespace mrsim {
 class SinumerikCycles : public ControlPart {
  public:
   SinumerikCycles(Control& control, BlockReader& reader, Statements* statements, HoleMaker& holes,
-                  ToolChanger& tools, Moves& moves)
+                  ToolChanger& tools, Moves& moves, MotionEmitter& out)
       : ControlPart(control),
         reader_(reader),
         statements_(statements),
         holes_(holes),
-        mills_(control, tools, moves) {}
+        mills_(control, tools, moves),
+        contours_(control, reader, statements, tools, moves, out) {}
 
   /// A name that run() knows.
   static bool knows(std::string_view name);
@@ -29,6 +31,9 @@ class SinumerikCycles : public ControlPart {
   bool modal_call();
   /// The cycle of MCALL at the end of a move in the plane.
   bool run_modal(const Vec3& from);
+  /// After a block, and at the end of the program: contours of cycles.
+  void end_block() { contours_.end_block(); }
+  void end_program() { contours_.end_program(); }
 
  private:
   using Call = CycleCall;
@@ -53,6 +58,7 @@ class SinumerikCycles : public ControlPart {
   Statements* statements_;
   HoleMaker& holes_;
   MillCycles mills_;
+  SinumerikContours contours_;
   std::optional<Call> modal_call_;
 };
 

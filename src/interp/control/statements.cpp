@@ -294,6 +294,19 @@ bool Statements::find_blocks(long first, long last, Place& begin, Place& end) {
   return begin < end;
 }
 
+bool Statements::find_labels(const std::string& first, const std::string& last, Place& begin,
+                             Place& end) {
+  const Outline& all = outline();
+  const int section = all.section_at(reader_.place_at(0));
+  const Place bottom = all.section_end(section);
+  const int from = all.find_label(first, all.section_begin(section), bottom, false);
+  const int to = from < 0 ? -1 : all.find_label(last, all.entry(from).at, bottom, false);
+  if (to < 0) return false;
+  begin = all.entry(from).at;
+  end = behind_line(all.entry(to).at);
+  return true;
+}
+
 bool Statements::jump_to_number(const Word& word) {
   Place to;
   reader_.leave_stretches();

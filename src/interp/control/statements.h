@@ -48,6 +48,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool call_number(const Word& word, long repeats);
   /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
   bool find_blocks(long first, long last, Place& begin, Place& end);
+  /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
+  bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
 
  protected:
   Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,

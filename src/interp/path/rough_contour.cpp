@@ -38,6 +38,19 @@ std::vector<double> crossings(const PlanePiece& piece, double u) {
 
 }  // namespace
 
+PlanePiece turned_piece(const Motion& m, int u, int v, const Vec3& shift) {
+  const auto flat = [&](const Vec3& p) { return Vec2{component(p, u), component(p, v)}; };
+  PlanePiece piece;
+  piece.arc = m.kind == MotionKind::arc;
+  piece.start = flat(m.start + shift);
+  piece.end = flat(m.end + shift);
+  piece.center = flat(m.center + shift);
+  piece.radius = m.radius;
+  // The axis of arcs is Y: from Z to X; in (x, z) such an arc turns the other way.
+  piece.sweep = (u == 0 ? -1 : 1) * (m.axis.y < 0 ? -m.sweep : m.sweep);
+  return piece;
+}
+
 int RoughContour::runs_back() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PlanePiece& piece = pieces_[i];

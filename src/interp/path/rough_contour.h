@@ -16,6 +16,9 @@ struct FreeStretch {
   bool first = false;       ///< it begins where the contour does
 };
 
+/// A motion of a turning contour in the coordinates (u, v), axes 0 (X) and 2 (Z), `shift` aside.
+PlanePiece turned_piece(const Motion& motion, int u, int v, const Vec3& shift);
+
 class RoughContour {
  public:
   /// `pieces` from the end of the approach on; `rise` and `run` (1 or -1): away from the material,
