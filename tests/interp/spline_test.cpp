@@ -83,5 +83,43 @@ TEST(Polar, WithoutANumberIsAnError) {
   }
 }
 
+// A quarter of a circle as a NURBS of order 3; of order 2 it is the polygon.
+TEST(Splines, NurbsIsTheCurveOfItsControlPoints) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  const Program p = read_text(
+      "F100\nG0 X10\nG5.2 P1 L3\nX10 Y10 P0.7071067811865476\nX0 Y10 P1\nG5.3\nG1 X-5\nM2\n",
+      options);
+  ASSERT_EQ(codes(p), "") << listing(p);
+  ASSERT_GT(p.motions.size(), 3U);
+  for (std::size_t i = 1; i + 1 < p.motions.size(); ++i) {
+    const Motion& m = p.motions[i];
+    ASSERT_EQ(m.kind, MotionKind::arc);
+    for (const double t : {0.0, 0.3, 0.7, 1.0}) {
+      const Vec3 at = arc_point(m, t);
+      EXPECT_NEAR(std::hypot(at.x, at.y), 10, 1e-3);
+    }
+  }
+  expect_near(p.motions[p.motions.size() - 2].end, {0, 10, 0}, 1e-9);
+  const Program polygon =
+      read_text("F100\nG5.2 X0 Y10 L2\nX10 Y10\nX10 Y0 P3\nG5.3\nM2\n", options);
+  ASSERT_EQ(codes(polygon), "");
+  double way = 0;
+  for (const Motion& m : polygon.motions) {
+    EXPECT_EQ(m.kind, MotionKind::line);
+    way += distance(m.start, m.end);
+  }
+  EXPECT_NEAR(way, 30, 1e-9) << "three sides";
+  expect_near(polygon.motions.back().end, {10, 0, 0});
+}
+
+TEST(Splines, NurbsNeedsItsBlocks) {
+  const InterpOptions options = at_origin(Dialect::ngc);
+  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 P1 L3\nX1 Y1\nG1 X5\nM2\n", options)), "nurbs-open");
+  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 P1 L4\nX1 Y1\nG5.3\nM2\n", options)), "value-missing");
+  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.3\nM2\n", options)), "value-missing");
+  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 X1 Y1\nM2\n", options)), "nurbs-open");
+  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 X1 Y1 P0\nM2\n", options)), "value-range");
+}
+
 }  // namespace
 }  // namespace mrsim

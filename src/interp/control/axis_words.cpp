@@ -29,6 +29,8 @@ bool AxisWords::has_move() const {
     return true;
   if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
   const Code code = current_motion();
+  if (code == Code::nurbs_end) return block_.motion_code != nullptr;
+  if (code == Code::nurbs) return block_.motion_code || open(letter('P'));
   if (code == Code::spline_cubic || code == Code::spline_quadratic)
     return any({letter('I'), letter('J'), letter('P'), letter('Q')});
   if (!is_circular(code)) return false;

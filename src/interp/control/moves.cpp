@@ -27,10 +27,17 @@ bool Moves::run() {
         block_.words.front());
   }
   const Code code = current_motion();
-  if (code == Code::spline_cubic || code == Code::spline_quadratic) return spline(from, frame);
+  if (code == Code::nurbs) return splines_.control_point(from);
+  if (splines_.open() && code != Code::nurbs_end) {
+    splines_.forget();
+    return error("nurbs-open", "a NURBS is open: G5.3 closes it", block_.words.front());
+  }
+  if (code == Code::nurbs_end && !block_.motion_code)
+    return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
+                 block_.words.front());
+  if (code == Code::spline_cubic || code == Code::spline_quadratic || code == Code::nurbs_end)
+    return spline(from, frame);
   position_.after_spline = false;
-  if (code == Code::nurbs || code == Code::nurbs_end)
-    return error("not-supported", "G5.2 (a NURBS) is not supported yet", block_.words.front());
   if (is_circular(current_motion())) {
     if (ang)
       return error("angle-line-only", "the angle of a line is for straight lines only", *ang);
@@ -124,7 +131,8 @@ bool Moves::arc(const Vec3& from, const Frame& frame) {
 
 bool Moves::spline(const Vec3& from, const Frame& frame) {
   std::vector<SolvedArc> pieces;
-  if (!splines_.solve(from, pieces)) return false;
+  const bool nurbs = current_motion() == Code::nurbs_end;
+  if (!(nurbs ? splines_.close(from, pieces) : splines_.solve(from, pieces))) return false;
   for (SolvedArc& piece : pieces) {
     // Each piece starts where the one before ended.
     const bool ok =
@@ -208,6 +216,8 @@ void Moves::jump(const Target& to) {
 }
 
 void Moves::finish() {
+  if (splines_.open())
+    reporter_.add_general(Severity::error, "nurbs-open", "the program ends inside a NURBS");
   if (!pending_angle_.active) return;
   reporter_.add_at(Severity::error, "angle-incomplete",
                    "the program ends after a block that gives only an angle",

@@ -1,6 +1,7 @@
 #include "interp/control/spline_words.h"
 
-#include "interp/path/spline.h"
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kSplineTolerance = 1e-3;  // mm
+constexpr std::size_t kMostPoints = 100'000;
 
 }  // namespace
 
@@ -52,8 +54,14 @@ bool SplineWords::solve(const Vec3& from, std::vector<SolvedArc>& out) {
     control[1] = (1.0 / 3) * (start + 2.0 * middle);
     control[2] = (1.0 / 3) * (end + 2.0 * middle);
   }
+  pieces(bezier_arcs(control, kSplineTolerance), to, from, where, out);
+  return true;
+}
+
+void SplineWords::pieces(const std::vector<CurvePiece>& curve, const Target& to, const Vec3& from,
+                         const Word& where, std::vector<SolvedArc>& out) {
   ArcBlock block{to, from, Frame{}, basis(), false, {}, {}, &where};
-  for (const CurvePiece& piece : bezier_arcs(control, kSplineTolerance)) {
+  for (const CurvePiece& piece : curve) {
     SolvedArc solved;
     block.to.programmed = {piece.end.x, piece.end.y, from.z};
     block.to.named = 3;
@@ -63,6 +71,53 @@ bool SplineWords::solve(const Vec3& from, std::vector<SolvedArc>& out) {
     if (piece.arc.sweep != 0) set_plane_arc(block, piece.arc, solved);
     out.push_back(solved);
   }
+}
+
+// G5.2 P L, then X Y P: the first point is where the tool is, with the weight of a block without
+// axes.
+bool SplineWords::control_point(const Vec3& from) {
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (modal_.plane != 0) return error("spline-plane", "a NURBS needs the plane G17", where);
+  if (modal_.incremental)
+    return error("not-supported", "control points of a NURBS in G91 are not supported yet", where);
+  if (modal_.comp != Code::comp_off)
+    return error("cycle-compensation", "a NURBS under radius compensation", where);
+  Target to;
+  if (!axes_.target(to, from)) return false;
+  if ((to.named & 4U) != 0) return error("spline-plane", "a NURBS has no Z", where);
+  const Word* p = take('P');
+  if (p && p->value <= 0) return error("value-range", "the weight P must be above 0", *p);
+  const double weight = p ? p->value : 1;
+  if (const Word* l = take('L')) {
+    if (l->value < 2 || l->value > 20 || l->value != std::floor(l->value))
+      return error("value-range", "L, the order of a NURBS, is 2 to 20", *l);
+    order_ = static_cast<int>(l->value);
+  } else if (nurbs_.empty()) {
+    order_ = 3;
+  }
+  if (to.named != 0 && to.named != 3)
+    return error("value-missing", "a control point needs both X and Y", where);
+  if (nurbs_.size() >= kMostPoints)
+    return error("value-range", fmt::format("more than {} control points", kMostPoints), where);
+  if (nurbs_.empty()) nurbs_.push_back({{from.x, from.y}, to.named == 0 ? weight : 1});
+  if (to.named != 0) nurbs_.push_back({{to.programmed.x, to.programmed.y}, weight});
+  return true;
+}
+
+bool SplineWords::close(const Vec3& from, std::vector<SolvedArc>& out) {
+  const Word& where = *block_.motion_code;
+  const std::vector<NurbsPoint> points = std::exchange(nurbs_, {});
+  if (points.empty()) return error("value-missing", "G5.3 without G5.2", where);
+  if (points.size() < static_cast<std::size_t>(order_))
+    return error("value-missing",
+                 fmt::format("a NURBS of order {} needs as many control points, not {}", order_,
+                             points.size()),
+                 where);
+  const std::vector<CurvePiece> curve = nurbs_arcs(points, order_, kSplineTolerance);
+  if (curve.size() > kMostCurvePieces)
+    return error("value-range", fmt::format("a NURBS of more than {} arcs", kMostCurvePieces),
+                 where);
+  pieces(curve, Target{}, from, where, out);
   return true;
 }
 

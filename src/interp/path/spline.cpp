@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace mrsim {
 namespace {
@@ -9,10 +10,15 @@ namespace {
 constexpr int kDeepest = 14;  // halvings of the parameter
 constexpr int kSamples = 12;  // points of the curve that are measured in each span
 
+/// A stretch of a curve, over a parameter that begins at 0 and ends at 1.
+struct PlaneCurve {
+  std::function<Vec2(double)> point, derivative;
+};
+
 class Approximation {
  public:
-  Approximation(const std::array<Vec2, 4>& control, double tolerance)
-      : control_(control), tolerance_(tolerance) {}
+  Approximation(PlaneCurve curve, double tolerance)
+      : curve_(std::move(curve)), tolerance_(tolerance) {}
 
   void span(double from, double to, int depth) {
     const Vec2 a = point(from), b = point(to);
@@ -32,16 +38,10 @@ class Approximation {
   std::vector<CurvePiece> out;
 
  private:
-  Vec2 point(double t) const {
-    const double s = 1 - t;
-    return s * s * s * control_[0] + 3 * s * s * t * control_[1] + 3 * s * t * t * control_[2] +
-           t * t * t * control_[3];
-  }
+  Vec2 point(double t) const { return curve_.point(t); }
   // Unit direction of travel; where the derivative vanishes, that of a point close by.
   Vec2 tangent(double t, double towards) const {
-    const double s = 1 - t;
-    Vec2 d = 3 * s * s * (control_[1] - control_[0]) + 6 * s * t * (control_[2] - control_[1]) +
-             3 * t * t * (control_[3] - control_[2]);
+    Vec2 d = curve_.derivative(t);
     if (length(d) < 1e-9) {
       const Vec2 chord = point(t + (towards - t) * 1e-3) - point(t);
       d = towards > t ? chord : Vec2{} - chord;
@@ -104,8 +104,65 @@ class Approximation {
     return std::abs(cross(d, p - from)) / std::max(length(d), 1e-12);
   }
 
-  std::array<Vec2, 4> control_;
+  PlaneCurve curve_;
   double tolerance_;
+};
+
+PlaneCurve bezier(const std::array<Vec2, 4>& c) {
+  const auto point = [c](double t) {
+    const double s = 1 - t;
+    return s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
+  };
+  const auto derivative = [c](double t) {
+    const double s = 1 - t;
+    return 3 * s * s * (c[1] - c[0]) + 6 * s * t * (c[2] - c[1]) + 3 * t * t * (c[3] - c[2]);
+  };
+  return {point, derivative};
+}
+
+/// One stretch between two knots, by de Boor's scheme on (w x, w y, w).
+class NurbsStretch {
+ public:
+  /// `first`: of the `order` control points that count in it.
+  NurbsStretch(const std::vector<NurbsPoint>& control, int order, std::size_t first)
+      : degree_(order - 1), first_(static_cast<int>(first)) {
+    last_knot_ = static_cast<int>(control.size()) - degree_;
+    for (int i = 0; i < order; ++i) {
+      const NurbsPoint& p = control[first + static_cast<std::size_t>(i)];
+      points_.push_back({p.weight * p.at.x, p.weight * p.at.y, p.weight});
+    }
+  }
+  Vec2 point(double t) const {
+    const Vec3 h = combine(t, degree_)[static_cast<std::size_t>(degree_)];
+    return {h.x / h.z, h.y / h.z};
+  }
+  Vec2 derivative(double t) const {
+    const std::vector<Vec3> d = combine(t, degree_ - 1);
+    const auto p = static_cast<std::size_t>(degree_);
+    const Vec3 slope = degree_ * (d[p] - d[p - 1]);  // knots are 1 apart
+    const Vec3 h = (1 - t) * d[p - 1] + t * d[p];
+    return {(slope.x * h.z - h.x * slope.z) / (h.z * h.z),
+            (slope.y * h.z - h.y * slope.z) / (h.z * h.z)};
+  }
+
+ private:
+  double knot(int i) const { return std::clamp(i - degree_, 0, last_knot_); }
+  std::vector<Vec3> combine(double t, int rounds) const {
+    std::vector<Vec3> d = points_;
+    const int span = first_ + degree_;
+    const double u = knot(span) + t;
+    for (int r = 1; r <= rounds; ++r)
+      for (int i = degree_; i >= r; --i) {
+        const double low = knot(first_ + i), high = knot(span + 1 + i - r);
+        const double share = (u - low) / (high - low);
+        const auto at = static_cast<std::size_t>(i);
+        d[at] = (1 - share) * d[at - 1] + share * d[at];
+      }
+    return d;
+  }
+
+  int degree_, first_, last_knot_ = 1;
+  std::vector<Vec3> points_;
 };
 
 }  // namespace
@@ -114,9 +171,27 @@ std::vector<CurvePiece> bezier_arcs(const std::array<Vec2, 4>& control, double t
   double extent = 0;
   for (const Vec2 p : control) extent = std::max(extent, length(p - control[0]));
   if (extent < 1e-9) return {};
-  Approximation made(control, tolerance);
+  Approximation made(bezier(control), tolerance);
   made.span(0, 1, 0);
   return made.out;
+}
+
+std::vector<CurvePiece> nurbs_arcs(const std::vector<NurbsPoint>& control, int order,
+                                   double tolerance) {
+  double extent = 0;
+  for (const NurbsPoint& p : control) extent = std::max(extent, length(p.at - control[0].at));
+  if (extent < 1e-9) return {};
+  std::vector<CurvePiece> out;
+  for (std::size_t i = 0; i + static_cast<std::size_t>(order) <= control.size(); ++i) {
+    const NurbsStretch stretch(control, order, i);
+    Approximation made({[&](double t) { return stretch.point(t); },
+                        [&](double t) { return stretch.derivative(t); }},
+                       tolerance);
+    made.span(0, 1, 0);
+    out.insert(out.end(), made.out.begin(), made.out.end());
+    if (out.size() > kMostCurvePieces) break;
+  }
+  return out;
 }
 
 }  // namespace mrsim

@@ -32,8 +32,6 @@ Reading reading(Code code) {
     case Code::diameter_cycles_off:
       return Reading::no_effect;
     case Code::unsupported:
-    case Code::nurbs:
-    case Code::nurbs_end:
       return Reading::refused;
     default:
       return Reading::done;
