@@ -20,12 +20,60 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
 
-// mm^2 in plan that the cutter passes over.
-double swept_area(const Motion& m, const Tool& tool) {
+// Straight cuts are asked in pieces, so that a cut that leaves the material counts as air from
+// there: half a diameter long, so that they do not add much to what is asked.
+constexpr double kMostPieces = 64, kVoxelsPerPiece = 2;
+
+int pieces_of(const Motion& m, const Tool& tool, double voxel) {
+  if (m.kind != MotionKind::line) return 1;
+  const double length = distance(m.start, m.end);
+  const double piece = std::max(0.5 * tool.diameter, kVoxelsPerPiece * voxel);
+  return static_cast<int>(std::clamp(std::floor(length / piece), 1.0, kMostPieces));
+}
+
+// mm^2 in plan that the cutter passes over in all pieces.
+double swept_area(const Motion& m, const Tool& tool, double voxel) {
   const Vec3 way = m.end - m.start;
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
-  return tool.diameter * (length + tool.diameter);
+  return tool.diameter * (length + pieces_of(m, tool, voxel) * tool.diameter);
+}
+
+// The motions with straight cuts in pieces.
+struct Pieces {
+  std::vector<Motion> motions;
+  std::vector<std::size_t> first;  // of each motion, and the end
+};
+
+Pieces divided(const CutList& cuts, double voxel) {
+  Pieces out;
+  for (const Motion& m : cuts.motions()) {
+    out.first.push_back(out.motions.size());
+    const int count = is_cut(m) && m.tool >= 0
+                          ? pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel)
+                          : 1;
+    const Vec3 way = m.end - m.start;
+    for (int k = 0; k < count; ++k) {
+      Motion& piece = out.motions.emplace_back(m);
+      if (k > 0) piece.start = out.motions[out.motions.size() - 2].end;
+      if (k + 1 < count) piece.end = m.start + (static_cast<double>(k + 1) / count) * way;
+    }
+  }
+  out.first.push_back(out.motions.size());
+  return out;
+}
+
+// Fills in what each motion of the program removes, and on what share of its way nothing.
+void sum_pieces(const Pieces& pieces, const std::vector<double>& removed, std::size_t inherited,
+                History& history) {
+  const double nothing = kNothing * history.voxel * history.voxel * history.voxel;
+  for (std::size_t i = inherited; i + 1 < pieces.first.size(); ++i) {
+    double volume = 0, air = 0;
+    for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k)
+      volume += removed[k], air += removed[k] > nothing ? 0 : 1;
+    history.removed.push_back(volume);
+    history.air.push_back(air / static_cast<double>(pieces.first[i + 1] - pieces.first[i]));
+  }
 }
 
 Removal& of_tool(int tool, std::vector<ToolRemoval>& tools) {
@@ -44,7 +92,7 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
     if (is_turning(tool.type)) continue;
-    area += swept_area(motion, tool), ++count;
+    area += swept_area(motion, tool, std::max(usual, voxel)), ++count;
   }
   const double coarser = std::sqrt(area / (kMostColumns + kColumnsPerCut * count));
   return std::max({usual, coarser, voxel});
@@ -58,9 +106,13 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   history.voxel = job.history == HistoryDetail::full
                       ? stock.voxel()
                       : summary_voxel(result.stock, cuts, stock.voxel());
-  const std::vector<double> all = removed_volumes(field, history_lattice(field, history.voxel),
-                                                  cuts.motions().size(), job.carve.threads);
-  history.removed.assign(all.begin() + static_cast<std::ptrdiff_t>(cuts.inherited()), all.end());
+  const Pieces pieces = divided(cuts, history.voxel);
+  const int threads = job.carve.threads;
+  const PartField in_pieces(field.solid(), SweepTable(pieces.motions, cuts.tools(), {}, threads),
+                            threads);
+  const std::vector<double> removed = removed_volumes(
+      in_pieces, history_lattice(in_pieces, history.voxel), pieces.motions.size(), threads);
+  sum_pieces(pieces, removed, cuts.inherited(), history);
   for (std::size_t i = 0; i < history.removed.size(); ++i) {
     const Motion& motion = result.program.motions[i];
     if (!is_cut(motion)) continue;
@@ -74,9 +126,8 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
 Removal removal_of(const Program& program, const CycleTime& time, const History& history,
                    std::size_t motion) {
   if (program.motions[motion].kind == MotionKind::rapid) return {};
-  const double removed = history.removed[motion], seconds = time.seconds[motion];
-  const double nothing = kNothing * history.voxel * history.voxel * history.voxel;
-  return {removed, seconds, removed > nothing ? 0 : seconds};
+  const double seconds = time.seconds[motion];
+  return {history.removed[motion], seconds, history.air[motion] * seconds};
 }
 
 }  // namespace mrsim

@@ -24,7 +24,7 @@ enum class HistoryDetail : std::uint8_t {
 struct Removal {
   double removed = 0;      ///< mm^3
   double seconds = 0;      ///< of cutting, rapids excluded
-  double air_seconds = 0;  ///< of these, of cuts that remove nothing
+  double air_seconds = 0;  ///< of these, while nothing is removed
 
   Removal& operator+=(const Removal& other) {
     removed += other.removed, seconds += other.seconds, air_seconds += other.air_seconds;
@@ -42,6 +42,7 @@ struct ToolRemoval {
 struct History {
   double voxel = 0;             ///< mm; 0 = no history was made
   std::vector<double> removed;  ///< #motions of the program, mm^3
+  std::vector<double> air;      ///< #motions: share of the way on which nothing is removed
   Removal total;
   std::vector<ToolRemoval> tools;  ///< in the order of their first cuts
 };

@@ -67,6 +67,18 @@ TEST_F(HistoryOfRun, TableHoldsTheSame) {
   EXPECT_TRUE(last.starts_with("program,slots.nc,")) << last;
 }
 
+TEST_F(HistoryOfRun, CutThatLeavesTheMaterialIsInTheAirFromThere) {
+  // 50 mm of stock, 150 mm of air beyond it.
+  write("long.nc", "G54 G17 G90 G71\nT1 M6\nS5000 M3\nG0 X0 Y25 Z-4\nG1 X200 F600\nM30\n");
+  const Outcome outcome =
+      run("long.nc --dialect sinumerik --machine mill --stock box:0,0,-10,50,50,0 "
+          "--tool 1=endmill:d=8 --history h.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json row = history()["rows"][0];
+  EXPECT_NEAR(row["air"], 150.0 / 200, 4.0 / 200);  // a piece
+  EXPECT_NEAR(row["removed"], 4 * 8 * 50, 0.02 * 4 * 8 * 50);
+}
+
 TEST_F(HistoryOfRun, SummaryAndJsonHaveTheSumsByTool) {
   write_slots();
   const Outcome outcome = run(std::string(kRun) + "--json r.json");
@@ -76,7 +88,7 @@ TEST_F(HistoryOfRun, SummaryAndJsonHaveTheSumsByTool) {
   ASSERT_EQ(h["tools"].size(), 2u);
   EXPECT_NEAR(h["tools"][0]["removed"], kFirst, 0.02 * kFirst);
   EXPECT_GT(h["tools"][0]["air"], 0.4);
-  EXPECT_EQ(h["tools"][1]["air"], 0.0);
+  EXPECT_NEAR(h["tools"][1]["air"], 17.0 / 70, 3.0 / 70);  // 7 mm before the stock, 10 after it
   EXPECT_NEAR(h["total"]["removed"], kFirst + kSecond, 0.02 * kFirst);
 }
 
