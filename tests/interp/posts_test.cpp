@@ -261,6 +261,13 @@ TEST(Posts, G10TurnsAWorkOffset) {
   expect_near(p.motions[1].end, {9, 6, 0});
 }
 
+// Compensation ends with a straight move; a full circle is none.
+TEST(Posts, AFullCircleDoesNotEndCompensation) {
+  for (const Dialect d : {Dialect::fanuc, Dialect::ngc})
+    EXPECT_EQ(codes(read_text("G41 D1 G1 X10 F100\nX30\nG40\nG2 I5\nG1 X50\nM2\n", at_origin(d))),
+              "comp-end-arc");
+}
+
 TEST(Posts, LinuxCncArcsAndDiameters) {
   const InterpOptions options = at_origin(Dialect::ngc);
   EXPECT_EQ(codes(read_text("F1\nG2 X6000 I3100\n", options)), "arc-radii-differ");

@@ -11,8 +11,8 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   if (modal_.comp == Code::comp_off && !started_) return true;
   const Basis b = stock_basis();
   const Vec2 travel = in_plane(b, motion.end - motion.start);
-  const bool moves = length(travel) > 1e-9;
   const bool straight = motion.kind != MotionKind::arc;
+  const bool moves = !straight || length(travel) > 1e-9;  // full circles, too
   block_.comp_moved = moves && straight;
   if (modal_.comp != Code::comp_off && !started_) {
     if (!straight)
