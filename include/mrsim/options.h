@@ -36,7 +36,7 @@ struct InterpOptions {
   std::optional<Vec3> start;
   /// Skip levels in force: bit n skips blocks that begin with "/n" ("/" is "/0"). Default: none.
   unsigned block_skip = 0;
-  /// Folders searched for subprograms after the program's own.
+  /// Folders searched for subprograms after the program's own; SINUMERIK: also files of DEF lines.
   std::vector<std::string> search_path;
   /// Known tools, registers and work offsets; an empty id is the tool of a program that names none.
   ToolTable table;

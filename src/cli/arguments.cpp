@@ -113,7 +113,8 @@ void add_program_options(CLI::App& app, Typed& typed) {
   add("--max-blocks", typed.max_blocks, "N", "most blocks to run; default: 4000000000");
   add("--max-steps", typed.max_steps, "N",
       "most jumps, passes of loops and calls; default: 10000000");
-  app.add_option("--path", typed.search_path, "also look for subprograms here; may be repeated")
+  app.add_option("--path", typed.search_path,
+                 "also look for subprograms here, or a .DEF file of SINUMERIK; may be repeated")
       ->type_name("DIR")
       ->group(group)
       ->allow_extra_args(false);

@@ -62,5 +62,23 @@ TEST(Sinumerik, CyclesTakeExpressions) {
   EXPECT_EQ(run("F100 G0 Z50\nCYCLE82(50,0,2,-R9,,0.5)\n"), "0,0,50 variable-unset");
 }
 
+TEST(Sinumerik, DefinitionsFromFiles) {
+  const Scratch scratch;
+  const std::string defs = scratch.write(
+      "UGUD.DEF",
+      "; user data\nDEF NCK REAL WIDTH=7\nDEF CHAN SYNRW INT PHU 1 LLI 0 ULI 9 _COUNT[2]=SET(3,4)\n"
+      "DEF NCK STRING[16] APRP 7 APWP 7 _NAME=\"A\"\nM17\n");
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.search_path = {defs};
+  const Program p =
+      read_text("F100 G1 X=WIDTH Y=_COUNT[1]\nSUB\nM30\n%_N_SUB_SPF\nX=WIDTH*2\nM17\n", options);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.motions.size(), 2U);
+  expect_near(p.motions[0].end, {7, 4, 0});
+  expect_near(p.motions[1].end, {14, 4, 0});
+  options.search_path = {scratch.write("MGUD.DEF", "DEF NCK NUMBER WIDTH\n")};
+  EXPECT_EQ(codes(read_text("F100 G1 X1\n", options)), "statement");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -4,7 +4,10 @@
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -116,28 +119,67 @@ bool SinumerikStatements::assign_all(std::string_view line, std::size_t& p, std:
 
 // DEF REAL A, B=2, C[3,2]; DEF STRING[20] NAME
 bool SinumerikStatements::define(std::size_t p) {
-  bool global = false;
-  std::string word = name_at(p);
-  const std::size_t from = p;
-  while (word == "NCK" || word == "CHAN" || word == "SYNR" || word == "SYNW" || word == "SYNRW") {
+  return definitions(p, false) && end_statement(p);
+}
+
+// NCK, CHAN, SYNR ...: who shares a variable; PHU 1, LLI 0, APRP 7 ...: unit, limits and rights.
+std::string SinumerikStatements::behind_attributes(std::size_t& p, bool& global) {
+  static constexpr std::string_view kPlain[] = {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW"};
+  static constexpr std::string_view kCounted[] = {"PHU",  "LLI",  "ULI",  "APR", "APW",
+                                                  "APRP", "APWP", "APRB", "APWB"};
+  for (;;) {
+    std::size_t q = p;
+    const std::string word = name_at(q);
+    const bool plain = std::find(std::begin(kPlain), std::end(kPlain), word) != std::end(kPlain);
+    const bool counted =
+        std::find(std::begin(kCounted), std::end(kCounted), word) != std::end(kCounted);
+    if (!plain && !counted) return word;
+    p = q;
     global = global || word == "NCK" || word == "CHAN";
-    word = name_at(p);
+    double ignored = 0;
+    if (counted && !number(p, ignored, false)) return {};
   }
+}
+
+bool SinumerikStatements::definitions(std::size_t& p, bool global) {
+  const std::string word = behind_attributes(p, global);
+  const std::size_t from = p = skip_blanks(p);
   const std::optional<VariableType> type = type_named(word);
   if (!type)
     return fail("statement", "REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME is expected here", from,
-                p);
+                p + 1);
+  name_at(p);
   if (*type == VariableType::text && at(p) == '[') {
     std::vector<Value> length;
     if (!indices(block_.line, p, length)) return false;
   }
+  behind_attributes(p, global);
   for (;;) {
     if (!define_one(p, *type, global)) return false;
     p = skip_blanks(p);
-    if (at(p) != ',') break;
+    if (at(p) != ',') return true;
     ++p;
   }
-  return end_statement(p);
+}
+
+// Files of definitions (UGUD.DEF) among the search path: their variables live as long as the run.
+void SinumerikStatements::read_definitions() {
+  for (const std::string& file : options_.search_path) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none)) continue;
+    program_.files.push_back(file);
+    const int index = static_cast<int>(program_.files.size()) - 1;
+    LineSource source(file, std::size_t(1) << 14);
+    std::string_view line;
+    while (source.next(line)) {
+      block_.line = line;
+      reporter_.set_place(index, source.line_number(), -1, line);
+      std::size_t p = 0;
+      if (name_at(p) == "DEF") definitions(p, true);
+    }
+    block_.line = {};
+    reporter_.forget_text();
+  }
 }
 
 bool SinumerikStatements::define_one(std::size_t& p, VariableType type, bool global) {

@@ -20,7 +20,9 @@ constexpr std::string_view kKeywords[] = {
 
 SinumerikStatements::SinumerikStatements(Control& control, BlockReader& reader)
     : Statements(control, reader, sinumerik_rules(), VariableForm::sinumerik,
-                 OutlineForm::sinumerik) {}
+                 OutlineForm::sinumerik) {
+  read_definitions();
+}
 
 std::string SinumerikStatements::name_at(std::size_t& p) const {
   p = skip_blanks(p);

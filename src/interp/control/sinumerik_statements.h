@@ -52,6 +52,9 @@ class SinumerikStatements : public Statements {
   bool go_to(const std::string& word, std::size_t p);
   bool case_of(std::size_t p);
   bool define(std::size_t p);
+  bool definitions(std::size_t& p, bool global);
+  std::string behind_attributes(std::size_t& p, bool& global);
+  void read_definitions();
   bool define_one(std::size_t& p, VariableType type, bool global);
   bool repeat_part(const std::string& word, std::size_t p);
   bool call_statement(std::size_t from, std::size_t p);
