@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace mrsim {
 namespace {
@@ -23,6 +25,7 @@ constexpr double kNothing = 1e-3;
 // Straight cuts are asked in pieces, so that a cut that leaves the material counts as air from
 // there: half a diameter long, so that they do not add much to what is asked.
 constexpr double kMostPieces = 64, kVoxelsPerPiece = 2;
+constexpr std::size_t kMostInAll = 60000;  // pieces: some 30 MB
 
 int pieces_of(const Motion& m, const Tool& tool, double voxel) {
   if (m.kind != MotionKind::line) return 1;
@@ -45,13 +48,29 @@ struct Pieces {
   std::vector<std::size_t> first;  // of each motion, and the end
 };
 
+int pieces_in(const CutList& cuts, const Motion& m, double voxel) {
+  if (!is_cut(m) || m.tool < 0) return 1;
+  return pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel);
+}
+
+// The shortest pieces, as a voxel that they are as long as, of which there are not too many.
+// Infinite where the motions alone are too many.
+double piece_voxel(const CutList& cuts, double voxel) {
+  if (cuts.motions().size() > kMostInAll) return std::numeric_limits<double>::infinity();
+  while (true) {
+    std::size_t count = 0;
+    for (const Motion& m : cuts.motions())
+      count += static_cast<std::size_t>(pieces_in(cuts, m, voxel));
+    if (count <= kMostInAll || count == cuts.motions().size()) return voxel;
+    voxel *= 2;
+  }
+}
+
 Pieces divided(const CutList& cuts, double voxel) {
   Pieces out;
   for (const Motion& m : cuts.motions()) {
     out.first.push_back(out.motions.size());
-    const int count = is_cut(m) && m.tool >= 0
-                          ? pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel)
-                          : 1;
+    const int count = pieces_in(cuts, m, voxel);
     const Vec3 way = m.end - m.start;
     for (int k = 0; k < count; ++k) {
       Motion& piece = out.motions.emplace_back(m);
@@ -60,6 +79,14 @@ Pieces divided(const CutList& cuts, double voxel) {
     }
   }
   out.first.push_back(out.motions.size());
+  return out;
+}
+
+// A cut in one piece each.
+Pieces undivided(const CutList& cuts) {
+  Pieces out;
+  out.first.resize(cuts.motions().size() + 1);
+  std::iota(out.first.begin(), out.first.end(), std::size_t(0));
   return out;
 }
 
@@ -106,12 +133,18 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   history.voxel = job.history == HistoryDetail::full
                       ? stock.voxel()
                       : summary_voxel(result.stock, cuts, stock.voxel());
-  const Pieces pieces = divided(cuts, history.voxel);
   const int threads = job.carve.threads;
-  const PartField in_pieces(field.solid(), SweepTable(pieces.motions, cuts.tools(), {}, threads),
-                            threads);
-  const std::vector<double> removed = removed_volumes(
-      in_pieces, history_lattice(in_pieces, history.voxel), pieces.motions.size(), threads);
+  const auto removed_by = [&](const PartField& of, std::size_t motions) {
+    return removed_volumes(of, history_lattice(of, history.voxel), motions, threads);
+  };
+  const double piece = piece_voxel(cuts, history.voxel);
+  const bool whole = !std::isfinite(piece);
+  const Pieces pieces = whole ? undivided(cuts) : divided(cuts, piece);
+  const std::vector<double> removed =
+      whole ? removed_by(field, cuts.motions().size())
+            : removed_by(PartField(field.solid(),
+                                   SweepTable(pieces.motions, cuts.tools(), {}, threads), threads),
+                         pieces.motions.size());
   sum_pieces(pieces, removed, cuts.inherited(), history);
   for (std::size_t i = 0; i < history.removed.size(); ++i) {
     const Motion& motion = result.program.motions[i];
