@@ -1,6 +1,7 @@
 // Flat, bull-nose and ball mills on helices and on arcs in upright planes against brute force.
 #include "core/units.h"
 #include "removal/sweep/path_sweep.h"
+#include "removal/sweep/slant_sweep.h"
 #include "removal/sweep/upright_sweep.h"
 #include "sweep_support.h"
 
@@ -78,6 +79,29 @@ TEST_P(Stretches, EqualTheLeastDistanceOverAllPositions) {
 }
 
 INSTANTIATE_TEST_SUITE_P(FlatBullBall, Stretches, ::testing::Values(0.0, 0.3, 1.0));
+
+// Beside the line and under its lower end the bound is the distance of a flat mill itself.
+TEST(Slants, BoundIsNotAboveTheDistance) {
+  Random r(19);
+  for (int round = 0; round < 300; ++round) {
+    const Motion m = slant(r);
+    const double radius = r(0.3, 6);
+    const Profile mill = make_cutter(endmill(2 * radius, r(0, 1) * radius));
+    ToolPath path;
+    path.start = m.start, path.travel = m.end - m.start;
+    const SlantRecord line = slant_record(mill, path);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 p = point_near(r, m, 1.5 * radius + 2);
+      ASSERT_LE(slant_bound(line, p), slant_minimum(line, p).distance + 1e-9);
+    }
+  }
+  const Profile flat = make_cutter(endmill(4));
+  ToolPath path;
+  path.travel = {10, 0, 5};
+  const SlantRecord line = slant_record(flat, path);
+  EXPECT_NEAR(slant_bound(line, {5, 7, 9}), 5, 1e-12);
+  EXPECT_NEAR(slant_bound(line, {0, 1, -3}), 3, 1e-12);
+}
 
 // The place is where the distance is, and the pieces of a path share its least distance.
 TEST(Stretches, PlacesAndPiecesAgree) {

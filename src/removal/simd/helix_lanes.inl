@@ -93,6 +93,10 @@ class FallingTurn {
     return choose(less(a.t, delta), choose(less(delta, b.t), x, b), a);
   }
 
+  Place level(const Place& a, const Place& b, M wanted) const {
+    return crossing(*this, a, b, wanted);
+  }
+
   Place ground(const Place& a, const Place& b, M) const {
     const V t = a.t + a.dz / h_.fall;
     const V clamped = select(less(t, a.t), a.t, select(less(b.t, t), b.t, t));

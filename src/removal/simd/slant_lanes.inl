@@ -45,6 +45,16 @@ class SlantStretch {
     return choose(less(splat(0.0), rise_), at(clamped), b);
   }
 
+  // lateral = core + dz is a quadratic equation of t, whose first root is wanted.
+  Place level(const Place& a, const Place& b, M) const {
+    const V zero = splat(0.0), reach = core_ + high_;
+    const V square = plan_ * plan_ - rise_ * rise_;
+    const V half = from_ * plan_ + reach * rise_, rest = from_ * from_ + square_ - reach * reach;
+    const V divisor = half + vsqrt(vmax(half * half - square * rest, zero));
+    const V t = select(less(zero, divisor), (zero - rest) / divisor, a.t);
+    return at(select(less(t, a.t), a.t, select(less(b.t, t), b.t, t)));
+  }
+
   // dr^2 + dz^2 is convex where dr >= 0: Newton's method, halving where it leaves the bracket.
   Place corner(const Place& a, const Place& b, M wanted) const {
     const V zero = splat(0.0);

@@ -10,6 +10,7 @@ struct SlantRecord {
   double length = 0;           ///< mm
   double plan = 1, rise = 0;   ///< in plan and upwards for each mm of the length, not negative
   double core = 0, round = 0;  ///< of the tool
+  bool falls = false;          ///< the move ends at the lower end
 };
 
 }  // namespace mrsim

@@ -115,6 +115,14 @@ void add_chains(SweepColumns& c) {
   }
 }
 
+void add_slants(SweepColumns& c) {
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path || !is_slant(c.cutter(ref), c.paths[ref.row])) continue;
+    c.slant_lines.resize(c.paths.size());
+    c.slant_lines[ref.row] = slant_record(c.cutter(ref), c.paths[ref.row]);
+  }
+}
+
 // Up and down on the Z axis, as lathes drill.
 bool is_on_axis(const Motion& m) {
   const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
@@ -138,6 +146,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
                 [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
   out.uniform = out.uniform && !out.refs.empty();
   add_chains(out);
+  add_slants(out);
   out.packs = SweepPacks(out, threads);
   cut_pieces(out);
   classify(out, threads);

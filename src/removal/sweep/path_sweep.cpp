@@ -245,7 +245,7 @@ PathPoint path_point(const ToolPath& path, double t) {
 }
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
-  if (is_slant(tool, path)) return slant_minimum(tool, path, p);
+  if (is_slant(tool, path)) return slant_minimum(slant_record(tool, path), p);
   const Objective F(tool, path, p);
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
   if (path.upright) return upright_minimum(tool, path, p);

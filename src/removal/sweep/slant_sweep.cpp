@@ -2,6 +2,7 @@
 
 #include "removal/simd/lane_scalar.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
@@ -16,15 +17,26 @@ SlantRecord slant_record(const Profile& tool, const ToolPath& path) {
   r.ux = up.x / plan, r.uy = up.y / plan;
   r.length = length, r.plan = plan / length, r.rise = up.z / length;
   r.core = tool.core(), r.round = tool.round();
+  r.falls = falls;
   return r;
 }
 
-PathSample slant_minimum(const Profile& tool, const ToolPath& path, const Vec3& p) {
-  const SlantRecord record = slant_record(tool, path);
+// The tool stays within its radius of the line in plan, above its lower end, and above the plane
+// along the line that its core's rim touches at the back.
+double slant_bound(const SlantRecord& r, const Vec3& p) {
+  const double dx = p.x - r.x, dy = p.y - r.y, below = r.z - p.z;
+  const double along = dx * r.ux + dy * r.uy, off = dx * r.uy - dy * r.ux;
+  const double beyond = along - std::clamp(along, 0.0, r.length * r.plan);
+  const double aside = std::sqrt(off * off + beyond * beyond) - r.core;
+  const double under = r.plan * below + r.rise * (along - r.core);
+  return std::max({aside, under, below}) - r.round;
+}
+
+PathSample slant_minimum(const SlantRecord& line, const Vec3& p) {
   const lane::SlantLeast least =
-      lane::slant_least(lane::SlantStretch(record, p.x, p.y, p.z), record.round, true);
-  const double share = least.way / record.length;
-  return {least.distance, path.travel.z < 0 ? 1 - share : share};
+      lane::slant_least(lane::SlantStretch(line, p.x, p.y, p.z), line.round, true);
+  const double share = least.way / line.length;
+  return {least.distance, line.falls ? 1 - share : share};
 }
 
 }  // namespace mrsim

@@ -7,12 +7,14 @@
 
 namespace mrsim {
 
-/// Whether slant_minimum() holds.
+/// Whether slant_minimum() holds for the move.
 inline bool is_slant(const Profile& tool, const ToolPath& path) {
   return !path.arc && tool.is_rounded() && tool.is_rising();
 }
 SlantRecord slant_record(const Profile& tool, const ToolPath& path);
-/// The least distance and where it lies, exact but for rounding. Requires: is_slant().
-PathSample slant_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
+/// Not above the distance but for rounding (1e-8 mm). Costs a square root.
+double slant_bound(const SlantRecord& line, const Vec3& p);
+/// The least distance and where it lies, exact but for rounding.
+PathSample slant_minimum(const SlantRecord& line, const Vec3& p);
 
 }  // namespace mrsim

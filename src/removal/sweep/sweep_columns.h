@@ -8,6 +8,7 @@
 #include "removal/sweep/curtain_sweep.h"
 #include "removal/sweep/height_pieces.h"
 #include "removal/sweep/path_sweep.h"
+#include "removal/sweep/slant_sweep.h"
 #include "removal/sweep/sweep_class.h"
 #include "removal/sweep/sweep_packs.h"
 #include "removal/sweep/sweep_table.h"
@@ -78,8 +79,9 @@ struct SweepColumns {
   std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
   std::vector<ToolPath> paths;
-  std::vector<ChainLine> chain_lines;  ///< by row of paths; empty when there are none
-  std::vector<ChainTool> chain_tools;  ///< by shape, likewise
+  std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
+  std::vector<ChainTool> chain_tools;    ///< by shape, likewise
+  std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<Frame> frames;
@@ -105,6 +107,10 @@ struct SweepColumns {
   /// Whether a sweep is a straight move of a convex tool with chain_minimum().
   bool is_chain(const SweepRef& ref) const {
     return ref.kind == SweepKind::path && !chain_lines.empty() && chain_lines[ref.row].plan >= 0;
+  }
+  /// Whether it is one of a tool with slant_minimum().
+  bool is_slant_line(const SweepRef& ref) const {
+    return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
   }
   /// The least distance over the positions of a path, in the frame of its tool, and where it is.
   PathSample path_sample(const SweepRef& ref, const Vec3& p) const;

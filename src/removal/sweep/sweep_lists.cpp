@@ -52,10 +52,11 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
   std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
   if (c.is_chain(ref) && ref.frame == 0)
     return sweep_kernels().chain(c.chain_tools[ref.shape], c.chain_lines[ref.row], id, points);
+  if (c.is_slant_line(ref) && ref.frame == 0)
+    return sweep_kernels().slant(c.slant_lines[ref.row], id, points);
   if (ref.kind == SweepKind::path && ref.frame == 0) {
     const ToolPath& path = c.paths[ref.row];
     const Profile& tool = c.cutter(ref);
-    if (is_slant(tool, path)) return sweep_kernels().slant(slant_record(tool, path), id, points);
     if (path.bored) open &= sweep_kernels().bore(path.bore, id, points);
     if (path.lowest_turn && tool.is_rounded())
       return sweep_kernels().helix(helix_record(tool, path), id, open, points);
@@ -106,31 +107,61 @@ void take_nearer(double d, std::uint32_t id, TurnTree::Nearest& best) {
     best.distance = d, best.sweep = id;
 }
 
-// The nearest chain of a list; what is left of the list, valid until the thread's next call. The
-// one with the least bound comes first: few others can then be nearer.
-std::span<const std::uint32_t> nearest_of_chains(const SweepColumns& c,
-                                                 std::span<const std::uint32_t> list, const Vec3& p,
-                                                 TurnTree::Nearest& best) {
-  static thread_local std::vector<std::uint32_t> others;
-  static thread_local std::vector<std::pair<double, std::uint32_t>> chains;
-  others.clear(), chains.clear();
-  for (const std::uint32_t id : list) {
-    const SweepRef& ref = c.refs[id];
-    if (ref.frame == 0 && c.is_chain(ref))
-      chains.emplace_back(chain_bound(c.chain_tools[ref.shape], c.chain_lines[ref.row], p), id);
+// Straight moves of a list, with bounds that cost less than their distances.
+class BoundedLines {
+ public:
+  BoundedLines(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
+
+  /// The nearest of the list's lines; what is left of the list, valid until the thread's next call.
+  /// The one with the least bound comes first: few others can then be nearer.
+  std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list,
+                                         TurnTree::Nearest& best) {
+    Memory& memory = thread_memory();
+    memory.others.clear(), memory.lines.clear();
+    for (const std::uint32_t id : list)
+      if (!add(id, memory)) memory.others.push_back(id);
+    auto& lines = memory.lines;
+    if (!lines.empty()) std::swap(lines.front(), *std::min_element(lines.begin(), lines.end()));
+    for (const auto& [bound, id] : lines) {
+      const double limit = best.distance + kBoundError;
+      if (bound <= limit) take_nearer(distance(id, limit), id, best);
+    }
+    return memory.others;
+  }
+
+ private:
+  using Line = std::pair<double, std::uint32_t>;  // bound, sweep
+  struct Memory {
+    std::vector<std::uint32_t> others;
+    std::vector<Line> lines;
+  };
+  static Memory& thread_memory() {
+    static thread_local Memory memory;
+    return memory;
+  }
+
+  bool add(std::uint32_t id, Memory& memory) const {
+    const SweepRef& ref = c_.refs[id];
+    if (ref.frame != 0) return false;
+    if (c_.is_slant_line(ref))
+      memory.lines.emplace_back(slant_bound(c_.slant_lines[ref.row], p_), id);
+    else if (c_.is_chain(ref))
+      memory.lines.emplace_back(chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_),
+                                id);
     else
-      others.push_back(id);
+      return false;
+    return true;
   }
-  if (!chains.empty()) std::swap(chains.front(), *std::min_element(chains.begin(), chains.end()));
-  for (const auto& [bound, id] : chains) {
-    const double limit = best.distance + kBoundError;
-    if (bound > limit) continue;
-    const SweepRef& ref = c.refs[id];
-    const ChainTool& tool = c.chain_tools[ref.shape];
-    take_nearer(chain_minimum(tool, c.chain_lines[ref.row], p, limit).distance, id, best);
+
+  double distance(std::uint32_t id, double limit) const {
+    const SweepRef& ref = c_.refs[id];
+    if (c_.is_slant_line(ref)) return slant_minimum(c_.slant_lines[ref.row], p_).distance;
+    return chain_minimum(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit).distance;
   }
-  return others;
-}
+
+  const SweepColumns& c_;
+  Vec3 p_;
+};
 
 }  // namespace
 
@@ -184,7 +215,8 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const auto numbers = c.numbers_of(list);
   std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
-  if (!c.chain_lines.empty()) plain = nearest_of_chains(c, plain, p, best);
+  if (!c.chain_lines.empty() || !c.slant_lines.empty())
+    plain = BoundedLines(c, p).nearest(plain, best);
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
     const auto some = plain.first(std::min(kChunk, plain.size()));

@@ -65,6 +65,10 @@ class FallingQuarter {
     const double half = std::sqrt(std::max(0.0, core_ * core_ - p_.beside * p_.beside));
     return between(a, b, on_circle(q_.below ? x_ - half : x_ + half));
   }
+  Place level(const Place& a, const Place& b, bool wanted) const {
+    return crossing(*this, a, b, wanted);
+  }
+
   Place ground(const Place& a, const Place& b, bool) const {
     const double z = p_.z / radius_;
     return between(a, b, {std::sqrt(std::max(0.0, 1 - z * z)), z});
