@@ -54,6 +54,7 @@ TEST(CornerWords, LathesWriteThemWithoutAComma) {
             "l10,0,0 l10,0,-20 l20,0,-30");
   EXPECT_EQ(turned_corners("G1 X20. Z0 C90. F.2\n"), " | not-supported")
       << "C beside both axes is an axis";
+  EXPECT_EQ(turned_corners("G0 C0\nG1 Z-5. C45. F.2\n"), " | not-supported") << "C is an axis here";
 }
 
 }  // namespace

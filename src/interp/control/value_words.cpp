@@ -21,7 +21,7 @@ bool ValueWords::turned_line(char c) {
   const Word* word = peek(c);
   if (!word || c == 'B') return false;
   const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
-  if (c == 'C' && (x == z || word->value <= 0)) return false;
+  if (c == 'C' && (x == z || word->value <= 0 || axis_c_)) return false;
   note_once("lathe-corner",
             fmt::format("{} is read as {} (on a machine with an axis {} write ,{})", text_of(*word),
                         c == 'A' ? "the angle of the line" : "a chamfer", c, c),
@@ -34,6 +34,7 @@ bool ValueWords::rotary_axes() {
     if (turned_line(c)) continue;
     const Word* word = take(c);
     if (!word) continue;
+    axis_c_ = axis_c_ || c == 'C';
     if (word->value != 0)
       return error("not-supported",
                    fmt::format("{} is a rotary axis, which is not supported yet", c), *word);

@@ -22,6 +22,7 @@ class ValueWords : public ControlPart {
   bool sinumerik();
 
   ToolChanger& tools_;
+  bool axis_c_ = false;  ///< C was given as an axis: it is no chamfer
 };
 
 }  // namespace mrsim
