@@ -13,7 +13,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kSteepest = 2;      // degrees, of swinging without an angle
-constexpr double kMostPasses = 1e6;  // of one cycle
+constexpr double kMostPasses = 1e5;  // of one cycle
 
 Vec2 turned(Vec2 p, double degrees) {
   const SinCos sc = sincos_deg(degrees);
@@ -27,9 +27,10 @@ bool MillCycles::clear(const Levels& l, const Area& area) {
   const double up = l.bottom < l.reference ? 1 : -1;
   const bool leaves = l.side > 0 || l.floor > 0;
   const double passes = l.infeed > 0 ? std::abs(l.bottom - l.reference) / l.infeed : 1;
-  if (passes > kMostPasses) return fail("value-range", "more than a million infeeds");
   mover_.rapid_height(l.top);
   const std::vector<Loop> exact = area.loops(0);
+  if (passes * static_cast<double>(exact.size() + 1) > kMostPasses)
+    return fail("value-range", "more than 100000 loops");
   if (l.rough) {
     const double bottom = l.bottom + up * l.floor;
     const bool last = l.finish && !leaves;  // nothing is left for finishing
