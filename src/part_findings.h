@@ -17,6 +17,9 @@ void report(JobResult& result, Severity severity, const char* code, const std::s
 /// Warns where a coarse mesh may decide the verdict instead of the part.
 void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result);
 
+/// Warns, once for each tool, of threads that turning tools cut: the part has none of them.
+void warn_of_threads(JobResult& result);
+
 void tell_choice(JobResult& result, const MeshChoice& choice);
 void report_mesh(JobResult& result, const MeshReport& found);
 void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock);

@@ -39,6 +39,20 @@ TEST_F(Figures, TurnedPart) {
   EXPECT_NEAR(number_after(outcome.out, "the mesh"), kPart2S, 0.0003 * kPart2S);
 }
 
+// A bar of 10 mm radius: what the thread would take is left, and nothing collides in its groove.
+TEST_F(Figures, PartWithAThreadKeepsItsDiameter) {
+  write("thread.nc",
+        "%\nO1\nG21 G40 G99\nT0303 (THREADING TOOL 60 DEG)\nG97 S800 M3\nG0 X24. Z4.\n"
+        "G92 X19.4 Z-18. F1.5\nX19.\nX18.6\nG0 X60. Z50.\n"
+        "T0101 (OD ROUGH CNMG 120404)\nG0 X18. Z2.\nG1 Z-10. F0.2\nX24.\nG0 X60.\nZ50.\nM30\n%\n");
+  const Outcome outcome = run("thread.nc --stock cylinder:20,-40,0 -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "thread-not-cut")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "3 passes of a thread of 1.5 mm")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "rapid-collision")) << outcome.err;
+  EXPECT_NEAR(number_after(outcome.out, "removed"), 596.9, 5) << outcome.out;
+}
+
 // A coarse mesh still tells the volume of the exact part.
 TEST_F(Figures, VolumeIsThatOfTheExactPart) {
   EXPECT_NEAR(part_volume("PRIMER_2F.MPF --stock block.stl --tolerance 0.1 -o part.stl"), kPart2F,

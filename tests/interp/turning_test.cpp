@@ -65,7 +65,9 @@ TEST(Turning, G71RoughsToTheContour) {
   const Program two = lathe("G0 X40 Z2\nG71 U3 R1\nG71 P10 Q20 U1 W.2 F.3\n" + contour);
   EXPECT_EQ(turned(two), expected);
   for (const Motion& m : two.motions) {
-    if (m.kind == MotionKind::line) EXPECT_EQ(m.feed, 0.3) << "F of the contour is for G70";
+    if (m.kind == MotionKind::line) {
+      EXPECT_EQ(m.feed, 0.3) << "F of the contour is for G70";
+    }
   }
   EXPECT_EQ(two.motions[3].line, 3) << "a pass is the cycle's";
   EXPECT_EQ(two.motions[15].line, 5) << "the last one is the contour's, called from the cycle";

@@ -169,9 +169,17 @@ TEST(SweepTable, RefusesWhatATurningToolCannotDo) {
   tool.type = ToolType::turning;
   expect_unsupported(line({10, 1, 0}, {10, 1, -5}), tool);
   expect_unsupported(arc({10, 0, 0}, {8, 0, 0}, {0, 0, 1}, 1), tool);
+}
+
+// Without its lead it would be a groove that the program does not mean.
+TEST(SweepTable, LeavesThreadsOfTurningToolsOut) {
+  Tool tool;
+  tool.id.assign(1, '1');
+  tool.type = ToolType::turning;
   Motion thread = line({10, 0, 0}, {10, 0, -5});
+  EXPECT_EQ(table(thread, tool).size(), 1u);
   thread.lead = 1.5;
-  expect_unsupported(thread, tool);
+  EXPECT_EQ(table(thread, tool).size(), 0u);
 }
 
 TEST(SweepTable, TiltedToolIsTheUprightOneTurned) {

@@ -141,6 +141,8 @@ bool Selection::may_collide(std::size_t at) {
   if (!k.reach || !meets(mover_box(m, *k.reach, k.shape.turning), stock_)) return false;
   // An insert that leaves the plane of X and Z is out of its machine's reach.
   if (k.shape.turning && (m.start.y != 0 || m.end.y != 0)) return false;
+  // Out of a thread, whose groove the part does not have.
+  if (k.shape.turning && at > 0 && motions_[at - 1].lead != 0) return false;
   return part_ != ToolPart::cutter || !follows_cut(at, k.shape);
 }
 

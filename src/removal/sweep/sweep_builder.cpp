@@ -89,8 +89,10 @@ void SweepBuilder::add(const Motion& m, std::int32_t index) {
   for (int i = 0; i < range.count; ++i) {
     SweepRef ref;
     ref.shape = range.first + i;
+    const bool turning = columns_.shapes[ref.shape].turning;
+    if (turning && m.lead != 0) continue;  // no body of revolution
     columns_.motions.push_back(index);
-    if (columns_.shapes[ref.shape].turning)
+    if (turning)
       add_turning(ref, m, tools_[m.tool]);
     else
       add_milling(ref, m, tools_[m.tool]);
@@ -274,7 +276,6 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
 void SweepBuilder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
   const double off = std::max({std::fabs(m.start.y), std::fabs(m.end.y), std::fabs(m.center.y)});
   if (off > 1e-9) unsupported(m, tool, "a turning tool moves in the plane of X and Z only");
-  if (m.lead != 0) unsupported(m, tool, "thread cutting is not simulated");
   const InsertOutline& insert = columns_.shapes[ref.shape].insert;
   const Vec2 start = {m.start.x, m.start.z};
   allow(kClosedError);

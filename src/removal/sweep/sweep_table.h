@@ -42,7 +42,8 @@ struct SweepSelection {
 class SweepTable {
  public:
   /// Sweeps of every motion that cuts: lines and arcs, not rapids, not moves of assumed start, not
-  /// zero-length ones of zero extent. A milling cutter without flute length reaches up to infinity.
+  /// zero-length ones of zero extent, not threads that turning tools cut (no bodies of revolution).
+  /// A milling cutter without flute length reaches up to infinity.
   /// Throws Error "tool-missing", "tool-invalid", "motion-unsupported", naming tool and line. A
   /// selection of shank or holder makes a sweep for each of its pieces, and none for tools without
   /// them; rapids without a tool are left out.
