@@ -22,7 +22,7 @@ constexpr double kToleranceShare = 1.7e-4;
 // Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
 // tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
 // another one leaves one); voxels in whose corners it looks for what its cells may hide.
-constexpr double kMostGridCells = 2e6, kFewGridCells = 4e5;
+constexpr double kMostGridCells = 1.2e6, kFewGridCells = 4e5;
 constexpr double kMostCells = 1.2e5, kMostCreases = 1e4;
 constexpr double kMostScanned = 1e5;
 // A helix costs a search for each of its points: fewer blocks, and sweeps in them.
@@ -54,6 +54,15 @@ double smallest_radius(const CutList& cuts) {
 // Neighbours in the series 1, 2, 2.5, 5.
 double finer_voxel(double voxel) { return round_down_voxel(0.9 * voxel); }
 double next_voxel(double voxel) { return round_down_voxel(2.01 * voxel); }
+
+// The next of the preferred numbers R10 (ISO 3): a quarter more.
+double coarser_grid(double voxel) {
+  constexpr double kSteps[] = {1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10};
+  const double decade = std::pow(10, std::floor(std::log10(voxel * (1 + 1e-9))));
+  for (const double step : kSteps)
+    if (step * decade > voxel * (1 + 1e-9)) return step * decade;
+  return 10 * decade;
+}
 
 // Cells of this size are within the tolerance on a cylinder or ball of the cutter's radius, and
 // hold no more than half of it.
@@ -133,7 +142,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
     grid = finer_voxel(grid);
   const double finest = grid;
-  while (survey.cells(grid) > kMostGridCells) grid = next_voxel(grid);
+  while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
   if (suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)

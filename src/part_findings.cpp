@@ -2,10 +2,9 @@
 
 #include "core/error.h"
 #include "mesh/solid/pieces.h"
+#include "thread_passes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -92,32 +91,10 @@ void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb
 }
 
 void warn_of_threads(JobResult& result) {
-  struct Thread {
-    const Motion* first;
-    std::size_t passes = 0;
-  };
-  const Program& program = result.program;
-  std::map<int, Thread> threads;  // by tool
-  for (const Motion& m : program.motions)
-    if (is_cut(m) && m.lead != 0 && m.tool >= 0 &&
-        is_turning(program.tools[static_cast<std::size_t>(m.tool)].type))
-      ++threads.try_emplace(m.tool, Thread{&m}).first->second.passes;
-  std::vector<Diagnostic> warnings;
-  for (const auto& [tool, thread] : threads) {
-    Diagnostic& d = warnings.emplace_back();
-    d.severity = Severity::warning;
-    d.code = "thread-not-cut";
-    d.text = fmt::format(
-        "tool {}: {} of a thread of {:.4g} mm a turn {} not cut into the part, which keeps the "
-        "shape "
-        "that it has before; their collisions are not looked for",
-        program.tools[static_cast<std::size_t>(tool)].id,
-        thread.passes == 1 ? "a pass" : fmt::format("{} passes", thread.passes),
-        std::abs(thread.first->lead), thread.passes == 1 ? "is" : "are");
-    d.place = {program.files[static_cast<std::size_t>(thread.first->file)], thread.first->line,
-               thread.first->column};
-  }
-  for (Diagnostic& d : warnings) result.program.diagnostics.push_back(std::move(d));
+  ThreadPasses threads;
+  for (const Motion& m : result.program.motions) threads.add(result.program, m);
+  for (Diagnostic& d : threads.warnings(result.program))
+    result.program.diagnostics.push_back(std::move(d));
 }
 
 void tell_choice(JobResult& result, const MeshChoice& choice) {

@@ -3,6 +3,7 @@
 #include "interp/interpreter.h"
 #include "removal/part/default_stock.h"
 #include "removal/sweep/sweep_table.h"
+#include "thread_passes.h"
 #include <mrsim/mrsim.h>
 
 #include <cmath>
@@ -19,15 +20,21 @@ class CheckSink : public MotionSink {
   void motion(const Motion& motion) override;
   void diagnostic(const Diagnostic& diagnostic) override { found_(diagnostic); }
 
+  /// Tells what only the whole program shows.
+  void end(const Program& program) const {
+    for (const Diagnostic& d : threads_.warnings(program)) found_(d);
+  }
+
   std::size_t motions = 0, cuts = 0;
 
  private:
   void try_sweep(const Motion& motion);
 
   // What decides whether a sweep can be made: one motion of each kind is tried.
-  using Kind = std::tuple<int, int, MotionKind, bool, bool>;
+  using Kind = std::tuple<int, int, MotionKind, bool>;
   const std::function<void(const Diagnostic&)>& found_;
   const Program* program_ = nullptr;
+  ThreadPasses threads_;
   std::set<Kind> tried_;
   std::set<std::pair<int, std::string>> told_;  ///< tools and codes
 };
@@ -36,8 +43,9 @@ void CheckSink::motion(const Motion& m) {
   ++motions;
   if (!is_cut(m) || m.tool < 0) return;
   ++cuts;
+  threads_.add(*program_, m);
   const bool leaves_plane = std::abs(m.start.y) > 1e-9 || std::abs(m.end.y) > 1e-9;
-  if (tried_.insert({m.file, m.tool, m.kind, m.lead != 0, leaves_plane}).second) try_sweep(m);
+  if (tried_.insert({m.file, m.tool, m.kind, leaves_plane}).second) try_sweep(m);
 }
 
 void CheckSink::try_sweep(const Motion& m) {
@@ -62,6 +70,7 @@ CheckReport check_program(const std::string& path, const InterpOptions& options,
   CheckSink sink(found);
   CheckReport report;
   report.program = interpret(path, options, sink);
+  sink.end(report.program);
   report.motions = sink.motions;
   report.cuts = sink.cuts;
   return report;

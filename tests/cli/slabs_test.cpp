@@ -82,8 +82,8 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
              "\nG1 X" + number(s[2]) + " Y" + number(s[3]) + "\n";
   write("slots.MPF", slots + "G0 Z9\nM30\n");
   const std::pair<std::string, std::string> scenes[] = {
-      {"milled", "PRIMER_2F.MPF --stock block.stl --voxel 0.25"},
-      {"turned", "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel 0.25"},
+      {"milled", "PRIMER_2F.MPF --stock block.stl --voxel 0.4"},
+      {"turned", "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel 0.4"},
       {"mesh", "PRIMER_2F.MPF --stock block.stl --stock-exact off --voxel 0.5"},
       {"crossed",
        "slots.MPF --machine mill --stock box:0,0,0,50,10,4 --tool 1=endmill:d=0.25 --voxel 0.5"}};
