@@ -221,6 +221,20 @@ TEST(Policy, Labels) {
   EXPECT_EQ(run("A"), "label-length");
 }
 
+// Read over, a loop between brackets would run once, and nobody would know.
+TEST(Policy, StatementsInBracketsOfIsoControlsAreRefused) {
+  const auto of = [](const std::string& comment) {
+    return codes(read_text("G1 X1 F100\n" + comment + "\n", at_origin(Dialect::iso)));
+  };
+  for (const char* statement :
+       {"(P100=5)", "(P1 = P2 + 1)", "N5 (RPT N10,N20) N3", "(if P1 EQ 2 GOTO N10)", "(GOTO N10)",
+        "(CALL 5)", "(PCALL 7, P1=3)", "(SUB 5)", "(RET)"})
+    EXPECT_EQ(of(statement), "statement-unread") << statement;
+  for (const char* comment : {"(ROUGHING)", "(IF YOU CAN, CHECK)", "(P1 POCKET)", "(CALL THE BOSS)",
+                              "(MSG \"TURN\")", "(RETURN)", "(GOTO HOME)", "()"})
+    EXPECT_EQ(of(comment), "") << comment;
+}
+
 TEST(Policy, ACommentInBracketsIsOneFault) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nX2 (c 5)\nX3 (open\n", at_origin(Dialect::sinumerik))),
             "character character");

@@ -1,6 +1,7 @@
 #include "interp/text/parser.h"
 
 #include "core/text_io.h"
+#include "interp/text/bracket_statement.h"
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
 
@@ -172,8 +173,13 @@ void Parser::read_comment(Block& block, char close) {
     p_ = line_.size();
     return;
   }
-  block.comments.push_back(line_.substr(from, end - from));
+  const std::string_view text = line_.substr(from, end - from);
+  block.comments.push_back(text);
   p_ = end + 1;
+  if (dialect_ != Dialect::iso) return;
+  if (const std::string name = bracket_statement(text); !name.empty())
+    fault(block, "statement-unread",
+          "(" + name + " ...) is a statement of this control, which is not read", from, end);
 }
 
 void Parser::bare_number(Block& block) {

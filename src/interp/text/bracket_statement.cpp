@@ -1,0 +1,47 @@
+#include "interp/text/bracket_statement.h"
+
+#include "interp/text/comment_tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace mrsim {
+namespace {
+
+using Tokens = std::vector<CommentToken>;
+
+bool has(const Tokens& tokens, std::string_view word) {
+  return std::any_of(tokens.begin(), tokens.end(),
+                     [&](const CommentToken& t) { return t.is(word); });
+}
+
+// "N10" or "P5" as a word and a number that is glued to it.
+bool is_address(const Tokens& tokens, std::size_t at, std::string_view letter) {
+  return at + 1 < tokens.size() && tokens[at].is(letter) && tokens[at + 1].is_number() &&
+         tokens[at + 1].glued;
+}
+
+}  // namespace
+
+std::string bracket_statement(std::string_view text) {
+  const std::string folded = fold_comment(text);
+  const Tokens tokens = comment_tokens(folded);
+  if (tokens.empty()) return "";
+  if (is_address(tokens, 0, "P") && tokens.size() > 3 && tokens[2].is("="))
+    return "P" + std::string(tokens[1].text) + "=";
+  const std::string_view first = tokens.front().text;
+  if (first == "IF" && (has(tokens, "GOTO") || has(tokens, "CALL") || has(tokens, "RPT")))
+    return "IF";
+  if (first == "RET" && tokens.size() == 1) return "RET";
+  const std::array to_block{"GOTO", "RPT"};
+  if (std::ranges::find(to_block, first) != to_block.end() && is_address(tokens, 1, "N"))
+    return std::string(first);
+  const std::array to_program{"CALL", "PCALL", "MCALL", "SUB", "EXEC"};
+  if (std::ranges::find(to_program, first) != to_program.end() && tokens.size() > 1 &&
+      (tokens[1].is_number() || is_address(tokens, 1, "P")))
+    return std::string(first);
+  return "";
+}
+
+}  // namespace mrsim
