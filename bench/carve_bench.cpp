@@ -1,6 +1,7 @@
 // Removal alone: moves per second and active voxels per second, by program, voxel and threads.
 //   carve_bench --benchmark_filter=raster-100000 --benchmark_repetitions=5
 //   --benchmark_report_aggregates_only=true
+#include "cases.h"
 #include "core/heap.h"
 #include "programs.h"
 #include "removal/part/stock.h"
@@ -28,11 +29,6 @@ void run(benchmark::State& state, const std::string& name, double voxel, int thr
   state.counters["MB"] = static_cast<double>(bytes) / 1e6;
 }
 
-struct Case {
-  const char* program;
-  double voxel;
-};
-
 constexpr Case kCases[] = {
     {"raster-10000", 0.25},     {"raster-100000", 0.25},    {"raster-100000", 0.1},
     {"raster-1000000", 0.1},    {"raster-10000000", 0.1},   {"adaptive-100000", 0.25},
@@ -45,16 +41,5 @@ constexpr Case kCases[] = {
 int main(int argc, char** argv) {
   using namespace mrsim::bench;
   mrsim::grow_heap_in_large_steps();
-  for (const Case& c : kCases)
-    for (const int threads : {1, 2})
-      benchmark::RegisterBenchmark(
-          (std::string(c.program) + "/voxel:" + std::to_string(c.voxel).substr(0, 4) +
-           "/threads:" + std::to_string(threads))
-              .c_str(),
-          [c, threads](benchmark::State& state) { run(state, c.program, c.voxel, threads); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseRealTime();
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return run_cases(argc, argv, kCases, run);
 }

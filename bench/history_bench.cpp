@@ -1,5 +1,6 @@
 // What each motion removes, by program, voxel and threads; without the sweeps and their field.
 //   history_bench --benchmark_filter=raster-100000
+#include "cases.h"
 #include "programs.h"
 #include "removal/history/removed_volumes.h"
 
@@ -22,11 +23,6 @@ void run(benchmark::State& state, const std::string& name, double voxel, int thr
   state.counters["air"] = static_cast<double>(std::count(removed.begin(), removed.end(), 0.0));
 }
 
-struct Case {
-  const char* program;
-  double voxel;
-};
-
 constexpr Case kCases[] = {{"raster-10000", 0.25},   {"raster-100000", 0.25},
                            {"raster-100000", 0.5},   {"adaptive-100000", 0.5},
                            {"helix-drill-200", 0.5}, {"arcs-5000", 0.25},
@@ -37,16 +33,5 @@ constexpr Case kCases[] = {{"raster-10000", 0.25},   {"raster-100000", 0.25},
 
 int main(int argc, char** argv) {
   using namespace mrsim::bench;
-  for (const Case& c : kCases)
-    for (const int threads : {1, 2})
-      benchmark::RegisterBenchmark(
-          (std::string(c.program) + "/voxel:" + std::to_string(c.voxel).substr(0, 4) +
-           "/threads:" + std::to_string(threads))
-              .c_str(),
-          [c, threads](benchmark::State& state) { run(state, c.program, c.voxel, threads); })
-          ->Unit(benchmark::kMillisecond)
-          ->UseRealTime();
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return run_cases(argc, argv, kCases, run);
 }

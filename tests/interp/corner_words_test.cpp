@@ -7,21 +7,11 @@
 namespace mrsim {
 namespace {
 
-// "l X Y Z" for a line, "a X Y Z" for an arc, "r X Y Z" for a rapid.
-std::string corner_path(const Program& program) {
-  std::string out;
-  for (const Motion& m : program.motions)
-    out += fmt::format("{}{:.4g},{:.4g},{:.4g} ", "rla"[static_cast<int>(m.kind)], m.end.x + 0.0,
-                       m.end.y + 0.0, m.end.z + 0.0);
-  if (!out.empty()) out.pop_back();
-  return out + (codes(program).empty() ? "" : " | " + codes(program));
-}
-
 std::string milled_corners(const std::string& text) {
-  return corner_path(read_text(text, at_origin(Dialect::fanuc)));
+  return path_text(read_text(text, at_origin(Dialect::fanuc)));
 }
 std::string turned_corners(const std::string& text) {
-  return corner_path(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
+  return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
 }
 
 TEST(CornerWords, RoundsAndChamfersOnMills) {

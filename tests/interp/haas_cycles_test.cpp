@@ -7,13 +7,7 @@ namespace mrsim {
 namespace {
 
 std::string haas_path(const std::string& text) {
-  const Program program = read_text(text, at_origin(Dialect::fanuc));
-  std::string out;
-  for (const Motion& m : program.motions)
-    out += fmt::format("{}{:.4g},{:.4g},{:.4g} ", "rla"[static_cast<int>(m.kind)], m.end.x + 0.0,
-                       m.end.y + 0.0, m.end.z + 0.0);
-  if (!out.empty()) out.pop_back();
-  return out + (codes(program).empty() ? "" : " | " + codes(program));
+  return path_text(read_text(text, at_origin(Dialect::fanuc)));
 }
 
 // One hole: rapid beside, to R, down, out to R.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -85,6 +86,16 @@ inline std::string listing(const Program& program) {
   for (const Motion& m : program.motions) out += motion_text(program, m) + "\n";
   for (const Diagnostic& d : program.diagnostics) out += diagnostic_json(d) + "\n";
   return out;
+}
+
+/// "l X,Y,Z" for a line, "a" for an arc, "r" for a rapid, with the codes behind a bar.
+inline std::string path_text(const Program& program) {
+  std::string out;
+  for (const Motion& m : program.motions)
+    out += fmt::format("{}{:.4g},{:.4g},{:.4g} ", "rla"[static_cast<int>(m.kind)], m.end.x + 0.0,
+                       m.end.y + 0.0, m.end.z + 0.0);
+  if (!out.empty()) out.pop_back();
+  return out + (codes(program).empty() ? "" : " | " + codes(program));
 }
 
 inline void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e-9) {
