@@ -22,7 +22,7 @@ constexpr double kToleranceShare = 1.7e-4;
 // Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
 // tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
 // another one leaves one); voxels in whose corners it looks for what its cells may hide.
-constexpr double kMostGridCells = 1.2e6, kFewGridCells = 4e5;
+constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
 constexpr double kMostCells = 1.2e5, kMostCreases = 1e4;
 constexpr double kMostScanned = 1e5;
 // A helix costs a search for each of its points: fewer blocks, and sweeps in them.
