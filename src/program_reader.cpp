@@ -1,5 +1,6 @@
 // Whole programs by the public functions interpret() and trace().
 
+#include "core/heap.h"
 #include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "interp/interpreter.h"

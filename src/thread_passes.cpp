@@ -1,5 +1,7 @@
 #include "thread_passes.h"
 
+#include "removal/part/default_stock.h"
+
 #include <cmath>
 
 #include <fmt/format.h>

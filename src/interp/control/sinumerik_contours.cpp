@@ -4,6 +4,7 @@
 #include "core/text_io.h"
 #include "core/units.h"
 #include "interp/path/arc.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
 #include <cmath>
