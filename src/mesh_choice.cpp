@@ -55,9 +55,9 @@ double smallest_radius(const CutList& cuts) {
 double finer_voxel(double voxel) { return round_down_voxel(0.9 * voxel); }
 double next_voxel(double voxel) { return round_down_voxel(2.01 * voxel); }
 
-// The next of the preferred numbers R10 (ISO 3): a quarter more.
+// The next of the preferred numbers R'10 (ISO 3): a quarter more.
 double coarser_grid(double voxel) {
-  constexpr double kSteps[] = {1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10};
+  constexpr double kSteps[] = {1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.3, 8, 10};
   const double decade = std::pow(10, std::floor(std::log10(voxel * (1 + 1e-9))));
   for (const double step : kSteps)
     if (step * decade > voxel * (1 + 1e-9)) return step * decade;
