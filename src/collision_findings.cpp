@@ -73,19 +73,35 @@ Diagnostic finding(const Program& program, const Collision& c, const LineTexts& 
   return d;
 }
 
-void add_general(Program& program, Severity severity, const char* code, const std::string& text) {
-  Diagnostic d;
+Diagnostic& add_general(Program& program, Severity severity, const char* code,
+                        const std::string& text) {
+  Diagnostic& d = program.diagnostics.emplace_back();
   d.severity = severity;
   d.code = code;
   d.text = text;
   d.place.file = program.files.empty() ? "" : program.files[0];
-  program.diagnostics.push_back(d);
+  return d;
+}
+
+void add_withdrawals(Program& program, const CollisionReport::Withdrawals& withdrawals) {
+  if (withdrawals.lines == 0) return;
+  const Motion& m = program.motions[withdrawals.motion];
+  const std::string count =
+      withdrawals.lines == 1
+          ? "a line withdraws an insert by a rapid that scrapes"
+          : fmt::format("{} lines withdraw an insert by rapids that scrape", withdrawals.lines);
+  Diagnostic& d = add_general(
+      program, Severity::note, "withdrawal-scrapes",
+      fmt::format("{} up to {:.3f} mm of what its edge has left beside the cut, here the deepest",
+                  count, withdrawals.depth));
+  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
 }
 
 }  // namespace
 
 void add_collisions(Program& program, const CutList& cuts, CollisionReport& report) {
   for (Collision& c : report.lines) c.motion -= cuts.inherited();
+  report.withdrawals.motion -= report.withdrawals.lines > 0 ? cuts.inherited() : 0;
   const int inherited = static_cast<int>(cuts.tools().size() - program.tools.size());
   for (int& tool : report.shapeless) tool -= inherited;
   const LineTexts texts = read_lines(program, report.lines);
@@ -93,6 +109,7 @@ void add_collisions(Program& program, const CutList& cuts, CollisionReport& repo
   if (report.more > 0)
     add_general(program, Severity::warning, "more-collisions",
                 fmt::format("{} more lines run a part of the tool into material", report.more));
+  add_withdrawals(program, report.withdrawals);
   for (const int tool : report.shapeless)
     add_general(program, Severity::note, "collision-unchecked",
                 fmt::format("tool {} has no valid shape: its rapids were not checked",

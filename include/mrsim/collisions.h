@@ -28,6 +28,14 @@ struct Collision {
 struct CollisionReport {
   std::vector<Collision> lines;  ///< in the order of the program, at most CollisionOptions::lines
   std::size_t more = 0;          ///< lines beyond these
+  /// Lines on which rapids that withdraw an insert from its cut scrape thin material beside it, and
+  /// do nothing worse (docs/collisions.md, Withdrawals). Not among `lines`.
+  struct Withdrawals {
+    std::size_t lines = 0;
+    std::size_t motion = 0;  ///< index into Program::motions: the deepest one
+    double depth = 0;        ///< mm, of that one
+  };
+  Withdrawals withdrawals;
   /// Tools that move in rapids only and have no valid shape: not checked. Indices into the tools.
   std::vector<int> shapeless;
 };

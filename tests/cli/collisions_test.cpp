@@ -70,6 +70,19 @@ TEST_F(CollisionsSeen, ALoopIsOneWarningWithItsCalls) {
   EXPECT_TRUE(contains(outcome.err, "called from loop.MPF:7")) << outcome.err;
 }
 
+TEST_F(CollisionsSeen, WithdrawalsOfInsertsAreOneNote) {
+  write("turn.nc",
+        "%\nO1\nG21 G18 G99\nT101\nG0 X44. Z2.\nG1 Z-30. F.2\nG0 X52.\nG0 Z2.\n"
+        "G0 X40.\nG1 Z-20.\nG0 X52.\nM30\n%\n");
+  const Outcome outcome =
+      run("turn.nc --machine lathe --dialect fanuc --stock cylinder:50,-50,0 "
+          "--tool 1=turning:insert=CNMG,lead_angle=95,nose_radius=0.4 --strict -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "turn.nc:7:1: note: 2 lines withdraw an insert by rapids"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[withdrawal-scrapes]")) << outcome.err;
+}
+
 TEST_F(CollisionsSeen, GoodProgramsHaveNone) {
   for (const char* job : {"PRIMER_2F.MPF --stock block.stl", "PRIMER_2S.MPF --stock bar.stl"}) {
     const Outcome outcome = run(std::string(job) + " --voxel 1");

@@ -1,12 +1,9 @@
 // Collisions against closed forms: depth and line of parts of tools in blocks, slots and bars, and
 // the touches that are none.
+#include "collision_support.h"
 #include "core/units.h"
-#include "core/vec.h"
-#include "removal/collision/collisions.h"
 #include "removal/sweep/sweep_table.h"
 #include "support/rounds.h"
-#include "support/shapes.h"
-#include "support/tools.h"
 
 #include <algorithm>
 #include <random>
@@ -16,66 +13,13 @@
 namespace mrsim {
 namespace {
 
-StockShape block() { return testing::box_stock({0, 0, -20}, {100, 60, 0}); }
-
-StockShape bar() { return testing::round_stock(25, 0, 0, 50); }
-
-Tool mill(double diameter, double flutes = 0) { return testing::endmill(diameter, 0, flutes); }
-
-// Moves from where the last one ended; lines are numbered from 1.
-class Moves {
- public:
-  explicit Moves(Vec3 start) : at_(start) {}
-  Moves& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
-  Moves& cut(Vec3 to) { return add(MotionKind::line, to); }
-  Moves& arc(Vec3 to, Vec3 center, double sweep) {
-    add(MotionKind::arc, to);
-    Motion& m = motions.back();
-    m.center = center;
-    m.radius = distance(m.start, center);
-    m.sweep = sweep;
-    return *this;
-  }
-  std::vector<Motion> motions;
-
- private:
-  Moves& add(MotionKind kind, Vec3 to) {
-    Motion m;
-    m.kind = kind;
-    m.start = at_;
-    m.end = at_ = to;
-    m.tool = 0;
-    m.line = static_cast<int>(motions.size()) + 1;
-    motions.push_back(m);
-    return *this;
-  }
-  Vec3 at_;
-};
-
-CollisionReport check(const StockShape& stock, const std::vector<Motion>& motions, const Tool& tool,
-                      double voxel = 0.5, int threads = 0, double depth = 0.01) {
-  const std::vector<Tool> tools{tool};
-  CarveOptions carving;
-  carving.voxel = voxel;
-  CollisionOptions options;
-  options.threads = threads;
-  options.depth = depth;
-  return find_collisions(carve(stock, motions, tools, carving), motions, tools, 0, options);
-}
-
-void expect_none(const CollisionReport& report) {
-  for (const Collision& c : report.lines)
-    ADD_FAILURE() << "motion " << c.motion << ", part " << static_cast<int>(c.part) << ", "
-                  << c.depth << " mm at " << c.place.x << " " << c.place.y << " " << c.place.z;
-}
-
-void expect_one(const CollisionReport& report, std::size_t motion, ToolPart part, double depth,
-                double tolerance = 1e-3) {
-  ASSERT_EQ(report.lines.size(), 1u);
-  EXPECT_EQ(report.lines[0].motion, motion);
-  EXPECT_EQ(report.lines[0].part, part);
-  EXPECT_NEAR(report.lines[0].depth, depth, tolerance);
-}
+using testing::bar;
+using testing::block;
+using testing::check;
+using testing::expect_none;
+using testing::expect_one;
+using testing::mill;
+using testing::Moves;
 
 TEST(Collisions, RapidThroughABlockIsAsDeepAsItsTip) {
   const Moves m = Moves({-10, 30, 5}).rapid({-10, 30, -3}).rapid({110, 30, -3});

@@ -5,6 +5,7 @@
 #include "core/vec.h"
 #include "removal/collision/collision_probe.h"
 #include "removal/collision/collision_search.h"
+#include "removal/collision/withdrawals.h"
 #include "removal/field/lattice.h"
 #include "removal/part/stock_grid.h"
 
@@ -25,11 +26,18 @@ constexpr double kFinest = 1.0 / 16;
 // Colliding motions of one line that are measured; the deepest of them is reported.
 constexpr std::size_t kMostMeasured = 16;
 
+// Rapids of one line that may be withdrawals and are measured; the others count as collisions.
+constexpr std::size_t kMostWithdrawals = 1000;
+
 class Check {
  public:
   Check(const StockGrid& grid, std::span<const Motion> motions, std::span<const Tool> tools,
         const CollisionOptions& options)
-      : grid_(grid), motions_(motions), tools_(tools), options_(options) {}
+      : grid_(grid),
+        motions_(motions),
+        tools_(tools),
+        options_(options),
+        withdrawals_(motions, tools) {}
 
   CollisionReport run(std::size_t first);
 
@@ -47,12 +55,14 @@ class Check {
   Box3 search_box(const Box3& box, const Box3& bounds) const;
   std::vector<std::vector<Hit>> by_line(const std::vector<Hit>& hits) const;
   Collision measure(const std::vector<Hit>& hits) const;
+  void take_withdrawals(std::vector<std::vector<Hit>>& lines, CollisionReport& report);
   void step(std::size_t total);
 
   const StockGrid& grid_;
   std::span<const Motion> motions_;
   std::span<const Tool> tools_;
   const CollisionOptions& options_;
+  Withdrawals withdrawals_;
   std::vector<Movers> movers_;  // by part
   bool turned_ = false;         // the same at every angle: one half plane says it all
   std::atomic<std::size_t> blocks_{0};
@@ -160,6 +170,31 @@ Collision Check::measure(const std::vector<Hit>& hits) const {
   return worst;
 }
 
+// Takes the hits of rapids that only withdraw an insert out of the lines, and lines without others.
+void Check::take_withdrawals(std::vector<std::vector<Hit>>& lines, CollisionReport& report) {
+  const auto at = [](const Hit& hit) { return static_cast<std::size_t>(hit.motion); };
+  std::vector<std::pair<std::size_t, std::size_t>> asked;  // line, and hit of that
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    for (std::size_t h = 0; h < std::min(lines[l].size(), kMostWithdrawals); ++h)
+      if (kParts[lines[l][h].part] == ToolPart::cutter && withdrawals_.follows_cut(at(lines[l][h])))
+        asked.emplace_back(l, h);
+  std::vector<Collision> found(asked.size());
+  parallel_for(asked.size(), options_.threads, [&](std::size_t i) {
+    found[i] = measure({lines[asked[i].first][asked[i].second]});
+  });
+  for (std::size_t i = asked.size(); i-- > 0;) {  // backwards: the places of hits stay
+    const Collision& c = found[i];
+    if (c.depth > kWithdrawalDepth || !withdrawals_.withdraws(c.motion, c.place, options_.depth))
+      continue;
+    std::vector<Hit>& line = lines[asked[i].first];
+    line.erase(line.begin() + static_cast<std::ptrdiff_t>(asked[i].second));
+    report.withdrawals.lines += line.empty();
+    if (line.empty() && c.depth >= report.withdrawals.depth)
+      report.withdrawals = {report.withdrawals.lines, c.motion, c.depth};
+  }
+  std::erase_if(lines, [](const std::vector<Hit>& line) { return line.empty(); });
+}
+
 CollisionReport Check::run(std::size_t first) {
   CollisionReport report;
   const Box3& stock = grid_.field->solid().bounds();
@@ -171,7 +206,8 @@ CollisionReport Check::run(std::size_t first) {
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return std::tie(a.motion, a.part, a.hit.mover) < std::tie(b.motion, b.part, b.hit.mover);
   });
-  const std::vector<std::vector<Hit>> lines = by_line(hits);
+  std::vector<std::vector<Hit>> lines = by_line(hits);
+  take_withdrawals(lines, report);
   report.lines.resize(std::min(lines.size(), options_.lines));
   report.more = lines.size() - report.lines.size();
   parallel_for(report.lines.size(), options_.threads,
