@@ -224,6 +224,23 @@ TEST(Posts, RadiusWithoutARegister) {
   EXPECT_NEAR(x(CompRadius::off, ""), 0, 1e-9);
 }
 
+// Mastercam's list of tools says what is in the registers.
+TEST(Posts, TheListOfToolsSaysWhatDIs) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.comp = CompRadius::automatic;
+  const auto x = [&](const char* comp, const char* expected) {
+    const Program p = read_text(std::string("( T1 | 10. FLAT ENDMILL | H1 | D1 | ") + comp +
+                                    " COMP | TOOL DIA. - 10. )\nT1 M6\nG0 X0 Y0\n"
+                                    "G1 G41 D1 X0 Y10 F100\nY20\nY30\nG40 X-20\n",
+                                options);
+    EXPECT_EQ(codes(p), expected);
+    return p.motions[1].end.x;
+  };
+  EXPECT_NEAR(x("WEAR", ""), 0, 1e-9);
+  EXPECT_NEAR(x("CONTROL", ""), -5, 1e-9);
+  EXPECT_NEAR(x("TOOL", "register-missing"), -5, 1e-9);
+}
+
 TEST(Posts, G10SetsOffsetsAndRadii) {
   const Program p = read_text(
       "G10 L2 P2 X100 Y50\nG55\nG1 X1 Y1 F1\nG54\nG10 L12 P3 R2\nG41 D3 X1 Y10\nY20\nG40 X-9\n",

@@ -76,6 +76,9 @@ TEST(RecogniseMachine, CommentsDecideNothing) {
       {"O1\nG0 X50. Z2.\nG71 U2. R.5\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X20.\nN20 G1 Z-20.\nM30\n",
        MachineKind::lathe},
       {"O1\nG28 U0 W0\nG0 X50. Z2.\nG1 Z-2.\nM30\n", MachineKind::lathe},
+      {"O1\n(T0909 LIVE DRILL D=6)\nT0909\nG97 S900 M133\nG0 X30. Z5.\nC90.\nM30\n",
+       MachineKind::lathe},
+      {"O1\n(T0101 END MILL D10)\nG17\nT0101\nG0 X30. Z5.\nG1 Z-1. F100\nM30\n", MachineKind::mill},
       {"G18 G21 (CNMG 120408)\nG0 X50 Z2\nG1 Z-2 F.1\nM2\n", MachineKind::lathe},
       {"O100 sub\nG0 X1 Z5\nO100 endsub\nM2\n", MachineKind::mill},
       {"G7\nG0 X50 Z2\nG76 P1 Z-10 I-1 J0.1 K0.5 R1 Q30 H2 E0 L0\nM2\n", MachineKind::lathe}};
@@ -92,6 +95,10 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(
       refusal("BEGIN PGM PART MM\nTOOL CALL 1 Z S1000\nL X+10 R0 FMAX\n", "a.H").find("Heidenhain"),
       std::string::npos);
+  EXPECT_NE(refusal("%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\n").find("DIN/ISO"),
+            std::string::npos);
+  EXPECT_NE(refusal("G50 S2000\nG85 NAP1 D3 F.3 U.4 W.2\n").find("LAP"), std::string::npos);
+  EXPECT_NE(refusal("N1 G15 H1\nN6 CALL O100 Q3\n").find("OSP"), std::string::npos);
   EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),
             std::string::npos);
   EXPECT_NE(refusal("G0 X1\n", "PART.PBG").find("Mazatrol"), std::string::npos);

@@ -193,6 +193,10 @@ TEST(ToolComment, Inserts) {
   EXPECT_FALSE(made("CNMG 120408, 55 DEG", 1, true).ok);
   EXPECT_FALSE(made("CNMG 120408 R0.4", 1, true).ok);
   EXPECT_NEAR(made("GROOVING TOOL 3MM", 1, true).tool.width, 3, 1e-9);
+  EXPECT_NEAR(made("T0505 3MM GROOVE", 1, true).tool.width, 3, 1e-9);
+  EXPECT_NEAR(made("T0404 4MM PART OFF", 1, true).tool.width, 4, 1e-9);
+  EXPECT_NE(made("T0404 4MM PARTING", 1, true).tool.origin.find("blade 4 mm wide"),
+            std::string::npos);
 }
 
 TEST(ToolComment, SeveralCommentsAboutOneTool) {

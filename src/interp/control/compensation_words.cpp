@@ -66,10 +66,11 @@ void CompensationWords::set_radius() {
   if (!reg) reg = tools_.find_register(edge);
   const bool turning = tool && is_turning(tool->type);
   const double own = !tool ? 0 : turning ? tool->nose_radius : tool->diameter / 2;
-  const bool wear = options_.comp == CompRadius::wear;
-  radius_ = reg ? reg->radius + reg->wear : wear ? 0 : own;
-  if (options_.comp == CompRadius::off) radius_ = 0;
-  if (!reg && modal_.edge_given && options_.comp == CompRadius::automatic)
+  const CompRadius comp =
+      options_.comp == CompRadius::automatic ? tools_.commented_radius() : options_.comp;
+  radius_ = reg ? reg->radius + reg->wear : comp == CompRadius::wear ? 0 : own;
+  if (comp == CompRadius::off) radius_ = 0;
+  if (!reg && modal_.edge_given && comp == CompRadius::automatic)
     reporter_.once(Severity::warning, "register-missing",
                    fmt::format("{} is not in the tool table: the tool's own radius {:g} mm is "
                                "used; if the program holds the path of the tool's centre (wear "

@@ -20,17 +20,47 @@ bool DrillWords::wants_block() const {
   return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
 }
 
+void DrillWords::read_level(const Word* word, CycleLevel& out) {
+  if (word) out = {word->value * length_unit(*word), modal_.incremental, true};
+}
+
+// I of G73 and G83 beside R or K is Haas's first stroke.
+bool DrillWords::depth_in_i() const {
+  const int g = modal_.drill.number;
+  return peek('I') && g > 80 && (g != 83 || (peek('J') && !peek('K') && !peek('R')));
+}
+
+// Fagor: Z is the level of R, I the depth; G83 makes J strokes of I. K dwells, R is the kind of a
+// tap.
+bool DrillWords::read_fagor(const Basis& b) {
+  DrillCycle& cycle = modal_.drill;
+  cycle.fagor = true;
+  for (int i = 0; i < 3; ++i)
+    if (component(b.w, i) != 0) read_level(take("XYZ"[i]), cycle.safe);
+  for (const char c : {'K', 'R'}) take(c);
+  const Word* depth = take('I');
+  const Word* strokes = take('J');
+  if (depth && cycle.number == 83) {
+    if (!strokes || strokes->value < 1 || strokes->value > static_cast<double>(kMostStrokes) ||
+        strokes->value != std::floor(strokes->value))
+      return error("value-missing", "G83 with I needs J, the number of strokes", *depth);
+    const double stroke = depth->value * length_unit(*depth);
+    cycle.peck = std::abs(stroke);
+    cycle.bottom = {stroke * strokes->value, true, true};
+  } else {
+    read_level(depth, cycle.bottom);
+  }
+  return true;
+}
+
 // R, the level along the normal, Q and P: each is kept for the points that follow.
 bool DrillWords::read_words(const Basis& b) {
   DrillCycle& cycle = modal_.drill;
-  const auto level = [&](const Word* word, CycleLevel& out) {
-    if (!word) return;
-    out = {word->value * length_unit(*word), modal_.incremental, true};
-  };
-  level(take('R'), cycle.safe);
+  if (is(Dialect::iso) && (cycle.fagor || depth_in_i())) return read_fagor(b);
+  read_level(take('R'), cycle.safe);
   for (int i = 0; i < 3; ++i) {
     if (component(b.w, i) == 0) continue;
-    level(take("XYZ"[i]), cycle.bottom);
+    read_level(take("XYZ"[i]), cycle.bottom);
     if (cycle.plane < 0) continue;
     if (i == 0 && peek('X')) cycle.bottom.value = axis_value(0, *peek('X'), modal_.incremental);
     const Word* relative = take("UVW"[i]);
@@ -57,7 +87,7 @@ bool DrillWords::peck(const Word& q) {
 // K (FANUC) or L: how often the block is run.
 bool DrillWords::repeats(long& count) {
   const Word* word = take('L');
-  if (!is(Dialect::ngc) && !peek('I'))
+  if (!is(Dialect::ngc) && !peek('I') && !modal_.drill.fagor)
     if (const Word* k = take('K')) word = k;
   if (!word) return true;
   const double least = is(Dialect::ngc) ? 1 : 0;
@@ -101,7 +131,12 @@ bool DrillWords::drill() {
     // LinuxCNC leaves the work before it goes aside.
     if (is(Dialect::ngc) && holes_.level() < hole.safe) holes_.rise(hole.safe, where);
     Vec3 point = to.programmed;
-    if (modal_.incremental && i > 0) point = from + static_cast<double>(i + 1) * step;
+    if (modal_.incremental && modal_.polar && i > 0) {  // the angle counts from the last one
+      if (!axes_.target(to, position_.programmed)) return false;
+      point = to.programmed;
+    } else if (modal_.incremental && i > 0) {
+      point = from + static_cast<double>(i + 1) * step;
+    }
     point = point + (holes_.level() - dot(point, b.w)) * b.w;
     if (to.named) holes_.approach(point, to.named, where);
     holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
@@ -162,7 +197,8 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
 
 bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   const double depth = hole.safe - hole.bottom;
-  if (const Word* first = haas_words ? take('I') : nullptr) return haas_pecks(hole, *first);
+  if (const Word* first = haas_words && !modal_.drill.fagor ? take('I') : nullptr)
+    return haas_pecks(hole, *first);
   const double q = modal_.drill.peck;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (q <= 0) {

@@ -21,6 +21,9 @@ class DrillWords : public ControlPart {
 
  private:
   bool drill();
+  void read_level(const Word* word, CycleLevel& out);
+  bool depth_in_i() const;
+  bool read_fagor(const Basis& b);
   bool read_words(const Basis& b);
   bool peck(const Word& q);
   bool repeats(long& count);

@@ -2,7 +2,9 @@
 
 #include "core/trig.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -46,6 +48,8 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
     if (!p || p->value < 1 || p->value > 300 || p->value != std::floor(p->value))
       return error("value-range", "G54.1 needs P1 to P300", word);
     name = fmt::format("{}P{:g}", word.value == 154 ? "G154" : "G54.1", p->value);
+  } else if (word.value == 54 && extends_work()) {
+    name = fmt::format("G54.1P{:g}", take('P')->value);
   } else if (entry.code == Code::work_offset) {
     name = fmt::format("G{:g}", word.value);
   }
@@ -56,6 +60,28 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
                           name),
               word, name);
   rebuild();
+  return true;
+}
+
+// G54 P2 of FANUC is G54.1 P2, where no other word of the block asks for P.
+bool FrameWords::extends_work() const {
+  const Word* p = peek('P');
+  if (!p || !(is(Dialect::fanuc) || is(Dialect::iso)) || modal_.drill.number != 0) return false;
+  if (p->value < 1 || p->value > 300 || p->value != std::floor(p->value)) return false;
+  static constexpr Group kApart[] = {Group::distance, Group::plane, Group::units, Group::comp,
+                                     Group::length,   Group::feed,  Group::speed, Group::work};
+  const CodeTable& codes = code_table(control_.dialect, program_.machine);
+  for (const Word& word : block_.words) {
+    if (word.address == letter('M') && word.value >= 96) return false;
+    if (word.address != letter('G')) continue;
+    if (word.value >= 1000 || word.value != std::floor(word.value)) return false;
+    const CodeEntry other = codes[static_cast<std::size_t>(word.value)];
+    const bool apart =
+        std::find(std::begin(kApart), std::end(kApart), other.group) != std::end(kApart);
+    if (!apart && other.code != Code::rapid && other.code != Code::line &&
+        other.code != Code::cycle_off)
+      return false;
+  }
   return true;
 }
 
@@ -204,11 +230,12 @@ bool FrameWords::fanuc(const Word& word) {
     case Code::rotation_on: {
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
-      frames_.rotation = about(rotation_frame(kNormal[modal_.plane], r->value), values);
+      turn_about(r->value, kNormal[modal_.plane], values, word);
       break;
     }
     case Code::rotation_off:
       frames_.rotation = Frame{};
+      frames_.rotation_angle = 0;
       break;
     case Code::scaling_on:
       if (!fanuc_scaling(word, values)) return false;
@@ -235,6 +262,16 @@ bool FrameWords::fanuc(const Word& word) {
   }
   rebuild();
   return true;
+}
+
+// In G91 the angle adds to the rotation in force, where there is one.
+void FrameWords::turn_about(double angle, int axis, const Vec3& center, const Word& word) {
+  if (modal_.incremental && frames_.rotation_angle != 0) {
+    angle += frames_.rotation_angle;
+    note_once("rotation-adds", "G68 in G91 adds its angle to the rotation in force", word, "G68");
+  }
+  frames_.rotation_angle = angle;
+  frames_.rotation = about(rotation_frame(axis, angle), center);
 }
 
 // G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths.

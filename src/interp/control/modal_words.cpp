@@ -101,7 +101,18 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot_code = entry.code;
       return true;
     case Code::ignored:
+      if (is(Dialect::iso) && word.value == 9 && (peek('I') || peek('J') || peek('K')))
+        return error("not-supported", "G9 with I J K (an arc through a point) is not supported yet",
+                     word);
       return true;
+    case Code::polar_on:
+    case Code::polar_off:
+      if (peek('H'))
+        return error("not-supported",
+                     fmt::format("{} H (a work offset of Okuma's OSP) is not supported: write G54",
+                                 text_of(word)),
+                     word);
+      return apply_modal_code(word, entry);
     case Code::ignored_words:
       for (const Word& other : block_.words)
         if (other.address != letter('G') && other.address != letter('M')) take(other.address);

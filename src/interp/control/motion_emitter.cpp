@@ -1,8 +1,18 @@
 #include "interp/control/motion_emitter.h"
 
+#include "interp/control/tool_changer.h"
+
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace mrsim {
+namespace {
+
+constexpr double kOnAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
+
+}  // namespace
 
 MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
     : ControlPart(control),
@@ -40,6 +50,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (motion.kind != MotionKind::rapid) {
     ++cuts_;
     motion.tool = control_.tool.index;
+    if (lathe()) refuse_live_tool(motion);
   }
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;
@@ -62,6 +73,22 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   path.block = block_.number;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
+}
+
+// A cutter that turns by itself leaves a body of revolution on the axis only.
+void MotionEmitter::refuse_live_tool(const Motion& motion) {
+  if (motion.tool < 0) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
+  if (is_turning(tool.type)) return;
+  const double beside =
+      std::max(motion.assumed_start ? 0.0 : std::abs(motion.start.x), std::abs(motion.end.x));
+  if (beside <= kOnAxis) return;
+  reporter_.once_at(
+      Severity::error, "live-tool",
+      fmt::format("tool {} ({}) cuts {:.4g} mm beside the axis of a lathe: a live tool is not "
+                  "supported yet; for a bar that bores give --tool {}=boring:...",
+                  tool.id, tool_summary(tool), beside, tool.id),
+      motion, "live-tool:" + tool.id);
 }
 
 // FANUC lathes: R, or C and (in the direction of the next block) I and K, without a comma, beside

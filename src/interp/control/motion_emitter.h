@@ -29,6 +29,7 @@ class MotionEmitter : public ControlPart {
   std::size_t cuts() const { return cuts_; }
 
  private:
+  void refuse_live_tool(const Motion& motion);
   void turned_corner(const Word*& round, const Word*& leg);
 
   CompensationWords& words_;

@@ -100,6 +100,9 @@ bool OneShotWords::set_position() {
     }
     component(frames_.position_shift, i) += component(position_.programmed, i) - value;
   }
+  for (int i = 0; lathe() && i < 3; i += 2)  // U W: the coordinates grow by as much
+    if (const Word* more = take("UVW"[i]))
+      component(frames_.position_shift, i) -= axis_value(i, *more, true);
   frame_words_.rebuild();
   return true;
 }

@@ -82,6 +82,7 @@ bool ProgramFlow::m_word(const Word& word) {
   if (v < 0 || v != std::floor(v) || v > 1e8)
     return error("value-range", "an M number is a whole number", word);
   const int m = static_cast<int>(v);
+  const bool external = m == 198 && is(Dialect::fanuc);
   if (m == 6) block_.tool_change = true;
   if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
@@ -100,17 +101,35 @@ bool ProgramFlow::m_word(const Word& word) {
     block_.return_after = true;
     block_.loops = true;
   }
-  if (m == 97 && is(Dialect::iso))
-    return error("not-supported", "M97 (a call of a block number) is not supported yet", word);
   if (m >= 70 && m <= 73 && is(Dialect::ngc))
     return error("not-supported",
                  fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
-  if (m == 98 || (m == 97 && is(Dialect::fanuc))) block_.m98 = &word;
+  if (m == 97 || m == 98 || external) return call_word(word, m);
   if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
     note_once("m-unknown",
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,
               fmt::format("M{}", m));
   return true;
+}
+
+// M97, M98 and M198 (a program on another device).
+bool ProgramFlow::call_word(const Word& word, int m) {
+  if (m == 97 && is(Dialect::iso))
+    return error("not-supported", "M97 (a call of a block number) is not supported yet", word);
+  if (m != 97 || is(Dialect::fanuc)) block_.m98 = &word;
+  if (is(Dialect::ngc)) return true;
+  for (const char c : {'Q', 'H'})
+    if (block_.m98 && peek(c) && !(c == 'H' && block_.length_changed))
+      return error("not-supported",
+                   fmt::format("M{} with {} (a call of a block number) is not supported yet", m, c),
+                   word);
+  return true;
+}
+
+// Haas numbers programs with five digits: O20002, and no O0002.
+bool ProgramFlow::five_digits(long number) {
+  return number <= 99999 && reader_.has_subprogram({number, {}}) &&
+         !reader_.has_subprogram({number % 10000, {}});
 }
 
 // M98 P2 L50; M98 P500002: the last four digits are the program, those before them the count.
@@ -125,7 +144,7 @@ bool ProgramFlow::fanuc_call(const Word& word) {
   long number = static_cast<long>(p->value), repeats = 1;
   if (l) {
     repeats = static_cast<long>(l->value);
-  } else if (number > 9999) {
+  } else if (number > 9999 && !five_digits(number)) {
     repeats = number / 10000;
     number %= 10000;
   }

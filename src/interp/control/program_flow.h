@@ -21,6 +21,8 @@ class ProgramFlow : public ControlPart {
  private:
   bool alone(const Word& call);
   bool m_word(const Word& word);
+  bool call_word(const Word& word, int m);
+  bool five_digits(long number);
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
 

@@ -24,6 +24,7 @@ struct DrillCycle {
   double peck = 0;                    ///< Q, mm
   double initial = 0;                 ///< level along the plane's normal before the first cycle
   bool begun = false;                 ///< `initial` counts
+  bool fagor = false;                 ///< its first block has the depth in I
   int plane = -1;                     ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
   int file = 0, line = 0, call = -1;  ///< of the block that chose the cycle
 };
@@ -110,6 +111,7 @@ struct Frames {
   Vec3 fine;                        ///< G59
   Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame
   Frame rotation, scaling, mirror;  ///< FANUC G68, G51, G51.1
+  double rotation_angle = 0;        ///< of G68, degrees
   Vec3 mirror_at;
   unsigned mirrored = 0;  ///< axes under G51.1
   Frame total;

@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "core/units.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,16 @@ double ToolChanger::radius(int edge) {
   const Tool* tool = current();
   if (!tool) return 0;
   return is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+}
+
+CompRadius ToolChanger::commented_radius() const {
+  const ToolHint* hint = notes_.find(tool_.current);
+  if (!hint) return CompRadius::automatic;
+  const std::string text = upper_case(hint->text);
+  const bool wear = text.find("WEAR COMP") != std::string::npos;
+  const bool control = text.find("CONTROL COMP") != std::string::npos;
+  if (wear == control) return CompRadius::automatic;
+  return wear ? CompRadius::wear : CompRadius::radius;
 }
 
 std::string tool_summary(const Tool& tool) {

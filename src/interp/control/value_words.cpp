@@ -128,6 +128,13 @@ bool ValueWords::length_register() {
     return true;
   }
   if (modal_.length == Code::length_off) {
+    const bool named = (block_.groups >> static_cast<unsigned>(Group::length) & 1U) != 0;
+    const bool work = (block_.groups >> static_cast<unsigned>(Group::work) & 1U) != 0;
+    if (is(Dialect::fanuc) && work && !named && word && word->value != 0)
+      return error("not-supported",
+                   "H beside a work offset and without G43 is a tool length of Okuma's OSP, which "
+                   "is not supported: write G43",
+                   *word);
     modal_.length_offset = 0;
     return true;
   }

@@ -41,6 +41,9 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   const std::string_view text = body(code);
   if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
     return "a Heidenhain conversational program";
+  const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
+  if (whole.size() > 1 && whole.back() == '*' && (whole[0] == '%' || whole[0] == 'N'))
+    return "a Heidenhain DIN/ISO program (blocks that end in *)";
   if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
       ends_with(path, {".PBG", ".PBD", ".MAZ"}))
@@ -48,7 +51,10 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF ") ||
       text.starts_with("DEF WORK"))
     return "an Okuma IGF program";
-  if (text.starts_with("NLAP")) return "an Okuma lathe's program with LAP cycles";
+  if (text.starts_with("NLAP") || text.starts_with("NAP") || code.starts_with("NAP") ||
+      any_of(code, {"G85 N", "G86 N", "G87 N"}))
+    return "an Okuma lathe's program with LAP cycles";
+  if (any_of(code, {"CALL O"})) return "a program of Okuma's OSP (CALL O)";
   if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
     return "an APT cutter location file";
   if (raw.starts_with("ISO-10303-21")) return "a STEP file";

@@ -67,6 +67,7 @@ void MachineSigns::fanuc_line(const std::string& c, int n) {
   for (const std::string_view g : {"G70", "G71", "G72", "G75"})
     if (turning_cycle(c, g)) note_first(fanuc_lathe_, g, n);
   if (turning_words(c)) note_first(fanuc_turning_, "a turning word", n);
+  if (has_axis(c, 'C')) note_first(rotary_, "C", n);
   if (turret_word(c)) note_first(turret_, "a T word of station and offset", n);
 }
 
@@ -122,7 +123,10 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   const bool fanuc = out.dialect == Dialect::fanuc;
   const std::string& lathe = lathe_.empty() && fanuc ? fanuc_lathe_ : lathe_;
   std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
-  if (weak.empty() && fanuc && change_.empty() && milling_tool_.empty() && !milling) weak = turret_;
+  // Beside turning tools or an axis C a milling tool in a turret is a live one.
+  const bool live = !turning_tool_.empty() || !rotary_.empty();
+  if (weak.empty() && fanuc && change_.empty() && (milling_tool_.empty() || live) && !milling)
+    weak = turret_;
   if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
     weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
   if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";

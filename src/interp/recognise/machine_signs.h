@@ -28,6 +28,7 @@ class MachineSigns {
   std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y
   std::string turning_;                      ///< G18, if nothing moves in Y
   std::string turret_;                       ///< T0101, if nothing is changed by M6
+  std::string rotary_;                       ///< an axis C
   std::string per_revolution_;               ///< G95; supports a comment about a turning tool
   std::string change_, length_, plane_;      ///< M6, G43, G17: two of them make a mill
   std::string turning_tool_, milling_tool_;  ///< comments

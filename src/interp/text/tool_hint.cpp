@@ -84,6 +84,9 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   return true;
 }
 
+// No code of an insert and no angle: what cuts is the blade.
+bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
+
 void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.insert = hint.insert;
   out.insert_angle = hint.insert_angle;
@@ -98,6 +101,10 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
           ? fmt::format("{:.4g} degree {}insert", degrees(out.insert_angle),
                         hint.insert_angle > 0 ? "" : "finishing ")
           : fmt::format("insert {} of {:.4g} degrees", out.insert, degrees(out.insert_angle));
+  if (out.type == ToolType::grooving && insert_is_blade(hint)) {
+    out.origin += fmt::format(": blade {:.4g} mm wide", out.width);
+    return;
+  }
   out.origin += fmt::format(": {}, lead angle {:.4g} degrees, edge {:.4g} mm, {}", insert,
                             degrees(out.lead_angle), out.edge_length,
                             out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)

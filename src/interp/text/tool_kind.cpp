@@ -165,6 +165,10 @@ constexpr Phrase kPhrases[] = {
     {"PARTING", grooving, soft},
     {"CUTOFF", grooving, soft},
     {"THREADING", threading, soft},
+    {"GROOVE", grooving, soft},
+    {"PART OFF", grooving, soft},
+    {"PARTOFF", grooving, soft},
+    {"CUT OFF", grooving, soft},
 };
 
 bool matches(std::string_view pattern, const CommentToken& token) {

@@ -1,0 +1,80 @@
+// Words that controls read differently from one another: each is read as its control does, or it is
+// an error that names it. Never a motion of another meaning.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+std::string mill(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  return path_text(read_text(text, at_origin(dialect)));
+}
+
+std::string lathe(const std::string& text) {
+  return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
+}
+
+// The bolt circle of the manual: angles in G91 count from the last one, repeats too.
+TEST(ControlsDiffer, RepeatsUnderG16TurnAboutThePole) {
+  EXPECT_EQ(mill("G0 Z9\nG16\nG99 G81 X10. Y0 Z-1. R2. F100\nG91 Y90. K3\nG90 G15 G80\n"),
+            "r0,0,9 r10,0,9 r10,0,2 l10,0,-1 r10,0,2 r0,10,2 l0,10,-1 r0,10,2 r-10,0,2 l-10,0,-1 "
+            "r-10,0,2 r0,-10,2 l0,-10,-1 r0,-10,2");
+}
+
+TEST(ControlsDiffer, G54WithPIsAnExtendedOffset) {
+  const std::string set = "G10 L20 P2 X100. Y0 Z0\n";
+  EXPECT_EQ(mill(set + "G54 P2\nG1 X1. F10\nG54 X2.\n"), "l101,0,0 l2,0,0");
+  EXPECT_EQ(mill(set + "G90 G1 G54 P2 X1. F10\n"), "l101,0,0");
+  EXPECT_EQ(mill(set + "G54 G82 X1. Z-1. R2. P2 F10\n"), "r1,0,0 r1,0,2 l1,0,-1 r1,0,2");
+}
+
+TEST(ControlsDiffer, CallsOfBlocksAndExternalProgramsAreNeverOverlooked) {
+  const std::string sub = "M30\nO5\nN1 G1 X5. F10\nN2 X7.\nM99\n";
+  EXPECT_EQ(mill("O1\nM98 P5 Q2\n" + sub), " | not-supported");
+  EXPECT_EQ(mill("O1\nM98 P5 H2\n" + sub), " | not-supported");
+  EXPECT_EQ(mill("O1\nM198 P5\n" + sub), "l5,0,0 l7,0,0");
+  EXPECT_EQ(codes(read_text("O1\nG1 X1. F1\nM198 P99\nM30\n", at_origin(Dialect::fanuc))),
+            "subprogram-missing");
+}
+
+// G50 U W of a lathe shifts the coordinates by an increment.
+TEST(ControlsDiffer, G50MayBeIncremental) {
+  EXPECT_EQ(lathe("G0 X40. Z2.\nG50 U10. W-2.\nG1 X50. Z-5. F.1\n"), "r20,0,2 l20,0,-3");
+}
+
+// In G91 the angle of G68 adds to the rotation in force.
+TEST(ControlsDiffer, G68InG91TurnsOn) {
+  EXPECT_EQ(mill("G68 X0 Y0 R30.\nG91 G68 X0 Y0 R60.\nG90 G1 X10. F10\n"), "l0,10,0");
+  EXPECT_EQ(mill("G91 G68 X0 Y0 R90.\nG90 G1 X10. F10\n"), "l0,10,0");
+}
+
+// A cutter that turns by itself and works beside the axis leaves no body of revolution.
+TEST(ControlsDiffer, LiveToolsOfLathesAreRefused) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.front().type = ToolType::drill;
+  EXPECT_EQ(codes(read_text("G0 X0 Z5.\nG1 Z-5. F.1\nG0 Z5.\n", options)), "");
+  const Program p = read_text("G0 X30. Z5.\nG1 Z-5. F.1\nX40.\nG0 Z5.\n", options);
+  EXPECT_EQ(codes(p), "live-tool");
+  EXPECT_EQ(p.diagnostics.back().place.line, 2);
+}
+
+// Okuma: G15 H chooses the work offset, G56 H the length.
+TEST(ControlsDiffer, OkumasOffsetsAreNamed) {
+  EXPECT_EQ(mill("G15 H1\nG1 X1. F10\n"), "l1,0,0 | not-supported");
+  EXPECT_EQ(mill("G56 H1 Z5.\nG1 X1. F10\n"), "l1,0,0 | not-supported");
+  EXPECT_EQ(mill("G43 G54 H0 Z5.\nG1 X1. F10\n"), "r0,0,5 l1,0,5");
+}
+
+// Fagor: Z is the plane of reference, I the depth; G83 makes J strokes of I.
+TEST(ControlsDiffer, FagorsCyclesHaveTheirDepthInI) {
+  EXPECT_EQ(mill("G0 Z20\nG81 G98 X10 Y0 Z2 I-15 K50 F100\nX20\nG80\n", Dialect::iso),
+            "r0,0,20 r10,0,20 r10,0,2 l10,0,-15 r10,0,20 r20,0,20 r20,0,2 l20,0,-15 r20,0,20");
+  EXPECT_EQ(mill("G0 Z20\nG91 G81 G99 X10 Y0 Z-18 I-5 F100\nG80\n", Dialect::iso),
+            "r0,0,20 r10,0,20 r10,0,2 l10,0,-3 r10,0,2");
+  EXPECT_EQ(mill("G0 Z20\nG83 G99 X10 Y0 Z2 I-4 J3 F100\nG80\n", Dialect::iso),
+            "r0,0,20 r10,0,20 r10,0,2 l10,0,-2 r10,0,2 r10,0,-1.746 l10,0,-6 r10,0,2 r10,0,-5.746 "
+            "l10,0,-10 r10,0,2");
+  EXPECT_EQ(mill("G1 X5 F100\nG9 X20 Y0 I10 J5\n", Dialect::iso), "l5,0,0 | not-supported");
+}
+
+}  // namespace
+}  // namespace mrsim
