@@ -41,6 +41,22 @@ TEST(ControlsDiffer, G50MayBeIncremental) {
   EXPECT_EQ(lathe("G0 X40. Z2.\nG50 U10. W-2.\nG1 X50. Z-5. F.1\n"), "r20,0,2 l20,0,-3");
 }
 
+// P0 of G10 L2 is the external offset, which is part of all others.
+TEST(ControlsDiffer, TheExternalOffsetIsPartOfAll) {
+  EXPECT_EQ(mill("G10 L2 P0 X0 Y0 Z0\nG54\nG1 X1. F10\n"), "l1,0,0");
+  EXPECT_EQ(mill("G10 L2 P0 X5.\nG10 L2 P2 X10.\nG1 X1. F10\nG55 X1.\n"), "l6,0,0 l16,0,0");
+}
+
+TEST(ControlsDiffer, NoRepeatsAtAnotherPointAreAWarning) {
+  EXPECT_EQ(mill("G0 Z9\nG81 X10. Z-1. R2. K0 F10\nG80\nG1 X1.\n"),
+            "r0,0,9 l1,0,9 | cycle-not-run");
+  EXPECT_EQ(mill("G0 Z9\nG81 Z-1. R2. K0 F10\nX5.\n"), "r0,0,9 r5,0,9 r5,0,2 l5,0,-1 r5,0,9");
+}
+
+TEST(ControlsDiffer, LathesGoHomeInYAndFeedInG95) {
+  EXPECT_EQ(lathe("G95\nG0 X40. Z2.\nG1 Z-1. F.1\nG28 U0. V0. W0.\n"), "r20,0,2 l20,0,-1");
+}
+
 // In G91 the angle of G68 adds to the rotation in force.
 TEST(ControlsDiffer, G68InG91TurnsOn) {
   EXPECT_EQ(mill("G68 X0 Y0 R30.\nG91 G68 X0 Y0 R60.\nG90 G1 X10. F10\n"), "l0,10,0");
@@ -55,6 +71,23 @@ TEST(ControlsDiffer, LiveToolsOfLathesAreRefused) {
   const Program p = read_text("G0 X30. Z5.\nG1 Z-5. F.1\nX40.\nG0 Z5.\n", options);
   EXPECT_EQ(codes(p), "live-tool");
   EXPECT_EQ(p.diagnostics.back().place.line, 2);
+}
+
+// Mastercam's list of tools says what is in the registers.
+TEST(ControlsDiffer, TheListOfToolsSaysWhatDIs) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.comp = CompRadius::automatic;
+  const auto x = [&](const char* comp, const char* expected) {
+    const Program p = read_text(std::string("( T1 | 10. FLAT ENDMILL | H1 | D1 | ") + comp +
+                                    " COMP | TOOL DIA. - 10. )\nT1 M6\nG0 X0 Y0\n"
+                                    "G1 G41 D1 X0 Y10 F100\nY20\nY30\nG40 X-20\n",
+                                options);
+    EXPECT_EQ(codes(p), expected);
+    return p.motions[1].end.x;
+  };
+  EXPECT_NEAR(x("WEAR", ""), 0, 1e-9);
+  EXPECT_NEAR(x("CONTROL", ""), -5, 1e-9);
+  EXPECT_NEAR(x("TOOL", "register-missing"), -5, 1e-9);
 }
 
 // Okuma: G15 H chooses the work offset, G56 H the length.

@@ -126,6 +126,10 @@ bool DrillWords::drill() {
   Target to;
   if (!axes_.target(to, from)) return false;
   if (!fill(hole)) return false;
+  if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > 1e-9)
+    warning("cycle-not-run",
+            "0 repeats: the tool stays where it is; some controls go to the point without drilling",
+            where);
   const Vec3 step = to.programmed - from;
   for (long i = 0; i < count; ++i) {
     // LinuxCNC leaves the work before it goes aside.

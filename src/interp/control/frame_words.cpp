@@ -100,9 +100,10 @@ bool FrameWords::set_work(const std::string& name) {
     std::string key;
     for (const char c : offset.name)
       if (c != ' ') key += c;
-    if (key != name) continue;
-    frames_.work = offset.shift;
-    known = true;
+    const bool external = key == "EXT" && !name.empty();
+    if (key != name && !external) continue;
+    frames_.work = frames_.work + offset.shift;
+    known = known || !external;
   }
   return known;
 }

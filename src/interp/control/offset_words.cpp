@@ -38,10 +38,11 @@ bool OffsetWords::run() {
   return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
 }
 
-// The offset that P means: the one in force for P0 of LinuxCNC; L20 of FANUC is G54.1.
+// The offset that P means. P0: of LinuxCNC the one in force, of FANUC the external one that is part
+// of all; L20 of FANUC is G54.1.
 std::string OffsetWords::work_name(int l, int p) const {
   if (l == 20 && !is(Dialect::ngc)) return fmt::format("G54.1P{}", p);
-  if (p == 0) return is(Dialect::ngc) ? frames_.work_name : std::string();
+  if (p == 0) return is(Dialect::ngc) ? frames_.work_name : "EXT";
   if (p <= 6) return fmt::format("G{}", 53 + p);
   return p <= 9 && is(Dialect::ngc) ? fmt::format("G59.{}", p - 6) : std::string();
 }
@@ -68,7 +69,8 @@ bool OffsetWords::work(int l, int p) {
     const double value = axis_value(i, *word, false);
     double& shift = component(offset.shift, i);
     const bool more = modal_.incremental && !is(Dialect::ngc);
-    shift = value + (more ? shift : component(control_.machine_shift, i));
+    const double zero = name == "EXT" ? 0 : component(control_.machine_shift, i);
+    shift = value + (more ? shift : zero);
   }
   frame_words_.renew_work();
   return true;

@@ -205,8 +205,8 @@ constexpr Row kFanucLathe[] = {
     {720, C::turn_cycle, G::oneshot},    {730, C::turn_cycle, G::oneshot},
     {740, C::turn_cycle, G::oneshot},    {750, C::turn_cycle, G::oneshot},
     {760, C::turn_cycle, G::oneshot},    {920, C::turn_pass, G::motion},
-    {940, C::turn_pass, G::motion},      {980, C::per_minute, G::feed},
-    {990, C::per_revolution, G::feed},
+    {940, C::turn_pass, G::motion},      {950, C::per_revolution, G::feed},
+    {980, C::per_minute, G::feed},       {990, C::per_revolution, G::feed},
 };
 
 constexpr Row kIso[] = {
