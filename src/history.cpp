@@ -1,6 +1,7 @@
 #include "history.h"
 
 #include "core/vec.h"
+#include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
@@ -18,6 +19,9 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // Columns below a sweep, of all sweeps, that the summary's history may ask: some 50 ms on two
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
+
+// Of the stock in plan, where the sweeps leave heights: as much time.
+constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
@@ -125,14 +129,20 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
   return std::max({usual, coarser, voxel});
 }
 
+double summary_column(const StockShape& shape, const CutList& cuts) {
+  const Vec3 size = shape.box.hi - shape.box.lo;
+  const double count = static_cast<double>(cuts.motions().size());
+  return std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
+}
+
 History make_history(const Job& job, const JobResult& result, const Stock& stock,
                      const CutList& cuts) {
   History history;
   if (job.history == HistoryDetail::off) return history;
   const PartField& field = *stock.grid().field;
-  history.voxel = job.history == HistoryDetail::full
-                      ? stock.voxel()
-                      : summary_voxel(result.stock, cuts, stock.voxel());
+  history.voxel = job.history == HistoryDetail::full ? stock.voxel()
+                  : has_height_history(field)        ? summary_column(result.stock, cuts)
+                                              : summary_voxel(result.stock, cuts, stock.voxel());
   const int threads = job.carve.threads;
   const auto removed_by = [&](const PartField& of, std::size_t motions) {
     return removed_volumes(of, history_lattice(of, history.voxel), motions, threads);
@@ -143,7 +153,9 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const std::vector<double> removed =
       whole ? removed_by(field, cuts.motions().size())
             : removed_by(PartField(field.solid(),
-                                   SweepTable(pieces.motions, cuts.tools(), {}, threads), threads),
+                                   SweepTable(pieces.motions, cuts.tools(),
+                                              {.top = field.bounds().hi.z}, threads),
+                                   threads),
                          pieces.motions.size());
   sum_pieces(pieces, removed, cuts.inherited(), history);
   for (std::size_t i = 0; i < history.removed.size(); ++i) {

@@ -11,6 +11,10 @@ namespace mrsim {
 /// than a fixed count of columns. `voxel`: that of the run, which is never refined.
 double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel);
 
+/// The side of the summary's columns where all sweeps leave heights, mm: of a fixed count of
+/// columns that cover the stock in plan.
+double summary_column(const StockShape& shape, const CutList& cuts);
+
 /// What the motions of `result.program` remove of the stock as they find it. Empty where none is
 /// wanted.
 History make_history(const Job& job, const JobResult& result, const Stock& stock,

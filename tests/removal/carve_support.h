@@ -34,7 +34,7 @@ inline std::vector<Voxel> voxels(const Stock& stock) {
 inline std::vector<Voxel> reference(const StockShape& shape, std::span<const Motion> motions,
                                     std::span<const Tool> tools, double h) {
   const StockSolid solid(shape);
-  const SweepTable sweeps(motions, tools);
+  const SweepTable sweeps(motions, tools, {.top = shape.box.hi.z});
   const double band = kBandVoxels * h;
   const Box3 whole = inflated(solid.bounds(), band + h);
   std::vector<Voxel> list;

@@ -5,6 +5,7 @@
 #include "support/moves.h"
 #include "support/shapes.h"
 #include "support/tools.h"
+#include "sweep_support.h"
 
 #include <cmath>
 #include <numeric>
@@ -103,6 +104,58 @@ TEST(RemovedVolumes, SameOnAnyNumberOfThreads) {
   const Scene scene = pocket();
   const std::vector<double> one = scene.removed(0.3, 1);
   for (const int threads : {2, 3, 7}) EXPECT_EQ(one, scene.removed(0.3, threads));
+}
+
+// What a V tool cuts along a line: a groove, with half a cone at each end.
+TEST(RemovedVolumes, GrooveOfAVTool) {
+  Tool tool = mill(ToolType::chamfer, 6);
+  tool.tip_angle = radians(60);
+  const Scene scene{kBlock, tool, {line({20, 30, -0.4}, {80, 30, -0.4})}};
+  const double half = 0.4 * std::tan(radians(30));
+  const double exact = 60 * 0.4 * half + kPi * half * half * 0.4 / 3;
+  for (const double voxel : {0.3, 0.15}) EXPECT_NEAR(scene.removed(voxel)[0], exact, 1e-3 * exact);
+}
+
+// Slots as wide as a few columns: columns are halved at their walls.
+TEST(RemovedVolumes, NarrowSlots) {
+  Scene scene{kBlock, endmill(1), {}};
+  for (int i = 0; i < 20; ++i)
+    scene.motions.push_back(line({10, 3 + 2.7 * i, -2}, {90, 3.4 + 2.7 * i, -2}, i));
+  const std::vector<double> removed = scene.removed(0.4);
+  const double exact = 2 * (std::sqrt(80 * 80 + 0.4 * 0.4) + kPi / 4);
+  for (const double volume : removed) EXPECT_NEAR(volume, exact, 0.01 * exact);
+  EXPECT_NEAR(std::accumulate(removed.begin(), removed.end(), 0.0), 20 * exact, 0.02 * exact);
+}
+
+// A slanted pass over another one, in a round stock: both by the definition, column by column.
+TEST(RemovedVolumes, RecordLowsOfEachColumn) {
+  for (const Tool& tool : {endmill(6), endmill(6, 1), ballmill(6)}) {
+    Scene scene{round_stock(10, 0, -12, 0), tool, {}};
+    scene.motions = {line({-15, 3, -1}, {15, -4, -6}), line({2, -15, -5}, {-3, 15, -2}, 1),
+                     arc({6, 0, -4}, {0, 0, -4}, {0, 0, 1}, 2 * kPi),
+                     line({5, 5, 2}, {5, 5, -7}, 3)};
+    const SweepTable sweeps(scene.motions, std::span(&tool, 1));
+    std::vector<double> want(scene.motions.size());
+    constexpr double kStep = 0.05;
+    for (double x = -10 + kStep / 2; x < 10; x += kStep)
+      for (double y = -10 + kStep / 2; y < 10; y += kStep) {
+        if (x * x + y * y > 100) continue;
+        double low = 0;
+        for (std::size_t i = 0; i < want.size(); ++i) {
+          if (sweeps.distance(i, {x, y, low}) > 0) continue;
+          double z = -12, top = low;  // where the distance changes its sign
+          for (int k = 0; k < 24; ++k) {
+            const double middle = (z + top) / 2;
+            (sweeps.distance(i, {x, y, middle}) > 0 ? z : top) = middle;
+          }
+          want[i] += kStep * kStep * (low - top);
+          low = top;
+        }
+      }
+    const std::vector<double> got = scene.removed(0.1);
+    for (std::size_t i = 0; i < want.size(); ++i)
+      EXPECT_NEAR(got[i], want[i], 0.005 * want[i]) << "motion " << i;
+  }
 }
 
 }  // namespace

@@ -1,6 +1,11 @@
 // Every tool on every move against brute force; gradients, Lipschitz constant, patches, bounds.
 #include "core/units.h"
+#include "removal/sweep/path_sweep.h"
 #include "sweep_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -165,6 +170,45 @@ TEST_P(EveryTool, GradientIsTheDerivative) {
   }
   EXPECT_GT(points, 60);
   EXPECT_LT(creases, points / 2);
+}
+
+// Where no more is asked than what lies below the end of the flutes, a tool without end has the
+// same distances outside of what it sweeps, and the same inside.
+TEST_P(EveryTool, FlutesThatEndAboveAllThatIsAskedHaveNoEnd) {
+  const Tool tool = all_tools()[GetParam()];
+  const double top = make_cutter(tool).top();
+  if (std::isinf(top)) return;
+  for (int kind = 0; kind < 7; ++kind) {
+    Random r(90 + kind);
+    for (int round = 0; round < 12; ++round) {
+      const Motion m = any_move(r, kind);
+      double lowest = 1e9;
+      for (int k = 0; k <= 1000; ++k) lowest = std::min(lowest, at(m, k / 1000.0).z);
+      const double asked = lowest + top + r(-0.5, -0.01);
+      const SweepTable finite({&m, 1}, {&tool, 1}), without({&m, 1}, {&tool, 1}, {.top = asked});
+      for (int k = 0; k < 20; ++k) {
+        Vec3 p = near(r, m, 6);
+        p.z = std::min(p.z, asked);
+        const double want = finite.distance(0, p), got = without.distance(0, p);
+        if (want > 0)
+          ASSERT_NEAR(got, want, 2 * kPathError) << "move " << kind;
+        else
+          ASSERT_LE(got, want + 2 * kPathError) << "move " << kind;
+      }
+    }
+  }
+}
+
+TEST(Flutes, LetThroughWhatTheyDoNotReach) {
+  const Tool tool = endmill(6, 0, 4);
+  const Motion m = line({0, 0, -5}, {10, 0, -5});
+  const auto reaches_up = [&](double top) {
+    const SweepTable s({&m, 1}, {&tool, 1}, {.top = top});
+    return std::isinf(s.bounds(0).hi.z);
+  };
+  EXPECT_TRUE(reaches_up(-1));
+  EXPECT_FALSE(reaches_up(-0.9));
+  EXPECT_FALSE(reaches_up(std::numeric_limits<double>::infinity()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryTool, ::testing::Range(0, static_cast<int>(all_tools().size())));

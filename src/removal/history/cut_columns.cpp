@@ -31,11 +31,6 @@ void pad(PointColumns& points) {
 
 }  // namespace
 
-bool is_upward(const SweepTable& sweeps, std::uint32_t i) {
-  const SweepRef& ref = sweeps.columns().refs[i];
-  return ref.kind != SweepKind::turn && ref.frame == 0 && sweeps.columns().cutter(ref).is_rising();
-}
-
 ColumnWalker::ColumnWalker(const PartField& field, double voxel)
     : field_(field),
       lattice_{voxel, false},

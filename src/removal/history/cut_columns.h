@@ -16,9 +16,6 @@
 
 namespace mrsim {
 
-/// Whether sweep i holds, with each place, everything above it.
-bool is_upward(const SweepTable& sweeps, std::uint32_t i);
-
 /// One block of kBlockVoxels^3 at a time, on one thread.
 class ColumnWalker {
  public:

@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "removal/field/lattice.h"
 #include "removal/history/cut_columns.h"
+#include "removal/history/cut_heights.h"
 #include "removal/part/block_index.h"
 
 #include <algorithm>
@@ -39,6 +40,20 @@ std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& l
     add_removed(field, sweeps, removed, blocks[b]);
   });
   return blocks;
+}
+
+std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int threads) {
+  const HeightGrid grid(field.bounds(), voxel);
+  const SweepUndersides tools(field.sweeps());
+  const std::vector<std::vector<std::uint32_t>> sweeps = grid.sweeps_of_tiles(field.sweeps());
+  std::vector<BlockSums> tiles(sweeps.size());
+  parallel_for(tiles.size(), threads, [&](std::size_t t) {
+    if (sweeps[t].empty()) return;
+    std::vector<double> removed(sweeps[t].size(), 0.0);
+    HeightWalker(field, tools).walk(grid, t, sweeps[t], removed);
+    add_removed(field, sweeps[t], removed, tiles[t]);
+  });
+  return tiles;
 }
 
 // Rows of blocks across the axis: the sweeps of a row are found once.
@@ -87,9 +102,10 @@ CutLattice history_lattice(const PartField& field, double voxel) {
 
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
                                     std::size_t motions, int threads) {
-  const std::vector<BlockSums> blocks = lattice.half_plane
-                                            ? sums_in_half_plane(field, lattice, threads)
-                                            : sums_in_space(field, lattice, threads);
+  const std::vector<BlockSums> blocks =
+      lattice.half_plane          ? sums_in_half_plane(field, lattice, threads)
+      : has_height_history(field) ? sums_of_heights(field, lattice.voxel, threads)
+                                  : sums_in_space(field, lattice, threads);
   std::vector<double> removed(motions, 0.0);
   for (const BlockSums& block : blocks)
     for (const auto& [motion, volume] : block) removed[static_cast<std::size_t>(motion)] += volume;

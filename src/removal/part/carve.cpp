@@ -25,7 +25,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
             const CarveOptions& options, const VoxelDecision& decide) {
   auto grid = std::make_unique<StockGrid>();
   grid->field = std::make_unique<PartField>(
-      StockSolid(shape), SweepTable(motions, tools, {}, options.threads), options.threads);
+      StockSolid(shape), SweepTable(motions, tools, {.top = shape.box.hi.z}, options.threads),
+      options.threads);
   const PartField& field = *grid->field;
   CarveOptions chosen = options;
   if (decide) decide(field, chosen);

@@ -65,6 +65,17 @@ double StockSolid::radius_at(const Vec3& p) const {
   return std::sqrt(dx * dx + dy * dy);
 }
 
+double StockSolid::plan_distance(double x, double y) const {
+  if (!is_box()) {
+    const double rho = radius_at({x, y, 0}), wall = rho - shape_.outer_radius;
+    return shape_.kind == StockShape::Kind::tube ? std::max(wall, shape_.inner_radius - rho) : wall;
+  }
+  const Box3& b = shape_.box;
+  const double dx = std::max(b.lo.x - x, x - b.hi.x), dy = std::max(b.lo.y - y, y - b.hi.y);
+  if (dx > 0 && dy > 0) return std::sqrt(dx * dx + dy * dy);
+  return std::max(dx, dy);
+}
+
 StockSolid::Sample StockSolid::sample(const Vec3& p) const {
   if (shape_.kind == StockShape::Kind::mesh) return sample_mesh(p);
   return shape_.kind == StockShape::Kind::box ? sample_box(p) : sample_round(p);

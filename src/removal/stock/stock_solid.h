@@ -38,6 +38,10 @@ class StockSolid {
 
   double distance(const Vec3& p) const { return sample(p).distance; }
   bool is_box() const { return shape_.kind == StockShape::Kind::box; }
+  /// The same at all heights: a box, cylinder or tube.
+  bool is_upright() const { return shape_.kind != StockShape::Kind::mesh; }
+  /// Signed distance in plan from the sides. Requires: is_upright().
+  double plan_distance(double x, double y) const;
   /// The largest signed distance from a box's six planes: distance() inside, no more than that
   /// outside, and it changes by no more than any coordinate. Requires: is_box().
   double plane_distance(const Vec3& p) const;

@@ -103,8 +103,9 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   if (!(length(m.tool_axis) > 0.5)) unsupported(m, tool, "the tool has no axis direction");
   ref.frame = frame(m.tool_axis);
   const Frame* local = ref.frame > 0 ? &columns_.frames[ref.frame - 1] : nullptr;
-  const Profile& cutter = columns_.cutter(ref);
   const LocalMotion l = localized(m, local);
+  if (local == nullptr) ref.shape = opened(ref.shape, lowest_tip(l));
+  const Profile& cutter = columns_.cutter(ref);
   const double dz = l.end.z - l.start.z, lean = dz < 0 ? -dz : dz;
   const bool about_z = l.arc && l.u.z * l.u.z + l.v.z * l.v.z < kLevel * kLevel;
   const double rise = l.rise.z * l.sweep;
@@ -192,6 +193,27 @@ int SweepBuilder::drawn_out(int shape, double travel) {
     add_shape(std::move(made), key);
   }
   return at->second;
+}
+
+// The same shape without end, if its flutes reach above all that is asked with the tip at
+// `lowest`.
+int SweepBuilder::opened(int shape, double lowest) {
+  const Profile& tool = columns_.shapes[shape].cutter;
+  if (tool.open_top() || !(lowest + tool.top() >= selection_.top)) return shape;
+  const double without_end = std::numeric_limits<double>::infinity();
+  if (const auto known = drawn_out_.find({shape, without_end}); known != drawn_out_.end())
+    return known->second;
+  ToolShape made;
+  made.cutter = tool.opened();
+  made.radius = columns_.shapes[shape].radius;
+  int& found = drawn_out_[{shape, without_end}];
+  found = shape;
+  if (!made.cutter.is_rising()) return shape;
+  found = static_cast<int>(columns_.shapes.size());
+  ShapeKey key = keys_[static_cast<std::size_t>(shape)];
+  key.travel = without_end;
+  add_shape(std::move(made), key);
+  return found;
 }
 
 bool is_upright(const LocalMotion& l) {

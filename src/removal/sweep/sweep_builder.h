@@ -15,7 +15,7 @@ namespace mrsim {
 /// What a shape is made from; equal for equal shapes.
 struct ShapeKey {
   std::int32_t tool = 0, piece = 0;
-  double travel = 0;  ///< by which it is drawn out, mm
+  double travel = 0;  ///< by which it is drawn out, mm; infinite: without end
   friend bool operator<(const ShapeKey& a, const ShapeKey& b) {
     return std::tie(a.tool, a.piece, a.travel) < std::tie(b.tool, b.piece, b.travel);
   }
@@ -41,6 +41,7 @@ class SweepBuilder {
   bool wanted(const Motion& m) const;
   ShapeRange shapes(const Motion& m);
   int drawn_out(int shape, double travel);
+  int opened(int shape, double lowest);
   void add_shape(ToolShape&& shape, const ShapeKey& key);
   std::uint16_t frame(const Vec3& axis);
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);

@@ -69,6 +69,8 @@ LocalMotion localized(const Motion& m, const Frame* frame) {
   return l;
 }
 
+double lowest_tip(const LocalMotion& l) { return path_bounds(l).lo.z; }
+
 Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame) {
   return sweep_bounds(tool, path_bounds(l), frame);
 }

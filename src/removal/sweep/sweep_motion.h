@@ -17,6 +17,9 @@ struct LocalMotion {
 
 LocalMotion localized(const Motion& m, const Frame* frame);
 
+/// No position of the tip is lower, in the frame of the tool; mm.
+double lowest_tip(const LocalMotion& l);
+
 /// A box around what the tool sweeps, in the stock's coordinates.
 Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame);
 /// Of a path in this box of the tool's frame.

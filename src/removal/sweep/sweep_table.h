@@ -36,6 +36,9 @@ struct SweepSelection {
   Part part = Part::cutter;
   bool cuts = true;     ///< lines and arcs
   bool rapids = false;  ///< rapids, as straight lines
+  /// Height above which nothing is asked, mm: a cutter whose flutes end there or higher, all along
+  /// a motion, counts as one without end. Cutters in a tilted frame keep their flutes.
+  double top = std::numeric_limits<double>::infinity();
 };
 
 /// The cutting motions of a program with the shapes of their tools.

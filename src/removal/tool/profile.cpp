@@ -249,6 +249,20 @@ Profile Profile::drawn_out(double travel) const {
   return Profile(std::move(out));
 }
 
+Profile Profile::opened() const {
+  std::vector<ProfileEdge> out;
+  for (const ProfileEdge& e : edges_)
+    out.push_back({.a = e.a, .b = e.b, .center = e.center, .radius = e.radius, .convex = e.convex});
+  const bool has_lid = !is_arc(edges_.back()) && edges_.back().direction.y == 0;
+  if (has_lid) out.pop_back();
+  const ProfileEdge* last = out.empty() ? nullptr : &edges_[out.size() - 1];
+  if (last != nullptr && !is_arc(*last) && last->direction.x == 0)
+    out.back().b.y = std::numeric_limits<double>::infinity();
+  else if (const Vec2 end = edges_.back().a; last != nullptr)
+    out.push_back({.a = end, .b = {end.x, std::numeric_limits<double>::infinity()}});
+  return out.empty() ? *this : Profile(std::move(out));
+}
+
 int Profile::nearest_corner(Vec2 q) const {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();

@@ -74,6 +74,8 @@ class Profile {
   /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
   /// is_unimodal(), a closed top.
   Profile drawn_out(double travel) const;
+  /// The tool that goes on above its flat top for ever, as wide as there. Requires: a closed top.
+  Profile opened() const;
 
   const std::vector<ProfileEdge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }

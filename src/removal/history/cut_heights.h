@@ -1,0 +1,73 @@
+// The history of a stock whose sweeps all leave heights (removal/sweep/sweep_heights.h): in a
+// column of the stock a sweep removes what lies between its bottom and the lowest bottom before it.
+// So the history of a column is the staircase of its record lows, and heights are exact; only in
+// plan is anything sampled (docs/history.md, Heights).
+#pragma once
+
+#include "removal/history/cut_sink.h"
+#include "removal/part/part_field.h"
+#include "removal/sweep/sweep_heights.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Whether all sweeps are upward and the stock is the same at all heights.
+bool has_height_history(const PartField& field);
+
+/// The stock in plan as squares of columns.
+class HeightGrid {
+ public:
+  static constexpr int kTile = 32;  ///< columns on a side of a tile
+
+  /// Columns of at most `voxel` mm that fill the stock's box.
+  HeightGrid(const Box3& stock, double voxel);
+
+  std::size_t tiles() const { return static_cast<std::size_t>(tiles_[0]) * tiles_[1]; }
+  /// Lower corner of a tile, mm.
+  Vec2 corner(std::size_t tile) const;
+  Vec2 column() const { return column_; }  ///< sides, mm
+  Vec2 end() const { return end_; }        ///< of the stock
+  /// The sweeps that may come to each tile, ascending.
+  std::vector<std::vector<std::uint32_t>> sweeps_of_tiles(const SweepTable& sweeps) const;
+
+ private:
+  std::array<int, 2> tiles_{};
+  Vec2 low_, end_, column_;
+};
+
+/// What each sweep removes of one tile; on one thread.
+class HeightWalker {
+ public:
+  HeightWalker(const PartField& field, const SweepUndersides& tools);
+  /// Adds mm^3 to `removed`, in the order of the list. `sweeps`: ascending.
+  void walk(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
+            std::span<double> removed);
+
+ private:
+  static constexpr int kFiner = 3;  // halvings of a column where a wall passes
+  static constexpr std::size_t kLevels = 6 + kFiner;
+
+  using List = std::vector<std::uint32_t>;  // places in the list of sweeps
+  struct Square {
+    Vec2 center, side;
+    int columns = 1;  // on a side; 0 within a column
+    int finer = 0;    // halvings of a column
+  };
+  void visit(const Square& square, std::size_t level, bool is_even);
+  bool narrow(const Square& square, std::size_t level, bool& is_even);
+  void cut(const Square& square, const List& list);
+  double stock_share(const Square& square) const;
+
+  const PartField& field_;
+  SweepHeights heights_;
+  double low_, high_;
+  Vec2 end_;
+  std::span<double> removed_;
+  std::array<List, kLevels + 1> lists_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,165 @@
+#include "removal/sweep/sweep_heights.h"
+
+#include "core/trig.h"
+#include "core/units.h"
+#include "core/vec.h"
+#include "removal/simd/lane_scalar.h"
+#include "removal/sweep/sweep_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kShort = 1e-9;   // mm in plan: an upright move
+constexpr double kFound = 1e-10;  // mm: to which a height is searched
+constexpr int kMostSteps = 80;
+
+Underside::Slant seen_from(double dx, double dy, double ux, double uy) {
+  return {.u = dx * ux + dy * uy, .v = std::fabs(dx * uy - dy * ux)};
+}
+
+double wrapped(double angle) {
+  while (angle < 0) angle += kTwoPi;
+  while (angle >= kTwoPi) angle -= kTwoPi;
+  return angle;
+}
+
+}  // namespace
+
+bool is_upward(const SweepTable& sweeps, std::uint32_t i) {
+  const SweepRef& ref = sweeps.columns().refs[i];
+  return ref.kind != SweepKind::turn && ref.frame == 0 && sweeps.columns().cutter(ref).is_rising();
+}
+
+SweepUndersides::SweepUndersides(const SweepTable& sweeps) {
+  for (const ToolShape& shape : sweeps.columns().shapes)
+    tools_.push_back(!shape.turning && shape.cutter.is_rising() ? Underside(shape.cutter)
+                                                                : Underside());
+}
+
+void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
+  rows_.clear();
+  for (const std::uint32_t i : sweeps) rows_.push_back(row_of(i));
+}
+
+SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) const {
+  const SweepColumns& c = sweeps_.columns();
+  const SweepRef& ref = c.refs[sweep];
+  Row row{.sweep = sweep, .tool = &tools_[ref.shape]};
+  if (ref.kind == SweepKind::ball_line) {
+    const double* r = c.ball_lines[ref.row].c;
+    const Vec3 start{r[0], r[1], r[2] - r[7]};
+    set_slant(row, start, start + r[5] * Vec3{r[3], r[4], r[6]});
+  } else if (ref.kind == SweepKind::plane_line) {
+    const double* r = c.plane_lines[ref.row].c;
+    row.form = Form::level, row.z = r[4] - r[6];
+  } else if (ref.kind == SweepKind::plane_arc) {
+    const double* r = c.plane_arcs[ref.row].c;
+    row.form = Form::level, row.z = r[7] - r[9];
+  } else if (ref.kind == SweepKind::profile) {
+    row.form = Form::level, row.z = c.profiles[ref.row].z;
+  } else if (ref.kind == SweepKind::path) {
+    const ToolPath& path = c.paths[ref.row];
+    if (!path.arc && row.tool->is_convex()) set_slant(row, path.start, path.start + path.travel);
+    if (path.lowest_turn) row.form = Form::helix, row.exact = row.tool->is_flat();
+  }
+  return row;
+}
+
+void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const {
+  const Vec3 &low = start.z <= end.z ? start : end, &high = start.z <= end.z ? end : start;
+  const double dx = high.x - low.x, dy = high.y - low.y, plan = std::sqrt(dx * dx + dy * dy);
+  row.form = Form::slant;
+  row.x = low.x, row.y = low.y, row.z = low.z;
+  if (plan < kShort) return;
+  row.ux = dx / plan, row.uy = dy / plan;
+  row.length = plan, row.slope = (high.z - low.z) / plan;
+}
+
+// Distance in plan from the path of a level move.
+double SweepHeights::rho(const Row& row, double x, double y) const {
+  const SweepColumns& c = sweeps_.columns();
+  const SweepRef& ref = c.refs[row.sweep];
+  if (ref.kind == SweepKind::plane_line) return lane::line_rho(c.plane_lines[ref.row].c, x, y);
+  if (ref.kind == SweepKind::plane_arc) return lane::arc_rho(c.plane_arcs[ref.row].c, x, y);
+  const ProfileRow& profile = c.profiles[ref.row];
+  return profile.arc ? lane::arc_rho(profile.c, x, y) : lane::line_rho(profile.c, x, y);
+}
+
+double SweepHeights::bottom(std::uint32_t place, double x, double y) const {
+  const Row& row = rows_[place];
+  if (row.form == Form::level) return row.z + row.tool->height(rho(row, x, y));
+  if (row.form == Form::slant) {
+    Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
+    at.length = row.length, at.slope = row.slope;
+    return row.z + row.tool->bottom(at);
+  }
+  if (row.form == Form::helix && row.exact) return helix_bottom(row, x, y, row.tool->radius());
+  return search(row.sweep, x, y);
+}
+
+Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r) const {
+  const Row& row = rows_[place];
+  if (row.form == Form::level) {
+    const double from = rho(row, x, y);
+    return {row.z + row.tool->height(std::max(from - r, 0.0)), row.z + row.tool->height(from + r)};
+  }
+  if (row.form == Form::slant) {
+    Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
+    at.length = row.length, at.slope = row.slope;
+    const Underside::Bounds found = row.tool->bounds(at, r);
+    return {row.z + found.lower, row.z + found.upper};
+  }
+  if (row.form == Form::helix)
+    return {helix_bottom(row, x, y, row.tool->radius() + r),
+            helix_bottom(row, x, y, row.tool->radius() - r) + row.tool->lift()};
+  const Box3 box = sweeps_.bounds(row.sweep);
+  const bool meets =
+      x + r >= box.lo.x && x - r <= box.hi.x && y + r >= box.lo.y && y - r <= box.hi.y;
+  return {meets ? box.lo.z : kInfinity, kInfinity};
+}
+
+// Of a cylinder on a helix that falls, at most one turn long: the last position within `radius` of
+// the place.
+double SweepHeights::helix_bottom(const Row& row, double x, double y, double radius) const {
+  const SweepColumns& c = sweeps_.columns();
+  const ToolPath& path = c.paths[c.refs[row.sweep].row];
+  const Vec3 off{x - path.center.x, y - path.center.y, 0};
+  const double from = std::sqrt(dot(off, off)), turn = path.radius;
+  if (radius < 0 || std::fabs(from - turn) > radius) return kInfinity;
+  const double last = path.center.z + path.sweep * path.rise.z;
+  if (from + turn <= radius) return last;
+  const double cosine = (from * from + turn * turn - radius * radius) / (2 * from * turn);
+  const double half = mrsim::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
+  const double facing = mrsim::atan2(dot(off, path.v), dot(off, path.u));
+  const double away = wrapped(path.sweep - facing);
+  if (std::min(away, kTwoPi - away) <= half) return last;
+  const double end = wrapped(facing + half);
+  return end <= path.sweep ? path.center.z + end * path.rise.z : kInfinity;
+}
+
+// Distances do not grow upwards.
+double SweepHeights::search(std::uint32_t sweep, double x, double y) const {
+  const Box3 box = sweeps_.bounds(sweep);
+  if (x < box.lo.x || x > box.hi.x || y < box.lo.y || y > box.hi.y) return kInfinity;
+  double low = std::max(low_, box.lo.z) - kFound, high = high_;
+  double below = sweeps_.distance(sweep, {x, y, low}),
+         above = sweeps_.distance(sweep, {x, y, high});
+  if (above > 0) return kInfinity;
+  if (below <= 0) return low;
+  for (int k = 0; k < kMostSteps && high - low > kFound; ++k) {
+    double z = low + (high - low) * below / (below - above);
+    if (k % 3 == 2 || !(z > low && z < high)) z = 0.5 * (low + high);
+    const double d = sweeps_.distance(sweep, {x, y, z});
+    if (d > 0)
+      low = z, below = d, above *= 0.5;
+    else
+      high = z, above = d, below *= 0.5;
+  }
+  return high;
+}
+
+}  // namespace mrsim

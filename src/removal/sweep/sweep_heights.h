@@ -1,0 +1,70 @@
+// Sweeps as heights: an upright cutter that reaches above all that is asked and nowhere narrows
+// removes, at each place in plan, all above its bottom. Closed forms for straight and level moves
+// and for helices of flat mills; other moves are asked by their distances.
+#pragma once
+
+#include "removal/sweep/sweep_table.h"
+#include "removal/tool/underside.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace mrsim {
+
+/// Whether sweep i holds, with each place, everything above it.
+bool is_upward(const SweepTable& sweeps, std::uint32_t i);
+
+/// The tools of a table as undersides.
+class SweepUndersides {
+ public:
+  explicit SweepUndersides(const SweepTable& sweeps);
+  const Underside& operator[](std::int32_t shape) const {
+    return tools_[static_cast<std::size_t>(shape)];
+  }
+
+ private:
+  std::vector<Underside> tools_;  ///< by shape; empty ones where the tool is not rising
+};
+
+/// The heights of some sweeps, named by their places in a list.
+class SweepHeights {
+ public:
+  /// `low`, `high`: the heights between which anything is asked, mm.
+  SweepHeights(const SweepTable& sweeps, const SweepUndersides& tools, double low, double high)
+      : sweeps_(sweeps), tools_(tools), low_(low), high_(high) {}
+  /// Requires: is_upward() of all.
+  void assign(std::span<const std::uint32_t> sweeps);
+
+  /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
+  /// below `high`; any height below `low` where it lies there. Up to 1e-9 mm; of sweeps that are
+  /// asked by distances, up to their error.
+  double bottom(std::uint32_t place, double x, double y) const;
+  /// Bounds of bottom() over all places within r of (x, y).
+  Underside::Bounds bounds(std::uint32_t place, double x, double y, double r) const;
+
+ private:
+  enum class Form : std::uint8_t { level, slant, helix, other };
+  struct Row {
+    Form form = Form::other;
+    std::uint32_t sweep = 0;
+    const Underside* tool = nullptr;
+    double x = 0, y = 0, z = 0;    // slant: lower end of the tip's path; level: height
+    double ux = 1, uy = 0;         // slant: direction in plan
+    double length = 0, slope = 0;  // slant: in plan, mm
+    bool exact = true;             // bottom() of a helix
+  };
+  Row row_of(std::uint32_t sweep) const;
+  void set_slant(Row& row, const Vec3& start, const Vec3& end) const;
+  double rho(const Row& row, double x, double y) const;
+  double helix_bottom(const Row& row, double x, double y, double radius) const;
+  double search(std::uint32_t sweep, double x, double y) const;
+
+  const SweepTable& sweeps_;
+  const SweepUndersides& tools_;
+  double low_, high_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,150 @@
+#include "removal/tool/underside.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kAllSteps = 60, kBoundSteps = 4;
+constexpr double kContact = 1e-9;  // mm: the height changes by its square
+constexpr double kRounding = 1e-9;
+
+double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
+
+}  // namespace
+
+Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(tool.is_convex()) {
+  for (const ProfileEdge& e : tool.edges()) {
+    if (e.b.x <= e.a.x || std::isinf(e.b.y)) continue;  // upright
+    Edge edge{.from = e.a.x, .to = e.b.x, .z0 = e.a.y};
+    if (e.radius > 0) {
+      edge.center = e.center.x, edge.z0 = e.center.y;
+      edge.radius = e.radius, edge.above = !e.convex;
+    } else {
+      edge.slope = (e.b.y - e.a.y) / (e.b.x - e.a.x);
+    }
+    edges_.push_back(edge);
+    lift_ = e.b.y;
+  }
+}
+
+double Underside::height_on(const Edge& e, double rho) {
+  if (e.radius == 0) return e.z0 + e.slope * (rho - e.from);
+  const double up = root(e.radius * e.radius - (rho - e.center) * (rho - e.center));
+  return e.above ? e.z0 + up : e.z0 - up;
+}
+
+double Underside::slope_on(const Edge& e, double rho) {
+  if (e.radius == 0) return e.slope;
+  const double off = rho - e.center, up = root(e.radius * e.radius - off * off);
+  return up > 0 ? off / up : kInfinity;
+}
+
+double Underside::height(double rho) const {
+  for (const Edge& e : edges_)
+    if (rho <= e.to) return height_on(e, std::max(rho, e.from));
+  return kInfinity;
+}
+
+double Underside::steepness(double rho) const {
+  for (const Edge& e : edges_)
+    if (rho <= e.to) return slope_on(e, std::max(rho, e.from));
+  return kInfinity;
+}
+
+// The tool touches at a place where it is as steep as the move: with the axis at distance rho of
+// the place, e of it along the move, slope_on(rho) e / rho = slope. The tool is widened by `shift`.
+Underside::Bracket Underside::contact(double v, double slope, double shift, int steps) const {
+  double first = shift > 0 ? root(shift * shift - v * v) : 0;  // e where the edge begins
+  for (const Edge& e : edges_) {
+    const double end = e.to + shift;
+    if (end <= v) continue;
+    const double last = root(end * end - v * v);
+    if (!(slope_on(e, e.to) * last < slope * end)) {
+      if (e.radius > 0) return arc_contact(e, v, slope, shift, {first, last}, steps);
+      const double tilt = root(e.slope * e.slope - slope * slope);
+      const double at = tilt > 0 ? std::clamp(slope * v / tilt, first, last) : last;
+      return {at, at};
+    }
+    first = last;
+  }
+  return {first, first};
+}
+
+Underside::Bracket Underside::arc_contact(const Edge& e, double v, double slope, double shift,
+                                          Bracket in, int steps) const {
+  const double center = e.center + shift, square = e.radius * e.radius;
+  if (center == 0) {
+    const double at = slope * root((square - v * v) / (1 + slope * slope));
+    return {std::clamp(at, in.low, in.high), std::clamp(at, in.low, in.high)};
+  }
+  const auto excess = [&](double along) {
+    const double rho = std::sqrt(along * along + v * v), off = rho - center;
+    return std::max(off, 0.0) * along - slope * rho * root(square - off * off);
+  };
+  double below = excess(in.low), above = excess(in.high);
+  if (!(below < 0)) return {in.low, in.low};
+  for (int k = 0; k < steps && in.high - in.low > kContact; ++k) {
+    double at = in.low + (in.high - in.low) * below / (below - above);
+    if (k % 3 == 2 || !(at > in.low && at < in.high)) at = 0.5 * (in.low + in.high);
+    const double value = excess(at);
+    if (value < 0)
+      in.low = at, below = value, above *= 0.5;
+    else
+      in.high = at, above = value, below *= 0.5;
+  }
+  return in;
+}
+
+double Underside::bottom(const Slant& at) const {
+  const double wide = root(radius_ * radius_ - at.v * at.v);
+  const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
+  if (at.v > radius_ || low > high) return kInfinity;
+  const Bracket found = contact(at.v, at.slope, 0, kAllSteps);
+  const double e = std::clamp(0.5 * (found.low + found.high), low, high);
+  return at.slope * (at.u - e) + height(std::min(std::sqrt(e * e + at.v * at.v), radius_));
+}
+
+// Of the tool widened by r, which is convex as well: so is the height as a function of e, and it
+// lies above its tangents at both ends of the contact's bracket.
+double Underside::lower(const Slant& at, double r) const {
+  const double reach = radius_ + r, wide = root(reach * reach - at.v * at.v);
+  const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
+  if (at.v > reach || low > high) return kInfinity;
+  const Bracket found = contact(at.v, at.slope, r, kBoundSteps);
+  const double begin = std::clamp(found.low, low, high), end = std::clamp(found.high, low, high);
+  const auto rho = [&](double e) { return std::sqrt(e * e + at.v * at.v); };
+  const auto value = [&](double e) {
+    return at.slope * (at.u - e) + height(std::clamp(rho(e) - r, 0.0, radius_)) - kRounding;
+  };
+  if (begin == end) return value(begin);
+  const auto slope = [&](double e) {
+    const double from = rho(e);
+    return from > r ? steepness(std::min(from - r, radius_)) * e / from - at.slope : -at.slope;
+  };
+  const double first = value(begin), falls = slope(begin), last = value(end), rises = slope(end);
+  if (falls >= 0) return first;
+  if (rises <= 0) return last;
+  if (std::isinf(rises)) return first + falls * (end - begin);
+  const double met = (last - first - rises * (end - begin)) / (falls - rises);
+  return first + falls * std::clamp(met, 0.0, end - begin);
+}
+
+// Any position of the tool narrowed by r is an upper bound.
+double Underside::upper(const Slant& at, double r) const {
+  const double reach = radius_ - r, wide = root(reach * reach - at.v * at.v);
+  const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
+  if (at.v > reach || low > high) return kInfinity;
+  const Bracket found = contact(at.v, at.slope, -r, kBoundSteps);
+  const double e = std::clamp(0.5 * (found.low + found.high), low, high);
+  const double rho = std::min(std::sqrt(e * e + at.v * at.v) + r, radius_);
+  return at.slope * (at.u - e) + height(rho) + kRounding;
+}
+
+Underside::Bounds Underside::bounds(const Slant& at, double r) const {
+  return {lower(at, r), upper(at, r)};
+}
+
+}  // namespace mrsim

@@ -1,0 +1,70 @@
+// The underside of a cutter that never narrows upwards: its height above the tip by the distance
+// from the axis, and where a slanted move touches with it. What heights of sweeps are made of
+// (docs/history.md).
+#pragma once
+
+#include "removal/tool/tool.h"
+
+#include <limits>
+#include <vector>
+
+namespace mrsim {
+
+class Underside {
+ public:
+  Underside() = default;
+  /// Requires: tool.is_rising().
+  explicit Underside(const Profile& tool);
+
+  /// Height above the tip at distance rho >= 0 from the axis, mm; infinite beyond the wall.
+  double height(double rho) const;
+  /// Height where the tool is widest.
+  double lift() const { return lift_; }
+  double radius() const { return radius_; }
+  /// The height is a convex function of the distance: bottom() and bounds() may be asked.
+  bool is_convex() const { return convex_; }
+  /// A flat end and a wall.
+  bool is_flat() const {
+    return edges_.size() == 1 && edges_[0].radius == 0 && edges_[0].slope == 0;
+  }
+
+  /// A straight move of the tip, seen from a place in plan: the place lies u along and v >= 0
+  /// across from the lower end, the move is `length` long in plan and rises by slope >= 0; mm.
+  struct Slant {
+    double u = 0, v = 0, length = 0, slope = 0;
+  };
+  /// Lowest height that the tool reaches at the place, above the lower end of the tip's path.
+  /// Requires: is_convex().
+  double bottom(const Slant& at) const;
+  /// The least and the greatest bottom() of all places within r of this one, or bounds of them.
+  struct Bounds {
+    double lower = std::numeric_limits<double>::infinity(), upper = lower;
+  };
+  Bounds bounds(const Slant& at, double r) const;
+
+ private:
+  // z = z0 + slope (rho - from), or of an arc about (center, z0) on its lower side (above: on its
+  // upper one), for from <= rho <= to.
+  struct Edge {
+    double from = 0, to = 0, z0 = 0, slope = 0;
+    double center = 0, radius = 0;
+    bool above = false;
+  };
+  struct Bracket {
+    double low = 0, high = 0;
+  };
+  static double height_on(const Edge& e, double rho);
+  static double slope_on(const Edge& e, double rho);
+  double steepness(double rho) const;
+  Bracket contact(double v, double slope, double shift, int steps) const;
+  Bracket arc_contact(const Edge& e, double v, double slope, double shift, Bracket in,
+                      int steps) const;
+  double lower(const Slant& at, double r) const;
+  double upper(const Slant& at, double r) const;
+
+  std::vector<Edge> edges_;
+  double radius_ = 0, lift_ = 0;
+  bool convex_ = true;
+};
+
+}  // namespace mrsim
