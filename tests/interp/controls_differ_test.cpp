@@ -90,6 +90,27 @@ TEST(ControlsDiffer, TheListOfToolsSaysWhatDIs) {
   EXPECT_NEAR(x("TOOL", "register-missing"), -5, 1e-9);
 }
 
+// A finishing pass after a roughing one: the register is set again under the same number.
+TEST(ControlsDiffer, ARegisterMaySetItsRadiusAgain) {
+  const auto x = [](Dialect dialect, const std::string& set, const std::string& again) {
+    const std::string pass = "G41 D1 G1 X10. Y0 F100\nY10.\nG40 X0\nG0 Y0\n";
+    const Program p = read_text(set + "\n" + pass + again + "\n" + pass, at_origin(dialect));
+    EXPECT_EQ(codes(p), "");
+    return p.motions.size() == 8 ? std::pair{p.motions[1].end.x, p.motions[5].end.x}
+                                 : std::pair{0.0, 0.0};
+  };
+  EXPECT_EQ(x(Dialect::fanuc, "G10 L12 P1 R5.", "G10 L12 P1 R3."), (std::pair{5.0, 7.0}));
+  EXPECT_EQ(x(Dialect::sinumerik, "T1 M6\n$TC_DP1[1,1]=120 $TC_DP6[1,1]=5", "$TC_DP6[1,1]=3"),
+            (std::pair{5.0, 7.0}));
+}
+
+TEST(ControlsDiffer, OnePartOfASinumerikFrame) {
+  EXPECT_EQ(mill("$P_PFRAME[X,TR]=5\nX1 F10\n$P_UIFR[2,Y,TR]=7\nTRANS\nG55 "
+                 "Y=$P_UIFR[2,Y,TR]\n",
+                 Dialect::sinumerik),
+            "l6,0,0 l6,14,0");
+}
+
 // Okuma: G15 H chooses the work offset, G56 H the length.
 TEST(ControlsDiffer, OkumasOffsetsAreNamed) {
   EXPECT_EQ(mill("G15 H1\nG1 X1. F10\n"), "l1,0,0 | not-supported");

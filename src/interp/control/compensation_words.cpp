@@ -48,8 +48,9 @@ void CompensationWords::end_block(bool move_waits) {
 void CompensationWords::set_radius() {
   const std::string edge = fmt::format("D{}", modal_.edge);
   const std::string key = fmt::format("T{}.{}", control_.tool.current, edge);
-  if (key_ == key && tool_ == control_.tool.index) return;
+  if (key_ == key && tool_ == control_.tool.index && changes_ == control_.register_changes) return;
   key_ = key;
+  changes_ = control_.register_changes;
   tool_ = control_.tool.index;
   tip_ = {};
   const Tool* tool = tools_.current();

@@ -35,6 +35,7 @@ class CompensationWords : public ControlPart {
   double radius_ = 0;
   Vec2 tip_;
   std::string key_;  ///< register and tool that `radius_` was made of
+  int changes_ = 0;  ///< Control::register_changes when radius_ was found
   int tool_ = -2;
 };
 

@@ -23,6 +23,15 @@ void Control::place_machine() {
       work.push_back({zero.name, zero.shift + machine_shift});
 }
 
+OffsetRegister& Control::change_register(const std::string& name) {
+  ++register_changes;
+  for (OffsetRegister& reg : registers)
+    if (reg.name == name) return reg;
+  OffsetRegister fresh;
+  fresh.name = name;
+  return registers.emplace_back(fresh);
+}
+
 bool is_circular(Code c) {
   return c == Code::arc_cw || c == Code::arc_ccw || c == Code::arc_point || c == Code::arc_tangent;
 }

@@ -60,6 +60,10 @@ struct Control {
   bool machine_known = false;
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
+  int register_changes = 0;                  ///< how often the program has set one
+
+  /// The register of that name, made where there is none; it counts as changed.
+  OffsetRegister& change_register(const std::string& name);
 
   /// Copies of the state before this block, made by the parts that change it.
   std::optional<Frames> saved_frames;

@@ -13,14 +13,6 @@ WorkOffset& work_entry(std::vector<WorkOffset>& list, const std::string& name) {
   return list.emplace_back(WorkOffset{name, {}});
 }
 
-OffsetRegister& register_entry(std::vector<OffsetRegister>& list, const std::string& name) {
-  for (OffsetRegister& reg : list)
-    if (reg.name == name) return reg;
-  OffsetRegister fresh;
-  fresh.name = name;
-  return list.emplace_back(fresh);
-}
-
 }  // namespace
 
 bool OffsetWords::run() {
@@ -101,7 +93,7 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               where, "length");
   if (!radius) return true;
-  OffsetRegister& reg = register_entry(control_.registers, fmt::format("D{}", p));
+  OffsetRegister& reg = control_.change_register(fmt::format("D{}", p));
   double& value = l == 13 ? reg.wear : reg.radius;
   const double mm = r->value * length_unit(*r);
   value = modal_.incremental && !is(Dialect::ngc) ? value + mm : mm;

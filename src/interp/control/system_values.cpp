@@ -36,11 +36,6 @@ double feed_number(FeedUnit unit) {
   return unit == FeedUnit::inverse_time ? 93 : unit == FeedUnit::mm_per_min ? 94 : 95;
 }
 
-int axis_of(std::string_view name) {
-  return name.size() == 1 && upper(name[0]) >= 'X' && upper(name[0]) <= 'Z' ? upper(name[0]) - 'X'
-                                                                            : -1;
-}
-
 constexpr int kWorkOffsets = 9;
 
 // G54 to G59, then G59.1 to G59.3.
@@ -51,6 +46,11 @@ std::string work_name(int n) {
 constexpr std::string_view kFrameParts[] = {"TR", "FI", "RT", "SC", "MI"};
 
 }  // namespace
+
+int SystemValues::axis_named(std::string_view name) {
+  return name.size() == 1 && upper(name[0]) >= 'X' && upper(name[0]) <= 'Z' ? upper(name[0]) - 'X'
+                                                                            : -1;
+}
 
 double SystemValues::work_position(int axis) const {
   const double mm = component(position_.programmed, axis);
@@ -215,7 +215,7 @@ bool SystemValues::write(double number, const Value& value, std::string& why) {
 bool SystemValues::named_linuxcnc(std::string_view name, double& out) const {
   const std::string key = upper_case(name);
   const auto axis = [&](std::string_view prefix) {
-    return key.starts_with(prefix) ? axis_of(std::string_view(key).substr(prefix.size())) : -1;
+    return key.starts_with(prefix) ? axis_named(std::string_view(key).substr(prefix.size())) : -1;
   };
   if (const int i = axis("_"); i >= 0)
     out = work_position(i);
@@ -260,79 +260,10 @@ bool SystemValues::named_linuxcnc(std::string_view name, double& out) const {
   return true;
 }
 
-// $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
-bool SystemValues::tool_value(std::string_view name, std::span<const Value> indices,
-                              double& out) const {
-  if (name == "$P_TOOLNO") {
-    const auto id = parse_number(control_.tool.current);
-    out = id.value_or(0);
-    return id.has_value() || control_.tool.current.empty();
-  }
-  if (name == "$P_TOOL") {
-    out = modal_.edge;
-    return true;
-  }
-  if (name == "$P_TOOLR") {
-    out = tool_radius() / scale();
-    return true;
-  }
-  if (indices.size() != 2 || (name != "$TC_DP3" && name != "$TC_DP6")) return false;
-  const std::string id = fmt::format("{:g}", indices[0].number);
-  const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
-  for (const OffsetRegister& reg : options_.table.offsets)
-    if (reg.name == wanted) {
-      out = name == "$TC_DP3" ? reg.length : reg.radius;
-      return true;
-    }
-  for (const Tool& tool : options_.table.tools)
-    if (tool.id == id && name == "$TC_DP6") {
-      out = tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius;
-      return true;
-    }
-  return false;
-}
-
-bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) const {
-  if (name == "$P_EP" || name == "$AA_IW" || name == "$AA_MW")
-    out = work_position(axis);
-  else if (name == "$AA_IM" || name == "$AA_IB" || name == "$P_APR")
-    out = machine_position(axis);
-  else
-    return false;
-  return true;
-}
-
-// $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, and one component: $P_PFRAME[X,TR]
-bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
-                               Value& out) const {
-  Frame frame;
-  if (name == "$P_IFRAME") {
-    frame = shift_frame(frames_.work);
-  } else if (name == "$P_PFRAME") {
-    frame = frames_.program;
-  } else if (name == "$P_ACTFRAME") {
-    frame = frames_.total;
-  } else if (name == "$P_UIFR" && !indices.empty() && indices[0].is_number()) {
-    const double n = indices[0].number;
-    const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
-    frame = shift_frame(work_shift(wanted));
-    indices = indices.subspan(1);
-  } else {
-    return false;
-  }
-  if (indices.empty()) {
-    out = Value::of_frame(frame);
-    return true;
-  }
-  if (indices.size() != 2 || indices[1].text != "TR" || axis_of(indices[0].text) < 0) return false;
-  out = Value::of(component(frame.shift, axis_of(indices[0].text)) / scale());
-  return true;
-}
-
 bool SystemValues::knows(std::string_view name) {
   double ignored = 0;
   if (is(Dialect::ngc)) return named_linuxcnc(name, ignored);
-  if (axis_of(name) >= 0) return true;
+  if (axis_named(name) >= 0) return true;
   const std::string key = upper_case(name);
   for (const std::string_view part : kFrameParts)
     if (key == part) return true;
@@ -362,42 +293,14 @@ bool SystemValues::read(std::string_view name, std::span<const Value> indices, V
     known = true;
   } else if (key == "$P_SEARCH" || key == "$P_ISTEST" || key == "$P_SIM") {
     known = true;
-  } else if (indices.size() == 1 && axis_of(indices[0].text) >= 0) {
-    known = axis_value_of(key, axis_of(indices[0].text), value);
+  } else if (indices.size() == 1 && axis_named(indices[0].text) >= 0) {
+    known = axis_value_of(key, axis_named(indices[0].text), value);
   } else {
     known = tool_value(key, indices, value);
   }
   out = Value::of(value);
   if (!known) why = fmt::format("the system variable {} is not answered here", key.substr(0, 60));
   return known;
-}
-
-bool SystemValues::write(std::string_view name, std::span<const Value> indices, const Value& value,
-                         std::string& why) {
-  if (upper_case(name) == "$P_PFRAME" && indices.empty() && value.kind == Value::Kind::frame) {
-    FrameWords frames(control_);
-    frames.save();
-    frames_.program = *value.frame;
-    frames.rebuild();
-    return true;
-  }
-  // $P_UIFR[1] = CTRANS(...), $P_UIFR[1,X,TR] = 5
-  if (upper_case(name) == "$P_UIFR" && !indices.empty() && indices[0].is_number() &&
-      indices[0].number >= 1 && indices[0].number < 100) {
-    const double n = indices[0].number;
-    const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
-    Vec3 shift = work_shift(wanted);
-    const bool part = indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
-                      axis_of(indices[1].text) >= 0;
-    const bool whole =
-        indices.size() == 1 && value.kind == Value::Kind::frame && value.frame->plain;
-    if (part) component(shift, axis_of(indices[1].text)) = value.number * scale();
-    if (whole) shift = value.frame->shift;
-    if (part || whole) set_work(wanted, shift);
-    if (part || whole) return true;
-  }
-  why = fmt::format("the system variable {} cannot be set here", to_utf8(name.substr(0, 60)));
-  return false;
 }
 
 }  // namespace mrsim

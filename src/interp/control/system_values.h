@@ -43,6 +43,11 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
   bool axis_value_of(std::string_view name, int axis, double& out) const;
   bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
+  bool write_tool(std::string_view key, std::span<const Value> indices, const Value& value);
+  bool write_program_frame(std::span<const Value> indices, const Value& value);
+  bool write_work_frame(std::span<const Value> indices, const Value& value);
+  /// 0 to 2 of "X" to "Z", else -1.
+  static int axis_named(std::string_view name);
   double work_position(int axis) const;
   double machine_position(int axis) const;
   double tool_radius() const;

@@ -1,0 +1,151 @@
+// System variables of SINUMERIK: data of tools, positions, frames.
+#include "core/text_io.h"
+#include "interp/control/frame_words.h"
+#include "interp/control/system_values.h"
+#include "interp/control/tool_changer.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+// $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
+bool SystemValues::tool_value(std::string_view name, std::span<const Value> indices,
+                              double& out) const {
+  if (name == "$P_TOOLNO") {
+    const auto id = parse_number(control_.tool.current);
+    out = id.value_or(0);
+    return id.has_value() || control_.tool.current.empty();
+  }
+  if (name == "$P_TOOL") {
+    out = modal_.edge;
+    return true;
+  }
+  if (name == "$P_TOOLR") {
+    out = tool_radius() / scale();
+    return true;
+  }
+  if (indices.size() != 2 || (name != "$TC_DP3" && name != "$TC_DP6")) return false;
+  const std::string id = fmt::format("{:g}", indices[0].number);
+  const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
+  for (const OffsetRegister& reg : control_.registers)
+    if (reg.name == wanted) {
+      out = name == "$TC_DP3" ? reg.length : reg.radius;
+      return true;
+    }
+  for (const Tool& tool : options_.table.tools)
+    if (tool.id == id && name == "$TC_DP6") {
+      out = tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius;
+      return true;
+    }
+  return false;
+}
+
+bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) const {
+  if (name == "$P_EP" || name == "$AA_IW" || name == "$AA_MW")
+    out = work_position(axis);
+  else if (name == "$AA_IM" || name == "$AA_IB" || name == "$P_APR")
+    out = machine_position(axis);
+  else
+    return false;
+  return true;
+}
+
+// $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, and one component: $P_PFRAME[X,TR]
+bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
+                               Value& out) const {
+  Frame frame;
+  if (name == "$P_IFRAME") {
+    frame = shift_frame(frames_.work);
+  } else if (name == "$P_PFRAME") {
+    frame = frames_.program;
+  } else if (name == "$P_ACTFRAME") {
+    frame = frames_.total;
+  } else if (name == "$P_UIFR" && !indices.empty() && indices[0].is_number()) {
+    const double n = indices[0].number;
+    const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
+    frame = shift_frame(work_shift(wanted));
+    indices = indices.subspan(1);
+  } else {
+    return false;
+  }
+  if (indices.empty()) {
+    out = Value::of_frame(frame);
+    return true;
+  }
+  if (indices.size() != 2 || indices[1].text != "TR" || axis_named(indices[0].text) < 0)
+    return false;
+  out = Value::of(component(frame.shift, axis_named(indices[0].text)) / scale());
+  return true;
+}
+
+// The tool's data: radius and its wear decide the compensation; lengths are those of the real
+// tools.
+bool SystemValues::write_tool(std::string_view key, std::span<const Value> indices,
+                              const Value& value) {
+  if (!value.is_number() || indices.size() != 2 || !indices[0].is_number() ||
+      !indices[1].is_number())
+    return false;
+  if (!key.starts_with("$TC_DP")) return false;
+  const double number = parse_number(key.substr(6)).value_or(0);
+  if (number < 1 || number > 25 || number != std::floor(number)) return false;
+  const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);
+  const double mm = value.number * scale();
+  const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),
+                               [&](const OffsetRegister& reg) { return reg.name == name; });
+  if (number == 15 && mm != 0 && at == control_.registers.end()) return false;  // wear of what?
+  if (number == 6) control_.change_register(name).radius = mm;
+  if (number == 15 && at != control_.registers.end()) control_.change_register(name).wear = mm;
+  return true;
+}
+
+// $P_PFRAME = CTRANS(...), $P_PFRAME[X,TR] = 5
+bool SystemValues::write_program_frame(std::span<const Value> indices, const Value& value) {
+  Frame frame = frames_.program;
+  if (indices.empty() && value.kind == Value::Kind::frame)
+    frame = *value.frame;
+  else if (indices.size() == 2 && indices[1].text == "TR" && value.is_number() &&
+           axis_named(indices[0].text) >= 0)
+    component(frame.shift, axis_named(indices[0].text)) = value.number * scale();
+  else
+    return false;
+  FrameWords frames(control_);
+  frames.save();
+  frames_.program = frame;
+  frames.rebuild();
+  return true;
+}
+
+// $P_UIFR[1] = CTRANS(...), $P_UIFR[1,X,TR] = 5
+bool SystemValues::write_work_frame(std::span<const Value> indices, const Value& value) {
+  if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
+      indices[0].number >= 100)
+    return false;
+  const double n = indices[0].number;
+  const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
+  Vec3 shift = work_shift(wanted);
+  if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
+      axis_named(indices[1].text) >= 0)
+    component(shift, axis_named(indices[1].text)) = value.number * scale();
+  else if (indices.size() == 1 && value.kind == Value::Kind::frame && value.frame->plain)
+    shift = value.frame->shift;
+  else
+    return false;
+  set_work(wanted, shift);
+  return true;
+}
+
+bool SystemValues::write(std::string_view name, std::span<const Value> indices, const Value& value,
+                         std::string& why) {
+  const std::string key = upper_case(name);
+  if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
+  if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
+  if (write_tool(key, indices, value)) return true;
+  why = fmt::format("the system variable {} cannot be set here", to_utf8(name.substr(0, 60)));
+  return false;
+}
+
+}  // namespace mrsim
