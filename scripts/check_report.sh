@@ -7,3 +7,4 @@ cd "$(dirname "$0")/../web"
 [ -d node_modules ] || npm ci --ignore-scripts
 node build.mjs --check
 node test/report_test.mjs "$build/tests/report_fixture"
+node test/play_test.mjs "$build/bin/mrsim"

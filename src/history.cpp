@@ -1,6 +1,7 @@
 #include "history.h"
 
 #include "core/vec.h"
+#include "cut_pieces.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/default_stock.h"
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace mrsim {
 namespace {
@@ -27,75 +26,20 @@ constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
 constexpr double kNothing = 1e-3;
 
 // Straight cuts are asked in pieces, so that a cut that leaves the material counts as air from
-// there: half a diameter long, so that they do not add much to what is asked.
-constexpr double kMostPieces = 64, kVoxelsPerPiece = 2;
-constexpr std::size_t kMostInAll = 60000;  // pieces: some 30 MB
-
-int pieces_of(const Motion& m, const Tool& tool, double voxel) {
-  if (m.kind != MotionKind::line) return 1;
-  const double length = distance(m.start, m.end);
-  const double piece = std::max(0.5 * tool.diameter, kVoxelsPerPiece * voxel);
-  return static_cast<int>(std::clamp(std::floor(length / piece), 1.0, kMostPieces));
-}
+// there: half a diameter long, so that they do not add much to what is asked. 60 000 pieces take
+// some 30 MB.
+constexpr PieceRule kPieces{0.5, 2, 64, 60000, false};
 
 // mm^2 in plan that the cutter passes over in all pieces.
 double swept_area(const Motion& m, const Tool& tool, double voxel) {
   const Vec3 way = m.end - m.start;
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
-  return tool.diameter * (length + pieces_of(m, tool, voxel) * tool.diameter);
-}
-
-// The motions with straight cuts in pieces.
-struct Pieces {
-  std::vector<Motion> motions;
-  std::vector<std::size_t> first;  // of each motion, and the end
-};
-
-int pieces_in(const CutList& cuts, const Motion& m, double voxel) {
-  if (!is_cut(m) || m.tool < 0) return 1;
-  return pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel);
-}
-
-// The shortest pieces, as a voxel that they are as long as, of which there are not too many.
-// Infinite where the motions alone are too many.
-double piece_voxel(const CutList& cuts, double voxel) {
-  if (cuts.motions().size() > kMostInAll) return std::numeric_limits<double>::infinity();
-  while (true) {
-    std::size_t count = 0;
-    for (const Motion& m : cuts.motions())
-      count += static_cast<std::size_t>(pieces_in(cuts, m, voxel));
-    if (count <= kMostInAll || count == cuts.motions().size()) return voxel;
-    voxel *= 2;
-  }
-}
-
-Pieces divided(const CutList& cuts, double voxel) {
-  Pieces out;
-  for (const Motion& m : cuts.motions()) {
-    out.first.push_back(out.motions.size());
-    const int count = pieces_in(cuts, m, voxel);
-    const Vec3 way = m.end - m.start;
-    for (int k = 0; k < count; ++k) {
-      Motion& piece = out.motions.emplace_back(m);
-      if (k > 0) piece.start = out.motions[out.motions.size() - 2].end;
-      if (k + 1 < count) piece.end = m.start + (static_cast<double>(k + 1) / count) * way;
-    }
-  }
-  out.first.push_back(out.motions.size());
-  return out;
-}
-
-// A cut in one piece each.
-Pieces undivided(const CutList& cuts) {
-  Pieces out;
-  out.first.resize(cuts.motions().size() + 1);
-  std::iota(out.first.begin(), out.first.end(), std::size_t(0));
-  return out;
+  return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
 }
 
 // Fills in what each motion of the program removes, and on what share of its way nothing.
-void sum_pieces(const Pieces& pieces, const std::vector<double>& removed, std::size_t inherited,
+void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std::size_t inherited,
                 History& history) {
   const double nothing = kNothing * history.voxel * history.voxel * history.voxel;
   for (std::size_t i = inherited; i + 1 < pieces.first.size(); ++i) {
@@ -147,9 +91,9 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const auto removed_by = [&](const PartField& of, std::size_t motions) {
     return removed_volumes(of, history_lattice(of, history.voxel), motions, threads);
   };
-  const double piece = piece_voxel(cuts, history.voxel);
+  const double piece = piece_voxel(cuts, history.voxel, kPieces);
   const bool whole = !std::isfinite(piece);
-  const Pieces pieces = whole ? undivided(cuts) : divided(cuts, piece);
+  const CutPieces pieces = divide_cuts(cuts, piece, kPieces);
   const std::vector<double> removed =
       whole ? removed_by(field, cuts.motions().size())
             : removed_by(PartField(field.solid(),

@@ -16,6 +16,7 @@
 #include "outputs.h"
 #include "part_findings.h"
 #include "part_mesh.h"
+#include "play.h"
 #include "removal/collision/collisions.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
@@ -261,6 +262,10 @@ void simulate(const Job& job, JobResult& result) {
   clock.done("carve");
   result.history = make_history(job, result, stock, cuts);
   clock.done("history");
+  if (job.play) {
+    result.play = make_play(job, result, stock, cuts);
+    clock.done("play");
+  }
   result.collisions =
       find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
   add_collisions(result.program, cuts, result.collisions);

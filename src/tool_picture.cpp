@@ -1,9 +1,8 @@
 // Tools drawn from the side, one beside the other, each to a scale of its own: .svg or .png.
 #include "core/text_io.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/vec.h"
 #include "mesh/draw/picture.h"
-#include "removal/tool/tool.h"
+#include "tool_outlines.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>
@@ -26,58 +25,23 @@ struct Outline {
 };
 constexpr Rgb kCutting = {32, 96, 192}, kShank = {120, 120, 120}, kHolder = {60, 60, 60};
 
-void add_edge(const ProfileEdge& e, double top, std::vector<Vec2>& out) {
-  const Vec2 end = {e.b.x, std::isinf(e.b.y) ? top : e.b.y};
-  if (e.radius > 0) {
-    constexpr int kSteps = 24;
-    const double from = atan2(e.a.y - e.center.y, e.a.x - e.center.x);
-    double turn = atan2(e.b.y - e.center.y, e.b.x - e.center.x) - from;
-    if (e.convex && turn < 0) turn += kTwoPi;
-    if (!e.convex && turn > 0) turn -= kTwoPi;
-    for (int i = 1; i < kSteps; ++i) {
-      const SinCos sc = sincos(from + turn * i / kSteps);
-      out.push_back({e.center.x + e.radius * sc.cos, e.center.y + e.radius * sc.sin});
-    }
-  }
-  out.push_back(end);
+Rgb color_of(const std::string& part) {
+  return part == "shank" ? kShank : part == "holder" ? kHolder : kCutting;
 }
 
-// The half profile and its mirror image.
-Outline revolved(const Profile& profile, double top) {
-  Outline out;
-  out.color = kCutting;
-  out.points.push_back(profile.edges().front().a);
-  for (const ProfileEdge& e : profile.edges()) add_edge(e, top, out.points);
-  for (std::size_t i = out.points.size(); i-- > 0;)
-    out.points.push_back({-out.points[i].x, out.points[i].y});
-  return out;
-}
-
-double stack(const std::vector<ToolSegment>& segments, double z, const Rgb& color,
-             std::vector<Outline>& out) {
-  for (const ToolSegment& s : segments) {
-    const double low = s.diameter_low / 2, high = s.diameter_high / 2, top = z + s.length;
-    out.push_back({{{low, z}, {high, top}, {-high, top}, {-low, z}}, color, 0});
-    z = top;
-  }
-  return z;
-}
-
+// The half outlines and their mirror images.
 std::vector<Outline> outlines(const Tool& tool) {
-  const ToolShape shape = make_tool_shape(tool);
   std::vector<Outline> out;
-  if (shape.turning) {
-    out.push_back({shape.insert.core, kCutting, 2 * shape.insert.round});
-    return out;
+  for (const ToolOutline& half : tool_outlines(tool)) {
+    Outline whole;
+    whole.color = color_of(half.part);
+    whole.width = 2 * half.round;
+    for (const auto& [x, y] : half.points) whole.points.push_back({x, y});
+    if (!half.insert)
+      for (std::size_t i = half.points.size(); i-- > 0;)
+        whole.points.push_back({-half.points[i][0], half.points[i][1]});
+    out.push_back(std::move(whole));
   }
-  double top = shape.cutter.top();
-  if (std::isinf(top)) {
-    top = 3 * shape.cutter.max_radius();
-    for (const ProfileEdge& e : shape.cutter.edges())
-      if (!std::isinf(e.b.y)) top = std::max(top, e.b.y * 1.2);
-  }
-  out.push_back(revolved(shape.cutter, top));
-  stack(tool.holder, stack(tool.shank, top, kShank, out), kHolder, out);
   return out;
 }
 

@@ -10,7 +10,7 @@ const output = join(root, "dist/report.html");
 const read = (name) => readFileSync(join(root, name), "utf8");
 
 const bundle = await build({
-  entryPoints: [join(root, "src/main.js")], bundle: true, minify: true, write: false, format: "iife", target: "es2020",
+  entryPoints: [join(root, "src/boot.js")], bundle: true, minify: true, write: false, format: "iife", target: "es2020",
   legalComments: "inline", charset: "ascii",
 });
 const style = transformSync(read("src/style.css"), { loader: "css", minify: true }).code;

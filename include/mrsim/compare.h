@@ -11,7 +11,9 @@
 ///     if (!c.accepted.value()) puts(mrsim::comparison_json(c).c_str());
 #pragma once
 
+#include <mrsim/cycle_time.h>
 #include <mrsim/options.h>
+#include <mrsim/play.h>
 #include <mrsim/types.h>
 
 #include <optional>
@@ -170,7 +172,6 @@ MRSIM_API TriMesh deviation_mesh(const TriMesh& part, const TriMesh& nominal,
                                  DeviationScheme scheme = DeviationScheme::standard,
                                  int threads = 0);
 
-/// What the report shows beside the deviations; all may stay empty.
 /// A line of the program that runs a part of its tool into material.
 struct ReportCollision {
   std::string part;        ///< "cutter", "shank" or "holder"
@@ -184,6 +185,15 @@ struct ReportCollision {
   std::size_t motions = 1;  ///< of the line that collide with this part
 };
 
+/// The run that the report plays. Null: it plays none. All of them outlive the report's call.
+struct ReportRun {
+  const Program* program = nullptr;
+  const CycleTime* cycle = nullptr;
+  const StockShape* stock = nullptr;
+  const Play* play = nullptr;
+};
+
+/// What the report shows beside the deviations; all may stay empty.
 struct ReportFacts {
   std::string title;
   std::vector<std::pair<std::string, std::string>> facts;  ///< "Stock" -> "box 100 x 60 x 10 mm"
@@ -192,6 +202,7 @@ struct ReportFacts {
   std::vector<Diagnostic> diagnostics;
   std::vector<ReportCollision> collisions;  ///< worst first
   std::size_t more_collisions = 0;          ///< lines beyond these
+  ReportRun run;
 };
 /// A self-contained HTML page: the part with its deviations, regions, program text. Works from
 /// disk without a network. `nominal` may have no triangles, `comparison` no figures (a plain

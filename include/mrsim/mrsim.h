@@ -18,6 +18,7 @@
 #include <mrsim/files.h>
 #include <mrsim/history.h>
 #include <mrsim/options.h>
+#include <mrsim/play.h>
 #include <mrsim/types.h>
 
 #include <functional>
@@ -127,6 +128,7 @@ struct Job {
   std::string until;
   /// What each motion removes is found, too, for JobResult::history.
   HistoryDetail history = HistoryDetail::summary;
+  bool play = false;    ///< JobResult::play is made, for a page that plays the run
   MachineData machine;  ///< what decides how long the program takes
   bool strict = false;  ///< warnings are errors
   /// Tolerance of the part in mm that the mesh will be judged by; 0 = none. Where neither a voxel
@@ -174,6 +176,7 @@ struct JobResult {
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   CycleTime cycle;                  ///< how long the machine takes
   History history;                  ///< what the motions remove
+  Play play;                        ///< the stock at every moment, where Job::play asks for it
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
   std::size_t active_voxels = 0;    ///< 0 where none were sampled: CarveOptions::keep_grid
   CollisionReport collisions;       ///< each a warning among the diagnostics as well

@@ -314,6 +314,7 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
   out.diagnostics = result.program.diagnostics;
   out.collisions = collisions_of(result);
   out.more_collisions = result.collisions.more;
+  out.run = {&result.program, &result.cycle, &result.stock, &result.play};
   return out;
 }
 

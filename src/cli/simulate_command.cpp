@@ -121,6 +121,7 @@ Job job_of(const Arguments& arguments) {
     job.history = HistoryDetail::full;
   job.machine = arguments.machine;
   job.strict = arguments.strict;
+  job.play = !arguments.compare.report.empty();
   if (const auto& accept = arguments.compare.options.accept) job.accept = narrow_side(*accept);
   return job;
 }

@@ -5,6 +5,8 @@
 #include "compare/align.h"
 #include "compare/blame.h"
 #include "compare/display_mesh.h"
+#include "compare/packed.h"
+#include "compare/play_json.h"
 #include "compare/report_template.h"
 #include "core/error.h"
 #include "core/text_io.h"
@@ -25,38 +27,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostShown = 200000;  // triangles of the part
 constexpr std::size_t kMostNominal = 150000;
-constexpr int kMostLines = 50000;        // of a program; beyond, only those around the cuts
+constexpr int kMostLines = 200000;       // of a program; beyond, only those around the cuts
 constexpr double kDeviationStep = 1e-4;  // mm
-
-// Differences as little-endian groups of seven bits, sign in the lowest: small numbers, few bytes.
-class Packer {
- public:
-  void add(std::int64_t value, std::int64_t& last) {
-    const std::int64_t d = value - last;
-    last = value;
-    std::uint64_t z = (std::uint64_t(d) << 1) ^ std::uint64_t(d >> 63);
-    for (; z >= 128; z >>= 7) bytes_.push_back(char(z | 128));
-    bytes_.push_back(char(z));
-  }
-  std::string base64() const {
-    static constexpr char kDigits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve(bytes_.size() * 4 / 3 + 4);
-    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-      const auto at = [&](std::size_t k) {
-        return i + k < bytes_.size() ? std::uint32_t(static_cast<unsigned char>(bytes_[i + k])) : 0;
-      };
-      const std::uint32_t bits = at(0) << 16 | at(1) << 8 | at(2);
-      for (int k = 0; k < 4; ++k)
-        out += i + std::size_t(k) > bytes_.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
-    }
-    return out;
-  }
-
- private:
-  std::string bytes_;
-};
 
 // Positions as 24-bit steps over the bounds: 6 nm on 100 mm.
 struct Grid {
@@ -73,30 +45,30 @@ Grid grid_of(const TriMesh& a, const TriMesh& b) {
   return {box.lo, std::max({size.x, size.y, size.z, 1e-6}) / 16777215.0};
 }
 
-std::string pack_positions(const TriMesh& mesh, const Grid& grid) {
+Json pack_positions(const TriMesh& mesh, const Grid& grid) {
   Packer out;
   std::int64_t last[3] = {0, 0, 0};
   for (const auto& v : mesh.vertices) {
     const Vec3 p = (1 / grid.step) * (to_vec(v) - grid.lo);
     for (int k = 0; k < 3; ++k) out.add(std::llround(component(p, k)), last[k]);
   }
-  return out.base64();
+  return out.json();
 }
 
 template <std::size_t N>
-std::string pack_indices(const std::vector<std::array<std::uint32_t, N>>& items) {
+Json pack_indices(const std::vector<std::array<std::uint32_t, N>>& items) {
   Packer out;
   std::int64_t last = 0;
   for (const auto& item : items)
     for (const std::uint32_t i : item) out.add(i, last);
-  return out.base64();
+  return out.json();
 }
 
-std::string pack_deviations(const std::vector<float>& values) {
+Json pack_deviations(const std::vector<float>& values) {
   Packer out;
   std::int64_t last = 0;
   for (const float v : values) out.add(std::llround(double(v) / kDeviationStep), last);
-  return out.base64();
+  return out.json();
 }
 
 Json mesh_json(const DisplayMesh& display, const Grid& grid, const FaceLines* lines) {
@@ -113,7 +85,7 @@ Json mesh_json(const DisplayMesh& display, const Grid& grid, const FaceLines* li
   std::int64_t last = 0;
   for (std::uint32_t f = 0; f < display.mesh.triangles.size(); ++f)
     owners.add(lines->index(f), last);
-  out["owner"] = owners.base64();
+  out["owner"] = owners.json();
   return out;
 }
 
@@ -138,18 +110,23 @@ std::vector<bool> wanted_lines(const Comparison& c, std::size_t file,
 Json programs_json(const Comparison& c, const std::vector<LineKey>& keys) {
   Json out = Json::array();
   for (std::size_t file = 0; file < c.origin.files.size(); ++file) {
-    Json numbers = Json::array(), lines = Json::array();
+    Packer numbers;
+    std::string text;
+    std::int64_t count = 0, last = 0;
     if (file < c.text.size()) {
       const std::vector<bool> wanted = wanted_lines(c, file, keys);
       for (std::size_t l = 0; l < wanted.size(); ++l)
         if (wanted[l]) {
-          numbers.push_back(l + 1);
-          lines.push_back(to_utf8(c.text[file][l]));
+          numbers.add(std::int64_t(l) + 1, last);
+          text += to_utf8(c.text[file][l]);
+          text += '\n';
+          ++count;
         }
     }
     out.push_back({{"file", to_utf8(c.origin.files[file])},
-                   {"numbers", std::move(numbers)},
-                   {"lines", std::move(lines)}});
+                   {"count", count},
+                   {"numbers", numbers.json()},
+                   {"text", packed_bytes(text)}});
   }
   return out;
 }
@@ -249,7 +226,7 @@ std::string report_html(const TriMesh& part, const TriMesh& nominal, const Compa
       {nominal, std::vector<float>(nominal.vertices.size(), 0.0f)}, kMostNominal);
   const FaceLines lines(shown.mesh);
   const Grid grid = grid_of(shown.mesh, overlay.mesh);
-  Json data{{"version", 1},
+  Json data{{"version", 2},
             {"generator", std::string("mrsim ") + MRSIM_VERSION},
             {"compared", !nominal.triangles.empty()},
             {"reduced", shown.mesh.triangles.size() < part.triangles.size()},
@@ -260,7 +237,8 @@ std::string report_html(const TriMesh& part, const TriMesh& nominal, const Compa
             {"programs", programs_json(comparison, lines.lines())},
             {"grid", {{"lo", {grid.lo.x, grid.lo.y, grid.lo.z}}, {"step", grid.step}}},
             {"deviationStep", kDeviationStep},
-            {"part", mesh_json(shown, grid, &lines)}};
+            {"part", mesh_json(shown, grid, &lines)},
+            {"play", play_json(facts.run, comparison.origin.files.size())}};
   if (!overlay.mesh.triangles.empty())
     data["nominal"] = mesh_json({overlay.mesh, {}}, grid, nullptr);
   const std::string page(report_template());

@@ -223,6 +223,17 @@ void ZipWriter::finish() {
   put(end);
 }
 
+std::string deflated(std::string_view bytes) {
+  std::string out;
+  const ByteSink sink = [&](const void* data, std::size_t size) {
+    out.append(static_cast<const char*>(data), size);
+  };
+  Deflater packed(sink);
+  packed.add(bytes.data(), bytes.size());
+  packed.finish();
+  return out;
+}
+
 std::string zip(const std::vector<std::pair<std::string, std::string>>& files) {
   std::string bytes;
   const ByteSink out = [&](const void* data, std::size_t size) {

@@ -45,7 +45,10 @@ class ZipWriter {
   std::size_t position_ = 0, files_ = 0;
 };
 
-/// The same in memory.
+/// Bytes deflated without a header (RFC 1951); equal bytes, equal result.
+std::string deflated(std::string_view bytes);
+
+/// An archive in memory.
 std::string zip(const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace mrsim::detail

@@ -16,15 +16,19 @@ export function deviationColor(d, band, safe) {
 
 export const css = (rgb) => `rgb(${rgb.join(",")})`;
 
-/// Colours far apart in hue for neighbours in a list; muted, so that deviations stay the loud ones.
-export function listColor(i) {
-  const hue = (i * 137.508 + 210) % 360, light = [0.62, 0.5, 0.72][i % 3], sat = 0.42;
-  const a = sat * Math.min(light, 1 - light);
-  const f = (n) => {
-    const k = (n + hue / 30) % 12;
-    return Math.round(255 * (light - a * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
-  };
-  return [f(0), f(8), f(4)];
+// The ramp for lines and the colours of tools: those of `mrsim render`, src/mesh/draw/palette.cpp.
+const kRamp = [[58, 98, 172], [48, 128, 168], [62, 152, 144], [132, 168, 96], [190, 162, 66], [232, 170, 110], [250, 190, 170]];
+const kTools = [[86, 180, 233], [230, 159, 0], [0, 158, 115], [204, 121, 167], [0, 114, 178], [240, 228, 66], [213, 94, 0]];
+const kMostShaded = 100; // lines: of more, neighbours need no shades of their own
+
+const scaled = (rgb, share) => rgb.map((x) => Math.min(255, Math.floor(x * share)));
+
+/// The colour of line i of `count`, along the program.
+export function rampColor(i, count) {
+  const at = (i * (kRamp.length - 1)) / Math.max(count - 1, 1), step = Math.min(Math.floor(at), kRamp.length - 2);
+  const rgb = kRamp[step].map((x, k) => Math.round(x + (at - step) * (kRamp[step + 1][k] - x)));
+  return i % 2 && count <= kMostShaded ? scaled(rgb, 0.86) : rgb;
 }
+export const toolColor = (i) => scaled(kTools[i % kTools.length], 1 - 0.18 * Math.min(Math.floor(i / kTools.length), 3));
 export const kStockColor = [168, 172, 174];
 export const kCutColor = [214, 160, 82];

@@ -1,22 +1,5 @@
-// The packed streams of report_html.cpp: differences, sign in the lowest bit, seven bits a byte.
-
-export function unpack(base64, count, stride, out) {
-  const text = atob(base64);
-  const last = new Array(stride).fill(0);
-  let at = 0;
-  for (let i = 0; i < count; ++i) {
-    let value = 0, scale = 1, byte;
-    do {
-      byte = text.charCodeAt(at++);
-      value += (byte & 127) * scale;
-      scale *= 128;
-    } while (byte & 128);
-    const k = i % stride;
-    last[k] += value % 2 ? -(value + 1) / 2 : value / 2;
-    out[i] = last[k];
-  }
-  return out;
-}
+// The meshes of the page: their packed rows as arrays, and normals.
+import { unpack } from "./data.js";
 
 export function decodeMesh(data, grid, deviationStep) {
   const position = new Float32Array(3 * data.vertices);

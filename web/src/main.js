@@ -1,15 +1,51 @@
 import { $, el, place, signed } from "./dom.js";
-import { css, deviationColor, kCutColor, kStockColor, listColor } from "./colors.js";
+import { css, deviationColor, kCutColor, kStockColor, rampColor, toolColor } from "./colors.js";
+import { data } from "./data.js";
 import { decodeMesh } from "./decode.js";
 import { collisionRow, paintCollisions, paintCrashes, paintFigures, paintRegions, paintRun, paintVerdict } from "./panels.js";
+import { Play } from "./play.js";
+import { PlayView } from "./play_view.js";
 import { ProgramPane } from "./program.js";
 import { PartView } from "./scene.js";
+import { Timeline, clock } from "./timeline.js";
 
-const data = JSON.parse($("data").textContent);
 const c = data.comparison, band = c.tolerance, keys = data.keys;
-const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null };
+const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null, motion: -1 };
+const play = data.play ? new Play(data.play) : null;
+const keyOfMoment = play ? addKeys() : null;
 const tools = [...new Set(keys.filter((k) => !k.stock).map((k) => k.tool))];
+// The place of each key among the lines that cut, in the order of the program.
+const rank = new Int32Array(keys.length);
+const rankCount = rankKeys();
+function rankKeys() {
+  const first = new Map(), order = keys.map((_, i) => i).filter((i) => !keys[i].stock);
+  if (play) for (let m = play.moments; m > 0; --m) first.set(keyOfMoment[m], m);
+  const begin = (i) => first.get(i) ?? 0;
+  order.sort((a, b) => begin(a) - begin(b) || keys[a].file - keys[b].file || keys[a].line - keys[b].line);
+  order.forEach((key, at) => { rank[key] = at; });
+  return order.length;
+}
 const figuresOf = new Map(c.lines.map((l, i) => [i, l])); // in the order of the keys
+
+// A key for each line that cuts, those whose faces are all gone at the end too; by moment.
+function addKeys() {
+  const id = (file, line, tool) => `${file}:${line}:${tool}`, of = new Map(), { motions } = play;
+  const stock = keys.findIndex((k) => k.stock);
+  keys.forEach((k, i) => of.set(id(k.file, k.line, k.toolName), i));
+  const byMotion = Array.from({ length: motions.count }, (_, i) => {
+    const file = motions.file[i], line = motions.line[i], toolName = play.tools[motions.tool[i]]?.id ?? "", key = id(file, line, toolName);
+    if (motions.kind[i] === 0) return -1;
+    if (!of.has(key)) {
+      of.set(key, keys.length);
+      keys.push({ file, line, tool: keys.find((k) => !k.stock && k.toolName === toolName)?.tool ?? 1e6 + motions.tool[i], name: data.programs[file]?.file.split("/").pop() ?? "", stock: false, toolName });
+    }
+    return of.get(key);
+  });
+  const stockKey = stock >= 0 ? stock : keys.push({ file: -1, line: 0, tool: -1, name: "", stock: true, toolName: "" }) - 1;
+  const out = new Int32Array(play.moments + 2).fill(stockKey);
+  for (let m = 1; m <= play.moments; ++m) out[m] = byMotion[play.motionOf[m]] ?? stockKey;
+  return out;
+}
 
 // --- what a line cut ---
 const byLine = new Map();
@@ -23,7 +59,7 @@ function colorOfKey(i) {
   const k = keys[i];
   if (state.mode === "owner") return k.stock ? kStockColor : kCutColor;
   if (k.stock) return kStockColor;
-  return listColor(state.mode === "tool" ? tools.indexOf(k.tool) : i);
+  return state.mode === "tool" ? toolColor(tools.indexOf(k.tool)) : rampColor(rank[i], rankCount);
 }
 // Beside a line: the worst of what it cut, or the colour it has on the part.
 function chip(list) {
@@ -75,6 +111,32 @@ try {
   $("bar").hidden = true;
 }
 
+// --- playing ---
+let played = null, timeline = null;
+if (view && play && play.end > 0) {
+  played = new PlayView(view, play, c.transform, (moment) => keyOfMoment[moment]);
+  const motionOf = (k) => Math.min(play.end, Math.max(1, k.motion)) - 1;
+  $("timeline").hidden = false;
+  timeline = new Timeline(play, crashes.map(motionOf), (at) => {
+    played.show(at, state.motion);
+    const i = Math.min(Math.floor(at), play.end - 1);
+    program?.follow(at < play.end ? { file: play.motions.file[i], line: play.motions.line[i] } : { file: -1, line: 0 });
+  });
+}
+// A line's last motion, -1 where it has none.
+const lastMotion = new Map();
+if (play) for (let i = 0; i < play.end; ++i) lastMotion.set(`${play.motions.file[i]}:${play.motions.line[i]}`, i);
+const motionOfLine = (file, line) => lastMotion.get(`${file}:${line}`) ?? -1;
+
+/// Marks a motion on the time line. At the end its tool is shown; else the run goes there.
+function chooseMotion(motion, goes = false) {
+  state.motion = motion;
+  timeline?.setMark(motion);
+  if (!timeline) return;
+  if (goes || timeline.at < play.end) { if (motion >= 0) timeline.go(motion + 1 < play.end || !goes ? motion + 1 : play.end - 1e-6); } else played.show(play.end, motion);
+}
+const goButton = (motion) => (timeline && motion >= 0 ? el("div", {}, el("button", { class: "link", id: "go", title: "Key G", onclick: () => chooseMotion(motion, true) }, `show it at ${clock(play.secondsAt(motion + 1))}`)) : null);
+
 const modes = [["deviation", "Deviation"], ["line", "Line"], ["tool", "Tool"], ["owner", "Origin"]];
 $("modes").append(...modes.map(([id, name], i) => el("button", { role: "radio", id: `mode-${id}`, title: `Key ${i + 1}`, disabled: id === "deviation" && !data.compared, onclick: () => setMode(id) }, name)));
 
@@ -106,10 +168,10 @@ function paintLegend() {
     return;
   }
   const items = state.mode === "owner" ? [["cut", kCutColor], ["stock", kStockColor]]
-    : state.mode === "tool" ? [...tools.map((t, i) => [keys.find((k) => k.tool === t && !k.stock).toolName || "tool", listColor(i)]).map(([n, col]) => [`tool ${n}`, col]), ["stock", kStockColor]]
+    : state.mode === "tool" ? [...tools.map((t, i) => [keys.find((k) => k.tool === t && !k.stock).toolName || "tool", toolColor(i)]).map(([n, col]) => [`tool ${n}`, col]), ["stock", kStockColor]]
     : [["stock", kStockColor]];
   box.replaceChildren(el("div", { class: "keys" }, items.slice(0, 12).flatMap(([name, color]) => [el("i", { style: { background: css(color) } }), el("span", {}, name)])),
-    state.mode === "line" ? el("span", { class: "dim" }, "a colour for each line") : "");
+    state.mode === "line" ? el("div", { class: "along" }, el("span", {}, "first line"), el("i", { style: { background: `linear-gradient(90deg, ${Array.from({ length: 9 }, (_, k) => css(rampColor(2 * k, 17))).join(",")})` } }), el("span", {}, "last")) : "");
 }
 
 // --- selection: a place, a line or a region ---
@@ -152,15 +214,33 @@ function describeKey(i) {
   return [el("span", {}, ` ${k.name}${k.line > 0 ? `:${k.line}` : ""}${k.toolName ? ` \u00b7 tool ${k.toolName}` : ""}`), textOf(k.file, k.line) ? el("code", {}, textOf(k.file, k.line)) : null];
 }
 
+// On the surface of a moment before the end: the line and the moment of the face.
+function choosePlayed(x, y) {
+  const hit = played.pick(x, y);
+  if (!hit) return clear();
+  setMark(hit.place);
+  const i = keyOfMoment[play.faces.birth[hit.face]], k = keys[i];
+  view.select(k.stock ? [] : keysOf(k.file, k.line));
+  showPicked(place(hit.place), describeKey(i), css(colorOfKey(i)));
+  if (hit.motion < 0) return;
+  if (program) { openTab("program"); program.show(k.file, k.line); }
+  state.motion = hit.motion;
+  timeline.setMark(hit.motion);
+  timeline.go(play.atMoment(play.faces.birth[hit.face]));
+}
+
 function choosePlace(x, y) {
+  if (timeline && timeline.at < play.end) return choosePlayed(x, y);
   const hit = view.pick(x, y);
   if (!hit) return clear();
   const i = view.part.owner[hit.face], k = keys[i];
   clearRegion();
   setMark(hit.place);
   view.select(k.stock ? [] : keysOf(k.file, k.line));
+  const motion = k.stock ? -1 : motionOfLine(k.file, k.line);
+  chooseMotion(motion);
   const color = css(state.mode === "deviation" ? deviationColor(hit.deviation, band, state.safe) : colorOfKey(i));
-  showPicked(data.compared ? `${signed(hit.deviation, 4)} mm` : place(hit.place), [...describeKey(i), data.compared ? el("div", {}, el("span", {}, place(hit.place))) : null].filter(Boolean), color);
+  showPicked(data.compared ? `${signed(hit.deviation, 4)} mm` : place(hit.place), [...describeKey(i), data.compared ? el("div", {}, el("span", {}, place(hit.place))) : null, goButton(motion)].filter(Boolean), color);
   if (!k.stock && program) { openTab("program"); program.show(k.file, k.line); }
 }
 
@@ -170,13 +250,15 @@ function chooseLine(file, line) {
   setMark(null);
   program.show(file, line, true);
   view?.select(list);
+  const motion = motionOfLine(file, line);
+  chooseMotion(motion);
   const crash = crashOf(data.programs[file].file, line);
   if (crash) return showCollision(crashes.indexOf(crash));
   if (!list.length) return showPicked(`Line ${line}`, [el("span", {}, " cut nothing that is still there")], "currentColor");
   const f = list.map((i) => figuresOf.get(i)).filter(Boolean);
   const area = f.reduce((s, l) => s + l.area, 0), out = f.reduce((s, l) => s + l.out_area, 0);
   const range = data.compared && f.length ? el("div", {}, el("span", {}, `${area.toFixed(1)} mm\u00b2, ${signed(Math.min(...f.map((l) => l.min)))} to ${signed(Math.max(...f.map((l) => l.max)))} mm${out > 0 ? `, ${out.toFixed(1)} mm\u00b2 out of tolerance` : ", in tolerance"}`)) : null;
-  showPicked(`Line ${line}`, [el("code", {}, textOf(file, line)), range].filter(Boolean), css(chip(list)));
+  showPicked(`Line ${line}`, [el("code", {}, textOf(file, line)), range, goButton(motion)].filter(Boolean), css(chip(list)));
 }
 
 function showCollision(i) {
@@ -221,14 +303,24 @@ function clear() {
   clearRegion();
   setMark(null);
   view?.select([]);
+  state.motion = -1;
+  timeline?.setMark(-1);
+  if (timeline && timeline.at >= play.end) played.show(play.end);
   showPicked("", [], "");
   program?.show(program.file, 0, false);
 }
 
 // --- controls ---
 $("safe").addEventListener("change", (e) => { state.safe = e.target.checked; repaint(); });
+// Edges tell nothing where they are everywhere.
+if (data.part.creases > Math.min(20000, 0.15 * data.part.triangles)) { $("edges").checked = false; view?.showEdges(false); }
 $("edges").addEventListener("change", (e) => view.showEdges(e.target.checked));
 $("nominal").addEventListener("change", (e) => view.showNominal(e.target.checked));
+for (const id of ["path", "stock"]) {
+  $(`${id}-box`).hidden = !played;
+  if (played) $(id).checked = played[`${id}Wanted`];
+  $(id).addEventListener("change", (e) => { played[`${id}Wanted`] = e.target.checked; timeline.go(timeline.at); });
+}
 $("nominal-box").hidden = !data.nominal;
 $("figures").hidden = $("safe").parentElement.hidden = !data.compared;
 for (const b of $("views").children) b.addEventListener("click", () => view.look(b.dataset.view));
@@ -257,6 +349,8 @@ function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
   const style = getComputedStyle(document.documentElement);
   view?.setInk(style.getPropertyValue("--ink").trim(), style.getPropertyValue("--dim").trim());
+  played?.setInk(view.edges.material.uniforms.ink.value, theme === "dark");
+  timeline?.paint();
 }
 const dark = matchMedia("(prefers-color-scheme: dark)");
 dark.addEventListener("change", () => setTheme(dark.matches ? "dark" : "light"));
@@ -268,13 +362,15 @@ const shortcuts = {
   1: () => setMode("deviation"), 2: () => setMode("line"), 3: () => setMode("tool"), 4: () => setMode("owner"),
   j: () => c.regions.length && chooseRegion((state.region + 1) % c.regions.length),
   k: () => c.regions.length && chooseRegion((Math.max(state.region, 0) - 1 + c.regions.length) % c.regions.length),
-  n: () => toggle("nominal"), e: () => toggle("edges"), f: () => view?.look("iso"), t: flipTheme, Escape: clear,
+  n: () => toggle("nominal"), p: () => toggle("path"), g: () => $("go")?.click(), " ": () => timeline?.toggle(), ",": () => timeline?.step(-1), ".": () => timeline?.step(1),
+  Home: () => timeline?.go(0), End: () => timeline?.go(play.end), e: () => toggle("edges"), f: () => view?.look("iso"), t: flipTheme, Escape: clear,
   s: () => { const axis = $("section-axis"); axis.value = axis.value ? "" : "X"; section(); },
 };
 addEventListener("keydown", (e) => {
   if (e.ctrlKey || e.metaKey || e.altKey || e.target.matches?.('select, input[type=range]')) return;
+  if (e.key === " " && e.target.matches?.("button, [tabindex='0'] tr, tr")) return;
   const act = shortcuts[e.key.length === 1 ? e.key.toLowerCase() : e.key];
-  if (act) { act(); return; }
+  if (act) { act(); if (e.key === " ") e.preventDefault(); return; }
   if (!view || e.target !== $("view")) return;
   const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
   if (turns[e.key]) { view.turn(...turns[e.key]); e.preventDefault(); }
@@ -292,4 +388,4 @@ setMode(state.mode);
 openTab(crashCount ? "collisions" : data.compared && c.region_count > 0 ? "regions" : hasProgram ? "program" : "run");
 document.documentElement.dataset.ready = "true";
 // For tests: where a point of the part is on the screen, and what has been chosen.
-window.mrsimReport = { view, data, state };
+window.mrsimReport = { view, data, state, play, played, timeline };

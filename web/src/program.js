@@ -7,7 +7,7 @@ const kRow = 21;
 export class ProgramPane {
   /// `keysOf(file, line)` -> indices of what that line cut; `chip(keys)` -> colour; `choose` on click.
   constructor(programs, keysOf, chip, notes, choose) {
-    Object.assign(this, { programs, keysOf, chip, notes, choose, file: 0, line: 0 });
+    Object.assign(this, { programs, keysOf, chip, notes, choose, file: 0, line: 0, now: { file: -1, line: 0 } });
     this.box = el("div", { id: "code", tabindex: 0, role: "listbox", "aria-label": "Program" });
     this.rows = el("div", { class: "rows" });
     this.box.append(this.rows);
@@ -42,7 +42,7 @@ export class ProgramPane {
       const number = p.numbers[i], keys = this.keysOf(this.file, number), note = this.notes(p.file, number);
       const color = keys.length ? css(this.chip(keys)) : "transparent";
       const chosen = number === this.line;
-      rows.push(el("div", { class: `row${keys.length ? " cuts" : ""}${chosen ? " selected" : ""}`, style: { top: `${i * kRow}px` },
+      rows.push(el("div", { class: `row${keys.length ? " cuts" : ""}${chosen ? " selected" : ""}${number === this.now.line && this.file === this.now.file ? " now" : ""}`, style: { top: `${i * kRow}px` },
         role: "option", "aria-selected": chosen, "data-line": number,
         onclick: () => this.choose(this.file, number) },
         el("i", { style: { background: color } }), el("u", {}, String(number)), p.lines[i], note ? el("em", {}, note) : null));
@@ -53,12 +53,33 @@ export class ProgramPane {
   show(file, line, scroll = true) {
     if (file !== this.file && this.programs[file]) this.open(file);
     this.line = line;
-    const at = this.programs[this.file]?.numbers.indexOf(line) ?? -1;
-    if (scroll && at >= 0) {
-      const top = at * kRow, height = this.box.clientHeight || 400;
-      if (top < this.box.scrollTop + kRow || top > this.box.scrollTop + height - 2 * kRow) this.box.scrollTop = Math.max(0, top - height / 2);
-    }
+    if (scroll) this.reach(line);
     this.paint();
+  }
+  /// The line that is run at the moment, kept in sight; { file: -1 } for none.
+  follow(now) {
+    if (now.file === this.now.file && now.line === this.now.line) return;
+    this.now = now;
+    if (now.file < 0) return this.paint();
+    if (now.file !== this.file && this.programs[now.file]) this.open(now.file);
+    this.reach(now.line);
+    this.paint();
+  }
+  reach(line) {
+    const at = this.rowOf(line);
+    if (at < 0) return;
+    const top = at * kRow, height = this.box.clientHeight || 400;
+    if (top < this.box.scrollTop + kRow || top > this.box.scrollTop + height - 2 * kRow) this.box.scrollTop = Math.max(0, top - height / 2);
+  }
+  // Numbers ascend.
+  rowOf(line) {
+    const numbers = this.programs[this.file]?.numbers ?? [];
+    let low = 0, high = numbers.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (numbers[middle] < line) low = middle + 1; else high = middle;
+    }
+    return numbers[low] === line ? low : -1;
   }
   key(event) {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
@@ -67,7 +88,7 @@ export class ProgramPane {
     event.stopPropagation();
     const p = this.programs[this.file];
     // To the next line that cut something still to be seen.
-    for (let i = p.numbers.indexOf(this.line) + step; i >= 0 && i < p.numbers.length; i += step)
+    for (let i = this.rowOf(this.line) + step; i >= 0 && i < p.numbers.length; i += step)
       if (this.keysOf(this.file, p.numbers[i]).length) return this.choose(this.file, p.numbers[i]);
   }
 }

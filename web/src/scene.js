@@ -1,5 +1,5 @@
 // The part in three dimensions: one draw call, colours by a texture with a texel for each line.
-import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LineSegments, Mesh,
+import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, FrontSide, LineSegments, Mesh,
   NearestFilter, PerspectiveCamera, RGBAFormat, Scene, ShaderMaterial, UnsignedByteType, Vector3, Vector4, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { cornerNormals } from "./decode.js";
@@ -8,18 +8,21 @@ import { schemeOf } from "./colors.js";
 const kTextureWidth = 1024;
 
 const kVertex = `
+uniform sampler2D palette; uniform vec2 paletteSize;
 attribute float dev; attribute float own;
-varying float vDev; varying vec3 vNormal; varying vec3 vPlace; flat varying float vOwn;
+varying float vDev; varying vec3 vNormal; varying vec3 vPlace; flat varying vec4 vTexel;
 void main() {
-  vDev = dev; vOwn = own; vNormal = normalMatrix * normal; vPlace = position;
+  float i = floor(own + 0.5), y = floor(i / paletteSize.x);
+  vTexel = texture2D(palette, (vec2(i - y * paletteSize.x, y) + 0.5) / paletteSize);
+  vDev = dev; vNormal = normalMatrix * normal; vPlace = position;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
 
 const kFragment = `
-uniform sampler2D palette; uniform vec2 paletteSize; uniform vec4 plane; uniform float byDeviation; uniform float selecting;
+uniform vec4 plane; uniform float byDeviation; uniform float selecting;
 uniform float lo; uniform float hi; uniform vec3 good; uniform vec3 lightExcess; uniform vec3 excess; uniform vec3 lightGouge; uniform vec3 gouge;
 uniform vec3 cutFace;
-varying float vDev; varying vec3 vNormal; varying vec3 vPlace; flat varying float vOwn;
+varying float vDev; varying vec3 vNormal; varying vec3 vPlace; flat varying vec4 vTexel;
 vec3 deviationColor(float d) {
   float over = max(d - hi, lo - d) / (hi - lo);
   if (over <= 0.0) return good;
@@ -27,14 +30,12 @@ vec3 deviationColor(float d) {
 }
 void main() {
   if (dot(plane.xyz, vPlace) > plane.w) discard;
-  float i = floor(vOwn + 0.5), y = floor(i / paletteSize.x);
-  vec4 texel = texture2D(palette, (vec2(i - y * paletteSize.x, y) + 0.5) / paletteSize);
-  vec3 base = mix(texel.rgb, deviationColor(vDev), byDeviation);
+  vec3 base = mix(vTexel.rgb, deviationColor(vDev), byDeviation);
   if (!gl_FrontFacing) { gl_FragColor = vec4(cutFace * (0.92 + 0.08 * step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 8.0))), 1.0); return; }
   vec3 n = normalize(vNormal);
   float light = 0.46 + 0.42 * max(n.z, 0.0) + 0.16 * max(dot(n, normalize(vec3(-0.5, 0.8, 0.4))), 0.0);
   vec3 c = base * min(light, 1.08);
-  if (selecting > 0.5) c = texel.a > 0.5 ? c : mix(c, vec3(dot(c, vec3(0.3, 0.59, 0.11))), 0.85) * 0.35 + cutFace * 0.42;
+  if (selecting > 0.5) c = vTexel.a > 0.5 ? c : mix(c, vec3(dot(c, vec3(0.3, 0.59, 0.11))), 0.85) * 0.35 + cutFace * 0.42;
   gl_FragColor = vec4(c, 1.0);
 }`;
 
@@ -108,11 +109,13 @@ export class PartView {
     this.texels = new Uint8Array(4 * kTextureWidth * this.rows);
     this.palette = new DataTexture(this.texels, kTextureWidth, this.rows, RGBAFormat, UnsignedByteType);
     this.palette.minFilter = this.palette.magFilter = NearestFilter;
-    this.material = new ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, side: DoubleSide, uniforms: {
+    this.material = new ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, side: FrontSide, uniforms: {
       palette: { value: this.palette }, paletteSize: { value: { x: kTextureWidth, y: this.rows } }, plane: { value: this.plane },
       byDeviation: { value: 0 }, selecting: { value: 0 }, lo: { value: -0.02 }, hi: { value: 0.02 }, cutFace: { value: new Color(0.6, 0.6, 0.6) },
       good: { value: new Color() }, lightExcess: { value: new Color() }, excess: { value: new Color() }, lightGouge: { value: new Color() }, gouge: { value: new Color() } } });
-    this.scene.add(new Mesh(expand(part, true), this.material));
+    this.materials = [this.material];
+    this.mesh = new Mesh(expand(part, true), this.material);
+    this.scene.add(this.mesh);
     this.edges = lineObject(part, this.plane);
     this.scene.add(this.edges);
     if (nominal) this.addNominal(nominal);
@@ -179,11 +182,15 @@ export class PartView {
       const { lo, hi } = this.bounds, at = lo.getComponent(a) + share * (hi.getComponent(a) - lo.getComponent(a));
       this.plane.set(a === 0 ? 1 : 0, a === 1 ? 1 : 0, a === 2 ? 1 : 0, at);
     }
+    // Without a plane no back of a face is ever seen.
+    for (const material of this.materials) material.side = axis ? DoubleSide : FrontSide;
     this.draw();
     return this.plane.w;
   }
   showNominal(on) { if (this.ghost) { this.ghost.visible = this.ghostEdges.visible = on; this.draw(); } }
-  showEdges(on) { this.edges.visible = on; this.draw(); }
+  showEdges(on) { this.edgesWanted = on; this.edges.visible = on && this.mesh.visible; this.draw(); }
+  /// The exact part, or nothing of it: what is played is shown in its place.
+  showPart(on) { this.mesh.visible = on; this.showEdges(this.edgesWanted ?? true); }
 
   // Far enough that the sphere about the part fits the narrower side of the picture.
   fitDistance() {
@@ -235,11 +242,16 @@ export class PartView {
     const p = new Vector3(...place).project(this.camera);
     return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * this.canvas.clientHeight, front: p.z < 1 };
   }
+  /// From the eye through a place on the canvas.
+  ray(x, y) {
+    this.camera.updateMatrixWorld();
+    const origin = this.camera.position.clone();
+    const direction = new Vector3((x / this.canvas.clientWidth) * 2 - 1, 1 - (y / this.canvas.clientHeight) * 2, 0.5).unproject(this.camera).sub(origin).normalize();
+    return { origin, direction };
+  }
   /// The triangle under a place on the canvas (Moeller and Trumbore), not what the section removed.
   pick(x, y) {
-    this.camera.updateMatrixWorld();
-    const ndc = new Vector3((x / this.canvas.clientWidth) * 2 - 1, 1 - (y / this.canvas.clientHeight) * 2, 0.5).unproject(this.camera);
-    const o = this.camera.position, d = ndc.sub(o).normalize(), p = this.part.position, ix = this.part.index, w = this.plane;
+    const { origin: o, direction: d } = this.ray(x, y), p = this.part.position, ix = this.part.index, w = this.plane;
     let best = Infinity, hit = null;
     for (let f = 0; f < ix.length; f += 3) {
       const a = 3 * ix[f], b = 3 * ix[f + 1], c = 3 * ix[f + 2];

@@ -26,17 +26,17 @@ void add_removed(const PartField& field, std::span<const std::uint32_t> sweeps,
     if (removed[i] > 0) out.emplace_back(field.sweeps().motion(sweeps[i]), removed[i]);
 }
 
-std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice,
-                                     int threads) {
+std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice, int threads,
+                                     CutSink* sink) {
   const double near = 0.5 * lattice.voxel + field.slack();
   const BlockIndex index(field, lattice.voxel, near, std::numeric_limits<std::size_t>::max(),
                          threads);
   std::vector<BlockSums> blocks(index.size());
   parallel_for(index.size(), threads, [&](std::size_t b) {
     const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
-    if (sweeps.empty()) return;
+    if (sweeps.empty() && sink == nullptr) return;
     std::vector<double> removed(sweeps.size(), 0.0);
-    walk_block(field, lattice, index.origin(b), sweeps, nullptr, removed);
+    walk_block(field, lattice, index.origin(b), sweeps, sink, removed);
     add_removed(field, sweeps, removed, blocks[b]);
   });
   return blocks;
@@ -58,7 +58,7 @@ std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int
 
 // Rows of blocks across the axis: the sweeps of a row are found once.
 std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLattice& lattice,
-                                          int threads) {
+                                          int threads, CutSink* sink) {
   constexpr int kSize = 32;
   const double h = lattice.voxel, near = 0.5 * h + field.slack();
   const Box3 stock = inflated(field.bounds(), near);
@@ -72,11 +72,11 @@ std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLatti
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
     const Candidates sweeps = field.sweeps().opened(all, box);
-    if (sweeps.empty()) return;
+    if (sweeps.empty() && sink == nullptr) return;
     CutWalker walker(field, lattice);
     std::vector<double> removed(sweeps.size(), 0.0);
     for (std::int32_t x = 0; x < wide; x += kSize)
-      walker.walk({{x, 0, z}, kSize}, sweeps, nullptr, removed);
+      walker.walk({{x, 0, z}, kSize}, sweeps, sink, removed);
     add_removed(field, sweeps, removed, rows[r]);
   });
   return rows;
@@ -101,11 +101,12 @@ CutLattice history_lattice(const PartField& field, double voxel) {
 }
 
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
-                                    std::size_t motions, int threads) {
+                                    std::size_t motions, int threads, CutSink* sink) {
+  const bool by_heights = sink == nullptr && has_height_history(field);
   const std::vector<BlockSums> blocks =
-      lattice.half_plane          ? sums_in_half_plane(field, lattice, threads)
-      : has_height_history(field) ? sums_of_heights(field, lattice.voxel, threads)
-                                  : sums_in_space(field, lattice, threads);
+      lattice.half_plane ? sums_in_half_plane(field, lattice, threads, sink)
+      : by_heights       ? sums_of_heights(field, lattice.voxel, threads)
+                         : sums_in_space(field, lattice, threads, sink);
   std::vector<double> removed(motions, 0.0);
   for (const BlockSums& block : blocks)
     for (const auto& [motion, volume] : block) removed[static_cast<std::size_t>(motion)] += volume;

@@ -21,7 +21,9 @@ void walk_block(const PartField& field, const CutLattice& lattice,
 
 /// mm^3 by motion, 0 for those that remove nothing; the same bits on any number of threads.
 /// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory".
+/// `sink`, where given, takes the voxels of the stock from several threads at once, each of them
+/// others.
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
-                                    std::size_t motions, int threads);
+                                    std::size_t motions, int threads, CutSink* sink = nullptr);
 
 }  // namespace mrsim

@@ -1,0 +1,36 @@
+// Cuts in pieces, so that what happens along a motion can be told.
+#pragma once
+
+#include "cuts.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace mrsim {
+
+/// How long pieces are: the larger of two lengths, and longer where they would be too many.
+struct PieceRule {
+  double diameters = 0;    ///< of the tool
+  double voxels = 0;       ///< of the voxel that is asked
+  double most = 0;         ///< pieces of one motion
+  std::size_t in_all = 0;  ///< motions of a program that has more are not divided
+  bool arcs = false;       ///< arcs, too; else an arc is one piece
+};
+
+/// The motions of a list in pieces that sweep together what these do.
+struct CutPieces {
+  std::vector<Motion> motions;
+  std::vector<std::size_t> first;  ///< #motions of the list + 1: first piece of each, and the end
+};
+
+/// Number of pieces of one motion, at least 1. `voxel` in mm.
+int pieces_of(const Motion& motion, const Tool& tool, double voxel, const PieceRule& rule);
+
+/// The shortest pieces of which there are not too many, as the voxel (mm, `voxel` times a power of
+/// two) that gives them. Infinite where the motions alone are too many.
+double piece_voxel(const CutList& cuts, double voxel, const PieceRule& rule);
+
+/// With an infinite voxel each motion is a piece of its own: `motions` is then empty.
+CutPieces divide_cuts(const CutList& cuts, double voxel, const PieceRule& rule);
+
+}  // namespace mrsim

@@ -1,0 +1,65 @@
+#include "play.h"
+
+#include "core/vec.h"
+#include "cut_pieces.h"
+#include "removal/history/cut_faces.h"
+#include "removal/history/cut_volume.h"
+#include "removal/history/removed_volumes.h"
+#include "removal/part/stock_grid.h"
+#include "tool_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mrsim {
+namespace {
+
+constexpr double kVoxels = 200;  // along the longest side
+
+// Pieces that look like a steady motion: an eighth of the tool, three voxels at least.
+constexpr PieceRule kSteady{0.125, 3, 1000, 150000, true};
+
+void add_volume(const PartField& field, const CutPieces& pieces, std::size_t inherited, int threads,
+                Play& play) {
+  const std::size_t count = pieces.first.back();
+  const auto before = std::int32_t(pieces.first[inherited]);
+  CutVolume volume = make_cut_volume(field, history_lattice(field, play.voxel), count, threads);
+  CutFaces faces = make_cut_faces(field, volume, before, threads);
+  play.half_plane = volume.lattice.half_plane;
+  play.origin = volume.center(0, 0, 0);
+  play.size = volume.size;
+  play.faces = std::move(faces.faces);
+  play.late = std::move(faces.late);
+  play.gone = std::move(volume.cut);
+  for (std::int32_t& cut : play.gone) cut = moment_of(cut, before);
+  for (std::size_t i = inherited; i + 1 < pieces.first.size(); ++i) {
+    play.first.push_back(std::int32_t(pieces.first[i]) - before);
+    double sum = 0;
+    for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k) sum += volume.removed[k];
+    play.removed.push_back(sum);
+  }
+  play.first.push_back(std::int32_t(count) - before);
+}
+
+}  // namespace
+
+Play make_play(const Job& job, const JobResult& result, const Stock& stock, const CutList& cuts) {
+  Play play;
+  const int threads = job.carve.threads;
+  const Vec3 size = result.stock.box.hi - result.stock.box.lo;
+  play.voxel = std::max({size.x, size.y, size.z}) / kVoxels;
+  const double piece = piece_voxel(cuts, play.voxel, kSteady);
+  const CutPieces pieces = divide_cuts(cuts, piece, kSteady);
+  const PartField& field = *stock.grid().field;
+  if (std::isfinite(piece))
+    add_volume(
+        PartField(field.solid(), SweepTable(pieces.motions, cuts.tools(), {}, threads), threads),
+        pieces, cuts.inherited(), threads, play);
+  else
+    add_volume(field, pieces, cuts.inherited(), threads, play);
+  for (const Tool& tool : result.program.tools) play.tools.push_back(tool_outlines(tool));
+  return play;
+}
+
+}  // namespace mrsim

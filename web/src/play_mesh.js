@@ -1,0 +1,219 @@
+// The surface of one moment: the faces that are seen then, with a vertex for each cell of eight
+// voxels where the planes of its faces meet best (dual contouring). Made anew for each moment, which
+// takes some ten milliseconds; nothing is stored but the faces.
+const kStiffness = 0.02; // pull towards the mean of a cell's places, so that flat cells have an answer
+const kSame = 0.86; // cosine: faces of a cell that bend less than this are shaded as one
+const kSegments = 72; // of a turned part
+const kSums = 16; // of a cell: place 3, count 1, normals' products 6, right side 3, normals 3
+
+// Cells about a face are, by its two other axes b and c in turn: (below, below), (at, below),
+// (at, at), (below, at). Runs of an x face go along z (c), of a y face along z (b), of a z face
+// along y (c): [the corners on along the run, the ones they come from].
+const kEnds = [[[2, 3], [1, 0]], [[1, 2], [0, 3]], [[2, 3], [1, 0]]];
+const kCorners = [0, 0, 0, 0]; // places in the sums of the corners of the face at hand
+
+export class PlayMesh {
+  constructor(play) {
+    this.play = play;
+    const { u, v } = play.faces, n = play.faces.count;
+    this.normals = new Int8Array(3 * n);
+    for (let f = 0; f < n; ++f) this.unpackNormal((u[f] - 127) / 127, (v[f] - 127) / 127, 3 * f);
+    const [nx, ny, nz] = play.size;
+    this.layer = ny * nz;
+    this.row = nz;
+    this.slots = new Int32Array(nx * ny * nz + this.layer).fill(-1); // of each cell; cells begin a layer below
+    this.used = new Uint32Array(0);
+    this.sums = new Float32Array(0);
+    this.live = new Uint32Array(0);
+    this.angles = Array.from({ length: kSegments + 1 }, (_, k) => [Math.cos((2 * Math.PI * k) / kSegments), Math.sin((2 * Math.PI * k) / kSegments)]);
+    // Faces that are seen, and the quads that are drawn for them.
+    this.faces = this.quads = 0;
+    this.position = new Float32Array(0);
+    this.normal = new Int8Array(0);
+    this.moment = -1;
+  }
+  unpackNormal(u, v, at) {
+    let x = u, y = v;
+    const z = 1 - Math.abs(u) - Math.abs(v);
+    if (z < 0) { x = (1 - Math.abs(v)) * (u < 0 ? -1 : 1); y = (1 - Math.abs(u)) * (v < 0 ? -1 : 1); }
+    const l = 127 / (Math.hypot(x, y, z) || 1);
+    this.normals[at] = Math.round(x * l); this.normals[at + 1] = Math.round(y * l); this.normals[at + 2] = Math.round(z * l);
+  }
+  /// Makes the surface of a moment. Returns whether arrays were replaced by larger ones.
+  show(moment) {
+    this.moment = moment;
+    const live = this.gather(moment);
+    const quads = this.play.halfPlane ? kSegments : 1;
+    const grown = this.reserve(live, live * quads);
+    const count = this.sumCells(live);
+    this.solveCells(count);
+    this.quads = this.play.halfPlane ? this.writeTurned(live) : this.writeFaces(live);
+    for (let s = 0; s < count; ++s) this.slots[this.used[s]] = -1;
+    this.faces = live;
+    return grown;
+  }
+  gather(moment) {
+    const { birth, death, count } = this.play.faces;
+    if (this.live.length < count) this.live = new Uint32Array(count);
+    let n = 0;
+    for (let f = 0; f < count; ++f) if (birth[f] <= moment && moment < death[f]) this.live[n++] = f;
+    return n;
+  }
+  reserve(live, quads) {
+    if (this.used.length < 4 * live) {
+      this.used = new Uint32Array(4 * live);
+      this.sums = new Float32Array(kSums * 4 * live);
+    }
+    if (this.position.length >= 12 * quads) return false;
+    const room = Math.ceil(quads * 1.25) + 64;
+    this.position = new Float32Array(12 * room);
+    this.normal = new Int8Array(16 * room);
+    this.owner = new Float32Array(4 * room);
+    this.quadFace = new Uint32Array(room);
+    return true;
+  }
+  // The cells about a face: how far below its voxel each lies, with the face's place in it.
+  cellsOf(axis) {
+    const { layer, row } = this, steps = [layer, row, 1];
+    if (this.play.halfPlane) return axis === 0 ? [[1, 0, 0, 1], [0, 0, 0, 0]] : [[layer, 1, 0, 0], [0, 0, 0, 0]];
+    const b = (axis + 1) % 3, c = (axis + 2) % 3;
+    return [[1, 1], [0, 1], [0, 0], [1, 0]].map(([db, dc]) => {
+      const at = [0, 0, 0];
+      at[b] = db; at[c] = dc;
+      return [db * steps[b] + dc * steps[c], ...at];
+    });
+  }
+  sumCells(live) {
+    const { voxel, axis, share } = this.play.faces, { sums, slots, used, normals } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k));
+    let count = 0;
+    for (let i = 0; i < live; ++i) {
+      const f = this.live[i], k = axis[f] & 3, t = share[f] / 255;
+      const nx = normals[3 * f] / 127, ny = normals[3 * f + 1] / 127, nz = normals[3 * f + 2] / 127;
+      for (const [below, x, y, z] of cells[k]) {
+        const cell = voxel[f] - below + this.layer;
+        let s = slots[cell];
+        if (s < 0) {
+          s = slots[cell] = count;
+          used[count++] = cell;
+          sums.fill(0, kSums * s, kSums * s + kSums);
+        }
+        const at = kSums * s, px = k === 0 ? t : x, py = k === 1 ? t : y, pz = k === 2 ? t : z, d = nx * px + ny * py + nz * pz;
+        sums[at] += px; sums[at + 1] += py; sums[at + 2] += pz; sums[at + 3] += 1;
+        sums[at + 4] += nx * nx; sums[at + 5] += nx * ny; sums[at + 6] += nx * nz; sums[at + 7] += ny * ny; sums[at + 8] += ny * nz; sums[at + 9] += nz * nz;
+        sums[at + 10] += nx * d; sums[at + 11] += ny * d; sums[at + 12] += nz * d;
+        sums[at + 13] += nx; sums[at + 14] += ny; sums[at + 15] += nz;
+      }
+    }
+    return count;
+  }
+  // Least squares about the mean; the place in mm replaces the sums, the mean normal the last three.
+  solveCells(count) {
+    const { sums, used, layer, row } = this, { voxel, origin, halfPlane } = this.play, [ox, oy, oz] = origin;
+    for (let s = 0; s < count; ++s) {
+      const at = kSums * s, n = sums[at + 3], mx = sums[at] / n, my = sums[at + 1] / n, mz = sums[at + 2] / n;
+      const a = sums[at + 4] + kStiffness, b = sums[at + 5], c = sums[at + 6], d = sums[at + 7] + kStiffness, e = sums[at + 8], f = sums[at + 9] + kStiffness;
+      const rx = sums[at + 10] - ((a - kStiffness) * mx + b * my + c * mz), ry = sums[at + 11] - (b * mx + (d - kStiffness) * my + e * mz), rz = sums[at + 12] - (c * mx + e * my + (f - kStiffness) * mz);
+      const p = d * f - e * e, q = c * e - b * f, r = b * e - c * d, det = a * p + b * q + c * r;
+      const within = (x) => (x < 0 ? 0 : x > 1 ? 1 : x);
+      const x = within(mx + (p * rx + q * ry + r * rz) / det), y = within(my + (q * rx + (a * f - c * c) * ry + (b * c - a * e) * rz) / det), z = within(mz + (r * rx + (b * c - a * e) * ry + (a * d - b * b) * rz) / det);
+      const cell = used[s] - layer, cz = ((cell % row) + row) % row, rest = (cell - cz) / row;
+      const cx = halfPlane ? rest : Math.floor(cell / layer), cy = halfPlane ? 0 : rest - cx * (layer / row);
+      sums[at] = cx < 0 ? 0 : ox + voxel * (cx + x);
+      sums[at + 1] = halfPlane ? 0 : oy + voxel * (cy + y);
+      sums[at + 2] = oz + voxel * (cz + z);
+      const l = Math.hypot(sums[at + 13], sums[at + 14], sums[at + 15]) || 1;
+      sums[at + 13] /= l; sums[at + 14] /= l; sums[at + 15] /= l;
+    }
+  }
+  // A quad for each face; faces in a row that lie in one plane share one, so that flat stock costs
+  // little. Returns the number of quads.
+  writeFaces(live) {
+    const { voxel, axis, birth } = this.play.faces, { slots, normals, row } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
+    const last = [null, null, null].map(() => ({ voxel: -2, face: -1, quad: -1 })), columns = Array.from({ length: row }, () => ({ voxel: -2, face: -1, quad: -1 }));
+    let quads = 0;
+    for (let i = 0; i < live; ++i) {
+      const f = this.live[i], k = axis[f] & 3, below = cells[k], key = this.keyOf(birth[f]);
+      const run = k === 2 ? columns[voxel[f] % row] : last[k], step = k === 2 ? row : 1, g = run.face;
+      for (let c = 0; c < 4; ++c) kCorners[c] = kSums * slots[voxel[f] - below[c] + this.layer];
+      const joins = run.voxel + step === voxel[f] && axis[f] === axis[g] && this.owner[4 * run.quad] === key
+        && normals[3 * f] === normals[3 * g] && normals[3 * f + 1] === normals[3 * g + 1] && normals[3 * f + 2] === normals[3 * g + 2] && this.extend(run.quad, k, axis[f] & 4);
+      if (!joins) {
+        run.quad = quads++;
+        this.write(run.quad, f, key, axis[f] & 4);
+        this.quadFace[run.quad] = f;
+      }
+      run.voxel = voxel[f];
+      run.face = f;
+    }
+    return quads;
+  }
+  // The quad with the corners kCorners.
+  write(quad, f, key, turned) {
+    const { sums, normals, position, normal, owner } = this, nx = normals[3 * f], ny = normals[3 * f + 1], nz = normals[3 * f + 2];
+    for (let k = 0; k < 4; ++k) {
+      const at = kCorners[turned ? 3 - k : k], v = 4 * quad + k;
+      position[3 * v] = sums[at]; position[3 * v + 1] = sums[at + 1]; position[3 * v + 2] = sums[at + 2];
+      const mx = sums[at + 13], my = sums[at + 14], mz = sums[at + 15], smooth = nx * mx + ny * my + nz * mz > 127 * kSame;
+      normal[4 * v] = smooth ? 127 * mx : nx; normal[4 * v + 1] = smooth ? 127 * my : ny; normal[4 * v + 2] = smooth ? 127 * mz : nz;
+      owner[v] = key;
+    }
+  }
+  // Moves the far corners of a quad to those of kCorners where these go straight on along the axis
+  // of the run.
+  extend(quad, k, turned) {
+    const { sums, position } = this, along = k === 2 ? 1 : 2, slack = 0.01 * this.play.voxel;
+    const [far, near] = kEnds[k];
+    for (let side = 0; side < 2; ++side) {
+      const from = 3 * (4 * quad + (turned ? 3 - near[side] : near[side])), to = kCorners[far[side]];
+      for (let c = 0; c < 3; ++c) if (c !== along && Math.abs(position[from + c] - sums[to + c]) > slack) return false;
+    }
+    for (const corner of far) {
+      const at = 3 * (4 * quad + (turned ? 3 - corner : corner)), to = kCorners[corner];
+      for (let c = 0; c < 3; ++c) position[at + c] = sums[to + c];
+    }
+    return true;
+  }
+  // A ring of quads for each face of the half plane.
+  writeTurned(live) {
+    const { voxel, axis, birth } = this.play.faces, { sums, slots, normals, position, normal, owner, angles } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
+    let v = 0;
+    for (let i = 0; i < live; ++i) {
+      const f = this.live[i], k = axis[f] & 3, ends = cells[k].map((c) => kSums * slots[voxel[f] - c + this.layer]), key = this.keyOf(birth[f]);
+      if ((k === 0) !== Boolean(axis[f] & 4)) ends.reverse();
+      const nr = normals[3 * f], nz = normals[3 * f + 2];
+      for (let s = 0; s < kSegments; ++s)
+        for (let corner = 0; corner < 4; ++corner, ++v) {
+          const at = ends[corner === 0 || corner === 3 ? 0 : 1], [c, d] = angles[s + (corner > 1 ? 1 : 0)];
+          position[3 * v] = sums[at] * c; position[3 * v + 1] = sums[at] * d; position[3 * v + 2] = sums[at + 2];
+          const mr = sums[at + 13], mz = sums[at + 15], smooth = nr * mr + nz * mz > 127 * kSame, r = smooth ? 127 * mr : nr;
+          normal[4 * v] = r * c; normal[4 * v + 1] = r * d; normal[4 * v + 2] = smooth ? 127 * mz : nz;
+          owner[v] = key;
+        }
+    }
+    return live * kSegments;
+  }
+  /// The face under a ray, or null: { face, t }.
+  pick(o, d, keeps) {
+    const p = this.position;
+    let best = Infinity, hit = -1;
+    for (let q = 0; q < this.quads; ++q)
+      for (let half = 0; half < 2; ++half) {
+        const a = 12 * q, b = a + (half ? 6 : 3), c = a + (half ? 9 : 6);
+        const t = crossing(p, a, b, c, o, d);
+        if (t > 0 && t < best && keeps([o.x + t * d.x, o.y + t * d.y, o.z + t * d.z])) { best = t; hit = q; }
+      }
+    return hit < 0 ? null : { face: this.play.halfPlane ? this.live[Math.floor(hit / kSegments)] : this.quadFace[hit], t: best };
+  }
+}
+
+/// Moeller and Trumbore: how far along the ray, or -1.
+function crossing(p, a, b, c, o, d) {
+  const ex = p[b] - p[a], ey = p[b + 1] - p[a + 1], ez = p[b + 2] - p[a + 2], gx = p[c] - p[a], gy = p[c + 1] - p[a + 1], gz = p[c + 2] - p[a + 2];
+  const hx = d.y * gz - d.z * gy, hy = d.z * gx - d.x * gz, hz = d.x * gy - d.y * gx, det = ex * hx + ey * hy + ez * hz;
+  if (det === 0) return -1;
+  const sx = o.x - p[a], sy = o.y - p[a + 1], sz = o.z - p[a + 2], u = (sx * hx + sy * hy + sz * hz) / det;
+  if (u < 0 || u > 1) return -1;
+  const qx = sy * ez - sz * ey, qy = sz * ex - sx * ez, qz = sx * ey - sy * ex, v = (d.x * qx + d.y * qy + d.z * qz) / det;
+  if (v < 0 || u + v > 1) return -1;
+  return (gx * qx + gy * qy + gz * qz) / det;
+}

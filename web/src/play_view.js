@@ -1,0 +1,198 @@
+// The run in the picture: the stock at a moment, its ghost, the tool and the path.
+import { BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, DynamicDrawUsage, EdgesGeometry, ExtrudeGeometry, FrontSide,
+  Group, LatheGeometry, LineSegments, Matrix4, Mesh, Quaternion, ShaderMaterial, Shape, Vector2, Vector3 } from "three";
+import { kRapid } from "./play.js";
+import { PlayMesh } from "./play_mesh.js";
+
+const kMostPath = 3000; // motions: longer paths show their last part unless asked
+const kTail = 400;
+
+const kSolidVertex = "varying vec3 vNormal; void main() { vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";
+const kSolidFragment = `uniform vec3 color; uniform float alpha; varying vec3 vNormal;
+void main() { vec3 n = normalize(vNormal); if (!gl_FrontFacing) n = -n; gl_FragColor = vec4(color * (0.5 + 0.5 * max(n.z, 0.0)), alpha); }`;
+const kLineVertex = "attribute float rapid; varying float vRapid; void main() { vRapid = rapid; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 0.9985; gl_Position = projectionMatrix * p; }";
+const kLineFragment = "uniform vec3 cut; uniform vec3 rapidColor; varying float vRapid; void main() { gl_FragColor = vec4(mix(cut, rapidColor, vRapid), mix(0.9, 0.55, vRapid)); }";
+
+const plainColor = (r, g, b) => new Color(r / 255, g / 255, b / 255);
+const kToolColors = { cutter: plainColor(44, 104, 190), insert: plainColor(44, 104, 190), shank: plainColor(140, 146, 150), holder: plainColor(84, 90, 94) };
+
+const solid = (color, alpha = 1) => new ShaderMaterial({ uniforms: { color: { value: color }, alpha: { value: alpha } }, vertexShader: kSolidVertex, fragmentShader: kSolidFragment, side: DoubleSide, transparent: alpha < 1, depthWrite: alpha === 1 });
+
+// A convex polygon thickened by `round`: an arc about each corner.
+function insertShape({ points, round }) {
+  const n = points.length, out = [];
+  const outward = (a, b) => Math.atan2(-(b[0] - a[0]), b[1] - a[1]);
+  for (let i = 0; i < n; ++i) {
+    const [x, z] = points[i];
+    if (round <= 0) { out.push(new Vector2(x, z)); continue; }
+    const from = n > 1 ? outward(points[(i + n - 1) % n], points[i]) : 0;
+    let turn = n > 1 ? outward(points[i], points[(i + 1) % n]) - from : 2 * Math.PI;
+    if (turn < 0) turn += 2 * Math.PI;
+    for (let k = 0; k <= 16; ++k) out.push(new Vector2(x + round * Math.cos(from + (turn * k) / 16), z + round * Math.sin(from + (turn * k) / 16)));
+  }
+  return new Shape(out);
+}
+
+function toolGroup(tool) {
+  const group = new Group();
+  for (const piece of tool.pieces) {
+    let geometry;
+    if (piece.insert) {
+      const shape = insertShape(piece), xs = shape.getPoints().map((p) => p.x), thick = 0.25 * (Math.max(...xs) - Math.min(...xs));
+      geometry = new ExtrudeGeometry(shape, { depth: thick, bevelEnabled: false });
+      geometry.rotateX(Math.PI / 2); // the shape's (x, y) become X and Z, the plate lies below the plane of turning
+    } else {
+      geometry = new LatheGeometry(piece.points.map(([r, z]) => new Vector2(Math.max(r, 0), z)), 40);
+      geometry.rotateX(Math.PI / 2);
+    }
+    group.add(new Mesh(geometry, solid(kToolColors[piece.part] ?? kToolColors.cutter)));
+  }
+  return group;
+}
+
+function stockGeometry(stock, play) {
+  const size = [0, 1, 2].map((k) => stock.hi[k] - stock.lo[k]), middle = [0, 1, 2].map((k) => (stock.hi[k] + stock.lo[k]) / 2);
+  let geometry;
+  if (stock.kind === "cylinder" || stock.kind === "tube") geometry = new CylinderGeometry(stock.outer, stock.outer, size[2], 72, 1).rotateX(Math.PI / 2);
+  else geometry = new BoxGeometry(...size);
+  return geometry.translate(...middle);
+}
+
+export class PlayView {
+  constructor(view, play, transform, keyOf) {
+    Object.assign(this, { view, play, at: play.end, pathWanted: play.end <= kMostPath, stockWanted: true });
+    this.group = new Group();
+    const [a, b, c] = transform.rotation, t = transform.shift;
+    this.group.matrixAutoUpdate = false;
+    this.group.matrix = new Matrix4().set(a[0], a[1], a[2], t[0], b[0], b[1], b[2], t[1], c[0], c[1], c[2], t[2], 0, 0, 0, 1);
+    this.mesh = new PlayMesh(play);
+    this.mesh.keyOf = keyOf;
+    this.material = view.material.clone();
+    for (const key of Object.keys(view.material.uniforms)) this.material.uniforms[key] = key === "byDeviation" ? { value: 0 } : view.material.uniforms[key];
+    view.materials.push(this.material);
+    this.surface = new Mesh(new BufferGeometry(), this.material);
+    this.surface.frustumCulled = false;
+    this.addGhost();
+    this.tools = play.tools.map(toolGroup);
+    this.addPath();
+    this.group.add(this.surface, this.ghost, this.path, ...this.tools);
+    view.scene.add(this.group);
+    this.show(play.end);
+  }
+  addGhost() {
+    this.ghost = new Group();
+    const geometry = stockGeometry(this.play.stock, this.play);
+    this.ghostFill = solid(plainColor(150, 158, 164), 0.1);
+    Object.assign(this.ghostFill, { side: FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }); // behind the surface where they meet
+    this.ghostLine = new ShaderMaterial({ uniforms: { ink: { value: new Color() } }, vertexShader: "void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }", fragmentShader: "uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 0.5); }", transparent: true });
+    const fill = new Mesh(geometry, this.ghostFill);
+    fill.renderOrder = 3;
+    this.ghost.add(fill, new LineSegments(new EdgesGeometry(geometry, 30), this.ghostLine));
+  }
+  // Two points for each straight piece, in the order of the motions.
+  addPath() {
+    const { play } = this, { motions } = play, places = [], rapid = [];
+    this.pathEnd = new Uint32Array(motions.count + 1);
+    for (let i = 0; i < motions.count; ++i) {
+      if (!motions.assumed[i]) {
+        const arc = motions.arcs.get(i), pieces = arc ? Math.min(256, Math.max(2, Math.ceil(Math.abs(arc.sweep) / 0.13))) : 1;
+        for (let k = 0; k < pieces; ++k) {
+          places.push(...play.placeOn(i, k / pieces), ...play.placeOn(i, (k + 1) / pieces));
+          const quick = motions.kind[i] === kRapid ? 1 : 0;
+          rapid.push(quick, quick);
+        }
+      }
+      this.pathEnd[i + 1] = rapid.length;
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("rapid", new BufferAttribute(new Float32Array(rapid), 1));
+    this.path = new LineSegments(geometry, new ShaderMaterial({ uniforms: { cut: { value: plainColor(20, 60, 130) }, rapidColor: { value: plainColor(190, 110, 20) } }, vertexShader: kLineVertex, fragmentShader: kLineFragment, transparent: true }));
+    this.path.frustumCulled = false;
+    this.path.renderOrder = 2;
+  }
+  setInk(ink, dark) {
+    this.ghostLine.uniforms.ink.value.copy(ink);
+    const u = this.path.material.uniforms;
+    u.cut.value.copy(dark ? plainColor(130, 180, 255) : plainColor(20, 60, 130));
+    u.rapidColor.value.copy(dark ? plainColor(240, 170, 80) : plainColor(190, 110, 20));
+  }
+  /// Goes to a place on the time line. `marked`: at the end, a motion whose tool is shown.
+  show(at, marked = -1) {
+    this.at = at;
+    const { play } = this, ended = at >= play.end;
+    this.view.showPart(ended);
+    this.surface.visible = !ended;
+    if (!ended) this.showSurface(play.momentAt(at));
+    this.ghost.visible = this.stockWanted && !ended;
+    const from = ended ? marked : Math.floor(at), place = ended ? marked + 1 : at;
+    this.placeTool(from, place);
+    this.drawPath(ended ? marked : -1);
+    this.view.draw();
+  }
+  showSurface(moment) {
+    const { mesh } = this;
+    if (mesh.moment === moment) return;
+    const grown = mesh.show(moment), geometry = this.surface.geometry;
+    if (grown || !geometry.attributes.position) this.replaceArrays();
+    for (const [name, size] of [["position", 3], ["normal", 4], ["own", 1]]) {
+      const attribute = geometry.attributes[name] ?? this.surface.geometry.attributes[name];
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, 4 * size * mesh.quads);
+      attribute.needsUpdate = true;
+    }
+    this.surface.geometry.setDrawRange(0, 6 * mesh.quads);
+  }
+  replaceArrays() {
+    this.surface.geometry.dispose();
+    const { mesh } = this, geometry = new BufferGeometry(), corners = mesh.position.length / 3, index = new Uint32Array(corners * 1.5);
+    for (let q = 0, i = 0; 4 * q < corners; ++q) for (const k of [0, 1, 2, 0, 2, 3]) index[i++] = 4 * q + k;
+    geometry.setIndex(new BufferAttribute(index, 1));
+    geometry.setAttribute("position", new BufferAttribute(mesh.position, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("normal", new BufferAttribute(mesh.normal, 4, true).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("own", new BufferAttribute(mesh.owner, 1).setUsage(DynamicDrawUsage));
+    this.surface.geometry = geometry;
+  }
+  placeTool(motion, at) {
+    const { play } = this, tool = motion >= 0 && motion < play.end ? play.motions.tool[motion] : -1;
+    this.tools.forEach((group, i) => { group.visible = i === tool; });
+    if (tool < 0) return;
+    const group = this.tools[tool];
+    group.position.set(...play.placeOn(motion, at - motion));
+    group.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...play.toolAxis(motion)).normalize()));
+  }
+  drawPath(marked) {
+    const { play, at, path } = this, motion = Math.min(Math.floor(at), play.end - 1);
+    path.visible = at < play.end || marked >= 0;
+    if (!path.visible) return;
+    if (marked >= 0) {
+      this.bend(-1);
+      const [first, end] = play.blockOf(marked);
+      path.geometry.setDrawRange(this.pathEnd[first], this.pathEnd[end] - this.pathEnd[first]);
+      return;
+    }
+    const done = this.pathEnd[motion], first = this.pathWanted ? 0 : this.pathEnd[Math.max(0, motion - kTail)];
+    const pieces = (this.pathEnd[motion + 1] - done) / 2, shown = Math.min(pieces, Math.ceil(pieces * (at - motion)));
+    this.bend(shown > 0 ? done + 2 * shown - 1 : -1, play.placeAt(at));
+    path.geometry.setDrawRange(first, done + 2 * shown - first);
+  }
+  // The path ends at the tool: the last point that is drawn is moved there, and back afterwards.
+  bend(point, place) {
+    const attribute = this.path.geometry.attributes.position, { array } = attribute;
+    attribute.clearUpdateRanges();
+    const put = (at, values) => { array.set(values, 3 * at); attribute.addUpdateRange(3 * at, 3); attribute.needsUpdate = true; };
+    if (this.bent) put(this.bent.point, this.bent.place);
+    this.bent = point < 0 ? null : { point, place: [...array.subarray(3 * point, 3 * point + 3)] };
+    if (this.bent) put(point, place);
+  }
+  /// What is under a place on the canvas: { face, place, motion }, or null.
+  pick(x, y) {
+    const { origin, direction } = this.view.ray(x, y), inverse = new Matrix4().copy(this.group.matrix).invert();
+    const o = origin.clone().applyMatrix4(inverse), d = direction.clone().transformDirection(inverse), w = this.view.plane;
+    const outside = (p) => { const q = new Vector3(...p).applyMatrix4(this.group.matrix); return w.x * q.x + w.y * q.y + w.z * q.z > w.w; };
+    const hit = this.mesh.pick(o, d, (p) => !outside(p));
+    if (!hit) return null;
+    const place = o.addScaledVector(d, hit.t).applyMatrix4(this.group.matrix);
+    return { face: hit.face, place: place.toArray(), motion: this.play.motionOf[this.play.faces.birth[hit.face]] };
+  }
+}

@@ -1,0 +1,195 @@
+// Playing a run in headless Chromium: node test/play_test.mjs MRSIM, the built program. The surface
+// of a moment is what the program counted, the end is the exact mesh, and everything can be reached
+// by keyboard and at the width of a phone.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { open } from "./browser.mjs";
+
+const mrsim = process.argv[2] ?? "../build/bin/mrsim";
+const data = join(dirname(fileURLToPath(import.meta.url)), "../../data");
+const folder = mkdtempSync(join(tmpdir(), "mrsim-play-"));
+const browser = await open();
+const wide = { width: 1440, height: 900 };
+
+function report(name, program, ...options) {
+  const out = join(folder, `${name}.html`);
+  execFileSync(mrsim, [program, ...options, "-q", "--report", out]);
+  return out;
+}
+// Zigzag over a block in two depths, a rapid through what stands, a hostile comment.
+function pocket() {
+  const lines = ["G21 G90 G17", "T1 M6 ; <b>tool</b>", "S3000 M3", "G0 X10 Y10 Z5"];
+  for (const z of [-2, -4]) {
+    lines.push(`G1 Z${z} F200`);
+    for (let k = 0; k < 11; ++k) lines.push(`G1 X${k % 2 ? 10 : 60} Y${10 + 3 * k} F800`, `G1 Y${13 + 3 * k}`);
+    lines.push("G0 Z5", "G0 X10 Y10");
+  }
+  lines.push("G0 X70 Y45 Z-1", "G0 Z5", "G1 X40 Y20 F500", "M30 ; </script><script>window.evil = true</script>");
+  const path = join(folder, "pocket.nc");
+  writeFileSync(path, `${lines.join("\n")}\n`);
+  return report("pocket", path, "--stock", "box:0,0,-12,80,55,0", "--tool", "1=endmill:d=6");
+}
+
+const state = (page) => page.evaluate(() => { const { timeline, play, played, view } = window.mrsimReport; return { at: timeline.at, end: play.end, seen: played.mesh.faces, moment: played.mesh.moment, part: view.mesh.visible, surface: played.surface.visible, playing: timeline.playing }; });
+const goTo = (page, share) => page.evaluate((s) => { const { timeline, play } = window.mrsimReport; timeline.go(play.atSeconds(s * play.total)); }, share);
+
+const cases = {
+  async "the surface of a moment is what the program counted"(page) {
+    const { checks, counts } = await page.evaluate(() => {
+      const { data, played } = window.mrsimReport, counts = data.play.checks.map(([moment]) => { played.mesh.show(moment); return played.mesh.faces; });
+      return { checks: data.play.checks, counts };
+    });
+    assert.equal(checks.length, 5);
+    assert.deepEqual(counts, checks.map(([, count]) => count));
+    assert.ok(new Set(counts).size > 1);
+  },
+  async "opens at the end with the exact mesh"(page) {
+    const s = await state(page);
+    assert.equal(s.at, s.end);
+    assert.ok(s.part && !s.surface);
+    await goTo(page, 0.5);
+    const half = await state(page);
+    assert.ok(!half.part && half.surface && half.seen > 0);
+    await page.keyboard.press("End");
+    assert.ok((await state(page)).part);
+  },
+  async "plays to the end"(page) {
+    await page.selectOption("#speed", "0");
+    await goTo(page, 0.9);
+    await page.click("#play");
+    assert.ok((await state(page)).playing);
+    await page.waitForFunction(() => window.mrsimReport.timeline.at >= window.mrsimReport.play.end, null, { timeout: 60000 });
+    const s = await state(page);
+    assert.ok(s.part && !s.playing);
+  },
+  async "the slider scrubs, and the text follows"(page) {
+    await page.click("#tab-program");
+    await page.evaluate(() => { const now = document.getElementById("now"); now.value = 5000; now.dispatchEvent(new Event("input")); });
+    const { line, shown, share } = await page.evaluate(() => {
+      const { timeline, play } = window.mrsimReport;
+      return { line: play.motions.line[Math.floor(timeline.at)], shown: Number(document.querySelector("#code .row.now")?.dataset.line), share: play.secondsAt(timeline.at) / play.total };
+    });
+    assert.equal(shown, line);
+    assert.ok(Math.abs(share - 0.5) < 1e-3);
+    assert.match(await page.textContent("#moment"), new RegExp(`line ${line}\\b`));
+  },
+  async "keys play, step and go to both ends"(page) {
+    await page.keyboard.press("Home");
+    assert.equal((await state(page)).at, 0);
+    let last = 0;
+    for (let k = 0; k < 6; ++k) {
+      await page.keyboard.press(".");
+      const { at } = await state(page);
+      assert.ok(at > last && Number.isInteger(at));
+      last = at;
+    }
+    await page.keyboard.press(",");
+    assert.ok((await state(page)).at < last);
+    await page.keyboard.press(" ");
+    assert.ok((await state(page)).playing);
+    await page.keyboard.press(" ");
+    assert.ok(!(await state(page)).playing);
+  },
+  async "a click on a face goes to its line and moment"(page) {
+    await goTo(page, 0.6);
+    await page.click("[data-view=top]");
+    await page.waitForTimeout(700);
+    const found = await page.evaluate(() => {
+      const { played, view, play, data } = window.mrsimReport, box = view.canvas;
+      for (let y = 0.3; y < 0.7; y += 0.02)
+        for (let x = 0.3; x < 0.7; x += 0.02) {
+          const hit = played.pick(x * box.clientWidth, y * box.clientHeight);
+          if (hit && hit.motion >= 0) return { x: x * box.clientWidth, y: y * box.clientHeight, line: play.motions.line[hit.motion], motion: hit.motion, place: hit.place, text: data.programs[0].lines.length };
+        }
+      return null;
+    });
+    assert.ok(found);
+    const box = await page.locator("#view").boundingBox();
+    await page.mouse.click(box.x + found.x, box.y + found.y);
+    assert.equal(await page.evaluate(() => Number(document.querySelector("#code .row.selected")?.dataset.line)), found.line);
+    const { at } = await state(page);
+    assert.ok(at > found.motion && at <= found.motion + 1, `${at} and motion ${found.motion}`);
+  },
+  async "a click on a line shows the tool there"(page) {
+    await goTo(page, 0.9);
+    await page.click("#tab-program");
+    await page.evaluate(() => { document.getElementById("code").scrollTop = 0; });
+    await page.waitForTimeout(100);
+    await page.click("#code .row[data-line='8']");
+    const { place, end } = await page.evaluate(() => {
+      const { played, play } = window.mrsimReport, motion = play.motions.line.lastIndexOf(8);
+      return { place: played.tools.find((t) => t.visible).position.toArray(), end: [...play.motions.end.subarray(3 * motion, 3 * motion + 3)] };
+    });
+    place.forEach((x, k) => assert.ok(Math.abs(x - end[k]) < 1e-3));
+  },
+  async "nothing of the program is run"(page) {
+    assert.equal(await page.evaluate(() => window.evil), undefined);
+    await page.click("#tab-program");
+    await page.evaluate(() => { document.getElementById("code").scrollTop = 1e6; });
+    await page.waitForTimeout(100);
+    assert.ok((await page.textContent("#code")).includes("</script><script>window.evil = true</script>"));
+  },
+  async "everything on the time line has a name"(page) {
+    const names = await page.evaluate(() => [...document.querySelectorAll("#timeline button, #timeline input, #timeline select, #timeline canvas")].map((n) => n.getAttribute("aria-label")));
+    assert.ok(names.length >= 8);
+    assert.ok(names.every(Boolean));
+  },
+};
+
+let failed = 0;
+const check = async (name, body) => {
+  try {
+    await body();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n${error.stack}`);
+  }
+};
+
+try {
+  const milled = pocket();
+  for (const [name, body] of Object.entries(cases)) {
+    const page = await browser.page(milled, wide);
+    await check(name, () => body(page));
+    await page.context().close();
+  }
+  await check("a turned part plays, too", async () => {
+    const page = await browser.page(report("turned", join(data, "PRIMER_2S.MPF"), "--stock", join(data, "bar.stl")), wide);
+    await cases["the surface of a moment is what the program counted"](page);
+    assert.ok(await page.evaluate(() => window.mrsimReport.play.halfPlane));
+    // Closed and smooth: its volume at the end is that of the part within what rings of 72 corners miss.
+    const volume = await page.evaluate(() => {
+      const { mesh } = window.mrsimReport.played, { play } = window.mrsimReport;
+      mesh.show(play.moments);
+      const p = mesh.position;
+      let six = 0;
+      for (let q = 0; q < mesh.quads; ++q)
+        for (const [b, c] of [[3, 6], [6, 9]]) {
+          const a = 12 * q, i = a + b, j = a + c;
+          six += p[a] * (p[i + 1] * p[j + 2] - p[i + 2] * p[j + 1]) + p[a + 1] * (p[i + 2] * p[j] - p[i] * p[j + 2]) + p[a + 2] * (p[i] * p[j + 1] - p[i + 1] * p[j]);
+        }
+      return six / 6;
+    });
+    const told = Number(/([\d.]+) mm3,/.exec(await page.evaluate(() => window.mrsimReport.data.facts.facts.find(([name]) => name === "Volume")[1]))[1]);
+    assert.ok(Math.abs(volume / told - 1) < 0.01, `${volume} and ${told}`);
+    await page.context().close();
+  });
+  await check("at the width of a phone all of the time line is seen", async () => {
+    const page = await browser.page(milled, { width: 390, height: 844 }, "dark");
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+    const boxes = await page.evaluate(() => [...document.querySelectorAll("#timeline button, #timeline select, #now")].map((n) => { const b = n.getBoundingClientRect(); return [b.left, b.right]; }));
+    for (const [left, right] of boxes) assert.ok(left >= 0 && right <= 390, `${left} .. ${right}`);
+    await page.context().close();
+  });
+  await check("no console error, no request", async () => assert.deepEqual(browser.problems, []));
+  console.log(`        ${statSync(milled).size} bytes`);
+} finally {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+}
+process.exit(failed ? 1 : 0);
