@@ -2,6 +2,9 @@
 // an error that names it. Never a motion of another meaning.
 #include "interp/support.h"
 
+#include <cmath>
+#include <utility>
+
 namespace mrsim {
 namespace {
 
@@ -109,6 +112,21 @@ TEST(ControlsDiffer, OnePartOfASinumerikFrame) {
                  "Y=$P_UIFR[2,Y,TR]\n",
                  Dialect::sinumerik),
             "l6,0,0 l6,14,0");
+}
+
+// The tip of a boring bar lies towards +X: a cylinder is cut at the programmed diameter.
+TEST(ControlsDiffer, CompensationOfABoringBarHasItsTipOutside) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.front().type = ToolType::boring;
+  options.table.tools.front().nose_radius = 0.4;
+  const Program p = read_text(
+      "G0 X30. Z5.\nG41 X40. Z2.\nG1 Z0 F.1\nX36. Z-2.\nZ-20.\nX24.\nG40 G0 X20.\n", options);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.motions.size(), 7U);
+  const double chamfer = 0.4 * (std::sqrt(2.0) - 1);  // where the nose leaves an edge of 45 degrees
+  expect_near(p.motions[2].end, {20, 0, -0.4 + chamfer});
+  expect_near(p.motions[3].end, {18, 0, -2.4 + chamfer});
+  expect_near(p.motions[4].end, {18, 0, -20});
 }
 
 // Okuma: G15 H chooses the work offset, G56 H the length.

@@ -1,5 +1,6 @@
 #include "interp/control/compensation_words.h"
 
+#include "core/tip_orientation.h"
 #include "core/units.h"
 #include "interp/path/outside_corner.h"
 
@@ -85,7 +86,7 @@ void CompensationWords::set_radius() {
 Vec2 CompensationWords::tip_vector(const Tool& tool) const {
   static constexpr int kZ[] = {0, -1, 1, 1, -1, -1, 0, 1, 0, 0};
   static constexpr int kX[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
-  const int tip = tool.tip >= 1 && tool.tip <= 9 ? tool.tip : tool.left_hand ? 4 : 3;
+  const int tip = tip_orientation(tool);
   const double r = radius_;
   return {r * kZ[tip], r * kX[tip]};
 }

@@ -92,6 +92,7 @@ bool SystemValues::write_tool(std::string_view key, std::span<const Value> indic
   if (!key.starts_with("$TC_DP")) return false;
   const double number = parse_number(key.substr(6)).value_or(0);
   if (number < 1 || number > 25 || number != std::floor(number)) return false;
+  if (number == 2 && lathe()) return false;  // the tip's orientation is that of the tool table
   const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);
   const double mm = value.number * scale();
   const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),

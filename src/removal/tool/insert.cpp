@@ -6,6 +6,7 @@
 // work mirrors X. Tip orientation (cutting edge position) tells where the theoretical tip lies as
 // seen from the nose centre: 1 (+X,+Z), 2 (+X,-Z), 3 (-X,-Z), 4 (-X,+Z), 5 +Z, 6 +X, 7 -Z, 8 -X, 9
 // the centre itself; so 3 is external right hand, 2 a boring bar, 8 a neutral tool or groover.
+#include "core/tip_orientation.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/tool/tool.h"
@@ -36,10 +37,9 @@ void require(bool ok, const Tool& tool, const char* why) {
 
 int orientation_of(const Tool& tool) {
   require(tool.tip >= 0 && tool.tip <= 9, tool, "the tip orientation is not 1 to 9");
-  if (tool.tip >= 1 && tool.tip <= 8) return tool.tip;
-  if (tool.type == ToolType::threading) return 8;
-  if (tool.type == ToolType::boring) return tool.left_hand ? 1 : 2;
-  return tool.left_hand ? 4 : 3;
+  Tool sided = tool;
+  if (tool.tip == 9) sided.tip = 0;  // the point is the nose's centre; the side is that of the kind
+  return tip_orientation(sided);
 }
 
 char shape_letter(const Tool& tool) {

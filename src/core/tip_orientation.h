@@ -1,0 +1,17 @@
+// The tip orientation of a turning tool where its data do not say it.
+#pragma once
+
+#include <mrsim/types.h>
+
+namespace mrsim {
+
+/// 1 to 9 as on the control: Tool::tip, else that of a threading tool (8), a boring bar (2,
+/// left-hand 1) or any other (3, left-hand 4). The insert and radius compensation must agree on it.
+inline int tip_orientation(const Tool& tool) {
+  if (tool.tip >= 1 && tool.tip <= 9) return tool.tip;
+  if (tool.type == ToolType::threading) return 8;
+  if (tool.type == ToolType::boring) return tool.left_hand ? 1 : 2;
+  return tool.left_hand ? 4 : 3;
+}
+
+}  // namespace mrsim
