@@ -146,6 +146,13 @@ TEST(ControlsDiffer, FagorsCyclesHaveTheirDepthInI) {
             "r0,0,20 r10,0,20 r10,0,2 l10,0,-2 r10,0,2 r10,0,-1.746 l10,0,-6 r10,0,2 r10,0,-5.746 "
             "l10,0,-10 r10,0,2");
   EXPECT_EQ(mill("G1 X5 F100\nG9 X20 Y0 I10 J5\n", Dialect::iso), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G0 Z5\nG81 Z2 I-1 F9\nG91 X10 N3\n", Dialect::iso),
+            "r0,0,5 r0,0,2 l0,0,-1 r0,0,5 | not-supported");
+  for (const char* call : {"G20 N1.2", "G25 N10", "G22 N1"})
+    EXPECT_EQ(mill("G1 X5 F9\nN3 " + std::string(call) + "\nX6\n", Dialect::iso),
+              "l5,0,0 l6,0,0 | not-supported")
+        << call;
+  EXPECT_EQ(mill("N1 G21 G1 X5 F9\nN2 G20\n", Dialect::iso), "l5,0,0");
 }
 
 }  // namespace

@@ -49,6 +49,15 @@ class BlockWords : public Block {
                                    static_cast<std::size_t>(std::min(word.length, 40))));
   }
 
+  /// An N word stands behind `word`: not the block's number, but an argument ("G25 N50").
+  bool number_behind(const Word& word) const {
+    const std::string_view code = line.substr(0, line.find_first_of("(;"));
+    for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i)
+      if ((code[i] == 'N' || code[i] == 'n') && code[i + 1] >= '0' && code[i + 1] <= '9')
+        return true;
+    return false;
+  }
+
   // Where the block stands.
   int file = 0;            ///< index into Program::files
   int call = -1;           ///< index into Program::calls

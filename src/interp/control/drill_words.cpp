@@ -125,6 +125,10 @@ bool DrillWords::drill() {
   const Vec3 from = position_.programmed;
   Target to;
   if (!axes_.target(to, from)) return false;
+  if (cycle.fagor && block_.number_behind(block_.words.front()))
+    return error("not-supported",
+                 "N behind the words of a cycle (its repeats) is not supported yet",
+                 block_.words.front());
   if (!fill(hole)) return false;
   if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > 1e-9)
     warning("cycle-not-run",

@@ -73,6 +73,11 @@ bool ModalWords::select_turning(const Word& word, int number) {
 }
 
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
+  if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
+    return error("not-supported",
+                 fmt::format("{} with N (a call or a jump of Fagor's 8025) is not supported yet",
+                             text_of(word)),
+                 word);
   switch (entry.code) {
     case Code::unknown:
       return error("g-unknown",
