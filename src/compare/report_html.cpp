@@ -126,7 +126,7 @@ Json programs_json(const Comparison& c, const std::vector<LineKey>& keys) {
     out.push_back({{"file", to_utf8(c.origin.files[file])},
                    {"count", count},
                    {"numbers", numbers.json()},
-                   {"text", packed_bytes(text)}});
+                   {"text", text}});  // plain, so that a search finds a line in the file
   }
   return out;
 }

@@ -44,6 +44,7 @@ TEST(ReportHtml, NothingFromTheProgramBecomesMarkup) {
   const std::string empty = report_html({}, {}, {}, {});
   for (const char* tag : {"</script", "<img", "<!--", "<b>", "<i>"})
     EXPECT_EQ(count(html, tag), count(empty, tag)) << tag;
+  EXPECT_EQ(count(html, "latin "), 1u);  // lines stay text that a search finds
   EXPECT_EQ(html.find("https://"), empty.find("https://"));
   EXPECT_EQ(html, report_html(part, nominal, c, facts, 1));
 }

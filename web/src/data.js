@@ -26,7 +26,7 @@ async function inflate(base64) {
 }
 
 function unpackProgram(p) {
-  p.lines = p.count ? new TextDecoder().decode(p.text).split("\n").slice(0, p.count) : [];
+  p.lines = p.text.split("\n").slice(0, p.count);
   p.numbers = unpack(p.numbers, p.count, 1, new Uint32Array(p.count));
   delete p.text;
 }
