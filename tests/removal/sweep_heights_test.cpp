@@ -2,6 +2,7 @@
 #include "removal/sweep/sweep_heights.h"
 
 #include "core/units.h"
+#include "removal/tool/underside.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 
@@ -52,10 +53,10 @@ class EveryRisingTool : public ::testing::TestWithParam<int> {};
 
 TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
   const Tool tool = rising_tools()[static_cast<std::size_t>(GetParam())];
-  int below = 0;
+  int below = 0, asked = 0;
   for (int kind = 0; kind < 6; ++kind) {
     Random r(10 + kind);
-    for (int round = 0; round < rounds(12); ++round) {
+    for (unsigned round = 0; round < rounds(12); ++round) {
       const Motion m = any_move(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       ASSERT_TRUE(is_upward(s, 0));
@@ -63,7 +64,7 @@ TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
       SweepHeights heights(s, tools, kLow, kHigh);
       const std::uint32_t all[] = {0};
       heights.assign(all);
-      for (int k = 0; k < 12; ++k) {
+      for (int k = 0; k < 12; ++k, ++asked) {
         const Vec3 c = at(m, r(0, 1));
         const double x = c.x + r(-5, 5), y = c.y + r(-5, 5), z = heights.bottom(0, x, y);
         if (std::isinf(z)) {
@@ -77,22 +78,22 @@ TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
       }
     }
   }
-  EXPECT_GT(below, 60);
+  EXPECT_GT(below, asked / 15);
 }
 
 TEST_P(EveryRisingTool, BoundsHoldOverASquare) {
   const Tool tool = rising_tools()[static_cast<std::size_t>(GetParam())];
-  int bounded = 0;
+  int bounded = 0, asked = 0;
   for (int kind = 0; kind < 6; ++kind) {
     Random r(30 + kind);
-    for (int round = 0; round < rounds(12); ++round) {
+    for (unsigned round = 0; round < rounds(12); ++round) {
       const Motion m = any_move(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       const SweepUndersides tools(s);
       SweepHeights heights(s, tools, kLow, kHigh);
       const std::uint32_t all[] = {0};
       heights.assign(all);
-      for (int k = 0; k < 10; ++k) {
+      for (int k = 0; k < 10; ++k, ++asked) {
         const Vec3 c = at(m, r(0, 1));
         const double x = c.x + r(-5, 5), y = c.y + r(-5, 5), half = r(0.01, 1);
         const Underside::Bounds bounds = heights.bounds(0, x, y, half * std::sqrt(2.0));
@@ -106,7 +107,37 @@ TEST_P(EveryRisingTool, BoundsHoldOverASquare) {
       }
     }
   }
-  EXPECT_GT(bounded, 40);
+  EXPECT_GT(bounded, asked / 20);
+}
+
+// Slants of every steepness, among them that of the tool itself, seen from places at the ends of
+// the move and at the edge of the tool; the least and the greatest bottom lie at the circle's edge.
+TEST_P(EveryRisingTool, BoundsOfSlantsHoldOverACircle) {
+  const Underside tool(make_cutter(rising_tools()[static_cast<std::size_t>(GetParam())]));
+  if (!tool.is_convex()) return;  // its slants are searched
+  const double radius = tool.radius();
+  const double own = tool.height(radius) / radius;
+  Random r(70);
+  int finite = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const double steep = own * (round % 3 == 0 ? 1 : 1 + r(-1e-6, 1e-6));
+    const double slopes[] = {0, steep, r(0, 1), std::tan(radians(r(45, 89.9))), r(0, 1) * steep};
+    Underside::Slant at{.length = r(0, 1) < 0.2 ? r(0, 0.1) : r(0, 12), .slope = slopes[r.pick(5)]};
+    const double edge = radius + 1;
+    const double xs[] = {0, at.length, r(-edge, at.length + edge)}, ys[] = {0, radius, r(0, edge)};
+    const double x = xs[r.pick(3)], y = ys[r.pick(3)], wide = std::pow(10.0, r(-5, 0.5));
+    at.u = x, at.v = y;
+    const Underside::Bounds bounds = tool.bounds(at, wide);
+    for (int k = 0; k < 8; ++k) {
+      const double turn = r(0, kTwoPi), off = (k < 5 ? 1 : r(0, 1)) * (1 - 1e-12) * wide;
+      at.u = x + off * std::cos(turn), at.v = std::fabs(y + off * std::sin(turn));
+      const double z = tool.bottom(at), error = 1e-8 * (1 + at.slope);
+      finite += std::isfinite(z);
+      ASSERT_LE(bounds.lower, z + error) << "slope " << at.slope << " within " << wide;
+      ASSERT_GE(bounds.upper, z - error) << "slope " << at.slope << " within " << wide;
+    }
+  }
+  EXPECT_GT(finite, 8000);
 }
 
 // The bounds of a small square come near to the bottom, but at walls.
