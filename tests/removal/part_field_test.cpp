@@ -2,6 +2,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "removal/part/stock.h"
 #include "support/moves.h"
 
 #include <random>
@@ -270,6 +271,37 @@ TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
   }
   EXPECT_GT(beside, 500);
   EXPECT_GT(decided, beside / 3);
+}
+
+// Flutes that end above the stock are as good as endless ones; shorter ones leave what is above.
+TEST(PartField, FlutesThatReachAboveTheStockReachUp) {
+  StockShape block;
+  block.box = {{0, 0, -10}, {30, 20, 0}};
+  std::vector<Motion> motions{line({5, 10, -8}, {25, 12, -3}), line({5, 10, -8}, {5, 10, -1})};
+  motions.push_back(arc({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 3, 2 * kTwoPi, -4 / (2 * kTwoPi)));
+  for (Motion& m : motions) m.tool = 0;
+  const auto part = [&](double flutes) {
+    Tool mill;
+    mill.id.assign(1, '1');  // GCC 12 warns of overlap on = "1"
+    mill.type = ToolType::bullmill;
+    mill.diameter = 4;
+    mill.corner_radius = 0.5;
+    mill.flute_length = flutes;
+    return carve(block, motions, std::vector<Tool>{mill}, {.voxel = 0.5});
+  };
+  const Stock endless = part(0), above = part(8), below = part(4);
+  const auto at = [](const Stock& stock, const Vec3& p) {
+    return stock.field().sample(p, stock.field().all()).distance;
+  };
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(0, 1);
+  int overhung = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 p{30 * u(random), 20 * u(random), -10 * u(random)};
+    ASSERT_EQ(at(endless, p), at(above, p)) << p.x << " " << p.y << " " << p.z;
+    overhung += at(below, p) < -0.1 && at(endless, p) > 0.1 ? 1 : 0;
+  }
+  EXPECT_GT(overhung, 10);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "removal/part/stock_grid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrsim {
 namespace {
@@ -24,9 +25,9 @@ double index_voxel(const StockSolid& solid, const CarveOptions& options) {
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
             const CarveOptions& options, const VoxelDecision& decide) {
   auto grid = std::make_unique<StockGrid>();
-  grid->field = std::make_unique<PartField>(
-      StockSolid(shape), SweepTable(motions, tools, {.top = shape.box.hi.z}, options.threads),
-      options.threads);
+  StockSolid solid(shape);
+  SweepTable sweeps(motions, tools, {.top = solid.bounds().hi.z}, options.threads);
+  grid->field = std::make_unique<PartField>(std::move(solid), std::move(sweeps), options.threads);
   const PartField& field = *grid->field;
   CarveOptions chosen = options;
   if (decide) decide(field, chosen);

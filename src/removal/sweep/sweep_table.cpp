@@ -5,6 +5,9 @@
 #include "removal/sweep/sweep_lists.h"
 #include "removal/sweep/sweep_range.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace mrsim {
 
 SweepTable::SweepTable(std::span<const Motion> motions, std::span<const Tool> tools,
@@ -22,6 +25,12 @@ bool SweepTable::is_turned() const { return columns_->all_turned; }
 const TurnTree& SweepTable::turn_tree() const { return columns_->turn_tree; }
 double SweepTable::max_error() const { return columns_->max_error; }
 double SweepTable::smallest_radius() const { return columns_->smallest_radius; }
+double SweepTable::ball_radius(std::size_t i) const {
+  const SweepRef& ref = columns_->refs[i];
+  if (ref.kind == SweepKind::turn) return std::numeric_limits<double>::infinity();
+  const Profile& tool = columns_->cutter(ref);
+  return std::min(tool.max_radius(), 0.5 * (tool.top() - tool.bottom()));
+}
 Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds_of_number(i); }
 
 double SweepTable::distance(std::size_t i, const Vec3& p) const { return columns_->distance(i, p); }

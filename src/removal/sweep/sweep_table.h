@@ -119,6 +119,8 @@ class SweepTable {
   double max_error() const;
   /// Smallest radius of any cutter or nose used (0 when none has one), for the default voxel.
   double smallest_radius() const;
+  /// mm: no ball of a larger radius fits into the tool at rest. Infinite for turning.
+  double ball_radius(std::size_t i) const;
 
  private:
   std::unique_ptr<SweepColumns> columns_;
