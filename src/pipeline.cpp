@@ -37,7 +37,6 @@
 #include <chrono>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 namespace mrsim {
 namespace {
@@ -55,12 +54,6 @@ class StageClock {
   JobResult& result_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-std::size_t peak_memory() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
 
 bool has(const Program& program, Severity severity) {
   return std::any_of(program.diagnostics.begin(), program.diagnostics.end(),

@@ -141,7 +141,7 @@ struct Comparison {
   std::vector<float> vertex_deviation;         ///< #V of the part, mm
   OwnerTable origin;                           ///< the part's
   std::vector<std::vector<std::string>> text;  ///< lines of origin.files, empty = not at hand
-  std::size_t memory = 0;                      ///< bytes that the queries held
+  std::size_t memory = 0;                      ///< the most that the process has held, bytes
   double seconds = 0;
 };
 

@@ -67,12 +67,11 @@ RigidTransform find_alignment(const TriMesh& part, const TriMesh& nominal,
 // The samples' largest distance, where the search for the true one starts.
 HausdorffBound hausdorff_of(const TriMesh& from, const DeviationField& field,
                             const TriMesh& to_mesh, const NominalSurface& to, double error,
-                            const CompareOptions& options, std::size_t& memory) {
+                            const CompareOptions& options) {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < field.hits.size(); ++i)
     if (std::abs(field.hits[i].distance) > std::abs(field.hits[worst].distance)) worst = i;
   const FlatPatches patches(to_mesh, to, options.threads);
-  memory += patches.memory();
   return directed_hausdorff(from, to, patches, std::abs(field.hits[worst].distance),
                             field.samples.points[worst], error, kHausdorffPieces, options.threads);
 }
@@ -84,10 +83,8 @@ void fill_hausdorff(const TriMesh& part, const TriMesh& nominal, const Deviation
   const double largest = std::max({out.part.max, -out.part.min, out.nominal.max, -out.nominal.min});
   const double error =
       options.hausdorff_error > 0 ? options.hausdorff_error : std::max(1e-4, 0.01 * largest);
-  out.part_to_nominal =
-      hausdorff_of(part, of_part, nominal, nominal_surface, error, options, out.memory);
-  out.nominal_to_part =
-      hausdorff_of(nominal, of_nominal, part, part_surface, error, options, out.memory);
+  out.part_to_nominal = hausdorff_of(part, of_part, nominal, nominal_surface, error, options);
+  out.nominal_to_part = hausdorff_of(nominal, of_nominal, part, part_surface, error, options);
   const bool first = out.part_to_nominal.lower >= out.nominal_to_part.lower;
   out.hausdorff = first ? out.part_to_nominal : out.nominal_to_part;
   out.hausdorff.upper = std::max(out.part_to_nominal.upper, out.nominal_to_part.upper);
@@ -133,7 +130,6 @@ void fill_deviations(const TriMesh& part, const TriMesh& nominal,
                  fmt::format("a comparison at {} points", points),
                  "a smaller --density or a coarser mesh takes less");
   const NominalSurface part_surface(part, options.threads);
-  out.memory = nominal_surface.memory() + part_surface.memory();
   SurfaceSamples samples = sample_surface(part, sample_count(options, surface_area(part)));
   const DeviationField of_part = measure(std::move(samples), nominal_surface, 1, options.threads);
   step(options, 0.3);
@@ -204,6 +200,7 @@ Comparison compare(const TriMesh& part, const TriMesh& nominal, const CompareOpt
   out.gouge_volume = volumes.only_second;
   out.volume_error = volumes.error;
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.memory = peak_memory();
   step(options, 1);
   return out;
 }

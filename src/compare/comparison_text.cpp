@@ -99,7 +99,8 @@ std::string comparison_text(const Comparison& c) {
   if (c.region_count > kShownRegions)
     out += fmt::format("     ... and {} more\n", c.region_count - kShownRegions);
   for (const ComparisonHint& h : c.hints) out += fmt::format("Hint: {} [{}]\n", h.text, h.code);
-  out += fmt::format("Compared in {:.2f} s, {:.0f} MB\n", c.seconds, double(c.memory) / 1e6);
+  out +=
+      fmt::format("Compared in {:.2f} s, {:.0f} MB at most\n", c.seconds, double(c.memory) / 1e6);
   return out + verdict_text(c);
 }
 

@@ -189,9 +189,4 @@ double FlatPatches::distance_over_ring(const TrianglePiece& piece, std::uint32_t
   return std::max(above.hi - surface.lo, surface.hi - above.lo) + kSliver;
 }
 
-std::size_t FlatPatches::memory() const {
-  return (seed_.capacity() + opposite_.capacity()) * sizeof(seed_[0]) +
-         (borders_ ? borders_->memory() + border_seeds_.capacity() * sizeof(border_seeds_[0]) : 0);
-}
-
 }  // namespace mrsim

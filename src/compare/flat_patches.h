@@ -45,7 +45,6 @@ class FlatPatches {
   /// of a piece that lies over them is farther from the surface than this; infinite for others.
   double distance_over_ring(const TrianglePiece& piece, std::uint32_t triangle,
                             const Vec3& foot) const;
-  std::size_t memory() const;
 
  private:
   void join();

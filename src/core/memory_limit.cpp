@@ -60,6 +60,12 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
                                     advice.empty() ? "--max-memory allows more" : advice));
 }
 
+std::size_t peak_memory() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
 bool has_address_space(std::size_t bytes) {
   void* const room =
       ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -34,6 +34,9 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
 /// The part of the limit that is not in use yet, in bytes; infinity without a limit.
 double memory_left();
 
+/// The most memory that the process has held at any time, in bytes.
+std::size_t peak_memory();
+
 /// Whether the process may still map that many bytes at once (ulimit -v).
 bool has_address_space(std::size_t bytes);
 /// Whether its address space has a limit.

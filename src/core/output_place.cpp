@@ -108,8 +108,8 @@ OutputPlace output_place(const std::string& path) {
   if (is_there && !S_ISREG(info.st_mode)) to_stream(place);
   std::error_code ignored;
   if (!is_there && !fs::is_directory(place.folder, ignored))
-    throw Error("output-folder", fmt::format("cannot write {}: the folder {} does not exist", path,
-                                             folder_of(path)));
+    throw Error("output-folder",
+                fmt::format("cannot write {}: the folder {} does not exist", path, place.folder));
   if (fs::path(place.path).filename().empty())
     throw Error("output-unwritable", fmt::format("cannot write {}: it names no file", path));
   return place;

@@ -119,6 +119,8 @@ TEST_F(BadInput, NoTemporaryFolder) {
 
 TEST_F(BadInput, Output) {
   expect_failure("PRIMER_2F.MPF --stock block.stl -o missing/part.stl", 1, "does not exist");
+  std::filesystem::create_symlink("gone/part.stl", folder_ / "link.stl");
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o link.stl", 1, "gone does not exist");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o /proc/part.stl", 1, "cannot write");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stp", 2, "part.stp");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part", 2, ".stl");

@@ -77,6 +77,7 @@ TEST(Compare, RotatedCubeByTheCornersDistance) {
   EXPECT_NEAR(c.part.max, out, 1e-4);
   EXPECT_NEAR(c.nominal.min, -out, 1e-4);
   EXPECT_NEAR(c.hausdorff.lower, out, 1e-4);
+  EXPECT_GT(c.memory, 1e6);  // of the process, not of twelve triangles
 }
 
 TEST(Compare, IcpUndoesATurnAndAShift) {
