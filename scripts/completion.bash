@@ -18,13 +18,14 @@ _mrsim() {
       check) common="$program $common --json" ;;
       tools) common="--output --json --quiet --help" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
-      render) common="$common --output --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
-      *) common="$program $common --output --color --stock --stock-exact --keep --until --frames --history --machine-file --allow-outside --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
+      render) common="$common --output --frames --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
+      *) [ "$command" = view ] && common="$common --no-open"
+        common="$program $common --output --color --stock --stock-exact --keep --until --frames --history --machine-file --allow-outside --voxel --tolerance --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else
     local commands=""
-    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render tools"
+    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render tools view"
     mapfile -t COMPREPLY < <(compgen -W "$commands" -f -- "$current")
   fi
 }

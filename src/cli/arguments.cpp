@@ -47,6 +47,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
      "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
+     "       mrsim view PROGRAM|PART the page that plays a run, opened\n"
      "       mrsim render PART       a picture of a mesh, without a display\n"
      "       mrsim tools FILE        the tools of a table or library",
      "Examples:\n"
@@ -70,7 +71,8 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "  mrsim check --strict --dialect fanuc O0001.nc"},
     {Command::render, "render",
      "Draws a mesh as a shaded picture with its edges; needs no display.",
-     "mrsim render PART -o picture.png [options]",
+     "mrsim render PART -o picture.png [options]\n"
+     "       mrsim render PROGRAM --frames N -o f%04d.png [options of a run]",
      "Examples:\n"
      "  mrsim render part.stl -o part.png\n"
      "  mrsim render part.ply --nominal nominal.step --accept 0.02 -o deviation.png\n"
@@ -148,7 +150,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "do a run that would need more in slabs, or refuse it, such as 4G; default: what is free");
 }
 
-void add_picture_options(CLI::App& app, Typed& typed) {
+// `plays`: of the frames of a run, whose own options come beside these.
+void add_picture_options(CLI::App& app, Typed& typed, bool plays) {
   const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
     app.add_option(name, value, text)->type_name(type)->group("Picture");
   };
@@ -156,6 +159,8 @@ void add_picture_options(CLI::App& app, Typed& typed) {
   add("--azimuth", typed.azimuth, "DEG", "view from -Y towards +X about Z; default: 30");
   add("--elevation", typed.elevation, "DEG", "view from above; default: 35");
   add("--edges", typed.edges, "DEG", "draw edges sharper than this, 0 for none; default: 25");
+  if (plays) return;
+  add("--frames", typed.frames, "N", "pictures of a program's part at N moments");
   add("--threads", typed.threads, "N", "default: all cores");
 }
 
@@ -330,7 +335,7 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
         std::string_view(line.usage).substr(0, std::string_view(line.usage).find('\n'))));
   if (typed.inputs.size() > 1 && line.command != Command::check)
     fail_usage(fmt::format("one input file is enough: \"{}\" is not expected", typed.inputs[1]));
-  if (is_job(typed.inputs) && !render)
+  if (is_job(typed.inputs) && (!render || !typed.frames.empty()))
     fail_usage(
         fmt::format("{} takes a program; a job is run with: mrsim {}", line.word, typed.inputs[0]));
   out.input = typed.inputs[0];
@@ -393,11 +398,15 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
     add_simulation_options(app, typed);
     add_compare_options(app, typed.compare, CompareUse::run);
   }
-  if (line.command != Command::render) add_program_options(app, typed);
-  if (line.command == Command::render) {
-    add_picture_options(app, typed);
+  const bool plays =
+      line.command == Command::render && std::any_of(argv, argv + argc, [](std::string_view word) {
+        return word.starts_with("--frames");
+      });
+  if (plays) add_simulation_options(app, typed);
+  if (plays || line.command != Command::render) add_program_options(app, typed);
+  if (line.command == Command::render) add_picture_options(app, typed, plays);
+  if (line.command == Command::render && !plays)
     add_compare_options(app, typed.compare, CompareUse::picture);
-  }
   add_output_options(app, typed, line.command);
   try {
     app.parse(argc, argv);

@@ -59,6 +59,11 @@ int run_render(const Arguments& arguments) {
     request.options.threads = threads;
     mesh = color_by_deviation(request, mesh);
   }
+  if (arguments.render.color != ColorBy::none && mesh.owners.empty() && mesh.colors.empty())
+    fmt::print(stderr,
+               "{}: this file does not say which line cut which face, so --color shows nothing; "
+               ".ply, .glb, .3mf and .vdb do\n",
+               arguments.input);
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)
     print(fmt::format("{}: {} triangles drawn from {}\n", arguments.outputs[0],

@@ -16,6 +16,8 @@ int exit_code_of(const Error& error);
 int run_simulate(const Arguments& arguments);
 /// run_simulate() for each of arguments.frames moments.
 int run_frames(const Arguments& arguments);
+/// A picture of the part at each of arguments.frames moments.
+int run_picture_frames(const Arguments& arguments);
 int run_trace(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_render(const Arguments& arguments);

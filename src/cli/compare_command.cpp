@@ -302,8 +302,9 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
                {"Voxel", fmt::format("{:.4g} mm, {}", result.voxel, result.voxel_reason)},
                {"Moves", fmt::format("{} rapids, {} lines, {} arcs", result.rapid_motions,
                                      result.line_motions, result.arc_motions)},
-               {"Volume", fmt::format("{:.3f} mm3, {:.3f} mm3 removed", result.volume,
-                                      result.removed_volume)},
+               {"Volume", grouped(result.volume, 3) + " mm³"},
+               {"Removed", grouped(result.removed_volume, 3) + " mm³"},
+               {"Cycle", duration(result.cycle.total)},
                {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
   if (result.mesh_bound > 0)
     out.facts.emplace_back("Mesh",

@@ -1,8 +1,13 @@
-// `mrsim PROGRAM --frames N`: the part at N moments at equal shares of the machine's time.
+// `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time.
 #include "cli/commands.h"
+#include "cli/option_values.h"
+#include "cli/terminal.h"
+#include "core/output_place.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -35,6 +40,40 @@ std::string frame_path(const std::string& path, int frame, int frames) {
       .string();
 }
 
+// A folder that is gone with its owner.
+class Workshop {
+ public:
+  Workshop() : path_((std::filesystem::temp_directory_path() / "mrsim-XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr)
+      throw Error("output-folder", path_ + ": the temporary folder cannot be made");
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string file(const char* name) const {
+    return (std::filesystem::path(path_) / name).string();
+  }
+
+ private:
+  std::string path_;
+};
+
+// "f%04d.png" with the frame's number, else as frame_path() has it.
+std::string picture_path(const std::string& path, int frame, int frames) {
+  const std::size_t percent = path.find('%');
+  if (percent == path.npos) return frame_path(path, frame, frames);
+  std::size_t end = percent + 1;
+  while (end < path.size() && path[end] >= '0' && path[end] <= '9') ++end;
+  const std::string width = path.substr(percent + 1, end - percent - 1);
+  if (end == path.size() || path[end] != 'd' || width.size() > 2)
+    fail_usage(fmt::format("-o {}: the number of a frame is written %d, or %04d", path));
+  const std::string number = fmt::format(fmt::runtime("{:" + width + "}"), frame);
+  return path.substr(0, percent) + number + path.substr(end + 1);
+}
+
 Arguments frame_arguments(const Arguments& arguments, int frame) {
   Arguments out = arguments;
   out.frames = 0;
@@ -61,6 +100,27 @@ int run_frames(const Arguments& arguments) {
     if (const int failed = run_simulate(one); failed != kDone) return failed;
   }
   return code;
+}
+
+int run_picture_frames(const Arguments& arguments) {
+  for (int frame = 1; frame <= arguments.frames; ++frame)
+    check_writable(picture_path(arguments.outputs[0], frame, arguments.frames));
+  const Program program = interpret(arguments.input, arguments.interp);
+  const CycleTime time = cycle_time(program, arguments.machine);
+  std::vector<std::size_t> ends = frame_ends(program, time, arguments.frames);
+  ends.push_back(program.motions.size());
+  const Workshop folder;
+  Arguments one = arguments;
+  one.outputs = {folder.file("part.ply")};
+  one.history = "off";
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    one.until = k + 1 < ends.size() ? fmt::format("#{}", ends[k]) : "";
+    one.quiet = k > 0 || arguments.quiet;
+    if (const int failed = run_simulate(one); failed != kDone) return failed;
+    render(read_mesh(one.outputs[0]),
+           picture_path(arguments.outputs[0], int(k) + 1, arguments.frames), arguments.render);
+  }
+  return finish_output(kDone);
 }
 
 }  // namespace mrsim::cli

@@ -8,6 +8,7 @@
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/tools_command.h"
+#include "cli/view_command.h"
 #include "core/heap.h"
 
 #include <csignal>
@@ -29,7 +30,7 @@ int run(const Arguments& arguments) {
     case Command::check:
       return run_check(arguments);
     case Command::render:
-      return run_render(arguments);
+      return arguments.frames > 0 ? run_picture_frames(arguments) : run_render(arguments);
     case Command::help:
       std::fputs(arguments.help.c_str(), stdout);
       return kDone;
@@ -50,6 +51,7 @@ int run_guarded(int argc, const char* const* argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "compare") return run_compare(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "view") return run_view(argc - 1, argv + 1);
     return run(parse_arguments(argc, argv));
   } catch (const PlacedError& error) {
     std::fflush(stdout);

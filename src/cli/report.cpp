@@ -115,14 +115,6 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
   }
 }
 
-// "1 h 02 min", "3 min 07 s", "12.4 s"
-std::string duration(double seconds) {
-  const auto whole = static_cast<long>(std::lround(seconds));
-  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-}
-
 void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const CycleTime& t = result.cycle;
   std::string parts = fmt::format("cutting {}, rapids {}", duration(t.cutting), duration(t.rapid));
@@ -221,6 +213,13 @@ std::string grouped(double value, int decimals) {
   const std::size_t point = std::min(digits.find('.'), digits.size());
   for (std::size_t i = point; i > 3; i -= 3) digits.insert(i - 3, " ");
   return (value < 0 && digits.find_first_not_of("0. ") != digits.npos ? "-" : "") + digits;
+}
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
 std::string file_size(std::size_t bytes) {

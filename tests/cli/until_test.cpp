@@ -1,6 +1,8 @@
 // --until: the part at a moment is the part of a program that ends there, to the byte.
 #include "run_program.h"
 
+#include <filesystem>
+
 namespace mrsim {
 namespace {
 
@@ -65,6 +67,35 @@ TEST_F(Until, FramesAreThePartsAtTheirMoments) {
   EXPECT_EQ(read("part-2.stl"), read("part.stl"));
   EXPECT_NE(read("part-1.stl"), read("part-2.stl"));
   EXPECT_NE(read("part-2.stl"), read("part-3.stl"));
+}
+
+TEST_F(Until, FramesArePictures) {
+  const std::string rest = "render PRIMER_2F.MPF --stock block.stl -q --size 160x120 --frames 3 ";
+  const Outcome outcome = run(rest + "-o f%02d.png");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"f01.png", "f02.png", "f03.png"}) EXPECT_TRUE(exists(name)) << name;
+  EXPECT_NE(read("f01.png"), read("f03.png"));
+  EXPECT_FALSE(exists("f04.png"));
+  expect_failure(rest + "-o f%s.png", 2, "%04d");
+}
+
+TEST_F(Until, ViewWritesAPageAndTellsItsName) {
+  for (const char* input : {"PRIMER_2F.MPF --stock block.stl -q", "block.stl"}) {
+    const Outcome outcome = run(std::string("view ") + input + " --no-open");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = outcome.out.substr(0, outcome.out.find('\n'));
+    ASSERT_TRUE(page.ends_with(".html")) << outcome.out;
+    EXPECT_GT(std::filesystem::file_size(page), 100000u);
+    std::filesystem::remove(page);
+  }
+  write("BAD.MPF", "N1 G0 X0 Y0 Z5\nN2 G1 X=(\n");
+  for (const char* input : {"BAD.MPF --stock block.stl", "missing.stl"}) {  // nothing is left
+    EXPECT_NE(run(std::string("view ") + input + " --no-open", "mkdir -p t; TMPDIR=$PWD/t").code,
+              0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "t")) << input;
+  }
+  expect_failure("view", 2, "view takes");
+  expect_failure("view PRIMER_2F.MPF --stock block.stl --frames 3 -o a.stl", 2, "--frames");
 }
 
 TEST_F(Until, FramesNeedOutputsAndNoOtherMoment) {

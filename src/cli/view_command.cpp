@@ -1,0 +1,152 @@
+#include "cli/view_command.h"
+
+#include "cli/commands.h"
+#include "cli/option_values.h"
+#include "cli/terminal.h"
+#include "core/text_io.h"
+#include <mrsim/compare.h>
+#include <mrsim/solid_files.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+namespace mrsim::cli {
+namespace {
+
+constexpr const char* kViewHelp =
+    "Writes the page that plays a run, or shows a part, to a temporary file and opens it.\n\n"
+    "Usage: mrsim view PROGRAM|job.toml|PART [options of a run] [--no-open]\n\n"
+    "  --no-open               print the file's name and open nothing\n"
+    "  --report FILE           of a run: write the page there instead\n\n"
+    "Examples:\n"
+    "  mrsim view PRIMER_2F.MPF --stock block.stl\n"
+    "  mrsim view job.toml\n"
+    "  mrsim view part.ply --no-open\n";
+
+bool is_part(const std::string& path) {
+  static constexpr std::array<std::string_view, 9> kEndings = {
+      ".stl", ".ply", ".obj", ".off", ".glb", ".3mf", ".step", ".stp", ".vdb"};
+  std::string end = std::filesystem::path(path).extension().string();
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return std::find(kEndings.begin(), kEndings.end(), end) != kEndings.end();
+}
+
+// A new file, gone with its owner unless it is kept.
+class TemporaryPage {
+ public:
+  TemporaryPage() : path_((std::filesystem::temp_directory_path() / "mrsim-XXXXXX.html").string()) {
+    const int file = ::mkstemps(path_.data(), 5);
+    if (file < 0) throw Error("output-folder", path_ + ": the temporary file cannot be made");
+    ::close(file);
+  }
+  TemporaryPage(const TemporaryPage&) = delete;
+  TemporaryPage& operator=(const TemporaryPage&) = delete;
+  ~TemporaryPage() {
+    std::error_code ignored;
+    if (!kept_) std::filesystem::remove(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  std::string path_;
+  bool kept_ = false;
+};
+
+void open_page(const std::string& path) {
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+  std::string name = "xdg-open", target = path;
+  char* const words[] = {name.data(), target.data(), nullptr};
+  pid_t child = 0;
+  const int fault = ::posix_spawnp(&child, name.c_str(), &quiet, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&quiet);
+  if (fault != 0) fmt::print(stderr, "xdg-open is missing: open the page with a browser\n");
+}
+
+void write_part_page(const std::string& part, const std::string& page) {
+  const TriMesh mesh = read_solid(part);
+  ReportFacts facts;
+  facts.title = std::filesystem::path(part).filename().string();
+  Comparison shown;
+  shown.part_name = part;
+  shown.origin = mesh.origin;
+  shown.text = read_program_lines(mesh.origin, part);
+  const std::string html = report_html(mesh, {}, shown, facts);
+  write_file_atomically(page, [&](const ByteSink& sink) { sink(html.data(), html.size()); });
+}
+
+Arguments run_arguments(const std::vector<const char*>& words) {
+  Arguments arguments = parse_arguments(static_cast<int>(words.size()), words.data());
+  if (arguments.command != Command::simulate || arguments.frames > 0)
+    fail_usage("view takes a program, a job or a part and the options of a run without --frames");
+  return arguments;
+}
+
+int show(const std::string& page, bool opens, int code) {
+  print(page + "\n");
+  if (opens) open_page(page);
+  return finish_output(code);
+}
+
+// `words`: "mrsim" and what was typed after "view".
+int view_run(const std::vector<const char*>& words, bool opens) {
+  Arguments arguments = run_arguments(words);
+  if (!arguments.compare.report.empty()) {
+    const int code = run_simulate(arguments);
+    return code == kDone || code == kRejected ? show(arguments.compare.report, opens, code) : code;
+  }
+  TemporaryPage page;
+  arguments.compare.report = page.path();
+  const int code = run_simulate(arguments);
+  if (code != kDone && code != kRejected) return code;
+  page.keep();
+  return show(page.path(), opens, code);
+}
+
+int view_part(const std::string& part, bool opens) {
+  TemporaryPage page;
+  write_part_page(part, page.path());
+  page.keep();
+  return show(page.path(), opens, kDone);
+}
+
+}  // namespace
+
+int run_view(int argc, const char* const* argv) {
+  std::vector<const char*> words{"mrsim"};
+  bool opens = true;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--help" || word == "-h") {
+      print(kViewHelp);
+      return finish_output(kDone);
+    }
+    if (word == "--no-open")
+      opens = false;
+    else
+      words.push_back(argv[i]);
+  }
+  if (words.size() < 2) fail_usage("view takes a program, a job or a part");
+  if (!is_part(words[1])) return view_run(words, opens);
+  if (words.size() > 2)
+    fail_usage(fmt::format("view {}: a part takes no options of a run", words[1]));
+  return view_part(words[1], opens);
+}
+
+}  // namespace mrsim::cli
