@@ -56,7 +56,7 @@ export function drawCurves(canvas, run, { now, mark, crashes }) {
   for (const share of crashes) line(share, "--bad", 2);
   if (mark >= 0) line(mark, "--focus", 2);
   line(now, "--ink", 2);
-  const key = (name, text) => [el("i", { style: { background: `var(${name})` } }), el("span", {}, text)];
+  const key = (name, text) => [el("span", {}, el("i", { style: { background: `var(${name})` } }), text)];
   return [...key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
     ...(run.air.some((a) => a > 0) ? key("--air", "cuts air") : []), ...(crashes.length ? key("--bad", "collision") : [])];
 }

@@ -2,7 +2,7 @@
 export const $ = (id) => document.getElementById(id);
 
 export function el(tag, attributes = {}, ...children) {
-  const svg = ["svg", "rect", "line", "text", "title"].includes(tag) && attributes.svg !== false;
+  const svg = ["svg", "rect", "line", "text", "title", "circle"].includes(tag) && attributes.svg !== false;
   const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
   for (const [key, value] of Object.entries(attributes)) {
     if (key === "svg" || value === undefined || value === false) continue;

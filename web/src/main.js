@@ -3,6 +3,7 @@ import { css, deviationColor, kCutColor, kStockColor, rampColor, toolColor } fro
 import { data } from "./data.js";
 import { decodeMesh } from "./decode.js";
 import { collisionRow, paintCollisions, paintCrashes, paintFigures, paintRegions, paintRun, paintVerdict } from "./panels.js";
+import { Measure } from "./measure.js";
 import { Play } from "./play.js";
 import { PlayView } from "./play_view.js";
 import { ProgramPane } from "./program.js";
@@ -10,7 +11,7 @@ import { PartView } from "./scene.js";
 import { Timeline, clock } from "./timeline.js";
 
 const c = data.comparison, band = c.tolerance, keys = data.keys;
-const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null, motion: -1 };
+const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null, motion: -1, framed: null };
 const play = data.play ? new Play(data.play) : null;
 const keyOfMoment = play ? addKeys() : null;
 const tools = [...new Set(keys.filter((k) => !k.stock).map((k) => k.tool))];
@@ -73,9 +74,11 @@ for (const d of data.facts.diagnostics) if (d.line && d.severity !== "note") not
 const noteOf = (file, line) => notes.get(`${file.split("/").pop()}:${line}`);
 
 // --- panes ---
+let measure = null; // made with the picture
 $("title").textContent = data.facts.title || c.part || "Part";
 document.title = `${$("title").textContent} \u2013 mrsim`;
 $("subtitle").textContent = data.compared ? `${c.part || "part"} against ${c.nominal || "nominal"}` : "Part as cut";
+$("totals").append(...data.facts.facts.filter(([name]) => ["Volume", "Removed", "Cycle"].includes(name)).map(([name, value]) => el("span", {}, `${name.toLowerCase()} ${value}`)));
 paintVerdict(c, data.compared);
 const hasProgram = data.programs.some((p) => p.lines.length);
 const program = hasProgram ? new ProgramPane(data.programs, keysOf, chip, noteOf, chooseLine) : null;
@@ -102,11 +105,13 @@ function openTab(id) {
 }
 
 // --- the picture ---
+const lies = data.facts.facts.some(([name, value]) => name === "Machine" && value === "lathe");
 let view = null;
 try {
   const part = decodeMesh(data.part, data.grid, data.deviationStep);
-  view = new PartView($("view"), part, data.nominal ? decodeMesh(data.nominal, data.grid, 1) : null, keys.length, placeMark);
+  view = new PartView($("view"), part, data.nominal ? decodeMesh(data.nominal, data.grid, 1) : null, keys.length, placeMark, lies);
 } catch (error) {
+  $("no-gl").append(` (${error.message})`);
   $("no-gl").hidden = false;
   $("bar").hidden = true;
 }
@@ -118,6 +123,7 @@ if (view && play && play.end > 0) {
   const motionOf = (k) => Math.min(play.end, Math.max(1, k.motion)) - 1;
   $("timeline").hidden = false;
   timeline = new Timeline(play, crashes.map(motionOf), (at) => {
+    view.moving();
     played.show(at, state.motion);
     const i = Math.min(Math.floor(at), play.end - 1);
     program?.follow(at < play.end ? { file: play.motions.file[i], line: play.motions.line[i] } : { file: -1, line: 0 });
@@ -136,6 +142,8 @@ function chooseMotion(motion, goes = false) {
   if (goes || timeline.at < play.end) { if (motion >= 0) timeline.go(motion + 1 < play.end || !goes ? motion + 1 : play.end - 1e-6); } else played.show(play.end, motion);
 }
 const goButton = (motion) => (timeline && motion >= 0 ? el("div", {}, el("button", { class: "link", id: "go", title: "Key G", onclick: () => chooseMotion(motion, true) }, `show it at ${clock(play.secondsAt(motion + 1))}`)) : null);
+
+if (view) measure = new Measure(view, (x, y) => (timeline && timeline.at < play.end ? played.pick(x, y) : view.pick(x, y))?.place ?? null);
 
 const modes = [["deviation", "Deviation"], ["line", "Line"], ["tool", "Tool"], ["owner", "Origin"]];
 $("modes").append(...modes.map(([id, name], i) => el("button", { role: "radio", id: `mode-${id}`, title: `Key ${i + 1}`, disabled: id === "deviation" && !data.compared, onclick: () => setMode(id) }, name)));
@@ -176,6 +184,8 @@ function paintLegend() {
 
 // --- selection: a place, a line or a region ---
 function placeMark() {
+  placeFrame();
+  measure?.place();
   crashes.forEach((k, i) => {
     const p = view?.project(k.at);
     crashMarks[i].hidden = !p?.front;
@@ -244,6 +254,24 @@ function choosePlace(x, y) {
   if (!k.stock && program) { openTab("program"); program.show(k.file, k.line); }
 }
 
+// A frame about what a line cut, so that a tiny patch is found.
+function frameKeys(list) {
+  state.framed = list.length && (!timeline || timeline.at >= play.end) ? view?.boundsOfKeys(list) ?? null : null;
+  placeFrame();
+}
+function placeFrame() {
+  const frame = $("frame");
+  frame.hidden = !state.framed || !view;
+  if (frame.hidden) return;
+  const { lo, hi } = state.framed, xs = [], ys = [];
+  for (let k = 0; k < 8; ++k) {
+    const p = view.project([k & 1 ? hi[0] : lo[0], k & 2 ? hi[1] : lo[1], k & 4 ? hi[2] : lo[2]]);
+    xs.push(p.x); ys.push(p.y);
+  }
+  const x = Math.min(...xs) - 5, y = Math.min(...ys) - 5;
+  Object.assign(frame.style, { left: `${x}px`, top: `${y}px`, width: `${Math.max(...xs) + 5 - x}px`, height: `${Math.max(...ys) + 5 - y}px` });
+}
+
 function chooseLine(file, line) {
   const list = keysOf(file, line);
   clearRegion();
@@ -252,6 +280,7 @@ function chooseLine(file, line) {
   view?.select(list);
   const motion = motionOfLine(file, line);
   chooseMotion(motion);
+  frameKeys(list);
   const crash = crashOf(data.programs[file].file, line);
   if (crash) return showCollision(crashes.indexOf(crash));
   if (!list.length) return showPicked(`Line ${line}`, [el("span", {}, " cut nothing that is still there")], "currentColor");
@@ -302,6 +331,8 @@ function clearRegion() {
 function clear() {
   clearRegion();
   setMark(null);
+  frameKeys([]);
+  measure?.clear();
   view?.select([]);
   state.motion = -1;
   timeline?.setMark(-1);
@@ -313,7 +344,7 @@ function clear() {
 // --- controls ---
 $("safe").addEventListener("change", (e) => { state.safe = e.target.checked; repaint(); });
 // Edges tell nothing where they are everywhere.
-if (data.part.creases > Math.min(20000, 0.15 * data.part.triangles)) { $("edges").checked = false; view?.showEdges(false); }
+if (data.part.creases > Math.min(20000, Math.max(5000, 0.15 * data.part.triangles))) { $("edges").checked = false; view?.showEdges(false); }
 $("edges").addEventListener("change", (e) => view.showEdges(e.target.checked));
 $("nominal").addEventListener("change", (e) => view.showNominal(e.target.checked));
 for (const id of ["path", "stock"]) {
@@ -323,7 +354,8 @@ for (const id of ["path", "stock"]) {
 }
 $("nominal-box").hidden = !data.nominal;
 $("figures").hidden = $("safe").parentElement.hidden = !data.compared;
-for (const b of $("views").children) b.addEventListener("click", () => view.look(b.dataset.view));
+for (const b of document.querySelectorAll("[data-view]")) b.addEventListener("click", () => view.look(b.dataset.view));
+$("parallel").addEventListener("change", (e) => view.setParallel(e.target.checked));
 
 function section() {
   const axis = $("section-axis").value, slider = $("section-at");
@@ -341,7 +373,9 @@ if (view) {
   canvas.addEventListener("pointerup", (e) => {
     if (!down || Math.hypot(e.clientX - down[0], e.clientY - down[1]) > 4) return;
     const box = canvas.getBoundingClientRect();
-    choosePlace(e.clientX - box.left, e.clientY - box.top);
+    const x = e.clientX - box.left, y = e.clientY - box.top;
+    if (measure.active) measure.add(x, y);
+    else { frameKeys([]); choosePlace(x, y); }
   });
 }
 
@@ -362,7 +396,7 @@ const shortcuts = {
   1: () => setMode("deviation"), 2: () => setMode("line"), 3: () => setMode("tool"), 4: () => setMode("owner"),
   j: () => c.regions.length && chooseRegion((state.region + 1) % c.regions.length),
   k: () => c.regions.length && chooseRegion((Math.max(state.region, 0) - 1 + c.regions.length) % c.regions.length),
-  n: () => toggle("nominal"), p: () => toggle("path"), g: () => $("go")?.click(), " ": () => timeline?.toggle(), ",": () => timeline?.step(-1), ".": () => timeline?.step(1),
+  n: () => toggle("nominal"), p: () => toggle("path"), o: () => toggle("parallel"), m: () => toggle("measure"), g: () => $("go")?.click(), " ": () => timeline?.toggle(), ",": () => timeline?.step(-1), ".": () => timeline?.step(1),
   Home: () => timeline?.go(0), End: () => timeline?.go(play.end), e: () => toggle("edges"), f: () => view?.look("iso"), t: flipTheme, Escape: clear,
   s: () => { const axis = $("section-axis"); axis.value = axis.value ? "" : "X"; section(); },
 };
@@ -382,7 +416,7 @@ paintRun(data, (file, line) => {
   const at = data.programs.findIndex((p) => p.file.split("/").pop() === file.split("/").pop());
   if (at >= 0) { openTab("program"); chooseLine(at, line); }
 });
-if (view) section();
+if (view) { section(); view.look("iso", false); }
 setTheme(dark.matches ? "dark" : "light");
 setMode(state.mode);
 openTab(crashCount ? "collisions" : data.compared && c.region_count > 0 ? "regions" : hasProgram ? "program" : "run");

@@ -109,6 +109,7 @@ export function paintRun(data, goToLine) {
     parts.push(...table("Alignment", [["Method", c.align], ["Shift", place(c.transform.shift)]]));
   }
   parts.push(...table("Report", [["Made by", data.generator], ["Shown", `${grouped(data.part.triangles)} triangles${data.reduced ? ", reduced for display" : ""}`]]),
-    ...table("Keys", [["1 2 3 4", "colour by deviation, line, tool, origin"], ["J K", "next and previous region"], ["N E S", "nominal, edges, section"], ["Arrows + \u2212", "turn and zoom"], ["F, Esc", "fit, clear the selection"], ["T", "light or dark"]]));
+    ...table("Keys", [["1 2 3 4", "colour by deviation, line, tool, origin"], ["Space , . Home End", "play or pause, a line back or on, start, end"], ["G", "to the moment of what is chosen"], ["J K", "next and previous region"], ["P E N S", "path, edges, nominal, section"],
+      ["O M", "parallel, measure"], ["Arrows + \u2212", "turn and zoom"], ["F, Esc", "fit, clear the selection"], ["T", "light or dark"]]));
   $("panel-run").replaceChildren(...parts);
 }

@@ -4,13 +4,13 @@ import { BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, 
 import { kRapid } from "./play.js";
 import { PlayMesh } from "./play_mesh.js";
 
-const kMostPath = 3000; // motions: longer paths show their last part unless asked
+const kMostPath = 8000; // ends of straight pieces: longer paths show their last part unless asked
 const kTail = 400;
 
 const kSolidVertex = "varying vec3 vNormal; void main() { vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";
 const kSolidFragment = `uniform vec3 color; uniform float alpha; varying vec3 vNormal;
 void main() { vec3 n = normalize(vNormal); if (!gl_FrontFacing) n = -n; gl_FragColor = vec4(color * (0.5 + 0.5 * max(n.z, 0.0)), alpha); }`;
-const kLineVertex = "attribute float rapid; varying float vRapid; void main() { vRapid = rapid; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 0.9985; gl_Position = projectionMatrix * p; }";
+const kLineVertex = "uniform float size; attribute float rapid; varying float vRapid; void main() { vRapid = rapid; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 - 0.003 * size / length(p.xyz); gl_Position = projectionMatrix * p; }";
 const kLineFragment = "uniform vec3 cut; uniform vec3 rapidColor; varying float vRapid; void main() { gl_FragColor = vec4(mix(cut, rapidColor, vRapid), mix(0.9, 0.55, vRapid)); }";
 
 const plainColor = (r, g, b) => new Color(r / 255, g / 255, b / 255);
@@ -60,7 +60,7 @@ function stockGeometry(stock, play) {
 
 export class PlayView {
   constructor(view, play, transform, keyOf) {
-    Object.assign(this, { view, play, at: play.end, pathWanted: play.end <= kMostPath, stockWanted: true });
+    Object.assign(this, { view, play, at: play.end, stockWanted: true });
     this.group = new Group();
     const [a, b, c] = transform.rotation, t = transform.shift;
     this.group.matrixAutoUpdate = false;
@@ -75,6 +75,7 @@ export class PlayView {
     this.addGhost();
     this.tools = play.tools.map(toolGroup);
     this.addPath();
+    view.seen.push(this.ghost.children[0].geometry.attributes.position.clone().applyMatrix4(this.group.matrix).array);
     this.group.add(this.surface, this.ghost, this.path, ...this.tools);
     view.scene.add(this.group);
     this.show(play.end);
@@ -84,7 +85,7 @@ export class PlayView {
     const geometry = stockGeometry(this.play.stock, this.play);
     this.ghostFill = solid(plainColor(150, 158, 164), 0.1);
     Object.assign(this.ghostFill, { side: FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }); // behind the surface where they meet
-    this.ghostLine = new ShaderMaterial({ uniforms: { ink: { value: new Color() } }, vertexShader: "void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }", fragmentShader: "uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 0.5); }", transparent: true });
+    this.ghostLine = new ShaderMaterial({ uniforms: { ink: { value: new Color() }, size: { value: this.view.bounds.size } }, vertexShader: "uniform float size; void main() { vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 - 0.0016 * size / length(p.xyz); gl_Position = projectionMatrix * p; }", fragmentShader: "uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 0.5); }", transparent: true });
     const fill = new Mesh(geometry, this.ghostFill);
     fill.renderOrder = 3;
     this.ghost.add(fill, new LineSegments(new EdgesGeometry(geometry, 30), this.ghostLine));
@@ -104,10 +105,11 @@ export class PlayView {
       }
       this.pathEnd[i + 1] = rapid.length;
     }
+    this.pathWanted = rapid.length <= kMostPath;
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute("rapid", new BufferAttribute(new Float32Array(rapid), 1));
-    this.path = new LineSegments(geometry, new ShaderMaterial({ uniforms: { cut: { value: plainColor(20, 60, 130) }, rapidColor: { value: plainColor(190, 110, 20) } }, vertexShader: kLineVertex, fragmentShader: kLineFragment, transparent: true }));
+    this.path = new LineSegments(geometry, new ShaderMaterial({ uniforms: { size: { value: this.view.bounds.size }, cut: { value: plainColor(20, 60, 130) }, rapidColor: { value: plainColor(190, 110, 20) } }, vertexShader: kLineVertex, fragmentShader: kLineFragment, transparent: true }));
     this.path.frustumCulled = false;
     this.path.renderOrder = 2;
   }

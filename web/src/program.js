@@ -19,7 +19,7 @@ export class ProgramPane {
       programs.map((p, i) => el("option", { value: i }, p.file)));
     this.select = select;
     panel.append(el("div", { id: "files" }, programs.length > 1 ? select : el("span", {}, programs[0]?.file ?? ""),
-      el("span", {}, "Click a line to light up what it cut")), this.box);
+      el("span", {}, "Click a line: what it cut")), this.box);
     this.open(0);
   }
   open(file) {

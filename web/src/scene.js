@@ -4,8 +4,11 @@ import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, FrontS
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { cornerNormals } from "./decode.js";
 import { schemeOf } from "./colors.js";
+import { $ } from "./dom.js";
 
 const kTextureWidth = 1024;
+const kPerspective = 28, kParallel = 0.5; // degrees
+const kSlow = 70, kSettled = 180; // ms: of a frame that is too long, and until the sharp picture
 
 const kVertex = `
 uniform sampler2D palette; uniform vec2 paletteSize;
@@ -37,6 +40,14 @@ void main() {
   vec3 c = base * min(light, 1.08);
   if (selecting > 0.5) c = vTexel.a > 0.5 ? c : mix(c, vec3(dot(c, vec3(0.3, 0.59, 0.11))), 0.85) * 0.35 + cutFace * 0.42;
   gl_FragColor = vec4(c, 1.0);
+}`;
+
+// What is chosen, through what stands before it.
+const kChosenFragment = `
+uniform vec4 plane; varying vec3 vPlace; flat varying vec4 vTexel;
+void main() {
+  if (vTexel.a < 0.5 || dot(plane.xyz, vPlace) > plane.w) discard;
+  gl_FragColor = vec4(vTexel.rgb, 0.45);
 }`;
 
 const kGhostFragment = `
@@ -79,16 +90,16 @@ function boundsOf(position) {
 
 // Lines a little nearer to the eye than their faces, the nominal's faces a little farther than the
 // part's: along the line of sight, so that nothing moves in the picture.
-const shifted = (by) => `varying vec3 vPlace; varying vec3 vNormal; void main() { vPlace = position; vNormal = normalMatrix * normal; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= ${by}; gl_Position = projectionMatrix * p; }`;
+const shifted = (by) => `uniform float size; varying vec3 vPlace; varying vec3 vNormal; void main() { vPlace = position; vNormal = normalMatrix * normal; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 - ${by} * size / length(p.xyz); gl_Position = projectionMatrix * p; }`;
 
-function lineObject(mesh, plane, { alpha = 0.62, depthTest = true } = {}) {
+function lineObject(mesh, plane, size, { alpha = 0.62, depthTest = true } = {}) {
   const place = new Float32Array(3 * mesh.crease.length);
   mesh.crease.forEach((v, i) => place.set(mesh.position.subarray(3 * v, 3 * v + 3), 3 * i));
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(place, 3));
   const material = new ShaderMaterial({
-    uniforms: { plane: { value: plane }, ink: { value: new Color() }, alpha: { value: alpha } },
-    vertexShader: shifted("0.9992"),
+    uniforms: { plane: { value: plane }, size: { value: size }, ink: { value: new Color() }, alpha: { value: alpha } },
+    vertexShader: shifted("0.0016"),
     fragmentShader: "uniform vec4 plane; uniform vec3 ink; uniform float alpha; varying vec3 vPlace; void main() { if (dot(plane.xyz, vPlace) > plane.w) discard; gl_FragColor = vec4(ink, alpha); }",
     transparent: true, depthTest,
   });
@@ -96,13 +107,19 @@ function lineObject(mesh, plane, { alpha = 0.62, depthTest = true } = {}) {
 }
 
 export class PartView {
-  constructor(canvas, part, nominal, keyCount, onChange) {
-    this.canvas = canvas; this.part = part; this.onChange = onChange;
+  /// `lies`: of a lathe, whose axis Z is shown from left to right and X upwards.
+  constructor(canvas, part, nominal, keyCount, onChange, lies = false) {
+    this.lies = lies;
+    this.up = lies ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1);
+    this.right = lies ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0);
+    this.away = this.up.clone().cross(this.right);
+    this.canvas = canvas; this.part = part; this.onChange = onChange; this.sharpness = 1;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = "srgb-linear"; // colours are written as they are measured
     this.bounds = boundsOf(part.position);
-    this.camera = new PerspectiveCamera(28, 1, this.bounds.size / 500, this.bounds.size * 40);
-    this.camera.up.set(0, 0, 1);
+    this.seen = [part.position]; // what a view shows all of
+    this.camera = new PerspectiveCamera(kPerspective, 1, this.bounds.size / 500, this.bounds.size * 40);
+    this.camera.up.copy(this.up);
     this.scene = new Scene();
     this.plane = new Vector4(0, 0, 0, 1);
     this.rows = Math.max(1, Math.ceil(keyCount / kTextureWidth));
@@ -116,36 +133,64 @@ export class PartView {
     this.materials = [this.material];
     this.mesh = new Mesh(expand(part, true), this.material);
     this.scene.add(this.mesh);
-    this.edges = lineObject(part, this.plane);
+    this.overlay = new Mesh(this.mesh.geometry, new ShaderMaterial({ vertexShader: kVertex, fragmentShader: kChosenFragment, uniforms: this.material.uniforms, transparent: true, depthTest: false, depthWrite: false }));
+    this.overlay.renderOrder = 4;
+    this.overlay.visible = false;
+    this.scene.add(this.overlay);
+    this.edges = lineObject(part, this.plane, this.bounds.size);
     this.scene.add(this.edges);
     if (nominal) this.addNominal(nominal);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => { this.turning = true; });
+    this.controls.addEventListener("end", () => { this.turning = false; });
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
     this.look("iso", false);
   }
   addNominal(nominal) {
-    const material = new ShaderMaterial({ uniforms: { plane: { value: this.plane }, tint: { value: new Color(0.1, 0.1, 0.12) } }, transparent: true, depthWrite: false, side: DoubleSide,
-      vertexShader: shifted("1.0006"), fragmentShader: kGhostFragment });
+    const material = new ShaderMaterial({ uniforms: { plane: { value: this.plane }, size: { value: this.bounds.size }, tint: { value: new Color(0.1, 0.1, 0.12) } }, transparent: true, depthWrite: false, side: DoubleSide,
+      vertexShader: shifted("-0.0012"), fragmentShader: kGhostFragment });
     this.ghost = new Mesh(expand(nominal, false), material);
     // Through the part: what should have been cut away shows as its outline.
-    this.ghostEdges = lineObject(nominal, this.plane, { alpha: 0.8, depthTest: false });
+    this.ghostEdges = lineObject(nominal, this.plane, this.bounds.size, { alpha: 0.8, depthTest: false });
     for (const o of [this.ghost, this.ghostEdges]) { o.visible = false; o.renderOrder = 2; this.scene.add(o); }
+  }
+  /// Pixels at the top of the canvas that the buttons lie over.
+  get covered() {
+    const bar = $("bar").getBoundingClientRect(), box = this.canvas.getBoundingClientRect();
+    return Math.max(0, Math.min(bar.bottom - box.top, box.height / 2));
   }
   resize() {
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight;
     if (!w || !h) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
+    this.renderer.setPixelRatio(this.sharpness * Math.min(devicePixelRatio || 1, 2));
     this.renderer.setSize(w, h, false);
     this.camera.aspect = w / h;
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(w, h, 0, -this.covered / 2, w, h); // the middle of what is free
     this.draw();
+  }
+  /// What moves is drawn with fewer pixels where the machine is too slow for all of them, and sharp
+  /// once it stands still.
+  moving() {
+    const now = performance.now(), since = now - (this.movedAt ?? 0);
+    this.movedAt = now;
+    // Frames of a steady motion follow one another; a long pause is none.
+    if (since < 1500) this.sharpen(since > kSlow ? Math.max(0.35, this.sharpness * 0.8) : this.sharpness);
+    clearTimeout(this.settling);
+    this.settling = setTimeout(() => this.sharpen(1), Math.max(kSettled, 2 * Math.min(since, 400)));
+  }
+  sharpen(sharpness) {
+    if (sharpness === this.sharpness) return;
+    this.sharpness = sharpness;
+    this.resize();
   }
   draw() {
     if (this.pending) return;
     this.pending = requestAnimationFrame(() => {
       this.pending = 0;
+      this.setDepth();
+      if (this.turning) this.moving();
       this.renderer.render(this.scene, this.camera);
       this.onChange();
     });
@@ -172,8 +217,18 @@ export class PartView {
     const chosen = new Set(keys);
     for (let i = 0; i < this.texels.length / 4; ++i) this.texels[4 * i + 3] = chosen.has(i) ? 255 : 0;
     this.material.uniforms.selecting.value = chosen.size ? 1 : 0;
+    this.overlay.visible = chosen.size > 0 && this.mesh.visible;
     this.palette.needsUpdate = true;
     this.draw();
+  }
+  /// The box about the faces of these keys as { lo, hi }, or null.
+  boundsOfKeys(keys) {
+    const chosen = new Set(keys), { position, index, owner } = this.part, lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < index.length; ++i) {
+      if (!chosen.has(owner[(i / 3) | 0])) continue;
+      for (let k = 0; k < 3; ++k) { const x = position[3 * index[i] + k]; lo[k] = Math.min(lo[k], x); hi[k] = Math.max(hi[k], x); }
+    }
+    return lo[0] <= hi[0] ? { lo, hi } : null;
   }
   setPlane(axis, share) {
     const a = "XYZ".indexOf(axis);
@@ -190,25 +245,53 @@ export class PartView {
   showNominal(on) { if (this.ghost) { this.ghost.visible = this.ghostEdges.visible = on; this.draw(); } }
   showEdges(on) { this.edgesWanted = on; this.edges.visible = on && this.mesh.visible; this.draw(); }
   /// The exact part, or nothing of it: what is played is shown in its place.
-  showPart(on) { this.mesh.visible = on; this.showEdges(this.edgesWanted ?? true); }
+  showPart(on) { this.mesh.visible = on; this.overlay.visible = on && this.material.uniforms.selecting.value > 0; this.showEdges(this.edgesWanted ?? true); }
 
-  // Far enough that the sphere about the part fits the narrower side of the picture.
-  fitDistance() {
-    const half = Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect));
-    return (this.bounds.size / 2 / Math.sin(half)) * 0.92;
+  /// Without perspective: from so far away that lines of sight are parallel to the pixel.
+  setParallel(on) {
+    const { camera, controls } = this, before = Math.tan((camera.fov * Math.PI) / 360);
+    camera.fov = on ? kParallel : kPerspective;
+    const factor = before / Math.tan((camera.fov * Math.PI) / 360);
+    camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+    this.draw();
+  }
+  get parallel() { return this.camera.fov === kParallel; }
+  // What is near the part is drawn with all the depth there is.
+  setDepth() {
+    const { camera, bounds } = this, away = camera.position.distanceTo(bounds.centre), reach = 3 * bounds.size;
+    camera.near = Math.max(away - reach, away / 2000);
+    camera.far = away + reach;
+    camera.updateProjectionMatrix();
+  }
+  // How far from the centre, in this direction, all of the part is seen.
+  fitDistance(away) {
+    const { centre: c, size } = this.bounds, side = this.up.clone().cross(away).normalize(), over = away.clone().cross(side);
+    const high = Math.tan((this.camera.fov * Math.PI) / 360), wide = 0.92 * high * this.camera.aspect, free = 0.92 * high * (1 - this.covered / this.canvas.clientHeight);
+    let distance = 0.1 * size;
+    for (const places of this.seen)
+      for (let i = 0; i < places.length; i += 3) {
+        const x = places[i] - c.x, y = places[i + 1] - c.y, z = places[i + 2] - c.z;
+        const right = Math.abs(x * side.x + y * side.y + z * side.z) / wide, up = Math.abs(x * over.x + y * over.y + z * over.z) / free;
+        distance = Math.max(distance, x * away.x + y * away.y + z * away.z + Math.max(right, up));
+      }
+    return distance;
   }
   look(view, glide = true) {
-    const from = { iso: [0.55, -0.95, 0.85], top: [0, -1e-4, 1], front: [0, -1, 0], right: [1, 0, 0] }[view];
-    const eye = new Vector3(...from).normalize().multiplyScalar(this.fitDistance()).add(this.bounds.centre);
+    const from = { iso: this.lies ? [0.4, -0.95, 0.6] : [0.55, -0.95, 0.85], top: [0, -1e-4, 1], front: [0, -1, 0], right: [1, 0, 0] }[view];
+    const away = this.inWorld(from).normalize(), eye = away.clone().multiplyScalar(this.fitDistance(away)).add(this.bounds.centre);
     this.fly(eye, this.bounds.centre, glide);
+  }
+  /// A direction that is given by right, away and up.
+  inWorld([right, away, up]) {
+    return new Vector3().addScaledVector(this.right, right).addScaledVector(this.away, away).addScaledVector(this.up, up);
   }
   flyTo(place, normal, extent) {
     const target = new Vector3(...place), out = new Vector3(...normal);
-    if (out.lengthSq() === 0) out.set(0, 0, 1);
+    if (out.lengthSq() === 0) out.copy(this.up);
     // Obliquely: straight down a normal every depth looks the same.
-    out.add(new Vector3(0.28, -0.42, 0.55)).normalize();
+    out.add(this.inWorld([0.28, -0.42, 0.55])).normalize();
     const span = Math.hypot(...[0, 1, 2].map((k) => extent[1][k] - extent[0][k]));
-    const reach = Math.min(this.fitDistance(), Math.max(span * 2.4, this.bounds.size * 0.28));
+    const reach = Math.min(this.fitDistance(out), Math.max(span * 2.4, this.bounds.size * 0.28));
     this.fly(out.multiplyScalar(reach).add(target), target, true);
   }
   fly(eye, target, glide) {
@@ -226,9 +309,9 @@ export class PartView {
   }
   turn(dx, dy) {
     const offset = this.camera.position.clone().sub(this.controls.target);
-    offset.applyAxisAngle(new Vector3(0, 0, 1), dx);
-    const side = new Vector3(0, 0, 1).cross(offset).normalize(), tilted = offset.clone().applyAxisAngle(side, dy);
-    if (Math.abs(tilted.clone().normalize().z) < 0.9995) offset.copy(tilted);
+    offset.applyAxisAngle(this.up, dx);
+    const side = this.up.clone().cross(offset).normalize(), tilted = offset.clone().applyAxisAngle(side, dy);
+    if (Math.abs(tilted.clone().normalize().dot(this.up)) < 0.9995) offset.copy(tilted);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update(); this.draw();
   }

@@ -126,6 +126,56 @@ const cases = {
     });
     place.forEach((x, k) => assert.ok(Math.abs(x - end[k]) < 1e-3));
   },
+  async "a line that is chosen at the end is framed, with its tool"(page) {
+    await page.click("#tab-program");
+    await page.click("#code .row[data-line='8']");
+    assert.ok(await page.isVisible("#frame"));
+    assert.ok(await page.evaluate(() => window.mrsimReport.view.overlay.visible && window.mrsimReport.played.tools.some((t) => t.visible)));
+    await page.keyboard.press("g");
+    const s = await state(page);
+    assert.ok(s.at < s.end && s.surface);
+    await page.keyboard.press("End");
+    await page.keyboard.press("Escape");
+    assert.ok(!(await page.isVisible("#frame")));
+  },
+  async "measures from corner to corner"(page) {
+    await page.click("[data-view=top]");
+    await page.waitForTimeout(700);
+    await page.check("#measure");
+    const box = await page.locator("#view").boundingBox();
+    for (const corner of [[0.3, 0.3, 0], [79.7, 0.3, 0]]) {
+      const p = await page.evaluate((c) => window.mrsimReport.view.project(c), corner);
+      await page.mouse.click(box.x + p.x, box.y + p.y);
+    }
+    assert.match(await page.textContent("#distance"), /^80\.000 mm \u00b7 X 80\.000 Y 0\.000 Z 0\.000$/);
+    await page.keyboard.press("m");
+    assert.equal(await page.locator("#distance").count(), 0);
+  },
+  async "without perspective equal lengths look equal"(page) {
+    const lengths = () => page.evaluate(() => {
+      const { view } = window.mrsimReport, at = (p) => view.project(p), apart = (a, b) => Math.hypot(at(a).x - at(b).x, at(a).y - at(b).y);
+      return [apart([0, 0, 0], [80, 0, 0]), apart([0, 55, 0], [80, 55, 0])];
+    });
+    const [near, far] = await lengths();
+    assert.ok(near / far > 1.02);
+    await page.keyboard.press("o");
+    await page.waitForTimeout(300);
+    const [a, b] = await lengths();
+    assert.ok(Math.abs(a / b - 1) < 0.003, `${a} and ${b}`);
+    assert.ok(Math.abs(a / near - 1) < 0.2);
+  },
+  async "a section cuts what is played"(page) {
+    await goTo(page, 0.5);
+    const hits = () => page.evaluate(() => {
+      const { played, view } = window.mrsimReport, c = view.canvas;
+      let most = -Infinity;
+      for (let x = 0.05; x < 1; x += 0.05) for (let y = 0.2; y < 0.9; y += 0.05) { const hit = played.pick(x * c.clientWidth, y * c.clientHeight); if (hit) most = Math.max(most, hit.place[0]); }
+      return most;
+    });
+    assert.ok((await hits()) > 60);
+    await page.selectOption("#section-axis", "X");
+    assert.ok((await hits()) <= 40.01);
+  },
   async "nothing of the program is run"(page) {
     assert.equal(await page.evaluate(() => window.evil), undefined);
     await page.click("#tab-program");
@@ -162,6 +212,9 @@ try {
     const page = await browser.page(report("turned", join(data, "PRIMER_2S.MPF"), "--stock", join(data, "bar.stl")), wide);
     await cases["the surface of a moment is what the program counted"](page);
     assert.ok(await page.evaluate(() => window.mrsimReport.play.halfPlane));
+    // The spindle's axis lies.
+    const [left, right] = await page.evaluate(() => [0, 50].map((z) => window.mrsimReport.view.project([0, 0, z])));
+    assert.ok(right.x - left.x > 3 * Math.abs(right.y - left.y));
     // Closed and smooth: its volume at the end is that of the part within what rings of 72 corners miss.
     const volume = await page.evaluate(() => {
       const { mesh } = window.mrsimReport.played, { play } = window.mrsimReport;
@@ -175,14 +228,14 @@ try {
         }
       return six / 6;
     });
-    const told = Number(/([\d.]+) mm3,/.exec(await page.evaluate(() => window.mrsimReport.data.facts.facts.find(([name]) => name === "Volume")[1]))[1]);
+    const told = Number(/volume ([\d. ]+) mm³/.exec(await page.textContent("#totals"))[1].replaceAll(" ", ""));
     assert.ok(Math.abs(volume / told - 1) < 0.01, `${volume} and ${told}`);
     await page.context().close();
   });
-  await check("at the width of a phone all of the time line is seen", async () => {
+  await check("at the width of a phone every button is seen", async () => {
     const page = await browser.page(milled, { width: 390, height: 844 }, "dark");
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
-    const boxes = await page.evaluate(() => [...document.querySelectorAll("#timeline button, #timeline select, #now")].map((n) => { const b = n.getBoundingClientRect(); return [b.left, b.right]; }));
+    const boxes = await page.evaluate(() => [...document.querySelectorAll("#timeline button, #timeline select, #now, #bar button, #bar select, #bar label")].filter((n) => n.offsetParent).map((n) => { const b = n.getBoundingClientRect(); return [b.left, b.right]; }));
     for (const [left, right] of boxes) assert.ok(left >= 0 && right <= 390, `${left} .. ${right}`);
     await page.context().close();
   });
