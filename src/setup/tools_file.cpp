@@ -5,9 +5,11 @@
 #include "core/units.h"
 #include "setup/tool_keys.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -226,10 +228,10 @@ Tool Reader::read_tool(const toml::table& entry) const {
 }
 
 void Reader::read_tools(const toml::node& node) {
+  std::set<std::string> ids;
   for (const toml::node& item : array("tool", node)) {
     Tool tool = read_tool(table("tool", item));
-    const auto same = [&](const Tool& other) { return other.id == tool.id; };
-    if (std::any_of(table_.tools.begin(), table_.tools.end(), same))
+    if (!ids.insert(tool.id).second)
       fail(item.source().begin, "tools-duplicate",
            fmt::format("tool \"{}\" is given twice", tool.id));
     table_.tools.push_back(std::move(tool));

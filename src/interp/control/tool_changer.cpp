@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,13 +21,24 @@ std::string id_of(const Word& word, bool lathe_offsets) {
   return fmt::format("{}", number);
 }
 
-const Tool* find_tool(const ToolTable& table, const std::string& id) {
-  for (const Tool& tool : table.tools)
-    if (tool.id == id) return &tool;
-  return nullptr;
+}  // namespace
+
+ToolChanger::ToolChanger(Control& control)
+    : ControlPart(control), tool_(control.tool), notes_(lathe() && is(Dialect::fanuc)) {
+  const std::vector<Tool>& tools = options_.table.tools;
+  for (std::size_t i = 0; i < tools.size(); ++i) given_.emplace(tools[i].id, i);
 }
 
-}  // namespace
+const Tool* ToolChanger::given(const std::string& id) const {
+  const auto at = given_.find(id);
+  return at == given_.end() ? nullptr : &options_.table.tools[at->second];
+}
+
+void ToolChanger::use(Tool tool) {
+  tool_.index = static_cast<int>(program_.tools.size());
+  used_.emplace(tool.id, tool_.index);
+  program_.tools.push_back(std::move(tool));
+}
 
 void ToolChanger::read_comments() {
   const Word* t = peek('T');
@@ -102,13 +115,13 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why) cons
 
 // The data of a tool, and where they came from. False when there are none.
 bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why) const {
-  if (const Tool* known = find_tool(options_.table, id)) {
+  if (const Tool* known = given(id)) {
     out = *known;
     return true;
   }
   if (infer(id, out, why)) return true;
   out = {};
-  if (const Tool* any = find_tool(options_.table, "")) {
+  if (const Tool* any = given("")) {
     out = *any;
     out.origin = fmt::format("{}, given for the program as a whole", any->origin);
     return true;
@@ -131,11 +144,10 @@ void ToolChanger::require(const Word& where, bool cuts) {
     change();
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
-  for (std::size_t i = 0; i < program_.tools.size(); ++i)
-    if (program_.tools[i].id == tool_.current) {
-      tool_.index = static_cast<int>(i);
-      return;
-    }
+  if (const auto known = used_.find(tool_.current); known != used_.end()) {
+    tool_.index = known->second;
+    return;
+  }
   Tool tool;
   std::string why;
   if (!tool_.chosen && !cuts) return;
@@ -144,9 +156,8 @@ void ToolChanger::require(const Word& where, bool cuts) {
     return;
   }
   tool.id = tool_.current;
-  program_.tools.push_back(tool);
-  tool_.index = static_cast<int>(program_.tools.size()) - 1;
-  if (find_tool(options_.table, tool_.current)) return;
+  use(tool);
+  if (given(tool_.current)) return;
   const std::string text =
       fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
                   tool_summary(tool), tool.origin);
@@ -168,8 +179,7 @@ void ToolChanger::missing(const Word& where, const std::string& why) {
   Tool unknown;  // so that traces can name it; the error stops everything else
   unknown.id = tool_.current;
   unknown.origin = "no data";
-  program_.tools.push_back(unknown);
-  tool_.index = static_cast<int>(program_.tools.size()) - 1;
+  use(std::move(unknown));
   reporter_.add_at(
       Severity::error, "tool-unknown",
       fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml", tool_.current,

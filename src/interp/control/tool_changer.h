@@ -5,12 +5,15 @@
 #include "interp/control/control.h"
 #include "interp/control/tool_notes.h"
 
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+
 namespace mrsim {
 
 class ToolChanger : public ControlPart {
  public:
-  explicit ToolChanger(Control& control)
-      : ControlPart(control), tool_(control.tool), notes_(lathe() && is(Dialect::fanuc)) {}
+  explicit ToolChanger(Control& control);
 
   /// Comments come before the words of their block: a hint may be for the T in it.
   void read_comments();
@@ -38,9 +41,13 @@ class ToolChanger : public ControlPart {
   bool resolve(const std::string& id, Tool& out, std::string& why) const;
   bool infer(const std::string& id, Tool& out, std::string& why) const;
   void missing(const Word& where, const std::string& why);
+  const Tool* given(const std::string& id) const;
+  void use(Tool tool);
 
   ToolState& tool_;
   ToolNotes notes_;
+  std::unordered_map<std::string, std::size_t> given_;  ///< id -> tool of the table, the first
+  std::unordered_map<std::string, int> used_;           ///< id -> tool of the program
 };
 
 /// "end mill 5 mm"
