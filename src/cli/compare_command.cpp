@@ -262,9 +262,6 @@ int run_compare(int argc, const char* const* argv) {
   return finish_output(show_comparison(request, nominal, comparison));
 }
 
-namespace {
-
-// The lines that collide, the deepest first.
 std::vector<ReportCollision> collisions_of(const JobResult& result) {
   const Program& program = result.program;
   std::vector<ReportCollision> out;
@@ -290,8 +287,6 @@ std::vector<ReportCollision> collisions_of(const JobResult& result) {
   });
   return out;
 }
-
-}  // namespace
 
 ReportFacts facts_of(const JobResult& result, const std::string& program) {
   ReportFacts out;

@@ -61,6 +61,8 @@ TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part);
 /// The command: argv[0] is "compare".
 int run_compare(int argc, const char* const* argv);
 
+/// The lines of a run that collide, the deepest first.
+std::vector<ReportCollision> collisions_of(const JobResult& result);
 /// What a run tells the report.
 ReportFacts facts_of(const JobResult& result, const std::string& program);
 

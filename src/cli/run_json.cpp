@@ -1,6 +1,7 @@
 #include "cli/run_json.h"
 
 #include "cli/commands.h"
+#include "cli/compare_command.h"
 #include "cli/report.h"
 #include "core/text_io.h"
 
@@ -117,20 +118,16 @@ Json pieces_json(const JobResult& r) {
 
 Json collisions_json(const JobResult& r) {
   Json lines = Json::array();
-  for (const Collision& c : r.collisions.lines) {
-    const bool known = c.motion < r.program.motions.size();
-    const Motion motion = known ? r.program.motions[c.motion] : Motion();
-    const Program& program = r.program;
-    lines.push_back({{"file", known ? to_utf8(program.files[std::size_t(motion.file)]) : ""},
-                     {"line", motion.line},
-                     {"tool", known ? to_utf8(program.tools[std::size_t(motion.tool)].id) : ""},
-                     {"part", tool_part_name(c.part)},
-                     {"rapid", motion.kind == MotionKind::rapid},
+  for (const ReportCollision& c : collisions_of(r))
+    lines.push_back({{"file", to_utf8(c.file)},
+                     {"line", c.line},
+                     {"tool", to_utf8(c.tool)},
+                     {"part", c.part},
+                     {"rapid", c.rapid},
                      {"depth", number(c.depth)},
                      {"at", point(c.place)},
-                     {"motion", c.motion + 1},
+                     {"motion", c.motion},
                      {"motions", c.motions}});
-  }
   return {{"lines", std::move(lines)}, {"more", r.collisions.more}};
 }
 
@@ -205,6 +202,16 @@ std::string findings(const RunRecord& record, Severity severity) {
   return out;
 }
 
+// The collisions, the deepest first, one a line.
+std::string collisions_text(const JobResult& r) {
+  std::string out;
+  for (const ReportCollision& c : collisions_of(r))
+    out += fmt::format("{}:{}: the {} of T{} runs {:.3f} mm deep into material{} in motion {}\n",
+                       c.file, c.line, c.part, c.tool, c.depth, c.rapid ? " in a rapid" : "",
+                       c.motion);
+  return r.collisions.more > 0 ? out + fmt::format("and {} more\n", r.collisions.more) : out;
+}
+
 }  // namespace
 
 std::string run_json(const RunRecord& given) {
@@ -260,7 +267,8 @@ std::string run_junit(const RunRecord& given) {
   add("program", !errors.empty(), errors);
   add("run", record.exit_code != kDone && record.exit_code != kRejected,
       record.error_text.empty() ? status_of(record.exit_code) : record.error_text);
-  add("collisions", record.exit_code == kCollision, findings(record, Severity::warning));
+  const std::string collisions = collisions_text(*record.result);
+  add("collisions", !collisions.empty(), collisions);
   add("comparison", record.exit_code == kRejected,
       record.comparison != nullptr ? comparison_text(*record.comparison) : "");
   return fmt::format(

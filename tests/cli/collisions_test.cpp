@@ -2,6 +2,8 @@
 // programs.
 #include "run_program.h"
 
+#include <nlohmann/json.hpp>
+
 namespace mrsim {
 namespace {
 
@@ -46,7 +48,7 @@ TEST_F(CollisionsSeen, ShankAndHolderAreNamed) {
   write("tools.toml",
         "[[tool]]\nid = \"1\"\ntype = \"endmill\"\ndiameter = 6\nflute_length = 2\n"
         "shank = [[8, 0.5]]\nholder = [[30, 30, 20]]\n");
-  const Outcome outcome = dive("--tools tools.toml");
+  const Outcome outcome = dive("--tools tools.toml --json r.json --junit r.xml");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   // Tip at -3: the shank begins at -1, the holder at -0.5.
   EXPECT_TRUE(contains(outcome.err, "dive.MPF:6:1: warning: the shank of T1 runs 1.000 mm deep"))
@@ -55,6 +57,15 @@ TEST_F(CollisionsSeen, ShankAndHolderAreNamed) {
       << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[shank-collision]")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[holder-collision]")) << outcome.err;
+  // For programs, too: red, and the deepest first.
+  const nlohmann::json lines = nlohmann::json::parse(read("r.json"))["collisions"]["lines"];
+  ASSERT_GE(lines.size(), 2u);
+  for (std::size_t k = 1; k < lines.size(); ++k)
+    EXPECT_GE(lines[k - 1]["depth"], lines[k]["depth"]) << k;
+  const std::string xml = read("r.xml");
+  EXPECT_TRUE(contains(xml, "failures=\"1\"")) << xml;
+  EXPECT_TRUE(contains(xml, "name=\"collisions\"><failure")) << xml;
+  EXPECT_TRUE(contains(xml, "dive.MPF:6: the shank of T1 runs 1.000 mm deep")) << xml;
 }
 
 TEST_F(CollisionsSeen, ALoopIsOneWarningWithItsCalls) {

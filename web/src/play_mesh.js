@@ -156,7 +156,7 @@ export class PlayMesh {
   // A row's quad reaches a little over its neighbours, whose corners lie along its sides: without
   // that, single pixels between them stay empty.
   widen(quad) {
-    const { position } = this, by = 0.03 * this.play.voxel, at = 12 * quad, moved = kMoved;
+    const { position } = this, by = 0.1 * this.play.voxel, at = 12 * quad, moved = kMoved;
     for (let k = 0; k < 4; ++k) {
       const a = at + 3 * k;
       for (let c = 0; c < 3; ++c) moved[3 * k + c] = position[a + c];

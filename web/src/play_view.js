@@ -5,9 +5,11 @@ import { kRapid } from "./play.js";
 import { PlayMesh } from "./play_mesh.js";
 
 const kMostPath = 8000; // ends of straight pieces: longer paths show their last part unless asked
-const kTail = 400;
+const kTail = 800;
 
 const kSolidVertex = "varying vec3 vNormal; void main() { vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";
+// A little farther from the eye than the surface, whose places are rounded.
+const kGhostVertex = "uniform float size; varying vec3 vNormal; void main() { vNormal = normalMatrix * normal; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 + 0.0008 * size / length(p.xyz); gl_Position = projectionMatrix * p; }";
 const kSolidFragment = `uniform vec3 color; uniform float alpha; varying vec3 vNormal;
 void main() { vec3 n = normalize(vNormal); if (!gl_FrontFacing) n = -n; gl_FragColor = vec4(color * (0.5 + 0.5 * max(n.z, 0.0)), alpha); }`;
 const kLineVertex = "uniform float size; attribute float rapid; varying float vRapid; void main() { vRapid = rapid; vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 - 0.003 * size / length(p.xyz); gl_Position = projectionMatrix * p; }";
@@ -84,7 +86,8 @@ export class PlayView {
     this.ghost = new Group();
     const geometry = stockGeometry(this.play.stock, this.play);
     this.ghostFill = solid(plainColor(150, 158, 164), 0.1);
-    Object.assign(this.ghostFill, { side: FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }); // behind the surface where they meet
+    Object.assign(this.ghostFill, { side: FrontSide, vertexShader: kGhostVertex });
+    this.ghostFill.uniforms.size = { value: this.view.bounds.size };
     this.ghostLine = new ShaderMaterial({ uniforms: { ink: { value: new Color() }, size: { value: this.view.bounds.size } }, vertexShader: "uniform float size; void main() { vec4 p = modelViewMatrix * vec4(position, 1.0); p.xyz *= 1.0 - 0.0016 * size / length(p.xyz); gl_Position = projectionMatrix * p; }", fragmentShader: "uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 0.5); }", transparent: true });
     const fill = new Mesh(geometry, this.ghostFill);
     fill.renderOrder = 3;
@@ -173,7 +176,7 @@ export class PlayView {
       path.geometry.setDrawRange(this.pathEnd[first], this.pathEnd[end] - this.pathEnd[first]);
       return;
     }
-    const done = this.pathEnd[motion], first = this.pathWanted ? 0 : this.pathEnd[Math.max(0, motion - kTail)];
+    const done = this.pathEnd[motion], first = this.pathWanted ? 0 : Math.max(0, done - kTail);
     const pieces = (this.pathEnd[motion + 1] - done) / 2, shown = Math.min(pieces, Math.ceil(pieces * (at - motion)));
     this.bend(shown > 0 ? done + 2 * shown - 1 : -1, play.placeAt(at));
     path.geometry.setDrawRange(first, done + 2 * shown - first);
