@@ -4,10 +4,11 @@
 #include "mesh/surface/survey.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
-#include "removal/sweep/sweep_table.h"
+#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,11 +24,10 @@ constexpr double kToleranceShare = 1.7e-4;
 // tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
 // another one leaves one); voxels in whose corners it looks for what its cells may hide.
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
-constexpr double kMostCells = 1.2e5, kMostCreases = 1e4;
+constexpr double kMostCells = 4e5, kMostCreases = 2e5;
 constexpr double kMostScanned = 1e5;
-// A helix costs a search for each of its points: fewer blocks, and sweeps in them.
-constexpr std::size_t kMostHelixBlocks = 6000;
-constexpr double kMostHelixSweeps = 3e4;
+// A helix costs a search for each of its points: fewer sweeps of blocks.
+constexpr double kMostHelixSweeps = 6e4;
 
 // What a cell of a mesh within a tolerance takes: bytes within a factor of three, seconds at least.
 // Where creases lie close together a cell is halved again and again, and takes five times as long.
@@ -38,17 +38,34 @@ double longest_side(const Box3& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-// The tools' smallest radius, from one cut of each tool: the sweeps of a long program are made once
-// only.
-double smallest_radius(const CutList& cuts) {
-  std::vector<bool> seen(cuts.tools().size(), false);
-  std::vector<Motion> samples;
+// Of each tool the lowest tip of its cuts; infinite where it does not cut along its own axis Z.
+std::vector<double> lowest_tips(const CutList& cuts) {
+  std::vector<double> lowest(cuts.tools().size(), std::numeric_limits<double>::infinity());
   for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0 || seen[static_cast<std::size_t>(motion.tool)]) continue;
-    seen[static_cast<std::size_t>(motion.tool)] = true;
-    samples.push_back(motion);
+    if (!is_cut(motion) || motion.tool < 0) continue;
+    double& z = lowest[static_cast<std::size_t>(motion.tool)];
+    const bool is_upright = motion.tool_axis == Vec3{0, 0, 1};
+    z = is_upright ? std::min({z, motion.start.z, motion.end.z})
+                   : -std::numeric_limits<double>::infinity();
   }
-  return SweepTable(samples, cuts.tools()).smallest_radius();
+  return lowest;
+}
+
+// The smallest radius with which a tool cuts: that of its cutter at the stock's top, since a V-bit
+// of 6 mm leaves grooves of 0.1 mm when it engraves.
+double smallest_radius(const CutList& cuts, double stock_top) {
+  const std::vector<double> lowest = lowest_tips(cuts);
+  double least = 0;
+  for (std::size_t k = 0; k < lowest.size(); ++k) {
+    if (!(lowest[k] < stock_top)) continue;
+    const ToolShape shape = make_tool_shape(cuts.tools()[k]);
+    const double radius =
+        shape.turning
+            ? shape.radius
+            : std::min(shape.radius, shape.cutter.max_radius_below(stock_top - lowest[k]));
+    if (radius > 0 && (least == 0 || radius < least)) least = radius;
+  }
+  return least;
 }
 
 // Neighbours in the series 1, 2, 2.5, 5.
@@ -90,7 +107,7 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 }
 
 bool suits_tolerance(const detail::SurfaceSurvey& survey, double cells, bool has_helix) {
-  if (has_helix) return survey.blocks <= kMostHelixBlocks && sweeps_met(survey) <= kMostHelixSweeps;
+  if (has_helix && sweeps_met(survey) > kMostHelixSweeps) return false;
   const double creases = static_cast<double>(survey.blocks) * std::max(0.0, survey.sweeps - 1);
   return cells <= kMostCells && creases <= kMostCreases;
 }
@@ -113,7 +130,8 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.tolerance = job.mesh.tolerance;
   choice.tolerance_reason = choice.tolerance != 0 ? "--tolerance" : "";
   if (choice.voxel != 0) return choice;
-  choice.radius = smallest_radius(cuts);
+  choice.fits_voxel = true;
+  choice.radius = smallest_radius(cuts, stock.box.hi.z);
   choice.has_helix = std::ranges::any_of(cuts.motions(), is_helix);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
@@ -132,7 +150,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 }
 
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
-  if (!choice.is_default) return;
+  if (!choice.fits_voxel) return;
   const double longest = longest_side(field.bounds());
   const double cell = wished_cell(choice, longest);
   choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
@@ -143,7 +161,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
     grid = finer_voxel(grid);
   const double finest = grid;
   while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
-  if (suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
+  if (!choice.is_default) choice.fallback_voxel = 0;  // a wish is kept
+  if (!choice.is_default || suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);

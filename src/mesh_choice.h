@@ -17,9 +17,10 @@ struct MeshChoice {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
-  double radius = 0;          ///< mm: the smallest cutter's, 0 = none has one
+  double radius = 0;          ///< mm: the smallest with which a tool cuts, 0 = none has one
   bool has_helix = false;     ///< a cut is one
-  bool is_default = false;    ///< neither was given: fit_mesh() may change both
+  bool fits_voxel = false;    ///< it was not given: fit_mesh() may change it
+  bool is_default = false;    ///< nor was the tolerance: likewise
   bool measure = false;       ///< MeshOptions::measure
   double fallback_voxel = 0;  ///< MeshOptions::fallback_voxel
 };

@@ -41,7 +41,9 @@ constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side,
 constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
 constexpr double kMostNodes = 2.5e5;       ///< of the octree, where a grid may take its place
 constexpr std::size_t kMostRounds = 24;    ///< of splitting, likewise
+constexpr double kMostFirstNodes = 1.2e5;  ///< before the first round, likewise
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
+constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
 class Contour {
  public:
@@ -63,6 +65,8 @@ class Contour {
   TriMesh run() {
     report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
     detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
+    if (options_.fallback_voxel > 0 && static_cast<double>(tree_.size()) > kMostFirstNodes)
+      throw Error("mesh-unresolved", "it takes too many cells");
     find_topology();
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
@@ -244,9 +248,11 @@ class Contour {
 
   // How finely the surface about a triangle that misses the tolerance by `factor` has to be drawn
   // in the same cells: with the square of the length of its edges the distance falls by two from
-  // step to step. Flat: cells must be split.
+  // step to step. Flat: cells must be split; so they are in the end, since detail about one edge
+  // can ask for detail about the next one, all along a curve.
   Detail detail_for(const BaseMesh& base, std::size_t t, double factor) const {
     const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
+    if (report_.passes > kDrawnRounds) return Detail::flat;
     if (c.detail == Detail::flat && factor <= 2 && !is_late()) return Detail::fan;
     return c.detail != Detail::full && factor <= 4 ? Detail::full : Detail::flat;
   }

@@ -3,6 +3,7 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "mesh/adaptive.h"
+#include "mesh/solid/check.h"
 #include "removal/part/part_field.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
@@ -118,6 +119,24 @@ TEST(Tolerance, BoundHoldsWhereFacesEndWithinTriangles) {
     expect_bound_holds(small, tool, 0.01, name + ", small arcs");
     expect_bound_holds(tips, tool, 0.01, name + ", tips");
   }
+}
+
+// The bottom of a V-bit's groove is an edge of the mesh: no cells are small along it.
+TEST(Tolerance, GroovesOfASharpTipTakeFewTriangles) {
+  Tool vee = mill(ToolType::chamfer, 8);
+  vee.tip_angle = kPi / 2;
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const Motion cut = line({-10, 9.7, 6}, {30, 9.7, 6});
+  const PartField field(StockSolid(shape), SweepTable(std::span(&cut, 1), std::span(&vee, 1)));
+  MeshOptions options;
+  options.tolerance = 0.005;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, options, &report);
+  EXPECT_LT(mesh.triangles.size(), 40u);
+  EXPECT_LT(report.cells, 12000u);
+  EXPECT_LT(report.bound, 1e-5);
+  EXPECT_NEAR(check_mesh(mesh).volume, 20.0 * 20 * 8 - 20 * 4, 1e-3);
 }
 
 // Flat, ball and bull-nose mills on lines and level arcs leave nothing to samples.

@@ -213,6 +213,41 @@ TEST(Flutes, LetThroughWhatTheyDoNotReach) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryTool, ::testing::Range(0, static_cast<int>(all_tools().size())));
 
+// A groove of 90 degrees: its flanks are planes, or cones about an arc's axis.
+TEST(Grooves, FlanksOfASharpTipAreFacesOfTheirOwn) {
+  Tool vee = mill(ToolType::chamfer, 8);
+  vee.tip_angle = kPi / 2;
+  const Motion moves[] = {line({0, 0, 0}, {20, 0, 0}), line({0, 0, 0}, {20, 0, 2}),
+                          arc({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, kPi)};
+  const SweepTable table(moves, std::span(&vee, 1));
+  const Vec3 left{10, 0.5, 1}, right{10, -0.5, 1};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::int32_t one = table.patch(i, left), other = table.patch(i, right);
+    EXPECT_NE(one, other);
+    EXPECT_LT(dot(table.gradient(i, left, one), table.gradient(i, right, other)), 0.1);
+    // A flank seen from beyond the bottom is the same plane.
+    EXPECT_NEAR(
+        table.patch_distance(i, right, one),
+        table.patch_distance(i, left, one) + dot(table.gradient(i, left, one), right - left), 1e-9);
+    EXPECT_EQ(table.gradient(i, right, one), table.gradient(i, left, one));
+  }
+  EXPECT_NEAR(table.patch_distance(0, right, table.patch(0, left)), -1.5 * std::sqrt(0.5), 1e-9);
+  const Vec3 within{0, 9.5, 1}, without{0, 10.5, 1};
+  const std::int32_t inner = table.patch(2, within), outer = table.patch(2, without);
+  EXPECT_NE(inner, outer);
+  EXPECT_NEAR(table.patch_distance(2, without, inner), -1.5 * std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(table.patch_distance(2, within, outer), -1.5 * std::sqrt(0.5), 1e-9);
+}
+
+// A ball's and a flat mill's floors have no crease along the path.
+TEST(Grooves, AreLeftBySharpTipsAlone) {
+  for (const Tool& tool : {ballmill(6), endmill(6), endmill(6, 1)}) {
+    const Motion move = line({0, 0, 0}, {20, 0, 2});
+    const SweepTable table(std::span(&move, 1), std::span(&tool, 1));
+    EXPECT_EQ(table.patch(0, {10, 0.5, 0.9}), table.patch(0, {10, -0.5, 0.9}));
+  }
+}
+
 TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
   for (const Tool& tool : form_tools())
     for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 1, 1e-6);

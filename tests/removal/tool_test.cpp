@@ -103,6 +103,23 @@ TEST(Profile, DistanceIsThatOfTheOutlineSignedByTheInside) {
   }
 }
 
+TEST(Profile, RadiusBelowAHeightIsTheLargestOfTheOutlineUpToIt) {
+  Random r(2);
+  for (const Tool& tool : tools()) {
+    const Profile profile = make_cutter(tool);
+    const std::vector<Vec2> points = outline(profile);
+    for (int k = 0; k < 30; ++k) {
+      const double z = r(0.01, 12);
+      double want = 0;
+      for (const Vec2& p : points)
+        if (p.y <= z) want = std::max(want, p.x);
+      EXPECT_NEAR(profile.max_radius_below(z), want, 0.02)
+          << static_cast<int>(tool.type) << ' ' << z;
+      EXPECT_GE(profile.max_radius_below(z), want);
+    }
+  }
+}
+
 TEST(Profile, FlagsTellWhatTheSweepsRelyOn) {
   EXPECT_TRUE(make_cutter(endmill(6)).is_rounded());
   EXPECT_TRUE(make_cutter(endmill(6, 0, 9)).is_rounded());
@@ -118,6 +135,9 @@ TEST(Profile, FlagsTellWhatTheSweepsRelyOn) {
   slot.flute_length = 3;
   EXPECT_FALSE(make_cutter(slot).is_rising());
   EXPECT_TRUE(make_cutter(mill(ToolType::drill, 5)).is_rising());
+  EXPECT_TRUE(make_cutter(mill(ToolType::drill, 5)).has_sharp_tip());
+  EXPECT_FALSE(make_cutter(ballmill(6)).has_sharp_tip());
+  EXPECT_FALSE(make_cutter(endmill(6)).has_sharp_tip());
 }
 
 TEST(Profile, SmoothJointsShareAPatchAndCornersDoNot) {

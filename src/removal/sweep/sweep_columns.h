@@ -23,8 +23,10 @@
 namespace mrsim {
 
 /// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
-/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix).
+/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix), plus
+/// kFlankPatch for the second flank of the groove that a sharp tip leaves.
 inline constexpr std::int32_t kCornerPatch = 1 << 12;
+inline constexpr std::int32_t kFlankPatch = 1 << 15;
 inline constexpr std::int32_t kBranchPatch = 1 << 16;
 
 enum class SweepKind : std::uint8_t {
@@ -60,10 +62,11 @@ struct Frame {
 
 struct SweepRef {
   SweepKind kind = SweepKind::profile;
-  bool split = false;       ///< arc whose wall can meet itself: its halves are patches of their own
-  std::uint16_t frame = 0;  ///< index into frames + 1, 0 = the stock's own
-  std::uint32_t row = 0;    ///< index into the column of its kind
-  std::int32_t shape = 0;   ///< index into shapes
+  bool split : 1 = false;  ///< arc whose wall can meet itself: its halves are patches of their own
+  bool grooves : 1 = false;  ///< by a sharp tip: so are the flanks on both sides of the path
+  std::uint16_t frame = 0;   ///< index into frames + 1, 0 = the stock's own
+  std::uint32_t row = 0;     ///< index into the column of its kind
+  std::int32_t shape = 0;    ///< index into shapes
 };
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.

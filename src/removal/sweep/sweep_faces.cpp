@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrsim {
 namespace {
@@ -128,23 +129,43 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
           face_distance(tool, c.rho, c.q.z, face)};
 }
 
-}  // namespace
-
-std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size_t i,
-                                                const Vec3& p) {
-  const SweepRef& ref = c.refs[i];
-  if (ref.frame > 0 || (ref.kind != SweepKind::plane_line && ref.kind != SweepKind::plane_arc &&
-                        ref.kind != SweepKind::profile))
-    return std::nullopt;
-  const Profile& tool = c.cutter(ref);
-  if (!tool.is_rounded() || !tool.is_rising()) return std::nullopt;
-  const LevelView v = level_view(c, ref);
-  return SweepTable::FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
+// The tip's face, which a sharp tip draws on both sides of its path.
+bool is_flank(const SweepRef& ref, std::int32_t patch) {
+  return ref.grooves && (patch & (kFlankPatch - 1)) == 0;
 }
 
-SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point) {
-  const SweepRef& ref = c.refs[i];
-  const Vec3 p = ref.frame > 0 ? c.frames[ref.frame - 1].in(point) : point;
+Vec3 local_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return ball_gradient(c.ball_lines[ref.row].c, p);
+    case SweepKind::ball_arc:
+      return ball_arc_gradient(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
+    case SweepKind::path:
+      return path_face(c, ref, p, patch).gradient;
+    case SweepKind::turn:
+      return turn_gradient(c.turns[ref.row], p, patch);
+    default:
+      return level_gradient(c, ref, p, patch);
+  }
+}
+
+double local_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                           std::int32_t patch) {
+  switch (ref.kind) {
+    case SweepKind::ball_line:
+      return c.distance(ref, p);
+    case SweepKind::ball_arc:
+      return ball_arc_distance(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
+    case SweepKind::path:
+      return path_face(c, ref, p, patch).distance;
+    case SweepKind::turn:
+      return turn_face_distance(c.turns[ref.row], p, patch);
+    default:
+      return level_face_distance(c, ref, p, patch);
+  }
+}
+
+SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
   switch (ref.kind) {
     case SweepKind::ball_line:
       return {c.distance(ref, p), 0};
@@ -164,46 +185,78 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point
   }
 }
 
+// The point on the flank's side of the path from which the flank is seen as from p: p itself, or,
+// from beyond the groove's bottom, its mirror image.
+Vec3 flank_view(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+  constexpr double kLeast = 1e-7;  // mm from the bottom, where the flank's normal is known
+  const GrooveSide at = groove_side(c, ref, p);
+  const double side = (patch & kFlankPatch) != 0 ? 1 : -1;
+  if (side * at.off >= kLeast) return p;
+  const double seen = std::min(std::max(kLeast, -side * at.off), at.most);
+  return p + (side * seen - at.off) * at.across;
+}
+
+}  // namespace
+
+std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size_t i,
+                                                const Vec3& p) {
+  const SweepRef& ref = c.refs[i];
+  if (ref.frame > 0 || (ref.kind != SweepKind::plane_line && ref.kind != SweepKind::plane_arc &&
+                        ref.kind != SweepKind::profile))
+    return std::nullopt;
+  const Profile& tool = c.cutter(ref);
+  if (!tool.is_rounded() || !tool.is_rising()) return std::nullopt;
+  const LevelView v = level_view(c, ref);
+  return SweepTable::FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
+}
+
+GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
+  double x, y, dx, dy;
+  if (ref.kind == SweepKind::path) {
+    const ToolPath& path = c.paths[ref.row];
+    x = path.start.x, y = path.start.y, dx = path.travel.x, dy = path.travel.y;
+  } else {
+    const ProfileRow& row = c.profiles[ref.row];
+    x = row.c[0], y = row.c[1], dx = row.c[2], dy = row.c[3];
+    if (row.arc) {
+      const double radius = row.c[2], rx = p.x - x, ry = p.y - y, r = std::sqrt(rx * rx + ry * ry);
+      if (!(r > 0)) return {-radius, {1, 0, 0}, radius};
+      return {r - radius, {rx / r, ry / r, 0}, radius};
+    }
+  }
+  const double n = std::sqrt(dx * dx + dy * dy);
+  const Vec3 across{-dy / n, dx / n, 0};
+  return {across.x * (p.x - x) + across.y * (p.y - y), across,
+          std::numeric_limits<double>::infinity()};
+}
+
+SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point) {
+  const SweepRef& ref = c.refs[i];
+  const Vec3 p = ref.frame > 0 ? c.frames[ref.frame - 1].in(point) : point;
+  SweepSample s = local_sample(c, ref, p);
+  if (is_flank(ref, s.patch) && groove_side(c, ref, p).off > 0) s.patch += kFlankPatch;
+  return s;
+}
+
 Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& point, std::int32_t patch) {
   const SweepRef& ref = c.refs[i];
   const Frame* frame = ref.frame > 0 ? &c.frames[ref.frame - 1] : nullptr;
   const Vec3 p = frame != nullptr ? frame->in(point) : point;
-  Vec3 g;
-  switch (ref.kind) {
-    case SweepKind::ball_line:
-      g = ball_gradient(c.ball_lines[ref.row].c, p);
-      break;
-    case SweepKind::ball_arc:
-      g = ball_arc_gradient(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
-      break;
-    case SweepKind::path:
-      g = path_face(c, ref, p, patch).gradient;
-      break;
-    case SweepKind::turn:
-      g = turn_gradient(c.turns[ref.row], p, patch);
-      break;
-    default:
-      g = level_gradient(c, ref, p, patch);
-  }
+  const Vec3 from = is_flank(ref, patch) ? flank_view(c, ref, p, patch) : p;
+  const Vec3 g = local_gradient(c, ref, from, patch & ~kFlankPatch);
   return frame != nullptr ? frame->out(g) : g;
 }
 
+// A flank goes on beyond the groove's bottom as its tangent plane.
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& point,
                             std::int32_t patch) {
   const SweepRef& ref = c.refs[i];
   const Vec3 p = ref.frame > 0 ? c.frames[ref.frame - 1].in(point) : point;
-  switch (ref.kind) {
-    case SweepKind::ball_line:
-      return c.distance(ref, p);
-    case SweepKind::ball_arc:
-      return ball_arc_distance(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
-    case SweepKind::path:
-      return path_face(c, ref, p, patch).distance;
-    case SweepKind::turn:
-      return turn_face_distance(c.turns[ref.row], p, patch);
-    default:
-      return level_face_distance(c, ref, p, patch);
-  }
+  if (!is_flank(ref, patch)) return local_face_distance(c, ref, p, patch);
+  const std::int32_t face = patch & ~kFlankPatch;
+  const Vec3 from = flank_view(c, ref, p, patch);
+  const double d = local_face_distance(c, ref, from, face);
+  return from == p ? d : d + dot(local_gradient(c, ref, from, face), p - from);
 }
 
 }  // namespace mrsim

@@ -6,6 +6,14 @@
 
 namespace mrsim {
 
+/// Where a point, in the tool's frame, lies in plan beside the path of a sweep that `grooves`.
+struct GrooveSide {
+  double off = 0;   ///< mm from the path, continued: to the left of a line, out of an arc
+  Vec3 across;      ///< unit: the way in which `off` grows
+  double most = 0;  ///< mm: how far `off` may go below 0 (to the centre of an arc)
+};
+GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p);
+
 SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& p);
 Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch);
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrsim {
 namespace {
 
-constexpr double kUpright = 1e-12;  // sine: rounding of a wall's normal
+constexpr double kUpright = 1e-12;    // sine: rounding of a wall's normal
+constexpr double kMostAcross = 2e-5;  // mm: rounding of corners, and the sagitta of small chords
 
 std::array<double, 3> heights(const Corners3& t, double z) {
   return {t[0].z - z, t[1].z - z, t[2].z - z};
@@ -44,7 +46,35 @@ class RangeOf {
       for (Vec3& p : local_) p = columns.frames[ref_.frame - 1].in(p);
   }
 
+  // The second flank of a groove is the first one's face, on the other side of the path: the
+  // enclosure of that holds up to twice the way that the triangle reaches across the path.
   FaceRange operator()() const {
+    if (!ref_.grooves || (patch_ & (kFlankPatch - 1)) != 0) return of_face();
+    const double reach = across();
+    if (reach > kMostAcross) return {};
+    const FaceRange range = RangeOf(columns_, i_, t_, patch_ & ~kFlankPatch).of_face();
+    return {range.lo - 2 * reach, range.hi + 2 * reach};
+  }
+
+ private:
+  // How far points of the triangle lie beyond the bottom of the flank's groove, mm.
+  double across() const {
+    double least = std::numeric_limits<double>::infinity();
+    const double side = (patch_ & kFlankPatch) != 0 ? 1 : -1;
+    GrooveSide at;
+    for (const Vec3& p : local_) {
+      at = groove_side(columns_, ref_, p);
+      least = std::min(least, side * at.off);
+    }
+    // A chord of the outer flank of an arc is nearer to the centre than its ends.
+    if (side > 0 && std::isfinite(at.most)) {
+      const double far = std::max(0.0, at.most + least);
+      least = std::sqrt(std::max(0.0, far * far - smallest_circle(local_).squared)) - at.most;
+    }
+    return std::max(0.0, -least);
+  }
+
+  FaceRange of_face() const {
     switch (ref_.kind) {
       case SweepKind::ball_line:  // within R of a convex set
         return convex();
@@ -68,7 +98,6 @@ class RangeOf {
     return {};
   }
 
- private:
   // patch_distance being a convex function of space.
   FaceRange convex() const {
     const Vec3 m = weighted(smallest_circle(t_), t_);

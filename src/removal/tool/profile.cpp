@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "removal/tool/tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +92,31 @@ void Profile::find_patches() {
   const ProfileEdge& last = edges_.back();
   if (!std::isinf(last.b.y) && tangent_at(last, last.b).y < kSmooth)
     corners_.back() = Corner::smooth;
+}
+
+double Profile::max_radius_below(double z) const {
+  double most = 0;
+  for (const ProfileEdge& e : edges_) {
+    if (e.a.y > z) break;  // edges never go down
+    most = std::max(most, e.a.x);
+    const double top = std::min(z, e.b.y);
+    if (is_arc(e)) {
+      const double dy =
+          std::clamp(e.convex ? 0.0 : top - e.center.y, e.a.y - e.center.y, top - e.center.y);
+      const double dx = std::sqrt(std::max(0.0, e.radius * e.radius - dy * dy));
+      most = std::max(most, e.center.x + (e.convex ? dx : -dx));
+    } else if (std::isinf(e.length) || e.b.y <= z) {
+      most = std::max(most, e.b.x);
+    } else {
+      most = std::max(most, e.a.x + (top - e.a.y) * (e.b.x - e.a.x) / (e.b.y - e.a.y));
+    }
+  }
+  return most;
+}
+
+bool Profile::has_sharp_tip() const {
+  const Vec2 from = tangent_at(edges_.front(), edges_.front().a);
+  return from.x > kSmooth && from.y > kSmooth;
 }
 
 void Profile::find_flags() {

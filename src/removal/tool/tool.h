@@ -86,6 +86,10 @@ class Profile {
     return rising_;
   }  ///< open top, r never falls: raising the tool
      ///< sweeps nothing new
+  /// The outline leaves the axis at an angle, so that a move leaves a groove with a sharp bottom.
+  bool has_sharp_tip() const;
+  /// Largest r of all points up to z: what cuts when the tip is that far below the stock's top.
+  double max_radius_below(double z) const;
   double max_radius() const { return max_radius_; }
   double widest() const { return widest_; }  ///< least z at which r = max_radius
   double bottom() const { return bottom_; }  ///< z of the tip
