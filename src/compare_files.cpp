@@ -4,7 +4,7 @@
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
 #include "outputs.h"
-#include "removal/part/stock_file.h"
+#include "vdb_files.h"
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
@@ -24,7 +24,12 @@ bool has_extension(const std::string& path, const std::string& wanted) {
 }
 
 TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
-  const StockRecipe recipe = read_vdb(read_file(path), path);
+  VdbContent saved = read_vdb_file(path);
+  if (!saved.recipe) {
+    if (note != nullptr) *note = saved.accuracy;
+    return std::move(saved.surface);
+  }
+  const StockRecipe& recipe = *saved.recipe;
   CarveOptions carve_options;
   carve_options.voxel = recipe.voxel;
   carve_options.threads = threads;

@@ -28,6 +28,7 @@
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
 #include "until.h"
+#include "vdb_files.h"
 #include "voxel_module.h"
 #include <mrsim/memory.h>
 #include <mrsim/mrsim.h>
@@ -78,14 +79,33 @@ bool writes_vdb(const Job& job) {
   return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
 }
 
+// `accuracy`, unless null, takes what a surface that was made of voxels is worth.
+StockShape load_stock(const std::string& spec, const StockOptions& options, std::string* accuracy) {
+  if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
+  VdbContent saved;
+  if (is_vdb(spec)) saved = read_vdb_file(spec);
+  if (saved.recipe) return std::move(saved.recipe->shape);
+  if (accuracy != nullptr) *accuracy = saved.accuracy;
+  TriMesh mesh = is_vdb(spec)    ? std::move(saved.surface)
+                 : is_step(spec) ? read_step(spec)
+                                 : read_mesh(spec);
+  const std::string repairs = make_solid(mesh, spec);
+  StockShape shape = recognise_stock(std::move(mesh), options, spec);
+  shape.repairs = repairs;
+  if (shape.kind == StockShape::Kind::mesh) refuse_self_intersections(shape.mesh, spec);
+  return shape;
+}
+
 // The stock that was given, else the one the program states, else one round its cuts.
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
   if (!job.stock.empty()) {
-    StockShape given = load_stock(job.stock, job.stock_options);
+    std::string accuracy;
+    StockShape given = load_stock(job.stock, job.stock_options, &accuracy);
     if (!given.repairs.empty())
       report(result, Severity::warning, "stock-repaired",
              fmt::format("{} was no solid and has been repaired: {}", job.stock, given.repairs));
+    if (!accuracy.empty()) report(result, Severity::warning, "stock-of-voxels", accuracy);
     return given;
   }
   if (program.workpiece) return *program.workpiece;
@@ -207,14 +227,7 @@ MachineData load_machine(const std::string& path) { return load_machine_file(pat
 Tool parse_tool(const std::string& spec) { return parse_tool_spec(spec); }
 
 StockShape load_stock(const std::string& spec, const StockOptions& options) {
-  if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
-  if (is_vdb(spec)) return read_vdb(read_file(spec), spec).shape;
-  TriMesh mesh = is_step(spec) ? read_step(spec) : read_mesh(spec);
-  const std::string repairs = make_solid(mesh, spec);
-  StockShape shape = recognise_stock(std::move(mesh), options, spec);
-  shape.repairs = repairs;
-  if (shape.kind == StockShape::Kind::mesh) refuse_self_intersections(shape.mesh, spec);
-  return shape;
+  return load_stock(spec, options, nullptr);
 }
 
 void render(const TriMesh& mesh, const std::string& png_path, const RenderOptions& options) {

@@ -27,6 +27,7 @@ Module::Description description() {
 struct VoxelModule {
   Module module{description()};
   SampleVoxels* sample = module.function<SampleVoxels>(kSampleVoxels);
+  ReadLevelSet* read = module.function<ReadLevelSet>(kReadLevelSet);
 };
 
 // Opened once; where that failed, the next call tries again.
@@ -52,6 +53,12 @@ std::future<void> open_voxel_module() {
 std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
                                          double voxel, const CarveOptions& options) {
   return std::unique_ptr<VoxelGrid>(voxel_module().sample(field, index, voxel, options));
+}
+
+void require_voxel_module() { voxel_module(); }
+
+void read_level_set(const std::string& path, LevelSetSurface& found) {
+  voxel_module().read(path, found);
 }
 
 }  // namespace mrsim

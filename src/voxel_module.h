@@ -1,8 +1,11 @@
-// Voxels through the module that samples them (removal/vdb), opened when the first are asked for,
+// Voxels through the module that knows OpenVDB (removal/vdb), opened when the first are asked for,
 // or before that on a thread of its own.
 #pragma once
 
+#include "removal/part/level_set_surface.h"
+
 #include <future>
+#include <string>
 
 namespace mrsim {
 
@@ -10,5 +13,13 @@ namespace mrsim {
 /// space is limited, the module is opened at once, and Error "memory" or "vdb-module" thrown. The
 /// future waits for the thread when it is destroyed.
 std::future<void> open_voxel_module();
+
+/// Opens the module at once. Throws Error "vdb-module", "memory".
+void require_voxel_module();
+
+/// The level set of a .vdb file, or its only grid of floats, with the surface where it is zero. On
+/// this thread alone; OpenVDB gives no guarantee on damaged files. Throws Error "vdb-unreadable",
+/// without the file's name, where there is none; "vdb-module".
+void read_level_set(const std::string& path, LevelSetSurface& found);
 
 }  // namespace mrsim

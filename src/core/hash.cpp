@@ -43,7 +43,7 @@ std::string ContentHash::uuid() const {
   ContentHash other = *this;
   other.mix(1);
   std::uint64_t a = digest(), b = other.digest();
-  a = (a & ~0xF000u) | 0x8000u;
+  a = (a & ~std::uint64_t(0xF000)) | 0x8000u;
   b = (b & ~(std::uint64_t(3) << 62)) | (std::uint64_t(2) << 62);
   return fmt::format("{:08x}-{:04x}-{:04x}-{:04x}-{:012x}", a >> 32, (a >> 16) & 0xFFFF, a & 0xFFFF,
                      b >> 48, b & 0xFFFFFFFFFFFFu);

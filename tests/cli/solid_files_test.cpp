@@ -175,5 +175,47 @@ TEST_F(SolidFiles, VdbPartKnowsItsLines) {
   EXPECT_FALSE(exists("r2.json"));
 }
 
+// `bytes` as another program would write them again: no seal at the end, another identifier.
+std::string written_again(std::string bytes) {
+  bytes.resize(bytes.size() - 16);
+  bytes[30] = bytes[30] == 'a' ? 'b' : 'a';
+  return bytes;
+}
+
+std::string replaced(std::string bytes, const std::string& word, const std::string& by) {
+  return bytes.replace(bytes.find(word), by.size(), by);
+}
+
+TEST_F(SolidFiles, VdbThatWasWrittenAgainIsStillTheStock) {
+  const std::string rest = "PRIMER_2F.MPF --stock block.stl --voxel 2 -q -o ";
+  ASSERT_EQ(run(rest + "part.vdb").code, 0);
+  write("again.vdb", written_again(read("part.vdb")));
+  for (const char* name : {"part", "again"})
+    ASSERT_EQ(
+        run(std::string("PRIMER_2F.MPF --stock ") + name + ".vdb --voxel 2 -q -o " + name + ".stl")
+            .code,
+        0);
+  EXPECT_EQ(read("part.stl"), read("again.stl"));
+}
+
+TEST_F(SolidFiles, VdbOfAnotherProgramIsAStockAndAPart) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 2 -q -o part.vdb").code, 0);
+  const std::string again = written_again(read("part.vdb"));
+  write("other.vdb", replaced(again, "mrsim:recipe", "houdi:recipe"));
+  write("changed.vdb", replaced(again, "mrsim:voxels\x06", "mrsim:vOxels\x06"));
+  for (const char* name : {"other", "changed"}) {
+    const Outcome o = run(std::string("PRIMER_2F.MPF --stock ") + name + ".vdb --voxel 2 -o b.stl");
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_TRUE(contains(o.err, "voxels are 2 mm")) << o.err;
+    EXPECT_TRUE(contains(o.err, "[stock-of-voxels]")) << o.err;
+    EXPECT_EQ(contains(o.err, "another program has changed"), name == std::string("changed"));
+    EXPECT_TRUE(contains(o.out, "mesh of")) << o.out;
+  }
+  const Outcome compared = run("compare other.vdb block.stl --accept 10 --json r.json");
+  EXPECT_TRUE(contains(compared.err, "voxels are 2 mm")) << compared.err;
+  write("damaged.vdb", replaced(again, "mrsim:recipe", "houdi:recipe").substr(0, again.size() / 2));
+  expect_failure("PRIMER_2F.MPF --stock damaged.vdb -o part.stl", 1, "vdb-unreadable");
+}
+
 }  // namespace
 }  // namespace mrsim

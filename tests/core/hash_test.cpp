@@ -35,6 +35,7 @@ TEST(ContentHash, UuidHasTheForm) {
   const std::string uuid = ContentHash().uuid();
   ASSERT_EQ(uuid.size(), 36u);
   EXPECT_EQ(uuid[14], '8');
+  EXPECT_NE(uuid.substr(0, 8), "00000000");
   EXPECT_EQ(uuid, ContentHash().uuid());
 }
 

@@ -1,7 +1,9 @@
 #include "removal/part/stock_file.h"
 
+#include "core/vec.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
+#include "removal/vdb/level_set.h"
 
 #include <random>
 #include <sstream>
@@ -9,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 namespace mrsim {
 namespace {
@@ -53,12 +57,106 @@ std::string code_of(std::string_view bytes) {
   return "";
 }
 
+// What a program does that reads the file and writes it again, with or without a change.
+std::string rewritten(const std::string& bytes, bool changed, bool with_metadata = true) {
+  openvdb::initialize();
+  std::istringstream in(bytes);
+  openvdb::io::Stream archive(in);
+  const openvdb::GridPtrVecPtr grids = archive.getGrids();
+  if (changed) {
+    const auto distance = openvdb::gridPtrCast<openvdb::FloatGrid>((*grids)[0]);
+    auto leaf = distance->tree().beginLeaf();
+    const openvdb::Index first = leaf->cbeginValueOn().pos();
+    leaf->setValueOnly(first, leaf->getValue(first) + 0.125f);
+  }
+  std::ostringstream out;
+  openvdb::io::Stream again(out);
+  again.setCompression(openvdb::io::COMPRESS_NONE);
+  again.write(*grids, with_metadata ? *archive.getMetadata() : openvdb::MetaMap());
+  return out.str();
+}
+
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& bytes) {
+    const int file = ::mkstemps(path_.data(), 4);
+    EXPECT_EQ(::write(file, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    ::close(file);
+  }
+  ~TemporaryFile() { ::unlink(path_.c_str()); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = ::testing::TempDir() + "mrsim-XXXXXX.vdb";
+};
+
 TEST(StockFile, KeepsTheRecipe) {
   const StockRecipe recipe = recipe_of_a_slot();
   const std::string bytes = saved(recipe);
-  EXPECT_EQ(encode_recipe(read_vdb(bytes, "a.vdb")), encode_recipe(recipe));
-  EXPECT_EQ(bytes,
-            saved(read_vdb(bytes, "a.vdb")));  // and so the bytes, no random identifier among them
+  const VdbFile file = read_vdb(bytes, "a.vdb");
+  ASSERT_TRUE(file.recipe);
+  EXPECT_FALSE(file.rewritten);
+  EXPECT_EQ(encode_recipe(*file.recipe), encode_recipe(recipe));
+  EXPECT_EQ(bytes, saved(*file.recipe));  // and so the bytes, no random identifier among them
+}
+
+TEST(StockFile, IsStillOursWhenAnotherProgramHasWrittenItAgain) {
+  const StockRecipe recipe = recipe_of_a_slot();
+  const std::string bytes = rewritten(saved(recipe), false);
+  const VdbFile file = read_vdb(bytes, "a.vdb");
+  ASSERT_TRUE(file.recipe);
+  EXPECT_TRUE(file.rewritten);
+  EXPECT_EQ(encode_recipe(*file.recipe), encode_recipe(recipe));
+  EXPECT_EQ(read_level_set(TemporaryFile(bytes).path()).hash, file.voxels);
+}
+
+TEST(StockFile, TellsThatItsVoxelsHaveBeenChanged) {
+  const std::string bytes = rewritten(saved(recipe_of_a_slot()), true);
+  EXPECT_NE(read_level_set(TemporaryFile(bytes).path()).hash, read_vdb(bytes, "a.vdb").voxels);
+}
+
+TEST(StockFile, OthersHaveNoRecipe) {
+  const std::string bytes = rewritten(saved(recipe_of_a_slot()), false, false);
+  EXPECT_FALSE(read_vdb(bytes, "a.vdb").recipe);
+}
+
+// A slot of 4 by 2 mm through 20 x 10 x 5 mm: 1000 - 160 mm^3 but for the edges.
+TEST(LevelSet, SurfaceIsClosedAndHasTheVolumeOfThePart) {
+  const LevelSetSurface found = read_level_set(TemporaryFile(saved(recipe_of_a_slot())).path());
+  EXPECT_EQ(found.grid, "distance");
+  EXPECT_EQ(found.voxel, 0.5);
+  double volume = 0;
+  for (const auto& t : found.surface.triangles) {
+    Vec3 corner[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = found.surface.vertices[t[k]];
+      corner[k] = {v[0], v[1], v[2]};
+    }
+    volume += dot(corner[0], cross(corner[1], corner[2])) / 6;
+  }
+  // 230 mm of edges lose or gain at most a quarter of a voxel's section each.
+  EXPECT_NEAR(volume, 840, 230 * 0.5 * 0.5 / 4);
+}
+
+TEST(LevelSet, FileWithoutOneIsRefused) {
+  openvdb::initialize();
+  const auto code_of = [](const openvdb::GridPtrVec& grids) -> std::string {
+    std::ostringstream out;
+    openvdb::io::Stream(out).write(grids);
+    try {
+      read_level_set(TemporaryFile(out.str()).path());
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return "";
+  };
+  EXPECT_EQ(code_of({openvdb::Int32Grid::create(1)}), "vdb-unreadable");
+  EXPECT_EQ(code_of({openvdb::FloatGrid::create(1)}), "vdb-unreadable");  // nowhere zero
+  EXPECT_EQ(code_of({openvdb::FloatGrid::create(1), openvdb::FloatGrid::create(2)}),
+            "vdb-unreadable");
+  EXPECT_THROW(read_level_set("/no/such/file.vdb"), Error);
 }
 
 TEST(StockFile, OpensInOpenVdb) {
@@ -109,8 +207,8 @@ TEST(StockFile, RefusesWhatIsDamaged) {
     bad[random() % bad.size()] ^= static_cast<char>(1 + random() % 255);
     EXPECT_NE(code_of(bad), "");
   }
-  EXPECT_EQ(code_of(""), "vdb-foreign");
-  EXPECT_EQ(code_of(std::string(1000, 'x')), "vdb-foreign");
+  EXPECT_EQ(code_of(""), "vdb-unreadable");
+  EXPECT_EQ(code_of(std::string(1000, 'x')), "vdb-unreadable");
 }
 
 TEST(RecipeCodec, ChecksEveryCount) {

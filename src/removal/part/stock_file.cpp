@@ -1,5 +1,6 @@
 #include "removal/part/stock_file.h"
 
+#include "core/base64.h"
 #include "core/bytes.h"
 #include "core/error.h"
 #include "core/hash.h"
@@ -16,10 +17,12 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kMagic = "MRSIMVDB";
-constexpr std::uint64_t kVersion = 1;
-constexpr std::size_t kTrailer = 32;
+constexpr std::uint64_t kVersion = 2;
+constexpr std::size_t kSeal = 16;  // bytes behind OpenVDB's stream
 // OpenVDB's stream: 8 bytes magic, 4 file version, 8 library version, 1 grid offsets, then the
-// identifier, 36 characters.
+// identifier, 36 characters, and the metadata of the file.
+constexpr std::int64_t kVdbMagic = 0x56444220;
+constexpr std::uint32_t kLeastFileVersion = 218;  // of files that begin like that
 constexpr std::size_t kUuidOffset = 21, kUuidSize = 36;
 
 // Hands what OpenVDB writes to a ByteSink, with the identifier replaced.
@@ -57,52 +60,130 @@ class SinkBuffer : public std::streambuf {
   std::size_t position_ = 0;
 };
 
+// Takes strings, numbers and bytes from the front of a text; what is missing is an empty text.
+class Front {
+ public:
+  explicit Front(std::string_view text) : text_(text) {}
+  bool is_good() const { return good_; }
+  std::string_view bytes(std::size_t count) {
+    good_ = good_ && count <= text_.size();
+    if (!good_) return {};
+    const std::string_view taken = text_.substr(0, count);
+    text_.remove_prefix(count);
+    return taken;
+  }
+  template <class T>
+  T number() {
+    const std::string_view taken = bytes(sizeof(T));
+    return taken.empty() ? T() : detail::load<T>(taken.data());
+  }
+  /// A length of 32 bits and as many bytes, as OpenVDB writes names and values.
+  std::string_view sized() { return bytes(number<std::uint32_t>()); }
+
+ private:
+  std::string_view text_;
+  bool good_ = true;
+};
+
+struct Metadata {
+  std::string_view recipe, voxels;
+};
+
+// Ours among the entries of the file's metadata; nothing where the file ends within them.
+std::optional<Metadata> find_metadata(std::string_view bytes) {
+  Metadata found;
+  Front front(bytes);
+  front.bytes(sizeof kVdbMagic);
+  if (front.number<std::uint32_t>() < kLeastFileVersion) return found;
+  front.bytes(kUuidOffset - sizeof kVdbMagic - sizeof(std::uint32_t) + kUuidSize);
+  const auto count = front.number<std::uint32_t>();
+  for (std::uint32_t k = 0; k < count && front.is_good(); ++k) {
+    const std::string_view name = front.sized(), type = front.sized(), value = front.sized();
+    if (type != "string") continue;
+    if (name == kRecipeMetadata) found.recipe = value;
+    if (name == kVoxelsMetadata) found.voxels = value;
+  }
+  return front.is_good() ? std::optional(found) : std::nullopt;
+}
+
+std::uint64_t hash_of(std::string_view bytes) {
+  ContentHash hash;
+  hash.update(bytes.data(), bytes.size());
+  return hash.digest();
+}
+
+std::string identifier_of(std::string_view encoded) {
+  ContentHash hash;
+  hash.update(encoded.data(), encoded.size());
+  return hash.uuid();
+}
+
+std::string sealed_recipe(std::string_view encoded) {
+  std::string bytes;
+  detail::store(bytes, kVersion);
+  detail::store(bytes, hash_of(encoded));
+  bytes += encoded;
+  return base64(bytes);
+}
+
+Error damaged(const std::string& name) {
+  return {"vdb-damaged",
+          name +
+              " is damaged: its bytes do not match their checksum; simulate the earlier setup "
+              "again"};
+}
+
+// The recipe's bytes out of what sealed_recipe() made.
+std::string open_recipe(std::string_view text, const std::string& name) {
+  const std::optional<std::string> bytes = from_base64(text);
+  if (!bytes || bytes->size() < 16) throw damaged(name);
+  const auto version = detail::load<std::uint64_t>(bytes->data());
+  if (version != kVersion)
+    throw Error("vdb-version", fmt::format("{} has version {}, this mrsim reads version {}", name,
+                                           version, kVersion));
+  std::string encoded = bytes->substr(16);
+  if (hash_of(encoded) != detail::load<std::uint64_t>(bytes->data() + 8)) throw damaged(name);
+  return encoded;
+}
+
+bool has_seal(std::string_view bytes) {
+  return bytes.size() >= kSeal && bytes.substr(bytes.size() - kSeal, kMagic.size()) == kMagic;
+}
+
 }  // namespace
 
 void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& out) {
   const std::string encoded = encode_recipe(recipe);
-  ContentHash identity, hash;
-  identity.update(encoded.data(), encoded.size());
-  SinkBuffer buffer(out, hash, identity.uuid());
+  ContentHash hash;
+  SinkBuffer buffer(out, hash, identifier_of(encoded));
   std::ostream stream(&buffer);
-  stock.grid().voxels->write(*stock.grid().field, *stock.grid().index, stream);
+  stock.grid().voxels->write(*stock.grid().field, *stock.grid().index, sealed_recipe(encoded),
+                             stream);
   if (!stream) throw Error("output-unwritable", "cannot write the .vdb file");
 
-  hash.update(encoded.data(), encoded.size());
-  std::string trailer;
-  detail::store(trailer, static_cast<std::uint64_t>(encoded.size()));
-  detail::store(trailer, hash.digest());
-  trailer += kMagic;
-  detail::store(trailer, kVersion);
-  out(encoded.data(), encoded.size());
-  out(trailer.data(), trailer.size());
+  std::string seal(kMagic);
+  detail::store(seal, hash.digest());
+  out(seal.data(), seal.size());
 }
 
-StockRecipe read_vdb(std::string_view bytes, const std::string& name) {
-  const auto damaged = [&] {
-    return Error(
-        "vdb-damaged",
-        name +
-            " is damaged: its bytes do not match their checksum; simulate the earlier setup again");
-  };
-  if (bytes.size() < kTrailer || bytes.substr(bytes.size() - 16, 8) != kMagic) {
-    if (bytes.find(kMagic) != std::string_view::npos) throw damaged();
-    throw Error("vdb-foreign", name +
-                                   " was not written by mrsim: a .vdb stock must be one that mrsim "
-                                   "saved; give the stock as a mesh");
+VdbFile read_vdb(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < kUuidOffset + kUuidSize ||
+      detail::load<std::int64_t>(bytes.data()) != kVdbMagic)
+    throw Error("vdb-unreadable", name + " is not an OpenVDB file: it does not begin like one");
+  if (has_seal(bytes)) {
+    const auto wanted = detail::load<std::uint64_t>(bytes.data() + bytes.size() - 8);
+    if (hash_of(bytes.substr(0, bytes.size() - kSeal)) != wanted) throw damaged(name);
   }
-  const char* trailer = bytes.data() + bytes.size() - kTrailer;
-  const auto size = detail::load<std::uint64_t>(trailer);
-  const auto version = detail::load<std::uint64_t>(trailer + 24);
-  if (version != kVersion)
-    throw Error("vdb-version", fmt::format("{} has version {}, this mrsim reads version {}", name,
-                                           version, kVersion));
-  const std::string_view body = bytes.substr(0, bytes.size() - kTrailer);
-  if (size > body.size()) throw damaged();
-  ContentHash hash;
-  hash.update(body.data(), body.size());
-  if (hash.digest() != detail::load<std::uint64_t>(trailer + 8)) throw damaged();
-  return decode_recipe(body.substr(body.size() - size), name);
+  VdbFile file;
+  const std::optional<Metadata> metadata = find_metadata(bytes);
+  if (!metadata) throw damaged(name);
+  if (metadata->recipe.empty()) return file;
+  const std::string encoded = open_recipe(metadata->recipe, name);
+  file.rewritten = bytes.substr(kUuidOffset, kUuidSize) != identifier_of(encoded);
+  if (!file.rewritten && !has_seal(bytes)) throw damaged(name);
+  file.voxels = metadata->voxels;
+  file.recipe = decode_recipe(encoded, name);
+  return file;
 }
 
 }  // namespace mrsim

@@ -1,17 +1,20 @@
 // The stock as a .vdb file: three grids, "distance" (mm, level set), "owner" and "cut" (when each
-// voxel was removed: docs/history.md), that any OpenVDB tool opens, followed by the recipe they
-// were made from, so that the next setup goes on exactly and not from samples.
+// voxel was removed: docs/history.md), that any OpenVDB tool opens, and as metadata of the file the
+// recipe they were made from, so that the next setup goes on exactly and not from samples, even
+// when another program has read the file and written it again.
 //
-// Layout: an OpenVDB stream, then the recipe (little endian), then 32 bytes: length of the recipe,
-// hash of all before, the word "MRSIMVDB" and the version. Reading checks the hash and takes the
-// recipe alone; OpenVDB's reader, which gives no guarantee on damaged files, never sees the bytes.
-// The random identifier that OpenVDB writes is replaced by a hash of the recipe.
+// Metadata: "mrsim:recipe", a string: base64 of the version, a hash of the rest, and the recipe
+// (little endian); "mrsim:voxels", a string: the hash of the grid "distance" (level_set.h), which
+// tells whether another program has changed it. The random identifier that OpenVDB writes is
+// replaced by a hash of the recipe. Behind OpenVDB's stream follow 16 bytes: the word "MRSIMVDB"
+// and a hash of all before, by which a file that nobody has written again is known to be whole.
 #pragma once
 
 #include "core/text_io.h"
 #include "removal/part/stock.h"
 #include <mrsim/types.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,9 +31,16 @@ struct StockRecipe {
 /// its grid was kept.
 void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& out);
 
-/// The recipe of a file that write_vdb wrote. `name` is for messages. Throws Error "vdb-foreign"
-/// for a .vdb of another program, "vdb-damaged" when bytes are missing or changed, "vdb-version"
-/// for a newer version.
-StockRecipe read_vdb(std::string_view bytes, const std::string& name);
+/// What is known of a .vdb file without its voxels.
+struct VdbFile {
+  std::optional<StockRecipe> recipe;  ///< nothing: another program made the file
+  std::string voxels;                 ///< the metadata "mrsim:voxels"
+  bool rewritten = false;             ///< by another program: the voxels may be others
+};
+
+/// Reads the recipe; OpenVDB's reader, which gives no guarantee on damaged files, never sees the
+/// bytes. `name` is for messages. Throws Error "vdb-unreadable" for what is no .vdb at all,
+/// "vdb-damaged" when bytes are missing or changed, "vdb-version" for a newer version.
+VdbFile read_vdb(std::string_view bytes, const std::string& name);
 
 }  // namespace mrsim

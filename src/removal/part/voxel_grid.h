@@ -12,8 +12,13 @@
 #include <cstddef>
 #include <memory>
 #include <ostream>
+#include <string>
 
 namespace mrsim {
+
+/// Names of the metadata of a .vdb file (stock_file.h).
+inline constexpr const char* kRecipeMetadata = "mrsim:recipe";
+inline constexpr const char* kVoxelsMetadata = "mrsim:voxels";
 
 class VoxelGrid {
  public:
@@ -21,9 +26,10 @@ class VoxelGrid {
   virtual std::size_t active_voxels() const = 0;
   virtual std::size_t memory() const = 0;  ///< bytes
   /// As a stream of OpenVDB: three grids, "distance" (mm, level set), "owner", and "cut", which is
-  /// made here, of the field and the blocks that the samples were taken from. Faults of `out` are
-  /// left in its state.
-  virtual void write(const PartField& field, const BlockIndex& index, std::ostream& out) const = 0;
+  /// made here, of the field and the blocks that the samples were taken from; `recipe` and a hash
+  /// of the distances are metadata of the file. Faults of `out` are left in its state.
+  virtual void write(const PartField& field, const BlockIndex& index, const std::string& recipe,
+                     std::ostream& out) const = 0;
 };
 
 /// Samples the exact part block by block, voxels of `voxel` mm, kBandVoxels each way of the

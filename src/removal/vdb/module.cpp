@@ -1,9 +1,16 @@
 #include "removal/vdb/module.h"
 
-extern "C" MRSIM_API mrsim::SampleVoxels mrsim_sample_voxels_1;
+#include "removal/vdb/level_set.h"
 
-mrsim::VoxelGrid* mrsim_sample_voxels_1(const mrsim::PartField& field,
+extern "C" MRSIM_API mrsim::SampleVoxels mrsim_sample_voxels_2;
+extern "C" MRSIM_API mrsim::ReadLevelSet mrsim_read_level_set_1;
+
+mrsim::VoxelGrid* mrsim_sample_voxels_2(const mrsim::PartField& field,
                                         const mrsim::BlockIndex& index, double voxel,
                                         const mrsim::CarveOptions& options) {
   return mrsim::sample_voxels(field, index, voxel, options).release();
+}
+
+void mrsim_read_level_set_1(const std::string& path, mrsim::LevelSetSurface& found) {
+  found = mrsim::read_level_set(path);
 }

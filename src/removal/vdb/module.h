@@ -1,9 +1,12 @@
-// The functions that the module mrsim/vdb.so exports: it samples voxels with OpenVDB. The module
-// has its own copy of the code that it calls, and both sides use objects that the other side made.
-// So both must come from the same build.
+// The functions that the module mrsim/vdb.so exports: it samples and reads voxels with OpenVDB. The
+// module has its own copy of the code that it calls, and both sides use objects that the other side
+// made. So both must come from the same build.
 #pragma once
 
+#include "removal/part/level_set_surface.h"
 #include "removal/part/voxel_grid.h"
+
+#include <string>
 
 namespace mrsim {
 
@@ -11,7 +14,11 @@ namespace mrsim {
 using SampleVoxels = VoxelGrid*(const PartField& field, const BlockIndex& index, double voxel,
                                 const CarveOptions& options);
 
-/// Name under which the module shows it; the number changes with the border.
-constexpr const char* kSampleVoxels = "mrsim_sample_voxels_1";
+/// read_level_set into `found`.
+using ReadLevelSet = void(const std::string& path, LevelSetSurface& found);
+
+/// Names under which the module shows them; the number changes with the border.
+constexpr const char* kSampleVoxels = "mrsim_sample_voxels_2";
+constexpr const char* kReadLevelSet = "mrsim_read_level_set_1";
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "removal/vdb/cut_grid.h"
+#include "removal/vdb/level_set.h"
 
 #include <algorithm>
 #include <functional>
@@ -53,13 +54,17 @@ VdbGrid::~VdbGrid() {
 
 std::size_t VdbGrid::memory() const { return distance->memUsage() + owner->memUsage(); }
 
-void VdbGrid::write(const PartField& field, const BlockIndex& index, std::ostream& out) const {
+void VdbGrid::write(const PartField& field, const BlockIndex& index, const std::string& recipe,
+                    std::ostream& out) const {
   openvdb::Int32Grid::Ptr cut;
   with_threads(threads,
                [&] { cut = make_cut_grid(field, index, distance->transform().copy(), threads); });
   openvdb::io::Stream archive(out);
   archive.setCompression(openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_ACTIVE_MASK);
-  archive.write(openvdb::GridCPtrVec{distance, owner, cut});
+  openvdb::MetaMap metadata;
+  metadata.insertMeta(kRecipeMetadata, openvdb::StringMetadata(recipe));
+  metadata.insertMeta(kVoxelsMetadata, openvdb::StringMetadata(voxel_hash(*distance)));
+  archive.write(openvdb::GridCPtrVec{distance, owner, cut}, metadata);
 }
 
 }  // namespace mrsim

@@ -4,6 +4,7 @@
 #include "removal/part/voxel_grid.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct VdbGrid final : VoxelGrid {
 
   std::size_t active_voxels() const override { return active; }
   std::size_t memory() const override;
-  void write(const PartField& field, const BlockIndex& index, std::ostream& out) const override;
+  void write(const PartField& field, const BlockIndex& index, const std::string& recipe,
+             std::ostream& out) const override;
 };
 
 }  // namespace mrsim

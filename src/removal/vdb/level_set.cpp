@@ -1,0 +1,106 @@
+#include "removal/vdb/level_set.h"
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <openvdb/io/File.h>
+#include <openvdb/tools/VolumeToMesh.h>
+
+namespace mrsim {
+namespace {
+
+Error unreadable(const std::string& why) { return {"vdb-unreadable", why}; }
+
+// The level set, else the only grid of floats.
+std::string grid_name(const openvdb::GridPtrVec& heads) {
+  std::vector<std::string> level_sets, floats;
+  for (const openvdb::GridBase::Ptr& head : heads) {
+    if (!head || !head->isType<openvdb::FloatGrid>()) continue;
+    floats.push_back(head->getName());
+    if (head->getGridClass() == openvdb::GRID_LEVEL_SET) level_sets.push_back(head->getName());
+  }
+  const std::vector<std::string>& fit = level_sets.empty() ? floats : level_sets;
+  if (fit.empty()) throw unreadable("it holds no level set of 32-bit floats");
+  if (fit.size() > 1 && fit[0] == fit[1]) throw unreadable("two of its grids have one name");
+  if (level_sets.empty() && fit.size() > 1)
+    throw unreadable(
+        fmt::format("it holds {} grids, and none is marked as a level set", floats.size()));
+  return fit[0];
+}
+
+TriMesh surface_of(const openvdb::FloatGrid& grid) {
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec3I> triangles;
+  std::vector<openvdb::Vec4I> quads;
+  openvdb::tools::volumeToMesh(grid, points, triangles, quads);
+  TriMesh mesh;
+  for (const openvdb::Vec3s& p : points) mesh.vertices.push_back({p.x(), p.y(), p.z()});
+  // OpenVDB's run clockwise.
+  for (const openvdb::Vec3I& t : triangles) mesh.triangles.push_back({t[2], t[1], t[0]});
+  for (const openvdb::Vec4I& q : quads) {
+    mesh.triangles.push_back({q[2], q[1], q[0]});
+    mesh.triangles.push_back({q[3], q[2], q[0]});
+  }
+  return mesh;
+}
+
+template <class T>
+void update(ContentHash& hash, const T& value) {
+  hash.update(&value, sizeof value);
+}
+
+LevelSetSurface read(const std::string& path) {
+  openvdb::initialize();
+  openvdb::io::File file(path);
+  file.open(/*delayLoad=*/false);
+  const std::string name = grid_name(*file.readAllGridMetadata());
+  const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(name));
+  if (!grid) throw unreadable("its grid " + name + " is none of 32-bit floats");
+  LevelSetSurface found;
+  found.grid = name;
+  const openvdb::Vec3d size = grid->voxelSize();
+  found.voxel = std::max({size.x(), size.y(), size.z()});
+  found.hash = voxel_hash(*grid);
+  found.surface = surface_of(*grid);
+  if (found.surface.triangles.empty())
+    throw unreadable("its grid " + name + " is nowhere zero: it has no surface");
+  return found;
+}
+
+}  // namespace
+
+std::string voxel_hash(const openvdb::FloatGrid& grid) {
+  ContentHash hash;
+  const openvdb::Vec3d size = grid.voxelSize();
+  for (int axis = 0; axis < 3; ++axis) update(hash, size[axis]);
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    const openvdb::Coord origin = leaf->origin();
+    for (int axis = 0; axis < 3; ++axis) update(hash, static_cast<std::int32_t>(origin[axis]));
+    for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) {
+      update(hash, static_cast<std::int32_t>(voxel.pos()));
+      update(hash, voxel.getValue());
+    }
+  }
+  return hash.uuid();
+}
+
+LevelSetSurface read_level_set(const std::string& path) {
+  LevelSetSurface found;
+  with_threads(1, [&] {
+    try {
+      found = read(path);
+    } catch (const openvdb::Exception& error) {
+      throw unreadable(error.what());
+    }
+  });
+  return found;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,26 @@
+// .vdb files as stocks and parts: those that mrsim saved go on from their recipe, others are the
+// surface of their level set.
+#pragma once
+
+#include "removal/part/stock_file.h"
+#include <mrsim/types.h>
+
+#include <optional>
+#include <string>
+
+namespace mrsim {
+
+/// One of the two.
+struct VdbContent {
+  std::optional<StockRecipe> recipe;
+  TriMesh surface;       ///< not yet checked as a solid
+  std::string accuracy;  ///< of the surface, and why it takes the recipe's place
+};
+
+/// Reads the file; OpenVDB in a process of its own, within limits of time and memory, and only
+/// where the voxels are needed: another program made them, or has written them again, and then its
+/// voxels count should they have changed. Throws Error "vdb-unreadable", "vdb-damaged",
+/// "vdb-version", "vdb-module".
+VdbContent read_vdb_file(const std::string& path);
+
+}  // namespace mrsim
