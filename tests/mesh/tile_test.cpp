@@ -19,7 +19,7 @@ namespace {
 using namespace detail;
 
 // A raster of short lines with steps in it.
-PartField raster(const Vec3& origin, double diameter, bool steep) {
+PartField raster(const Vec3& origin, const Tool& tool, bool steep) {
   std::vector<Motion> motions;
   for (int row = 0; row < 24; ++row)
     for (int k = 0; k < 40; ++k) {
@@ -34,12 +34,15 @@ PartField raster(const Vec3& origin, double diameter, bool steep) {
       m.start = at(k), m.end = at(k + 1);
       motions.push_back(m);
     }
+  StockShape shape;
+  shape.box = {origin - Vec3{1, 1, 4}, origin + Vec3{9, 8, 1}};
+  return {StockSolid(shape), SweepTable(motions, {&tool, 1})};
+}
+PartField raster(const Vec3& origin, double diameter, bool steep) {
   Tool ball;
   ball.type = ToolType::ballmill;
   ball.diameter = diameter;
-  StockShape shape;
-  shape.box = {origin - Vec3{1, 1, 4}, origin + Vec3{9, 8, 1}};
-  return {StockSolid(shape), SweepTable(motions, {&ball, 1})};
+  return raster(origin, ball, steep);
 }
 
 using Place = std::tuple<int, int, int, int>;
@@ -65,7 +68,7 @@ Found all_of(const DualSurface& surface, const SurfaceCells& cells) {
 }
 
 DualSurface::Options options(const Lattice& lattice) {
-  return {.shallow = lattice.voxel() / 64, .threads = 1};
+  return {.shallow = lattice.voxel() / 64, .narrow = true, .threads = 1};
 }
 
 Found found(const PartField& field, const Lattice& lattice, const LatticePoint& first) {
@@ -111,6 +114,35 @@ TEST(CellTile, TilesAgreeOnWhatTheyShare) {
         ASSERT_EQ(values, known->second) << "round " << round;
       }
       EXPECT_GT(shared, 8000u);
+    }
+}
+
+// Cells of tools whose heights prune long lists, which tiles share otherwise.
+TEST(CellTile, TilesAgreeOnLongLists) {
+  Tool flat;
+  flat.diameter = 4;
+  Tool taper;
+  taper.type = ToolType::taper;
+  taper.diameter = 6, taper.tip_diameter = 1, taper.corner_radius = 0.5;
+  taper.taper_angle = 0.2;
+  Tool v;
+  v.type = ToolType::chamfer;
+  v.diameter = 6;
+  for (const Tool& tool : {flat, taper, v})
+    for (const bool steep : {false, true}) {
+      const PartField field = raster({-3.3, 100.37, -20.1}, tool, steep);
+      const Lattice lattice(field.bounds(), 0.17, 2, 4);
+      const auto one = found(field, lattice, {2, 1, 0});
+      const auto other = found(field, lattice, {3, 2, 1});
+      std::size_t shared = 0, differ = 0;
+      for (const auto& [place, values] : one) {
+        const auto known = other.find(place);
+        if (known == other.end()) continue;
+        ++shared;
+        differ += values != known->second;
+      }
+      EXPECT_EQ(differ, 0u) << "of " << shared;
+      EXPECT_GT(shared, 6000u);
     }
 }
 

@@ -96,7 +96,7 @@ void DualSurface::place_crease(Crease& crease) const {
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
-  const Probe p = probe(face_cell(face));
+  const Probe p = probe_within(face_cell(face));
   crease.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
   const FieldSample ends[2] = {a.at, b.at};
   if (options_.sharpen && crease.point.count == 0)
@@ -213,7 +213,7 @@ void DualSurface::finish_loop(std::int32_t id) {
       if (c >= 0 && at(creases_, c).point.count == 2)
         creases.push_back(at(creases_, c).point.position);
     }
-    const Probe p = probe(loop.cell);
+    const Probe p = probe_within(loop.cell);
     if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
     if (options_.sharpen && loop.point.count < 2 && creases.empty())
       outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);

@@ -2,6 +2,7 @@
 // and from them triangles that can not intersect (docs/mesh.md, Surface).
 #pragma once
 
+#include "mesh/surface/cell_lists.h"
 #include "mesh/surface/flat_map.h"
 #include "mesh/surface/octree.h"
 #include "mesh/surface/tile.h"
@@ -107,11 +108,12 @@ class DualSurface {
   struct Options {
     double shallow = 0;     ///< mm: creases that may be cut off by that much are
     bool sharpen = false;   ///< look for creases just outside of their cells, for sharpen()
+    bool narrow = false;    ///< cells share lists of candidates: long ones are narrowed to a cell
     bool remember = false;  ///< keep crossings and vertices for the next round
     int threads = 0;
   };
   DualSurface(const ExactField& field, const SurfaceCells& cells, const Options& options)
-      : field_(field), cells_(cells), options_(options) {}
+      : field_(field), cells_(cells), lists_(field, cells), options_(options) {}
 
   /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
   void find_loops(CrossedGrid grid);
@@ -165,6 +167,10 @@ class DualSurface {
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
   }
+  /// For several samples in one cell.
+  Probe probe_within(std::int32_t cell) const {
+    return {field_, options_.narrow ? lists_.of(cell) : cells_.candidates(cell), options_.shallow};
+  }
   Box3 face_box(const CellFace& face) const;
   std::int32_t face_cell(const CellFace& face) const;  ///< the smaller one
 
@@ -196,6 +202,7 @@ class DualSurface {
 
   const ExactField& field_;
   const SurfaceCells& cells_;
+  CellLists lists_;
   Options options_;
   std::vector<Crossing> crossings_;
   std::vector<CellFace> faces_;

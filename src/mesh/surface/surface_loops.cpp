@@ -307,6 +307,7 @@ Loop& DualSurface::new_loop(std::int32_t cell) {
 }
 
 void DualSurface::begin_loops() {
+  lists_.restart();
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
   crowded_.clear();

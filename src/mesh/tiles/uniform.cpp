@@ -42,7 +42,8 @@ struct TileNotes {
 struct TileMaker {
   TileMaker(const ExactField& field, const Lattice& lattice)
       : cells(field, lattice),
-        surface(field, cells, {.shallow = kShallow * lattice.voxel(), .threads = 1}) {}
+        surface(field, cells,
+                {.shallow = kShallow * lattice.voxel(), .narrow = true, .threads = 1}) {}
   CellTile cells;
   DualSurface surface;
 };
