@@ -26,12 +26,9 @@ constexpr std::size_t kMostFloors = 256;
 // Movers and stocks are mostly convex: outside of them there is room for larger balls than in cuts.
 constexpr double kOutside = 8;
 
-// Boxes smaller than this many thresholds are tried for two clear balls, however little room there
-// seems to be.
+// Boxes smaller than this many thresholds are tried for two clear balls; larger ones would need
+// tools that are too large.
 constexpr double kTouchSize = 60;
-
-// mm: radius that a ball outside of the stock is taken to have; no limit, but a large one.
-constexpr double kRoomOutside = 50;
 
 }  // namespace
 
@@ -80,7 +77,8 @@ void CollisionDetector::visit(const Box3& box, std::size_t depth,
   keep_movers(ball, movers, level);
   if (!level.movers.empty()) settle(ball, stock, cuts, level);
   if (!level.movers.empty() && level.cuts.size() <= kMostFloors) drop_over_floors(box, level);
-  if (!level.movers.empty()) drop_touching(ball, stock, level);
+  if (!level.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
+    drop_touching(ball, stock, level);
   if (level.movers.empty()) return;
   if (ball.radius <= scene_.finest || depth + 1 == levels_.size()) return look_beside(ball, level);
   for (const Box3& half : halves(box)) visit(half, depth + 1, level.cuts, level.movers);
@@ -212,9 +210,6 @@ void CollisionDetector::drop_over_floors(const Box3& box, Level& level) {
 void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& level) {
   const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
   const StockSolid& solid = scene_.part.solid();
-  const Room room = room_at(ball, stock, level);
-  const auto& away = level.mover_distance;
-  if (!may_cover(ball, room, *std::max_element(away.begin(), away.end()))) return;
   clear_.clear();
   if (stock > -ball.radius) {
     const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
@@ -225,32 +220,11 @@ void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& lev
   std::size_t kept = 0;
   for (std::size_t m = 0; m < level.movers.size(); ++m) {
     const std::uint32_t mover = level.movers[m];
-    if (may_cover(ball, room, level.mover_distance[m]) &&
-        only_touches(ball, mover, scene_.movers.motions[mover], depth))
-      continue;
+    if (only_touches(ball, mover, scene_.movers.motions[mover], depth)) continue;
     level.mover_distance[kept] = level.mover_distance[m];
     level.movers[kept++] = mover;
   }
   level.movers.resize(kept);
-  level.mover_distance.resize(kept);
-}
-
-CollisionDetector::Room CollisionDetector::room_at(const Ball& ball, double stock,
-                                                   const Level& level) const {
-  Room room{stock, stock > -ball.radius ? kRoomOutside : 0};
-  for (std::size_t k = 0; k < level.cuts.size(); ++k) {
-    room.free = std::max(room.free, -level.cut_distance[k]);
-    room.radius = std::max(room.radius, scene_.part.sweeps().ball_radius(level.cuts[k]));
-  }
-  return room;
-}
-
-// A ball of radius R and a half space cover a box whose half diagonal squared is 2 R times what
-// they overlap by.
-bool CollisionDetector::may_cover(const Ball& ball, const Room& room, double mover_distance) const {
-  const double overlap = room.free + mover_distance + 2 * scene_.threshold;
-  return ball.radius < kTouchSize * scene_.threshold ||
-         ball.radius * ball.radius < 2 * room.radius * overlap;
 }
 
 void CollisionDetector::add_clear_cuts(const Ball& ball, const Level& level, double depth) {

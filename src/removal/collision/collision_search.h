@@ -50,11 +50,6 @@ class CollisionDetector {
     Candidates cuts, movers;
     std::vector<double> cut_distance, mover_distance;
   };
-  // What is free at a box's centre without the movers.
-  struct Room {
-    double free;    // mm to the nearest material; negative: the depth of the centre in it
-    double radius;  // of the largest ball that is known to fit into a cut near the box
-  };
   // A ball in which nothing collides, seen from a box's centre.
   struct ClearBall {
     Vec3 offset;        // to its centre
@@ -71,8 +66,6 @@ class CollisionDetector {
   double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
   void drop_over_floors(const Box3& box, Level& level);
   void drop_touching(const Ball& ball, double stock, Level& level);
-  Room room_at(const Ball& ball, double stock, const Level& level) const;
-  bool may_cover(const Ball& ball, const Room& room, double mover_distance) const;
   void add_clear_cuts(const Ball& ball, const Level& level, double depth);
   void add_clear(const Vec3& gradient, double depth, double radius, std::int32_t from);
   bool only_touches(const Ball& ball, std::uint32_t mover, std::int32_t time, double depth);
