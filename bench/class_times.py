@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Times of whole runs on classes of programs: class_times.py MRSIM [--voxel 0.25] [--runs 3] [--only NAME] [--keep FOLDER]
+"""Times of whole runs on classes of programs: class_times.py MRSIM [--voxel 0.25] [--runs 3] [--only NAME] [--growth]
 
 Prints a row for each program: moves, seconds of wall and CPU time (medians), peak memory, triangles. `wave-TOOL` is one path by
 several tools, so that their rows compare the tools; `wave-flat-x10` has ten times the moves, for growth.
@@ -115,12 +115,13 @@ def drilled(moves):
     return p
 
 
-def programs():
-    found = {f"wave-{name}": lambda tool=tool: wave(tool, 20000) for name, tool in WAVE_TOOLS.items()}
-    found["wave-flat-x10"] = lambda: wave(WAVE_TOOLS["flat"], 200000)
-    found["letters"] = lambda: letters(6000)
-    found["ramps"] = lambda: ramps(2000)
-    found["drilled"] = lambda: drilled(2400)
+def programs(more=1):
+    """Makers by name; `more` times the moves."""
+    found = {f"wave-{name}": lambda tool=tool: wave(tool, 20000 * more) for name, tool in WAVE_TOOLS.items()}
+    found["wave-flat-x10"] = lambda: wave(WAVE_TOOLS["flat"], 200000 * more)
+    found["letters"] = lambda: letters(6000 * more)
+    found["ramps"] = lambda: ramps(2000 * more)
+    found["drilled"] = lambda: drilled(2400 * more)
     return found
 
 
@@ -140,6 +141,41 @@ def measure(command):
     return wall, cpu, memory.group(1) if memory else "-", triangles.group(1).strip() if triangles else "-"
 
 
+def command_of(args, program, path, voxel, out):
+    with open(path, "w", encoding="ascii") as file:
+        file.write(program.text())
+    command = [args.mrsim, path, "--stock", program.stock, "--tool", "1=" + program.tool, "--verbose", "-o", out]
+    return command if voxel == "default" else command + ["--voxel", voxel]
+
+
+def print_times(args, folder, out):
+    print("| program | moves | wall, s | CPU, s | MB | triangles |\n|---|---|---|---|---|---|")
+    for name, make in programs().items():
+        if not name.startswith(args.only):
+            continue
+        program = make()
+        command = command_of(args, program, os.path.join(folder, name + ".nc"), args.voxel, out)
+        runs = [measure(command) for _ in range(args.runs)]
+        wall, cpu = (statistics.median(r[k] for r in runs) for k in (0, 1))
+        print(f"| {name} | {program.moves} | {wall:.2f} | {cpu:.2f} | {runs[0][2]} | {runs[0][3]} |", flush=True)
+
+
+def print_growth(args, folder, out):
+    """CPU seconds: of ten times the moves, and of a voxel four times as coarse, each over that of the program itself."""
+    coarse = f"{4 * float(args.voxel):g}"
+    print(f"| program | CPU, s | ten times the moves | voxel {coarse} |\n|---|---|---|---|")
+    tenfold = programs(10)
+    for name, make in programs().items():
+        if not name.startswith(args.only) or name.endswith("-x10"):
+            continue
+        path = os.path.join(folder, name + ".nc")
+        found = []
+        for program, voxel in ((make(), args.voxel), (tenfold[name](), args.voxel), (make(), coarse)):
+            command = command_of(args, program, path, voxel, out)
+            found.append(statistics.median(measure(command)[1] for _ in range(args.runs)))
+        print(f"| {name} | {found[0]:.2f} | {found[1] / found[0]:.2f} x | {found[2] / found[0]:.2f} x |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mrsim")
@@ -147,25 +183,12 @@ def main():
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--only", default="", help="programs whose names begin so")
     parser.add_argument("--keep", help="folder for the programs")
+    parser.add_argument("--growth", action="store_true", help="print how CPU time grows with moves and voxel")
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = args.keep or scratch
         os.makedirs(folder, exist_ok=True)
-        print("| program | moves | wall, s | CPU, s | MB | triangles |\n|---|---|---|---|---|---|")
-        for name, make in programs().items():
-            if not name.startswith(args.only):
-                continue
-            program = make()
-            path = os.path.join(folder, name + ".nc")
-            with open(path, "w", encoding="ascii") as out:
-                out.write(program.text())
-            command = [args.mrsim, path, "--stock", program.stock, "--tool", "1=" + program.tool, "--verbose",
-                       "-o", os.path.join(scratch, "part.stl")]
-            if args.voxel != "default":
-                command += ["--voxel", args.voxel]
-            runs = [measure(command) for _ in range(args.runs)]
-            wall, cpu = (statistics.median(r[k] for r in runs) for k in (0, 1))
-            print(f"| {name} | {program.moves} | {wall:.2f} | {cpu:.2f} | {runs[0][2]} | {runs[0][3]} |", flush=True)
+        (print_growth if args.growth else print_times)(args, folder, os.path.join(scratch, "part.stl"))
 
 
 if __name__ == "__main__":
