@@ -1,5 +1,6 @@
 // `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time.
 #include "cli/commands.h"
+#include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"

@@ -1,6 +1,7 @@
 #include "cli/view_command.h"
 
 #include "cli/commands.h"
+#include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/terminal.h"
 #include "core/text_io.h"
