@@ -47,7 +47,7 @@ const kChosenFragment = `
 uniform vec4 plane; varying vec3 vPlace; flat varying vec4 vTexel;
 void main() {
   if (vTexel.a < 0.5 || dot(plane.xyz, vPlace) > plane.w) discard;
-  gl_FragColor = vec4(vTexel.rgb, 0.45);
+  gl_FragColor = vec4(vTexel.rgb, 0.75);
 }`;
 
 const kGhostFragment = `
@@ -133,7 +133,7 @@ export class PartView {
     this.materials = [this.material];
     this.mesh = new Mesh(expand(part, true), this.material);
     this.scene.add(this.mesh);
-    this.overlay = new Mesh(this.mesh.geometry, new ShaderMaterial({ vertexShader: kVertex, fragmentShader: kChosenFragment, uniforms: this.material.uniforms, transparent: true, depthTest: false, depthWrite: false }));
+    this.overlay = new Mesh(this.mesh.geometry, new ShaderMaterial({ vertexShader: kVertex, fragmentShader: kChosenFragment, uniforms: this.material.uniforms, side: DoubleSide, transparent: true, depthTest: false, depthWrite: false }));
     this.overlay.renderOrder = 4;
     this.overlay.visible = false;
     this.scene.add(this.overlay);
