@@ -26,6 +26,9 @@ constexpr double kToleranceShare = 1.7e-4;
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
 constexpr double kMostCells = 4e5, kMostCreases = 2e5;
 constexpr double kMostScanned = 1e5;
+// Sweeps of a block, on average: where more cross, creases lie in creases, and cells are halved
+// until there are too many.
+constexpr double kMostSweepsOfABlock = 12;
 // A helix costs a search for each of its points: fewer sweeps of blocks.
 constexpr double kMostHelixSweeps = 6e4;
 
@@ -108,6 +111,7 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 
 bool suits_tolerance(const detail::SurfaceSurvey& survey, double cells, bool has_helix) {
   if (has_helix && sweeps_met(survey) > kMostHelixSweeps) return false;
+  if (survey.sweeps > kMostSweepsOfABlock) return false;
   const double creases = static_cast<double>(survey.blocks) * std::max(0.0, survey.sweeps - 1);
   return cells <= kMostCells && creases <= kMostCreases;
 }
