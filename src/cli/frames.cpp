@@ -4,6 +4,7 @@
 #include "cli/option_values.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
+#include "core/scratch_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -44,7 +45,7 @@ std::string frame_path(const std::string& path, int frame, int frames) {
 // A folder that is gone with its owner.
 class Workshop {
  public:
-  Workshop() : path_((std::filesystem::temp_directory_path() / "mrsim-XXXXXX").string()) {
+  Workshop() : path_(temporary_folder() + "/mrsim-XXXXXX") {
     if (::mkdtemp(path_.data()) == nullptr)
       throw Error("output-folder", path_ + ": the temporary folder cannot be made");
   }

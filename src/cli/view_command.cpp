@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/terminal.h"
+#include "core/scratch_file.h"
 #include "core/text_io.h"
 #include <mrsim/compare.h>
 #include <mrsim/solid_files.h>
@@ -48,7 +49,7 @@ bool is_part(const std::string& path) {
 // A new file, gone with its owner unless it is kept.
 class TemporaryPage {
  public:
-  TemporaryPage() : path_((std::filesystem::temp_directory_path() / "mrsim-XXXXXX.html").string()) {
+  TemporaryPage() : path_(temporary_folder() + "/mrsim-XXXXXX.html") {
     const int file = ::mkstemps(path_.data(), 5);
     if (file < 0) throw Error("output-folder", path_ + ": the temporary file cannot be made");
     ::close(file);

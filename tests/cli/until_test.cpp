@@ -79,6 +79,24 @@ TEST_F(Until, FramesArePictures) {
   expect_failure(rest + "-o f%s.png", 2, "%04d");
 }
 
+TEST_F(Until, PagesAndPicturesNeedNoTmpdir) {
+  const std::string gone = "TMPDIR=/nonexistent";
+  const Outcome page = run("view block.stl --no-open", gone);
+  ASSERT_EQ(page.code, 0) << page.err;
+  std::filesystem::remove(page.out.substr(0, page.out.find('\n')));
+  const Outcome pictures =
+      run("render PRIMER_2F.MPF --stock block.stl -q --size 80x60 --frames 2 -o f%d.png", gone);
+  EXPECT_EQ(pictures.code, 0) << pictures.err;
+  EXPECT_TRUE(exists("f2.png"));
+}
+
+TEST_F(Until, ColorsOfAFileWithoutLinesAreSaidToBeMissing) {
+  const Outcome outcome = run("render block.stl --color line --size 80x60 -o a.png");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("does not say which line cut which face"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(Until, ViewWritesAPageAndTellsItsName) {
   for (const char* input : {"PRIMER_2F.MPF --stock block.stl -q", "block.stl"}) {
     const Outcome outcome = run(std::string("view ") + input + " --no-open");
