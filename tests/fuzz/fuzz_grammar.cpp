@@ -321,32 +321,106 @@ class Sinumerik : public Grammar {
   int labels_ = 0;
 };
 
-// Both without statements: modes, arcs and frames of their own.
-class Plain : public Grammar {
+// Fagor: statements in brackets, blocks to repeat, subroutines behind the end.
+class Fagor : public Grammar {
  public:
-  Plain(const std::uint8_t* data, std::size_t size, bool codesys)
-      : Grammar(data, size), codesys_(codesys) {}
+  using Grammar::Grammar;
 
  private:
-  void head() override { line("G0 X0 Y0 Z0\nG1 X1 F100"); }
-  std::string variable() override { return "1"; }
-  std::string bracket(const std::string& text) override { return codesys_ ? "1" : "2" + text; }
-  std::string value() override { return number(); }
+  void head() override { line("(P0=1, P1=2, P2=3)\nG0 X0 Y0 Z0\nG1 X1 F100"); }
+  std::string variable() override { return one_of({"P0", "P1", "P2", "P7", "P100"}); }
+  std::string bracket(const std::string& text) override { return "(" + text + ")"; }
+  std::string condition() {
+    const std::string a = expression(1);
+    return a + one_of({" EQ ", " NE ", " GT ", " LE ", " AND ", " OR "}) + expression(1);
+  }
   void cycle() override {
-    if (!codesys_ && pick(2) == 0) return Grammar::cycle();
-    line(one_of({"G81", "G83", "G16", "G15", "G98", "G99", "G55", "G2", "G3", "G51", "G92"}) +
-         words({"X", "Y", "Z", "I", "J", "K", "R"}) + one_of({"", " T90", " D1", " P2"}));
+    if (pick(2) == 0) return Grammar::cycle();
+    line(one_of({"G81", "G83", "G98", "G99", "G2", "G3", "G92"}) +
+         words({"X", "Y", "Z", "I", "J", "K", "R"}) + one_of({"", " T90", " D1"}));
   }
   void special(int depth) override {
-    if (pick(2) == 0) return statements(depth);
-    line(one_of({"(P1=5)", "(RPT N1,N2)", "G36 O$a$ D1", "G20 L10 K1", "$a$", "Part{1}", "L5",
-                 "M98 P1", "N10 RETURN", "G9 X1 I1 J1", "G68 R30", "G52 X1"}));
+    const unsigned n = ++numbers_ * 10;
+    switch (pick(8)) {
+      case 0:
+        line("(" + variable() + "=" + expression(0) + ")");
+        return;
+      case 1:
+        line(fmt::format("N{} (P100=0)\nN{} X(P100)", n, n + 1));
+        statements(depth);
+        line(fmt::format("(P100=P100+1)\n(IF P100 LT {} GOTO N{})", pick(5), n + 1));
+        return;
+      case 2:
+        line(fmt::format("N{} G91 X1\nN{} G90 YP1", n, n + 1));
+        return line(fmt::format("(RPT N{},N{}) N{}", n, n + 1, pick(4)));
+      case 3:
+        return line("(IF " + condition() + " P1=" + number() + " ELSE CALL 2)");
+      case 4:
+        return line("(PCALL 1, A" + number() + ", P1=" + expression(1) + ", C" + bracket("1+P2") +
+                    ")");
+      case 5:
+        return line(one_of({"(MCALL 1, B2)", "(MDOFF)", "(CALL 2)", "(GOTO N10)", "(RET)"}));
+      case 6:
+        return statements(depth);
+      default:
+        return line(one_of({"(SUB 9)", "M98 P1", "(EXEC P1)", "G68 R30", "G52 X1", "XSIN 30",
+                            "(P1=NOT P1)", "(P2=ARG(P1,2))", "(RPT N10,N11)"}));
+    }
   }
   void subprograms() override {
-    line(codesys_ ? "SUBPROGRAM Part{#A:LREAL}\nN1 G1 X1\nEND_SUBPROGRAM" : "M30\nO1\nX1\nM99");
+    line("M30\n(SUB 1)\nG1 XP0 YP1\n(CALL 2)\n(RET)\n(SUB 2)\n(P1=P1+1)\nZ-P1\n(RET)");
   }
 
-  bool codesys_;
+  unsigned numbers_ = 0;
+};
+
+// CODESYS: jumps by G20, counters, calls with arguments.
+class Codesys : public Grammar {
+ public:
+  using Grammar::Grammar;
+
+ private:
+  void head() override {
+    line("LET #A : LREAL\nLET #S : STRING\nN1 G36 O$x$ D2\nN2 G0 X0 Y0 Z0\nN3 G1 X1 F100");
+  }
+  std::string variable() override { return one_of({"#A", "$x$", "$y$", "pi"}); }
+  std::string bracket(const std::string& text) override { return "{" + text + "}"; }
+  void cycle() override {
+    line(one_of({"G16", "G15", "G98", "G99", "G55", "G2", "G3", "G51", "G92", "G9"}) +
+         words({"X", "Y", "Z", "I", "J", "K", "R"}) + one_of({"", " T90", " D1"}));
+  }
+  void special(int depth) override {
+    const unsigned n = ++numbers_ * 10;
+    switch (pick(8)) {
+      case 0:
+        return line("G36 O$x$ D" + bracket(expression(0)));
+      case 1:
+        line(fmt::format("N{} G36 O$n{}$ D{}\nN{} G91", n, n, pick(5), n + 1));
+        statements(depth);
+        line(fmt::format("N{} G37 O$n{}$ D-1", n + 2, n));
+        return line(fmt::format("N{} G20 L{} K$n{}$ > 0", n + 3, n + 1, n));
+      case 2:
+        line(fmt::format("N{} G20 L?{} K$x$ < 3", n, n));
+        statements(depth);
+        return line(fmt::format("N{} X1 L!{}", n + 1, n));
+      case 3:
+        return line("Part{" + expression(1) + ", " + one_of({"'a'", "#S", "1"}) + "}");
+      case 4:
+        return line("DYNCALL{concat{'Pa', 'rt'}, " + number() + ", 'b'}");
+      case 5:
+        return line("G37 D" + number() + one_of({"", "\nG20 L1", " O#A", " O$s$"}));
+      case 6:
+        return line("N5 G1 X" + expression(0) + one_of({"", " + 1", " MOD 3", " * sin 2"}));
+      default:
+        return line(one_of({"N10 RETURN", "LET #B : BOOL", "G36 O#S D'text'", "G38 D1", "Part{}",
+                            "G20 L99999", "G36 O$x$", "X$", "Y{1", "G2 I1 T720"}));
+    }
+  }
+  void subprograms() override {
+    line("SUBPROGRAM Part{#A : LREAL, #T : STRING}\nN1 G1 X#A\nN2 Part{#A+1, #T}\nEND_SUBPROGRAM");
+  }
+
+  unsigned numbers_ = 0;
 };
 
 std::string program_of(Dialect dialect, const std::uint8_t* data, std::size_t size) {
@@ -356,8 +430,9 @@ std::string program_of(Dialect dialect, const std::uint8_t* data, std::size_t si
     case Dialect::sinumerik:
       return Sinumerik(data, size).program();
     case Dialect::iso:
+      return Fagor(data, size).program();
     case Dialect::codesys:
-      return Plain(data, size, dialect == Dialect::codesys).program();
+      return Codesys(data, size).program();
     default:
       return Fanuc(data, size).program();
   }
@@ -365,8 +440,8 @@ std::string program_of(Dialect dialect, const std::uint8_t* data, std::size_t si
 
 // The first byte chooses the control; the highest values are those of the languages added last.
 Dialect dialect_of(std::uint8_t choice) {
-  if (choice >= 252) return Dialect::codesys;
-  if (choice >= 248) return Dialect::iso;
+  if (choice >= 240) return Dialect::codesys;
+  if (choice >= 224) return Dialect::iso;
   if (choice >= 200) return Dialect::sinumerik;
   return choice % 3 == 0 ? Dialect::ngc : Dialect::fanuc;
 }

@@ -12,6 +12,7 @@ namespace {
 
 std::size_t depth_limit(Dialect dialect) {
   if (dialect == Dialect::fanuc) return 10;
+  if (dialect == Dialect::iso) return 15;
   return dialect == Dialect::codesys ? 14 : 16;
 }
 

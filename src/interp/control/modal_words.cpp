@@ -93,6 +93,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot = &word;
       block_.oneshot_code = entry.code;
       return true;
+    case Code::statement:
     case Code::unsupported:
       return units_of_mach(word) || refuse(word);
     case Code::circle_pocket:

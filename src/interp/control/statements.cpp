@@ -1,6 +1,8 @@
 #include "interp/control/statements.h"
 
 #include "core/text_io.h"
+#include "interp/control/codesys_statements.h"
+#include "interp/control/fagor_statements.h"
 #include "interp/control/macro_statements.h"
 #include "interp/control/oword_statements.h"
 #include "interp/control/sinumerik_statements.h"
@@ -30,6 +32,10 @@ std::unique_ptr<Statements> Statements::make(Control& control, BlockReader& read
       return std::make_unique<OwordStatements>(control, reader);
     case Dialect::sinumerik:
       return std::make_unique<SinumerikStatements>(control, reader);
+    case Dialect::iso:
+      return std::make_unique<FagorStatements>(control, reader);
+    case Dialect::codesys:
+      return std::make_unique<CodesysStatements>(control, reader);
     default:
       return nullptr;
   }
@@ -237,6 +243,15 @@ bool Statements::jump_behind(const FlowEntry& entry) {
   Place to = entry.at;
   to.position = entry.behind;
   return reader_.jump(to);
+}
+
+bool Statements::find_number_twice(long number) {
+  const Outline& all = outline();
+  const int section = all.section_at(reader_.place_at(0));
+  const Place from = all.section_begin(section), to = all.section_end(section);
+  Place first, last;
+  return scan_number(number, from, to, false, first) && scan_number(number, from, to, true, last) &&
+         first != last;
 }
 
 bool Statements::scan_number(long wanted, const Place& from, const Place& to, bool last,

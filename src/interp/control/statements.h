@@ -72,6 +72,8 @@ class Statements : public ControlPart, public LanguageReader {
   /// The entry of the statement at `p`; reports what is wrong with the structure.
   const FlowEntry* entry_at(std::size_t p);
   bool jump_behind(const FlowEntry& entry);
+  /// Whether two blocks of the program that is being read have this number.
+  bool find_number_twice(long number);
   /// Where the next line begins.
   Place behind_line(Place at) const;
   /// Searches block `number` forward from here and then from the top, or one of these.

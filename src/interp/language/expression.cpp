@@ -104,7 +104,8 @@ const OperatorRow* Evaluator::operator_here(std::size_t& length) const {
     for (const OperatorRow& row : rules_.operators) {
       const std::size_t n = row.name.size();
       if (row.name[0] != c || n > end - p_) continue;
-      if (!rules_.hash && (n != end - p_ || is_name(at(end)))) continue;  // a whole name
+      const bool whole = spelled(Spelling::names) || spelled(Spelling::plc);
+      if (whole && (n != end - p_ || is_name(at(end)))) continue;
       bool same = true;
       for (std::size_t i = 1; i < n && same; ++i) same = upper(line_[p_ + i]) == row.name[i];
       if (same) best = &row;
@@ -135,7 +136,7 @@ bool Evaluator::binary(int least_level, Value& out) {
     }
     const std::size_t place = p_;
     const bool comparison = row->op >= Operator::equal && row->op <= Operator::greater_equal;
-    if (comparison && compared && !rules_.hash)
+    if (comparison && compared && spelled(Spelling::names))
       return fail("expression",
                   "two comparisons in a row: comparisons bind least, so write brackets about each",
                   place, place + length);
@@ -177,7 +178,10 @@ bool Evaluator::unary(Value& out) {
   skip_blanks();
   const char c = at(p_);
   if (is_digit(c) || c == '.') return number(out);
-  if (c == '#' && rules_.hash) return hash_variable(out);
+  if (c == '#' && spelled(Spelling::hash)) return hash_variable(out);
+  if ((c == '#' || c == '$') && spelled(Spelling::plc)) return plc_variable(out);
+  if (upper(c) == 'P' && is_digit(at(p_ + 1)) && spelled(Spelling::parameter))
+    return parameter_variable(out);
   if (c == rules_.open) return bracketed(out);
   if (c == '-' || c == '+') {
     const std::size_t from = p_++;
@@ -189,9 +193,11 @@ bool Evaluator::unary(Value& out) {
     if (c == '-') out.number = -out.number;
     return true;
   }
-  if (is_letter(c) || c == '_' || c == '$') return word(out);
-  if (c == '"' && !rules_.hash) return text(out);
-  if (c == '\'' && !rules_.hash) return radix(out);
+  if (is_letter(c)) return word(out);
+  if ((c == '_' || c == '$' || c == '"') && spelled(Spelling::names))
+    return c == '"' ? text(out) : word(out);
+  if (c == '\'' && spelled(Spelling::names)) return radix(out);
+  if (c == '\'' && spelled(Spelling::plc)) return text(out);
   if (p_ >= line_.size()) return fail("expression", "the expression ends too early", p_, p_ + 1);
   return fail("expression", fmt::format("a number, a variable or {} is expected here", rules_.open),
               p_, p_ + 1);

@@ -67,6 +67,10 @@ class Evaluator {
   bool number(Value& out);
   bool radix(Value& out);
   bool text(Value& out);
+  bool plc_variable(Value& out);
+  bool parameter_variable(Value& out);
+  bool negation(std::size_t from, bool bits, Value& out);
+  bool bare_call(const FunctionRow& row, std::size_t from, Value& out);
   bool hash_variable(Value& out);
   bool word(Value& out);
   bool name_variable(std::size_t from, std::string_view name, Value& out);
@@ -76,6 +80,7 @@ class Evaluator {
   bool arguments(std::vector<Value>& values, std::size_t most);
   bool combine(const OperatorRow& row, std::size_t from, Value& left, Value& right);
   bool usable(Value& value, std::size_t from);
+  bool spelled(Spelling spelling) const { return rules_.spelling == spelling; }
   const OperatorRow* operator_here(std::size_t& length) const;
   const FunctionRow* function_named(std::string_view name) const;
   void seen(std::size_t from, const Value& value);

@@ -124,42 +124,6 @@ std::string letters_at(std::string_view line, std::size_t& p) {
   return upper_case(line.substr(from, std::min<std::size_t>(p - from, 16)));
 }
 
-void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
-  for (std::size_t from = 0; from < line.size(); from = end_of_block(line, from) + 1) {
-    long number = -1;
-    std::size_t p = behind_number(line, from, number);
-    const char c = upper(at(line, p));
-    FoundWord found;
-    found.at = p;
-    if (c == 'O' || c == ':') {
-      ++p;
-      found.name = digits_at(line, p);
-      if (!found.name.empty()) found.word = FlowWord::section;
-    } else if (c == 'W' || c == 'D' || c == 'E') {
-      std::string name = letters_at(line, p);
-      if (name.starts_with("WH") && name.size() <= 5) {
-        p = skip_blanks(line, p);
-        const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
-        if (close == std::string_view::npos || at(line, p) != '[') continue;
-        p = close + 1;
-        found.word = FlowWord::loop_while;
-        name = letters_at(line, p);
-      }
-      if (name == "DO") {
-        if (found.word == FlowWord::none) found.word = FlowWord::loop_do;
-      } else if (name == "END" || name == "EN") {
-        found.word = FlowWord::loop_end;
-      } else {
-        found.word = FlowWord::none;
-      }
-      found.name = digits_at(line, p);
-      if (found.name.empty()) found.word = FlowWord::none;
-    }
-    found.behind = p;
-    if (found.word != FlowWord::none) out.push_back(std::move(found));
-  }
-}
-
 bool oword_name(std::string_view line, std::size_t& p, std::string& name) {
   name.clear();
   if (upper(at(line, p)) != 'O') return false;
@@ -204,6 +168,44 @@ std::string oword_keyword(std::string_view line, std::size_t& p) {
   return word;
 }
 
+namespace {
+
+void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
+  for (std::size_t from = 0; from < line.size(); from = end_of_block(line, from) + 1) {
+    long number = -1;
+    std::size_t p = behind_number(line, from, number);
+    const char c = upper(at(line, p));
+    FoundWord found;
+    found.at = p;
+    if (c == 'O' || c == ':') {
+      ++p;
+      found.name = digits_at(line, p);
+      if (!found.name.empty()) found.word = FlowWord::section;
+    } else if (c == 'W' || c == 'D' || c == 'E') {
+      std::string name = letters_at(line, p);
+      if (name.starts_with("WH") && name.size() <= 5) {
+        p = skip_blanks(line, p);
+        const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
+        if (close == std::string_view::npos || at(line, p) != '[') continue;
+        p = close + 1;
+        found.word = FlowWord::loop_while;
+        name = letters_at(line, p);
+      }
+      if (name == "DO") {
+        if (found.word == FlowWord::none) found.word = FlowWord::loop_do;
+      } else if (name == "END" || name == "EN") {
+        found.word = FlowWord::loop_end;
+      } else {
+        found.word = FlowWord::none;
+      }
+      found.name = digits_at(line, p);
+      if (found.name.empty()) found.word = FlowWord::none;
+    }
+    found.behind = p;
+    if (found.word != FlowWord::none) out.push_back(std::move(found));
+  }
+}
+
 void scan_oword_line(std::string_view line, std::vector<FoundWord>& out) {
   long number = -1;
   FoundWord found;
@@ -243,6 +245,50 @@ void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out) {
       return;
     }
     return;
+  }
+}
+
+// (SUB 12)
+void scan_fagor_line(std::string_view line, std::vector<FoundWord>& out) {
+  long number = -1;
+  FoundWord found;
+  std::size_t p = found.at = behind_number(line, 0, number);
+  if (at(line, p) != '(' || letters_at(line, ++p) != "SUB") return;
+  found.name = digits_at(line, p);
+  if (found.name.empty() || found.name.size() > 9) return;
+  found.name = std::to_string(std::stol(found.name));
+  p = skip_blanks(line, p);
+  if (at(line, p) != ')') return;
+  found.behind = p + 1;
+  found.word = FlowWord::label;
+  out.push_back(std::move(found));
+}
+
+// SUBPROGRAM NAME{...}
+void scan_codesys_line(std::string_view line, std::vector<FoundWord>& out) {
+  long number = -1;
+  FoundWord found;
+  std::size_t p = found.at = behind_number(line, 0, number);
+  if (letters_at(line, p) != "SUBPROGRAM" || is_name(at(line, p))) return;
+  found.behind = line.size();
+  found.word = FlowWord::section;
+  out.push_back(std::move(found));
+}
+
+}  // namespace
+
+void scan_flow(OutlineForm form, std::string_view line, std::vector<FoundWord>& out) {
+  switch (form) {
+    case OutlineForm::macro:
+      return scan_macro_line(line, out);
+    case OutlineForm::owords:
+      return scan_oword_line(line, out);
+    case OutlineForm::sinumerik:
+      return scan_sinumerik_line(line, out);
+    case OutlineForm::fagor:
+      return scan_fagor_line(line, out);
+    case OutlineForm::codesys:
+      return scan_codesys_line(line, out);
   }
 }
 

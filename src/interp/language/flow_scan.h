@@ -18,9 +18,7 @@ struct FoundWord {
 };
 
 /// Appends what stands in the line.
-void scan_macro_line(std::string_view line, std::vector<FoundWord>& out);
-void scan_oword_line(std::string_view line, std::vector<FoundWord>& out);
-void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out);
+void scan_flow(OutlineForm form, std::string_view line, std::vector<FoundWord>& out);
 
 /// Where the words of a block begin behind blanks, "/2" and "N10". `number`: the N word, or -1.
 std::size_t behind_number(std::string_view line, std::size_t from, long& number);

@@ -1,5 +1,6 @@
 // The operands of expressions: numbers, variables, functions, frames.
 #include "core/text_io.h"
+#include "core/units.h"
 #include "interp/language/expression.h"
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
@@ -35,7 +36,8 @@ bool Evaluator::number(Value& out) {
     }
   }
   while (p_ > from && (line_[p_ - 1] == ' ' || line_[p_ - 1] == '\t')) --p_;
-  const bool exponent = !rules_.hash && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X';
+  const bool exponent =
+      spelled(Spelling::names) && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X';
   if (digits > 0 && digits <= 15 && !exponent) {
     out = Value::of(static_cast<double>(mantissa) / kPowersOfTen[fraction]);
     return at(p_) != '.' || fail("number-malformed", "a second point in the number", from, p_ + 1);
@@ -77,10 +79,10 @@ bool Evaluator::radix(Value& out) {
 }
 
 bool Evaluator::text(Value& out) {
-  const std::size_t end = line_.find('"', p_ + 1);
+  const std::size_t end = line_.find(at(p_), p_ + 1);
   if (end == std::string_view::npos)
-    return fail("string-unterminated", "the text that starts here is not closed with \"", p_,
-                p_ + 1);
+    return fail("string-unterminated",
+                fmt::format("the text that starts here is not closed with {}", at(p_)), p_, p_ + 1);
   out = Value::of_text(std::string(line_.substr(p_ + 1, end - p_ - 1)));
   p_ = end + 1;
   return true;
@@ -135,27 +137,87 @@ const FunctionRow* Evaluator::function_named(std::string_view name) const {
 bool Evaluator::word(Value& out) {
   const std::size_t from = p_;
   if (at(p_) == '$') ++p_;
-  while (rules_.hash ? is_letter(at(p_)) : is_name(at(p_))) ++p_;
+  const bool whole = spelled(Spelling::names) || spelled(Spelling::plc);
+  while (whole ? is_name(at(p_)) : is_letter(at(p_))) ++p_;
   const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 64)));
-  if (!rules_.hash && (name == "NOT" || name == "B_NOT")) {
-    if (++depth_ > kDeepest) return fail("expression-deep", "too many NOT in a row", from, p_);
-    if (!unary(out)) return false;
-    --depth_;
-    if (!out.is_number()) return fail("expression", "NOT needs a number", from, p_);
-    out.number = name == "NOT" ? (out.number == 0 ? 1.0 : 0.0) : -nearest_whole(out.number) - 1;
-    return true;
-  }
+  const bool bits = name == "B_NOT" && spelled(Spelling::names);
+  if (bits || (name == "NOT" && !spelled(Spelling::hash))) return negation(from, bits, out);
   const std::size_t end = p_;
   skip_blanks();
-  if (at(p_) == rules_.open && (rules_.hash || at(p_) == '(')) {
-    if (const FunctionRow* row = function_named(name)) return call(*row, from, out);
+  const FunctionRow* const row = function_named(name);
+  if (at(p_) == rules_.open) {
+    if (row) return call(*row, from, out);
     return fail("function-unknown", fmt::format("{} is no function of this control", name), from,
                 end);
   }
-  if (rules_.hash)
+  if (row && rules_.bare_functions) return bare_call(*row, from, out);
+  if (spelled(Spelling::plc) && (name == "PI" || name == "TRUE" || name == "FALSE")) {
+    p_ = end;
+    out = Value::of(name == "PI" ? kPi : name == "TRUE");
+    return true;
+  }
+  if (!spelled(Spelling::names))
     return fail("expression", fmt::format("{} is not known in an expression", name), from, end);
   p_ = end;
   return name_variable(from, line_.substr(from, end - from), out);
+}
+
+// NOT and B_NOT. Fagor's NOT is one of bits and one of conditions, which agree on neither number.
+bool Evaluator::negation(std::size_t from, bool bits, Value& out) {
+  if (++depth_ > kDeepest) return fail("expression-deep", "too many NOT in a row", from, p_);
+  if (!unary(out) || !usable(out, from)) return false;
+  --depth_;
+  if (!out.is_number()) return fail("expression", "NOT needs a number", from, p_);
+  if (spelled(Spelling::parameter) && out.number != 0 && out.number != 1)
+    return fail("expression", "NOT is read only of conditions, which are 0 or 1", from, p_);
+  out.number = bits ? -nearest_whole(out.number) - 1 : (out.number == 0 ? 1.0 : 0.0);
+  return true;
+}
+
+// SIN 30, ABS -8: a function of one operand without brackets.
+bool Evaluator::bare_call(const FunctionRow& row, std::size_t from, Value& out) {
+  if (row.least > 1)
+    return fail("function-arguments",
+                fmt::format("{} needs {} arguments in brackets", row.name, row.least), from, p_);
+  if (++depth_ > kDeepest) return fail("expression-deep", "too many functions", from, p_);
+  std::array<Value, 1> argument;
+  if (!unary(argument[0]) || !usable(argument[0], from)) return false;
+  --depth_;
+  std::string why;
+  if (!apply_function(rules_, row.function, argument, round_step_, out, why))
+    return fail("expression", std::move(why), from, p_);
+  return true;
+}
+
+// $NAME$ of the controller, #NAME of the program.
+bool Evaluator::plc_variable(Value& out) {
+  const std::size_t from = p_++;
+  const bool global = line_[from] == '$';
+  while (is_name(at(p_)) || (global && (at(p_) == '.' || at(p_) == '[' || at(p_) == ']'))) ++p_;
+  if (p_ == from + 1) return fail("expression", "a name is expected here", from, p_ + 1);
+  if (global && at(p_) != '$')
+    return fail("expression", "the name that starts here is not closed with $", from, p_);
+  if (global) ++p_;
+  std::string why;
+  if (!variables_.named(line_.substr(from, p_ - from), {}, out, why))
+    return fail("variable-unset", std::move(why), from, p_);
+  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  seen(from, out);
+  return true;
+}
+
+// P12
+bool Evaluator::parameter_variable(Value& out) {
+  const std::size_t from = p_++;
+  const std::size_t digits = p_;
+  while (is_digit(at(p_))) ++p_;
+  std::string why;
+  const double number = parse_number(line_.substr(digits, p_ - digits)).value_or(-1);
+  if (!variables_.numbered(number, out, why))
+    return fail("variable-number", std::move(why), from, p_);
+  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  seen(from, out);
+  return true;
 }
 
 // R1, R[2], a name with up to three indices, TRUE, FALSE.
@@ -226,7 +288,7 @@ bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
   std::vector<Value> values;
   if (!arguments(values, static_cast<std::size_t>(row.most))) return false;
   skip_blanks();
-  if (row.function == Function::arc_tangent && rules_.hash && at(p_) == '/') {
+  if (row.function == Function::arc_tangent && spelled(Spelling::hash) && at(p_) == '/') {
     std::size_t behind = p_ + 1;
     while (at(behind) == ' ' || at(behind) == '\t') ++behind;
     if (at(behind) == rules_.open) {  // ATAN[y]/[x]

@@ -15,7 +15,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLargestAngle = 1e9;
+constexpr double kLargestAngle = 1e9, kLargestRadians = 1e7;
 constexpr double kLargestBits = 9007199254740992.0;  // 2^53
 constexpr std::size_t kLongestText = 1000;
 
@@ -155,8 +155,9 @@ bool number_operator(const ExpressionRules& rules, Operator op, double& a, doubl
 
 bool trigonometric(const ExpressionRules& rules, Function function, double x, double& out,
                    std::string& why) {
-  if (std::abs(x) > kLargestAngle) return fail(why, "the angle is above 1e9 degrees");
-  const SinCos sc = sincos_deg(x);
+  const double limit = rules.radians ? kLargestRadians : kLargestAngle;
+  if (std::abs(x) > limit) return fail(why, "the angle is above a million turns");
+  const SinCos sc = rules.radians ? sincos(x) : sincos_deg(x);
   if (function == Function::sine) {
     out = sc.sin;
   } else if (function == Function::cosine) {
@@ -169,6 +170,19 @@ bool trigonometric(const ExpressionRules& rules, Function function, double x, do
   return true;
 }
 
+// An angle as the control's functions give it.
+double angle_of(const ExpressionRules& rules, double radians) {
+  return rules.radians ? radians : degrees(radians);
+}
+
+// Exact for the powers of ten.
+double logarithm_ten(double x) {
+  const double log = natural_logarithm(x) / natural_logarithm(10), whole = nearest_whole(log);
+  return std::abs(log - whole) < 1e-12 && power(10, std::abs(whole)) == (whole < 0 ? 1 / x : x)
+             ? whole
+             : log;
+}
+
 bool arc_function(const ExpressionRules& rules, Function function, double x, double& out,
                   std::string& why) {
   if (x < -1 || x > 1)
@@ -176,7 +190,8 @@ bool arc_function(const ExpressionRules& rules, Function function, double x, dou
         why, fmt::format("{} of {:g}: the argument is -1 to 1{}",
                          function == Function::arc_sine ? "ASIN" : "ACOS", x, rules.range_alarm));
   const double other = std::sqrt((1 - x) * (1 + x));
-  out = degrees(function == Function::arc_sine ? mrsim::atan2(x, other) : mrsim::atan2(other, x));
+  out = angle_of(rules,
+                 function == Function::arc_sine ? mrsim::atan2(x, other) : mrsim::atan2(other, x));
   if (function == Function::arc_sine && rules.arc_sine_full && out < 0) out += 360;
   return true;
 }
@@ -208,7 +223,7 @@ bool one_number(const ExpressionRules& rules, Function function, double x, doubl
     case Function::arc_cosine:
       return arc_function(rules, function, x, out, why);
     case Function::arc_tangent:
-      out = degrees(mrsim::atan2(x, 1));
+      out = angle_of(rules, mrsim::atan2(x, 1));
       return true;
     case Function::absolute:
       out = std::abs(x);
@@ -224,8 +239,9 @@ bool one_number(const ExpressionRules& rules, Function function, double x, doubl
       out = exponential(x);
       return true;
     case Function::logarithm:
+    case Function::logarithm_ten:
       if (x <= 0) return fail(why, fmt::format("the logarithm of {:g}{}", x, rules.range_alarm));
-      out = natural_logarithm(x);
+      out = function == Function::logarithm ? natural_logarithm(x) : logarithm_ten(x);
       return true;
     case Function::round:
       out = round_step == 1 ? nearest_whole(x) : nearest_whole(x / round_step) * round_step;
@@ -241,6 +257,11 @@ bool one_number(const ExpressionRules& rules, Function function, double x, doubl
       return true;
     case Function::away:
       out = x < 0 ? std::floor(x) : std::ceil(x);
+      return true;
+    case Function::next_whole:
+      if (x < 0 && x != std::trunc(x))
+        return fail(why, fmt::format("FUP of {:g}: its result below 0 is not known", x));
+      out = std::ceil(x);
       return true;
     case Function::from_decimal:
     case Function::to_decimal:
@@ -260,6 +281,10 @@ bool several_numbers(const ExpressionRules& rules, Function function,
     case Function::arc_tangent:
       out = degrees(mrsim::atan2(a, b));
       if (rules.full_turn && out < 0) out += 360;
+      return true;
+    case Function::argument:
+      out = degrees(mrsim::atan2(b, a));
+      if (out < 0) out += 360;
       return true;
     case Function::power:
       out = a;
@@ -313,6 +338,10 @@ bool text_function(Function function, std::span<const Value> arguments, Value& o
     case Function::text_rindex:
       out = Value::of(index_of(text, arguments[1].text, function == Function::text_rindex));
       return true;
+    case Function::join_text:
+      if (arguments[1].kind != Value::Kind::text) return fail(why, "CONCAT joins texts");
+      out = Value::of_text(text + arguments[1].text);
+      return out.text.size() <= kLongestText || fail(why, "the text grows too long");
     case Function::as_text:
       out = Value::of_text(text);
       return true;

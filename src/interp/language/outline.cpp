@@ -71,15 +71,10 @@ Outline::Outline(const std::string& file, OutlineForm form) : names_(1) {
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
     found.clear();
     const Place start{offset, source.line_number() - 1, 0};
-    if (form == OutlineForm::macro) {
-      scan_macro_line(line, found);
-    } else if (form == OutlineForm::owords) {
-      if (line.starts_with('%') && ++tape_marks == 2) break;  // nothing behind it is read
-      scan_oword_line(line, found);
-    } else {
-      if (line.starts_with("%_N_")) begin_section(start, open);
-      scan_sinumerik_line(line, found);
-    }
+    const bool tape = form == OutlineForm::owords && line.starts_with('%');
+    if (tape && ++tape_marks == 2) break;  // nothing behind it is read
+    if (form == OutlineForm::sinumerik && line.starts_with("%_N_")) begin_section(start, open);
+    scan_flow(form, line, found);
     for (FoundWord& one : found) {
       FlowEntry entry;
       entry.at = {offset, start.line, one.at};

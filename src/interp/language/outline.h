@@ -58,8 +58,9 @@ struct FlowEntry {
   int section = 0;
 };
 
-/// How structures are written: FANUC WHILE DO END, LinuxCNC's O words, SINUMERIK's names.
-enum class OutlineForm : std::uint8_t { macro, owords, sinumerik };
+/// How structures are written: FANUC WHILE DO END, LinuxCNC's O words, SINUMERIK's names, the
+/// SUB of Fagor (a label), the SUBPROGRAM of CODESYS (a section).
+enum class OutlineForm : std::uint8_t { macro, owords, sinumerik, fagor, codesys };
 
 /// A fault of the structure as a whole: something is not closed, or closes nothing.
 struct OutlineFault {

@@ -91,6 +91,45 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"CMIRROR", F::frame_mirror, 1, 8},
 };
 
+// Fagor 8055: NOT, functions and signs (operands), EXP MOD, * /, + -, comparisons, AND XOR, OR.
+constexpr OperatorRow kFagor[] = {
+    {"EXP", O::power, 6},        {"MOD", O::remainder, 6}, {"*", O::multiply, 5},
+    {"/", O::divide, 5},         {"+", O::add, 4},         {"-", O::subtract, 4},
+    {"EQ", O::equal, 3},         {"NE", O::unequal, 3},    {"GT", O::greater, 3},
+    {"GE", O::greater_equal, 3}, {"LT", O::less, 3},       {"LE", O::less_equal, 3},
+    {"AND", O::bits_and, 2},     {"XOR", O::bits_xor, 2},  {"OR", O::bits_or, 1},
+};
+
+constexpr FunctionRow kFagorFunctions[] = {
+    {"SIN", F::sine},           {"COS", F::cosine},      {"TAN", F::tangent},
+    {"ASIN", F::arc_sine},      {"ACOS", F::arc_cosine}, {"ATAN", F::arc_tangent},
+    {"ARG", F::argument, 2, 2}, {"ABS", F::absolute},    {"LOG", F::logarithm_ten},
+    {"SQRT", F::square_root},   {"ROUND", F::round},     {"FIX", F::truncate},
+    {"FUP", F::next_whole},     {"BCD", F::to_decimal},  {"BIN", F::from_decimal},
+};
+
+// CODESYS: NOT and functions (operands), MOD, * /, + -, comparisons, AND, XOR, OR.
+constexpr OperatorRow kCodesys[] = {
+    {"MOD", O::remainder, 14}, {"*", O::multiply, 13},
+    {"/", O::divide, 13},      {"+", O::add, 12},
+    {"-", O::subtract, 12},    {"=", O::equal, 10},
+    {"<>", O::unequal, 10},    {">", O::greater, 10},
+    {"<", O::less, 10},        {">=", O::greater_equal, 10},
+    {"<=", O::less_equal, 10}, {"AND", O::both, 6},
+    {"XOR", O::one_of, 5},     {"OR", O::either, 4},
+};
+
+constexpr FunctionRow kCodesysFunctions[] = {
+    {"SIN", F::sine},          {"COS", F::cosine},
+    {"TAN", F::tangent},       {"ASIN", F::arc_sine},
+    {"ACOS", F::arc_cosine},   {"ATAN", F::arc_tangent},
+    {"ABS", F::absolute},      {"SQRT", F::square_root},
+    {"LN", F::logarithm},      {"LOG", F::logarithm_ten},
+    {"EXP", F::exponential},   {"EXPT", F::power, 2, 2},
+    {"TRUNC", F::truncate},    {"MIN", F::smallest, 2, 2},
+    {"MAX", F::largest, 2, 2}, {"CONCAT", F::join_text, 2, 2},
+};
+
 }  // namespace
 
 const ExpressionRules& linuxcnc_rules() {
@@ -126,9 +165,40 @@ const ExpressionRules& sinumerik_rules() {
     rules.close = ')';
     rules.operators = kSinumerik;
     rules.functions = kSinumerikFunctions;
-    rules.hash = rules.glued_blanks = false;
+    rules.spelling = Spelling::names;
+    rules.glued_blanks = false;
     rules.equal_relative = 1e-12;
     rules.zero_divide_alarm = rules.range_alarm = " (alarm 14051)";
+    return rules;
+  }();
+  return kRules;
+}
+
+const ExpressionRules& fagor_rules() {
+  static const ExpressionRules kRules = [] {
+    ExpressionRules rules;
+    rules.open = '(';
+    rules.close = ')';
+    rules.operators = kFagor;
+    rules.functions = kFagorFunctions;
+    rules.spelling = Spelling::parameter;
+    rules.glued_blanks = false;
+    rules.bare_functions = true;
+    return rules;
+  }();
+  return kRules;
+}
+
+const ExpressionRules& codesys_rules() {
+  static const ExpressionRules kRules = [] {
+    ExpressionRules rules;
+    rules.open = '{';
+    rules.close = '}';
+    rules.operators = kCodesys;
+    rules.functions = kCodesysFunctions;
+    rules.spelling = Spelling::plc;
+    rules.glued_blanks = false;
+    rules.bare_functions = rules.radians = true;
     return rules;
   }();
   return kRules;

@@ -29,7 +29,7 @@ enum class Operator : std::uint8_t {
   both,  ///< truth values
   either,
   one_of,
-  join,   ///< SINUMERIK <<
+  join,   ///< SINUMERIK <<, CODESYS CONCAT
   chain,  ///< SINUMERIK : of frames
 };
 
@@ -45,12 +45,15 @@ enum class Function : std::uint8_t {
   square,
   exponential,
   logarithm,
+  logarithm_ten,
   power,
+  argument,  ///< Fagor ARG(x,y): the angle of the point, 0 to 360
   round,
   floor,         ///< LinuxCNC FIX
   ceiling,       ///< LinuxCNC FUP
   truncate,      ///< towards 0
   away,          ///< away from 0
+  next_whole,    ///< Fagor FUP, which its manual explains for numbers above 0
   from_decimal,  ///< BIN: binary-coded decimal to number
   to_decimal,    ///< BCD
   exists,        ///< LinuxCNC EXISTS[#<name>]
@@ -71,6 +74,15 @@ enum class Function : std::uint8_t {
   frame_scale,
   frame_mirror,
   tool_decimals,  ///< FANUC ADP: the value itself
+  join_text,      ///< CODESYS CONCAT
+};
+
+/// How variables are written.
+enum class Spelling : std::uint8_t {
+  hash,       ///< #1
+  names,      ///< R1, NAME, $NAME
+  parameter,  ///< P1
+  plc,        ///< $NAME$ of the controller, #NAME of the program
 };
 
 struct OperatorRow {
@@ -90,11 +102,13 @@ struct ExpressionRules {
   char open = '[', close = ']';
   std::span<const OperatorRow> operators;
   std::span<const FunctionRow> functions;
-  bool hash = true;             ///< variables are #1; else R1 and names
+  Spelling spelling = Spelling::hash;
   bool named_hash = false;      ///< #<name>
   bool glued_blanks = true;     ///< blanks mean nothing, even inside a number
   bool abbreviated = false;     ///< two letters of a function's name are enough
   bool vacant_is_zero = false;  ///< a vacant operand counts as 0
+  bool bare_functions = false;  ///< SIN 30 without brackets
+  bool radians = false;         ///< angles of functions; else degrees
   bool full_turn = false;       ///< the arc tangent of two arguments is 0 to 360
   bool arc_sine_full = false;   ///< ASIN is 270 to 90, written as 0 to 360
   double equal_within = 0;      ///< absolute tolerance of = and its opposite
@@ -105,5 +119,7 @@ struct ExpressionRules {
 const ExpressionRules& linuxcnc_rules();
 const ExpressionRules& fanuc_rules();
 const ExpressionRules& sinumerik_rules();
+const ExpressionRules& fagor_rules();
+const ExpressionRules& codesys_rules();
 
 }  // namespace mrsim

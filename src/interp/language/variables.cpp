@@ -15,23 +15,53 @@ constexpr std::size_t kMostElements = 1'000'000;
 constexpr int kMostR = 32536;
 constexpr int kLinuxcncLast = 5602, kLinuxcncSystem = 5001, kLinuxcncLocals = 30;
 constexpr int kFanucLast = 1000, kFanucLocals = 33;
+constexpr int kFagorLast = 2256, kFagorLocals = 25;
 
 int locals_of(VariableForm form) {
   return form == VariableForm::linuxcnc ? kLinuxcncLocals
          : form == VariableForm::fanuc  ? kFanucLocals
+         : form == VariableForm::fagor  ? kFagorLocals
                                         : -1;
 }
 
+// One more than the highest number.
+int count_of(VariableForm form) {
+  switch (form) {
+    case VariableForm::linuxcnc:
+      return kLinuxcncLast;
+    case VariableForm::fanuc:
+      return kFanucLast;
+    case VariableForm::sinumerik:
+      return kMostR;
+    case VariableForm::fagor:
+      return kFagorLast;
+    default:
+      return 0;
+  }
+}
+
 std::string shown(VariableForm form, double number) {
-  return fmt::format("{}{:.0f}", form == VariableForm::sinumerik ? "R" : "#", number);
+  const char* letter = form == VariableForm::sinumerik ? "R"
+                       : form == VariableForm::fagor   ? "P"
+                                                       : "#";
+  return fmt::format("{}{:.0f}", letter, number);
+}
+
+// The numbers between those of the control, in a sentence; empty: there are none, or `n` is not
+// among them.
+const char* gap(VariableForm form, std::size_t n) {
+  if (form == VariableForm::fanuc && ((n > 33 && n < 100) || (n > 199 && n < 500)))
+    return "#1-#33, #100-#199, #500-#999 and system variables from #1000";
+  if (form == VariableForm::fagor &&
+      ((n > 25 && n < 100) || (n > 299 && n < 1000) || (n > 1255 && n < 2000)))
+    return "P0-P25, P100-P299, P1000-P1255, P2000-P2255";
+  return "";
 }
 
 }  // namespace
 
 Variables::Variables(VariableForm form) : form_(form) {
-  common_.resize(form == VariableForm::linuxcnc ? kLinuxcncLast
-                 : form == VariableForm::fanuc  ? kFanucLast
-                                                : 300);
+  common_.resize(form == VariableForm::sinumerik ? 300U : static_cast<std::size_t>(count_of(form)));
   levels_.push_back(std::make_unique<Level>());
 }
 
@@ -48,9 +78,7 @@ void Variables::leave_level() {
 
 // The cell of a number that is no system variable; nullptr with or without `why`.
 Variables::Cell* Variables::cell(double number, std::string& why) {
-  const double last = form_ == VariableForm::sinumerik  ? kMostR - 1
-                      : form_ == VariableForm::linuxcnc ? kLinuxcncLast - 1
-                                                        : kFanucLast - 1;
+  const double last = count_of(form_) - 1;
   const bool linuxcnc_zero = form_ == VariableForm::linuxcnc && number == 0;
   if (!(number >= 0 && number <= last) || linuxcnc_zero) {
     why = fmt::format("{} is no variable of this control: the numbers go from {} to {:.0f}",
@@ -60,12 +88,9 @@ Variables::Cell* Variables::cell(double number, std::string& why) {
   }
   const auto n = static_cast<std::size_t>(number);
   if (static_cast<int>(n) <= locals_of(form_)) return &levels_.back()->cells[n];
-  const bool gap = (n > 33 && n < 100) || (n > 199 && n < 500);
-  if (form_ == VariableForm::fanuc && gap) {
-    why = fmt::format(
-        "#{} is no variable of this control: there are #1-#33, #100-#199, #500-#999 "
-        "and system variables from #1000",
-        n);
+  if (const std::string_view there = gap(form_, n); !there.empty()) {
+    why =
+        fmt::format("{} is no variable of this control: there are {}", shown(form_, number), there);
     return nullptr;
   }
   if (n >= common_.size()) common_.resize(n + 1);
@@ -168,11 +193,18 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
     out = variable->elements[at];
     return true;
   }
-  const bool dollar = name[0] == '$';
-  if (system_ && (dollar || system_->knows(name))) return system_->read(name, indices, out, why);
+  const bool plc = form_ == VariableForm::codesys;
+  const bool dollar = name[0] == '$' && !plc;
+  if (system_ && !plc && (dollar || system_->knows(name)))
+    return system_->read(name, indices, out, why);
   const std::string text = to_utf8(name.substr(0, 60));
   if (dollar)
     why = fmt::format("the system variable {} is not answered here", text);
+  else if (plc && name[0] == '$')
+    why = fmt::format("{} is a variable of the controller: G36 sets it, or say --set '{}=1'", text,
+                      text);
+  else if (plc)
+    why = fmt::format("{} is not defined: LET it, or make it a formal of the subprogram", text);
   else if (form_ == VariableForm::linuxcnc)
     why = fmt::format("#<{}> was never set: assign it first{}", text,
                       name[0] == '_' ? fmt::format(", or say --set '#<{}>=1'", text) : "");
@@ -184,14 +216,21 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
 bool Variables::assign(std::string_view name, std::span<const Value> indices, const Value& value,
                        std::string& why) {
   Named* variable = find(name);
-  if (!variable && system_ && (name[0] == '$' || system_->knows(name)))
+  const bool plc = form_ == VariableForm::codesys;
+  if (!variable && system_ && !plc && (name[0] == '$' || system_->knows(name)))
     return system_->write(name, indices, value, why);
   if (!variable && form_ == VariableForm::linuxcnc) {
     if (!define(name, VariableType::real, {}, name[0] == '_', why)) return false;
     variable = find(name);
   }
+  if (!variable && plc && name[0] == '$') {
+    const bool text = value.kind == Value::Kind::text;
+    if (!define(name, text ? VariableType::text : VariableType::real, {}, true, why)) return false;
+    variable = find(name);
+  }
   if (!variable) {
-    why = fmt::format("{} is not defined (alarm 12550): DEF it first", to_utf8(name.substr(0, 60)));
+    why = fmt::format("{} is not defined{}", to_utf8(name.substr(0, 60)),
+                      plc ? ": LET it first" : " (alarm 12550): DEF it first");
     return false;
   }
   std::size_t at = 0;
@@ -266,9 +305,11 @@ bool Variables::store(Named& variable, std::size_t at, const Value& value, std::
     return true;
   }
   if (value.kind != wanted) {
-    why = wanted == Kind::frame    ? "the variable is a FRAME (alarm 12150)"
-          : wanted == Kind::number ? "the variable is a number (alarm 12150)"
-                                   : "the variable is a text (alarm 12150)";
+    why = fmt::format("the variable is a {}{}",
+                      wanted == Kind::frame    ? "FRAME"
+                      : wanted == Kind::number ? "number"
+                                               : "text",
+                      form_ == VariableForm::sinumerik ? " (alarm 12150)" : "");
     return false;
   }
   out = value;
@@ -298,18 +339,26 @@ bool Variables::fill(std::string_view name, std::span<const Value> indices,
 }
 
 bool Variables::preset(std::string_view name, const Value& value, std::string& why) {
+  if (name.empty()) return false;
   const bool hash = name.starts_with('#');
+  const bool numbers = form_ == VariableForm::linuxcnc || form_ == VariableForm::fanuc;
   const std::string_view rest = name.substr(hash ? 1 : 0);
   const bool r = !hash && form_ == VariableForm::sinumerik && name.size() > 1 &&
                  upper(name[0]) == 'R' &&
                  name.find_first_not_of("0123456789", 1) == std::string_view::npos;
   const auto number = parse_number(r ? name.substr(1) : rest);
   why = fmt::format("{} is not a variable of this control", to_utf8(name.substr(0, 60)));
-  if (r || (hash && number && form_ != VariableForm::sinumerik)) return assign(*number, value, why);
+  if (r || (hash && number && numbers)) return assign(*number, value, why);
+  if (form_ == VariableForm::fagor && upper(name[0]) == 'P')
+    if (const auto parameter = parse_number(name.substr(1)); parameter)
+      return assign(*parameter, value, why);
+  if (form_ == VariableForm::codesys)
+    return name.size() > 2 && name.front() == '$' && name.find('$', 1) == name.size() - 1 &&
+           assign(name, {}, value, why);
   if (hash && form_ == VariableForm::linuxcnc && rest.size() > 2 && rest.front() == '<' &&
       rest.back() == '>')
     return assign(rest.substr(1, rest.size() - 2), {}, value, why);
-  if (hash || form_ != VariableForm::sinumerik || name.empty() || number) return false;
+  if (hash || form_ != VariableForm::sinumerik || number) return false;
   for (const char c : name)
     if (!is_name(c)) return false;
   const auto type = value.kind == Value::Kind::text ? VariableType::text : VariableType::real;

@@ -21,6 +21,8 @@ enum class VariableForm : unsigned char {
   linuxcnc,   ///< #1-#30 by call, #31-#5000, #<local>, #<_global>
   fanuc,      ///< #1-#33 by level, #100-#199, #500-#999
   sinumerik,  ///< R parameters, DEF by program, GUD
+  fagor,      ///< P0-P25 by level, P100-P299, P1000-P1255, P2000-P2255
+  codesys,    ///< #NAME by subprogram, $NAME$
 };
 
 /// Variables that are the control's state: positions, offsets, tool data, modal codes.

@@ -1,5 +1,6 @@
 #include "interp/recognise/dialect_signs.h"
 
+#include "interp/text/bracket_statement.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -264,6 +265,8 @@ void DialectSigns::weigh_iso(const LineScan& s, std::string_view raw, int line) 
       std::any_of(raw.begin(), raw.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   if (lower && s.comment.empty() && s.code.find('=') == std::string::npos && !o_word_)
     add(Dialect::iso, 1, "lower-case words", line);
+  if (s.comment_kind == '(' && !bracket_statement(s.comment).empty())
+    add(Dialect::iso, 10, "a statement in brackets", line);
 }
 
 }  // namespace mrsim

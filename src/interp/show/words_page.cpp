@@ -72,7 +72,8 @@ std::string g_words(Dialect dialect, MachineKind machine) {
   Lists lists;
   for (int number = 0; number < 10000; ++number) {
     const CodeEntry entry = find_g_code(dialect, machine, number);
-    const Reading r = reading(entry.code);
+    const bool macro = entry.code == Code::statement && dialect == Dialect::iso;
+    const Reading r = macro ? Reading::refused : reading(entry.code);
     std::string word = fmt::format("G{:g}", number / 10.0);
     const std::string_view what = r == Reading::refused ? unsupported_code(dialect, number) : "";
     if (!what.empty()) word += fmt::format(" ({})", what);

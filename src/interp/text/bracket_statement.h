@@ -1,4 +1,5 @@
-// Statements that some ISO controls write between brackets, where others have comments.
+// Statements in brackets, as controls of the ISO family (Fagor 8055) write them: (P1=5),
+// (IF P1 EQ 2 GOTO N10), (RPT N10,N20). Tells them from comments, which stand in brackets too.
 #pragma once
 
 #include <string>
@@ -6,9 +7,10 @@
 
 namespace mrsim {
 
-/// The statement's name ("P100=", "IF", "RPT") where the text between ( and ) is one of the
-/// Fagor controls that changes what moves; empty for comments and for statements without effect on
-/// the path (MSG, DGWZ).
+/// The bracket that closes the one at `open`, or npos.
+std::size_t closing_round_bracket(std::string_view line, std::size_t open);
+
+/// The word that makes a statement of the text between brackets ("IF", "RPT"); empty: a comment.
 std::string bracket_statement(std::string_view text);
 
 }  // namespace mrsim

@@ -17,6 +17,16 @@ bool looks_like_block(std::string_view text) {
   return any;
 }
 
+/// "X(P1+2)": behind an address, brackets about a parameter of an ISO control.
+bool holds_parameter(std::string_view code, std::string_view rest) {
+  if (code.empty() || !is_letter(code.back())) return false;
+  if (code.size() > 1 && is_name(code[code.size() - 2])) return false;
+  const std::string_view inside = rest.substr(0, rest.find(')'));
+  for (std::size_t i = 1; i + 1 < inside.size(); ++i)
+    if (upper(inside[i]) == 'P' && is_digit(inside[i + 1]) && !is_name(inside[i - 1])) return true;
+  return false;
+}
+
 }  // namespace
 
 void scan_line(std::string_view line, LineScan& out) {
@@ -46,7 +56,7 @@ void scan_line(std::string_view line, LineScan& out) {
     const bool word_call = call && out.code.size() >= 2 &&
                            (is_letter(out.code[out.code.size() - 2]) || out.code.back() == '=') &&
                            !is_digit(out.code.back());
-    if (c == '(' && depth == 0 && !word_call) {
+    if (c == '(' && depth == 0 && !word_call && !holds_parameter(out.code, line.substr(i))) {
       const std::size_t close = line.find(')', i);
       if (close == std::string_view::npos) return;
       out.comment = line.substr(i + 1, close - i - 1);
@@ -108,7 +118,9 @@ bool has_axis(std::string_view text, char axis) {
     while (n < text.size() && text[n] == ' ') ++n;
     if (n >= text.size()) continue;
     const char next = text[n];
-    if (starts_number(next) || next == '=' || next == '#' || next == '[') return true;
+    if (starts_number(next) || next == '=' || next == '#' || next == '[' || next == '(')
+      return true;
+    if (next == 'P' && n + 1 < text.size() && is_digit(text[n + 1]) && n == i + 1) return true;
   }
   return false;
 }

@@ -34,7 +34,7 @@ bool read_plain(std::string_view line, PlainLine& out);
 bool has(std::string_view text, std::string_view token);
 /// Letter followed by exactly this number.
 bool has_word(std::string_view text, std::string_view word);
-/// "G0X", "G90 X1", "Y#1" and "Y[#2+1]" have the axis with a value.
+/// "G0X", "G90 X1", "Y#1", "Y[#2+1]", "YP1" and "Y(P1+2)" have the axis with a value.
 bool has_axis(std::string_view text, char axis);
 
 }  // namespace mrsim

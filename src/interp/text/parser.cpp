@@ -1,7 +1,6 @@
 #include "interp/text/parser.h"
 
 #include "core/text_io.h"
-#include "interp/text/bracket_statement.h"
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
 
@@ -111,6 +110,8 @@ Parser::Step Parser::step(Block& block) {
     return Step::end_of_block;
   } else if (c == ';') {
     read_comment(block, '\0');
+  } else if (c == '(' && dialect_ == Dialect::iso && statement(block, p_)) {
+    return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
   } else if (c == '(' && dialect_ != Dialect::sinumerik) {
     read_comment(block, ')');
   } else if (starts_number(c)) {
@@ -176,10 +177,6 @@ void Parser::read_comment(Block& block, char close) {
   const std::string_view text = line_.substr(from, end - from);
   block.comments.push_back(text);
   p_ = end + 1;
-  if (dialect_ != Dialect::iso) return;
-  if (const std::string name = bracket_statement(text); !name.empty())
-    fault(block, "statement-unread",
-          "(" + name + " ...) is a statement of this control, which is not read", from, end);
 }
 
 void Parser::bare_number(Block& block) {
@@ -343,7 +340,9 @@ void Parser::check_inner_blanks(const Block&, std::size_t from) {
 void Parser::letter_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
-  if (c == 'O' && dialect_ == Dialect::ngc && statement(block, from)) return;
+  const bool early =
+      (c == 'O' && dialect_ == Dialect::ngc) || (c == 'G' && dialect_ == Dialect::codesys);
+  if (early && statement(block, from)) return;
   ++p_;
   if (dialect_ != Dialect::codesys) skip_blanks();
   const char n = at(p_);
@@ -351,13 +350,13 @@ void Parser::letter_word(Block& block) {
     Word word;
     word.address = letter(c);
     const std::size_t digits = p_;
-    if (!plain_number(word, false)) {
-      if (expression_follows(p_)) {
-        if (expression(block, word, false)) push(block, word, from);
-        return;
-      }
-      if (!number(block, word, false)) return;
+    const bool plain = plain_number(word, false), whole = dialect_ == Dialect::codesys;
+    if (plain ? whole && operator_follows() : expression_follows(p_)) {
+      p_ = digits;
+      if (expression(block, word, whole)) push(block, word, from);
+      return;
     }
+    if (!plain && !number(block, word, false)) return;
     if (glued_blanks_) check_inner_blanks(block, digits);
     if (c == 'N') {
       block.has_number = true;
@@ -369,15 +368,20 @@ void Parser::letter_word(Block& block) {
   if (language_ && !(c == 'O' && is_letter(n)) && expression_follows(p_)) {
     Word word;
     word.address = letter(c);
-    if (expression(block, word, false)) push(block, word, from);
+    if (expression(block, word, dialect_ == Dialect::codesys)) push(block, word, from);
     return;
   }
+  if (n == '!' && c == 'L' && dialect_ == Dialect::codesys) return jump_label();
   if (n == '#' || n == '[' || n == '$') return strange_character(block);
   p_ = from;
   if (statement(block, from)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block)) return;
-  ++p_;  // also behind "@" and "^", which are no names
+  unknown_word(block, from);
+}
+
+void Parser::unknown_word(Block& block, std::size_t from) {
+  p_ = from + 1;  // also behind "@" and "^", which are no names
   while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
   const std::string_view run = line_.substr(from, p_ - from);
   const bool assigned = run.find('=') != std::string_view::npos;
@@ -386,8 +390,8 @@ void Parser::letter_word(Block& block) {
                  fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
                              assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
                  from, p_);
-  fault(block, "address-without-number", fmt::format("no number after {}{}", c, alarm("005")), from,
-        p_);
+  fault(block, "address-without-number",
+        fmt::format("no number after {}{}", upper(line_[from]), alarm("005")), from, p_);
 }
 
 }  // namespace mrsim

@@ -42,12 +42,15 @@ class Parser {
   bool sinumerik_expression_follows() const;
   bool sinumerik_radix(Word& word);
   void codesys_name(Block& block);
+  void jump_label();
+  void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);
   bool statement(Block& block, std::size_t from);
   void assignment(Block& block, std::size_t from);
   bool expression(Block& block, Word& word, bool whole);
   bool expression_follows(std::size_t from) const;
+  bool operator_follows() const;
   void check_inner_blanks(const Block& block, std::size_t from);
   bool plain_number(Word& word, bool exponent);
   bool number(Block& block, Word& word, bool exponent);

@@ -77,8 +77,31 @@ bool Parser::expression_follows(std::size_t from) const {
   if (!language_) return false;
   while (at(from) == '-' || at(from) == '+' || (blank(at(from)) && from < line_.size())) ++from;
   const char c = at(from);
-  if (dialect_ == Dialect::codesys) return c == '$' || c == '#';
+  if (dialect_ == Dialect::codesys) {  // a name needs a blank before it: "X abs{-2}"
+    const bool apart = from > 0 && !is_letter(line_[from - 1]);
+    return c == '$' || c == '#' || c == '{' || c == '\'' ||
+           (apart && is_letter(c) && language_->starts_function(line_, from));
+  }
+  if (dialect_ == Dialect::iso) return c == '(' || (upper(c) == 'P' && is_digit(at(from + 1)));
   return c == '#' || c == '[' || (is_letter(c) && language_->starts_function(line_, from));
+}
+
+// CODESYS: behind a number that an expression begins with.
+bool Parser::operator_follows() const {
+  std::size_t from = p_;
+  while (from < line_.size() && blank(line_[from])) ++from;
+  std::size_t end = from;
+  while (is_letter(at(end))) ++end;
+  if (end == from)
+    return at(from) != '\0' && std::string_view("*/+-=<>").find(at(from)) != line_.npos;
+  const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(end - from, 4)));
+  return name == "MOD" || name == "AND" || name == "OR" || name == "XOR";
+}
+
+// L!4 of CODESYS: where G20 L?4 jumps to.
+void Parser::jump_label() {
+  p_ = line_.find('!', p_) + 1;
+  while (is_digit(at(p_))) ++p_;
 }
 
 // NAME[index]=value, which is no variable: an axis by AX[ ], a code by G[ ], or data without effect
@@ -190,8 +213,6 @@ void Parser::codesys_name(Block& block) {
     const std::size_t close = line_.find('}', p_);
     if (close == std::string_view::npos)
       return fault(block, "bracket", "the { here is not closed", p_, p_ + 1);
-    if (line_.substr(p_ + 1, close - p_ - 1).find_first_not_of(" \t") != std::string_view::npos)
-      return unsupported(block, run, "a call with arguments", from);
     p_ = close + 1;
   }
   push(block, word, from);

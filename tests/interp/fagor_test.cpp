@@ -1,0 +1,91 @@
+// The language of the ISO family (Fagor 8055): parameters, and statements in brackets.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+std::string fagor(const std::string& text) {
+  return path_text(read_text(text, at_origin(Dialect::iso)));
+}
+
+TEST(FagorLanguage, ParametersStandWhereverNumbersDo) {
+  EXPECT_EQ(fagor("(P1=5, P100=P1*2)\nG1 XP1 Y-P1 ZP100 F100\nX(P1+2) Y(SIN 30*P100)\nGP101 X1\n"),
+            "l5,-5,10 l7,5,10 | variable-unset");
+  EXPECT_EQ(fagor("N10 G1 X 10 F100\nG1 XP30 Y10\n"), "l10,0,0 | variable-number")
+      << "there is no P30";
+  EXPECT_EQ(fagor("(P1=1)\nG(P1) X5 F100\n(P2=3)\nGP2 X15 Y0 RP1\n"),
+            "l5,0,0 | arc-radius-too-small");
+}
+
+TEST(FagorLanguage, LoopsEqualTheWrittenOutProgram) {
+  std::string plain = "G1 X0 Y0 F100\n";
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      plain += fmt::format("X{} Y{}\nZ-{}\nZ1\n", column * 10, row * 5 + 1, row + 1);
+  const std::string loops =
+      "G1 X0 Y0 F100\n(P1=0)\nN10 (P2=0)\nN20 X(P2*10) Y(P1*5+1)\nZ-(P1+1)\nZ1\n(P2=P2+1)\n"
+      "(IF P2 LT 4 GOTO N20)\n(P1=P1+1)\n(IF (P1 LT 3) GOTO N10)\nM30\n";
+  EXPECT_EQ(fagor(loops), fagor(plain));
+  const std::string parts =
+      "G1 X0 Y0 F100\n(P1=0)\nN10 (P2=0)\nN20 X(P2*10) Y(P1*5+1)\nZ-(P1+1)\nZ1\n"
+      "N30 (P2=P2+1)\n(RPT N20,N30) N3\nN40 (P1=P1+1)\n(IF P1 LT 3 GOTO N10)\nM30\n";
+  EXPECT_EQ(fagor(parts), fagor(plain));
+}
+
+TEST(FagorLanguage, RepeatsOnceOrAsOftenAsSaid) {
+  const std::string part = "G91 G1 F100\nN10 X1\nN20 Y2\n";
+  EXPECT_EQ(fagor(part + "N30 (RPT N10,N20) N2 ; twice more\nX5\nM30\n"),
+            "l1,0,0 l1,2,0 l2,2,0 l2,4,0 l3,4,0 l3,6,0 l8,6,0");
+  EXPECT_EQ(fagor(part + "(RPT N10,N20)\nM30\n"), "l1,0,0 l1,2,0 l2,2,0 l2,4,0");
+  EXPECT_EQ(fagor(part + "(RPT N20,N10)\nM30\n"), "l1,0,0 l1,2,0 | jump-target");
+  EXPECT_EQ(fagor(part + "N10 X1\n(RPT N10,N20)\nM30\n"), "l1,0,0 l1,2,0 l2,2,0 | jump-target")
+      << "two blocks N10: which one is meant nobody knows";
+  EXPECT_EQ(fagor("G91 G1 F100\nN10 X1\nN20 (RPT N10,N20) N3\nM30\n").substr(0, 6), "l1,0,0");
+}
+
+TEST(FagorLanguage, SubroutinesAndTheirParameters) {
+  EXPECT_EQ(fagor("G1 F100 X1\n(P1=7)\n(PCALL 5, A2, P1=3, C(P1+1))\nZP1\n(CALL 6)\nZP1\nM30\n"
+                  "(SUB 5)\nXP0 YP1 ZP2\n(P1=50)\n(RET)\n(SUB 6)\n(P1=9)\n(RET)\n"),
+            "l1,0,0 l2,3,8 l2,3,7 l2,3,9")
+      << "PCALL has parameters of its own, CALL those of its caller";
+  EXPECT_EQ(
+      fagor("G1 F100 X1\n(MCALL 4, B2)\nX2\nX3\n(MDOFF)\nX4\nM30\n(SUB 4)\nG91 ZP1\nG90\n(RET)\n"),
+      "l1,0,0 l2,0,0 l2,0,2 l3,0,2 l3,0,4 l4,0,4");
+  EXPECT_EQ(fagor("G1 F100 X1\n(CALL 8)\n"), "l1,0,0 | subprogram-missing");
+  EXPECT_EQ(fagor("G1 F100 X1\n(CALL 8)\nM30\n(SUB 8)\n(CALL 8)\n(RET)\n"),
+            "l1,0,0 | subprogram-depth");
+  EXPECT_EQ(fagor("G1 F100 X1\n(SUB 8)\nX2\n(RET)\n"), "l1,0,0 | structure");
+  EXPECT_EQ(fagor("G1 F100 X1\n(RET)\nX2\n"), "l1,0,0 | structure");
+}
+
+TEST(FagorLanguage, ConditionsChooseAnAction) {
+  const auto of = [](const std::string& statement) {
+    return fagor("(P1=2, P2=3)\n" + statement + "\nG1 F100 XP2\nM30\n(SUB 1)\n(P2=8)\n(RET)\n");
+  };
+  EXPECT_EQ(of("(IF P1 EQ 2 P2=4 ELSE P2=5)"), "l4,0,0");
+  EXPECT_EQ(of("(IF P1 EQ 3 P2=4 ELSE P2=5)"), "l5,0,0");
+  EXPECT_EQ(of("(IF P1*P2 GE 6 AND P1 NE P2 CALL 1)"), "l8,0,0");
+  EXPECT_EQ(of("(IF NOT (P1 GT 1) OR P2 LT 3 CALL 1)"), "l3,0,0");
+  EXPECT_EQ(of("(ERROR 5, \"NO STOCK\")"), " | program-alarm");
+  EXPECT_EQ(of("(EXEC P5)"), " | not-supported");
+}
+
+TEST(FagorLanguage, FaultsHaveTheirPlaceAndValues) {
+  const Program p = read_text("(P1=0)\nG1 F100 X1\nX(5/P1)\n", at_origin(Dialect::iso));
+  ASSERT_EQ(codes(p), "expression");
+  EXPECT_EQ(p.diagnostics.back().place.line, 3);
+  EXPECT_NE(p.diagnostics.back().text.find("P1 = 0"), std::string::npos);
+  const Program unset = read_text("G1 F100 X1\nXP1\nX3\n", at_origin(Dialect::iso));
+  EXPECT_EQ(path_text(unset), "l1,0,0 l3,0,0 | variable-unset");
+  EXPECT_NE(unset.diagnostics.back().text.find("--set P1=1"), std::string::npos);
+  InterpOptions options = at_origin(Dialect::iso);
+  options.variables = {{"P1", "6"}};
+  EXPECT_EQ(path_text(read_text("G1 F100 XP1\n", options)), "l6,0,0");
+  options.max_steps = 100;
+  EXPECT_EQ(codes(read_text("G1 F100 X1\nN10 (GOTO N10)\n", options)), "program-endless");
+}
+
+}  // namespace
+}  // namespace mrsim
