@@ -21,12 +21,13 @@ struct Collision {
   std::size_t motion = 0;  ///< index into Program::motions: the deepest one of the line
   ToolPart part = ToolPart::cutter;
   double depth = 0;         ///< mm from `place` to the surface of the material at that moment
+  double volume = 0;        ///< mm^3 of that material that the part meets on the deepest motion
   Vec3 place;               ///< mm, on or in the tool
   std::size_t motions = 1;  ///< of this line that collide with this part
 };
 
 struct CollisionReport {
-  std::vector<Collision> lines;  ///< in the order of the program, at most CollisionOptions::lines
+  std::vector<Collision> lines;  ///< the deepest CollisionOptions::lines, in the program's order
   std::size_t more = 0;          ///< lines beyond these
   /// Lines on which rapids that withdraw an insert from its cut scrape thin material beside it, and
   /// do nothing worse (docs/collisions.md, Withdrawals). Not among `lines`.

@@ -180,7 +180,9 @@ struct ReportCollision {
   std::string text;        ///< of the line
   bool rapid = false;
   double depth = 0;         ///< mm, of the deepest motion of the line
+  double volume = 0;        ///< mm^3 of the material that the part meets on that motion
   Vec3 place;               ///< mm, where that is, in the part's coordinates
+  double seconds = 0;       ///< s, the machine's time of all motions before that motion
   std::size_t motion = 0;   ///< its number from 1, as --until counts
   std::size_t motions = 1;  ///< of the line that collide with this part
 };

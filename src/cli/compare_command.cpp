@@ -264,6 +264,9 @@ int run_compare(int argc, const char* const* argv) {
 
 std::vector<ReportCollision> collisions_of(const JobResult& result) {
   const Program& program = result.program;
+  std::vector<double> seconds(program.motions.size());  // before each motion
+  for (std::size_t i = 1; i < std::min(seconds.size(), result.cycle.seconds.size() + 1); ++i)
+    seconds[i] = seconds[i - 1] + result.cycle.seconds[i - 1];
   std::vector<ReportCollision> out;
   for (const Collision& c : result.collisions.lines) {
     const Motion& m = program.motions[c.motion];
@@ -274,6 +277,8 @@ std::vector<ReportCollision> collisions_of(const JobResult& result) {
     shown.line = m.line;
     shown.rapid = m.kind == MotionKind::rapid;
     shown.depth = c.depth;
+    shown.volume = c.volume;
+    shown.seconds = seconds[c.motion];
     shown.place = c.place;
     shown.motion = c.motion + 1;
     shown.motions = c.motions;

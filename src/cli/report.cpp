@@ -138,8 +138,8 @@ void add_history(Sheet& sheet, const JobResult& result) {
   if (!(history.voxel > 0) || !(history.total.removed > 0)) return;
   const auto text = [](const Removal& r) {
     return fmt::format("{} mm³ in {}, {:.3g} cm³/min, {:.0f} % of the time in air",
-                       grouped(r.removed, r.removed < 100 ? 2 : 0), duration(r.seconds),
-                       r.rate() * 0.06, 100 * r.air());
+                       small_volume(r.removed), duration(r.seconds), r.rate() * 0.06,
+                       100 * r.air());
   };
   sheet.row("cuts", text(history.total), fmt::format("by voxels of {:.3g} mm", history.voxel));
   if (history.tools.size() < 2) return;
@@ -214,6 +214,8 @@ std::string grouped(double value, int decimals) {
   for (std::size_t i = point; i > 3; i -= 3) digits.insert(i - 3, " ");
   return (value < 0 && digits.find_first_not_of("0. ") != digits.npos ? "-" : "") + digits;
 }
+
+std::string small_volume(double volume) { return grouped(volume, volume < 100 ? 2 : 0); }
 
 std::string duration(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));

@@ -125,8 +125,10 @@ Json collisions_json(const JobResult& r) {
                      {"part", c.part},
                      {"rapid", c.rapid},
                      {"depth", number(c.depth)},
+                     {"volume", number(c.volume)},
                      {"at", point(c.place)},
                      {"motion", c.motion},
+                     {"seconds", number(c.seconds)},
                      {"motions", c.motions}});
   return {{"lines", std::move(lines)}, {"more", r.collisions.more}};
 }
@@ -206,9 +208,10 @@ std::string findings(const RunRecord& record, Severity severity) {
 std::string collisions_text(const JobResult& r) {
   std::string out;
   for (const ReportCollision& c : collisions_of(r))
-    out += fmt::format("{}:{}: the {} of T{} runs {:.3f} mm deep into material{} in motion {}\n",
-                       c.file, c.line, c.part, c.tool, c.depth, c.rapid ? " in a rapid" : "",
-                       c.motion);
+    out += fmt::format(
+        "{}:{}: the {} of T{} runs {:.3f} mm deep into {} mm³ of material{}, motion {} at {}\n",
+        c.file, c.line, c.part, c.tool, c.depth, small_volume(c.volume),
+        c.rapid ? " in a rapid" : "", c.motion, duration(c.seconds));
   return r.collisions.more > 0 ? out + fmt::format("and {} more\n", r.collisions.more) : out;
 }
 

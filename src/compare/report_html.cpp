@@ -171,8 +171,10 @@ Json collisions_json(const ReportFacts& facts, const RigidTransform& moved) {
                      {"text", to_utf8(c.text)},
                      {"rapid", c.rapid},
                      {"depth", c.depth},
+                     {"volume", c.volume},
                      {"at", {at.x, at.y, at.z}},
                      {"motion", c.motion},
+                     {"seconds", c.seconds},
                      {"motions", c.motions}});
   }
   return {{"lines", std::move(lines)}, {"more", facts.more_collisions}};

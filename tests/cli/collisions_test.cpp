@@ -62,10 +62,15 @@ TEST_F(CollisionsSeen, ShankAndHolderAreNamed) {
   ASSERT_GE(lines.size(), 2u);
   for (std::size_t k = 1; k < lines.size(); ++k)
     EXPECT_GE(lines[k - 1]["depth"], lines[k]["depth"]) << k;
+  for (const nlohmann::json& line : lines) {
+    EXPECT_GT(line["volume"], 0) << line;
+    EXPECT_EQ(line["seconds"] > 0, line["line"] > 5) << line;  // line 4 begins anywhere: no time
+  }
   const std::string xml = read("r.xml");
   EXPECT_TRUE(contains(xml, "failures=\"1\"")) << xml;
   EXPECT_TRUE(contains(xml, "name=\"collisions\"><failure")) << xml;
-  EXPECT_TRUE(contains(xml, "dive.MPF:6: the shank of T1 runs 1.000 mm deep")) << xml;
+  EXPECT_TRUE(contains(xml, "dive.MPF:6: the shank of T1 runs 1.000 mm deep into ")) << xml;
+  EXPECT_TRUE(contains(xml, " mm³ of material, motion 3 at ")) << xml;
 }
 
 TEST_F(CollisionsSeen, ALoopIsOneWarningWithItsCalls) {

@@ -31,7 +31,8 @@ ReportFacts facts() {
   ReportCollision deep;
   deep.part = "shank", deep.tool = "4", deep.file = "SLOTS.MPF", deep.line = 31;
   deep.text = "N31 G0 X115 Y85 <i>Z30</i>", deep.rapid = true;
-  deep.depth = 2.5, deep.place = {115, 85, 30}, deep.motion = 17;
+  deep.depth = 2.5, deep.volume = 1234, deep.seconds = 83.4, deep.place = {115, 85, 30},
+  deep.motion = 17;
   ReportCollision light = deep;
   light.part = "cutter", light.line = 45, light.depth = 0.25, light.place = {3, 3, 12};
   out.collisions = {deep, light};

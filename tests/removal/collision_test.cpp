@@ -28,6 +28,7 @@ TEST(Collisions, RapidThroughABlockIsAsDeepAsItsTip) {
   EXPECT_NEAR(report.lines[0].place.z, -3, 0.01);
   EXPECT_LE(std::abs(report.lines[0].place.y - 30), 5.001);
   EXPECT_EQ(report.lines[0].motions, 1u);
+  EXPECT_NEAR(report.lines[0].volume, 100 * 10 * 3, 30);
 }
 
 TEST(Collisions, PlungeWithABallIsAsDeepAsItsPole) {
@@ -37,6 +38,7 @@ TEST(Collisions, PlungeWithABallIsAsDeepAsItsPole) {
   const CollisionReport report = check(block(), m.motions, ball);
   expect_one(report, 0, ToolPart::cutter, 4);
   EXPECT_NEAR(distance(report.lines[0].place, {40, 30, -4}), 0, 0.1);
+  EXPECT_NEAR(report.lines[0].volume, kPi * (18 + 9), 0.8);  // half a ball, 1 mm of cylinder
 }
 
 TEST(Collisions, GrazingFacesIsNone) {
@@ -110,6 +112,10 @@ TEST(Collisions, ShankWiderThanTheCutterInADeepPocket) {
     EXPECT_EQ(c.part, ToolPart::shank);
     EXPECT_NEAR(c.depth, 1, 0.02);
   }
+  // Of the plunge's ring the first slot has taken a part: 6 mm wide, on one side.
+  const double taken = 3 * std::sqrt(7.0) + 16 * std::asin(0.75) - 4.5 * kPi;
+  EXPECT_NEAR(report.lines[0].volume, 4 * (kPi * (16 - 9) - taken), 0.5);
+  EXPECT_NEAR(report.lines[1].volume, 4 * (40 * (8 - 6) + kPi * (16 - 9)), 4);
 }
 
 TEST(Collisions, WhatLaterMotionsRemoveIsStillThere) {
@@ -151,6 +157,8 @@ TEST(Collisions, InsertThroughTheBar) {
     // The tip runs 4 mm below the turned diameter, 10 mm from the end; its nose is round.
     EXPECT_NEAR(report.lines[0].depth, 4, 0.001);
     EXPECT_EQ(report.lines[0].place.y, 0);
+    // A ring of 4 mm and what stands before the edge.
+    EXPECT_NEAR(report.lines[0].volume, 10 * kPi * (24 * 24 - 20 * 20), 60);
   }
 }
 
@@ -167,6 +175,20 @@ TEST(Collisions, ManyLinesAreCounted) {
   const CollisionReport report = check(block(), m.motions, mill(1));
   EXPECT_EQ(report.lines.size(), 20u);
   EXPECT_GT(report.more, 0u);
+}
+
+TEST(Collisions, TheDeepestLinesAreListed) {
+  Moves m({-10, 30, 5});
+  for (int i = 0; i < 25; ++i)
+    m.rapid({i * 3.0, 30, 5}).rapid({i * 3.0, 30, -1 - 0.1 * i}).rapid({i * 3.0, 30, 5});
+  const CollisionReport report = check(block(), m.motions, mill(1));
+  ASSERT_EQ(report.lines.size(), 20u);
+  double deepest = 0;
+  for (const Collision& c : report.lines) {
+    EXPECT_GT(c.depth, 1.3);
+    deepest = std::max(deepest, c.depth);
+  }
+  EXPECT_NEAR(deepest, 3.4, 1e-3);
 }
 
 TEST(Collisions, OneLineOfManyMotionsIsOnePlace) {

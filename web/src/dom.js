@@ -23,3 +23,10 @@ export const grouped = (x, digits = 0) => {
   return (x < 0 ? "\u2212" : "") + whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") + (part ? "." + part : "");
 };
 export const place = (p) => `X${plain(p[0], 3)} Y${plain(p[1], 3)} Z${plain(p[2], 3)}`;
+/// 1 234 mm^3, small ones as 12.34 mm^3
+export const volume = (mm3) => `${grouped(mm3, mm3 < 100 ? 2 : 0)} mm\u00b3`;
+/// 83.4 as 1:23.4
+export function clock(seconds) {
+  const m = Math.floor(seconds / 60), h = Math.floor(m / 60), s = (seconds % 60).toFixed(1).padStart(4, "0");
+  return h ? `${h}:${String(m % 60).padStart(2, "0")}:${s}` : `${m}:${s}`;
+}

@@ -1,4 +1,4 @@
-import { $, el, place, signed } from "./dom.js";
+import { $, clock, el, place, signed } from "./dom.js";
 import { css, deviationColor, kCutColor, kStockColor, rampColor, toolColor } from "./colors.js";
 import { data } from "./data.js";
 import { decodeMesh } from "./decode.js";
@@ -8,7 +8,7 @@ import { Play } from "./play.js";
 import { PlayView } from "./play_view.js";
 import { ProgramPane } from "./program.js";
 import { PartView } from "./scene.js";
-import { Timeline, clock } from "./timeline.js";
+import { Timeline } from "./timeline.js";
 
 const c = data.comparison, band = c.tolerance, keys = data.keys;
 const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null, motion: -1, framed: null };
@@ -294,7 +294,7 @@ function showCollision(i) {
   const k = crashes[i];
   setMark(k.at);
   crashRows.forEach((row, at) => row.setAttribute("aria-selected", String(at === i)));
-  showPicked(`Collision ${i + 1}`, [el("span", {}, ` ${collisionRow(k)}`), el("code", {}, k.text.trim()), el("div", {}, el("span", {}, place(k.at)))], "var(--bad)");
+  showPicked(`Collision ${i + 1}`, [el("span", {}, ` ${collisionRow(k)}`), el("code", {}, k.text.trim()), el("div", {}, el("span", {}, place(k.at))), goButton(k.motion - 1)].filter(Boolean), "var(--bad)");
 }
 
 function chooseCollision(i) {
@@ -302,6 +302,7 @@ function chooseCollision(i) {
   const k = crashes[i];
   view?.select([]);
   view?.flyTo(k.at, [0, 0, 1], [k.at, k.at]);
+  chooseMotion(k.motion - 1);
   showCollision(i);
   crashRows[i].scrollIntoView({ block: "nearest" });
   const file = data.programs.findIndex((p) => p.file.split("/").pop() === k.file.split("/").pop());

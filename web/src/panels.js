@@ -1,5 +1,5 @@
 // Figures, histogram, regions, and what is known of the run.
-import { $, el, grouped, place, plain, signed } from "./dom.js";
+import { $, clock, el, grouped, place, plain, signed, volume } from "./dom.js";
 import { css, deviationColor } from "./colors.js";
 
 export function paintVerdict(c, compared) {
@@ -27,7 +27,7 @@ export function paintCollisions({ lines, more }, choose) {
     const go = () => choose(i);
     return el("tr", { tabindex: 0, "aria-selected": "false", onclick: go, onkeydown: (e) => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); go(); } } },
       el("td", { class: "n" }, String(i + 1)), el("td", { class: "n" }, el("b", {}, plain(k.depth, 3))),
-      el("td", {}, el("span", {}, `${k.part} of T${k.tool}${k.rapid ? ", rapid" : ""}`), el("div", { class: "dim" }, `${k.file.split("/").pop()}:${k.line} \u00b7 motion ${grouped(k.motion)}${k.motions > 1 ? `, ${k.motions} of this line` : ""}`), k.text ? el("code", {}, k.text.trim()) : null));
+      el("td", {}, el("span", {}, `${k.part} of T${k.tool}${k.rapid ? ", rapid" : ""}`), el("div", { class: "dim" }, `${volume(k.volume)} \u00b7 ${k.file.split("/").pop()}:${k.line} \u00b7 at ${clock(k.seconds)}, motion ${grouped(k.motion)}${k.motions > 1 ? `, ${k.motions} of this line` : ""}`), k.text ? el("code", {}, k.text.trim()) : null));
   });
   $("panel-collisions").replaceChildren(el("table", {}, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", { class: "n" }, "mm deep"), el("th", {}, "What runs into material"))), el("tbody", {}, rows)),
     more ? el("p", { class: "empty" }, `${grouped(more)} more lines are not listed.`) : el("span"));

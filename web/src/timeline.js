@@ -1,15 +1,9 @@
 // The time line: buttons, the slider, and what the run does along it (curves.js).
-import { $, el, grouped } from "./dom.js";
+import { $, clock, el, grouped } from "./dom.js";
 import { drawCurves, sampleRun } from "./curves.js";
 
 const kSpeeds = [[1, "real time"], [10, "\u00d7 10"], [100, "\u00d7 100"], [1000, "\u00d7 1000"], [0, "in 20 s"]];
 const kWhole = 20; // s, of the last one
-
-/// 83.4 as 1:23.4
-export function clock(seconds) {
-  const m = Math.floor(seconds / 60), h = Math.floor(m / 60), s = (seconds % 60).toFixed(1).padStart(4, "0");
-  return h ? `${h}:${String(m % 60).padStart(2, "0")}:${s}` : `${m}:${s}`;
-}
 
 export class Timeline {
   /// `show(at)` brings the picture there; `crashes`: motions that collide.

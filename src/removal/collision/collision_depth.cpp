@@ -38,7 +38,6 @@ class DepthSearch {
     }
   };
 
-  Candidates earlier_cuts() const;
   double material(const Vec3& p, std::span<const std::uint32_t> cuts);
   double provable(const Vec3& p, std::span<const std::uint32_t> cuts);
   bool open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
@@ -58,21 +57,6 @@ class DepthSearch {
   double best_ = -std::numeric_limits<double>::infinity();
   Vec3 place_;
 };
-
-// The cuts made by then whose bounds come nearer to the box than any point in it can be deep.
-Candidates DepthSearch::earlier_cuts() const {
-  const SweepTable& sweeps = scene_.part.sweeps();
-  const Vec3 center = 0.5 * (root_.lo + root_.hi);
-  const double reach = 0.5 * distance(root_.lo, root_.hi);
-  const Box3 near = inflated(root_, std::max(0.0, reach - scene_.part.solid().distance(center)));
-  Candidates cuts;
-  for (std::uint32_t i = 0; i < sweeps.size() && sweeps.motion(i) <= time_; ++i) {
-    const Box3 b = sweeps.bounds(i);
-    const Vec3 lo = max(b.lo, near.lo), hi = min(b.hi, near.hi);
-    if (!is_empty({lo, hi})) cuts.push_back(i);
-  }
-  return cuts;
-}
 
 // -d_k; leaves the distances of the cuts in distance_.
 double DepthSearch::material(const Vec3& p, std::span<const std::uint32_t> cuts) {
@@ -155,7 +139,7 @@ void DepthSearch::improve(double step, const Candidates& all) {
 }
 
 DeepPoint DepthSearch::run(const Vec3& seed) {
-  const Candidates cuts = earlier_cuts();
+  const Candidates cuts = cuts_before(scene_, time_, root_);
   provable(seed, cuts);
   const double size = distance(root_.lo, root_.hi);
   improve(kFirstStep * size, cuts);
@@ -168,6 +152,28 @@ DeepPoint DepthSearch::run(const Vec3& seed) {
 }
 
 }  // namespace
+
+double depth_of_hit(const CollisionScene& scene, const CollisionHit& hit) {
+  const Vec3& p = hit.place;
+  double depth = -scene.part.solid().distance(p);
+  for (const std::uint32_t cut : cuts_before(scene, scene.movers.motions[hit.mover], {p, p}))
+    depth = std::min(depth, scene.part.sweeps().distance(cut, p));
+  return depth;
+}
+
+Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box3& box) {
+  const SweepTable& sweeps = scene.part.sweeps();
+  const Vec3 center = 0.5 * (box.lo + box.hi);
+  const double reach = 0.5 * distance(box.lo, box.hi);
+  const Box3 near = inflated(box, std::max(0.0, reach - scene.part.solid().distance(center)));
+  Candidates cuts;
+  for (std::uint32_t i = 0; i < sweeps.size() && sweeps.motion(i) <= time; ++i) {
+    const Box3 b = sweeps.bounds(i);
+    const Vec3 lo = max(b.lo, near.lo), hi = min(b.hi, near.hi);
+    if (!is_empty({lo, hi})) cuts.push_back(i);
+  }
+  return cuts;
+}
 
 DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, const Box3& box) {
   return DepthSearch(scene, hit.mover, box).run(hit.place);

@@ -90,6 +90,12 @@ struct DeepPoint {
 /// in steps. `box` holds all places where the mover can meet material; flat in y for turned parts.
 DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, const Box3& box);
 
+/// mm: how deep the place of a hit lies in the material of its moment, at most the mover's depth.
+double depth_of_hit(const CollisionScene& scene, const CollisionHit& hit);
+
+/// The cuts of motions up to `time` that come nearer to the box than any point in it can be deep.
+Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box3& box);
+
 /// A point of sweep i near p, on its surface unless p is in it.
 Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
 

@@ -5,6 +5,7 @@
 #include "core/vec.h"
 #include "removal/collision/collision_probe.h"
 #include "removal/collision/collision_search.h"
+#include "removal/collision/collision_volume.h"
 #include "removal/collision/withdrawals.h"
 #include "removal/field/lattice.h"
 #include "removal/part/stock_grid.h"
@@ -13,6 +14,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <tuple>
 
 namespace mrsim {
@@ -25,6 +27,10 @@ constexpr double kFinest = 1.0 / 16;
 
 // Colliding motions of one line that are measured; the deepest of them is reported.
 constexpr std::size_t kMostMeasured = 16;
+
+// Lines of which the deepest are chosen, by the places where they were found: to measure a line
+// takes a hundred times as long. The lines after these are only counted.
+constexpr std::size_t kMostRanked = 200;
 
 // Rapids of one line that may be withdrawals and are measured; the others count as collisions.
 constexpr std::size_t kMostWithdrawals = 1000;
@@ -55,6 +61,9 @@ class Check {
   Box3 search_box(const Box3& box, const Box3& bounds) const;
   std::vector<std::vector<Hit>> by_line(const std::vector<Hit>& hits) const;
   Collision measure(const std::vector<Hit>& hits) const;
+  double volume(const Collision& found, const std::vector<Hit>& hits) const;
+  std::vector<std::size_t> deepest_lines(const std::vector<std::vector<Hit>>& lines) const;
+  void report_lines(const std::vector<std::vector<Hit>>& lines, CollisionReport& report) const;
   void take_withdrawals(std::vector<std::vector<Hit>>& lines, CollisionReport& report);
   void step(std::size_t total);
 
@@ -170,6 +179,47 @@ Collision Check::measure(const std::vector<Hit>& hits) const {
   return worst;
 }
 
+// Of all pieces of the part on that motion.
+double Check::volume(const Collision& found, const std::vector<Hit>& hits) const {
+  std::vector<std::uint32_t> movers;
+  Box3 bounds;
+  const std::size_t part = hits.front().part;
+  for (const Hit& hit : hits) {
+    if (static_cast<std::size_t>(hit.motion) != found.motion) continue;
+    movers.push_back(hit.hit.mover);
+    extend(bounds, movers_[part].sweeps.bounds(hit.hit.mover));
+  }
+  return met_volume(scene(part), movers, search_box(bounds, bounds));
+}
+
+// Those to be listed, in the order of the program.
+std::vector<std::size_t> Check::deepest_lines(const std::vector<std::vector<Hit>>& lines) const {
+  std::vector<double> depth(std::min(lines.size(), std::max(options_.lines, kMostRanked)));
+  std::vector<std::size_t> order(depth.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (order.size() <= options_.lines) return order;
+  parallel_for(depth.size(), options_.threads, [&](std::size_t i) {
+    for (std::size_t h = 0; h < std::min(lines[i].size(), kMostMeasured); ++h)
+      depth[i] = std::max(depth[i], depth_of_hit(scene(lines[i][h].part), lines[i][h].hit));
+  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
+  order.resize(options_.lines);
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+void Check::report_lines(const std::vector<std::vector<Hit>>& lines,
+                         CollisionReport& report) const {
+  const std::vector<std::size_t> listed = deepest_lines(lines);
+  report.lines.resize(listed.size());
+  report.more = lines.size() - listed.size();
+  parallel_for(listed.size(), options_.threads, [&](std::size_t i) {
+    report.lines[i] = measure(lines[listed[i]]);
+    report.lines[i].volume = volume(report.lines[i], lines[listed[i]]);
+  });
+}
+
 // Takes the hits of rapids that only withdraw an insert out of the lines, and lines without others.
 void Check::take_withdrawals(std::vector<std::vector<Hit>>& lines, CollisionReport& report) {
   const auto at = [](const Hit& hit) { return static_cast<std::size_t>(hit.motion); };
@@ -208,10 +258,7 @@ CollisionReport Check::run(std::size_t first) {
   });
   std::vector<std::vector<Hit>> lines = by_line(hits);
   take_withdrawals(lines, report);
-  report.lines.resize(std::min(lines.size(), options_.lines));
-  report.more = lines.size() - report.lines.size();
-  parallel_for(report.lines.size(), options_.threads,
-               [&](std::size_t i) { report.lines[i] = measure(lines[i]); });
+  report_lines(lines, report);
   return report;
 }
 
