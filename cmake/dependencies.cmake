@@ -19,6 +19,10 @@ target_link_libraries(mrsim_openvdb INTERFACE OpenVDB::openvdb)
 # reads a name that the other copy has set, and crashes.
 target_compile_options(mrsim_openvdb INTERFACE -fvisibility=default)
 
+find_package(OpenMesh REQUIRED CONFIG)
+add_library(mrsim_openmesh INTERFACE)
+target_link_libraries(mrsim_openmesh INTERFACE OpenMeshCore OpenMeshTools)
+
 find_package(CGAL REQUIRED)
 add_library(mrsim_cgal INTERFACE)
 target_link_libraries(mrsim_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)

@@ -43,6 +43,7 @@ ROOMS = {
     "mesh/surface": SOLID + ("mesh/solid/",),
     "mesh/tiles": SOLID + ("mesh/solid/", "mesh/surface/"),
     "mesh/turned": SOLID + ("mesh/solid/", "mesh/surface/"),
+    "mesh/reduce": SOLID + ("mesh/solid/",),
     "mesh": SOLID + ("mesh/solid/", "mesh/surface/", "mesh/tiles/", "mesh/turned/", "removal/part/stock.h"),
     "compare/step": CORE + ("mesh/",),
     "compare": CORE + ("mesh/", "compare/step/"),
@@ -61,7 +62,7 @@ FACADE_PARTS = {"src/interp/show/motion_text.h", "src/interp/show/path_picture.h
 THIRD_PARTY = {
     "openvdb/": r"src/removal/vdb/.*|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
     "CGAL/": r"src/mesh/solid/solid_repair\.cpp|tests/.*|bench/compare_bench\.cpp",
-    "OpenMesh/": r"tests/.*",
+    "OpenMesh/": r"src/mesh/reduce/reduce\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "embree3/": r"src/(mesh/draw|compare)/[^/]*\.cpp",

@@ -56,14 +56,14 @@ void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& resul
                        tolerance, job.accept));
 }
 
-void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess) {
+void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double volume) {
   result.summary = part.summary();
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
   part.set_origin(owner_table(part.owners(), cuts));
   result.triangles = part.source().triangles();
-  result.volume = s.volume - excess;
+  result.volume = volume;
   result.removed_volume = result.stock_volume - result.volume;
 }
 

@@ -28,8 +28,8 @@ void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock);
 /// written, which holds all.
 void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb);
 
-/// Figures of what is kept. `excess`: what the mesh holds more than the exact part, mm^3. Throws
+/// Figures of what is kept. `volume`: of the part, mm^3. Throws
 /// InternalError where the mesh is no closed, oriented 2-manifold.
-void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double excess);
+void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double volume);
 
 }  // namespace mrsim

@@ -1,5 +1,7 @@
 #include "part_mesh.h"
 
+#include <utility>
+
 namespace mrsim {
 
 PartMesh::PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next)
@@ -44,6 +46,17 @@ void PartMesh::keep(const Piece& piece) {
     collector_.mesh() = collected(*chosen);
   owners_.clear();
   source().for_each_block([this](const MeshBlock& block) { owners_.add(block.owners); });
+}
+
+void PartMesh::replace(TriMesh mesh) {
+  collector_.mesh() = std::move(mesh);
+  audit_.restart();
+  kept_.clear();
+  owners_.clear();
+  source().for_each_block([this](const MeshBlock& block) {
+    audit_.take(block);
+    owners_.add(block.owners);
+  });
 }
 
 void PartMesh::set_origin(const OwnerTable& origin) {

@@ -35,6 +35,8 @@ class PartMesh final : public MeshSink {
   /// The figures of what is left.
   MeshSummary summary() const;
   void keep(const Piece& piece);
+  /// Another mesh takes its place. Requires: one that is in memory.
+  void replace(TriMesh mesh);
   /// Of what is left, ascending.
   std::vector<std::int32_t> owners() const { return owners_.sorted(); }
   void set_origin(const OwnerTable& origin);

@@ -13,6 +13,7 @@
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
 #include "mesh_choice.h"
+#include "mesh_reduction.h"
 #include "outputs.h"
 #include "part_findings.h"
 #include "part_mesh.h"
@@ -137,6 +138,8 @@ std::string no_slabs(const Job& job, double tolerance) {
   if (tolerance > 0)
     return "a mesh with a tolerance is made in one piece: with --voxel and no --tolerance the run "
            "is done in slabs";
+  if (job.max_triangles > 0)
+    return "--max-triangles needs the whole mesh: without it the run is done in slabs";
   if (job.whole_mesh || job.inspect)
     return "a comparison or report needs the whole mesh: without it the run is done in slabs";
   return whole_output(job.outputs);
@@ -191,7 +194,9 @@ void settle_part(const Job& job, JobResult& result, const CutList& cuts, double 
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
   if (!is_whole) outputs.replace_mesh();
-  summarize_part(result, part, cuts, is_whole ? excess : 0);
+  const double volume = part.summary().volume - (is_whole ? excess : 0);
+  reduce_part(job, result, part, outputs);
+  summarize_part(result, part, cuts, volume);
 }
 
 StockRecipe recipe_of(const Job& job, const JobResult& result, const CutList& cuts) {

@@ -122,6 +122,10 @@ struct Job {
   /// Pieces that the program cuts loose: kept, with a warning, or dropped but for the largest, with
   /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
   KeepPieces keep = KeepPieces::all;
+  /// Most triangles of the mesh, 0 = any number. More are reduced, and the distance that makes is
+  /// measured: JobResult::reduction. Error "max-triangles" where no sound mesh is that small. The
+  /// run is not done in slabs, and a .vdb does not change.
+  std::size_t max_triangles = 0;
   /// The moment at which the program ends: "12" (a line), "O100:7" (a line of another file) or
   /// "#5000" (a motion), see src/until.h; empty: its end. The stock and the tools are those of the
   /// whole program.
@@ -150,6 +154,15 @@ struct PartPiece {
   bool kept = true;  ///< false: dropped by Job::keep, and not in JobResult::mesh
 };
 
+/// What Job::max_triangles did to the mesh.
+struct MeshReduction {
+  std::size_t before = 0;  ///< triangles; 0: the mesh was not reduced
+  /// mm: the largest distance of a point of either mesh, before and after, from the other one lies
+  /// between these.
+  double least = 0, most = 0;
+  Vec3 place;  ///< where `least` was found
+};
+
 /// A wall (material between air) or gap that the mesh does not hold, or may not hold.
 struct ThinPlace {
   Vec3 place;  ///< mm, on or in it
@@ -165,7 +178,8 @@ struct JobResult {
   double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
   std::string tolerance_reason;
   /// mm: certified distance between mesh and part; 0 where the voxel was given. By default it may
-  /// be that of the grid's triangles from the part; then mesh_usual holds for 99 % of them.
+  /// be that of the grid's triangles from the part; then mesh_usual holds for 99 % of them. Both
+  /// are of the mesh before its reduction.
   double mesh_bound = 0, mesh_usual = 0;
   std::size_t mesh_sampled =
       0;  ///< triangles of the mesh for which samples stand for a proof of it
@@ -184,6 +198,7 @@ struct JobResult {
   std::size_t triangles = 0;        ///< of the part
   std::size_t slabs = 0;            ///< 0: the mesh was in memory
   MeshSummary summary;
+  MeshReduction reduction;
   std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
   /// mm^3, of the exact part where the mesh has a tolerance and no piece was dropped (docs/mesh.md,
   /// Volume), else of the mesh (summary.volume); pieces that were dropped count as removed.

@@ -25,6 +25,7 @@ struct Typed {
   std::string max_blocks, max_steps;
   bool trace_variables = false;
   std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
+  std::string max_triangles;
   std::string size, azimuth, elevation, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool allow_outside = false, help = false, version = false;
@@ -137,6 +138,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "largest distance between mesh and exact part, mm");
   add("Cutting", "--keep", typed.keep, "K",
       "all or largest: pieces that come loose stay or are dropped; default: all, with a warning");
+  add("Cutting", "--max-triangles", typed.max_triangles, "N",
+      "reduce a mesh of more triangles, and measure how far that moves it");
   add("Cutting", "--until", typed.until, "WHEN",
       "end the program after line 12, line O100:7 of another file, or motion #5000");
   add("Cutting", "--frames", typed.frames, "N",
@@ -306,6 +309,8 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
       !typed.history.ends_with(".json"))
     fail_usage(fmt::format("--history {}: a .csv or .json file, or off", typed.history));
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
+  if (!typed.max_triangles.empty())
+    out.max_triangles = count_value("--max-triangles", typed.max_triangles);
   if (!typed.threads.empty()) {
     const int threads = threads_value("--threads", typed.threads);
     out.carve.threads = out.mesh.threads = out.render.threads = threads;

@@ -26,6 +26,7 @@ struct Arguments {
   MeshOptions mesh;
   MeshFileOptions files;
   KeepPieces keep = KeepPieces::all;
+  std::size_t max_triangles = 0;
   std::string until;    ///< as Job::until
   int frames = 0;       ///< --frames; 0 = the part at the end alone
   std::string history;  ///< --history: a file, "off" or empty

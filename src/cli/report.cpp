@@ -82,6 +82,7 @@ std::string bound_text(const JobResult& result) {
   if (result.mesh_sampled > 0)
     bound += fmt::format(", by samples on {} of them",
                          grouped(static_cast<double>(result.mesh_sampled), 0));
+  if (result.reduction.before > 0) bound += ", before the reduction";
   if (!result.thin.empty()) bound += fmt::format(", {}", without_thin(result));
   return bound;
 }
@@ -96,6 +97,10 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
             "stock " + grouped(result.stock_volume, 3) + " mm³");
   sheet.row("triangles", grouped(static_cast<double>(result.triangles), 0),
             "closed, oriented, 2-manifold" + bound_text(result));
+  if (const MeshReduction& reduced = result.reduction; reduced.before > 0)
+    sheet.row("", "reduced from " + grouped(static_cast<double>(reduced.before), 0),
+              fmt::format("measured, both ways: within {:.2g} mm of the mesh before",
+                          printed_bound(reduced.most)));
   if (result.mesh_kept > 0)
     sheet.row("", grouped(static_cast<double>(result.mesh_kept), 0) + " vertices kept",
               "the mesh would meet itself without them");

@@ -80,6 +80,18 @@ Json stock_json(const RunRecord& record) {
           {"volume", number(record.result->stock_volume)}};
 }
 
+Json reduction_json(const MeshReduction& reduction) {
+  if (reduction.before == 0) return nullptr;
+  return {{"before", reduction.before},
+          {"distance", {number(reduction.least), number(reduction.most)}},
+          {"at", point(reduction.place)}};
+}
+
+// Of the mesh that is written.
+double bound_of(const JobResult& r) {
+  return r.mesh_bound > 0 ? r.mesh_bound + r.reduction.most : 0;
+}
+
 Json mesh_json(const JobResult& r) {
   return {{"triangles", r.triangles},
           {"closed", r.summary.closed},
@@ -89,7 +101,8 @@ Json mesh_json(const JobResult& r) {
           {"euler", r.summary.euler},
           {"area", number(r.summary.area)},
           {"volume", number(r.summary.volume)},
-          {"slabs", r.slabs}};
+          {"slabs", r.slabs},
+          {"reduced", reduction_json(r.reduction)}};
 }
 
 // All are counted, the first hundred are named.
@@ -236,7 +249,7 @@ std::string run_json(const RunRecord& given) {
   out["stock"] = stock_json(record);
   out["voxel"] = reasoned(r.voxel, r.voxel_reason);
   out["tolerance"] = reasoned(r.tolerance, r.tolerance_reason);
-  out["bound"] = {{"distance", number(r.mesh_bound)}, {"sampled_triangles", r.mesh_sampled}};
+  out["bound"] = {{"distance", number(bound_of(r))}, {"sampled_triangles", r.mesh_sampled}};
   out["thin"] = thin_json(r);
   out["volume"] = {{"part", number(r.volume)}, {"removed", number(r.removed_volume)}};
   out["history"] = removals_json(r);

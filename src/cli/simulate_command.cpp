@@ -114,6 +114,7 @@ Job job_of(const Arguments& arguments) {
   job.inputs = arguments.named_inputs;
   job.hash_files = !arguments.compare.json.empty();
   job.keep = arguments.keep;
+  job.max_triangles = arguments.max_triangles;
   job.until = arguments.until;
   if (arguments.history == "off")
     job.history = HistoryDetail::off;

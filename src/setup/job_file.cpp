@@ -49,6 +49,7 @@ constexpr std::array kKeys = {
     JobKey{"outputs", "--output", Value::paths},
     JobKey{"color", "--color", Value::choice, "line tool none"},
     JobKey{"keep", "--keep", Value::choice, "all largest"},
+    JobKey{"max_triangles", "--max-triangles", Value::number},
     JobKey{"tools", "--tools", Value::paths},
     JobKey{"tool", "--tool", Value::texts},
     JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys ngc auto"},

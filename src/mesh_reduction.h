@@ -1,0 +1,15 @@
+// Job::max_triangles: the part's mesh made smaller, and how far that moved it.
+#pragma once
+
+#include "outputs.h"
+#include "part_mesh.h"
+#include <mrsim/mrsim.h>
+
+namespace mrsim {
+
+/// Reduces the mesh where it has more triangles than the job allows, and measures the distance
+/// between both meshes into result.reduction. Throws Error "max-triangles", which names a number
+/// that is possible, where no sound mesh is that small.
+void reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs);
+
+}  // namespace mrsim
