@@ -192,6 +192,67 @@ TEST(Expression, Sinumerik) {
   }
 }
 
+// The examples of the 8055's programming manual, and what follows from its table of priorities.
+TEST(Expression, Fagor) {
+  // clang-format off
+  constexpr Case kCases[] = {
+      {"3 + 4", 7}, {"5 - 2", 3}, {"-(2 * 3)", -6}, {"2 * 3", 6}, {"9 / 2", 4.5}, {"7 MOD 4", 3},
+      {"2 EXP 3", 8}, {"SIN 30", 0.5}, {"COS 30", 0.8660254037844386}, {"TAN 30", 0.5773502691896257},
+      {"ASIN 1", 90}, {"ACOS 1", 0}, {"ATAN 1", 45}, {"ARG(-1,-2)", 243.43494882292202},
+      {"ABS -8", 8}, {"LOG 100", 2}, {"SQRT 16", 4}, {"ROUND 5.83", 6}, {"FIX 5.423", 5},
+      {"FUP 7", 7}, {"FUP 5.423", 6}, {"BCD 234", 564}, {"BIN 564", 234},
+      {"P1", 5}, {"-P1", -5}, {"P1+P2", 8}, {"p100*2", 60}, {"P1*(P2-1)", 10}, {"P1-P2-1", 1},
+      {"2+3*4", 14}, {"2*3 EXP 2", 18}, {"7 MOD 4*2", 6}, {"-2 EXP 2", 4}, {"2 EXP 3 EXP 2", 64},
+      {"SIN 30*2", 1}, {"SIN(30)*2", 1}, {"SIN P100", 0.5}, {"SQRT(P1*P1+12*12)", 13},
+      {"ABS(-3)+1", 4}, {"FIX -5.4", -5}, {"ROUND -2.5", -3}, {"ATAN -1", -45}, {"ARG(1,0)", 0},
+      {"ARG(0,1)", 90}, {"ARG(1,-1)", 315}, {"LOG 0.001", -3}, {"LOG 1000", 3},
+      {"P1 EQ 5", 1}, {"P1 NE 5", 0}, {"P1 GT P2", 1}, {"P1 LT P2", 0}, {"P1 GE 5", 1},
+      {"P1 LE 4", 0}, {"P1 EQ 5 AND P2 EQ 3", 1}, {"P1 EQ 5 AND P2 EQ 4", 0},
+      {"P1 EQ 4 OR P2 EQ 3", 1}, {"P1 EQ 5 XOR P2 EQ 3", 0}, {"NOT (P1 EQ 5)", 0},
+      {"NOT (P1 EQ 4) AND P2 LT 4", 1}, {"1 OR 0 AND 0", 1}, {"12 AND 10", 8}, {"12 OR 3", 15},
+      {"P1+1 EQ 2*P2", 1}, {"((2))", 2}, {"1.5+.5", 2},
+  };
+  // clang-format on
+  Variables variables(VariableForm::fagor);
+  std::string why;
+  for (const auto& [number, value] : {std::pair{1, 5.0}, {2, 3.0}, {100, 30.0}})
+    ASSERT_TRUE(variables.assign(number, Value::of(value), why)) << why;
+  expect_all(fagor_rules(), variables, kCases);
+}
+
+// Angles are in radians, as everywhere in IEC 61131.
+TEST(Expression, Codesys) {
+  // clang-format off
+  constexpr Case kCases[] = {
+      {"1", 1}, {"1 + 2 * 3", 7}, {"{1 + 2} * 3", 9}, {"10 - 4 - 3", 3}, {"16 / 4 / 2", 2},
+      {"2 * 7 MOD 4", 6}, {"7 MOD 4", 3}, {"-7 MOD 4", -3}, {"7.5 MOD 2", 1.5}, {"-{2 + 3}", -5},
+      {"$a$", 3}, {"$A$ * 2", 6}, {"#r", 25}, {"#R*2", 50}, {"-#R*2", -50}, {"#R/$a$*3", 25},
+      {"$app.fb.x$ + 1", 8}, {"sin{0}", 0}, {"sin 0", 0}, {"sin{pi / 2}", 1}, {"cos{pi}", -1},
+      {"cos 0", 1}, {"tan{pi / 4}", 1}, {"asin{1}", 1.5707963267948966},
+      {"acos{-1}", 3.141592653589793}, {"atan{1}", 0.7853981633974483}, {"atan -1", -0.7853981633974483},
+      {"abs{-2}", 2}, {"abs -2", 2}, {"sqrt 16", 4}, {"sqrt{2 * 8} + 1", 5}, {"ln{1}", 0},
+      {"log 100", 2}, {"exp 0", 1}, {"exp{1}", 2.718281828459045}, {"expt{2, 10}", 1024},
+      {"expt{2, #R - 24}", 2}, {"trunc{2.9}", 2}, {"trunc -2.9", -2}, {"min{3, 5}", 3},
+      {"max{3, 5}", 5}, {"pi", 3.141592653589793}, {"TRUE", 1}, {"false", 0},
+      {"1 = 1", 1}, {"1 = 2", 0}, {"1 <> 2", 1}, {"1 < 2", 1}, {"2 > 3", 0}, {"2 >= 2", 1},
+      {"3 <= 2", 0}, {"1 + 1 = 2", 1}, {"1 < 2 AND 2 < 3", 1}, {"1 < 2 AND 3 < 2", 0},
+      {"1 > 2 OR 2 > 1", 1}, {"TRUE XOR TRUE", 0}, {"TRUE OR TRUE XOR TRUE", 1},
+      {"TRUE XOR FALSE AND FALSE", 1}, {"NOT TRUE", 0}, {"NOT {1 = 2}", 1}, {"NOT FALSE AND TRUE", 1},
+      {"'a' = 'a'", 1}, {"'a' <> 'b'", 1}, {"concat{'a', 'b'} = 'ab'", 1},
+      {"concat{'prefix_', concat{#s, '_suffix'}} = 'prefix_x_suffix'", 1}, {"2.5 * -2", -5},
+  };
+  // clang-format on
+  Variables variables(VariableForm::codesys);
+  std::string why;
+  ASSERT_TRUE(variables.assign("$a$", {}, Value::of(3), why)) << why;
+  ASSERT_TRUE(variables.assign("$app.fb.x$", {}, Value::of(7), why)) << why;
+  ASSERT_TRUE(variables.define("#R", VariableType::real, {}, false, why)) << why;
+  ASSERT_TRUE(variables.assign("#r", {}, Value::of(25), why)) << why;
+  ASSERT_TRUE(variables.define("#S", VariableType::text, {}, false, why)) << why;
+  ASSERT_TRUE(variables.assign("#s", {}, Value::of_text("x"), why)) << why;
+  expect_all(codesys_rules(), variables, kCases);
+}
+
 TEST(Expression, FaultsHaveTheirPlace) {
   struct Row {
     const char* text;
@@ -240,6 +301,22 @@ TEST(Expression, FaultsHaveTheirPlace) {
                          {"NAME+1", "expression", 0, "cannot be combined"},
                          {"R1/(R2-3)", "expression", 2, "R1 = 10, R2 = 3"}})
     check(sinumerik_rules(), sinumerik, row);
+  Variables fagor(VariableForm::fagor);
+  for (const Row& row : {Row{"P7", "variable-unset", 0, "--set P7=1"},
+                         {"P50", "variable-number", 0, "P100-P299"},
+                         {"FUP -1.5", "expression", 0, "not known"},
+                         {"NOT 2", "expression", 0, "conditions"},
+                         {"ARG 1", "function-arguments", 0, "2 arguments"},
+                         {"1/0", "expression", 1, "division by 0"}})
+    check(fagor_rules(), fagor, row);
+  Variables codesys(VariableForm::codesys);
+  for (const Row& row : {Row{"$x$", "variable-unset", 0, "--set '$x$=1'"},
+                         {"#x", "variable-unset", 0, "LET it"},
+                         {"$x", "expression", 0, "closed with $"},
+                         {"{1+2", "bracket", 0, "closed with }"},
+                         {"foo{1}", "function-unknown", 0, "FOO"},
+                         {"1/{2-2}", "expression", 1, "division by 0"}})
+    check(codesys_rules(), codesys, row);
 }
 
 TEST(Expression, NestingIsBounded) {
