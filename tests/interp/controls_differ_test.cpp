@@ -145,7 +145,7 @@ TEST(ControlsDiffer, FagorsCyclesHaveTheirDepthInI) {
   EXPECT_EQ(mill("G0 Z20\nG83 G99 X10 Y0 Z2 I-4 J3 F100\nG80\n", Dialect::iso),
             "r0,0,20 r10,0,20 r10,0,2 l10,0,-2 r10,0,2 r10,0,-1.746 l10,0,-6 r10,0,2 r10,0,-5.746 "
             "l10,0,-10 r10,0,2");
-  EXPECT_EQ(mill("G1 X5 F100\nG9 X20 Y0 I10 J5\n", Dialect::iso), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G1 X5 F100\nG9 X20 Y0 I10 J5\n", Dialect::iso), "l5,0,0 a20,0,0");
   EXPECT_EQ(mill("G0 Z5\nG81 Z2 I-1 F9\nG91 X10 N3\n", Dialect::iso),
             "r0,0,5 r0,0,2 l0,0,-1 r0,0,5 | not-supported");
   for (const char* call : {"G20 N1.2", "G25 N10", "G22 N1"})

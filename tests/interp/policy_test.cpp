@@ -182,7 +182,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 J0 K0"},
       {Dialect::fanuc, "G43.4 H1"},
       {Dialect::fanuc, "G150 I5 D1"},
-      {Dialect::iso, "G8 X1 Y1"},
+      {Dialect::iso, "G11"},
       {Dialect::iso, "G68.2 I0"},
 
       {Dialect::fanuc, "G10 L50"},

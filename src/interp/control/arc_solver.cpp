@@ -101,9 +101,9 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
     }
     given = true;
     const bool absolute =
-        !is(Dialect::sinumerik)
-            ? modal_.center_absolute
-            : word->form == Form::ac || word->form == Form::dac || word->form == Form::rac;
+        is(Dialect::sinumerik)
+            ? word->form == Form::ac || word->form == Form::dac || word->form == Form::rac
+            : modal_.center_absolute || word->form == Form::ac;
     double value = word->value * length_unit(*word);
     if (absolute && i == 0 && word->form != Form::rac && modal_.diameter != Code::diameter_off)
       value /= 2;

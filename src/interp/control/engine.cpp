@@ -14,6 +14,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       reader_(control_),
       statements_(Statements::make(control_, reader_)),
       flow_(control_, reader_, statements_.get()),
+      iso_(control_),
       index_(control_),
       axes_(control_),
       frames_(control_),
@@ -77,6 +78,7 @@ void Engine::execute() {
   block.begin();
   if (block.statement != Block::kNoStatement) return statements_->run();
   if (statements_ && statements_->take_block()) return;
+  if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
   if (!index_.run()) block.bad = true;
   if (!block.comments.empty()) tools_.read_comments();
   if (block.bad) return;
@@ -133,6 +135,7 @@ bool Engine::interpret_block() {
   if (block.oneshot && !oneshots_.run()) return false;
   if (!dwells) {
     if (block.frame_code && !frames_.run()) return false;
+    if (control_.dialect == Dialect::iso && !iso_.check_polar()) return false;
     if (!run_move()) return false;
     compensation_.end_block(moves_.waits());
   }

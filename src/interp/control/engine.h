@@ -5,6 +5,7 @@
 #include "interp/control/contour_cycles.h"
 #include "interp/control/drill_words.h"
 #include "interp/control/haas_cycles.h"
+#include "interp/control/iso_words.h"
 #include "interp/control/modal_words.h"
 #include "interp/control/oneshot_words.h"
 #include "interp/control/program_flow.h"
@@ -33,6 +34,7 @@ class Engine {
   BlockReader reader_;
   std::unique_ptr<Statements> statements_;  ///< null: a control without a language here
   ProgramFlow flow_;
+  IsoWords iso_;
   WordIndex index_;
   AxisWords axes_;
   FrameWords frames_;

@@ -107,9 +107,6 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot_code = entry.code;
       return true;
     case Code::ignored:
-      if (is(Dialect::iso) && word.value == 9 && (peek('I') || peek('J') || peek('K')))
-        return error("not-supported", "G9 with I J K (an arc through a point) is not supported yet",
-                     word);
       return true;
     case Code::polar_on:
     case Code::polar_off:
@@ -140,18 +137,16 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::probe:
       if (!peek('X') && !peek('Y') && !peek('Z'))
         return error("motion-missing", "a probing move needs an axis", word);
-      if (!is(Dialect::ngc)) {  // G31 holds for one block
-        block_.motion_code = &word;
-        block_.motion = entry.code;
-        return true;
-      }
+      if (!is(Dialect::ngc)) return for_one_block(word, entry.code);  // G31
+      [[fallthrough]];
+    case Code::arc_point:
+    case Code::arc_tangent:
+      if (is(Dialect::iso)) return for_one_block(word, entry.code);
       [[fallthrough]];
     case Code::rapid:
     case Code::line:
     case Code::arc_cw:
     case Code::arc_ccw:
-    case Code::arc_point:
-    case Code::arc_tangent:
     case Code::thread:
     case Code::thread_growing:
     case Code::thread_shrinking:
@@ -170,6 +165,13 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     default:
       return apply_modal_code(word, entry);
   }
+}
+
+// A motion of this block alone; then that before it holds again.
+bool ModalWords::for_one_block(const Word& word, Code code) {
+  block_.motion_code = &word;
+  block_.motion = code;
+  return true;
 }
 
 // Mach and Vectric write G70 and G71 for the units; LinuxCNC's cycles of these numbers have words.

@@ -23,6 +23,7 @@ class ModalWords : public ControlPart {
   bool apply_code(const Word& word, const CodeEntry& entry);
   bool units_of_mach(const Word& word);
   bool refuse(const Word& word);
+  bool for_one_block(const Word& word, Code code);
   bool high_speed(const Word& word);
   void select_cycle(int number);
   bool select_turning(const Word& word, int number);

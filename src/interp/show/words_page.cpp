@@ -72,7 +72,7 @@ std::string g_words(Dialect dialect, MachineKind machine) {
   Lists lists;
   for (int number = 0; number < 10000; ++number) {
     const CodeEntry entry = find_g_code(dialect, machine, number);
-    const bool macro = entry.code == Code::statement && dialect == Dialect::iso;
+    const bool macro = entry.code == Code::statement && dialect == Dialect::iso && number >= 650;
     const Reading r = macro ? Reading::refused : reading(entry.code);
     std::string word = fmt::format("G{:g}", number / 10.0);
     const std::string_view what = r == Reading::refused ? unsupported_code(dialect, number) : "";

@@ -199,9 +199,11 @@ constexpr Row kFanucLathe[] = {
     {980, C::per_minute, G::feed},       {990, C::per_revolution, G::feed},
 };
 
+// G6, G36 and G39 are read before the others (control/iso_words).
 constexpr Row kIso[] = {
     {50, C::high_speed, G::path},
     {51, C::high_speed, G::path},
+    {60, C::statement, G::other},
     {70, C::unsupported, G::path},
     {80, C::unsupported, G::path},
     {90, C::ignored, G::exact},
@@ -211,6 +213,8 @@ constexpr Row kIso[] = {
     {280, C::reference, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {330, C::thread, G::motion},
+    {360, C::statement, G::other},
+    {390, C::statement, G::other},
     {430, C::length_plus, G::length},
     {440, C::length_minus, G::length},
     {490, C::length_off, G::length},

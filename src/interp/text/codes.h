@@ -19,7 +19,7 @@ enum class Code : std::uint8_t {
   ignored_words,   ///< the same, and so are the other words of its block
   high_speed,      ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
   unsupported,     ///< known, not read yet: an error
-  statement,       ///< of the control's language, which reads the block
+  statement,       ///< read before the others, by the control's language or IsoWords
   turn_pass,       ///< G90 G92 G94 of a lathe: modal, one pass a block
   turn_cycle,      ///< G70 to G76 of a lathe
   drill_cycle,     ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which

@@ -1,0 +1,156 @@
+#include "interp/control/iso_words.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+/// What a G word does that is not read; empty: another one.
+std::string_view unread(int code) {
+  switch (code) {
+    case 11:
+    case 12:
+    case 13:
+      return "a mirror image of Fagor's";
+    case 32:
+      return "zero offsets that G31 has kept";
+    case 37:
+      return "a tangential entry";
+    case 38:
+      return "a tangential exit";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+Word* IsoWords::in_block(char c) {
+  for (Word& word : block_.words)
+    if (word.address == letter(c)) return &word;
+  return nullptr;
+}
+
+bool IsoWords::has_any(std::string_view letters) {
+  for (const char c : letters)
+    if (in_block(c)) return true;
+  return false;
+}
+
+bool IsoWords::rewrite() {
+  bool ok = true;
+  for (std::size_t i = 0; i < block_.words.size();) {
+    bool gone = false;
+    if (block_.words[i].address == letter('G') && !rewrite_word(i, gone)) ok = false;
+    if (gone)
+      block_.words.erase(block_.words.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
+  return ok;
+}
+
+// `gone`: the G word has been read.
+bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
+  Word& word = block_.words[at];
+  const int code = word.value >= 0 && word.value < 100 ? static_cast<int>(word.value) : -1;
+  if (code < 0 || word.value != code) return true;
+  const bool bare = block_.words.size() == 1;
+  const bool spline = has_any("IJPQ");
+  switch (code) {
+    case 5:  // rounded and square corners
+    case 7:
+      gone = !spline;
+      return true;
+    case 6:
+      gone = true;
+      return absolute_center(word);
+    case 8:
+      if (has_any("P") || !has_any("XYZ")) return true;
+      word.address = Address::function;
+      word.code = Code::arc_tangent;
+      return true;
+    case 9:
+      return to_point_arc(word);
+    case 10:  // no mirror image is in force
+      gone = bare;
+      return true;
+    case 31:
+      gone = !has_any("XYZ");
+      return true;
+    case 36:
+    case 39:
+      gone = true;
+      return to_corner(code == 36 ? Address::rnd : Address::chr, word);
+    case 73:
+      gone = bare;
+      return gone || refuse_pattern(word, code);
+    default:
+      break;
+  }
+  const std::string_view what = unread(code);
+  const bool pocket = (code == 12 || code == 13) && has_any("I");
+  if (what.empty() || pocket) return refuse_pattern(word, code);
+  return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
+               word);
+}
+
+// G60 to G65 repeat a cycle at places, G72 S scales, G73 Q turns, G93 I J sets the polar origin.
+bool IsoWords::refuse_pattern(const Word& word, int code) {
+  const char* what = "";
+  if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
+    what = "the places of a cycle";
+  else if (code == 72 && has_any("S"))
+    what = "a scale";
+  else if (code == 73 && has_any("Q") && !has_any("XYZIR"))
+    what = "a rotation";
+  else if (code == 93 && has_any("IJK"))
+    what = "the origin of polar coordinates";
+  if (*what == '\0') return true;
+  return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
+               word);
+}
+
+bool IsoWords::to_corner(Address corner, const Word& word) {
+  Word* const size = in_block('R');
+  if (!size) return error("value-missing", "the size of the corner is missing: R", word);
+  size->address = corner;
+  return true;
+}
+
+// G9 X Y I J: an arc through the point I J. Without it G9 stops exactly.
+bool IsoWords::to_point_arc(Word& word) {
+  if (!has_any("IJK")) return true;
+  for (Word& other : block_.words)
+    if (other.address >= letter('I') && other.address <= letter('K'))
+      other.address = static_cast<Address>(static_cast<int>(Address::i1) +
+                                           (static_cast<int>(other.address) - 'I'));
+  word.address = Address::function;
+  word.code = Code::arc_point;
+  return true;
+}
+
+bool IsoWords::absolute_center(const Word& word) {
+  int count = 0;
+  for (Word& other : block_.words) {
+    if (other.address < letter('I') || other.address > letter('K')) continue;
+    other.form = Form::ac;
+    ++count;
+  }
+  return count == 2 || error("arc-no-center", "G6 needs both coordinates of the centre", word);
+}
+
+bool IsoWords::check_polar() {
+  const Code motion = current_motion();
+  if ((motion != Code::rapid && motion != Code::line) || modal_.drill.number != 0) return true;
+  for (const char c : {'Q', 'R'})
+    if (block_.open(letter(c)))
+      return error("not-supported",
+                   fmt::format("{} without an arc or a cycle is a polar coordinate, which is not "
+                               "supported yet",
+                               text_of(*peek(c))),
+                   *peek(c));
+  return true;
+}
+
+}  // namespace mrsim

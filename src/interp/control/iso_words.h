@@ -1,0 +1,29 @@
+// Words of the ISO dialect as its family (Fagor 8055) means them, in the addresses that the other
+// parts know: G36 R is RND, G39 R is CHR, G8 is CT, G9 is CIP, G6 makes I J K absolute.
+// What moves the machine and is not read is an error by name. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class IsoWords : public ControlPart {
+ public:
+  explicit IsoWords(Control& control) : ControlPart(control) {}
+
+  /// Before the words are indexed: changes addresses and takes G words away. False: reported.
+  bool rewrite();
+  /// After the block: R and Q that nothing wanted are polar coordinates. False: reported.
+  bool check_polar();
+
+ private:
+  bool rewrite_word(std::size_t at, bool& gone);
+  bool refuse_pattern(const Word& word, int code);
+  bool to_corner(Address corner, const Word& word);
+  bool to_point_arc(Word& word);
+  bool absolute_center(const Word& word);
+  Word* in_block(char c);
+  bool has_any(std::string_view letters);
+};
+
+}  // namespace mrsim
