@@ -84,6 +84,7 @@ class BlockWords : public Block {
   bool loops = false;               ///< M99
   const Word* call_word = nullptr;
   const Word* m98 = nullptr;
+  const Word* home = nullptr;  ///< M25 of Centroid: Z goes to its reference point
 
  private:
   // Epochs make clearing free.

@@ -130,6 +130,7 @@ bool Engine::interpret_block() {
   if (!flow_.begin_block()) return false;
   if (reader_.finished()) return true;
   if (!flow_.m_words()) return false;
+  if (block.home) moves_.to_place(&options_.places.reference, 4, *block.home);
   const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
   if (!dwells && !values_.apply()) return false;
   if (block.oneshot && !oneshots_.run()) return false;

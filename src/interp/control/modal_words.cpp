@@ -57,8 +57,9 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
 }
 
 // G92 and G94 of a lathe. Without an axis G92 S limits the speed, and G94 is the feed per minute of
-// code systems B and C.
+// code systems B and C, which write G77 G78 G79 for the cycles.
 bool ModalWords::select_turning(const Word& word, int number) {
+  if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
   const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
   if (!axes && number == 94) return apply_feed_mode(Code::per_minute, word);
   if (!axes && number == 92) {

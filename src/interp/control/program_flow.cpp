@@ -105,10 +105,20 @@ bool ProgramFlow::m_word(const Word& word) {
     return error("not-supported",
                  fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
   if (m == 97 || m == 98 || external) return call_word(word, m);
+  if (m == 25 && z_home(word)) return true;
   if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
     note_once("m-unknown",
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,
               fmt::format("M{}", m));
+  return true;
+}
+
+// M25 of Centroid, which its posts write beside G49 at the start: Z goes to its reference point.
+bool ProgramFlow::z_home(const Word& word) {
+  const bool named = (block_.groups >> static_cast<unsigned>(Group::length) & 1U) != 0;
+  centroid_ = centroid_ || (named && modal_.length == Code::length_off);
+  if (!centroid_ || lathe() || is(Dialect::sinumerik)) return false;
+  block_.home = &word;
   return true;
 }
 

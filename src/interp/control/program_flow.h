@@ -22,6 +22,7 @@ class ProgramFlow : public ControlPart {
   bool alone(const Word& call);
   bool m_word(const Word& word);
   bool call_word(const Word& word, int m);
+  bool z_home(const Word& word);
   bool five_digits(long number);
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
@@ -31,6 +32,7 @@ class ProgramFlow : public ControlPart {
 
   BlockReader& reader_;
   Statements* statements_;
+  bool centroid_ = false;  ///< the program has said M25 beside G49
 };
 
 }  // namespace mrsim

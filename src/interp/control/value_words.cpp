@@ -67,7 +67,18 @@ bool ValueWords::sinumerik() {
   return true;
 }
 
+// FZ: the number of teeth is not in the tool table, and of no effect on the part.
+bool ValueWords::feed_per_tooth(const Word& word) {
+  if (word.value <= 0) return error("feed-range", "FZ must be above 0 (alarm 14800)", word);
+  modal_.feed_unit = FeedUnit::mm_per_rev;
+  modal_.feed = word.value * feed_scale();
+  note_once("feed-per-tooth", "FZ is a feed per tooth: times are those of a tool with one tooth",
+            word, "teeth");
+  return true;
+}
+
 bool ValueWords::feed() {
+  if (const Word* tooth = take(Address::fz)) return feed_per_tooth(*tooth);
   const Word* word = take('F');
   if (!word) return true;
   if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below

@@ -15,6 +15,7 @@ class ValueWords : public ControlPart {
   bool turned_line(char c);
   bool rotary_axes();
   bool feed();
+  bool feed_per_tooth(const Word& word);
   bool speed();
   bool edge();
   bool length_register();

@@ -35,6 +35,7 @@ enum class Address : std::uint8_t {
   sf,
   disc,
   offn,
+  fz,  ///< feed per tooth
   ff,
   ef,
   data,  ///< accepted, without geometry (SPOS=, ADIS=, S2=)

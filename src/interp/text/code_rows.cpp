@@ -131,6 +131,7 @@ constexpr Row kFanuc[] = {
     {911, C::center_relative, G::other},
     {960, C::surface_speed, G::speed},
     {970, C::surface_speed_off, G::speed},
+    {1000, C::unsupported, G::oneshot},
     {1001, C::unsupported, G::oneshot},
     {1030, C::ignored_words, G::oneshot},
     {1070, C::unsupported, G::other},
@@ -174,6 +175,8 @@ constexpr Row kFanucMill[] = {
     {730, C::drill_cycle, G::other},
     {740, C::drill_cycle, G::other},
     {760, C::drill_cycle, G::other},
+    {770, C::unsupported, G::other},
+    {780, C::unsupported, G::other},
     {920, C::set_position, G::oneshot},
     {921, C::position_reset, G::oneshot},
     {922, C::position_suspend, G::oneshot},
@@ -194,9 +197,11 @@ constexpr Row kFanucLathe[] = {
     {700, C::turn_cycle, G::oneshot},    {710, C::turn_cycle, G::oneshot},
     {720, C::turn_cycle, G::oneshot},    {730, C::turn_cycle, G::oneshot},
     {740, C::turn_cycle, G::oneshot},    {750, C::turn_cycle, G::oneshot},
-    {760, C::turn_cycle, G::oneshot},    {920, C::turn_pass, G::motion},
-    {940, C::turn_pass, G::motion},      {950, C::per_revolution, G::feed},
-    {980, C::per_minute, G::feed},       {990, C::per_revolution, G::feed},
+    {760, C::turn_cycle, G::oneshot},    {770, C::turn_pass, G::motion},
+    {780, C::turn_pass, G::motion},      {790, C::turn_pass, G::motion},
+    {920, C::turn_pass, G::motion},      {940, C::turn_pass, G::motion},
+    {950, C::per_revolution, G::feed},   {980, C::per_minute, G::feed},
+    {990, C::per_revolution, G::feed},
 };
 
 // G6, G36 and G39 are read before the others (control/iso_words).

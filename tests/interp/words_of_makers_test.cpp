@@ -1,0 +1,53 @@
+// Words that one maker's posts write: FZ of SINUMERIK, M25 of Centroid, the cycles of code system
+// B of FANUC lathes, and words of Brother that are refused by name.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+TEST(WordsOfMakers, FeedPerToothIsAFeed) {
+  const Program p =
+      read_text("G1 G95 FZ=0.1 X10\nX20\nG94 F100 X30\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(path_text(p), "l10,0,0 l20,0,0 l30,0,0");
+  EXPECT_EQ(codes(p, Severity::note), "feed-per-tooth");
+  EXPECT_EQ(p.motions[1].feed, 0.1);
+  EXPECT_EQ(p.motions[1].feed_unit, FeedUnit::mm_per_rev);
+  EXPECT_EQ(p.motions[2].feed_unit, FeedUnit::mm_per_min);
+  EXPECT_EQ(codes(read_text("G1 FZ=0 X10 F100\n", at_origin(Dialect::sinumerik))), "feed-range");
+}
+
+// Centroid's posts begin with M25 G49: behind M25 the tool is up, whatever Z was before.
+TEST(WordsOfMakers, M25OfCentroidTakesZToItsReferencePoint) {
+  const std::string program =
+      "M25 G49\nG0 X5\nG43 H1 Z2\nG1 Z-1 F100\nX10\nM25\nX50 Y50\nG0 Z2\nG1 X60\n";
+  const Program p = read_text(program, at_origin(Dialect::fanuc));
+  std::string assumed;
+  for (const Motion& m : p.motions) assumed += m.assumed_start ? '?' : '.';
+  EXPECT_EQ(assumed, "??..??.") << path_text(p);
+  const Program other = read_text("G49\nG1 X5 F100\nM25\nX10\n", at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(other, Severity::note).find("m-unknown") == std::string::npos, false)
+      << "on other controls M25 is a word of the builder's";
+  EXPECT_FALSE(other.motions.back().assumed_start);
+}
+
+TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
+  const auto turn = [](const std::string& text) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    return path_text(read_text("G0 X50 Z5\n" + text, options));
+  };
+  EXPECT_EQ(turn("G77 X40 Z-20 F0.2\nX36\n"), turn("G90 X40 Z-20 F0.2\nX36\n"));
+  EXPECT_EQ(turn("G78 X40 Z-20 F1.5\nX39\n"), turn("G92 X40 Z-20 F1.5\nX39\n"));
+  EXPECT_EQ(turn("G79 X10 Z-2 F0.2\nZ-4\n"), turn("G94 X10 Z-2 F0.2\nZ-4\n"));
+}
+
+TEST(WordsOfMakers, BrothersWordsAreRefusedByName) {
+  for (const char* words : {"G100 T1 X1 Y2 Z3", "G77 X1 Y2 Z-3 R1", "G78 X1 Y2 Z-3 R1"}) {
+    const Program p =
+        read_text("G1 X1 F100\n" + std::string(words) + "\n", at_origin(Dialect::fanuc));
+    ASSERT_EQ(codes(p), "not-supported") << words;
+    EXPECT_NE(p.diagnostics.back().text.find("Brother"), std::string::npos) << words;
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
