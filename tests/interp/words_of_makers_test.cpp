@@ -40,6 +40,23 @@ TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
   EXPECT_EQ(turn("G79 X10 Z-2 F0.2\nZ-4\n"), turn("G94 X10 Z-2 F0.2\nZ-4\n"));
 }
 
+// One offset under three names: set by one, it is in force under the others.
+TEST(WordsOfMakers, OffsetsOfHaasHaveSeveralNames) {
+  const auto end = [](const std::string& text, const std::string& table = "") {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    if (!table.empty()) options.table.work = {{table, {7, 0, 0}}};
+    return path_text(read_text(text + "\nG1 X1 F100\n", options));
+  };
+  for (const char* select : {"G54.1 P3", "G154 P3", "G54 P3"}) {
+    EXPECT_EQ(end("G10 L20 P3 X10\n" + std::string(select)), "l11,0,0") << select;
+    for (const char* table : {"G54.1 P3", "G54.1P3", "G154 P3"})
+      EXPECT_EQ(end(select, table), "l8,0,0") << select << " of " << table;
+  }
+  EXPECT_EQ(end("G10 L20 P1 X10\nG110"), "l11,0,0");
+  EXPECT_EQ(end("G129", "G154 P20"), "l8,0,0");
+  EXPECT_EQ(end("G10 L20 P3 X10\nG154 P3", "G54.1 P3"), "l11,0,0") << "G10 replaces the table's";
+}
+
 TEST(WordsOfMakers, BrothersWordsAreRefusedByName) {
   for (const char* words : {"G100 T1 X1 Y2 Z3", "G77 X1 Y2 Z-3 R1", "G78 X1 Y2 Z-3 R1"}) {
     const Program p =

@@ -165,7 +165,7 @@ bool CodesysStatements::find_label(long index, Place& out) {
 
 // G36 O$a$ D5 writes, G37 O$a$ D-1 adds; without O: the decoder's own variable.
 bool CodesysStatements::write(bool adds, std::size_t p) {
-  const std::size_t from = p;
+  std::size_t from = p, to = 0;  // of the variable, else of the words
   std::string target;
   Value value;
   bool given = false;
@@ -188,9 +188,11 @@ bool CodesysStatements::write(bool adds, std::size_t p) {
       ++p;
     if (global && at(p++) != '$') return fail("assignment", "O$NAME$ is expected", begin, p);
     target = std::string(block_.line.substr(begin, p - begin));
+    from = begin;
+    to = p;
   }
   if (!given) return fail("assignment", "D with the value is needed", from, p);
-  return change(target, adds, value, from, p) && end_statement(p);
+  return change(target, adds, value, from, to > 0 ? to : p) && end_statement(p);
 }
 
 bool CodesysStatements::change(std::string_view target, bool adds, const Value& value,

@@ -1,14 +1,32 @@
 #include "interp/control/control.h"
 
+#include "core/text_io.h"
+
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace mrsim {
+
+std::string Control::offset_name(std::string_view written) const {
+  std::string name;
+  for (const char c : written)
+    if (c != ' ') name += c;
+  if (dialect != Dialect::fanuc && dialect != Dialect::iso) return name;
+  if (name.starts_with("G154P")) return "G54.1" + name.substr(4);
+  if (name.size() != 4 || !name.starts_with("G1")) return name;
+  const auto number = parse_number(name.substr(1));
+  return number && *number >= 110 && *number <= 129 ? fmt::format("G54.1P{:g}", *number - 109)
+                                                    : name;
+}
 
 // The first zero (G54, if it is there) is that of the tool table, or the stock's own: that ties the
 // machine to the stock. The others follow, unless the tool table has them.
 void Control::place_machine() {
-  const std::vector<WorkOffset>& zeros = options.places.zero;
+  for (WorkOffset& offset : work) offset.name = offset_name(offset.name);
+  std::vector<WorkOffset> zeros = options.places.zero;
   if (zeros.empty()) return;
+  for (WorkOffset& zero : zeros) zero.name = offset_name(zero.name);
   const auto find = [](const auto& list, const std::string& name) {
     return std::find_if(list.begin(), list.end(),
                         [&](const WorkOffset& one) { return one.name == name; });

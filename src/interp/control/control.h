@@ -62,6 +62,9 @@ struct Control {
   std::vector<OffsetRegister> registers;     ///< the same
   int register_changes = 0;                  ///< how often the program has set one
 
+  /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
+  /// G54.1 P1.
+  std::string offset_name(std::string_view written) const;
   /// The register of that name, made where there is none; it counts as changed.
   OffsetRegister& change_register(const std::string& name);
 

@@ -90,18 +90,16 @@ void FrameWords::renew_work() {
   rebuild();
 }
 
-bool FrameWords::set_work(const std::string& name) {
+bool FrameWords::set_work(const std::string& written) {
+  const std::string name = control_.offset_name(written);
   frames_.work = {};
   frames_.work_name = name;
   const auto turn = control_.work_turns.find(name);
   frames_.work_turn = turn == control_.work_turns.end() ? 0 : turn->second;
   bool known = name.empty() || name == "G54";
   for (const WorkOffset& offset : control_.work) {
-    std::string key;
-    for (const char c : offset.name)
-      if (c != ' ') key += c;
-    const bool external = key == "EXT" && !name.empty();
-    if (key != name && !external) continue;
+    const bool external = offset.name == "EXT" && !name.empty();
+    if (offset.name != name && !external) continue;
     frames_.work = frames_.work + offset.shift;
     known = known || !external;
   }

@@ -41,7 +41,7 @@ class FrameWords : public ControlPart {
   void set_mirror();
   bool codesys();
   bool pole();
-  bool set_work(const std::string& name);
+  bool set_work(const std::string& written);
 };
 
 }  // namespace mrsim
