@@ -57,6 +57,30 @@ TEST(WordsOfMakers, OffsetsOfHaasHaveSeveralNames) {
   EXPECT_EQ(end("G10 L20 P3 X10\nG154 P3", "G54.1 P3"), "l11,0,0") << "G10 replaces the table's";
 }
 
+// Fusion's post for Grbl writes no T word; the one tool of its comments is in the spindle.
+TEST(WordsOfMakers, AToolNamedInACommentAlone) {
+  const auto diameter = [](const std::string& head, const std::string& given = "") {
+    InterpOptions options;
+    options.machine = MachineKind::mill;
+    options.dialect = Dialect::ngc;
+    options.start = Vec3{};
+    if (!given.empty()) {
+      Tool tool;
+      tool.diameter = 8;
+      tool.id = given == "any" ? "" : given;
+      options.table.tools.push_back(tool);
+    }
+    const Program p = read_text(head + "G21\nM3 S1000\nG1 X5 F100\n", options);
+    return codes(p) + (p.tools.empty() ? "" : fmt::format("{:g}", p.tools[0].diameter));
+  };
+  const std::string one = "(T1 D=3.175 CR=0 - ZMIN=-1 - flat end mill)\n";
+  EXPECT_EQ(diameter(one), "3.175");
+  EXPECT_EQ(diameter(one, "any"), "8") << "--tool endmill:d=8";
+  EXPECT_EQ(diameter(one, "1"), "8") << "--tool 1=endmill:d=8";
+  EXPECT_EQ(diameter(one + "(T2 D=6 CR=0 - flat end mill)\n"), "tool-unknown") << "which of two?";
+  EXPECT_EQ(diameter("(6mm end mill)\n"), "tool-unknown") << "no comment says that it is the tool";
+}
+
 TEST(WordsOfMakers, BrothersWordsAreRefusedByName) {
   for (const char* words : {"G100 T1 X1 Y2 Z3", "G77 X1 Y2 Z-3 R1", "G78 X1 Y2 Z-3 R1"}) {
     const Program p =

@@ -133,6 +133,18 @@ bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why) co
   return true;
 }
 
+// Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
+void ToolChanger::take_commented(const Word& where) {
+  const std::string id = notes_.only();
+  if (id.empty()) return;
+  tool_.pending.id = id;
+  tool_.pending.at.file = block_.file;
+  tool_.pending.at.line = block_.line_number;
+  tool_.pending.at.column = where.column + 1;
+  tool_.pending.at.call = block_.call;
+  change();
+}
+
 void ToolChanger::require(const Word& where, bool cuts) {
   if (cuts) notes_.cut();
   if (tool_.index >= 0 || tool_.failed) return;
@@ -144,6 +156,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
     change();
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
+  if (!tool_.chosen && cuts && !given("")) take_commented(where);
   if (const auto known = used_.find(tool_.current); known != used_.end()) {
     tool_.index = known->second;
     return;

@@ -38,6 +38,7 @@ class ToolChanger : public ControlPart {
  private:
   bool select(const Word& word);
   void change();
+  void take_commented(const Word& where);
   bool resolve(const std::string& id, Tool& out, std::string& why) const;
   bool infer(const std::string& id, Tool& out, std::string& why) const;
   void missing(const Word& where, const std::string& why);

@@ -30,6 +30,8 @@ class ToolNotes {
 
   /// What is known of the tool; null: nothing.
   const ToolHint* find(const std::string& id) const;
+  /// The id of the tool that comments have named, where they have named one alone; else empty.
+  std::string only() const { return hints_.size() == 1 ? hints_.begin()->first : std::string(); }
 
  private:
   void add(const std::string& id, const ToolHint& hint);
