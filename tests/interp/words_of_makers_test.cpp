@@ -90,5 +90,11 @@ TEST(WordsOfMakers, BrothersWordsAreRefusedByName) {
   }
 }
 
+TEST(WordsOfMakers, MirrorOfHaasIsRefusedByName) {
+  const Program p = read_text("G1 X1 F100\nG101 X0\nX5\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(codes(p), "not-supported");
+  EXPECT_NE(p.diagnostics.back().text.find("mirror"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mrsim

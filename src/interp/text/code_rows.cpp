@@ -133,6 +133,7 @@ constexpr Row kFanuc[] = {
     {970, C::surface_speed_off, G::speed},
     {1000, C::unsupported, G::oneshot},
     {1001, C::unsupported, G::oneshot},
+    {1010, C::unsupported, G::oneshot},
     {1030, C::ignored_words, G::oneshot},
     {1070, C::unsupported, G::other},
     {1120, C::unsupported, G::other},
