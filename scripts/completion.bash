@@ -16,6 +16,7 @@ _mrsim() {
     case $command in
       trace) common="$program $common --output --json --programmed --variables" ;;
       check) common="$program $common --json" ;;
+      rest) common="--output --json --voxel --above --deflection --threads --quiet --help" ;;
       tools) common="--output --json --quiet --help" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
       render) common="$common --output --frames --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
@@ -25,7 +26,7 @@ _mrsim() {
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else
     local commands=""
-    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render tools view"
+    [ "$COMP_CWORD" -eq 1 ] && commands="trace check compare render rest tools view"
     mapfile -t COMPREPLY < <(compgen -W "$commands" -f -- "$current")
   fi
 }

@@ -28,6 +28,7 @@ struct VoxelModule {
   Module module{description()};
   SampleVoxels* sample = module.function<SampleVoxels>(kSampleVoxels);
   ReadLevelSet* read = module.function<ReadLevelSet>(kReadLevelSet);
+  FindRest* rest = module.function<FindRest>(kFindRest);
 };
 
 // Opened once; where that failed, the next call tries again.
@@ -59,6 +60,12 @@ void require_voxel_module() { voxel_module(); }
 
 void read_level_set(const std::string& path, LevelSetSurface& found) {
   voxel_module().read(path, found);
+}
+
+std::vector<RestVoxels> find_rest_voxels(const RestTask& task) {
+  std::vector<RestVoxels> found;
+  voxel_module().rest(task, found);
+  return found;
 }
 
 }  // namespace mrsim

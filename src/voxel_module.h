@@ -3,9 +3,11 @@
 #pragma once
 
 #include "removal/part/level_set_surface.h"
+#include "removal/part/rest_voxels.h"
 
 #include <future>
 #include <string>
+#include <vector>
 
 namespace mrsim {
 
@@ -21,5 +23,8 @@ void require_voxel_module();
 /// this thread alone; OpenVDB gives no guarantee on damaged files. Throws Error "vdb-unreadable",
 /// without the file's name, where there is none; "vdb-module".
 void read_level_set(const std::string& path, LevelSetSurface& found);
+
+/// removal/vdb/rest.h. Throws Error "vdb-module", "memory".
+std::vector<RestVoxels> find_rest_voxels(const RestTask& task);
 
 }  // namespace mrsim

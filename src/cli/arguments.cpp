@@ -48,6 +48,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "       mrsim trace PROGRAM     what the control understood, one motion a line\n"
      "       mrsim check PROGRAM     diagnostics only\n"
      "       mrsim compare PART NOMINAL  where the part differs from its drawing\n"
+     "       mrsim rest PART NOMINAL what is left to cut, and the largest tool for it\n"
      "       mrsim view PROGRAM|PART the page that plays a run, opened\n"
      "       mrsim render PART       a picture of a mesh, without a display\n"
      "       mrsim tools FILE        the tools of a table or library",

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnostics.h"
+#include "cli/rest_command.h"
 #include "cli/shortage.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
@@ -51,6 +52,7 @@ int run_guarded(int argc, const char* const* argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "compare") return run_compare(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "rest") return run_rest(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "view") return run_view(argc - 1, argv + 1);
     return run(parse_arguments(argc, argv));
   } catch (const PlacedError& error) {

@@ -27,7 +27,7 @@ TEST_F(OptionNames, HelpManPageAndCompletionAgree) {
   const auto manual = options_in(contents(root / "docs/mrsim.1"));
   const auto completion = options_in(contents(root / "scripts/completion.bash"));
   std::set<std::string> all;
-  for (const char* command : {"", "trace", "check", "compare", "render", "tools", "view"})
+  for (const char* command : {"", "trace", "check", "compare", "render", "tools", "view", "rest"})
     all.merge(options_in(run(std::string(command) + " --help").out));
   EXPECT_GT(all.size(), 30U);
   for (const std::string& name : all) {

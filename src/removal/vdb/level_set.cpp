@@ -35,22 +35,6 @@ std::string grid_name(const openvdb::GridPtrVec& heads) {
   return fit[0];
 }
 
-TriMesh surface_of(const openvdb::FloatGrid& grid) {
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec3I> triangles;
-  std::vector<openvdb::Vec4I> quads;
-  openvdb::tools::volumeToMesh(grid, points, triangles, quads);
-  TriMesh mesh;
-  for (const openvdb::Vec3s& p : points) mesh.vertices.push_back({p.x(), p.y(), p.z()});
-  // OpenVDB's run clockwise.
-  for (const openvdb::Vec3I& t : triangles) mesh.triangles.push_back({t[2], t[1], t[0]});
-  for (const openvdb::Vec4I& q : quads) {
-    mesh.triangles.push_back({q[2], q[1], q[0]});
-    mesh.triangles.push_back({q[3], q[2], q[0]});
-  }
-  return mesh;
-}
-
 template <class T>
 void update(ContentHash& hash, const T& value) {
   hash.update(&value, sizeof value);
@@ -75,6 +59,22 @@ LevelSetSurface read(const std::string& path) {
 }
 
 }  // namespace
+
+TriMesh surface_of(const openvdb::FloatGrid& grid) {
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec3I> triangles;
+  std::vector<openvdb::Vec4I> quads;
+  openvdb::tools::volumeToMesh(grid, points, triangles, quads);
+  TriMesh mesh;
+  for (const openvdb::Vec3s& p : points) mesh.vertices.push_back({p.x(), p.y(), p.z()});
+  // OpenVDB's run clockwise.
+  for (const openvdb::Vec3I& t : triangles) mesh.triangles.push_back({t[2], t[1], t[0]});
+  for (const openvdb::Vec4I& q : quads) {
+    mesh.triangles.push_back({q[2], q[1], q[0]});
+    mesh.triangles.push_back({q[3], q[2], q[0]});
+  }
+  return mesh;
+}
 
 std::string voxel_hash(const openvdb::FloatGrid& grid) {
   ContentHash hash;

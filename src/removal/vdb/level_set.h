@@ -13,6 +13,9 @@ namespace mrsim {
 /// grids, in whatever way they were compressed.
 std::string voxel_hash(const openvdb::FloatGrid& grid);
 
+/// Where the grid is zero, mm; normals point to positive values.
+TriMesh surface_of(const openvdb::FloatGrid& grid);
+
 /// The level set of a file, or its only grid of floats, with the surface where it is zero. One
 /// thread. Throws Error "vdb-unreadable", without the file's name, where there is none.
 LevelSetSurface read_level_set(const std::string& path);

@@ -4,9 +4,11 @@
 #pragma once
 
 #include "removal/part/level_set_surface.h"
+#include "removal/part/rest_voxels.h"
 #include "removal/part/voxel_grid.h"
 
 #include <string>
+#include <vector>
 
 namespace mrsim {
 
@@ -17,8 +19,12 @@ using SampleVoxels = VoxelGrid*(const PartField& field, const BlockIndex& index,
 /// read_level_set into `found`.
 using ReadLevelSet = void(const std::string& path, LevelSetSurface& found);
 
+/// find_rest_voxels into `found`.
+using FindRest = void(const RestTask& task, std::vector<RestVoxels>& found);
+
 /// Names under which the module shows them; the number changes with the border.
 constexpr const char* kSampleVoxels = "mrsim_sample_voxels_2";
 constexpr const char* kReadLevelSet = "mrsim_read_level_set_1";
+constexpr const char* kFindRest = "mrsim_find_rest_1";
 
 }  // namespace mrsim

@@ -1,0 +1,62 @@
+/// mrsim: what is left to cut of a part, piece by piece, and the largest tool that reaches it.
+///
+/// Pieces are found on voxels; their surfaces, volumes and thicknesses are measured against the
+/// exact triangles of both meshes. Same inputs, same results, for any number of threads.
+#pragma once
+
+#include <mrsim/options.h>
+#include <mrsim/types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace mrsim {
+
+struct RestOptions {
+  /// Voxel in mm; 0 = the longest side of both meshes / 400. Requires: >= 0.
+  double voxel = 0;
+  /// Material that is no thicker, in mm, is not looked for; 0 = half a voxel. Requires: at most 2
+  /// voxels.
+  double above = 0;
+  /// Pieces whose tools are looked for, the largest first.
+  std::size_t searched = 20;
+  int threads = 0;
+};
+
+/// The diameter of a tool, mm.
+struct ReachingTool {
+  double diameter = 0;
+  double error = 0;       ///< mm, either way
+  bool is_least = false;  ///< larger tools were not tried
+};
+
+/// Material that the part has and the nominal has not, connected.
+struct RestPiece {
+  double volume = 0;     ///< mm^3
+  double thickness = 0;  ///< mm: the largest distance of a place of the part from the nominal
+  Vec3 place;            ///< where that is, mm
+  Vec3 center;           ///< of volume, mm
+  Box3 bounds;           ///< mm
+  bool searched = false;
+  /// The largest ball that comes to all of it without cutting the nominal, from any side. It leaves
+  /// sharp inner edges, where its diameter falls to the size of some voxels.
+  ReachingTool ball;
+  ReachingTool flat;  ///< the largest flat end mill that stands upright and comes from above
+  TriMesh surface;    ///< closed
+};
+
+struct Rest {
+  double voxel = 0, above = 0;    ///< mm, as used
+  double volume = 0;              ///< of all pieces, mm^3
+  std::vector<RestPiece> pieces;  ///< the largest volume first
+};
+
+/// Throws Error of compare() for meshes that bound no solid, "rest-voxel" (usage) for a voxel that
+/// would take too much memory, "vdb-module".
+MRSIM_API Rest find_rest(const TriMesh& part, const TriMesh& nominal,
+                         const RestOptions& options = {});
+
+/// The pieces as one mesh.
+MRSIM_API TriMesh joined_pieces(const Rest& rest);
+
+}  // namespace mrsim

@@ -1,0 +1,131 @@
+// `mrsim rest`: pieces left to cut against closed forms, and the tools that reach them.
+#include "run_program.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace mrsim {
+namespace {
+
+using Json = nlohmann::json;
+using Polygon = std::vector<std::pair<double, double>>;
+
+constexpr double kPi = 3.14159265358979323846;
+
+class Rest : public CliTest {
+ protected:
+  // A polygon, counter-clockwise, all of which is seen from `middle`, from z = 0 to `height`.
+  void write_prism(const std::string& name, const Polygon& polygon,
+                   const std::pair<double, double>& middle, double height) {
+    const std::size_t n = polygon.size();
+    std::ostringstream out;
+    out.precision(9);
+    out << "OFF\n" << 2 * n + 2 << " " << 4 * n << " 0\n";
+    for (const double z : {0.0, height}) {
+      for (const auto& [x, y] : polygon) out << x << " " << y << " " << z << "\n";
+      out << middle.first << " " << middle.second << " " << z << "\n";
+    }
+    const std::size_t up = n + 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      out << "3 " << n << " " << j << " " << i << "\n3 " << n + up << " " << i + up << " " << j + up
+          << "\n3 " << i << " " << j << " " << j + up << "\n3 " << i << " " << j + up << " "
+          << i + up << "\n";
+    }
+    write(name, out.str());
+  }
+  // Two walls 10 mm thick with a fillet between them.
+  void write_corner(const std::string& name, double radius) {
+    Polygon polygon = {{0, 0}, {40, 0}, {40, 10}};
+    for (int k = 96; k >= 0; --k)  // from (10 + radius, 10) to (10, 10 + radius)
+      polygon.emplace_back(10 + radius * (1 - std::cos(kPi / 2 * k / 96)),
+                           10 + radius * (1 - std::sin(kPi / 2 * k / 96)));
+    polygon.insert(polygon.end(), {{10, 40}, {0, 40}});
+    write_prism(name, polygon, {5, 5}, 12);
+  }
+  Json rest(const std::string& arguments) {
+    const Outcome outcome = run("rest " + arguments + " -q --json rest.json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(read("rest.json"));
+  }
+};
+
+TEST_F(Rest, StepHasItsVolumeThicknessAndPlace) {
+  write_prism("part.off", {{0, 0}, {60, 0}, {60, 5}, {30, 5}, {30, 6}, {10, 6}, {10, 5}, {0, 5}},
+              {20, 4.5}, 20);
+  write_prism("nominal.off", {{0, 0}, {60, 0}, {60, 5}, {0, 5}}, {20, 4.5}, 20);
+  for (const double voxel : {0.2, 0.1}) {
+    const Json found = rest("part.off nominal.off --voxel " + std::to_string(voxel));
+    ASSERT_EQ(found["pieces"].size(), 1U);
+    const Json& piece = found["pieces"][0];
+    EXPECT_NEAR(piece["volume"].get<double>(), 20 * 20 * 1, 400 * voxel * 0.02) << voxel;
+    EXPECT_NEAR(piece["thickness"].get<double>(), 1, 1e-4);
+    EXPECT_NEAR(piece["center"][0].get<double>(), 20, voxel / 2);
+    EXPECT_NEAR(piece["center"][1].get<double>(), 5.5, voxel / 2);
+    EXPECT_NEAR(piece["bounds"][0][1].get<double>(), 5, 1e-4);
+    EXPECT_NEAR(piece["bounds"][1][1].get<double>(), 6, 1e-4);
+    EXPECT_TRUE(piece["flat"]["or_more"].get<bool>());
+  }
+}
+
+TEST_F(Rest, CornerNamesTheToolOfItsFillet) {
+  write_corner("part.off", 6);
+  write_corner("nominal.off", 3);
+  const double exact = (6 * 6 - 3 * 3) * (1 - kPi / 4) * 12;
+  const Json found = rest("part.off nominal.off --voxel 0.1");
+  ASSERT_EQ(found["pieces"].size(), 1U);
+  const Json& piece = found["pieces"][0];
+  EXPECT_NEAR(piece["volume"].get<double>(), exact, 0.02 * exact);
+  EXPECT_NEAR(piece["thickness"].get<double>(), (std::sqrt(2) - 1) * 3, 0.002);
+  for (const char* tool : {"flat", "ball"}) {
+    EXPECT_LT(piece[tool]["error"], 1.2);
+    EXPECT_NEAR(piece[tool]["diameter"].get<double>(), 6, piece[tool]["error"].get<double>());
+  }
+}
+
+// The bottom of a slot: an end mill of its width reaches it, a ball does not reach its edges.
+TEST_F(Rest, SlotIsForAnEndMill) {
+  const auto cut = [&](const std::string& name, int depth) {
+    write(name + ".MPF", "G17 G90 G71\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-" + std::to_string(depth) +
+                             " F200\nG1 X50\nG0 Z5\nM30\n");
+    return run(name +
+               ".MPF --machine mill --stock box:0,0,-10,40,30,0 --tool 1=endmill:d=10 -q -o " +
+               name + ".stl")
+        .code;
+  };
+  ASSERT_EQ(cut("part", 3), 0);
+  ASSERT_EQ(cut("nominal", 5), 0);
+  const Json found = rest("part.stl nominal.stl");
+  ASSERT_EQ(found["pieces"].size(), 1U);
+  const Json& piece = found["pieces"][0];
+  EXPECT_NEAR(piece["volume"].get<double>(), 10 * 40 * 2, 8);
+  EXPECT_NEAR(piece["flat"]["diameter"].get<double>(), 10, piece["flat"]["error"].get<double>());
+  EXPECT_LT(piece["ball"]["diameter"], 4);
+}
+
+TEST_F(Rest, PiecesAreAMeshOfTheirVolume) {
+  write_corner("part.off", 6);
+  write_corner("nominal.off", 3);
+  const Json found = rest("part.off nominal.off --voxel 0.2 -o pieces.stl --threads 1");
+  const std::string bytes = read("pieces.stl");
+  EXPECT_EQ(rest("part.off nominal.off --voxel 0.2 -o pieces.stl --threads 3"), found);
+  EXPECT_EQ(read("pieces.stl"), bytes);
+  const Json again = rest("pieces.stl nominal.off --voxel 0.2");
+  EXPECT_NEAR(again["volume"].get<double>(), found["volume"].get<double>(),
+              0.01 * found["volume"].get<double>());
+}
+
+TEST_F(Rest, NothingLeftIsSaidAndWritesNoMesh) {
+  EXPECT_TRUE(contains(run("rest block.stl block.stl --voxel 1").out, "in 0 pieces"));
+  expect_failure("rest block.stl block.stl --voxel 1 -o part.stl", 1, "nothing is left");
+  expect_failure("rest block.stl", 2, "a part and a nominal");
+  expect_failure("rest block.stl bar.stl --voxel 0.001", 2, "too small");
+  expect_failure("rest block.stl bar.stl -o block.stl", 2, "the part");
+}
+
+}  // namespace
+}  // namespace mrsim
