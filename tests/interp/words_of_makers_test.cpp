@@ -96,5 +96,14 @@ TEST(WordsOfMakers, MirrorOfHaasIsRefusedByName) {
   EXPECT_NE(p.diagnostics.back().text.find("mirror"), std::string::npos);
 }
 
+TEST(WordsOfMakers, RBesideG61AndM19OfLinuxCnc) {
+  const auto of = [](const std::string& text) {
+    return codes(read_text("G1 X1 F100\n" + text + "\n", at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(of("G61 R0.5"), "word-unexpected");
+  EXPECT_EQ(of("G64 M19 R90"), "word-unexpected");
+  EXPECT_EQ(of("G64 P0.1 R0.5\nM19\nG61"), "");
+}
+
 }  // namespace
 }  // namespace mrsim

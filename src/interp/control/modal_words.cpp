@@ -108,7 +108,8 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot_code = entry.code;
       return true;
     case Code::ignored:
-      return true;
+      return !is(Dialect::ngc) || !peek('R') || word.value != 61 ||
+             error("word-unexpected", "R with no word that uses it", *peek('R'));
     case Code::polar_on:
     case Code::polar_off:
       if (peek('H'))
@@ -118,6 +119,8 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
                      word);
       return apply_modal_code(word, entry);
     case Code::ignored_words:
+      if (is(Dialect::ngc) && word.value == 64 && peek('R') && orients_spindle())
+        return error("word-unexpected", "R is G64's or M19's: write them on two lines", *peek('R'));
       for (const Word& other : block_.words)
         if (other.address != letter('G') && other.address != letter('M')) take(other.address);
       return true;
@@ -166,6 +169,12 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     default:
       return apply_modal_code(word, entry);
   }
+}
+
+bool ModalWords::orients_spindle() const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('M') && word.value == 19;
+  });
 }
 
 // A motion of this block alone; then that before it holds again.

@@ -24,6 +24,7 @@ class ModalWords : public ControlPart {
   bool units_of_mach(const Word& word);
   bool refuse(const Word& word);
   bool for_one_block(const Word& word, Code code);
+  bool orients_spindle() const;
   bool high_speed(const Word& word);
   void select_cycle(int number);
   bool select_turning(const Word& word, int number);
