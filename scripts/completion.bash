@@ -7,6 +7,7 @@ _mrsim() {
     --dialect) mapfile -t COMPREPLY < <(compgen -W "sinumerik iso fanuc codesys ngc" -- "$current"); return ;;
     --machine) mapfile -t COMPREPLY < <(compgen -W "mill lathe" -- "$current"); return ;;
     --keep) mapfile -t COMPREPLY < <(compgen -W "all largest" -- "$current"); return ;;
+    --frames-by) mapfile -t COMPREPLY < <(compgen -W "time volume" -- "$current"); return ;;
     --color) mapfile -t COMPREPLY < <(compgen -W "line tool none" -- "$current"); return ;;
     --stock-exact) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$current"); return ;;
     --path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
@@ -21,7 +22,7 @@ _mrsim() {
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
       render) common="$common --output --frames --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
       *) [ "$command" = view ] && common="$common --no-open"
-        common="$program $common --output --color --stock --stock-exact --keep --until --frames --history --machine-file --allow-outside --voxel --tolerance --max-triangles --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
+        common="$program $common --output --color --stock --stock-exact --keep --until --frames --frames-by --history --machine-file --allow-outside --voxel --tolerance --max-triangles --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

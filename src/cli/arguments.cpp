@@ -20,7 +20,7 @@ struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip, comp;
   bool least_increments = false;
-  std::string until, frames, history, machine_file;
+  std::string until, frames, frames_by, history, machine_file;
   std::vector<std::string> variables;
   std::string max_blocks, max_steps;
   bool trace_variables = false;
@@ -145,6 +145,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "end the program after line 12, line O100:7 of another file, or motion #5000");
   add("Cutting", "--frames", typed.frames, "N",
       "N parts, part-1.stl and so on, at equal shares of the machine's time");
+  add("Cutting", "--frames-by", typed.frames_by, "WHAT",
+      "time, or volume: the frames are equal shares of what is removed; default: time");
   add("Cutting", "--history", typed.history, "FILE",
       "what each motion, line and tool removes, with its time: .csv or .json; off: no sums in the "
       "summary");
@@ -305,6 +307,12 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   out.until = typed.until;
   if (!typed.frames.empty()) out.frames = whole_value("--frames", typed.frames, 1, 256);
   if (out.frames > 0 && !out.until.empty()) fail_usage("--frames and --until: give one of them");
+  if (!typed.frames_by.empty() && typed.frames_by != "time" && typed.frames_by != "volume")
+    fail_usage(fmt::format("--frames-by is time or volume, not \"{}\"", typed.frames_by));
+  out.frames_by_volume = typed.frames_by == "volume";
+  if (!typed.frames_by.empty() && out.frames == 0) fail_usage("--frames-by needs --frames N");
+  if (out.frames_by_volume && typed.history == "off")
+    fail_usage("--frames-by volume asks the history, which --history off leaves out");
   out.history = typed.history;
   if (!typed.history.empty() && typed.history != "off" && !typed.history.ends_with(".csv") &&
       !typed.history.ends_with(".json"))

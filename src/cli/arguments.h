@@ -27,10 +27,11 @@ struct Arguments {
   MeshFileOptions files;
   KeepPieces keep = KeepPieces::all;
   std::size_t max_triangles = 0;
-  std::string until;    ///< as Job::until
-  int frames = 0;       ///< --frames; 0 = the part at the end alone
-  std::string history;  ///< --history: a file, "off" or empty
-  MachineData machine;  ///< of --machine-file
+  std::string until;              ///< as Job::until
+  int frames = 0;                 ///< --frames; 0 = the part at the end alone
+  bool frames_by_volume = false;  ///< --frames-by: equal shares of the volume, not of the time
+  std::string history;            ///< --history: a file, "off" or empty
+  MachineData machine;            ///< of --machine-file
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal
   bool quiet = false, verbose = false, strict = false, json = false;

@@ -14,6 +14,8 @@ inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejecte
 int exit_code_of(const Error& error);
 
 int run_simulate(const Arguments& arguments);
+/// `result` has what was found.
+int run_simulate(const Arguments& arguments, JobResult& result);
 /// run_simulate() for each of arguments.frames moments.
 int run_frames(const Arguments& arguments);
 /// A picture of the part at each of arguments.frames moments.

@@ -1,4 +1,5 @@
-// `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time.
+// `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time
+// or of the volume that is removed.
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
@@ -17,16 +18,21 @@ namespace mrsim::cli {
 namespace {
 
 // Number of motions until each moment but the last, none before the first cut is done.
-std::vector<std::size_t> frame_ends(const Program& program, const CycleTime& time, int frames) {
+std::vector<std::size_t> frame_ends(const JobResult& whole, const Arguments& arguments) {
+  const Program& program = whole.program;
+  const std::vector<double>& shares =
+      arguments.frames_by_volume ? whole.history.removed : whole.cycle.seconds;
+  const double total = arguments.frames_by_volume ? whole.history.total.removed
+                                                  : whole.cycle.cutting + whole.cycle.rapid;
+  const int frames = arguments.frames;
   const auto first_cut =
       std::find_if(program.motions.begin(), program.motions.end(),
                    [](const Motion& m) { return m.kind != MotionKind::rapid && !m.assumed_start; });
   const auto first = static_cast<std::size_t>(first_cut - program.motions.begin()) + 1;
-  const double total = time.cutting + time.rapid;
   std::vector<std::size_t> ends;
   double passed = 0;
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
-    passed += time.seconds[i];
+    passed += shares[i];
     while (ends.size() + 1 < static_cast<std::size_t>(frames) &&
            passed * frames >= total * static_cast<double>(ends.size() + 1))
       ends.push_back(std::max(i + 1, first));
@@ -88,12 +94,12 @@ Arguments frame_arguments(const Arguments& arguments, int frame) {
 // The whole program comes first: it says what is to be said, and without its part there are no
 // others.
 int run_frames(const Arguments& arguments) {
-  const int code = run_simulate(frame_arguments(arguments, arguments.frames));
+  JobResult whole;
+  const int code = run_simulate(frame_arguments(arguments, arguments.frames), whole);
   if (code != kDone && code != kRejected) return code;
-  const Program program = interpret(arguments.input, arguments.interp);
-  const CycleTime time = cycle_time(program, arguments.machine);
+  whole.mesh = {};
   int frame = 0;
-  for (const std::size_t end : frame_ends(program, time, arguments.frames)) {
+  for (const std::size_t end : frame_ends(whole, arguments)) {
     Arguments one = frame_arguments(arguments, ++frame);
     one.until = fmt::format("#{}", end);
     one.quiet = true;
@@ -107,20 +113,24 @@ int run_frames(const Arguments& arguments) {
 int run_picture_frames(const Arguments& arguments) {
   for (int frame = 1; frame <= arguments.frames; ++frame)
     check_writable(picture_path(arguments.outputs[0], frame, arguments.frames));
-  const Program program = interpret(arguments.input, arguments.interp);
-  const CycleTime time = cycle_time(program, arguments.machine);
-  std::vector<std::size_t> ends = frame_ends(program, time, arguments.frames);
-  ends.push_back(program.motions.size());
   const Workshop folder;
   Arguments one = arguments;
   one.outputs = {folder.file("part.ply")};
+  const auto draw = [&](int frame) {
+    render(read_mesh(one.outputs[0]), picture_path(arguments.outputs[0], frame, arguments.frames),
+           arguments.render);
+  };
+  JobResult whole;
+  if (const int failed = run_simulate(one, whole); failed != kDone) return failed;
+  draw(arguments.frames);
+  whole.mesh = {};
   one.history = "off";
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    one.until = k + 1 < ends.size() ? fmt::format("#{}", ends[k]) : "";
-    one.quiet = k > 0 || arguments.quiet;
+  one.quiet = true;
+  int frame = 0;
+  for (const std::size_t end : frame_ends(whole, arguments)) {
+    one.until = fmt::format("#{}", end);
     if (const int failed = run_simulate(one); failed != kDone) return failed;
-    render(read_mesh(one.outputs[0]),
-           picture_path(arguments.outputs[0], int(k) + 1, arguments.frames), arguments.render);
+    draw(++frame);
   }
   return finish_output(kDone);
 }

@@ -206,6 +206,10 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
 
 int run_simulate(const Arguments& arguments) {
   JobResult result;
+  return run_simulate(arguments, result);
+}
+
+int run_simulate(const Arguments& arguments, JobResult& result) {
   RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}};
   const auto fail = [&](const std::string& code, const char* text, int exit_code) {
     if (result.ok) return;  // all files are there

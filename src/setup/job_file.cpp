@@ -56,6 +56,7 @@ constexpr std::array kKeys = {
     JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
     JobKey{"until", "--until", Value::text},
     JobKey{"frames", "--frames", Value::whole},
+    JobKey{"frames_by", "--frames-by", Value::choice, "time volume"},
     JobKey{"history", "--history", Value::path_or_off},
     JobKey{"machine_file", "--machine-file", Value::path},
     JobKey{"start", "--start", Value::numbers},

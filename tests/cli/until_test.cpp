@@ -69,6 +69,27 @@ TEST_F(Until, FramesAreThePartsAtTheirMoments) {
   EXPECT_NE(read("part-2.stl"), read("part-3.stl"));
 }
 
+// A slot of 100 mm by F1000 through air for 300 mm: by volume, half of it is gone at its middle.
+TEST_F(Until, FramesByVolumeAreEqualSharesOfWhatIsRemoved) {
+  write("main.MPF",
+        "G17 G90 G71\nT1 M6\nG0 X-10 Y20 Z5\nG1 Z-2 F1000\nX0\nX25\nX50\nX75\nX110\nX400\nG0 "
+        "Z5\nM30\n");
+  const std::string rest =
+      "main.MPF --machine mill --stock box:0,0,-10,100,40,0 --tool 1=endmill:d=4 --voxel 0.5 -q "
+      "-o part.stl ";
+  ASSERT_EQ(run(rest + "--frames 2 --frames-by volume").code, 0);
+  ASSERT_EQ(run(rest + "--until 7").code, 0);
+  const std::string half = read("part.stl");
+  ASSERT_EQ(run(rest + "--until 8").code, 0);
+  EXPECT_TRUE(read("part-1.stl") == half || read("part-1.stl") == read("part.stl"));
+  ASSERT_EQ(run(rest + "--frames 2 --frames-by time").code, 0);
+  EXPECT_NE(read("part-1.stl"), half);
+  std::filesystem::remove(folder_ / "part.stl");
+  expect_failure(rest + "--frames-by volume --until 7 ", 2, "needs --frames");
+  expect_failure(rest + "--frames 2 --frames-by mass", 2, "time or volume");
+  expect_failure(rest + "--frames 2 --frames-by volume --history off", 2, "history");
+}
+
 TEST_F(Until, FramesArePictures) {
   const std::string rest = "render PRIMER_2F.MPF --stock block.stl -q --size 160x120 --frames 3 ";
   const Outcome outcome = run(rest + "-o f%02d.png");
