@@ -1,5 +1,4 @@
-// The function words (G codes and names) of the controls as tables: number or name -> meaning
-// and modal group. No logic.
+// The function words of the controls as tables: number or name -> meaning and group. No logic.
 #pragma once
 
 #include <mrsim/types.h>
@@ -19,7 +18,7 @@ enum class Code : std::uint8_t {
   ignored_words,   ///< the same, and so are the other words of its block
   high_speed,      ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
   unsupported,     ///< known, not read yet: an error
-  statement,       ///< read before the others, by the control's language or IsoWords
+  statement,       ///< read before the others, by the language or IsoWords
   turn_pass,       ///< G90 G92 G94 of a lathe: modal, one pass a block
   turn_cycle,      ///< G70 to G76 of a lathe
   drill_cycle,     ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
@@ -186,8 +185,7 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
 /// What a G word does that is not read, in a few words ("tilted working plane"); may be empty.
 std::string_view unsupported_code(Dialect dialect, int number_by_10);
 
-/// find_g_code for G0 to G999, made once per dialect and machine.
-using CodeTable = std::array<CodeEntry, 1000>;
+using CodeTable = std::array<CodeEntry, 1000>;  ///< find_g_code for G0 to G999, made once
 const CodeTable& code_table(Dialect dialect, MachineKind machine);
 
 /// The meaning of a name ("TRANS", "CIP"), upper case; SINUMERIK only.
@@ -196,8 +194,7 @@ CodeEntry find_function(std::string_view name);
 /// All names that find_function() knows.
 std::vector<std::pair<std::string_view, CodeEntry>> function_names();
 
-/// Upper-case names that announce what this reader does not do yet (IF, WHILE, DEF, CYCLE81 ...):
-/// what it is, or empty.
+/// What an upper-case name (WHEN, CYCLE60) announces that this reader does not do yet; or empty.
 std::string_view unsupported_name(std::string_view name);
 
 }  // namespace mrsim
