@@ -25,10 +25,10 @@ constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
 
-// Straight cuts are asked in pieces, so that a cut that leaves the material counts as air from
+// Cuts are asked in pieces, so that a cut that leaves the material counts as air from
 // there: half a diameter long, so that they do not add much to what is asked. 60 000 pieces take
 // some 30 MB.
-constexpr PieceRule kPieces{0.5, 2, 64, 60000, false};
+constexpr PieceRule kPieces{0.5, 2, 64, 60000, true};
 
 // mm^2 in plan that the cutter passes over in all pieces.
 double swept_area(const Motion& m, const Tool& tool, double voxel) {

@@ -79,6 +79,22 @@ TEST_F(HistoryOfRun, CutThatLeavesTheMaterialIsInTheAirFromThere) {
   EXPECT_NEAR(row["removed"], 4 * 8 * 50, 0.02 * 4 * 8 * 50);
 }
 
+// A half circle about (50, 0); the stock ends at x = 50.
+TEST_F(HistoryOfRun, ArcThatLeavesTheMaterialIsInTheAirFromThere) {
+  write("arc.MPF", "G17 G90 G71\nT1 M6\nG0 X10 Y0 Z5\nG1 Z-2 F200\nG2 X90 Y0 I40 J0\nG0 Z5\nM30\n");
+  ASSERT_EQ(run("arc.MPF --machine mill --stock box:0,0,-10,50,60,0 --tool 1=endmill:d=4 -q "
+                "--history h.json")
+                .code,
+            0);
+  // The centre leaves x = 50 at the top of the circle, the cutter's edge 2 mm later: of 125.7 mm
+  // some 61 mm are in the air, in pieces of 2 mm.
+  double air = -1;
+  const Json found = history();
+  for (const Json& row : found["rows"])
+    if (row["kind"] == "line" && row["line"] == 5) air = row["air"];
+  EXPECT_NEAR(air, 61.0 / 125.7, 0.03);
+}
+
 TEST_F(HistoryOfRun, SummaryAndJsonHaveTheSumsByTool) {
   write_slots();
   const Outcome outcome = run(std::string(kRun) + "--json r.json");
