@@ -20,7 +20,7 @@ _mrsim() {
       rest) common="--output --json --voxel --above --deflection --threads --quiet --help" ;;
       tools) common="--output --json --quiet --help" ;;
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
-      render) common="$common --output --frames --size --azimuth --elevation --edges --color --threads --nominal --accept --align --deflection --colors" ;;
+      render) common="$common --output --frames --size --azimuth --elevation --up --edges --color --threads --nominal --accept --align --deflection --colors" ;;
       *) [ "$command" = view ] && common="$common --no-open"
         common="$program $common --output --color --stock --stock-exact --keep --until --frames --frames-by --history --machine-file --allow-outside --voxel --tolerance --max-triangles --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac

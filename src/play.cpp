@@ -1,5 +1,6 @@
 #include "play.h"
 
+#include "core/error.h"
 #include "core/vec.h"
 #include "cut_pieces.h"
 #include "removal/history/cut_faces.h"
@@ -59,6 +60,20 @@ Play make_play(const Job& job, const JobResult& result, const Stock& stock, cons
   else
     add_volume(field, pieces, cuts.inherited(), threads, play);
   for (const Tool& tool : result.program.tools) play.tools.push_back(tool_outlines(tool));
+  return play;
+}
+
+Play path_play(const Program& program) {
+  Play play;
+  play.first.assign(program.motions.size() + 1, 0);
+  play.removed.assign(program.motions.size(), 0);
+  for (const Tool& tool : program.tools) {
+    play.tools.emplace_back();
+    try {
+      play.tools.back() = tool_outlines(tool);
+    } catch (const Error&) {  // not shown
+    }
+  }
   return play;
 }
 

@@ -187,7 +187,8 @@ struct ReportCollision {
   std::size_t motions = 1;  ///< of the line that collide with this part
 };
 
-/// The run that the report plays. Null: it plays none. All of them outlive the report's call.
+/// The run that the report plays. Null: it plays none; no stock: the path alone. All of them
+/// outlive the report's call.
 struct ReportRun {
   const Program* program = nullptr;
   const CycleTime* cycle = nullptr;

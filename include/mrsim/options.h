@@ -131,11 +131,16 @@ struct MeshFileOptions {
   int threads = 0;
 };
 
+/// The machine's axis that points up in a picture. Automatic: X, so that the axis Z lies, for parts
+/// whose walls are turned about Z; else Z.
+enum class UpAxis { automatic, x, z };
+
 struct RenderOptions {
   /// Picture size in pixels. Requires: 16 .. 8192.
   int width = 1600, height = 1200;
-  /// Viewing direction: angle about Z from -Y towards +X, and above the XY plane; degrees.
+  /// Viewing direction: angle about the vertical from the front, and above the ground; degrees.
   double azimuth = 30, elevation = 35;
+  UpAxis up = UpAxis::automatic;
   /// Draw edges where faces meet at more than this many degrees; 0 = none.
   double edge_angle = 25;
   /// Colour the faces by what cut them, with a legend. TriMesh::colors, where given, come first.

@@ -43,7 +43,7 @@ struct ToolOutline {
 };
 
 struct Play {
-  double voxel = 0;                    ///< mm; 0 = nothing was prepared
+  double voxel = 0;                    ///< mm; 0 = without a stock
   bool half_plane = false;             ///< voxels stand for rings about the Z axis: (x, 0, z)
   Vec3 origin;                         ///< mm, centre of the first voxel
   std::array<std::int32_t, 3> size{};  ///< voxels by axis
@@ -51,10 +51,15 @@ struct Play {
   /// One for each two neighbouring voxels of different moments: by the lower voxel in the order of
   /// `gone`, then by axis. The surface is that of the motion that removes the first of the two.
   std::vector<FaceSurface> faces;
-  std::vector<LateSurface> late;    ///< ascending by face, at most one for each
-  std::vector<std::int32_t> first;  ///< #motions + 1: the moment at which each motion begins
-  std::vector<double> removed;      ///< #motions, mm^3
+  std::vector<LateSurface> late;  ///< ascending by face, at most one for each
+  /// #motions + 1: the moment at which each motion begins; empty = nothing was prepared
+  std::vector<std::int32_t> first;
+  std::vector<double> removed;                  ///< #motions, mm^3
   std::vector<std::vector<ToolOutline>> tools;  ///< as Program::tools
 };
+
+/// The path alone, without a stock: motions that remove nothing, and outlines of the tools whose
+/// shapes are valid.
+MRSIM_API Play path_play(const Program& program);
 
 }  // namespace mrsim

@@ -26,7 +26,7 @@ struct Typed {
   bool trace_variables = false;
   std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
   std::string max_triangles;
-  std::string size, azimuth, elevation, edges, color;
+  std::string size, azimuth, elevation, up, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
   bool allow_outside = false, help = false, version = false;
   CompareTyped compare;
@@ -60,11 +60,12 @@ constexpr std::array<CommandLine, 4> kCommands = {{
      "4 out of tolerance; 5 a collision under --strict; 130, 143 stopped by Ctrl-C, SIGTERM.\n"
      "Each command has its own --help. Manual: man mrsim, and docs/."},
     {Command::trace, "trace", "Prints what the control understood, one motion a line.",
-     "mrsim trace PROGRAM [--json] [-o path.svg] [options]",
+     "mrsim trace PROGRAM [--json] [-o path.svg|path.html] [options]",
      "Examples:\n"
      "  mrsim trace PRIMER_2F.MPF\n"
      "  mrsim trace PRIMER_2F.MPF --json | jq .kind\n"
-     "  mrsim trace PRIMER_2S.MPF -o path.svg"},
+     "  mrsim trace PRIMER_2S.MPF -o path.svg\n"
+     "  mrsim trace PRIMER_2S.MPF -q -o path.html"},
     {Command::check, "check", "Reads a program and prints its errors, warnings and notes.",
      "mrsim check PROGRAM|FOLDER|- ... [options]",
      "Examples:\n"
@@ -74,7 +75,7 @@ constexpr std::array<CommandLine, 4> kCommands = {{
     {Command::render, "render",
      "Draws a mesh as a shaded picture with its edges; needs no display.",
      "mrsim render PART -o picture.png [options]\n"
-     "       mrsim render PROGRAM --frames N -o f%04d.png [options of a run]",
+     "       mrsim render PROGRAM|job.toml --frames N -o f%04d.png|film.webm [options of a run]",
      "Examples:\n"
      "  mrsim render part.stl -o part.png\n"
      "  mrsim render part.ply --nominal nominal.step --accept 0.02 -o deviation.png\n"
@@ -162,8 +163,11 @@ void add_picture_options(CLI::App& app, Typed& typed, bool plays) {
     app.add_option(name, value, text)->type_name(type)->group("Picture");
   };
   add("--size", typed.size, "WxH", "pixels; default: 1600x1200");
-  add("--azimuth", typed.azimuth, "DEG", "view from -Y towards +X about Z; default: 30");
+  add("--azimuth", typed.azimuth, "DEG",
+      "view from the front, turned about the vertical; default: 30");
   add("--elevation", typed.elevation, "DEG", "view from above; default: 35");
+  add("--up", typed.up, "A",
+      "the axis that points up: x or z; default: x for turned parts, else z");
   add("--edges", typed.edges, "DEG", "draw edges sharper than this, 0 for none; default: 25");
   if (plays) return;
   add("--frames", typed.frames, "N", "pictures of a program's part at N moments");
@@ -176,8 +180,9 @@ void add_output_options(CLI::App& app, Typed& typed, Command command) {
     app.add_option("-o,--output", typed.outputs,
                    command == Command::simulate ? "part to write, format by extension (.stl ...); "
                                                   "may be repeated"
-                   : command == Command::trace  ? "draw the tool path: .svg or .ply"
-                                                : "picture to write: .png")
+                   : command == Command::trace
+                       ? "draw the tool path: .svg or .ply, or play it: .html"
+                       : "picture to write: .png; of frames .webm, too")
         ->type_name("FILE")
         ->group(group)
         ->allow_extra_args(false);
@@ -338,6 +343,7 @@ void read_picture_options(Arguments& out, const Typed& typed) {
   }
   if (!typed.azimuth.empty()) out.render.azimuth = number_value("--azimuth", typed.azimuth);
   if (!typed.elevation.empty()) out.render.elevation = number_value("--elevation", typed.elevation);
+  if (!typed.up.empty()) out.render.up = up_value(typed.up);
   if (!typed.edges.empty()) out.render.edge_angle = number_value("--edges", typed.edges);
 }
 
@@ -392,7 +398,8 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
 // The words of the file are read like typed ones; it names a program, so this goes one deep.
 Arguments parse_job_command(const CommandLine& line, const std::string& path, int argc,
                             const char* const* argv) {
-  const std::vector<std::string> words = job_words(path, argc, argv);
+  const std::vector<std::string> words =
+      job_words(path, argc, argv, line.command == Command::render ? JobUse::pictures : JobUse::run);
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
   Arguments out = parse_command(line, static_cast<int>(pointers.size()), pointers.data());
@@ -432,7 +439,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
   refuse_unknown(app);
-  if (line.command == Command::simulate && is_job(typed.inputs))
+  if ((line.command == Command::simulate || plays) && is_job(typed.inputs))
     return parse_job_command(line, typed.inputs[0], argc, argv);
   read_input(out, typed, line);
   read_values(out, typed);

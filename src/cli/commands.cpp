@@ -7,9 +7,11 @@
 #include "cli/terminal.h"
 #include "core/output_place.h"
 #include "core/publish.h"
+#include "core/text_io.h"
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -28,6 +30,28 @@ void check_picture(const Arguments& arguments, const char* input_role) {
   recover_outputs(arguments.outputs);
 }
 
+// The page of a run without a stock.
+void write_path_page(const Program& program, const Arguments& arguments) {
+  const CycleTime cycle = cycle_time(program, arguments.machine);
+  const Play play = path_play(program);
+  ReportFacts facts;
+  facts.title = std::filesystem::path(arguments.input).filename().string();
+  facts.facts = {{"Program", arguments.input},
+                 {"Machine", machine_name(program.machine)},
+                 {"Moves", grouped(static_cast<double>(program.motions.size()), 0)},
+                 {"Cycle", duration(cycle.total)}};
+  facts.tools = program.tools;
+  facts.diagnostics = program.diagnostics;
+  facts.run = {&program, &cycle, nullptr, &play};
+  Comparison shown;
+  shown.part_name = arguments.input;
+  shown.origin.files = program.files;
+  shown.text = read_program_lines(shown.origin, arguments.input);
+  const std::string html = report_html({}, {}, shown, facts);
+  write_file_atomically(arguments.outputs[0],
+                        [&](const ByteSink& sink) { sink(html.data(), html.size()); });
+}
+
 }  // namespace
 
 int exit_code_of(const Error& error) {
@@ -44,8 +68,11 @@ int run_trace(const Arguments& arguments) {
   InterpOptions options = arguments.interp;
   options.require_tools = false;
   trace(arguments.input, options, arguments.json, sink);
-  if (!findings.failed() && !arguments.outputs.empty())
-    write_path_picture(interpret(arguments.input, options), arguments.outputs[0]);
+  if (!findings.failed() && !arguments.outputs.empty()) {
+    const Program program = interpret(arguments.input, options);
+    arguments.outputs[0].ends_with(".html") ? write_path_page(program, arguments)
+                                            : write_path_picture(program, arguments.outputs[0]);
+  }
   return finish_output(findings.failed() ? kFailed : kDone);
 }
 

@@ -1,6 +1,7 @@
 // `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time
 // or of the volume that is removed.
 #include "cli/commands.h"
+#include "cli/film.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/terminal.h"
@@ -111,17 +112,23 @@ int run_frames(const Arguments& arguments) {
 }
 
 int run_picture_frames(const Arguments& arguments) {
-  for (int frame = 1; frame <= arguments.frames; ++frame)
-    check_writable(picture_path(arguments.outputs[0], frame, arguments.frames));
+  const std::string& output = arguments.outputs[0];
+  const bool film = is_film(output);
+  if (film) require_ffmpeg();
   const Workshop folder;
+  const std::string pictures = film ? folder.file("%04d.png") : output;
+  check_writable(output);
+  for (int frame = 1; frame <= arguments.frames; ++frame)
+    check_writable(picture_path(pictures, frame, arguments.frames));
   Arguments one = arguments;
   one.outputs = {folder.file("part.ply")};
   const auto draw = [&](int frame) {
-    render(read_mesh(one.outputs[0]), picture_path(arguments.outputs[0], frame, arguments.frames),
-           arguments.render);
+    render(read_mesh(one.outputs[0]), picture_path(pictures, frame, arguments.frames), one.render);
   };
   JobResult whole;
   if (const int failed = run_simulate(one, whole); failed != kDone) return failed;
+  if (whole.program.machine == MachineKind::lathe && one.render.up == UpAxis::automatic)
+    one.render.up = UpAxis::x;
   draw(arguments.frames);
   whole.mesh = {};
   one.history = "off";
@@ -132,6 +139,7 @@ int run_picture_frames(const Arguments& arguments) {
     if (const int failed = run_simulate(one); failed != kDone) return failed;
     draw(++frame);
   }
+  if (film) write_film(folder.file("."), output);
   return finish_output(kDone);
 }
 

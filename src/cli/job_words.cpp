@@ -3,6 +3,7 @@
 #include <mrsim/job_file.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string_view>
 
@@ -18,6 +19,15 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
   return false;
 }
 
+// What a job says of files and of a comparison, which pictures of its run do not ask.
+bool is_for_pictures(const std::string& option) {
+  static constexpr std::array<std::string_view, 15> kOthers = {
+      "--output",  "--frames", "--until", "--history",   "--strict",
+      "--nominal", "--accept", "--align", "--density",   "--deflection",
+      "--report",  "--json",   "--junit", "--deviation", "--colors"};
+  return std::find(kOthers.begin(), kOthers.end(), option) == kOthers.end();
+}
+
 }  // namespace
 
 bool is_job(const std::vector<std::string>& inputs) {
@@ -26,13 +36,15 @@ bool is_job(const std::vector<std::string>& inputs) {
   return extension == ".toml" || extension == ".camotics";
 }
 
-std::vector<std::string> job_words(const std::string& path, int argc, const char* const* argv) {
+std::vector<std::string> job_words(const std::string& path, int argc, const char* const* argv,
+                                   JobUse use) {
   const std::vector<std::string> typed(argv + 1, argv + argc);
   const bool outside = std::find(typed.begin(), typed.end(), "--allow-outside") != typed.end();
   const JobFile job = load_job(path, outside);
   std::vector<std::string> words = {argv[0], job.program};
   for (const JobOption& option : job.options) {
     if (is_typed(option.option, typed)) continue;
+    if (use == JobUse::pictures && !is_for_pictures(option.option)) continue;
     if (option.values.empty()) words.push_back(option.option);
     for (const std::string& value : option.values) words.push_back(option.option + "=" + value);
   }

@@ -133,6 +133,10 @@ ColorBy color_value(const std::string& text) {
                             {ColorBy::line, ColorBy::tool, ColorBy::none});
 }
 
+UpAxis up_value(const std::string& text) {
+  return choice<UpAxis, 2>("--up", text, {"x", "z"}, {UpAxis::x, UpAxis::z});
+}
+
 KeepPieces keep_value(const std::string& text) {
   return choice<KeepPieces, 2>("--keep", text, {"all", "largest"},
                                {KeepPieces::all, KeepPieces::largest});

@@ -201,13 +201,13 @@ Json tools_json(const ReportRun& run) {
 }  // namespace
 
 Json play_json(const ReportRun& run, std::size_t files) {
-  if (run.play == nullptr || run.play->voxel <= 0) return nullptr;
+  if (run.play == nullptr || run.play->first.empty()) return nullptr;
   Json out = volume_json(*run.play);
   const std::size_t own = run.program->files.size();
   out["firstFile"] = files > own ? files - own : 0;
   out["motions"] = motions_json(run);
   out["tools"] = tools_json(run);
-  out["stock"] = stock_json(*run.stock);
+  out["stock"] = run.stock != nullptr ? stock_json(*run.stock) : Json(nullptr);
   out["checks"] = checks_json(*run.play);
   return out;
 }

@@ -100,6 +100,47 @@ TEST_F(Until, FramesArePictures) {
   expect_failure(rest + "-o f%s.png", 2, "%04d");
 }
 
+TEST_F(Until, FramesOfAJob) {
+  write("job.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\noutputs = [\"part.stl\"]\n"
+        "report = \"page.html\"\naccept = [-0.1, 0.1]\nframes = 7\n");
+  const std::string rest = "-q --size 160x120 --frames 2 ";
+  const Outcome outcome = run("render job.toml " + rest + "-o j%d.png");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  ASSERT_EQ(run("render PRIMER_2F.MPF --stock block.stl " + rest + "-o f%d.png").code, 0);
+  for (const char* number : {"1.png", "2.png"})
+    EXPECT_EQ(read(std::string("j") + number), read(std::string("f") + number)) << number;
+  EXPECT_FALSE(exists("j3.png") || exists("part.stl") || exists("page.html"));
+}
+
+// Stands for ffmpeg: the film names its pictures.
+TEST_F(Until, FramesAreAFilm) {
+  const std::string rest =
+      "render PRIMER_2F.MPF --stock block.stl -q --size 160x120 --frames 3 -o film.webm";
+  const Outcome without = run(rest, "PATH=" + folder_.string());
+  EXPECT_EQ(without.code, 1);
+  EXPECT_NE(without.err.find("ffmpeg, which is not installed"), std::string::npos) << without.err;
+  EXPECT_FALSE(exists("film.webm"));
+  write("ffmpeg",
+        "#!/bin/sh\nfor a; do case $a in */%04d.png) d=${a%/*};; esac; last=$a; done\n"
+        "cd \"$d\" && ls *.png > film.webm && [ \"$last\" -ef film.webm ]\n");
+  std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
+  const Outcome with = run(rest, "PATH=" + folder_.string() + ":/usr/bin:/bin");
+  ASSERT_EQ(with.code, 0) << with.err;
+  EXPECT_EQ(read("film.webm"), "0001.png\n0002.png\n0003.png\n");
+  write("ffmpeg", "#!/bin/sh\nexit 3\n");
+  EXPECT_EQ(run(rest, "PATH=" + folder_.string() + ":/usr/bin:/bin").code, 1);
+  EXPECT_EQ(read("film.webm"), "0001.png\n0002.png\n0003.png\n");  // the earlier one
+}
+
+TEST_F(Until, PathsAreAPage) {
+  const Outcome outcome = run("trace PRIMER_2F.MPF -q -o path.html");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string page = read("path.html");
+  EXPECT_NE(page.find("<!doctype html>"), std::string::npos);
+  EXPECT_NE(page.find("\"stock\":null"), std::string::npos);
+}
+
 TEST_F(Until, PagesAndPicturesNeedNoTmpdir) {
   const std::string gone = "TMPDIR=/nonexistent";
   const Outcome page = run("view block.stl --no-open", gone);

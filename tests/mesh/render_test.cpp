@@ -1,5 +1,6 @@
 #include "mesh/draw/render.h"
 
+#include "mesh/draw/lying.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/view.h"
 #include "mesh/solid/creases.h"
@@ -107,6 +108,20 @@ TEST(Render, DrawsOddMeshes) {
       png(weld(joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 1, 0}, {2, 2, 1}))), small())
           .size(),
       1000u);
+}
+
+TEST(Render, TurnedPartsLie) {
+  const TriMesh ball = testing::sphere_mesh(16, 10);
+  TriMesh bar = ball, beside = ball;
+  for (auto& v : bar.vertices) v[2] *= 3;
+  for (auto& v : beside.vertices) v[0] += 30;
+  EXPECT_TRUE(is_turned(bar));
+  EXPECT_FALSE(is_turned(beside));
+  EXPECT_FALSE(is_turned(testing::box_mesh({-5, -5, -5}, {5, 5, 5})));
+  const TriMesh laid = laid_down(bar);
+  EXPECT_EQ(laid.vertices[7][0], bar.vertices[7][2]);
+  EXPECT_EQ(laid.vertices[7][2], bar.vertices[7][0]);
+  EXPECT_NEAR(check_mesh(laid).volume, check_mesh(bar).volume, 1e-6);  // not its mirror image
 }
 
 TEST(FitView, ShowsTheWholePartAndFillsTheFrame) {

@@ -13,7 +13,7 @@ export function sampleRun(play) {
       const seconds = motions.seconds[i];
       if (!(seconds > 0)) continue;
       const begin = (motions.begin[i] / total) * kBins, end = ((motions.begin[i] + seconds) / total) * kBins;
-      const cuts = motions.kind[i] !== kRapid, idle = cuts && motions.removed[i] < kNothing;
+      const cuts = motions.kind[i] !== kRapid, idle = cuts && play.stock && motions.removed[i] < kNothing;
       for (let b = Math.floor(begin); b < Math.min(kBins, end); ++b) {
         const share = Math.min(b + 1, end) - Math.max(b, begin);
         filled[b] += share;
@@ -57,6 +57,6 @@ export function drawCurves(canvas, run, { now, mark, crashes }) {
   if (mark >= 0) line(mark, "--focus", 2);
   line(now, "--ink", 2);
   const key = (name, text) => [el("span", {}, el("i", { style: { background: `var(${name})` } }), text)];
-  return [...key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
+  return [...(run.mostRate > 0 ? key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`) : []), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
     ...(run.air.some((a) => a > 0) ? key("--air", "cuts air") : []), ...(crashes.length ? key("--bad", "collision") : [])];
 }

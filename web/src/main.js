@@ -3,6 +3,8 @@ import { css, deviationColor, kCutColor, kStockColor, rampColor, toolColor } fro
 import { data } from "./data.js";
 import { decodeMesh } from "./decode.js";
 import { collisionRow, paintCollisions, paintCrashes, paintFigures, paintRegions, paintRun, paintVerdict } from "./panels.js";
+import { listenToKeys } from "./keyboard.js";
+import { Keys } from "./keys.js";
 import { Measure } from "./measure.js";
 import { Play } from "./play.js";
 import { PlayView } from "./play_view.js";
@@ -13,48 +15,11 @@ import { Timeline } from "./timeline.js";
 const c = data.comparison, band = c.tolerance, keys = data.keys;
 const state = { mode: data.compared ? "deviation" : "line", safe: false, region: -1, mark: null, motion: -1, framed: null };
 const play = data.play ? new Play(data.play) : null;
-const keyOfMoment = play ? addKeys() : null;
-const tools = [...new Set(keys.filter((k) => !k.stock).map((k) => k.tool))];
-// The place of each key among the lines that cut, in the order of the program.
-const rank = new Int32Array(keys.length);
-const rankCount = rankKeys();
-function rankKeys() {
-  const first = new Map(), order = keys.map((_, i) => i).filter((i) => !keys[i].stock);
-  if (play) for (let m = play.moments; m > 0; --m) first.set(keyOfMoment[m], m);
-  const begin = (i) => first.get(i) ?? 0;
-  order.sort((a, b) => begin(a) - begin(b) || keys[a].file - keys[b].file || keys[a].line - keys[b].line);
-  order.forEach((key, at) => { rank[key] = at; });
-  return order.length;
-}
+const lineKeys = new Keys(data, play), { tools, rank, rankCount } = lineKeys, keyOfMoment = lineKeys.ofMoment;
+const pathOnly = Boolean(play && !play.stock);
 const figuresOf = new Map(c.lines.map((l, i) => [i, l])); // in the order of the keys
 
-// A key for each line that cuts, those whose faces are all gone at the end too; by moment.
-function addKeys() {
-  const id = (file, line, tool) => `${file}:${line}:${tool}`, of = new Map(), { motions } = play;
-  const stock = keys.findIndex((k) => k.stock);
-  keys.forEach((k, i) => of.set(id(k.file, k.line, k.toolName), i));
-  const byMotion = Array.from({ length: motions.count }, (_, i) => {
-    const file = motions.file[i], line = motions.line[i], toolName = play.tools[motions.tool[i]]?.id ?? "", key = id(file, line, toolName);
-    if (motions.kind[i] === 0) return -1;
-    if (!of.has(key)) {
-      of.set(key, keys.length);
-      keys.push({ file, line, tool: keys.find((k) => !k.stock && k.toolName === toolName)?.tool ?? 1e6 + motions.tool[i], name: data.programs[file]?.file.split("/").pop() ?? "", stock: false, toolName });
-    }
-    return of.get(key);
-  });
-  const stockKey = stock >= 0 ? stock : keys.push({ file: -1, line: 0, tool: -1, name: "", stock: true, toolName: "" }) - 1;
-  const out = new Int32Array(play.moments + 2).fill(stockKey);
-  for (let m = 1; m <= play.moments; ++m) out[m] = byMotion[play.motionOf[m]] ?? stockKey;
-  return out;
-}
-
-// --- what a line cut ---
-const byLine = new Map();
-keys.forEach((k, i) => {
-  const id = `${k.file}:${k.line}`;
-  if (!k.stock) byLine.set(id, [...(byLine.get(id) ?? []), i]);
-});
-const keysOf = (file, line) => byLine.get(`${file}:${line}`) ?? [];
+const keysOf = (file, line) => lineKeys.of(file, line);
 
 function colorOfKey(i) {
   const k = keys[i];
@@ -77,7 +42,7 @@ const noteOf = (file, line) => notes.get(`${file.split("/").pop()}:${line}`);
 let measure = null; // made with the picture
 $("title").textContent = data.facts.title || c.part || "Part";
 document.title = `${$("title").textContent} \u2013 mrsim`;
-$("subtitle").textContent = data.compared ? `${c.part || "part"} against ${c.nominal || "nominal"}` : "Part as cut";
+$("subtitle").textContent = data.compared ? `${c.part || "part"} against ${c.nominal || "nominal"}` : pathOnly ? "Tool path" : "Part as cut";
 $("totals").append(...data.facts.facts.filter(([name]) => ["Volume", "Removed", "Cycle"].includes(name)).map(([name, value]) => el("span", {}, `${name.toLowerCase()} ${value}`)));
 paintVerdict(c, data.compared);
 const hasProgram = data.programs.some((p) => p.lines.length);
@@ -109,6 +74,7 @@ const lies = data.facts.facts.some(([name, value]) => name === "Machine" && valu
 let view = null;
 try {
   const part = decodeMesh(data.part, data.grid, data.deviationStep);
+  if (pathOnly) part.bounds = play.bounds();
   view = new PartView($("view"), part, data.nominal ? decodeMesh(data.nominal, data.grid, 1) : null, keys.length, placeMark, lies);
 } catch (error) {
   $("no-gl").append(` (${error.message})`);
@@ -239,8 +205,19 @@ function choosePlayed(x, y) {
   timeline.go(play.atMoment(play.faces.birth[hit.face]));
 }
 
+// Of a page without a stock: the line of the path that is nearest.
+function choosePath(x, y) {
+  const hit = played.pickPath(x, y);
+  if (!hit) return clear();
+  const { file, line } = play.motions;
+  if (program) openTab("program");
+  chooseLine(file[hit.motion], line[hit.motion], hit.motion);
+  setMark(hit.place);
+}
+
 function choosePlace(x, y) {
-  if (timeline && timeline.at < play.end) return choosePlayed(x, y);
+  if (!pathOnly && timeline && timeline.at < play.end) return choosePlayed(x, y);
+  if (pathOnly) return choosePath(x, y);
   const hit = view.pick(x, y);
   if (!hit) return clear();
   const i = view.part.owner[hit.face], k = keys[i];
@@ -272,13 +249,12 @@ function placeFrame() {
   Object.assign(frame.style, { left: `${x}px`, top: `${y}px`, width: `${Math.max(...xs) + 5 - x}px`, height: `${Math.max(...ys) + 5 - y}px` });
 }
 
-function chooseLine(file, line) {
+function chooseLine(file, line, motion = motionOfLine(file, line)) {
   const list = keysOf(file, line);
   clearRegion();
   setMark(null);
-  program.show(file, line, true);
+  program?.show(file, line, true);
   view?.select(list);
-  const motion = motionOfLine(file, line);
   chooseMotion(motion);
   frameKeys(list);
   const crash = crashOf(data.programs[file].file, line);
@@ -301,7 +277,9 @@ function chooseCollision(i) {
   clearRegion();
   const k = crashes[i];
   view?.select([]);
-  view?.flyTo(k.at, [0, 0, 1], [k.at, k.at]);
+  // From the side, so far away that the tool is seen, too.
+  const reach = played?.toolRadius(k.motion - 1) ?? 0;
+  view?.flyTo(k.at, view.inWorld([0.2, -1, 0.1]).toArray(), [-reach, reach].map((by) => k.at.map((x) => x + by)));
   chooseMotion(k.motion - 1);
   showCollision(i);
   crashRows[i].scrollIntoView({ block: "nearest" });
@@ -349,11 +327,13 @@ if (data.part.creases > Math.min(20000, Math.max(5000, 0.15 * data.part.triangle
 $("edges").addEventListener("change", (e) => view.showEdges(e.target.checked));
 $("nominal").addEventListener("change", (e) => view.showNominal(e.target.checked));
 for (const id of ["path", "stock"]) {
-  $(`${id}-box`).hidden = !played;
+  $(`${id}-box`).hidden = !played || pathOnly;
   if (played) $(id).checked = played[`${id}Wanted`];
   $(id).addEventListener("change", (e) => { played[`${id}Wanted`] = e.target.checked; timeline.go(timeline.at); });
 }
 $("nominal-box").hidden = !data.nominal;
+for (const id of ["modes", "section", "legend"]) $(id).hidden = pathOnly;
+for (const id of ["edges", "measure"]) $(id).closest("label").hidden = pathOnly;
 $("figures").hidden = $("safe").parentElement.hidden = !data.compared;
 for (const b of document.querySelectorAll("[data-view]")) b.addEventListener("click", () => view.look(b.dataset.view));
 $("parallel").addEventListener("change", (e) => view.setParallel(e.target.checked));
@@ -401,17 +381,7 @@ const shortcuts = {
   Home: () => timeline?.go(0), End: () => timeline?.go(play.end), e: () => toggle("edges"), f: () => view?.look("iso"), t: flipTheme, Escape: clear,
   s: () => { const axis = $("section-axis"); axis.value = axis.value ? "" : "X"; section(); },
 };
-addEventListener("keydown", (e) => {
-  if (e.ctrlKey || e.metaKey || e.altKey || e.target.matches?.('select, input[type=range]')) return;
-  if (e.key === " " && e.target.matches?.("button, [tabindex='0'] tr, tr")) return;
-  const act = shortcuts[e.key.length === 1 ? e.key.toLowerCase() : e.key];
-  if (act) { act(); if (e.key === " ") e.preventDefault(); return; }
-  if (!view || e.target !== $("view")) return;
-  const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
-  if (turns[e.key]) { view.turn(...turns[e.key]); e.preventDefault(); }
-  if (e.key === "+" || e.key === "=") view.zoom(0.88);
-  if (e.key === "-") view.zoom(1.14);
-});
+listenToKeys(shortcuts, view);
 
 paintRun(data, (file, line) => {
   const at = data.programs.findIndex((p) => p.file.split("/").pop() === file.split("/").pop());

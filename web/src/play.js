@@ -121,6 +121,8 @@ export class Play {
     for (let i = 0; i < this.motions.count; ++i) this.motionOf.fill(i, this.motions.first[i] + 1, this.motions.first[i + 1] + 1);
     this.total = this.motions.begin[this.motions.count];
   }
+  /// All places of the programmed point, by threes; arcs by their ends.
+  bounds() { return this.motions.end.filter((_, i) => !this.motions.assumed[Math.floor(i / 3)]); }
   /// A place on the time line is a motion and the share of it that is done, as one number.
   get end() { return this.motions.count; }
   secondsAt(at) {

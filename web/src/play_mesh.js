@@ -31,6 +31,7 @@ export class PlayMesh {
     this.faces = this.quads = 0;
     this.position = new Float32Array(0);
     this.normal = new Int8Array(0);
+    this.owner = new Float32Array(0);
     this.moment = -1;
   }
   unpackNormal(u, v, at) {

@@ -18,6 +18,8 @@ const kLineFragment = "uniform vec3 cut; uniform vec3 rapidColor; varying float 
 const plainColor = (r, g, b) => new Color(r / 255, g / 255, b / 255);
 const kToolColors = { cutter: plainColor(44, 104, 190), insert: plainColor(44, 104, 190), shank: plainColor(140, 146, 150), holder: plainColor(84, 90, 94) };
 
+const kSeenThrough = { shank: 0.6, holder: 0.3 };
+
 const solid = (color, alpha = 1) => new ShaderMaterial({ uniforms: { color: { value: color }, alpha: { value: alpha } }, vertexShader: kSolidVertex, fragmentShader: kSolidFragment, side: DoubleSide, transparent: alpha < 1, depthWrite: alpha === 1 });
 
 // A convex polygon thickened by `round`: an arc about each corner.
@@ -47,7 +49,10 @@ function toolGroup(tool) {
       geometry = new LatheGeometry(piece.points.map(([r, z]) => new Vector2(Math.max(r, 0), z)), 40);
       geometry.rotateX(Math.PI / 2);
     }
-    group.add(new Mesh(geometry, solid(kToolColors[piece.part] ?? kToolColors.cutter)));
+    // What is not to cut is seen through: it stands before the cutter and the part.
+    const mesh = new Mesh(geometry, solid(kToolColors[piece.part] ?? kToolColors.cutter, piece.part in kSeenThrough ? kSeenThrough[piece.part] : 1));
+    mesh.renderOrder = piece.part in kSeenThrough ? 3 : 0;
+    group.add(mesh);
   }
   return group;
 }
@@ -77,13 +82,14 @@ export class PlayView {
     this.addGhost();
     this.tools = play.tools.map(toolGroup);
     this.addPath();
-    view.seen.push(this.ghost.children[0].geometry.attributes.position.clone().applyMatrix4(this.group.matrix).array);
+    if (play.stock) view.seen.push(this.ghost.children[0].geometry.attributes.position.clone().applyMatrix4(this.group.matrix).array);
     this.group.add(this.surface, this.ghost, this.path, ...this.tools);
     view.scene.add(this.group);
     this.show(play.end);
   }
   addGhost() {
     this.ghost = new Group();
+    if (!this.play.stock) return;
     const geometry = stockGeometry(this.play.stock, this.play);
     this.ghostFill = solid(plainColor(150, 158, 164), 0.1);
     Object.assign(this.ghostFill, { side: FrontSide, vertexShader: kGhostVertex });
@@ -108,16 +114,22 @@ export class PlayView {
       }
       this.pathEnd[i + 1] = rapid.length;
     }
-    this.pathWanted = rapid.length <= kMostPath;
+    this.pathWanted = !play.stock || rapid.length <= kMostPath;
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute("rapid", new BufferAttribute(new Float32Array(rapid), 1));
     this.path = new LineSegments(geometry, new ShaderMaterial({ uniforms: { size: { value: this.view.bounds.size }, cut: { value: plainColor(20, 60, 130) }, rapidColor: { value: plainColor(190, 110, 20) } }, vertexShader: kLineVertex, fragmentShader: kLineFragment, transparent: true }));
     this.path.frustumCulled = false;
     this.path.renderOrder = 2;
+    if (play.stock) return;
+    // What is chosen of a path that is shown as a whole: drawn over it.
+    this.chosen = new LineSegments(geometry.clone(), new ShaderMaterial({ vertexShader: kLineVertex, fragmentShader: "void main() { gl_FragColor = vec4(0.82, 0.1, 0.15, 1.0); }", uniforms: { size: { value: 2 * this.view.bounds.size } }, depthTest: false }));
+    this.chosen.frustumCulled = this.chosen.visible = false;
+    this.chosen.renderOrder = 5;
+    this.group.add(this.chosen);
   }
   setInk(ink, dark) {
-    this.ghostLine.uniforms.ink.value.copy(ink);
+    this.ghostLine?.uniforms.ink.value.copy(ink);
     const u = this.path.material.uniforms;
     u.cut.value.copy(dark ? plainColor(130, 180, 255) : plainColor(20, 60, 130));
     u.rapidColor.value.copy(dark ? plainColor(240, 170, 80) : plainColor(190, 110, 20));
@@ -166,14 +178,23 @@ export class PlayView {
     group.position.set(...play.placeOn(motion, at - motion));
     group.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...play.toolAxis(motion)).normalize()));
   }
+  /// mm: the largest of the tool of a motion.
+  toolRadius(motion) {
+    const pieces = this.play.tools[this.play.motions.tool[motion]]?.pieces ?? [];
+    return Math.max(0, ...pieces.flatMap((piece) => piece.points.map(([r]) => Math.abs(r) + piece.round)));
+  }
   drawPath(marked) {
-    const { play, at, path } = this, motion = Math.min(Math.floor(at), play.end - 1);
-    path.visible = at < play.end || marked >= 0;
+    const { play, at, path } = this, motion = Math.min(Math.floor(at), play.end - 1), whole = !play.stock && at >= play.end;
+    path.visible = whole || at < play.end || marked >= 0;
+    if (this.chosen) this.chosen.visible = marked >= 0;
     if (!path.visible) return;
     if (marked >= 0) {
-      this.bend(-1);
       const [first, end] = play.blockOf(marked);
-      path.geometry.setDrawRange(this.pathEnd[first], this.pathEnd[end] - this.pathEnd[first]);
+      (this.chosen ?? path).geometry.setDrawRange(this.pathEnd[first], this.pathEnd[end] - this.pathEnd[first]);
+    }
+    if (marked >= 0 || whole) {
+      this.bend(-1);
+      if (whole) path.geometry.setDrawRange(0, Infinity);
       return;
     }
     const done = this.pathEnd[motion], first = this.pathWanted ? 0 : Math.max(0, done - kTail);
@@ -189,6 +210,24 @@ export class PlayView {
     if (this.bent) put(this.bent.point, this.bent.place);
     this.bent = point < 0 ? null : { point, place: [...array.subarray(3 * point, 3 * point + 3)] };
     if (this.bent) put(point, place);
+  }
+  /// The piece of the path nearest to a place on the canvas, within ten pixels, of what is drawn.
+  pickPath(x, y) {
+    const { array } = this.path.geometry.attributes.position, { start, count } = this.path.geometry.drawRange, seen = [];
+    let best = 10, hit = null;
+    const end = Math.min(array.length / 3, start + count);
+    for (let i = start; i < end; i += 2) {
+      for (const k of [0, 1]) seen[k] = this.view.project([array[3 * (i + k)], array[3 * (i + k) + 1], array[3 * (i + k) + 2]]);
+      const [a, b] = seen, dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+      const t = square > 0 ? Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / square)) : 0, apart = Math.hypot(a.x + t * dx - x, a.y + t * dy - y);
+      if (apart >= best || !a.front || !b.front) continue;
+      best = apart;
+      hit = { point: i, place: [0, 1, 2].map((k) => array[3 * i + k] + t * (array[3 * i + 3 + k] - array[3 * i + k])) };
+    }
+    if (!hit) return null;
+    let low = 0, high = this.play.end;
+    while (high - low > 1) { const middle = (low + high) >> 1; if (this.pathEnd[middle] <= hit.point) low = middle; else high = middle; }
+    return { motion: low, place: hit.place };
   }
   /// What is under a place on the canvas: { face, place, motion }, or null.
   pick(x, y) {

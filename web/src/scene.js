@@ -116,8 +116,8 @@ export class PartView {
     this.canvas = canvas; this.part = part; this.onChange = onChange; this.sharpness = 1;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = "srgb-linear"; // colours are written as they are measured
-    this.bounds = boundsOf(part.position);
-    this.seen = [part.position]; // what a view shows all of
+    this.seen = [part.bounds ?? part.position]; // what a view shows all of
+    this.bounds = boundsOf(this.seen[0]);
     this.camera = new PerspectiveCamera(kPerspective, 1, this.bounds.size / 500, this.bounds.size * 40);
     this.camera.up.copy(this.up);
     this.scene = new Scene();

@@ -232,6 +232,31 @@ try {
     assert.ok(Math.abs(volume / told - 1) < 0.01, `${volume} and ${told}`);
     await page.context().close();
   });
+  await check("a path without a stock plays, too", async () => {
+    const out = join(folder, "path.html");
+    execFileSync(mrsim, ["trace", join(folder, "pocket.nc"), "--tool", "1=endmill:d=6", "-q", "-o", out]);
+    const page = await browser.page(out, wide);
+    assert.equal(await page.textContent("#subtitle"), "Tool path");
+    const visible = () => page.evaluate(() => { const { played, play } = window.mrsimReport; return { path: played.path.visible, drawn: played.path.geometry.drawRange.count, all: 2 * play.end, chosen: played.chosen.visible, tool: played.tools.some((t) => t.visible) }; });
+    assert.ok((await visible()).path && (await visible()).drawn === Infinity && !(await visible()).chosen);
+    // The middle of the row at Y13, upper layer.
+    const line = 8, box = await page.locator("#view").boundingBox();
+    await page.click("[data-view=top]");
+    await page.waitForTimeout(700);
+    const p = await page.evaluate(() => window.mrsimReport.view.project([35, 13, -4]));
+    await page.mouse.click(box.x + p.x, box.y + p.y);
+    const text = await page.textContent("#code .row.selected");
+    assert.match(text, /G1 X10 Y13 F800/);
+    assert.ok((await visible()).chosen && (await visible()).tool);
+    await page.click(`#code .row[data-line='${line}']`);
+    await page.keyboard.press("Home");
+    await page.keyboard.press(".");
+    await page.keyboard.press(".");
+    const part = await visible();
+    assert.ok(part.path && part.drawn < part.all && part.tool);
+    assert.ok(!(await page.isVisible("#modes")) && !(await page.isVisible("#section")));
+    await page.context().close();
+  });
   await check("at the width of a phone every button is seen", async () => {
     const page = await browser.page(milled, { width: 390, height: 844 }, "dark");
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);

@@ -1,6 +1,7 @@
 #include "mesh/draw/render.h"
 
 #include "mesh/draw/edge_lines.h"
+#include "mesh/draw/lying.h"
 #include "mesh/draw/palette.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/ray_image.h"
@@ -104,8 +105,11 @@ void draw_legend(const TriMesh& mesh, const FacePalette& palette, double text, P
 
 }  // namespace
 
-void render_mesh(const TriMesh& mesh, const RenderOptions& options, const ByteSink& out) {
-  require_valid(mesh, options);
+void render_mesh(const TriMesh& part, const RenderOptions& options, const ByteSink& out) {
+  require_valid(part, options);
+  const bool lies = options.up == UpAxis::x || (options.up == UpAxis::automatic && is_turned(part));
+  const TriMesh laid = lies ? laid_down(part) : TriMesh{};
+  const TriMesh& mesh = lies ? laid : part;
   const double crease = options.edge_angle > 0 ? options.edge_angle : kDefaultCrease;
   const SurfaceShape shape = find_surface_shape(mesh, crease, options.threads);
   const RayScene scene(mesh, options.threads);
@@ -122,7 +126,7 @@ void render_mesh(const TriMesh& mesh, const RenderOptions& options, const ByteSi
   if (options.edge_angle > 0) draw_edges(mesh, shape, scene, view, options.threads, picture);
   draw_legend(mesh, palette, text, picture);
   draw_text(picture, {1.8 * text, options.height - 1.8 * text}, text,
-            options.caption.empty() ? size_text(mesh) : options.caption, to_linear(kText));
+            options.caption.empty() ? size_text(part) : options.caption, to_linear(kText));
   write_png(picture, out);
 }
 

@@ -1,0 +1,56 @@
+#include "cli/film.h"
+
+#include "core/error.h"
+#include "core/text_io.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mrsim::cli {
+namespace {
+
+// Its exit code, or -1.
+int run_ffmpeg(std::vector<std::string> words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  if (::posix_spawnp(&child, "ffmpeg", nullptr, nullptr, pointers.data(), environ) != 0) return -1;
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+bool is_film(const std::string& path) { return path.ends_with(".webm"); }
+
+void require_ffmpeg() {
+  const char* folders = std::getenv("PATH");
+  std::istringstream list(folders != nullptr ? folders : "");
+  for (std::string folder; std::getline(list, folder, ':');)
+    if (::access((folder + "/ffmpeg").c_str(), X_OK) == 0) return;
+  throw Error("ffmpeg-missing",
+              "films are made by ffmpeg, which is not installed: install it, or write pictures, "
+              "-o f%04d.png");
+}
+
+void write_film(const std::string& folder, const std::string& path) {
+  const std::string film = folder + "/film.webm";
+  const int code = run_ffmpeg({"ffmpeg", "-nostdin", "-v", "error", "-y", "-framerate", "12", "-i",
+                               folder + "/%04d.png", "-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p",
+                               "-crf", "32", "-b:v", "0", film});
+  if (code != 0) throw Error("film", fmt::format("{}: ffmpeg failed", path));
+  const std::string bytes = read_file(film);
+  write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes.data(), bytes.size()); });
+}
+
+}  // namespace mrsim::cli
