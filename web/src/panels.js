@@ -29,7 +29,7 @@ export function paintCollisions({ lines, more }, choose) {
       el("td", { class: "n" }, String(i + 1)), el("td", { class: "n" }, el("b", {}, plain(k.depth, 3))),
       el("td", {}, el("span", {}, `${k.part} of T${k.tool}${k.rapid ? ", rapid" : ""}`), el("div", { class: "dim" }, `${volume(k.volume)} \u00b7 ${k.file.split("/").pop()}:${k.line} \u00b7 at ${clock(k.seconds)}, motion ${grouped(k.motion)}${k.motions > 1 ? `, ${k.motions} of this line` : ""}`), k.text ? el("code", {}, k.text.trim()) : null));
   });
-  $("panel-collisions").replaceChildren(el("table", {}, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", { class: "n" }, "mm deep"), el("th", {}, "What runs into material"))), el("tbody", {}, rows)),
+  $("panel-collisions").replaceChildren(el("table", { role: "grid" }, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", { class: "n" }, "mm deep"), el("th", {}, "What runs into material"))), el("tbody", {}, rows)),
     more ? el("p", { class: "empty" }, `${grouped(more)} more lines are not listed.`) : el("span"));
   return rows;
 }
@@ -85,7 +85,7 @@ export function paintRegions(c, safe, choose) {
       el("td", {}, el("span", { class: "swatch", style: { background: color } }), el("b", {}, signed(r.worst, 3)), el("div", { class: "dim" }, r.kind === "gouge" ? "gouge" : "left")),
       el("td", { class: "n" }, grouped(r.area || r.nominal_area, 1)), el("td", {}, blame));
   });
-  panel.replaceChildren(el("table", {}, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", {}, "Worst, mm"), el("th", { class: "n" }, "mm\u00b2"), el("th", {}, "Cut by"))),
+  panel.replaceChildren(el("table", { role: "grid" }, el("thead", {}, el("tr", {}, el("th", { class: "n" }, "#"), el("th", {}, "Worst, mm"), el("th", { class: "n" }, "mm\u00b2"), el("th", {}, "Cut by"))),
     el("tbody", {}, rows)), c.region_count > c.regions.length ? el("p", { class: "empty" }, `${c.region_count - c.regions.length} smaller regions are not listed.`) : el("span"));
   return rows;
 }

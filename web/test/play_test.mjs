@@ -57,6 +57,73 @@ const cases = {
     await page.keyboard.press("End");
     assert.ok((await state(page)).part);
   },
+  async "the surface played to the end has the silhouette of the exact mesh"(page) {
+    const far = await page.evaluate(() => {
+      const { played, play, view, timeline } = window.mrsimReport, gl = view.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
+      const mask = () => {
+        const bytes = new Uint8Array(4 * w * h);
+        view.renderer.render(view.scene, view.camera);
+        gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        return Uint8Array.from({ length: w * h }, (_, i) => (bytes[4 * i + 3] > 127 ? 1 : 0));
+      };
+      document.getElementById("edges").click();
+      timeline.go(play.end);
+      const exact = mask();
+      view.showPart(false);
+      played.showSurface(play.moments);
+      played.surface.visible = true;
+      const shown = mask();
+      // Pixels that differ lie within two voxels of where the exact silhouette ends.
+      const [a, b] = [[0, 0, 0], [2 * play.voxel, 0, 0]].map((p) => view.project(p)), reach = Math.ceil(Math.hypot(a.x - b.x, a.y - b.y) * (w / view.canvas.clientWidth)) + 1;
+      let solid = 0, wrong = 0;
+      for (let y = 0; y < h; ++y)
+        for (let x = 0; x < w; ++x) {
+          const i = y * w + x;
+          solid += exact[i];
+          if (exact[i] === shown[i]) continue;
+          let border = false;
+          for (let v = Math.max(0, y - reach); v <= Math.min(h - 1, y + reach) && !border; ++v) for (let u = Math.max(0, x - reach); u <= Math.min(w - 1, x + reach); ++u) border ||= exact[v * w + u] === shown[i];
+          wrong += border ? 0 : 1;
+        }
+      return { solid, wrong, reach };
+    });
+    assert.ok(far.solid > 20000 && far.reach < 12, JSON.stringify(far));
+    assert.equal(far.wrong, 0, JSON.stringify(far));
+  },
+  async "at the end of a line the stock is as the line leaves it"(page) {
+    // The first row is cut 2 mm deep from Y7 to Y13, with a cutter of 6 mm; the next one is not yet.
+    const { heights, voxel } = await page.evaluate(() => {
+      const { played, play, view, timeline } = window.mrsimReport;
+      view.look("top", false);
+      timeline.go(play.motions.line.lastIndexOf(6) + 1);
+      return { voxel: play.voxel, heights: [[35, 10], [35, 12], [35, 14.5], [35, 5.5]].map(([x, y]) => { const p = view.project([x, y, 0]); return played.pick(p.x, p.y).place[2]; }) };
+    });
+    [-2, -2, 0, 0].forEach((z, k) => assert.ok(Math.abs(heights[k] - z) < voxel / 100, `${heights}`));
+  },
+  async "the tabulator alone reaches every control, and each has a name"(page) {
+    const focus = () => page.evaluate(() => {
+      const e = document.activeElement, box = e.getBoundingClientRect();
+      if (e === document.body) return null;
+      e.dataset.reached = "";
+      return { name: (e.getAttribute("aria-label") ?? e.labels?.[0]?.textContent ?? e.textContent).trim(), left: box.left, right: box.right, ring: getComputedStyle(e).outlineStyle };
+    });
+    await page.setViewportSize({ width: 390, height: 844 });
+    for (let k = 0; k < 200; ++k) {
+      await page.keyboard.press("Tab");
+      const at = await focus();
+      if (!at) break;
+      assert.ok(at.name && at.left >= 0 && at.right <= 390 && at.ring !== "none", JSON.stringify(at));
+    }
+    const missed = await page.evaluate(() => [...document.querySelectorAll("button, select, input, canvas[tabindex], [role=tab]")].filter((e) => e.offsetParent && !e.disabled && !("reached" in e.dataset)).map((e) => e.outerHTML.slice(0, 80)));
+    assert.deepEqual(missed, []);
+    const tree = await page.locator("body").ariaSnapshot();
+    for (const name of [/button "2 collisions/, /application "The part in three dimensions/, /slider "Moment of the run"/, /checkbox "Measure"/, /combobox "Section"/]) assert.match(tree, name);
+    // Space on a check box changes it, and plays nothing.
+    await page.focus("#parallel");
+    await page.keyboard.press(" ");
+    assert.ok(await page.isChecked("#parallel"));
+    assert.ok(!(await state(page)).playing);
+  },
   async "plays to the end"(page) {
     await page.selectOption("#speed", "0");
     await goTo(page, 0.9);
