@@ -105,6 +105,19 @@ TEST(Chains, BoundIsTheDistanceBesideAFlank) {
   EXPECT_NEAR(chain_bound(tool, line, p), chain_minimum(tool, line, p).distance, 1e-12);
 }
 
+// Likewise where the contact is on the ball at the tip.
+TEST(Chains, BoundIsTheDistanceUnderTheTip) {
+  const Profile cutter = make_cutter(convex_tools()[5]);
+  const ChainTool tool = chain_tool(cutter);
+  ToolPath path;
+  path.travel = {4, 0, 1};
+  const ChainLine line = chain_line(tool, path);
+  for (const Vec3 p : {Vec3{2, 0.3, -0.4}, Vec3{-0.2, -0.1, -0.3}, Vec3{4.3, 0.2, 0.8}}) {
+    EXPECT_GT(chain_minimum(tool, line, p).distance, 0.01);
+    EXPECT_NEAR(chain_bound(tool, line, p), chain_minimum(tool, line, p).distance, 1e-12);
+  }
+}
+
 // Lists of several tools: the nearest sweep, and of equally near ones the first.
 TEST(Chains, NearestOfAListEqualsSingleQueries) {
   Random r(77);

@@ -15,6 +15,20 @@ MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
   return {dx * ux + dy * uy, vabs(dx * uy - dy * ux), pz - splat(line.z)};
 }
 
+/// The plane across the way from the tip's path to p, which touches the tip's ball, where the tool
+/// lies behind it; else minus infinity.
+MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
+  const V zero = splat(0.0), h = at.w - splat(tool.tip);
+  const double scale = 1 / (line.plan * line.plan + line.rise * line.rise);
+  const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(scale);
+  const V way = vmin(vmax(t, zero), splat(1.0));
+  const V along = at.u - way * splat(line.plan), up = h - way * splat(line.rise);
+  const V square = along * along + at.v * at.v;
+  const M behind = less_equal(up * splat(tool.last.x), vsqrt(square) * splat(tool.last.y));
+  return select(behind, vsqrt(square + up * up) - splat(tool.ball),
+                splat(-std::numeric_limits<double>::infinity()));
+}
+
 /// No position of the tool is nearer: the largest distance from planes that the sweep lies behind.
 MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const double low = line.rise < 0 ? tool.bottom + line.rise : tool.bottom;
@@ -26,7 +40,7 @@ MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const Cha
     const V side = at.u * splat(line.along[i]) + at.v * splat(line.across[i]);
     bound = vmax(side + at.w * splat(tool.flanks[i].up) - splat(tool.flanks[i].offset), bound);
   }
-  return bound;
+  return tool.pointed ? vmax(bound, tip_bound(tool, line, at)) : bound;
 }
 
 /// The nearest edge so far: distance squared, and what its outward normal is, times `scale`; a

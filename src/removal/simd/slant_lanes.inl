@@ -5,6 +5,18 @@
 // nearer. From that position down to the lower end the tool moves away from p in plan and falls: a
 // stretch. Its parameter is the way along the line, so that no slope is above 1.
 
+/// Not above the distance but for rounding: the tool stays within its radius of the line in plan,
+/// above its lower end, and above the plane along the line that its core's rim touches at the back.
+MRSIM_LANE V slant_bound(const SlantRecord& r, V px, V py, V pz) {
+  const V core = splat(r.core);
+  const V dx = px - splat(r.x), dy = py - splat(r.y), below = splat(r.z) - pz;
+  const V along = dx * splat(r.ux) + dy * splat(r.uy), off = dx * splat(r.uy) - dy * splat(r.ux);
+  const V beyond = along - vmin(vmax(along, splat(0.0)), splat(r.length * r.plan));
+  const V aside = vsqrt(off * off + beyond * beyond) - core;
+  const V under = splat(r.plan) * below + splat(r.rise) * (along - core);
+  return vmax(vmax(aside, under), below) - splat(r.round);
+}
+
 class SlantStretch {
  public:
   SlantStretch(const SlantRecord& r, V px, V py, V pz)

@@ -313,14 +313,16 @@ static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uin
   }
 }
 
+constexpr double kBoundError = 1e-8;  // mm: rounding of bounds, with room
+
 static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointColumns& points) {
   const V round = splat(record.round), own = splat(static_cast<double>(id));
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V least = read(points.least + k), nearest = read(points.nearest + k);
-    const SlantStretch stretch(record, read(points.x + k), read(points.y + k), read(points.z + k));
-    const M wanted = less_equal(lower_bound(stretch.first(), stretch.last(), round), least);
+    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    const M wanted = less_equal(slant_bound(record, x, y, z), least + splat(kBoundError));
     if (!any(wanted)) continue;
-    const V d = slant_least(stretch, round, wanted).distance;
+    const V d = slant_least(SlantStretch(record, x, y, z), round, wanted).distance;
     const M closer =
         both(wanted, either(less(d, least), both(less_equal(d, least), less(own, nearest))));
     store(points.least + k, select(closer, d, least));
@@ -328,14 +330,12 @@ static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointCol
   }
 }
 
-constexpr double kChainBoundError = 1e-8;  // mm: rounding of bounds, with room
-
 static void chain_least_of(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
                            PointColumns& points) {
   const V own = splat(static_cast<double>(id));
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V least = read(points.least + k), nearest = read(points.nearest + k);
-    const V limit = least + splat(kChainBoundError);
+    const V limit = least + splat(kBoundError);
     const ChainView at =
         chain_view(line, read(points.x + k), read(points.y + k), read(points.z + k));
     const M wanted = less_equal(chain_bound(tool, line, at), limit);

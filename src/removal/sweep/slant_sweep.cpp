@@ -2,7 +2,6 @@
 
 #include "removal/simd/lane_scalar.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
@@ -21,15 +20,8 @@ SlantRecord slant_record(const Profile& tool, const ToolPath& path) {
   return r;
 }
 
-// The tool stays within its radius of the line in plan, above its lower end, and above the plane
-// along the line that its core's rim touches at the back.
-double slant_bound(const SlantRecord& r, const Vec3& p) {
-  const double dx = p.x - r.x, dy = p.y - r.y, below = r.z - p.z;
-  const double along = dx * r.ux + dy * r.uy, off = dx * r.uy - dy * r.ux;
-  const double beyond = along - std::clamp(along, 0.0, r.length * r.plan);
-  const double aside = std::sqrt(off * off + beyond * beyond) - r.core;
-  const double under = r.plan * below + r.rise * (along - r.core);
-  return std::max({aside, under, below}) - r.round;
+double slant_bound(const SlantRecord& line, const Vec3& p) {
+  return lane::slant_bound(line, p.x, p.y, p.z);
 }
 
 PathSample slant_minimum(const SlantRecord& line, const Vec3& p) {

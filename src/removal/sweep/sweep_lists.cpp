@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace mrsim {
 namespace {
@@ -129,6 +130,19 @@ class BoundedLines {
     return memory.others;
   }
 
+  /// Of a line with a bound: not above its distance but for rounding. False for other sweeps.
+  bool bound(std::uint32_t id, double& least) const {
+    const SweepRef& ref = c_.refs[id];
+    if (ref.frame != 0) return false;
+    if (c_.is_slant_line(ref))
+      least = slant_bound(c_.slant_lines[ref.row], p_);
+    else if (c_.is_chain(ref))
+      least = chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_);
+    else
+      return false;
+    return true;
+  }
+
  private:
   using Line = std::pair<double, std::uint32_t>;  // bound, sweep
   struct Memory {
@@ -141,15 +155,9 @@ class BoundedLines {
   }
 
   bool add(std::uint32_t id, Memory& memory) const {
-    const SweepRef& ref = c_.refs[id];
-    if (ref.frame != 0) return false;
-    if (c_.is_slant_line(ref))
-      memory.lines.emplace_back(slant_bound(c_.slant_lines[ref.row], p_), id);
-    else if (c_.is_chain(ref))
-      memory.lines.emplace_back(chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_),
-                                id);
-    else
-      return false;
+    double least;
+    if (!bound(id, least)) return false;
+    memory.lines.emplace_back(least, id);
     return true;
   }
 
@@ -162,6 +170,21 @@ class BoundedLines {
   const SweepColumns& c_;
   Vec3 p_;
 };
+
+// The line with the least bound at one of the points, asked first: few others can then be nearer to
+// any of them.
+void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                    PointColumns& points) {
+  constexpr std::size_t kWorth = 8;  // sweeps
+  if ((c.chain_lines.empty() && c.slant_lines.empty()) || ids.size() < kWorth) return;
+  const std::size_t middle = points.count / 2;
+  const BoundedLines lines(c, {points.x[middle], points.y[middle], points.z[middle]});
+  double least = std::numeric_limits<double>::infinity(), bound = 0;
+  std::uint32_t best = 0;
+  for (const std::uint32_t id : ids)
+    if (lines.bound(id, bound) && bound < least) least = bound, best = id;
+  if (std::isfinite(least)) least_of(c, best, points);
+}
 
 }  // namespace
 
@@ -268,6 +291,7 @@ void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
   };
   static thread_local std::vector<std::uint32_t> turns;
   turns.clear();
+  take_promising(c, ids, points);
   for (; !ids.empty(); ids = ids.subspan(std::min(kChunk, ids.size()))) {
     Parts parts;
     for (std::size_t k = 0; k < std::min(kChunk, ids.size()); ++k) {
