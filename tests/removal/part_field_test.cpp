@@ -28,6 +28,25 @@ Motion arc(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double r
   return m;
 }
 
+bool is_face_at(const PartField& field, const Vec3& p, const FieldSample& face) {
+  const FieldSample at = field.sample(p, field.all());
+  return at.owner == face.owner && at.patch == face.patch;
+}
+
+// Newton's method by face_plane leads to where patch_distance is 0, with the same normal.
+void expect_same_surface(const PartField& field, Vec3 p, const FieldSample& at) {
+  for (int k = 0; k < 12; ++k) {
+    const FacePlane plane = field.face_plane(p, at);
+    EXPECT_NEAR(length(plane.normal), 1, 1e-9);
+    p = p - plane.distance * plane.normal;
+  }
+  if (!is_face_at(field, p, at)) return;
+  EXPECT_NEAR(field.patch_distance(p, at), 0, 1e-9)
+      << "owner " << at.owner << " patch " << at.patch;
+  EXPECT_LT(distance(field.face_plane(p, at).normal, field.gradient(p, at)), 1e-6)
+      << "owner " << at.owner << " patch " << at.patch;
+}
+
 // At random points near the surface: gradient has unit length and is the numeric gradient of
 // patch_distance, and patch_distance is d where the face is the nearest one.
 void expect_faces_agree(const PartField& field) {
@@ -66,6 +85,7 @@ void expect_faces_agree(const PartField& field) {
       EXPECT_LE(std::abs(field.patch_distance(p, at)), std::abs(at.distance) + 1e-6)
           << "owner " << at.owner << " patch " << at.patch;
     }
+    if (std::abs(at.distance) < 0.1) expect_same_surface(field, p, at);
   }
   EXPECT_GT(faces, 100);
 }

@@ -15,16 +15,14 @@ constexpr int kCrossingSteps = 80, kFaceSteps = 4;
 struct Line {
   const Vec3 &from, &along;
 };
-// Newton from t along the line to where the face leaves the material; f = d + kInsideTolerance and
-// `normal` at t.
-double zero_on_line(const ExactField& field, const FieldSample& face, double f, const Line& line,
-                    Vec3 normal, double t) {
+// Newton from t along the line to where the face, with this plane at t, leaves the material.
+double zero_on_line(const ExactField& field, const FieldSample& face, FacePlane plane,
+                    const Line& line, double t) {
   for (int k = 0; k < 4; ++k) {
-    const Vec3 p = line.from + t * line.along;
-    if (k > 0) f = field.patch_distance(p, face) + kInsideTolerance;
+    if (k > 0) plane = field.face_plane(line.from + t * line.along, face);
+    const double f = plane.distance + kInsideTolerance;
     if (std::abs(f) < 0.2 * kCrossing) return t;
-    if (k > 0) normal = field.gradient(p, face);
-    const double slope = dot(normal, line.along);
+    const double slope = dot(plane.normal, line.along);
     if (!(slope > 0)) return t;
     t -= f / slope;
   }
@@ -68,7 +66,7 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
   const bool has_normal = steps_ > 0 && steps_ <= kFaceSteps && same_face(sample, at_);
   at_ = sample;
   if (std::abs(f) < kCrossing || (b_ - a_) * size_ <= kCrossing || steps_ == kCrossingSteps) {
-    if (!has_normal) normal_ = field.gradient(point_, at_);
+    if (!has_normal) normal_ = field.face_plane(point_, at_).normal;
     return true;
   }
   if (f < 0) {
@@ -84,8 +82,9 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
   }
   // The zero of the face that decides here; then Illinois; plain halving when that is slow.
   if (steps_ < kFaceSteps) {
-    normal_ = field.gradient(point_, at_);
-    t_ = zero_on_line(field, at_, f, {from_, along_}, normal_, t_);
+    const FacePlane plane = field.face_plane(point_, at_);
+    normal_ = plane.normal;
+    t_ = zero_on_line(field, at_, plane, {from_, along_}, t_);
   } else {
     t_ = steps_ < 24 && fb_ > fa_ ? a_ + (b_ - a_) * (-fa_ / (fb_ - fa_)) : 0.5 * (a_ + b_);
   }
@@ -104,14 +103,14 @@ Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) 
 SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,
                            const FieldSample* face)
     : room_(room), point_(start) {
-  if (face != nullptr) follow(field, *face, field.patch_distance(start, *face));
+  if (face != nullptr) follow(field, *face, field.face_plane(start, *face));
 }
 
-// Newton's iteration on one face, at distance d from it.
-void SmoothSearch::follow(const ExactField& field, const FieldSample& face, double d) {
-  for (int i = 0; i < 3 && std::abs(d) > 1e-10; ++i) {
-    point_ = point_ - d * field.gradient(point_, face);
-    d = field.patch_distance(point_, face);
+// Newton's iteration on one face.
+void SmoothSearch::follow(const ExactField& field, const FieldSample& face, FacePlane plane) {
+  for (int i = 0; i < 3 && std::abs(plane.distance) > 1e-10; ++i) {
+    point_ = point_ - plane.distance * plane.normal;
+    plane = field.face_plane(point_, face);
   }
 }
 
@@ -120,7 +119,7 @@ bool SmoothSearch::take(const ExactField& field, const FieldSample& sample) {
   if (!in_reach(point_, room_)) return true;
   at_ = sample;
   if (std::abs(sample.distance) > 1e-9 && steps_ < kNewtonSteps) {
-    follow(field, sample, sample.distance);
+    follow(field, sample, field.face_plane(point_, sample));
     ++steps_;
     return !in_reach(point_, room_);
   }

@@ -76,7 +76,7 @@ class SmoothSearch {
   SurfacePoint result() const;
 
  private:
-  void follow(const ExactField& field, const FieldSample& face, double d);
+  void follow(const ExactField& field, const FieldSample& face, FacePlane plane);
 
   Box3 room_;
   Vec3 point_;

@@ -60,12 +60,12 @@ bool join_smoothly(const Probe& probe, const Vec3& n, const Vec3& m, double size
   return dot(n, m) > 0 && dot(c, c) < limit * limit;
 }
 
-// `normals`: of the faces at the start.
+// `planes`: of the faces at the start.
 SurfacePoint try_faces(const Probe& probe, const Box3& room, const Vec3& start,
-                       std::span<const FieldSample> faces, const Vec3* normals) {
+                       std::span<const FieldSample> faces, const FacePlane* planes) {
   SurfacePoint result;
   Vec3 p = start;
-  if (!solve_faces(probe.field, faces, -1, room, p, normals) || !accept(probe, p, room, -1))
+  if (!solve_faces(probe.field, faces, -1, room, p, planes) || !accept(probe, p, room, -1))
     return result;
   result.position = p;
   result.count = static_cast<int>(faces.size());
@@ -80,23 +80,25 @@ SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start
   struct Triple {
     double det;
     std::array<FieldSample, 3> faces;
-    std::array<Vec3, 3> normals;
+    std::array<FacePlane, 3> planes;
   };
-  std::array<Vec3, 8> normals;
-  for (std::size_t k = 0; k < faces.size(); ++k) normals[k] = probe.field.gradient(start, faces[k]);
+  std::array<FacePlane, 8> planes;
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    planes[k] = probe.field.face_plane(start, faces[k]);
   std::vector<Triple> triples;
   for (std::size_t a = 0; a < faces.size(); ++a)
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (std::size_t c = b + 1; c < faces.size(); ++c) {
-        const double det = std::abs(dot(normals[a], cross(normals[b], normals[c])));
+        const double det =
+            std::abs(dot(planes[a].normal, cross(planes[b].normal, planes[c].normal)));
         if (det > least)
           triples.push_back(
-              {det, {faces[a], faces[b], faces[c]}, {normals[a], normals[b], normals[c]}});
+              {det, {faces[a], faces[b], faces[c]}, {planes[a], planes[b], planes[c]}});
       }
   std::stable_sort(triples.begin(), triples.end(),
                    [](const Triple& x, const Triple& y) { return x.det > y.det; });
   for (std::size_t k = 0; k < triples.size() && k < 6; ++k)
-    if (SurfacePoint s = try_faces(probe, room, start, triples[k].faces, triples[k].normals.data());
+    if (SurfacePoint s = try_faces(probe, room, start, triples[k].faces, triples[k].planes.data());
         s.count > 0)
       return s;
   return {};
@@ -109,10 +111,10 @@ SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const V
     for (std::size_t b = a + 1; b < faces.size(); ++b)
       for (const Vec3& start : starts) {
         const FieldSample pair[2] = {faces[a], faces[b]};
-        const Vec3 normals[2] = {probe.field.gradient(start, pair[0]),
-                                 probe.field.gradient(start, pair[1])};
-        if (join_smoothly(probe, normals[0], normals[1], size)) continue;
-        if (SurfacePoint s = try_faces(probe, room, start, pair, normals); s.count > 0) return s;
+        const FacePlane planes[2] = {probe.field.face_plane(start, pair[0]),
+                                     probe.field.face_plane(start, pair[1])};
+        if (join_smoothly(probe, planes[0].normal, planes[1].normal, size)) continue;
+        if (SurfacePoint s = try_faces(probe, room, start, pair, planes); s.count > 0) return s;
       }
   return {};
 }
@@ -122,48 +124,62 @@ bool project(const Probe& probe, const Box3& room, int axis, Vec3& p, FieldSampl
   for (int k = 0; k < 12; ++k) {
     s = probe.sample(p);
     if (std::abs(s.distance) < 1e-8) return true;
-    Vec3 n = probe.field.gradient(p, s);
+    auto [n, distance] = probe.field.face_plane(p, s);
     if (axis >= 0) component(n, axis) = 0;
     const double nn = dot(n, n);
     if (!(nn > 1e-4)) return false;
-    p = p - s.distance / nn * n;
+    p = p - distance / nn * n;
     if (!in_reach(p, room)) return false;
   }
   return false;
 }
 
+// Whether the crease between two faces was found from a point, or is known not to be met.
+enum class CreaseSearch : std::uint8_t { found, not_found, none };
+
+// The crease between the two faces, found from p; none where they join smoothly or meet outside of
+// the room.
+CreaseSearch crease_from(const Probe& probe, const Box3& room, int axis, Vec3 p,
+                         const FieldSample& a, const FieldSample& b, SurfacePoint& found) {
+  const FieldSample pair[2] = {a, b};
+  if (join_smoothly(probe, p, a, b, length(room.hi - room.lo))) return CreaseSearch::none;
+  if (!solve_faces(probe.field, pair, axis, room, p)) return CreaseSearch::not_found;
+  if (axis >= 0) component(p, axis) = component(room.lo, axis);
+  if (!strictly_inside(p, room, axis)) return CreaseSearch::none;
+  if (!accept(probe, p, room, axis)) return CreaseSearch::not_found;
+  found.position = p;
+  found.count = 2;
+  std::copy(pair, pair + 2, found.faces);
+  return CreaseSearch::found;
+}
+
 // Halves the way over the surface between two of its points on different faces, until the crease
-// between two faces is near, which need not be those two.
+// between two faces is near, which need not be those two: tries each pair when it is met first, and
+// again from nearer by. What is known from near by ends the search.
 SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& p,
                             const Vec3& q) {
   Vec3 low = p, high = q;
   FieldSample a = probe.sample(p), b = probe.sample(q);
-  SurfacePoint result;
-  if (same_face(a, b)) return result;
-  const double reach = length(room.hi - room.lo);
+  SurfacePoint found;
+  if (same_face(a, b)) return found;
   for (int k = 0; k < 20; ++k) {
     Vec3 m = 0.5 * (low + high);
     FieldSample s;
-    if (!project(probe, room, axis, m, s)) return result;
+    if (!project(probe, room, axis, m, s)) return found;
+    const bool is_near = k >= 4 && k % 4 == 0;
+    bool is_new = false;
     if (same_face(s, a)) {
       low = m;
     } else {
+      is_new = !same_face(s, b);
       high = m;
       b = s;
     }
-    if (k < 4 || k % 4 != 0) continue;
-    const FieldSample pair[2] = {a, b};
-    Vec3 x = 0.5 * (low + high);
-    if (join_smoothly(probe, x, a, b, reach) || !solve_faces(probe.field, pair, axis, room, x))
-      continue;
-    if (axis >= 0) component(x, axis) = component(room.lo, axis);
-    if (!accept(probe, x, room, axis)) continue;
-    result.position = x;
-    result.count = 2;
-    std::copy(pair, pair + 2, result.faces);
-    return result;
+    if (!is_near && !is_new) continue;
+    const CreaseSearch end = crease_from(probe, room, axis, 0.5 * (low + high), a, b, found);
+    if (end == CreaseSearch::found || (is_near && end == CreaseSearch::none)) return found;
   }
-  return result;
+  return found;
 }
 
 SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const CellHints& hints) {
@@ -204,11 +220,12 @@ bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceEl
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
                    double size) {
   if (same_face(a, b)) return true;
-  return join_smoothly(probe, probe.field.gradient(p, a), probe.field.gradient(p, b), size);
+  return join_smoothly(probe, probe.field.face_plane(p, a).normal,
+                       probe.field.face_plane(p, b).normal, size);
 }
 
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
-                 const Box3& room, Vec3& p, const Vec3* normals) {
+                 const Box3& room, Vec3& p, const FacePlane* planes) {
   const double reach = 2 * length(room.hi - room.lo);
   const Vec3 middle = 0.5 * (room.lo + room.hi);
   const int rows = static_cast<int>(faces.size());
@@ -216,14 +233,13 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
     Vec3 n[4], step;
     double g[4] = {}, worst = 0;
     for (int i = 0; i < rows; ++i) {
-      const auto f = static_cast<std::size_t>(i);
-      g[i] = field.patch_distance(p, faces[f]);
+      const FacePlane plane = k == 0 && planes != nullptr
+                                  ? planes[i]
+                                  : field.face_plane(p, faces[static_cast<std::size_t>(i)]);
+      n[i] = plane.normal, g[i] = plane.distance;
       worst = std::max(worst, std::abs(g[i]));
     }
     if (worst < 1e-9) return true;
-    for (int i = 0; i < rows; ++i)
-      n[i] = k == 0 && normals != nullptr ? normals[i]
-                                          : field.gradient(p, faces[static_cast<std::size_t>(i)]);
     int all = rows;
     if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
     if (!newton_step(n, g, all, step)) return worst < kOnSurface;
@@ -234,7 +250,8 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
     if (size < 1e-10) return worst < kOnSurface;
   }
   double worst = 0;
-  for (const FieldSample& s : faces) worst = std::max(worst, std::abs(field.patch_distance(p, s)));
+  for (const FieldSample& s : faces)
+    worst = std::max(worst, std::abs(field.face_plane(p, s).distance));
   return worst < kOnSurface;
 }
 

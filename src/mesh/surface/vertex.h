@@ -24,9 +24,9 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
 
 /// Newton's iteration from p to the common zero of up to three faces of the part, within the plane
 /// where coordinate `plane_axis` is kept (-1: none). False where it does not settle near `room`.
-/// `normals`: of the faces at p, if they are known.
+/// `planes`: of the faces at p, if they are known.
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
-                 const Box3& room, Vec3& p, const Vec3* normals = nullptr);
+                 const Box3& room, Vec3& p, const FacePlane* planes = nullptr);
 
 /// A point on the surface strictly inside the rectangle `room`, flat on `axis`: on the crease of a
 /// and b, or smooth where b is null. count = 0 where there is none.

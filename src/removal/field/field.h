@@ -38,6 +38,13 @@ struct FieldSample {
   std::int32_t patch = 0;  ///< smooth face of the owner (a mill's wall or floor, a side of the box)
 };
 
+/// A plane that touches one smooth face near a point: its unit normal out of the material and the
+/// point's distance from it, mm.
+struct FacePlane {
+  Vec3 normal;
+  double distance = 0;
+};
+
 using Corners3 = std::array<Vec3, 3>;  ///< of a triangle
 
 /// Values that a function does not leave; infinite where nothing is known.
@@ -121,6 +128,12 @@ class ExactField {
   /// on the other side of the crease (a box's side: the distance of its plane; a slot's wall: R -
   /// rho; its floor: z - z_floor, all with d's sign).
   virtual double patch_distance(const Vec3& p, const FieldSample& at) const = 0;
+
+  /// What Newton's method on a face asks for, cheaper than both queries above: the value and the
+  /// normal of a smooth function that is 0 where patch_distance is, and equals it to first order.
+  virtual FacePlane face_plane(const Vec3& p, const FieldSample& at) const {
+    return {gradient(p, at), patch_distance(p, at)};
+  }
 
   /// Encloses patch_distance(p, face) for all p of a triangle, mm: proven up to rounding, not
   /// sampled (removal/field/face_range.h). Infinite where no bound is known: for other faces than

@@ -277,6 +277,13 @@ double PartField::patch_distance(const Vec3& p, const FieldSample& at) const {
   return -sweeps_.patch_distance(sweep_of(at.owner), p, at.patch);
 }
 
+FacePlane PartField::face_plane(const Vec3& p, const FieldSample& at) const {
+  if (at.owner == kStockOwner)
+    return {solid_.gradient(p, at.patch), solid_.patch_distance(p, at.patch)};
+  const FacePlane plane = sweeps_.face_plane(sweep_of(at.owner), p, at.patch);
+  return {-plane.normal, -plane.distance};
+}
+
 FaceRange PartField::patch_range(const Corners3& t, const FieldSample& face) const {
   if (face.owner == kStockOwner) return solid_.patch_range(t, face.patch);
   return negated(sweeps_.patch_range(sweep_of(face.owner), t, face.patch));

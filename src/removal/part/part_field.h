@@ -46,6 +46,7 @@ class PartField final : public ExactField {
                  double* out, std::uint32_t* deciders) const override;
   Vec3 gradient(const Vec3& p, const FieldSample& at) const override;
   double patch_distance(const Vec3& p, const FieldSample& at) const override;
+  FacePlane face_plane(const Vec3& p, const FieldSample& at) const override;
   FaceRange patch_range(const Corners3& t, const FieldSample& face) const override;
   std::uint32_t candidate(std::int32_t owner) const override {
     return static_cast<std::uint32_t>(sweep_of(owner));

@@ -41,28 +41,24 @@ PlanFoot face_foot(const LevelView& v, const SweepRef& ref, const Vec3& p, std::
   return plan_foot(v, p, half);
 }
 
-Vec3 level_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
-  const LevelView v = level_view(c, ref);
-  const PlanFoot f = face_foot(v, ref, p, patch);
-  const Vec2 g = face_gradient(c.cutter(ref), f.rho, p.z - v.z, patch & (kBranchPatch - 1));
-  return revolved(p, f.x, f.y, g);
-}
-
-double level_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
-                           std::int32_t patch) {
+FacePlane level_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                     std::int32_t patch) {
   const LevelView v = level_view(c, ref);
   const PlanFoot f = face_foot(v, ref, p, patch);
   const double rho =
       std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the asked half
-  return face_distance(c.cutter(ref), rho, p.z - v.z, patch & (kBranchPatch - 1));
+  const Profile& tool = c.cutter(ref);
+  const std::int32_t face = patch & (kBranchPatch - 1);
+  return {revolved(p, f.x, f.y, face_gradient(tool, f.rho, p.z - v.z, face)),
+          face_distance(tool, rho, p.z - v.z, face)};
 }
 
-Vec3 ball_gradient(const double* c, const Vec3& p) {
+FacePlane ball_face(const double* c, const Vec3& p) {
   const lane::StripFoot f = lane::strip_foot(c, lane::strip_scale(c[6]), p.x, p.y, p.z);
   const Vec3 g = p - Vec3{c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
-  const double n = length(g);
+  const double n = std::sqrt(f.squared);
   // On the skeleton itself: any direction across it.
-  return n > 0 ? (1 / n) * g : Vec3{-c[4], c[3], 0};
+  return {n > 0 ? (1 / n) * g : Vec3{-c[4], c[3], 0}, n - c[7]};
 }
 
 // Path sweeps. Where a corner of the profile draws the surface, its normal is that of the surface
@@ -98,15 +94,11 @@ std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, con
   return branch + (drawn && corner >= 0 ? kCornerPatch + corner : s.patch);
 }
 
-// The face of a path sweep at p: its normal and its distance. Beyond its creases a face is
-// continued by the tool at the position that is nearest to p.
-struct PathFace {
-  Vec3 gradient;
-  double distance = 0;
-};
+// The faces of a path sweep at p. Beyond its creases a face is continued by the tool at the
+// position that is nearest to p.
 
 // The surface drawn by a corner's circle, seen from its point that looks at p.
-PathFace corner_face(const Profile& tool, const Contact& c, int corner) {
+FacePlane corner_face(const Profile& tool, const Contact& c, int corner) {
   const Vec3 radial = c.rho > 0 ? Vec3{c.q.x / c.rho, c.q.y / c.rho, 0} : Vec3{1, 0, 0};
   Vec3 normal = normalized(cross(c.travel, {-radial.y, radial.x, 0}));
   if (normal == Vec3{}) normal = around(c, tool_sample(tool, c.rho, c.q.z).gradient);
@@ -116,8 +108,8 @@ PathFace corner_face(const Profile& tool, const Contact& c, int corner) {
   return {normal, dot(normal, c.q - (at.x * radial + Vec3{0, 0, at.y}))};
 }
 
-PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
-                   std::int32_t patch) {
+FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+                    std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
   const PathSample at =
@@ -129,40 +121,59 @@ PathFace path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3&
           face_distance(tool, c.rho, c.q.z, face)};
 }
 
+// The circle of a corner that moves along a slanted line cuts each level in itself: the surface is
+// a sheared cylinder, and its normal and its distance, to first order, need no search. None where
+// the line is nearly level.
+std::optional<FacePlane> sheared_cylinder(const SweepColumns& columns, const SweepRef& ref,
+                                          const Vec3& p, std::int32_t patch) {
+  constexpr double kLeastSlope = 1e-4;
+  const ToolPath& path = columns.paths[ref.row];
+  if (path.arc || patch < kCornerPatch) return std::nullopt;
+  const Vec3& way = path.travel;
+  if (!(way.z * way.z > kLeastSlope * kLeastSlope * (way.x * way.x + way.y * way.y)))
+    return std::nullopt;
+  const Vec2 corner = columns.cutter(ref).corner_point(patch - kCornerPatch);
+  const double t = (p.z - corner.y - path.start.z) / way.z;
+  const double x = p.x - path.start.x - t * way.x, y = p.y - path.start.y - t * way.y;
+  const double rho = std::sqrt(x * x + y * y);
+  if (!(rho > 0)) return std::nullopt;
+  const double lean = -(x * way.x + y * way.y) / (rho * way.z);
+  const double scale = 1 / std::sqrt(1 + lean * lean);
+  return FacePlane{{scale * x / rho, scale * y / rho, scale * lean}, scale * (rho - corner.x)};
+}
+
 // The tip's face, which a sharp tip draws on both sides of its path.
 bool is_flank(const SweepRef& ref, std::int32_t patch) {
   return ref.grooves && (patch & (kFlankPatch - 1)) == 0;
 }
 
-Vec3 local_gradient(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+// Exact: the distance is that of the face at p, however far.
+FacePlane local_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                     std::int32_t patch) {
   switch (ref.kind) {
     case SweepKind::ball_line:
-      return ball_gradient(c.ball_lines[ref.row].c, p);
-    case SweepKind::ball_arc:
-      return ball_arc_gradient(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
+      return ball_face(c.ball_lines[ref.row].c, p);
+    case SweepKind::ball_arc: {
+      const BallArc& arc = c.ball_arcs[ref.row];
+      const Curtain& part = c.ball_arc_face(ref, patch);
+      return {ball_arc_gradient(arc, part, p), ball_arc_distance(arc, part, p)};
+    }
     case SweepKind::path:
-      return path_face(c, ref, p, patch).gradient;
+      return path_face(c, ref, p, patch);
     case SweepKind::turn:
-      return turn_gradient(c.turns[ref.row], p, patch);
+      return {turn_gradient(c.turns[ref.row], p, patch),
+              turn_face_distance(c.turns[ref.row], p, patch)};
     default:
-      return level_gradient(c, ref, p, patch);
+      return level_face(c, ref, p, patch);
   }
 }
 
-double local_face_distance(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+// The same face to first order.
+FacePlane local_face_plane(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
                            std::int32_t patch) {
-  switch (ref.kind) {
-    case SweepKind::ball_line:
-      return c.distance(ref, p);
-    case SweepKind::ball_arc:
-      return ball_arc_distance(c.ball_arcs[ref.row], c.ball_arc_face(ref, patch), p);
-    case SweepKind::path:
-      return path_face(c, ref, p, patch).distance;
-    case SweepKind::turn:
-      return turn_face_distance(c.turns[ref.row], p, patch);
-    default:
-      return level_face_distance(c, ref, p, patch);
-  }
+  if (ref.kind == SweepKind::path)
+    if (const auto plane = sheared_cylinder(c, ref, p, patch)) return *plane;
+  return local_face(c, ref, p, patch);
 }
 
 SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
@@ -194,6 +205,20 @@ Vec3 flank_view(const SweepColumns& c, const SweepRef& ref, const Vec3& p, std::
   if (side * at.off >= kLeast) return p;
   const double seen = std::min(std::max(kLeast, -side * at.off), at.most);
   return p + (side * seen - at.off) * at.across;
+}
+
+// A flank goes on beyond the groove's bottom as its tangent plane.
+template <class Face>
+FacePlane face_at(const SweepColumns& c, std::size_t i, const Vec3& point, std::int32_t patch,
+                  const Face& face) {
+  const SweepRef& ref = c.refs[i];
+  const Frame* frame = ref.frame > 0 ? &c.frames[ref.frame - 1] : nullptr;
+  const Vec3 p = frame != nullptr ? frame->in(point) : point;
+  const Vec3 from = is_flank(ref, patch) ? flank_view(c, ref, p, patch) : p;
+  FacePlane plane = face(c, ref, from, patch & ~kFlankPatch);
+  if (!(from == p)) plane.distance += dot(plane.normal, p - from);
+  if (frame != nullptr) plane.normal = frame->out(plane.normal);
+  return plane;
 }
 
 }  // namespace
@@ -238,25 +263,18 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point
   return s;
 }
 
-Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& point, std::int32_t patch) {
-  const SweepRef& ref = c.refs[i];
-  const Frame* frame = ref.frame > 0 ? &c.frames[ref.frame - 1] : nullptr;
-  const Vec3 p = frame != nullptr ? frame->in(point) : point;
-  const Vec3 from = is_flank(ref, patch) ? flank_view(c, ref, p, patch) : p;
-  const Vec3 g = local_gradient(c, ref, from, patch & ~kFlankPatch);
-  return frame != nullptr ? frame->out(g) : g;
+FacePlane sweep_face_plane(const SweepColumns& c, std::size_t i, const Vec3& p,
+                           std::int32_t patch) {
+  return face_at(c, i, p, patch, local_face_plane);
 }
 
-// A flank goes on beyond the groove's bottom as its tangent plane.
-double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& point,
+Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch) {
+  return face_at(c, i, p, patch, local_face).normal;
+}
+
+double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,
                             std::int32_t patch) {
-  const SweepRef& ref = c.refs[i];
-  const Vec3 p = ref.frame > 0 ? c.frames[ref.frame - 1].in(point) : point;
-  if (!is_flank(ref, patch)) return local_face_distance(c, ref, p, patch);
-  const std::int32_t face = patch & ~kFlankPatch;
-  const Vec3 from = flank_view(c, ref, p, patch);
-  const double d = local_face_distance(c, ref, from, face);
-  return from == p ? d : d + dot(local_gradient(c, ref, from, face), p - from);
+  return face_at(c, i, p, patch, local_face).distance;
 }
 
 }  // namespace mrsim

@@ -18,6 +18,7 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& p);
 Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch);
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,
                             std::int32_t patch);
+FacePlane sweep_face_plane(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch);
 std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size_t i,
                                                 const Vec3& p);
 

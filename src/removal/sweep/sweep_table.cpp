@@ -43,6 +43,10 @@ std::int32_t SweepTable::patch(std::size_t i, const Vec3& p) const {
 Vec3 SweepTable::gradient(std::size_t i, const Vec3& p, std::int32_t patch) const {
   return sweep_gradient(*columns_, i, p, patch);
 }
+FacePlane SweepTable::face_plane(std::size_t i, const Vec3& p, std::int32_t patch) const {
+  return sweep_face_plane(*columns_, i, p, patch);
+}
+
 double SweepTable::patch_distance(std::size_t i, const Vec3& p, std::int32_t patch) const {
   return sweep_patch_distance(*columns_, i, p, patch);
 }
