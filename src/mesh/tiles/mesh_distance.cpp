@@ -51,13 +51,13 @@ void MeshDistance::add(const ExactField& field, const SurfaceCells& cells, const
   const Vec3 middle = (1.0 / 3) * (a + b + c);
   const double d = field.sample(middle, cells.candidates(cell_at(cells, edge, middle))).distance;
   double found = std::abs(d);
-  for (const Vec3& p : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
-    found = std::max(found, std::abs(field.patch_distance(p, face)));
-  const FaceRange range = field.patch_range(t, face);
-  if (std::isfinite(range.hi - range.lo))
+  if (const FaceRange range = field.patch_range(t, face); std::isfinite(range.hi - range.lo)) {
     found = std::max({found, range.hi, -range.lo});
-  else
+  } else {
     ++sampled_;
+    for (const Vec3& p : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
+      found = std::max(found, std::abs(field.patch_distance(p, face)));
+  }
   // Corners are exact, whatever the face.
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
   count(std::min(found, kNearestCorner * longest));
