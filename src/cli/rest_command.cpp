@@ -82,7 +82,7 @@ std::string rest_json(const Rest& rest, const RestTyped& typed) {
 }
 
 std::string reach_text(const ReachingTool& t) {
-  if (!(t.diameter > t.error)) return "none";
+  if (!(t.diameter > t.error)) return fmt::format("none above Ø{:.1f}", t.diameter + t.error);
   const double unit = t.error < 0.2 ? 0.1 : 1;
   return fmt::format("Ø{:g}{} ± {:.1g}", std::round(t.diameter / unit) * unit,
                      t.is_least ? " or more" : "", t.error);

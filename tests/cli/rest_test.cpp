@@ -105,6 +105,7 @@ TEST_F(Rest, SlotIsForAnEndMill) {
   EXPECT_NEAR(piece["volume"].get<double>(), 10 * 40 * 2, 8);
   EXPECT_NEAR(piece["flat"]["diameter"].get<double>(), 10, piece["flat"]["error"].get<double>());
   EXPECT_LT(piece["ball"]["diameter"], 4);
+  EXPECT_TRUE(contains(run("rest part.stl nominal.stl").out, "by a ball: none above"));
 }
 
 TEST_F(Rest, PiecesAreAMeshOfTheirVolume) {

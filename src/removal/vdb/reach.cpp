@@ -58,7 +58,9 @@ Lattice make_lattice(const openvdb::FloatGrid& solid, const Box3& places, double
   out.size = {int(length.x / out.step) + 2, int(length.y / out.step) + 2,
               int(length.z / out.step) + 2};
   out.solid.resize(out.index(0, 0, out.size[2]));
-  const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> at(solid);
+  const openvdb::FloatGrid::ConstAccessor accessor = solid.getConstAccessor();
+  const openvdb::tools::GridSampler<openvdb::FloatGrid::ConstAccessor, openvdb::tools::BoxSampler>
+      at(accessor, solid.transform());
   for (int z = 0; z < out.size[2]; ++z)
     for (int y = 0; y < out.size[1]; ++y)
       for (int x = 0; x < out.size[0]; ++x) {
