@@ -48,6 +48,13 @@ TEST_F(RunJson, SaysWhatTheSummarySays) {
   EXPECT_EQ(std::system(check.c_str()), 0) << sum;
 }
 
+TEST_F(RunJson, TellsWhatAReductionCosts) {
+  const Json j = told(std::string(kCut) + "--max-triangles 300 -o part.stl", 0);
+  EXPECT_LE(j["mesh"]["triangles"], 300);
+  EXPECT_GT(j["mesh"]["reduced"]["before"], 300);
+  EXPECT_GE(j["mesh"]["reduced"]["distance"][1], j["mesh"]["reduced"]["distance"][0]);
+}
+
 TEST_F(RunJson, HoldsTheComparison) {
   const Json j = told(std::string(kCut) + "--nominal block.stl --accept 0.02", 4);
   EXPECT_EQ(j["status"], "rejected");

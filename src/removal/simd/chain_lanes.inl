@@ -16,7 +16,7 @@ MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
 }
 
 /// The plane across the way from the tip's path to p, which touches the tip's ball, where the tool
-/// lies behind it; else minus infinity.
+/// lies behind it; else, and where that way is too short to be known, minus infinity.
 MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const V zero = splat(0.0), h = at.w - splat(tool.tip);
   const double scale = 1 / (line.plan * line.plan + line.rise * line.rise);
@@ -24,9 +24,10 @@ MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const Chain
   const V way = vmin(vmax(t, zero), splat(1.0));
   const V along = at.u - way * splat(line.plan), up = h - way * splat(line.rise);
   const V square = along * along + at.v * at.v;
-  const M behind = less_equal(up * splat(tool.last.x), vsqrt(square) * splat(tool.last.y));
-  return select(behind, vsqrt(square + up * up) - splat(tool.ball),
-                splat(-std::numeric_limits<double>::infinity()));
+  const V off = vsqrt(square + up * up);
+  const M behind = both(less(splat(1e-3), off),
+                        less_equal(up * splat(tool.last.x), vsqrt(square) * splat(tool.last.y)));
+  return select(behind, off - splat(tool.ball), splat(-std::numeric_limits<double>::infinity()));
 }
 
 /// No position of the tool is nearer: the largest distance from planes that the sweep lies behind.
