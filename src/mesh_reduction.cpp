@@ -4,7 +4,6 @@
 #include "mesh/reduce/reduce.h"
 #include <mrsim/compare.h>
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,32 +23,23 @@ MeshReduction measure(const TriMesh& before, const TriMesh& after, const Job& jo
   return {before.triangles.size(), found.lower, found.upper, found.place};
 }
 
-bool is_small(const TriMesh& mesh, std::size_t most) {
-  return !mesh.triangles.empty() && mesh.triangles.size() <= most;
-}
-
-// `found`: triangles of what came instead, 0 for none.
-[[noreturn]] void refuse(const TriMesh& mesh, std::size_t found, const Job& job) {
-  std::size_t possible = std::max(found, job.max_triangles + job.max_triangles / 2);
-  while (possible < mesh.triangles.size() &&
-         !is_small(reduce_mesh(mesh, possible, job.mesh), possible))
-    possible += possible / 2;
-  throw Error("max-triangles",
-              fmt::format("--max-triangles {}: no mesh of so few triangles was found that does not "
-                          "cross itself; {} are possible",
-                          job.max_triangles, std::min(possible, mesh.triangles.size())));
-}
-
 }  // namespace
 
-void reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs) {
+bool reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs) {
+  if (job.max_triangles == 0) return false;
   const TriMesh& before = part.in_memory();
-  if (job.max_triangles == 0 || before.triangles.size() <= job.max_triangles) return;
+  if (before.triangles.size() <= job.max_triangles) return false;
+  result.expected_memory += static_cast<std::size_t>(reduction_memory(before.triangles.size()));
   TriMesh after = reduce_mesh(before, job.max_triangles, job.mesh);
-  if (!is_small(after, job.max_triangles)) refuse(before, after.triangles.size(), job);
+  if (after.triangles.size() > job.max_triangles)
+    throw Error("max-triangles",
+                fmt::format("--max-triangles {}: no mesh of so few triangles was found that does "
+                            "not cross itself; {} are possible",
+                            job.max_triangles, after.triangles.size()));
   result.reduction = measure(before, after, job);
   part.replace(std::move(after));
   outputs.replace_mesh();
+  return true;
 }
 
 }  // namespace mrsim

@@ -8,8 +8,8 @@
 namespace mrsim {
 
 /// Reduces the mesh where it has more triangles than the job allows, and measures the distance
-/// between both meshes into result.reduction. Throws Error "max-triangles", which names a number
-/// that is possible, where no sound mesh is that small.
-void reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs);
+/// between both meshes into result.reduction. Returns whether it did. Throws Error "max-triangles",
+/// which names a number that is possible, where no sound mesh is that small.
+bool reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs);
 
 }  // namespace mrsim

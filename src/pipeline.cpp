@@ -187,16 +187,14 @@ double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoi
   return found.volume_excess;
 }
 
-// Drops loose pieces where that was asked for, and fills in the part's figures.
-void settle_part(const Job& job, JobResult& result, const CutList& cuts, double excess,
-                 PartMesh& part, Outputs& outputs) {
+// Drops loose pieces where that was asked for. Returns the volume of the part, mm^3.
+double settle_pieces(const Job& job, JobResult& result, double excess, PartMesh& part,
+                     Outputs& outputs) {
   keep_pieces(result, part, job.keep, writes_vdb(job));
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
                                     [](const PartPiece& piece) { return piece.kept; });
   if (!is_whole) outputs.replace_mesh();
-  const double volume = part.summary().volume - (is_whole ? excess : 0);
-  reduce_part(job, result, part, outputs);
-  summarize_part(result, part, cuts, volume);
+  return part.summary().volume - (is_whole ? excess : 0);
 }
 
 StockRecipe recipe_of(const Job& job, const JobResult& result, const CutList& cuts) {
@@ -291,8 +289,10 @@ void simulate(const Job& job, JobResult& result) {
                 block_threads, outputs);
   const double excess = make_mesh(job, result, stock, choice, part);
   clock.done("mesh");
-  settle_part(job, result, cuts, excess, part, outputs);
+  const double volume = settle_pieces(job, result, excess, part, outputs);
   clock.done("check");
+  if (reduce_part(job, result, part, outputs)) clock.done("reduce");
+  summarize_part(result, part, cuts, volume);
   if (is_faulty(result, job.strict)) return;
   if (job.inspect) {
     job.inspect(part.in_memory());

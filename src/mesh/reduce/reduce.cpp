@@ -1,6 +1,7 @@
 #include "mesh/reduce/reduce.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/parallel.h"
 #include "core/triangle_tree.h"
 #include "core/vec.h"
@@ -22,10 +23,12 @@
 namespace mrsim {
 namespace {
 
-constexpr int kRounds = 8;               // decimations, each with more vertices that stay
-constexpr double kLeastCosine = 0.2;     // between a face before and after a collapse
-constexpr double kLeastHeight = 1e-3;    // of a triangle, as a share of its longest side
-constexpr std::size_t kTellEach = 4096;  // collapses
+constexpr int kRounds = 4;                 // of one step, each with more vertices that stay
+constexpr double kLeastShare = 0.5;        // of the triangles of a step's mesh that it keeps
+constexpr double kBytesPerTriangle = 450;  // of its half edges, quadrics and heap
+constexpr double kLeastCosine = 0.2;       // between a face before and after a collapse
+constexpr double kLeastHeight = 1e-3;      // of a triangle, as a share of its longest side
+constexpr std::size_t kTellEach = 4096;    // collapses
 // Edges at a vertex: a collapse beside it costs their square. Vertices of more stay.
 constexpr unsigned kMostEdges = 48;
 
@@ -33,9 +36,62 @@ struct Traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+// Closed meshes. The two tests that the decimation asks of each edge again and again stand here
+// once more: distributions compile those of the library with its assertions, which compare names
+// of types at each access (2.5 times the time of the whole decimation).
+class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
+ public:
+  // Whether the edge may collapse: both ends have no common neighbours but the two corners of
+  // its triangles.
+  bool is_collapse_ok(HalfedgeHandle edge) {
+    const VertexHandle from = from_vertex_handle(edge), to = to_vertex_handle(edge);
+    if (status(edge_handle(edge)).deleted() || status(from).deleted() || status(to).deleted())
+      return false;
+    const VertexHandle left = corner(edge), right = corner(opposite_halfedge_handle(edge));
+    if (left == right) return false;
+    for (const VertexHandle v : vv_range(from)) status(v).set_tagged(false);
+    for (const VertexHandle v : vv_range(to)) status(v).set_tagged(true);
+    for (const VertexHandle v : vv_range(from))
+      if (status(v).tagged() && v != left && v != right) return false;
+    return true;
+  }
+  HalfedgeHandle find_halfedge(VertexHandle from, VertexHandle to) const {
+    for (const HalfedgeHandle h : voh_range(from))
+      if (to_vertex_handle(h) == to) return h;
+    return {};
+  }
+  unsigned valence(VertexHandle vertex) const {
+    unsigned count = 0;
+    for (auto it = cvv_iter(vertex); it.is_valid(); ++it) ++count;
+    return count;
+  }
+
+ private:
+  VertexHandle corner(HalfedgeHandle edge) const {
+    return to_vertex_handle(next_halfedge_handle(edge));
+  }
+};
 
 Vec3 vec(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
+
+// Counts the collapses of a reduction, and tells the caller how far it is.
+class Counter {
+ public:
+  Counter(const Progress& tell, std::size_t wanted)
+      : tell_(tell), wanted_(static_cast<double>(wanted)) {}
+  // Throws Error "cancelled".
+  void collapsed() {
+    if (++done_ % kTellEach != 0 || !tell_) return;
+    if (!tell_("reduce", std::min(static_cast<double>(done_) / wanted_, 1.0)))
+      throw Error("cancelled", "the run was stopped");
+  }
+
+ private:
+  const Progress& tell_;
+  double wanted_;
+  std::size_t done_ = 0;
+};
 
 // Which collapses may be done, whatever they cost.
 class Legal : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
@@ -50,10 +106,7 @@ class Legal : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
     static const std::string kName = "Legal";
     return kName;
   }
-  void tell(const MeshOptions& options, std::size_t wanted) {
-    options_ = &options;
-    wanted_ = wanted;
-  }
+  void count(Counter& counter) { counter_ = &counter; }
 
   float collapse_priority(const Info& info) override {
     if (mesh().valence(info.v0) + mesh().valence(info.v1) > kMostEdges)
@@ -63,12 +116,7 @@ class Legal : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
         return float(Base::ILLEGAL_COLLAPSE);
     return float(Base::LEGAL_COLLAPSE);
   }
-  void postprocess_collapse(const Info&) override {
-    if (++done_ % kTellEach != 0 || !options_->progress) return;
-    const double share = static_cast<double>(done_) / static_cast<double>(wanted_);
-    if (!options_->progress("reduce", std::min(share, 1.0)))
-      throw Error("cancelled", "the run was stopped");
-  }
+  void postprocess_collapse(const Info&) override { counter_->collapsed(); }
 
  private:
   // Whether the face keeps its direction and is no needle with the vertex moved.
@@ -90,8 +138,7 @@ class Legal : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh> {
     return dot(old_normal, normal) > kLeastCosine * size * length(old_normal);
   }
 
-  const MeshOptions* options_ = nullptr;
-  std::size_t wanted_ = 1, done_ = 0;
+  Counter* counter_ = nullptr;
 };
 
 HalfEdgeMesh decimatable(const TriMesh& mesh, const std::vector<char>& stays) {
@@ -130,7 +177,7 @@ TriMesh collected(HalfEdgeMesh& from) {
 }
 
 TriMesh decimated(const TriMesh& mesh, std::size_t most, const std::vector<char>& stays,
-                  const MeshOptions& options) {
+                  Counter& counter) {
   HalfEdgeMesh work = decimatable(mesh, stays);
   OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater(work);
   OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadrics;
@@ -138,7 +185,7 @@ TriMesh decimated(const TriMesh& mesh, std::size_t most, const std::vector<char>
   decimater.add(quadrics);
   decimater.add(legal);
   decimater.module(quadrics).unset_max_err();
-  decimater.module(legal).tell(options, (mesh.triangles.size() - most) / 2 + 1);
+  decimater.module(legal).count(counter);
   decimater.initialize();
   decimater.decimate_to_faces(0, most);
   return collected(work);
@@ -180,9 +227,10 @@ void keep_about(const Pairs& pairs, const TriMesh& small, const TriMesh& mesh,
   }
 }
 
-void set_owners(const TriMesh& mesh, const TriangleTree& tree, int threads, TriMesh& small) {
+void set_owners(const TriMesh& mesh, int threads, TriMesh& small) {
   small.origin = mesh.origin;
   if (mesh.owners.empty()) return;
+  const TriangleTree tree(mesh);
   small.owners.resize(small.triangles.size());
   parallel_for(small.triangles.size(), threads, [&](std::size_t i) {
     const auto& t = small.triangles[i];
@@ -192,22 +240,40 @@ void set_owners(const TriMesh& mesh, const TriangleTree& tree, int threads, TriM
   });
 }
 
-}  // namespace
-
-TriMesh reduce_mesh(const TriMesh& mesh, std::size_t most, const MeshOptions& options) {
-  if (mesh.triangles.size() <= most) return mesh;
+// One step of the reduction: `mesh` with `most` triangles, or with more where no edge is left that
+// may collapse; without triangles where all that were tried cross themselves.
+TriMesh step(const TriMesh& mesh, std::size_t most, int threads, Counter& counter) {
   const TriangleTree tree(mesh);
   std::vector<char> stays(mesh.vertices.size(), 0);
   for (int round = 0; round < kRounds; ++round) {
-    TriMesh small = decimated(mesh, most, stays, options);
-    const Pairs pairs = crossings(small, options.threads);
-    if (pairs.empty()) {
-      set_owners(mesh, tree, options.threads, small);
-      return small;
-    }
+    TriMesh small = decimated(mesh, most, stays, counter);
+    const Pairs pairs = crossings(small, threads);
+    if (pairs.empty()) return small;
     keep_about(pairs, small, mesh, tree, round, stays);
   }
   return {};
+}
+
+}  // namespace
+
+double reduction_memory(std::size_t triangles) {
+  return kBytesPerTriangle * static_cast<double>(triangles);
+}
+
+TriMesh reduce_mesh(const TriMesh& mesh, std::size_t most, const MeshOptions& options) {
+  if (mesh.triangles.size() <= most) return mesh;
+  require_memory(reduction_memory(mesh.triangles.size()), "--max-triangles");
+  TriMesh reduced = mesh;
+  Counter counter(options.progress, (mesh.triangles.size() - most) / 2 + 1);
+  while (reduced.triangles.size() > most) {
+    const std::size_t size = reduced.triangles.size();
+    const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(size));
+    TriMesh next = step(reduced, std::max(most, least), options.threads, counter);
+    if (next.triangles.empty() || next.triangles.size() == size) break;
+    reduced = std::move(next);
+  }
+  set_owners(mesh, options.threads, reduced);
+  return reduced;
 }
 
 }  // namespace mrsim
