@@ -119,7 +119,8 @@ void HeightWalker::cut(const Square& square, const List& list) {
   double low = high_;
   for (const std::uint32_t place : list) {
     if (low <= low_) return;
-    const double bottom = std::max(heights_.bottom(place, square.center.x, square.center.y), low_);
+    const double bottom =
+        std::max(heights_.bottom(place, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
     removed_[place] += area * (low - bottom);
     low = bottom;

@@ -89,13 +89,13 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
   return profile.arc ? lane::arc_rho(profile.c, x, y) : lane::line_rho(profile.c, x, y);
 }
 
-double SweepHeights::bottom(std::uint32_t place, double x, double y) const {
+double SweepHeights::bottom(std::uint32_t place, double x, double y, double below) const {
   const Row& row = rows_[place];
   if (row.form == Form::level) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
     Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
     at.length = row.length, at.slope = row.slope;
-    return row.z + row.tool->bottom(at);
+    return row.z + row.tool->bottom(at, below - row.z);
   }
   if (row.form == Form::helix && row.exact) return helix_bottom(row, x, y, row.tool->radius());
   return search(row.sweep, x, y);

@@ -38,9 +38,11 @@ class SweepHeights {
   void assign(std::span<const std::uint32_t> sweeps);
 
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
-  /// below `high`; any height below `low` where it lies there. Up to 1e-9 mm; of sweeps that are
+  /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
+  /// there. Up to 1e-9 mm; of sweeps that are
   /// asked by distances, up to their error.
-  double bottom(std::uint32_t place, double x, double y) const;
+  double bottom(std::uint32_t place, double x, double y,
+                double below = std::numeric_limits<double>::infinity()) const;
   /// Bounds of bottom() over all places within r of (x, y).
   Underside::Bounds bounds(std::uint32_t place, double x, double y, double r) const;
 

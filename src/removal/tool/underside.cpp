@@ -56,25 +56,33 @@ double Underside::steepness(double rho) const {
 
 // The tool touches at a place where it is as steep as the move: with the axis at distance rho of
 // the place, e of it along the move, slope_on(rho) e / rho = slope. The tool is widened by `shift`.
-Underside::Bracket Underside::contact(double v, double slope, double shift, int steps) const {
+// Steepness grows with e, so the contact is looked for in the part of one edge, and an end of
+// `range` is the answer where the contact lies beyond it.
+Underside::Bracket Underside::contact(const Slant& at, double shift, Bracket range,
+                                      int steps) const {
+  const double v = at.v, slope = at.slope;
   double first = shift > 0 ? root(shift * shift - v * v) : 0;  // e where the edge begins
   for (const Edge& e : edges_) {
+    if (range.high <= first) return {range.high, range.high};
     const double end = e.to + shift;
     if (end <= v) continue;
     const double last = root(end * end - v * v);
-    if (!(slope_on(e, e.to) * last < slope * end)) {
-      if (e.radius > 0) return arc_contact(e, v, slope, shift, {first, last}, steps);
+    const Bracket in{std::max(first, range.low), std::min(last, range.high)};
+    if (in.low <= in.high && (last >= range.high || !(slope_on(e, e.to) * last < slope * end))) {
+      if (e.radius > 0) return arc_contact(e, at, shift, in, steps);
       const double tilt = root(e.slope * e.slope - slope * slope);
-      const double at = tilt > 0 ? std::clamp(slope * v / tilt, first, last) : last;
-      return {at, at};
+      const double found = tilt > 0 ? std::clamp(slope * v / tilt, in.low, in.high) : in.high;
+      return {found, found};
     }
     first = last;
   }
-  return {first, first};
+  const double last = std::clamp(first, range.low, range.high);
+  return {last, last};
 }
 
-Underside::Bracket Underside::arc_contact(const Edge& e, double v, double slope, double shift,
+Underside::Bracket Underside::arc_contact(const Edge& e, const Slant& from, double shift,
                                           Bracket in, int steps) const {
+  const double v = from.v, slope = from.slope;
   const double center = e.center + shift, square = e.radius * e.radius;
   if (center == 0) {
     const double at = slope * root((square - v * v) / (1 + slope * slope));
@@ -84,8 +92,10 @@ Underside::Bracket Underside::arc_contact(const Edge& e, double v, double slope,
     const double rho = std::sqrt(along * along + v * v), off = rho - center;
     return std::max(off, 0.0) * along - slope * rho * root(square - off * off);
   };
-  double below = excess(in.low), above = excess(in.high);
+  double below = excess(in.low);
   if (!(below < 0)) return {in.low, in.low};
+  double above = excess(in.high);
+  if (!(above > 0)) return {in.high, in.high};
   for (int k = 0; k < steps && in.high - in.low > kContact; ++k) {
     double at = in.low + (in.high - in.low) * below / (below - above);
     if (k % 3 == 2 || !(at > in.low && at < in.high)) at = 0.5 * (in.low + in.high);
@@ -98,12 +108,13 @@ Underside::Bracket Underside::arc_contact(const Edge& e, double v, double slope,
   return in;
 }
 
-double Underside::bottom(const Slant& at) const {
+double Underside::bottom(const Slant& at, double below) const {
   const double wide = root(radius_ * radius_ - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > radius_ || low > high) return kInfinity;
-  const Bracket found = contact(at.v, at.slope, 0, kAllSteps);
-  const double e = std::clamp(0.5 * (found.low + found.high), low, high);
+  if (at.slope * (at.u - high) + height(at.v) >= below) return kInfinity;
+  const Bracket found = contact(at, 0, {low, high}, kAllSteps);
+  const double e = 0.5 * (found.low + found.high);
   return at.slope * (at.u - e) + height(std::min(std::sqrt(e * e + at.v * at.v), radius_));
 }
 
@@ -113,8 +124,8 @@ double Underside::lower(const Slant& at, double r) const {
   const double reach = radius_ + r, wide = root(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
-  const Bracket found = contact(at.v, at.slope, r, kBoundSteps);
-  const double begin = std::clamp(found.low, low, high), end = std::clamp(found.high, low, high);
+  const Bracket found = contact(at, r, {low, high}, kBoundSteps);
+  const double begin = found.low, end = found.high;
   const auto rho = [&](double e) { return std::sqrt(e * e + at.v * at.v); };
   const auto value = [&](double e) {
     return at.slope * (at.u - e) + height(std::clamp(rho(e) - r, 0.0, radius_)) - kRounding;
@@ -137,8 +148,8 @@ double Underside::upper(const Slant& at, double r) const {
   const double reach = radius_ - r, wide = root(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
-  const Bracket found = contact(at.v, at.slope, -r, kBoundSteps);
-  const double e = std::clamp(0.5 * (found.low + found.high), low, high);
+  const Bracket found = contact(at, -r, {low, high}, kBoundSteps);
+  const double e = 0.5 * (found.low + found.high);
   const double rho = std::min(std::sqrt(e * e + at.v * at.v) + r, radius_);
   return at.slope * (at.u - e) + height(rho) + kRounding;
 }

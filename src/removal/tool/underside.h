@@ -33,9 +33,9 @@ class Underside {
   struct Slant {
     double u = 0, v = 0, length = 0, slope = 0;
   };
-  /// Lowest height that the tool reaches at the place, above the lower end of the tip's path.
-  /// Requires: is_convex().
-  double bottom(const Slant& at) const;
+  /// Lowest height that the tool reaches at the place, above the lower end of the tip's path;
+  /// infinite, perhaps, where it is not lower than `below`. Requires: is_convex().
+  double bottom(const Slant& at, double below = std::numeric_limits<double>::infinity()) const;
   /// The least and the greatest bottom() of all places within r of this one, or bounds of them.
   struct Bounds {
     double lower = std::numeric_limits<double>::infinity(), upper = lower;
@@ -56,9 +56,8 @@ class Underside {
   static double height_on(const Edge& e, double rho);
   static double slope_on(const Edge& e, double rho);
   double steepness(double rho) const;
-  Bracket contact(double v, double slope, double shift, int steps) const;
-  Bracket arc_contact(const Edge& e, double v, double slope, double shift, Bracket in,
-                      int steps) const;
+  Bracket contact(const Slant& at, double shift, Bracket range, int steps) const;
+  Bracket arc_contact(const Edge& e, const Slant& from, double shift, Bracket in, int steps) const;
   double lower(const Slant& at, double r) const;
   double upper(const Slant& at, double r) const;
 
