@@ -1,17 +1,20 @@
 // What is left to cut: pieces by voxels, measured against the exact surfaces.
 
 #include "compare/nominal.h"
+#include "compare/reach.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
+#include "mesh/solid/pieces.h"
 #include "voxel_module.h"
 #include <mrsim/rest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,14 +22,11 @@
 namespace mrsim {
 namespace {
 
-constexpr double kVoxels = 400;       // along the longest side
+constexpr double kVoxels = 400;      // along the longest side
+constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
+constexpr double kLargestTool = 64;  // mm
+constexpr double kNear = 2;          // voxels from places of a piece: inner edges that belong to it
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
-
-Box3 bounds_of(const TriMesh& mesh) {
-  Box3 box;
-  for (const auto& v : mesh.vertices) extend(box, to_vec(v));
-  return box;
-}
 
 // Both surfaces, asked for the place that is nearest.
 class Surfaces {
@@ -49,28 +49,24 @@ class Surfaces {
     return {of_part.point, std::max(0.0, nominal_.at(of_part.point).distance)};
   }
 
+  const NominalSurface& nominal() const { return nominal_; }
+
  private:
   NominalSurface part_, nominal_;
 };
 
 // Of the solid within the surface.
 Vec3 center_of(const TriMesh& mesh, const Box3& bounds) {
-  const Vec3 middle = 0.5 * (bounds.lo + bounds.hi);
   Vec3 sum;
   double volume = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = to_vec(mesh.vertices[t[0]]) - middle, b = to_vec(mesh.vertices[t[1]]) - middle,
-               c = to_vec(mesh.vertices[t[2]]) - middle;
-    const double one = dot(a, cross(b, c)) / 6;
-    volume += one;
-    sum = sum + (one / 4) * (a + b + c);
-  }
-  return volume > 0 ? middle + (1 / volume) * sum : middle;
+  for (const Piece& piece : find_pieces(mesh))
+    sum += piece.volume * piece.center, volume += piece.volume;
+  return volume > 0 ? (1 / volume) * sum : 0.5 * (bounds.lo + bounds.hi);
 }
 
-RestPiece measured(RestVoxels found, const Surfaces& surfaces, double above, int threads) {
+RestPiece measured(TriMesh voxels, const Surfaces& surfaces, double above, int threads) {
   RestPiece out;
-  out.surface = std::move(found.surface);
+  out.surface = voxels;
   auto& vertices = out.surface.vertices;
   std::vector<double> heights(vertices.size());
   parallel_for(
@@ -87,11 +83,28 @@ RestPiece measured(RestVoxels found, const Surfaces& surfaces, double above, int
     out.place = to_vec(vertices[static_cast<std::size_t>(highest - heights.begin())]);
   }
   out.volume = signed_volume(out.surface);
-  out.bounds = bounds_of(out.surface);
+  if (!(out.volume > 0)) {  // thinner than what the surfaces differ by
+    out.is_exact = false;
+    out.surface = std::move(voxels);
+    out.volume = signed_volume(out.surface);
+  }
+  out.bounds = mesh_bounds(out.surface);
   out.center = center_of(out.surface, out.bounds);
-  out.ball = {found.ball, found.error, found.ball_is_least};
-  out.flat = {found.flat, found.error, found.flat_is_least};
   return out;
+}
+
+void find_tools(const NominalSurface& nominal, const Rest& rest, const RestVoxels& found,
+                RestPiece& piece) {
+  const std::vector<SurfacePlace> places =
+      surface_places(nominal, found.places, kNear * rest.voxel);
+  const ReachTask task{rest.leaves, kLargestTool / 2, rest.leaves};
+  const auto told = [](const Reach& r) {
+    return ReachingTool{r.diameter, r.error, r.is_least, r.is_most};
+  };
+  piece.searched = !places.empty();
+  if (!piece.searched) return;
+  piece.ball = told(largest_ball(nominal, places, task));
+  piece.flat = told(largest_flat(nominal, places, task));
 }
 
 double voxel_of(const RestOptions& options, const Box3& box) {
@@ -111,27 +124,34 @@ double voxel_of(const RestOptions& options, const Box3& box) {
 Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& options) {
   require_comparable(part, "part", "part", options.threads);
   require_comparable(nominal, "nominal", "nominal", options.threads);
-  Box3 box = bounds_of(part);
-  extend(box, bounds_of(nominal));
+  Box3 box = mesh_bounds(part);
+  extend(box, mesh_bounds(nominal));
   Rest out;
   out.voxel = voxel_of(options, box);
   out.above = options.above > 0 ? options.above : out.voxel / 2;
+  out.leaves = kLeaves * out.above;
   if (out.above > 2 * out.voxel)
     throw Error("rest-voxel",
                 fmt::format("{:g} mm are more than 2 voxels of {:g} mm", out.above, out.voxel),
                 Error::Kind::usage);
   std::vector<RestVoxels> found =
-      find_rest_voxels({part, nominal, out.voxel, out.above, options.searched, options.threads});
+      find_rest_voxels({part, nominal, out.voxel, out.above, options.threads});
   const Surfaces surfaces(part, nominal, options.threads);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    RestPiece piece = measured(std::move(found[i]), surfaces, out.above, options.threads);
-    piece.searched = i < options.searched;
-    if (!(piece.volume > 0)) continue;
-    out.volume += piece.volume;
-    out.pieces.push_back(std::move(piece));
+  std::erase_if(found, [](const RestVoxels& one) { return one.surface.triangles.empty(); });
+  std::vector<RestPiece> pieces;
+  for (RestVoxels& one : found) {
+    pieces.push_back(measured(std::move(one.surface), surfaces, out.above, options.threads));
+    out.volume += pieces.back().volume;
   }
-  std::stable_sort(out.pieces.begin(), out.pieces.end(),
-                   [](const RestPiece& a, const RestPiece& b) { return a.volume > b.volume; });
+  std::vector<std::size_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return pieces[a].volume > pieces[b].volume;
+  });
+  parallel_for(std::min(order.size(), options.searched), options.threads, [&](std::size_t i) {
+    find_tools(surfaces.nominal(), out, found[order[i]], pieces[order[i]]);
+  });
+  for (const std::size_t i : order) out.pieces.push_back(std::move(pieces[i]));
   return out;
 }
 

@@ -23,11 +23,12 @@ struct RestOptions {
   int threads = 0;
 };
 
-/// The diameter of a tool, mm.
+/// The largest tool that comes to a piece and leaves at most Rest::leaves of it.
 struct ReachingTool {
-  double diameter = 0;
-  double error = 0;       ///< mm, either way
+  double diameter = 0;    ///< mm; 0: none
+  double error = 0;       ///< mm, either way, of the diameter for these triangles
   bool is_least = false;  ///< larger tools were not tried
+  bool is_most = false;  ///< the piece has an inner edge, which no tool reaches: it leaves material
 };
 
 /// Material that the part has and the nominal has not, connected.
@@ -38,15 +39,16 @@ struct RestPiece {
   Vec3 center;           ///< of volume, mm
   Box3 bounds;           ///< mm
   bool searched = false;
-  /// The largest ball that comes to all of it without cutting the nominal, from any side. It leaves
-  /// sharp inner edges, where its diameter falls to the size of some voxels.
-  ReachingTool ball;
+  /// False: too thin for the exact surfaces, so that all figures are those of its voxels.
+  bool is_exact = true;
+  ReachingTool ball;  ///< a ball from any side, without cutting the nominal
   ReachingTool flat;  ///< the largest flat end mill that stands upright and comes from above
   TriMesh surface;    ///< closed
 };
 
 struct Rest {
   double voxel = 0, above = 0;    ///< mm, as used
+  double leaves = 0;              ///< mm: what a tool may leave of a piece
   double volume = 0;              ///< of all pieces, mm^3
   std::vector<RestPiece> pieces;  ///< the largest volume first
 };

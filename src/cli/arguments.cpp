@@ -20,7 +20,7 @@ struct Typed {
   std::vector<std::string> inputs, outputs, tools_files, tools, search_path;
   std::string dialect, machine, start, block_skip, comp;
   bool least_increments = false;
-  std::string until, frames, frames_by, history, machine_file;
+  std::string until, frames, frames_by, history, rest, machine_file;
   std::vector<std::string> variables;
   std::string max_blocks, max_steps;
   bool trace_variables = false;
@@ -151,6 +151,8 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
   add("Cutting", "--history", typed.history, "FILE",
       "what each motion, line and tool removes, with its time: .csv or .json; off: no sums in the "
       "summary");
+  add("Cutting", "--rest", typed.rest, "FILE",
+      "what is left to cut for the --nominal, and the largest tools that reach it: .json");
   add("Cutting", "--threads", typed.threads, "N",
       "default: all cores; the result is the same for any number");
   add("Cutting", "--max-memory", typed.max_memory, "SIZE",
@@ -322,6 +324,9 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.history.empty() && typed.history != "off" && !typed.history.ends_with(".csv") &&
       !typed.history.ends_with(".json"))
     fail_usage(fmt::format("--history {}: a .csv or .json file, or off", typed.history));
+  out.rest = typed.rest;
+  if (!typed.rest.empty() && !typed.rest.ends_with(".json"))
+    fail_usage(fmt::format("--rest {}: a .json file", typed.rest));
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
   if (!typed.max_triangles.empty())
     out.max_triangles = count_value("--max-triangles", typed.max_triangles);
@@ -379,7 +384,8 @@ void read_values(Arguments& out, const Typed& typed) {
   if (out.compare.options.accept && out.compare.nominal.empty())
     fail_usage("--accept judges against a nominal: --nominal part.step");
   if (out.compare.nominal.empty())
-    for (const auto& [value, option] : {std::pair(typed.compare.deviation, "--deviation"),
+    for (const auto& [value, option] : {std::pair(typed.rest, "--rest"),
+                                        {typed.compare.deviation, "--deviation"},
                                         {typed.compare.align, "--align"},
                                         {typed.compare.density, "--density"},
                                         {typed.compare.deflection, "--deflection"},

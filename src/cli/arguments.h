@@ -31,6 +31,7 @@ struct Arguments {
   int frames = 0;                 ///< --frames; 0 = the part at the end alone
   bool frames_by_volume = false;  ///< --frames-by: equal shares of the volume, not of the time
   std::string history;            ///< --history: a file, "off" or empty
+  std::string rest;               ///< --rest: a file, or empty
   MachineData machine;            ///< of --machine-file
   RenderOptions render;
   CompareRequest compare;  ///< of the part just cut, when it names a nominal

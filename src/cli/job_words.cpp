@@ -21,10 +21,10 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
 
 // What a job says of files and of a comparison, which pictures of its run do not ask.
 bool is_for_pictures(const std::string& option) {
-  static constexpr std::array<std::string_view, 15> kOthers = {
-      "--output",  "--frames", "--until", "--history",   "--strict",
-      "--nominal", "--accept", "--align", "--density",   "--deflection",
-      "--report",  "--json",   "--junit", "--deviation", "--colors"};
+  static constexpr std::array<std::string_view, 16> kOthers = {
+      "--output", "--frames",    "--until",   "--history",    "--strict", "--nominal",
+      "--accept", "--align",     "--density", "--deflection", "--report", "--json",
+      "--junit",  "--deviation", "--colors",  "--rest"};
   return std::find(kOthers.begin(), kOthers.end(), option) == kOthers.end();
 }
 

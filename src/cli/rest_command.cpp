@@ -3,24 +3,20 @@
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
-#include "cli/report.h"
+#include "cli/rest_report.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
 #include "core/publish.h"
-#include "core/text_io.h"
 #include <mrsim/rest.h>
 #include <mrsim/solid_files.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace mrsim::cli {
 namespace {
@@ -49,65 +45,6 @@ struct RestTyped {
   std::string json, voxel, above, deflection, threads;
   bool quiet = false, help = false;
 };
-
-using Json = nlohmann::ordered_json;
-
-Json xyz(const Vec3& p) { return Json::array({p.x, p.y, p.z}); }
-Json reach_json(const ReachingTool& t) {
-  return {{"diameter", t.diameter}, {"error", t.error}, {"or_more", t.is_least}};
-}
-
-std::string rest_json(const Rest& rest, const RestTyped& typed) {
-  Json pieces = Json::array();
-  for (const RestPiece& p : rest.pieces) {
-    Json one{{"volume", p.volume},
-             {"thickness", p.thickness},
-             {"place", xyz(p.place)},
-             {"center", xyz(p.center)},
-             {"bounds", Json::array({xyz(p.bounds.lo), xyz(p.bounds.hi)})}};
-    one["ball"] = p.searched ? reach_json(p.ball) : Json(nullptr);
-    one["flat"] = p.searched ? reach_json(p.flat) : Json(nullptr);
-    pieces.push_back(std::move(one));
-  }
-  const Json out{{"schema", 1},
-                 {"kind", "rest"},
-                 {"unit", "mm"},
-                 {"part", to_utf8(typed.inputs[0])},
-                 {"nominal", to_utf8(typed.inputs[1])},
-                 {"voxel", rest.voxel},
-                 {"above", rest.above},
-                 {"volume", rest.volume},
-                 {"pieces", std::move(pieces)}};
-  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string reach_text(const ReachingTool& t) {
-  if (!(t.diameter > t.error)) return fmt::format("none above Ø{:.1f}", t.diameter + t.error);
-  const double unit = t.error < 0.2 ? 0.1 : 1;
-  return fmt::format("Ø{:g}{} ± {:.1g}", std::round(t.diameter / unit) * unit,
-                     t.is_least ? " or more" : "", t.error);
-}
-
-std::string rest_text(const Rest& rest) {
-  std::string out = fmt::format(
-      "{} mm³ are left in {} {}, by voxels of {:.3g} mm; what is no thicker than {:.3g} mm is left "
-      "out\n",
-      grouped(rest.volume, 3), rest.pieces.size(), rest.pieces.size() == 1 ? "piece" : "pieces",
-      rest.voxel, rest.above);
-  std::size_t number = 0;
-  for (const RestPiece& p : rest.pieces) {
-    const Vec3 &lo = p.bounds.lo, &hi = p.bounds.hi;
-    out += fmt::format(
-        "{:>3}  {} mm³, {:.3f} mm thick at ({:.3f}, {:.3f}, {:.3f}); {:.2f} x {:.2f} x {:.2f} mm "
-        "about ({:.2f}, {:.2f}, {:.2f})\n",
-        ++number, grouped(p.volume, 3), p.thickness, p.place.x, p.place.y, p.place.z, hi.x - lo.x,
-        hi.y - lo.y, hi.z - lo.z, p.center.x, p.center.y, p.center.z);
-    if (p.searched)
-      out += fmt::format("     reached by a flat end mill from above: {}; by a ball: {}\n",
-                         reach_text(p.flat), reach_text(p.ball));
-  }
-  return out;
-}
 
 RestTyped typed_words(int argc, const char* const* argv) {
   RestTyped typed;
@@ -180,7 +117,7 @@ int run_rest(int argc, const char* const* argv) {
   for (const NamedPath& output : outputs)
     files.push_back({output.path, [&, path = output.path](const ByteSink& sink) {
                        if (path != typed.json) return encode_mesh(pieces, path, sink);
-                       const std::string text = rest_json(rest, typed);
+                       const std::string text = rest_json(rest, typed.inputs[0], typed.inputs[1]);
                        sink(text.data(), text.size());
                      }});
   write_files_atomically(files);

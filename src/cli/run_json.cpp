@@ -264,6 +264,7 @@ std::string run_json(const RunRecord& given) {
   out["comparison"] = record.comparison != nullptr
                           ? Json::parse(comparison_json(*record.comparison), nullptr, false)
                           : Json(nullptr);
+  out["rest"] = record.rest.empty() ? Json(nullptr) : Json::parse(record.rest, nullptr, false);
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -16,6 +16,7 @@ struct RunRecord {
   const Comparison* comparison = nullptr;  ///< none: not compared
   int exit_code = 0;
   std::string error_code, error_text;  ///< of the Error that ended the run, else empty
+  std::string rest;                    ///< JSON of --rest; empty: not asked for
 };
 
 /// One JSON object, docs/schema/run.json: the same keys whatever happened, null where nothing is

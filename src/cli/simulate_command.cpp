@@ -3,6 +3,7 @@
 #include "cli/compare_command.h"
 #include "cli/findings.h"
 #include "cli/report.h"
+#include "cli/rest_report.h"
 #include "cli/run_json.h"
 #include "cli/shortage.h"
 #include "cli/stop.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -40,6 +42,8 @@ class PartComparison {
   void measure(const TriMesh& part) {
     if (!is_compared()) return;
     comparison_ = compare_named(request_, part, nominal_.mesh);
+    if (!arguments_.rest.empty())
+      rest_ = find_rest(part, nominal_.mesh, {.threads = request_.options.threads});
     is_measured_ = true;
   }
 
@@ -58,6 +62,7 @@ class PartComparison {
                        sink(bytes.data(), bytes.size());
                      }});
     };
+    add(arguments_.rest, "--rest", &PartComparison::rest);
     add(request_.report, "--report", &PartComparison::report);
     add(request_.junit, "--junit", &PartComparison::junit);
     add(request_.json, "--json", &PartComparison::json);
@@ -71,7 +76,11 @@ class PartComparison {
 
   /// Prints the comparison; the exit code.
   int finish() const {
-    return is_compared() ? show_comparison(request_, nominal_, comparison_) : kDone;
+    if (!is_compared()) return kDone;
+    const int code = show_comparison(request_, nominal_, comparison_);
+    if (rest_ && !request_.quiet && request_.json != "-" && request_.junit != "-")
+      print(rest_text(*rest_));
+    return code;
   }
 
  private:
@@ -88,7 +97,11 @@ class PartComparison {
   }
   RunRecord record(const JobResult& result) const {
     const bool rejected = !comparison_.accepted.value_or(true);
-    return {&arguments_, &result, measured(), rejected ? kRejected : kDone, {}, {}};
+    return {&arguments_, &result, measured(), rejected ? kRejected : kDone, {}, {}, rest_json()};
+  }
+  std::string rest(const JobResult&) { return rest_json(); }
+  std::string rest_json() const {
+    return rest_ ? cli::rest_json(*rest_, request_.part, request_.nominal) : std::string();
   }
   std::string junit(const JobResult& result) { return run_junit(record(result)); }
   std::string json(const JobResult& result) { return run_json(record(result)); }
@@ -98,6 +111,7 @@ class PartComparison {
   NamedNominal nominal_;
   Comparison comparison_;
   bool is_measured_ = false;
+  std::optional<Rest> rest_;  // where --rest asks for it
 };
 
 Job job_of(const Arguments& arguments) {
@@ -155,7 +169,8 @@ void tell_failure(const RunRecord& record) {
   kept.push_back({arguments.input, "the program"});
   kept.push_back({arguments.stock, "the stock"});
   for (const std::string& path : arguments.outputs) kept.push_back({path, "-o"});
-  for (const std::string& path : {arguments.compare.report, arguments.compare.deviation})
+  for (const std::string& path :
+       {arguments.compare.report, arguments.compare.deviation, arguments.rest})
     kept.push_back({path, "an output"});
   const auto tell = [&](const NamedPath& file, const std::string& text) {
     if (file.path.empty()) return;
@@ -210,7 +225,7 @@ int run_simulate(const Arguments& arguments) {
 }
 
 int run_simulate(const Arguments& arguments, JobResult& result) {
-  RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}};
+  RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}, {}};
   const auto fail = [&](const std::string& code, const char* text, int exit_code) {
     if (result.ok) return;  // all files are there
     record.error_code = code;
@@ -219,7 +234,7 @@ int run_simulate(const Arguments& arguments, JobResult& result) {
     tell_failure(record);
   };
   set_last_words([&arguments](int code) {
-    tell_failure({&arguments, nullptr, nullptr, code, "cancelled", "the run was stopped"});
+    tell_failure({&arguments, nullptr, nullptr, code, "cancelled", "the run was stopped", {}});
   });
   try {
     const int code = simulate_and_tell(arguments, record, result);

@@ -8,6 +8,7 @@
 #include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "core/vec.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 #include <mrsim/compare.h>
 
@@ -39,13 +40,6 @@ void validate(const CompareOptions& o) {
   if (!(o.hausdorff_error >= 0)) usage("hausdorff-invalid", "the error bound is 0 mm or more");
 }
 
-Box3 bounds_of(const TriMesh& mesh) {
-  Box3 box;
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
-  return box;
-}
-
 void step(const CompareOptions& options, double share) {
   if (options.progress && !options.progress("compare", share))
     throw Error("cancelled", "the comparison was stopped");
@@ -54,7 +48,7 @@ void step(const CompareOptions& options, double share) {
 RigidTransform find_alignment(const TriMesh& part, const TriMesh& nominal,
                               const NominalSurface& surface, const CompareOptions& options) {
   if (options.align == Alignment::none) return {};
-  const Box3 from = bounds_of(part), to = bounds_of(nominal);
+  const Box3 from = mesh_bounds(part), to = mesh_bounds(nominal);
   const RigidTransform boxes = align_boxes(from, to);
   if (options.align == Alignment::bbox) return boxes;
   SurfaceSamples samples = sample_surface(part, kIcpPoints);
@@ -188,7 +182,7 @@ Comparison compare(const TriMesh& part, const TriMesh& nominal, const CompareOpt
   out.text = texts;
   out.part_volume = require_comparable(part, "part", "", options.threads);
   out.nominal_volume = require_comparable(nominal, "nominal", "", options.threads);
-  require_same_place(bounds_of(part), bounds_of(nominal), options.align);
+  require_same_place(mesh_bounds(part), mesh_bounds(nominal), options.align);
   step(options, 0);
   const NominalSurface surface(nominal, options.threads);
   out.transform = find_alignment(part, nominal, surface, options);

@@ -20,6 +20,25 @@ TrianglePoint at(const Vec3& p, const Vec3& point, TriangleFeature feature) {
   return {point, dot(d, d), feature};
 }
 
+// The point in plan of the part of a triangle above p.z that is nearest to p.
+TrianglePoint nearest_in_plan_on(const TriangleTree::Corners& k, const Vec3& p) {
+  const std::array<Vec3, 3> corners{k.a, k.b, k.c};
+  std::array<Vec3, 4> above;
+  std::size_t count = 0;
+  const auto add = [&](const Vec3& v) { above[count++] = {v.x, v.y, 0}; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+    if (a.z > p.z) add(a);
+    if ((a.z > p.z) != (b.z > p.z)) add(a + ((p.z - a.z) / (b.z - a.z)) * (b - a));
+  }
+  if (count < 3) return {};
+  const Vec3 plan{p.x, p.y, 0};
+  const TrianglePoint first = nearest_on_triangle(plan, above[0], above[1], above[2]);
+  if (count == 3) return first;
+  const TrianglePoint second = nearest_on_triangle(plan, above[0], above[2], above[3]);
+  return second.distance2 < first.distance2 ? second : first;
+}
+
 }  // namespace
 
 // Voronoi regions of the corners, edges and the face in turn (Ericson, Real-Time Collision
@@ -135,6 +154,12 @@ void TriangleTree::build_normals() {
   }
 }
 
+double TriangleTree::plan_distance2(const Node& node, const Vec3& p) {
+  const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
+               y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0});
+  return x * x + y * y;
+}
+
 double TriangleTree::box_distance2(const Node& node, const Vec3& p) {
   const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
                y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0}),
@@ -174,6 +199,26 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
     if (far.distance2 < near.distance2) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;
+  }
+  return best;
+}
+
+TrianglePoint TriangleTree::nearest_in_plan(const Vec3& p, double most) const {
+  TrianglePoint best;
+  double best2 = most * most;
+  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
+  for (int top = 1; top > 0;) {
+    const std::uint32_t at = stack[--top];
+    const Node& node = nodes_[at];
+    if (node.hi[2] <= p.z || plan_distance2(node, p) >= best2) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const TrianglePoint point = nearest_in_plan_on(corners(order_[i]), p);
+      if (point.distance2 < best2) best = point, best2 = point.distance2;
+    }
+    if (node.count > 0) continue;
+    const bool swap = plan_distance2(nodes_[node.first], p) < plan_distance2(nodes_[at + 1], p);
+    stack[top++] = swap ? at + 1 : node.first;
+    stack[top++] = swap ? node.first : at + 1;
   }
   return best;
 }

@@ -45,6 +45,9 @@ class TriangleTree {
   /// least index. A `hint` (any triangle, such as the one nearest to a neighbour of p) makes the
   /// search faster and does not change its result.
   Hit nearest(const Vec3& p, std::uint32_t hint = 0) const;
+  /// The point in plan (z = 0) of what the mesh has above p.z that is nearest to p, nearer than
+  /// `most`, mm. Without one the distance is infinite.
+  TrianglePoint nearest_in_plan(const Vec3& p, double most) const;
   /// Calls visit(triangle) for all triangles that may touch the box, in a fixed order, until it
   /// returns false.
   template <class Visit>
@@ -75,6 +78,7 @@ class TriangleTree {
   std::uint32_t build_node(std::vector<std::uint32_t>& order, std::uint32_t begin,
                            std::uint32_t end, const std::vector<Vec3>& centroids);
   void build_normals();
+  static double plan_distance2(const Node& node, const Vec3& p);
   static double box_distance2(const Node& node, const Vec3& p);
 
   std::vector<std::array<float, 3>> vertices_;

@@ -58,6 +58,7 @@ constexpr std::array kKeys = {
     JobKey{"frames", "--frames", Value::whole},
     JobKey{"frames_by", "--frames-by", Value::choice, "time volume"},
     JobKey{"history", "--history", Value::path_or_off},
+    JobKey{"rest", "--rest", Value::path},
     JobKey{"machine_file", "--machine-file", Value::path},
     JobKey{"start", "--start", Value::numbers},
     JobKey{"block_skip", "--block-skip", Value::numbers},

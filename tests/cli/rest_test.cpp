@@ -50,6 +50,7 @@ class Rest : public CliTest {
   Json rest(const std::string& arguments) {
     const Outcome outcome = run("rest " + arguments + " -q --json rest.json");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    expect_valid("rest", "rest.json");
     return Json::parse(read("rest.json"));
   }
 };
@@ -81,9 +82,13 @@ TEST_F(Rest, CornerNamesTheToolOfItsFillet) {
   const Json& piece = found["pieces"][0];
   EXPECT_NEAR(piece["volume"].get<double>(), exact, 0.02 * exact);
   EXPECT_NEAR(piece["thickness"].get<double>(), (std::sqrt(2) - 1) * 3, 0.002);
+  // A tool of radius r leaves (sqrt(2) - 1) (r - 3) in the middle of the fillet.
+  const double leaves = found["leaves"], diameter = 6 + 2 * leaves / (std::sqrt(2) - 1);
   for (const char* tool : {"flat", "ball"}) {
-    EXPECT_LT(piece[tool]["error"], 1.2);
-    EXPECT_NEAR(piece[tool]["diameter"].get<double>(), 6, piece[tool]["error"].get<double>());
+    EXPECT_LT(piece[tool]["error"], 0.03);
+    EXPECT_LT(piece[tool]["diameter"].get<double>(), diameter + 0.03);
+    EXPECT_GT(piece[tool]["diameter"].get<double>(), 6 - 0.03);
+    EXPECT_FALSE(piece[tool]["leaves_edge"].get<bool>());
   }
 }
 
@@ -104,8 +109,53 @@ TEST_F(Rest, SlotIsForAnEndMill) {
   const Json& piece = found["pieces"][0];
   EXPECT_NEAR(piece["volume"].get<double>(), 10 * 40 * 2, 8);
   EXPECT_NEAR(piece["flat"]["diameter"].get<double>(), 10, piece["flat"]["error"].get<double>());
-  EXPECT_LT(piece["ball"]["diameter"], 4);
+  // In an inner edge of 90 degrees a ball of radius r leaves (sqrt(2) - 1) r.
+  EXPECT_NEAR(piece["ball"]["diameter"].get<double>(),
+              2 * found["leaves"].get<double>() / (std::sqrt(2) - 1),
+              piece["ball"]["error"].get<double>() + 1e-3);
+  EXPECT_TRUE(piece["ball"]["leaves_edge"].get<bool>());
   EXPECT_TRUE(contains(run("rest part.stl nominal.stl").out, "by a ball: none above"));
+}
+
+// The error depends on the voxel, not on the length of the slot.
+TEST_F(Rest, LongSlotHasTheDiameterOfItsTool) {
+  for (const int depth : {3, 5}) {
+    const std::string name = "slot" + std::to_string(depth);
+    write(name + ".MPF", "G17 G90 G71\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-" + std::to_string(depth) +
+                             " F200\nG1 X190\nG0 Z5\nM30\n");
+    ASSERT_EQ(run(name +
+                  ".MPF --machine mill --stock box:0,0,-10,180,30,0 "
+                  "--tool 1=endmill:d=5 -q -o " +
+                  name + ".stl")
+                  .code,
+              0);
+  }
+  const Json flat = rest("slot3.stl slot5.stl")["pieces"][0]["flat"];
+  EXPECT_LT(flat["error"], 0.1);
+  EXPECT_NEAR(flat["diameter"].get<double>(), 5, flat["error"].get<double>());
+}
+
+TEST_F(Rest, RunTellsWhatIsLeftForItsNominal) {
+  write("flat.MPF", "G17 G90 G71\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-3 F200\nG1 X50\nG0 Z5\nM30\n");
+  const std::string words =
+      "flat.MPF --machine mill --stock box:0,0,-10,40,30,0 --tool 1=endmill:d=10 ";
+  write("deep.MPF", "G17 G90 G71\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-5 F200\nG1 X50\nG0 Z5\nM30\n");
+  ASSERT_EQ(run("deep.MPF --machine mill --stock box:0,0,-10,40,30,0 --tool 1=endmill:d=10 -q "
+                "-o nominal.stl")
+                .code,
+            0);
+  const Outcome outcome = run(words + "--nominal nominal.stl --rest rest.json --json run.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "are left in 1 piece")) << outcome.out;
+  expect_valid("rest", "rest.json");
+  expect_valid("run", "run.json");
+  const Json found = Json::parse(read("rest.json"));
+  EXPECT_NEAR(found["volume"].get<double>(), 10 * 40 * 2, 8);
+  EXPECT_EQ(Json::parse(read("run.json"))["rest"], found);
+  expect_failure(words + "--rest rest.json", 2, "--nominal");
+  expect_failure(words + "--nominal nominal.stl --rest rest.txt", 2, "--rest");
+  expect_failure(words + "--nominal nominal.stl --rest nominal.json.json -o nominal.json.json", 2,
+                 "nominal.json.json");
 }
 
 TEST_F(Rest, PiecesAreAMeshOfTheirVolume) {

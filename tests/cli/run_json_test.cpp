@@ -12,14 +12,6 @@ class RunJson : public CliTest {
  protected:
   static constexpr const char* kCut = "PRIMER_2F.MPF --stock block.stl --voxel 5 -q ";
   Json parsed(const std::string& name) { return Json::parse(read(name), nullptr, false); }
-  /// `name` fits docs/schema/`schema`.json.
-  void expect_valid(const std::string& schema, const std::string& name, const char* lines = "") {
-    const std::string root = MRSIM_DATA_DIR "/..";
-    const std::string command = "python3 '" + root + "/scripts/check_schema.py' " + lines + " '" +
-                                root + "/docs/schema/" + schema + ".json' '" +
-                                (folder_ / name).string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << read(name).substr(0, 2000);
-  }
   /// The run ends with `code`, and its JSON fits the schema and says so.
   Json told(const std::string& arguments, int code) {
     const Outcome o = run(arguments + " --json r.json --junit r.xml");

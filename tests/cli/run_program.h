@@ -63,6 +63,14 @@ class CliTest : public ::testing::Test {
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
       EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
   }
+  /// `name` fits docs/schema/`schema`.json.
+  void expect_valid(const std::string& schema, const std::string& name, const char* lines = "") {
+    const std::string root = MRSIM_DATA_DIR "/..";
+    const std::string command = "python3 '" + root + "/scripts/check_schema.py' " + lines + " '" +
+                                root + "/docs/schema/" + schema + ".json' '" +
+                                (folder_ / name).string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << read(name).substr(0, 2000);
+  }
 
   std::filesystem::path folder_;
 };

@@ -1,6 +1,7 @@
 #include "mesh/draw/ray_image.h"
 
 #include "core/parallel.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
@@ -76,8 +77,7 @@ RayImage::RayImage(const RayImageInput& in, Rows held, Picture& picture)
       width_(picture.width()),
       height_(picture.height()),
       studio_(in.view) {
-  for (const auto& t : in.mesh.triangles)
-    for (const std::uint32_t v : t) extend(box_, to_vec(in.mesh.vertices[v]));
+  box_ = mesh_bounds(in.mesh);
   size_ = std::max(length(box_.hi - box_.lo), 1e-3);
   offset_ = 4e-4 * size_;
   surfels_.resize(std::size_t(width_) * std::size_t(held.end - held.begin));

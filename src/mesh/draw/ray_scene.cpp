@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
 #include <cmath>
@@ -51,9 +52,7 @@ void fill_geometry(RTCGeometry geometry, const TriMesh& mesh, const Vec3& center
 }  // namespace
 
 RayScene::RayScene(const TriMesh& mesh, int threads) : embree_(std::make_unique<Embree>()) {
-  Box3 box;
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  const Box3 box = mesh_bounds(mesh);
   center_ = 0.5 * (box.lo + box.hi);
   embree_->device = rtcNewDevice("set_affinity=0");
   MRSIM_ASSERT(embree_->device != nullptr);

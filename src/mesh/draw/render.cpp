@@ -6,6 +6,7 @@
 #include "mesh/draw/picture.h"
 #include "mesh/draw/ray_image.h"
 #include "mesh/draw/ray_scene.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/creases.h"
 #include "mesh/solid/half_edges.h"
 
@@ -58,9 +59,7 @@ FacePalette palette_of(const TriMesh& mesh, ColorBy color) {
 }
 
 std::string size_text(const TriMesh& mesh) {
-  Box3 box;
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  const Box3 box = mesh_bounds(mesh);
   const Vec3 side = box.hi - box.lo;
   const auto rounded = [](double mm) { return std::round(mm * 100) / 100; };
   return fmt::format("{:g} x {:g} x {:g} mm", rounded(side.x), rounded(side.y), rounded(side.z));

@@ -69,4 +69,11 @@ double signed_volume(const TriMesh& mesh) {
   return volume6.value() / 6;
 }
 
+Box3 mesh_bounds(const TriMesh& mesh) {
+  Box3 box;
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  return box;
+}
+
 }  // namespace mrsim

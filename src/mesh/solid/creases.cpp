@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/trig.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
 #include <cmath>
@@ -66,9 +67,7 @@ double altitude(const TriMesh& mesh, std::size_t f, int& longest_side) {
 // The normal of a sliver is rounding noise. It takes the normal of its neighbour across its longest
 // side; otherwise it would be shaded, and its sides drawn, as an edge of the part.
 void straighten_slivers(const TriMesh& mesh, SurfaceShape& shape) {
-  Box3 box;
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t) extend(box, to_vec(mesh.vertices[v]));
+  const Box3 box = mesh_bounds(mesh);
   const double thin = kSliver * length(box.hi - box.lo);
   std::vector<std::uint32_t> slivers, left;  // by their longest sides
   std::vector<bool> is_open(mesh.triangles.size(), false);
