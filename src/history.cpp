@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace mrsim {
 namespace {
@@ -21,6 +22,9 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
+
+// Below falling arcs of rounded cutters each column takes a search, some 0.1 ms.
+constexpr double kSearches = 2500, kSearchesPerCut = 10;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
@@ -36,6 +40,13 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
   return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
+}
+
+bool is_searched(const Motion& m, std::span<const Tool> tools) {
+  if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc || m.rise == 0) return false;
+  const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
+  return tool.type == ToolType::ballmill || tool.type == ToolType::bullmill ||
+         tool.corner_radius > 0;
 }
 
 // Fills in what each motion of the program removes, and on what share of its way nothing.
@@ -76,7 +87,12 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
 double summary_column(const StockShape& shape, const CutList& cuts) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double count = static_cast<double>(cuts.motions().size());
-  return std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
+  const double usual = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
+  double searched = 0;  // mm^2
+  for (const Motion& motion : cuts.motions())
+    if (is_searched(motion, cuts.tools()))
+      searched += swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
+  return std::max(usual, std::sqrt(searched / (kSearches + kSearchesPerCut * count)));
 }
 
 History make_history(const Job& job, const JobResult& result, const Stock& stock,
@@ -89,7 +105,8 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
                                               : summary_voxel(result.stock, cuts, stock.voxel());
   const int threads = job.carve.threads;
   const auto removed_by = [&](const PartField& of, std::size_t motions) {
-    return removed_volumes(of, history_lattice(of, history.voxel), motions, threads);
+    return removed_volumes(of, history_lattice(of, history.voxel), motions, threads, nullptr,
+                           job.carve.progress);
   };
   const double piece = piece_voxel(cuts, history.voxel, kPieces);
   const bool whole = !std::isfinite(piece);

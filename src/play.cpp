@@ -22,10 +22,11 @@ constexpr double kVoxels = 200;  // along the longest side
 constexpr PieceRule kSteady{0.125, 3, 1000, 150000, true};
 
 void add_volume(const PartField& field, const CutPieces& pieces, std::size_t inherited, int threads,
-                Play& play) {
+                const Progress& progress, Play& play) {
   const std::size_t count = pieces.first.back();
   const auto before = std::int32_t(pieces.first[inherited]);
-  CutVolume volume = make_cut_volume(field, history_lattice(field, play.voxel), count, threads);
+  CutVolume volume =
+      make_cut_volume(field, history_lattice(field, play.voxel), count, threads, progress);
   CutFaces faces = make_cut_faces(field, volume, before, threads);
   play.half_plane = volume.lattice.half_plane;
   play.origin = volume.center(0, 0, 0);
@@ -56,9 +57,9 @@ Play make_play(const Job& job, const JobResult& result, const Stock& stock, cons
   if (std::isfinite(piece))
     add_volume(
         PartField(field.solid(), SweepTable(pieces.motions, cuts.tools(), {}, threads), threads),
-        pieces, cuts.inherited(), threads, play);
+        pieces, cuts.inherited(), threads, job.carve.progress, play);
   else
-    add_volume(field, pieces, cuts.inherited(), threads, play);
+    add_volume(field, pieces, cuts.inherited(), threads, job.carve.progress, play);
   for (const Tool& tool : result.program.tools) play.tools.push_back(tool_outlines(tool));
   return play;
 }

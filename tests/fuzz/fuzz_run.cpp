@@ -1,43 +1,19 @@
 // A whole run: program, stock and tools, parted by lines of "=====", with tight limits on time and
 // memory. A part whose mesh keeps its promises, diagnostics, or an Error.
+#include "fuzz_files.h"
 #include <mrsim/mrsim.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
-
-#include <unistd.h>
 
 namespace {
 
 using namespace mrsim;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
-// One folder per process.
-const std::string& folder() {
-  static const std::string path = [] {
-    std::string name = "/tmp/mrsim-fuzz-XXXXXX";
-    require(::mkdtemp(name.data()) != nullptr);
-    return name;
-  }();
-  return path;
-}
-
-std::string write(const char* name, const std::string& text) {
-  const std::string path = folder() + "/" + name;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  require(file != nullptr);
-  std::fwrite(text.data(), 1, text.size(), file);
-  std::fclose(file);
-  return path;
-}
+using fuzz::require;
+using fuzz::write;
 
 std::string take_part(std::string& text) {
   const std::string mark = "=====\n";

@@ -3,23 +3,16 @@
 // no subprogram is found by accident.
 #pragma once
 
+#include "fuzz_files.h"
 #include "interp/interpreter.h"
 #include "interp/show/motion_text.h"
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
-#include <unistd.h>
-
 namespace mrsim::fuzz {
-
-inline void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 inline bool finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -39,22 +32,9 @@ class CheckingSink : public MotionSink {
   }
 };
 
-/// One file per process.
-inline const std::string& program_path() {
-  static const std::string path = [] {
-    std::string folder = "/tmp/mrsim-fuzz-XXXXXX";
-    require(::mkdtemp(folder.data()) != nullptr);
-    return folder + "/program";
-  }();
-  return path;
-}
+inline std::string program_path() { return folder() + "/program"; }
 
-inline void write_program(std::string_view text) {
-  std::FILE* file = std::fopen(program_path().c_str(), "wb");
-  require(file != nullptr);
-  if (!text.empty()) std::fwrite(text.data(), 1, text.size(), file);
-  std::fclose(file);
-}
+inline void write_program(std::string_view text) { write("program", text); }
 
 /// `i` from 0 to 9: five dialects, as mills and as lathes.
 inline InterpOptions options_of(int i) {

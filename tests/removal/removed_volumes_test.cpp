@@ -2,6 +2,7 @@
 #include "removal/history/removed_volumes.h"
 
 #include "core/units.h"
+#include "support/mesh_asserts.h"
 #include "support/moves.h"
 #include "support/shapes.h"
 #include "support/tools.h"
@@ -155,6 +156,34 @@ TEST(RemovedVolumes, RecordLowsOfEachColumn) {
     const std::vector<double> got = scene.removed(0.1);
     for (std::size_t i = 0; i < want.size(); ++i)
       EXPECT_NEAR(got[i], want[i], 0.005 * want[i]) << "motion " << i;
+  }
+}
+
+// Asked with the share that is done, which grows; and stops for good where the answer is no.
+TEST(RemovedVolumes, AskWhetherToGoOn) {
+  const Scene heights = pocket(), space{kBlock, ballmill(6), {line({-10, 30, 9}, {50, 30, -9})}};
+  Tool tool = mill(ToolType::turning, 0);
+  tool.insert = "R", tool.diameter = 4;
+  const Scene turned{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
+  for (const Scene* scene : {&heights, &space, &turned}) {
+    const PartField field(StockSolid(scene->stock),
+                          SweepTable(scene->motions, std::span(&scene->tool, 1)));
+    double share = 0;
+    int asked = 0, most = 1 << 20;
+    const auto removed = [&] {
+      return removed_volumes(field, history_lattice(field, 0.5), scene->motions.size(), 2, nullptr,
+                             [&](const char*, double done) {
+                               EXPECT_GT(done, share);
+                               share = done;
+                               return ++asked < most;
+                             });
+    };
+    EXPECT_EQ(removed(), scene->removed(0.5));
+    EXPECT_EQ(share, 1);
+    ASSERT_GT(asked, 1);
+    share = 0, asked = 0, most = 1;
+    EXPECT_EQ(error_code(removed), "cancelled");
+    EXPECT_LE(asked, 2);  // one for each thread
   }
 }
 

@@ -59,7 +59,7 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
   HalfedgeHandle find_halfedge(VertexHandle from, VertexHandle to) const {
     for (const HalfedgeHandle h : voh_range(from))
       if (to_vertex_handle(h) == to) return h;
-    return {};
+    return HalfedgeHandle();
   }
   unsigned valence(VertexHandle vertex) const {
     unsigned count = 0;

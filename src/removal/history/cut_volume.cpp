@@ -64,14 +64,14 @@ void place(const Box3& stock, CutVolume& volume) {
 }  // namespace
 
 CutVolume make_cut_volume(const PartField& field, const CutLattice& lattice, std::size_t motions,
-                          int threads) {
+                          int threads, const Progress& progress) {
   CutVolume out;
   out.lattice = lattice;
   place(field.bounds(), out);
   out.cut.assign(std::size_t(out.size[0]) * std::size_t(out.size[1]) * std::size_t(out.size[2]),
                  kNeverThere);
   ArraySink sink(out);
-  out.removed = removed_volumes(field, lattice, motions, threads, &sink);
+  out.removed = removed_volumes(field, lattice, motions, threads, &sink, progress);
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include "removal/history/cut_sink.h"
 #include "removal/part/part_field.h"
+#include <mrsim/options.h>
 
 #include <array>
 #include <cstddef>
@@ -32,8 +33,9 @@ struct CutVolume {
 };
 
 /// The same on any number of threads. Requires: lattice.voxel > 0, all motions of the field below
-/// `motions`. Memory: 4 bytes a voxel of the stock's bounds. Throws Error "memory".
+/// `motions`. Memory: 4 bytes a voxel of the stock's bounds. Throws Error "memory",
+/// "cancelled".
 CutVolume make_cut_volume(const PartField& field, const CutLattice& lattice, std::size_t motions,
-                          int threads);
+                          int threads, const Progress& progress = {});
 
 }  // namespace mrsim

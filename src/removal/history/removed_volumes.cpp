@@ -1,5 +1,6 @@
 #include "removal/history/removed_volumes.h"
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "removal/field/lattice.h"
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 namespace mrsim {
@@ -20,6 +23,20 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // What the sweeps of one block remove of it.
 using BlockSums = std::vector<std::pair<std::int32_t, double>>;  // by motion, those above 0
 
+// Blocks, tiles or rows in parallel, asking after each whether to go on.
+void for_each_place(std::size_t count, int threads, const Progress& progress,
+                    const std::function<void(std::size_t)>& body) {
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(count, threads, [&](std::size_t i) {
+    body(i);
+    if (!progress) return;
+    const std::scoped_lock lock(mutex);
+    if (!progress("history", static_cast<double>(++done) / static_cast<double>(count)))
+      throw Error("cancelled", "the run was stopped");
+  });
+}
+
 void add_removed(const PartField& field, std::span<const std::uint32_t> sweeps,
                  std::span<const double> removed, BlockSums& out) {
   for (std::size_t i = 0; i < sweeps.size(); ++i)
@@ -27,12 +44,12 @@ void add_removed(const PartField& field, std::span<const std::uint32_t> sweeps,
 }
 
 std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice, int threads,
-                                     CutSink* sink) {
+                                     CutSink* sink, const Progress& progress) {
   const double near = 0.5 * lattice.voxel + field.slack();
   const BlockIndex index(field, lattice.voxel, near, std::numeric_limits<std::size_t>::max(),
                          threads);
   std::vector<BlockSums> blocks(index.size());
-  parallel_for(index.size(), threads, [&](std::size_t b) {
+  for_each_place(index.size(), threads, progress, [&](std::size_t b) {
     const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
     if (sweeps.empty() && sink == nullptr) return;
     std::vector<double> removed(sweeps.size(), 0.0);
@@ -42,12 +59,13 @@ std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& l
   return blocks;
 }
 
-std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int threads) {
+std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int threads,
+                                       const Progress& progress) {
   const HeightGrid grid(field.bounds(), voxel);
   const SweepUndersides tools(field.sweeps());
   const std::vector<std::vector<std::uint32_t>> sweeps = grid.sweeps_of_tiles(field.sweeps());
   std::vector<BlockSums> tiles(sweeps.size());
-  parallel_for(tiles.size(), threads, [&](std::size_t t) {
+  for_each_place(tiles.size(), threads, progress, [&](std::size_t t) {
     if (sweeps[t].empty()) return;
     std::vector<double> removed(sweeps[t].size(), 0.0);
     HeightWalker(field, tools).walk(grid, t, sweeps[t], removed);
@@ -58,7 +76,7 @@ std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int
 
 // Rows of blocks across the axis: the sweeps of a row are found once.
 std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLattice& lattice,
-                                          int threads, CutSink* sink) {
+                                          int threads, CutSink* sink, const Progress& progress) {
   constexpr int kSize = 32;
   const double h = lattice.voxel, near = 0.5 * h + field.slack();
   const Box3 stock = inflated(field.bounds(), near);
@@ -67,7 +85,7 @@ std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLatti
   const auto wide = static_cast<std::int32_t>(std::ceil(stock.hi.x / h)) + 1;
   const Candidates all = field.all();
   std::vector<BlockSums> rows(static_cast<std::size_t>((last - first) / kSize + 1));
-  parallel_for(rows.size(), threads, [&](std::size_t r) {
+  for_each_place(rows.size(), threads, progress, [&](std::size_t r) {
     const std::int32_t z = first + static_cast<std::int32_t>(r) * kSize;
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
@@ -101,12 +119,13 @@ CutLattice history_lattice(const PartField& field, double voxel) {
 }
 
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
-                                    std::size_t motions, int threads, CutSink* sink) {
+                                    std::size_t motions, int threads, CutSink* sink,
+                                    const Progress& progress) {
   const bool by_heights = sink == nullptr && has_height_history(field);
   const std::vector<BlockSums> blocks =
-      lattice.half_plane ? sums_in_half_plane(field, lattice, threads, sink)
-      : by_heights       ? sums_of_heights(field, lattice.voxel, threads)
-                         : sums_in_space(field, lattice, threads, sink);
+      lattice.half_plane ? sums_in_half_plane(field, lattice, threads, sink, progress)
+      : by_heights       ? sums_of_heights(field, lattice.voxel, threads, progress)
+                         : sums_in_space(field, lattice, threads, sink, progress);
   std::vector<double> removed(motions, 0.0);
   for (const BlockSums& block : blocks)
     for (const auto& [motion, volume] : block) removed[static_cast<std::size_t>(motion)] += volume;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "removal/history/cut_walk.h"
+#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -20,10 +21,11 @@ void walk_block(const PartField& field, const CutLattice& lattice,
                 CutSink* sink, std::span<double> removed);
 
 /// mm^3 by motion, 0 for those that remove nothing; the same bits on any number of threads.
-/// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory".
-/// `sink`, where given, takes the voxels of the stock from several threads at once, each of them
-/// others.
+/// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory",
+/// "cancelled". `sink`, where given, takes the voxels of the stock from several threads at once,
+/// each of them others.
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
-                                    std::size_t motions, int threads, CutSink* sink = nullptr);
+                                    std::size_t motions, int threads, CutSink* sink = nullptr,
+                                    const Progress& progress = {});
 
 }  // namespace mrsim

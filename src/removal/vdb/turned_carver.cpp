@@ -133,7 +133,7 @@ void TurnedCarver::open_leaf(const openvdb::Coord& slab, std::size_t leaf) {
       const double rho = rho_[(x0 + i / kLeafVoxels) * kSide + y0 + i % kLeafVoxels];
       float* row = views_[leaf].distance + i * kLeafVoxels;
       for (std::size_t z = 0; z < kLeafVoxels; ++z)
-        row[z] = (rho > s.from[z]) & (rho <= s.to[z]) ? inside : row[z];
+        row[z] = ((rho > s.from[z]) & (rho <= s.to[z])) ? inside : row[z];
     }
 }
 
