@@ -23,7 +23,7 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
 
-// Below falling arcs of rounded cutters each column takes a search, some 0.1 ms.
+// Below falling arcs of all but flat mills each column takes a search, some 0.1 ms.
 constexpr double kSearches = 2500, kSearchesPerCut = 10;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
@@ -42,11 +42,16 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
 }
 
-bool is_searched(const Motion& m, std::span<const Tool> tools) {
-  if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc || m.rise == 0) return false;
+// How many searches a column below a motion stands for: only falling arcs take one, not those of
+// flat mills, five times as long for cones.
+double searches_of(const Motion& m, std::span<const Tool> tools) {
+  if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc || m.rise == 0) return 0;
   const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
-  return tool.type == ToolType::ballmill || tool.type == ToolType::bullmill ||
-         tool.corner_radius > 0;
+  if (tool.type == ToolType::endmill && tool.corner_radius == 0) return 0;
+  return tool.type == ToolType::endmill || tool.type == ToolType::ballmill ||
+                 tool.type == ToolType::bullmill
+             ? 1
+             : 5;
 }
 
 // Fills in what each motion of the program removes, and on what share of its way nothing.
@@ -90,8 +95,9 @@ double summary_column(const StockShape& shape, const CutList& cuts) {
   const double usual = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
   double searched = 0;  // mm^2
   for (const Motion& motion : cuts.motions())
-    if (is_searched(motion, cuts.tools()))
-      searched += swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
+    if (const double searches = searches_of(motion, cuts.tools()); searches > 0)
+      searched +=
+          searches * swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
   return std::max(usual, std::sqrt(searched / (kSearches + kSearchesPerCut * count)));
 }
 
