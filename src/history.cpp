@@ -21,7 +21,7 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
-constexpr double kHeightColumns = 250e3, kHeightColumnsPerCut = 4;
+constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.5;
 
 // Below falling arcs of all but flat mills each column takes a search, some 0.1 ms.
 constexpr double kSearches = 2500, kSearchesPerCut = 10;

@@ -31,12 +31,12 @@ class Scene {
   }
 
   std::vector<CollisionHit> probe(int threads = 1) const {
-    const CollisionScene scene{*part_, *movers_, kTouch, kVoxel / 16};
+    const CollisionScene scene{*part_, *blocks_, *movers_, kTouch, kVoxel / 16};
     const auto box_of = [&](std::uint32_t mover) {
       const Box3 bounds = movers_->sweeps.bounds(mover), &stock = part_->solid().bounds();
       return Box3{max(bounds.lo, stock.lo), min(bounds.hi, stock.hi)};
     };
-    return probe_movers(scene, *blocks_, kBand, box_of, threads);
+    return probe_movers(scene, kBand, box_of, threads);
   }
 
   // The depth of p in the material of the mover's moment, every cut asked.

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMostBoxes = 4000;
 constexpr double kShare = 1.0 / 32;      // of the depth: what the boxes may leave undecided
 constexpr double kFirstStep = 1.0 / 32;  // of the size of all: of the steps from the first hit
+constexpr double kLongestStep = 0.25;    // mm: of these, so that few cuts matter about a point
 constexpr double kLastStep = 1e-4;       // mm
 
 class DepthSearch {
@@ -43,8 +44,8 @@ class DepthSearch {
   bool open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
   void push(Node node);
   void branch();
-  Candidates near(const Vec3& p, double reach, const Candidates& cuts);
-  void improve(double step, const Candidates& all);
+  Candidates near(const Vec3& p, double reach);
+  void improve(double step);
 
   const CollisionScene& scene_;
   std::uint32_t mover_;
@@ -114,7 +115,8 @@ void DepthSearch::branch() {
 }
 
 // The cuts that can decide within `reach` of p.
-Candidates DepthSearch::near(const Vec3& p, double reach, const Candidates& cuts) {
+Candidates DepthSearch::near(const Vec3& p, double reach) {
+  const Candidates cuts = cuts_before(scene_, time_, inflated(Box3{p, p}, reach));
   const double depth = material(p, cuts);
   Candidates kept;
   for (std::size_t k = 0; k < cuts.size(); ++k)
@@ -123,15 +125,15 @@ Candidates DepthSearch::near(const Vec3& p, double reach, const Candidates& cuts
 }
 
 // Steps along axes and diagonals from the best point, halved when none helps.
-void DepthSearch::improve(double step, const Candidates& all) {
+void DepthSearch::improve(double step) {
   const double flat = root_.lo.y == root_.hi.y ? 0 : 1;
   const double reach = 8 * step;
   Vec3 from = place_;
-  Candidates cuts = near(from, reach, all);
+  Candidates cuts = near(from, reach);
   while (step > kLastStep) {
     const double before = best_;
     const Vec3 at = place_;
-    if (distance(at, from) > reach - 2 * step) cuts = near(from = at, reach, all);
+    if (distance(at, from) > reach - 2 * step) cuts = near(from = at, reach);
     for (int way = 0; way < 27; ++way)
       provable(at + step * Vec3{way / 9 - 1.0, flat * (way / 3 % 3 - 1.0), way % 3 - 1.0}, cuts);
     if (best_ <= before + kLastStep) step /= 2;
@@ -142,12 +144,12 @@ DeepPoint DepthSearch::run(const Vec3& seed) {
   const Candidates cuts = cuts_before(scene_, time_, root_);
   provable(seed, cuts);
   const double size = distance(root_.lo, root_.hi);
-  improve(kFirstStep * size, cuts);
+  improve(std::min(kFirstStep * size, kLongestStep));
   const double seeded = best_;
   Node root;
   if (open(root_, cuts, root)) push(std::move(root));
   branch();
-  if (best_ > seeded) improve(std::max(scene_.threshold, kShare * best_), cuts);
+  if (best_ > seeded) improve(std::max(scene_.threshold, kShare * best_));
   return {best_, place_};
 }
 
@@ -165,13 +167,26 @@ Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box
   const SweepTable& sweeps = scene.part.sweeps();
   const Vec3 center = 0.5 * (box.lo + box.hi);
   const double reach = 0.5 * distance(box.lo, box.hi);
-  const Box3 near = inflated(box, std::max(0.0, reach - scene.part.solid().distance(center)));
+  // How deep in the stock the box may reach: by the distance of its centre, and from each side.
+  double deepest = reach - scene.part.solid().distance(center);
+  const Box3& stock = scene.part.solid().bounds();
+  for (int a = 0; a < 3; ++a)
+    deepest = std::min({deepest, component(box.hi, a) - component(stock.lo, a),
+                        component(stock.hi, a) - component(box.lo, a)});
+  const Box3 near = inflated(box, std::max(0.0, deepest));
   Candidates cuts;
-  for (std::uint32_t i = 0; i < sweeps.size() && sweeps.motion(i) <= time; ++i) {
-    const Box3 b = sweeps.bounds(i);
-    const Vec3 lo = max(b.lo, near.lo), hi = min(b.hi, near.hi);
-    if (!is_empty({lo, hi})) cuts.push_back(i);
+  const auto settle = [&cuts] {
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  };
+  for (const std::size_t block : scene.blocks.blocks_of(near)) {
+    const Box3 of_block = scene.blocks.box(block);
+    const Box3 here{max(of_block.lo, near.lo), min(of_block.hi, near.hi)};
+    for (const std::uint32_t cut : sweeps.opened(scene.blocks.sweeps(block), here))
+      if (sweeps.motion(cut) <= time) cuts.push_back(cut);
+    if (cuts.size() > 2 * sweeps.size()) settle();
   }
+  settle();
   return cuts;
 }
 

@@ -43,8 +43,8 @@ Vec3 looked_at(const Box3& bounds, const Box3& box, double inset, const std::arr
 }
 
 // Points of the mover that lie deep in the stock.
-void add_probes(const CollisionScene& scene, const BlockIndex& blocks, std::uint32_t mover,
-                const Box3& box, std::vector<Probe>& out) {
+void add_probes(const CollisionScene& scene, std::uint32_t mover, const Box3& box,
+                std::vector<Probe>& out) {
   const Box3 bounds = scene.movers.sweeps.bounds(mover);
   const double inset = kInset * scene.threshold;
   for (const auto& way : kLooked) {
@@ -52,8 +52,8 @@ void add_probes(const CollisionScene& scene, const BlockIndex& blocks, std::uint
     if (scene.movers.sweeps.distance(mover, place) > scene.rounding() ||
         -scene.part.solid().distance(place) <= scene.threshold)
       continue;
-    const std::size_t block = blocks.find(place);
-    if (block < blocks.size()) out.push_back({block, mover, place});
+    const std::size_t block = scene.blocks.find(place);
+    if (block < scene.blocks.size()) out.push_back({block, mover, place});
   }
 }
 
@@ -114,8 +114,7 @@ void BlockProber::visit(std::span<Probe> probes, std::span<const std::uint32_t> 
 
 }  // namespace
 
-std::vector<CollisionHit> probe_movers(const CollisionScene& scene, const BlockIndex& blocks,
-                                       double near,
+std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
                                        const std::function<Box3(std::uint32_t mover)>& box_of,
                                        int threads) {
   constexpr std::size_t kGrain = 64;
@@ -125,7 +124,7 @@ std::vector<CollisionHit> probe_movers(const CollisionScene& scene, const BlockI
     for (std::size_t m = part * kGrain; m < std::min(movers, (part + 1) * kGrain); ++m) {
       const auto mover = static_cast<std::uint32_t>(m);
       const Box3 box = box_of(mover);
-      if (!is_empty(box)) add_probes(scene, blocks, mover, box, parts[part]);
+      if (!is_empty(box)) add_probes(scene, mover, box, parts[part]);
     }
   });
   std::vector<Probe> probes;
@@ -140,8 +139,8 @@ std::vector<CollisionHit> probe_movers(const CollisionScene& scene, const BlockI
   std::vector<std::vector<CollisionHit>> found(begins.size() - 1);
   parallel_for(found.size(), threads, [&](std::size_t k) {
     const std::size_t block = probes[begins[k]].block;
-    const Candidates cuts =
-        scene.part.sweeps().opened(blocks.sweeps(block), inflated(blocks.box(block), near));
+    const Candidates cuts = scene.part.sweeps().opened(scene.blocks.sweeps(block),
+                                                       inflated(scene.blocks.box(block), near));
     BlockProber(scene, found[k])
         .visit(std::span(probes).subspan(begins[k], begins[k + 1] - begins[k]), cuts);
   });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "removal/collision/collision_movers.h"
+#include "removal/part/block_index.h"
 #include "removal/part/part_field.h"
 
 #include <array>
@@ -13,7 +14,8 @@
 namespace mrsim {
 
 struct CollisionScene {
-  const PartField& part;  ///< stock and cuts
+  const PartField& part;     ///< stock and cuts
+  const BlockIndex& blocks;  ///< of the cuts
   const Movers& movers;
   double threshold = 0;  ///< mm: what lies deeper collides
   double finest = 0;     ///< mm: half diagonal of the boxes that are not halved again
@@ -93,7 +95,8 @@ DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, co
 /// mm: how deep the place of a hit lies in the material of its moment, at most the mover's depth.
 double depth_of_hit(const CollisionScene& scene, const CollisionHit& hit);
 
-/// The cuts of motions up to `time` that come nearer to the box than any point in it can be deep.
+/// The cuts of motions up to `time` that come nearer to the box than any point in it can be deep,
+/// ascending. Cost: that of the blocks about the box, whatever the length of the program.
 Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box3& box);
 
 /// A point of sweep i near p, on its surface unless p is in it.

@@ -79,7 +79,7 @@ class Check {
 };
 
 CollisionScene Check::scene(std::size_t part) const {
-  return {*grid_.field, movers_[part], options_.depth,
+  return {*grid_.field, *grid_.index, movers_[part], options_.depth,
           std::max(0.5 * options_.depth, kFinest * grid_.voxel)};
 }
 
@@ -122,8 +122,7 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     const Box3 bounds = movers.sweeps.bounds(mover);
     return search_box(bounds, bounds);
   };
-  for (const CollisionHit& hit : probe_movers(scene, *grid_.index, near, box_of, options_.threads))
-    add(hit);
+  for (const CollisionHit& hit : probe_movers(scene, near, box_of, options_.threads)) add(hit);
   if (std::find(known.begin(), known.end(), 0) == known.end()) return;
   const BlockIndex index(*grid_.index, movers.sweeps);
   std::vector<std::vector<CollisionHit>> found(index.size());

@@ -130,12 +130,16 @@ Box3 BlockIndex::box(std::size_t b) const {
   return box;
 }
 
-std::size_t BlockIndex::find(const Vec3& p) const {
+std::vector<std::size_t> BlockIndex::blocks_of(const Box3& box) const {
+  std::vector<std::size_t> out;
   Range range;
-  if (!range_of({p, p}, range)) return size();
-  std::size_t found = 0;
-  for_each_block(range, [&](std::size_t b) { found = b; });
-  return found;
+  if (range_of(box, range)) for_each_block(range, [&](std::size_t b) { out.push_back(b); });
+  return out;
+}
+
+std::size_t BlockIndex::find(const Vec3& p) const {
+  const std::vector<std::size_t> found = blocks_of({p, p});
+  return found.empty() ? size() : found.front();
 }
 
 }  // namespace mrsim

@@ -34,6 +34,8 @@ class BlockIndex {
   std::span<const std::uint32_t> sweeps(std::size_t b) const {
     return {ids_.data() + start_[b], start_[b + 1] - start_[b]};
   }
+  /// The blocks that a box meets, ascending.
+  std::vector<std::size_t> blocks_of(const Box3& box) const;
   /// The block that holds p; size() when none does.
   std::size_t find(const Vec3& p) const;
   std::size_t memory() const {

@@ -48,12 +48,6 @@ double Underside::height(double rho) const {
   return kInfinity;
 }
 
-double Underside::steepness(double rho) const {
-  for (const Edge& e : edges_)
-    if (rho <= e.to) return slope_on(e, std::max(rho, e.from));
-  return kInfinity;
-}
-
 // The tool touches at a place where it is as steep as the move: with the axis at distance rho of
 // the place, e of it along the move, slope_on(rho) e / rho = slope. The tool is widened by `shift`.
 // Steepness grows with e, so the contact is looked for in the part of one edge, and an end of
@@ -96,7 +90,8 @@ Underside::Bracket Underside::arc_contact(const Edge& e, const Slant& from, doub
   if (!(below < 0)) return {in.low, in.low};
   double above = excess(in.high);
   if (!(above > 0)) return {in.high, in.high};
-  for (int k = 0; k < steps && in.high - in.low > kContact; ++k) {
+  const double enough = std::max(std::fabs(shift), kContact);
+  for (int k = 0; k < steps && in.high - in.low > enough; ++k) {
     double at = in.low + (in.high - in.low) * below / (below - above);
     if (k % 3 == 2 || !(at > in.low && at < in.high)) at = 0.5 * (in.low + in.high);
     const double value = excess(at);
@@ -118,29 +113,42 @@ double Underside::bottom(const Slant& at, double below) const {
   return at.slope * (at.u - e) + height(std::min(std::sqrt(e * e + at.v * at.v), radius_));
 }
 
+// Height and steepness at rho.
+Underside::Slope Underside::slope_at(double rho) const {
+  for (const Edge& e : edges_) {
+    if (rho > e.to) continue;
+    const double on = std::max(rho, e.from);
+    if (e.radius == 0) return {e.z0 + e.slope * (on - e.from), e.slope};
+    const double off = on - e.center, up = root(e.radius * e.radius - off * off);
+    return {e.above ? e.z0 + up : e.z0 - up, up > 0 ? off / up : kInfinity};
+  }
+  return {kInfinity, kInfinity};
+}
+
 // Of the tool widened by r, which is convex as well: so is the height as a function of e, and it
-// lies above its tangents at both ends of the contact's bracket.
+// lies above its tangents at both ends of a bracket of the contact. A bracket no longer than r will
+// do: what the tangents lose grows with the square of its length.
 double Underside::lower(const Slant& at, double r) const {
   const double reach = radius_ + r, wide = root(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
-  const Bracket found = contact(at, r, {low, high}, kBoundSteps);
-  const double begin = found.low, end = found.high;
-  const auto rho = [&](double e) { return std::sqrt(e * e + at.v * at.v); };
-  const auto value = [&](double e) {
-    return at.slope * (at.u - e) + height(std::clamp(rho(e) - r, 0.0, radius_)) - kRounding;
+  const Bracket in =
+      high - low <= r ? Bracket{low, high} : contact(at, r, {low, high}, kBoundSteps);
+  const auto tangent = [&](double e) {
+    const double rho = std::sqrt(e * e + at.v * at.v);
+    const Slope on = slope_at(std::clamp(rho - r, 0.0, radius_));
+    return Slope{at.slope * (at.u - e) + on.height - kRounding,
+                 (rho > r ? on.slope * e / rho : 0) - at.slope};
   };
-  if (begin == end) return value(begin);
-  const auto slope = [&](double e) {
-    const double from = rho(e);
-    return from > r ? steepness(std::min(from - r, radius_)) * e / from - at.slope : -at.slope;
-  };
-  const double first = value(begin), falls = slope(begin), last = value(end), rises = slope(end);
-  if (falls >= 0) return first;
-  if (rises <= 0) return last;
-  if (std::isinf(rises)) return first + falls * (end - begin);
-  const double met = (last - first - rises * (end - begin)) / (falls - rises);
-  return first + falls * std::clamp(met, 0.0, end - begin);
+  const Slope first = tangent(in.low);
+  if (in.low == in.high || first.slope >= 0) return first.height;
+  const Slope last = tangent(in.high);
+  const double length = in.high - in.low;
+  if (last.slope <= 0) return last.height;
+  if (std::isinf(last.slope)) return first.height + first.slope * length;
+  const double met =
+      (last.height - first.height - last.slope * length) / (first.slope - last.slope);
+  return first.height + first.slope * std::clamp(met, 0.0, length);
 }
 
 // Any position of the tool narrowed by r is an upper bound.
@@ -148,10 +156,13 @@ double Underside::upper(const Slant& at, double r) const {
   const double reach = radius_ - r, wide = root(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
-  const Bracket found = contact(at, -r, {low, high}, kBoundSteps);
-  const double e = 0.5 * (found.low + found.high);
-  const double rho = std::min(std::sqrt(e * e + at.v * at.v) + r, radius_);
-  return at.slope * (at.u - e) + height(rho) + kRounding;
+  const auto value = [&](double e) {
+    const double rho = std::min(std::sqrt(e * e + at.v * at.v) + r, radius_);
+    return at.slope * (at.u - e) + height(rho) + kRounding;
+  };
+  const Bracket in =
+      high - low <= r ? Bracket{low, high} : contact(at, -r, {low, high}, kBoundSteps);
+  return std::min(value(in.low), value(in.high));
 }
 
 Underside::Bounds Underside::bounds(const Slant& at, double r) const {

@@ -55,7 +55,10 @@ class Underside {
   };
   static double height_on(const Edge& e, double rho);
   static double slope_on(const Edge& e, double rho);
-  double steepness(double rho) const;
+  struct Slope {
+    double height, slope;
+  };
+  Slope slope_at(double rho) const;
   Bracket contact(const Slant& at, double shift, Bracket range, int steps) const;
   Bracket arc_contact(const Edge& e, const Slant& from, double shift, Bracket in, int steps) const;
   double lower(const Slant& at, double r) const;
