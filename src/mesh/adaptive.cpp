@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,7 @@ class Contour {
   TriMesh run() {
     report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
     detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
+    nodes_ = tree_.size();
     if (options_.fallback_voxel > 0 && static_cast<double>(tree_.size()) > kMostFirstNodes)
       throw Error("mesh-unresolved", "it takes too many cells");
     find_topology();
@@ -105,6 +107,8 @@ class Contour {
   void find_topology() {
     detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
     timer_.step("tree");
+    const std::size_t more = tree_.size() - std::exchange(nodes_, tree_.size());
+    detail::require_room(detail::kSurfaceMemory * static_cast<double>(more));
     surface_->find_loops(std::move(grid));
     ++report_.passes;
     timer_.step("loops");
@@ -230,6 +234,8 @@ class Contour {
       report_.unresolved += !can;
     }
     timer_.step("certify");
+    const double nodes = is_late() ? 8 + 8 * 8 : 8;  // of each cell
+    detail::require_room(detail::kSplitMemory * nodes * static_cast<double>(cells.size()));
     const std::size_t count = tree_.split(std::move(cells));
     if (is_late()) tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
     timer_.step("tree");
@@ -350,6 +356,7 @@ class Contour {
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
+  std::size_t nodes_ = 0;               ///< of the tree, for which memory was asked
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };

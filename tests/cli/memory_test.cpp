@@ -75,6 +75,18 @@ TEST_F(Memory, LimitsMeshesWithATolerance) {
   expect_failure(milled + "0.05 --max-memory 20M", 1, "with --voxel and no --tolerance");
 }
 
+// Cells about the tip of a drill that mills are split far beyond what the first ones tell: a grid
+// takes the place of the mesh where they do not fit, and the limit holds.
+TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
+  if (!kIsPlain) GTEST_SKIP();
+  write("helix.nc", "G17 G90 G71\nT1 M6\nS500 M3\nG0 X35 Y25 Z1\nG3 I-10 Z-4 F600\nG0 Z5\nM30\n");
+  const Outcome outcome =
+      run("helix.nc --dialect sinumerik --machine mill --stock box:0,0,-10,50,50,0 "
+          "--tool 1=drill:d=6 --threads 2 -v --max-memory 100M -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LT(number_after(outcome.out, "  memory "), 105) << outcome.out;  // MB; 227 before
+}
+
 // A turned part, once its rings are counted.
 TEST_F(Memory, LimitsTurnedMeshes) {
   const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";

@@ -1,6 +1,7 @@
 #include "mesh/surface/mesh_memory.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/parallel.h"
 #include "mesh/surface/cell_scan.h"
 #include "mesh/surface/octree.h"
@@ -89,6 +90,12 @@ void require_memory(double needed, std::size_t available, double tolerance) {
                           "{:.3g} GB are available for it; a larger --tolerance takes less, and "
                           "with --voxel and no --tolerance the run is done in slabs",
                           tolerance, needed / 1e9, static_cast<double>(available) / 1e9));
+}
+
+void require_room(double bytes) {
+  mrsim::require_memory(bytes, "a mesh within a tolerance",
+                        "a larger --tolerance takes less, and with --voxel and no --tolerance the "
+                        "run is done in slabs");
 }
 
 }  // namespace mrsim::detail

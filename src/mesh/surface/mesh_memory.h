@@ -13,6 +13,10 @@ class CellOctree;
 /// Bytes that a node of the octree takes.
 inline constexpr double kNodeMemory = 320;
 
+/// Bytes of a node that comes of splitting cells, with its faces and candidates; and of what is
+/// made of the surface in it.
+inline constexpr double kSplitMemory = 450, kSurfaceMemory = 500;
+
 /// Bytes at the mesher's peak, an estimate: within a factor of 1.5 where it was measured. Looks at
 /// some thousands of the cells. Requires: a tree as it was made, before any split().
 double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
@@ -20,5 +24,8 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
 void require_memory(double needed, std::size_t available, double tolerance);
+
+/// The same for what splitting cells takes beyond the estimate, where the thread has a limit.
+void require_room(double bytes);
 
 }  // namespace mrsim::detail
