@@ -6,9 +6,11 @@
 #include "removal/history/removed_volumes.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
+#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace mrsim {
@@ -54,16 +56,55 @@ double searches_of(const Motion& m, std::span<const Tool> tools) {
              : 5;
 }
 
+double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
+
 // Fills in what each motion of the program removes, and on what share of its way nothing.
 void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std::size_t inherited,
                 History& history) {
-  const double nothing = kNothing * history.voxel * history.voxel * history.voxel;
+  const double nothing = mm3_of_nothing(history.voxel);
   for (std::size_t i = inherited; i + 1 < pieces.first.size(); ++i) {
     double volume = 0, air = 0;
     for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k)
       volume += removed[k], air += removed[k] > nothing ? 0 : 1;
     history.removed.push_back(volume);
     history.air.push_back(air / static_cast<double>(pieces.first[i + 1] - pieces.first[i]));
+  }
+}
+
+std::vector<CutFrame> frames_of(std::span<const Motion> motions, std::span<const Tool> tools) {
+  std::vector<CutFrame> frames(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (is_cut(motions[i]) && motions[i].tool >= 0)
+      frames[i] = {motions[i], tools[static_cast<std::size_t>(motions[i].tool)]};
+  return frames;
+}
+
+// The largest figures of the pieces of each motion.
+void measure_shapes(const CutPieces& pieces, const CutExtents& extents,
+                    const std::vector<double>& removed, const CutList& cuts, History& history) {
+  std::vector<Underside> undersides(cuts.tools().size());
+  std::vector<char> known(cuts.tools().size(), 0);
+  const auto underside = [&](std::size_t tool) -> const Underside& {
+    if (known[tool] == 0 && !is_turning(cuts.tools()[tool].type)) {
+      const Profile cutter = make_cutter(cuts.tools()[tool]);
+      if (cutter.is_rising()) undersides[tool] = Underside(cutter);
+    }
+    known[tool] = 1;
+    return undersides[tool];
+  };
+  const double nothing = mm3_of_nothing(history.voxel);
+  for (std::size_t i = cuts.inherited(); i + 1 < pieces.first.size(); ++i) {
+    CutShape shape;
+    CutExtent plunge;  // the pieces of one lie below each other
+    for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k) {
+      if (!(removed[k] > nothing)) continue;
+      const auto tool = static_cast<std::size_t>(cuts.motions()[i].tool);
+      shape += cut_shape(extents.frames[k], extents.extents[k], underside(tool),
+                         0.5 * cuts.tools()[tool].diameter);
+      if (extents.frames[k].is_plunge()) plunge.add(extents.extents[k]);
+    }
+    if (!plunge.is_empty()) shape.depth = plunge.high - plunge.low;
+    history.shapes.push_back(shape);
   }
 }
 
@@ -74,6 +115,19 @@ Removal& of_tool(int tool, std::vector<ToolRemoval>& tools) {
 }
 
 }  // namespace
+
+CutShape& CutShape::operator+=(const CutShape& other) {
+  // 0 says nothing against "not defined": an air cut.
+  const auto larger = [](double a, double b) {
+    if (!std::isnan(a) && !std::isnan(b)) return std::max(a, b);
+    const double known = std::isnan(a) ? b : a;
+    return known > 0 ? known : std::numeric_limits<double>::quiet_NaN();
+  };
+  depth = larger(depth, other.depth);
+  width = larger(width, other.width);
+  engagement = larger(engagement, other.engagement);
+  return *this;
+}
 
 double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel) {
   const Vec3 size = shape.box.hi - shape.box.lo;
@@ -110,20 +164,24 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
                   : has_height_history(field)        ? summary_column(result.stock, cuts)
                                               : summary_voxel(result.stock, cuts, stock.voxel());
   const int threads = job.carve.threads;
-  const auto removed_by = [&](const PartField& of, std::size_t motions) {
-    return removed_volumes(of, history_lattice(of, history.voxel), motions, threads, nullptr,
-                           job.carve.progress);
+  CutExtents extents;
+  const bool has_shapes = job.history == HistoryDetail::full;
+  const auto removed_by = [&](const PartField& of, std::span<const Motion> motions) {
+    if (has_shapes) extents.frames = frames_of(motions, cuts.tools());
+    return removed_volumes(of, history_lattice(of, history.voxel), motions.size(), threads, nullptr,
+                           job.carve.progress, has_shapes ? &extents : nullptr);
   };
   const double piece = piece_voxel(cuts, history.voxel, kPieces);
   const bool whole = !std::isfinite(piece);
   const CutPieces pieces = divide_cuts(cuts, piece, kPieces);
   const std::vector<double> removed =
-      whole ? removed_by(field, cuts.motions().size())
+      whole ? removed_by(field, cuts.motions())
             : removed_by(PartField(field.solid(),
                                    SweepTable(pieces.motions, cuts.tools(),
                                               {.top = field.bounds().hi.z}, threads),
                                    threads),
-                         pieces.motions.size());
+                         pieces.motions);
+  if (has_shapes) measure_shapes(pieces, extents, removed, cuts, history);
   sum_pieces(pieces, removed, cuts.inherited(), history);
   for (std::size_t i = 0; i < history.removed.size(); ++i) {
     const Motion& motion = result.program.motions[i];

@@ -1,9 +1,11 @@
 // A history as a table and as JSON: the same rows in both.
 
 #include "core/text_io.h"
+#include "core/units.h"
 #include "removal/part/default_stock.h"
 #include <mrsim/history.h>
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -23,6 +25,7 @@ struct Row {
   std::size_t motion = 0;  // from 1, as --until counts
   std::string tool;
   Removal removal;
+  CutShape shape;
 };
 
 std::string tool_id(const Program& program, int tool) {
@@ -32,22 +35,32 @@ std::string tool_id(const Program& program, int tool) {
 // Motions, lines in the order of files and numbers, tools, the program.
 std::vector<Row> rows_of(const Program& program, const CycleTime& time, const History& history) {
   std::vector<Row> rows;
-  std::map<std::pair<int, int>, Removal> lines;
+  struct Sum {
+    Removal removal;
+    CutShape shape;
+  };
+  std::map<std::pair<int, int>, Sum> lines;
+  std::map<int, CutShape> tools;
+  CutShape all;
   for (std::size_t i = 0; i < history.removed.size(); ++i) {
     const Motion& m = program.motions[i];
     if (!is_cut(m)) continue;
     const Removal one = removal_of(program, time, history, i);
+    const CutShape shape = history.shapes.empty() ? CutShape{} : history.shapes[i];
     rows.push_back({"motion", program.files[static_cast<std::size_t>(m.file)], m.line, i + 1,
-                    tool_id(program, m.tool), one});
-    lines[{m.file, m.line}] += one;
+                    tool_id(program, m.tool), one, shape});
+    Sum& line = lines[{m.file, m.line}];
+    line.removal += one, line.shape += shape;
+    tools[m.tool] += shape;
+    all += shape;
   }
-  for (const auto& [place, removal] : lines)
+  for (const auto& [place, sum] : lines)
     rows.push_back({"line", program.files[static_cast<std::size_t>(place.first)], place.second, 0,
-                    "", removal});
+                    "", sum.removal, sum.shape});
   for (const ToolRemoval& tool : history.tools)
-    rows.push_back({"tool", "", 0, 0, tool_id(program, tool.tool), tool.removal});
+    rows.push_back({"tool", "", 0, 0, tool_id(program, tool.tool), tool.removal, tools[tool.tool]});
   rows.push_back(
-      {"program", program.files.empty() ? "" : program.files[0], 0, 0, "", history.total});
+      {"program", program.files.empty() ? "" : program.files[0], 0, 0, "", history.total, all});
   return rows;
 }
 
@@ -58,18 +71,25 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+std::string known_or_empty(double x) {
+  return std::isnan(x) ? std::string() : fmt::format("{:.3f}", x);
+}
+
 std::string number_or_empty(std::size_t n) { return n > 0 ? std::to_string(n) : std::string(); }
 
 }  // namespace
 
 std::string history_csv(const Program& program, const CycleTime& time, const History& history) {
-  std::string out = "kind,file,line,motion,tool,seconds,removed_mm3,rate_cm3_min,air_share\n";
+  std::string out =
+      "kind,file,line,motion,tool,seconds,removed_mm3,rate_cm3_min,air_share,depth_mm,width_mm,"
+      "engagement_deg\n";
   for (const Row& row : rows_of(program, time, history))
-    out +=
-        fmt::format("{},{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f}\n", row.kind, quoted(row.file),
-                    number_or_empty(static_cast<std::size_t>(row.line)),
-                    number_or_empty(row.motion), quoted(row.tool), row.removal.seconds,
-                    row.removal.removed, row.removal.rate() * kCubicCmPerMinute, row.removal.air());
+    out += fmt::format(
+        "{},{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{}\n", row.kind, quoted(row.file),
+        number_or_empty(static_cast<std::size_t>(row.line)), number_or_empty(row.motion),
+        quoted(row.tool), row.removal.seconds, row.removal.removed,
+        row.removal.rate() * kCubicCmPerMinute, row.removal.air(), known_or_empty(row.shape.depth),
+        known_or_empty(row.shape.width), known_or_empty(degrees(row.shape.engagement)));
   return out;
 }
 
@@ -86,6 +106,9 @@ std::string history_json(const Program& program, const CycleTime& time, const Hi
     one["removed"] = row.removal.removed;
     one["rate"] = row.removal.rate();
     one["air"] = row.removal.air();
+    one["depth"] = row.shape.depth;  // NaN is written as null
+    one["width"] = row.shape.width;
+    one["engagement"] = degrees(row.shape.engagement);
     rows.push_back(std::move(one));
   }
   const Json out{{"schema", 1},

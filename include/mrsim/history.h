@@ -34,15 +34,26 @@ struct Removal {
   double air() const { return seconds > 0 ? air_seconds / seconds : 0; }  ///< share of the time
 };
 
+/// The largest depth, width and angle of engagement of some cuts (docs/history.md, Depth and
+/// width). NaN where it is not defined.
+struct CutShape {
+  double depth = 0;       ///< mm
+  double width = 0;       ///< mm
+  double engagement = 0;  ///< radians
+
+  MRSIM_API CutShape& operator+=(const CutShape& other);
+};
+
 struct ToolRemoval {
   int tool = -1;  ///< index into Program::tools
   Removal removal;
 };
 
 struct History {
-  double voxel = 0;             ///< mm; 0 = no history was made
-  std::vector<double> removed;  ///< #motions of the program, mm^3
-  std::vector<double> air;      ///< #motions: share of the way on which nothing is removed
+  double voxel = 0;              ///< mm; 0 = no history was made
+  std::vector<double> removed;   ///< #motions of the program, mm^3
+  std::vector<double> air;       ///< #motions: share of the way on which nothing is removed
+  std::vector<CutShape> shapes;  ///< #motions, or none: where HistoryDetail::full asks for them
   Removal total;
   std::vector<ToolRemoval> tools;  ///< in the order of their first cuts
 };

@@ -57,16 +57,20 @@ std::vector<std::vector<std::uint32_t>> HeightGrid::sweeps_of_tiles(
   return out;
 }
 
-HeightWalker::HeightWalker(const PartField& field, const SweepUndersides& tools)
+HeightWalker::HeightWalker(const PartField& field, const SweepUndersides& tools,
+                           std::span<const CutFrame> frames)
     : field_(field),
       heights_(field.sweeps(), tools, field.bounds().lo.z, field.bounds().hi.z),
       low_(field.bounds().lo.z),
-      high_(field.bounds().hi.z) {}
+      high_(field.bounds().hi.z),
+      frames_(frames) {}
 
 void HeightWalker::walk(const HeightGrid& grid, std::size_t tile,
                         std::span<const std::uint32_t> sweeps, std::span<double> removed) {
   heights_.assign(sweeps);
   removed_ = removed;
+  sweeps_ = sweeps;
+  extents_.assign(frames_.empty() ? 0 : sweeps.size(), {});
   end_ = grid.end();
   lists_[0].resize(sweeps.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i) lists_[0][i] = static_cast<std::uint32_t>(i);
@@ -123,8 +127,19 @@ void HeightWalker::cut(const Square& square, const List& list) {
         std::max(heights_.bottom(place, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
     removed_[place] += area * (low - bottom);
+    if (!frames_.empty() && area > 0) extend(place, square, bottom, low);
     low = bottom;
   }
+}
+
+// A column beside the cutter's own edge is removed up to that.
+void HeightWalker::extend(std::uint32_t place, const Square& square, double bottom, double top) {
+  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[place]))];
+  const Vec3 p{square.center.x, square.center.y, bottom};
+  const double at = frame.across(p), half = frame.half_across(p, square.side);
+  extents_[place].add({frame.along(p), frame.along({p.x, p.y, top}),
+                       std::max(at - half, -frame.reach()), std::min(at + half, frame.reach()),
+                       square.side.x * square.side.y * stock_share(square)});
 }
 
 // Of a column, by the distance of its centre from the stock's sides.

@@ -4,6 +4,7 @@
 // plan is anything sampled (docs/history.md, Heights).
 #pragma once
 
+#include "removal/history/cut_extent.h"
 #include "removal/history/cut_sink.h"
 #include "removal/part/part_field.h"
 #include "removal/sweep/sweep_heights.h"
@@ -42,10 +43,14 @@ class HeightGrid {
 /// What each sweep removes of one tile; on one thread.
 class HeightWalker {
  public:
-  HeightWalker(const PartField& field, const SweepUndersides& tools);
+  /// `frames`: by motion, where extents are wanted.
+  HeightWalker(const PartField& field, const SweepUndersides& tools,
+               std::span<const CutFrame> frames = {});
   /// Adds mm^3 to `removed`, in the order of the list. `sweeps`: ascending.
   void walk(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
             std::span<double> removed);
+  /// Of the last walk, in the order of its list.
+  const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:
   static constexpr int kFiner = 3;  // halvings of a column where a wall passes
@@ -60,6 +65,7 @@ class HeightWalker {
   void visit(const Square& square, std::size_t level, bool is_even);
   bool narrow(const Square& square, std::size_t level, bool& is_even);
   void cut(const Square& square, const List& list);
+  void extend(std::uint32_t place, const Square& square, double bottom, double top);
   double stock_share(const Square& square) const;
 
   const PartField& field_;
@@ -67,6 +73,9 @@ class HeightWalker {
   double low_, high_;
   Vec2 end_;
   std::span<double> removed_;
+  std::span<const CutFrame> frames_;
+  std::span<const std::uint32_t> sweeps_;
+  std::vector<CutExtent> extents_;
   std::array<List, kLevels + 1> lists_;
 };
 

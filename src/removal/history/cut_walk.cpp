@@ -12,20 +12,26 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Of a voxel: what a pass along a finished surface removes by rounding is not part of its extent.
+constexpr double kLeastGone = 0.01;
+
 double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
 }  // namespace
 
-CutWalker::CutWalker(const PartField& field, const CutLattice& lattice)
+CutWalker::CutWalker(const PartField& field, const CutLattice& lattice,
+                     std::span<const CutFrame> frames)
     : field_(field),
       lattice_(lattice),
       band_(0.5 * lattice.voxel + field.slack()),
-      share_(1 / lattice.voxel) {
+      share_(1 / lattice.voxel),
+      frames_(frames) {
   std::fill_n(points_.nearest, PointColumns::kMost, 0.0);
 }
 
 void CutWalker::walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink,
                      std::span<double> removed) {
+  if (!frames_.empty() && sweeps.data() != sweeps_.data()) extents_.assign(sweeps.size(), {});
   sweeps_ = sweeps, sink_ = sink, removed_ = removed;
   List all(sweeps.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
@@ -118,6 +124,22 @@ void CutWalker::fill_tile(const CutCell& cell, std::uint32_t place) {
   removed_[place] += ring(lattice_.position(cell.origin).x + middle) * size * size *
                      (lattice_.half_plane ? 1 : size);
   if (sink_ != nullptr) sink_->tile(cell, field_.sweeps().motion(sweeps_[place]));
+  if (frames_.empty()) return;
+  const std::int32_t last = cell.size - 1;
+  for (int k = 0; k < 8; ++k)
+    extend(place,
+           lattice_.position({cell.origin[0] + (k & 1 ? last : 0),
+                              cell.origin[1] + (k & 2 && !lattice_.half_plane ? last : 0),
+                              cell.origin[2] + (k & 4 ? last : 0)}),
+           1);
+}
+
+// What goes of the outermost voxel lies on its inner side.
+void CutWalker::extend(std::uint32_t place, const Vec3& p, double gone) {
+  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[place]))];
+  const double out = (gone - 0.5) * lattice_.voxel;
+  const double along = frame.along(p), across = frame.across(p);
+  extents_[place].add({along - out, along + out, across - out, across + out});
 }
 
 void CutWalker::place_points(const CutCell& cell) {
@@ -161,6 +183,8 @@ bool CutWalker::take(std::uint32_t place) {
     const double d = points_.least[k];
     const double left = std::min(left_[k], within_one(0.5 + share_ * d));
     gone += (left_[k] - left) * volume_[k];
+    if (!frames_.empty() && left_[k] - left > kLeastGone)
+      extend(place, {points_.x[k], points_.y[k], points_.z[k]}, left_[k] - left);
     rest += left;
     left_[k] = left;
     cut_[k] = d <= 0 && cut_[k] == kStillThere ? motion : cut_[k];

@@ -5,6 +5,7 @@
 // method and its error bound are told in docs/history.md.
 #pragma once
 
+#include "removal/history/cut_extent.h"
 #include "removal/history/cut_sink.h"
 #include "removal/part/part_field.h"
 #include "removal/simd/sweep_kernels.h"
@@ -22,7 +23,9 @@ inline constexpr int kCutLeaf = 4;
 /// sweeps that can be the first somewhere in it, in the order of the program.
 class CutWalker {
  public:
-  CutWalker(const PartField& field, const CutLattice& lattice);
+  /// `frames`: by motion, where extents are wanted.
+  CutWalker(const PartField& field, const CutLattice& lattice,
+            std::span<const CutFrame> frames = {});
 
   /// `sweeps`: all that reach the block or half a voxel beyond, ascending. `sink` may be null.
   /// Requires: the block's size is a power of two, at least 16.
@@ -30,6 +33,8 @@ class CutWalker {
   /// surface counts by its share of material, 1/2 - d / voxel within [0, 1].
   void walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink,
             std::span<double> removed);
+  /// Of all walks since the list has changed, in the order of the list.
+  const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:
   using List = std::vector<std::uint32_t>;  // places in sweeps_, ascending
@@ -52,6 +57,7 @@ class CutWalker {
   void place_points(const CutCell& cell);
   bool take(std::uint32_t place);
   void measure(std::uint32_t place);
+  void extend(std::uint32_t place, const Vec3& p, double gone);
   double radius_of(int size) const;
   double ring(double x) const;
 
@@ -63,6 +69,8 @@ class CutWalker {
   CutSink* sink_ = nullptr;
   std::array<Children, 8> levels_;
   std::span<double> removed_;
+  std::span<const CutFrame> frames_;
+  std::vector<CutExtent> extents_;
   PointColumns points_;
   double left_[PointColumns::kMost];    // share of each voxel that is still there
   double volume_[PointColumns::kMost];  // mm^3 of each voxel

@@ -20,8 +20,23 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What the sweeps of one block remove of it.
-using BlockSums = std::vector<std::pair<std::int32_t, double>>;  // by motion, those above 0
+// What a sweep removes of one block.
+struct BlockSum {
+  std::int32_t motion = 0;
+  double removed = 0;  // mm^3, above 0
+  CutExtent extent;
+};
+using BlockSums = std::vector<BlockSum>;
+
+// What all ways of summing take.
+struct Task {
+  const PartField& field;
+  const CutLattice& lattice;
+  int threads = 0;
+  CutSink* sink = nullptr;
+  const Progress& progress;
+  std::span<const CutFrame> frames;
+};
 
 // Blocks, tiles or rows in parallel, asking after each whether to go on.
 void for_each_place(std::size_t count, int threads, const Progress& progress,
@@ -38,46 +53,57 @@ void for_each_place(std::size_t count, int threads, const Progress& progress,
 }
 
 void add_removed(const PartField& field, std::span<const std::uint32_t> sweeps,
-                 std::span<const double> removed, BlockSums& out) {
+                 std::span<const double> removed, std::span<const CutExtent> extents,
+                 BlockSums& out) {
   for (std::size_t i = 0; i < sweeps.size(); ++i)
-    if (removed[i] > 0) out.emplace_back(field.sweeps().motion(sweeps[i]), removed[i]);
+    if (removed[i] > 0)
+      out.push_back({field.sweeps().motion(sweeps[i]), removed[i],
+                     extents.empty() ? CutExtent{} : extents[i]});
 }
 
-std::vector<BlockSums> sums_in_space(const PartField& field, const CutLattice& lattice, int threads,
-                                     CutSink* sink, const Progress& progress) {
+std::vector<BlockSums> sums_in_space(const Task& task) {
+  const PartField& field = task.field;
+  const CutLattice& lattice = task.lattice;
   const double near = 0.5 * lattice.voxel + field.slack();
   const BlockIndex index(field, lattice.voxel, near, std::numeric_limits<std::size_t>::max(),
-                         threads);
+                         task.threads);
   std::vector<BlockSums> blocks(index.size());
-  for_each_place(index.size(), threads, progress, [&](std::size_t b) {
+  for_each_place(index.size(), task.threads, task.progress, [&](std::size_t b) {
     const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
-    if (sweeps.empty() && sink == nullptr) return;
+    if (sweeps.empty() && task.sink == nullptr) return;
     std::vector<double> removed(sweeps.size(), 0.0);
-    walk_block(field, lattice, index.origin(b), sweeps, sink, removed);
-    add_removed(field, sweeps, removed, blocks[b]);
+    if (task.frames.empty()) {
+      walk_block(field, lattice, index.origin(b), sweeps, task.sink, removed);
+      return add_removed(field, sweeps, removed, {}, blocks[b]);
+    }
+    CutWalker walker(field, lattice, task.frames);
+    walker.walk({index.origin(b), kBlockVoxels}, sweeps, task.sink, removed);
+    add_removed(field, sweeps, removed, walker.extents(), blocks[b]);
   });
   return blocks;
 }
 
-std::vector<BlockSums> sums_of_heights(const PartField& field, double voxel, int threads,
-                                       const Progress& progress) {
-  const HeightGrid grid(field.bounds(), voxel);
+std::vector<BlockSums> sums_of_heights(const Task& task) {
+  const PartField& field = task.field;
+  const HeightGrid grid(field.bounds(), task.lattice.voxel);
   const SweepUndersides tools(field.sweeps());
   const std::vector<std::vector<std::uint32_t>> sweeps = grid.sweeps_of_tiles(field.sweeps());
   std::vector<BlockSums> tiles(sweeps.size());
-  for_each_place(tiles.size(), threads, progress, [&](std::size_t t) {
+  for_each_place(tiles.size(), task.threads, task.progress, [&](std::size_t t) {
     if (sweeps[t].empty()) return;
     std::vector<double> removed(sweeps[t].size(), 0.0);
-    HeightWalker(field, tools).walk(grid, t, sweeps[t], removed);
-    add_removed(field, sweeps[t], removed, tiles[t]);
+    HeightWalker walker(field, tools, task.frames);
+    walker.walk(grid, t, sweeps[t], removed);
+    add_removed(field, sweeps[t], removed, walker.extents(), tiles[t]);
   });
   return tiles;
 }
 
 // Rows of blocks across the axis: the sweeps of a row are found once.
-std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLattice& lattice,
-                                          int threads, CutSink* sink, const Progress& progress) {
+std::vector<BlockSums> sums_in_half_plane(const Task& task) {
   constexpr int kSize = 32;
+  const PartField& field = task.field;
+  const CutLattice& lattice = task.lattice;
   const double h = lattice.voxel, near = 0.5 * h + field.slack();
   const Box3 stock = inflated(field.bounds(), near);
   const auto first = static_cast<std::int32_t>(lattice_floor(h, stock.lo.z, kLatticeShift.z));
@@ -85,17 +111,17 @@ std::vector<BlockSums> sums_in_half_plane(const PartField& field, const CutLatti
   const auto wide = static_cast<std::int32_t>(std::ceil(stock.hi.x / h)) + 1;
   const Candidates all = field.all();
   std::vector<BlockSums> rows(static_cast<std::size_t>((last - first) / kSize + 1));
-  for_each_place(rows.size(), threads, progress, [&](std::size_t r) {
+  for_each_place(rows.size(), task.threads, task.progress, [&](std::size_t r) {
     const std::int32_t z = first + static_cast<std::int32_t>(r) * kSize;
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
     const Candidates sweeps = field.sweeps().opened(all, box);
-    if (sweeps.empty() && sink == nullptr) return;
-    CutWalker walker(field, lattice);
+    if (sweeps.empty() && task.sink == nullptr) return;
+    CutWalker walker(field, lattice, task.frames);
     std::vector<double> removed(sweeps.size(), 0.0);
     for (std::int32_t x = 0; x < wide; x += kSize)
-      walker.walk({{x, 0, z}, kSize}, sweeps, sink, removed);
-    add_removed(field, sweeps, removed, rows[r]);
+      walker.walk({{x, 0, z}, kSize}, sweeps, task.sink, removed);
+    add_removed(field, sweeps, removed, walker.extents(), rows[r]);
   });
   return rows;
 }
@@ -120,15 +146,22 @@ CutLattice history_lattice(const PartField& field, double voxel) {
 
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
                                     std::size_t motions, int threads, CutSink* sink,
-                                    const Progress& progress) {
+                                    const Progress& progress, CutExtents* extents) {
+  const Task task{field,    lattice,
+                  threads,  sink,
+                  progress, extents != nullptr ? extents->frames : std::span<const CutFrame>()};
   const bool by_heights = sink == nullptr && has_height_history(field);
-  const std::vector<BlockSums> blocks =
-      lattice.half_plane ? sums_in_half_plane(field, lattice, threads, sink, progress)
-      : by_heights       ? sums_of_heights(field, lattice.voxel, threads, progress)
-                         : sums_in_space(field, lattice, threads, sink, progress);
+  const std::vector<BlockSums> blocks = lattice.half_plane ? sums_in_half_plane(task)
+                                        : by_heights       ? sums_of_heights(task)
+                                                           : sums_in_space(task);
   std::vector<double> removed(motions, 0.0);
+  if (extents != nullptr) extents->extents.assign(motions, {});
   for (const BlockSums& block : blocks)
-    for (const auto& [motion, volume] : block) removed[static_cast<std::size_t>(motion)] += volume;
+    for (const BlockSum& sum : block) {
+      removed[static_cast<std::size_t>(sum.motion)] += sum.removed;
+      if (extents != nullptr)
+        extents->extents[static_cast<std::size_t>(sum.motion)].add(sum.extent);
+    }
   return removed;
 }
 

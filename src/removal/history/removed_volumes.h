@@ -20,12 +20,18 @@ void walk_block(const PartField& field, const CutLattice& lattice,
                 const std::array<std::int32_t, 3>& origin, std::span<const std::uint32_t> sweeps,
                 CutSink* sink, std::span<double> removed);
 
+/// The extents of what motions remove, where they are wanted.
+struct CutExtents {
+  std::vector<CutFrame> frames;    ///< by motion
+  std::vector<CutExtent> extents;  ///< by motion: filled in
+};
+
 /// mm^3 by motion, 0 for those that remove nothing; the same bits on any number of threads.
 /// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory",
 /// "cancelled". `sink`, where given, takes the voxels of the stock from several threads at once,
-/// each of them others.
+/// each of them others. With `extents` no sink.
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
                                     std::size_t motions, int threads, CutSink* sink = nullptr,
-                                    const Progress& progress = {});
+                                    const Progress& progress = {}, CutExtents* extents = nullptr);
 
 }  // namespace mrsim

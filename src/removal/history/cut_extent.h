@@ -1,0 +1,62 @@
+// How far what a motion removes reaches along the tool and across the feed: depth and width of cut,
+// and the arc of the cutter that is in material (docs/history.md, Depth and width).
+#pragma once
+
+#include "removal/tool/underside.h"
+#include <mrsim/history.h>
+#include <mrsim/types.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace mrsim {
+
+/// The directions of one motion. A turning tool has no width: what it removes is measured across
+/// the feed, in the plane of the X and Z axes.
+class CutFrame {
+ public:
+  CutFrame() = default;
+  CutFrame(const Motion& motion, const Tool& tool);
+
+  bool is_turning() const { return kind_ == Kind::turning; }
+  bool is_plunge() const { return kind_ == Kind::plunge; }
+  /// mm along the tool's axis.
+  double along(const Vec3& p) const;
+  /// mm to the left of the path in plan; from the axis of an arc, outwards; of a plunge along X.
+  double across(const Vec3& p) const;
+  /// Half the size, across the feed, of a square in plan with these sides about p.
+  double half_across(const Vec3& p, const Vec2& side) const;
+  /// The distance across the feed to which the cutter reaches.
+  double reach() const { return reach_; }
+  /// The angle about the axis of a cutter of radius r, from the feed, of a place that lies so far
+  /// across it, at the cutter's front.
+  double angle(double across, double r) const;
+
+ private:
+  enum class Kind : std::uint8_t { line, arc, plunge, turning };
+  Kind kind_ = Kind::line;
+  bool is_arc_ = false;
+  Vec3 origin_, side_{0, 1, 0}, axis_{0, 0, 1}, turns_about_{0, 0, 1};
+  double radius_ = 0, reach_ = std::numeric_limits<double>::infinity();
+};
+
+/// What one motion removes, in its own directions.
+struct CutExtent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;     ///< along the axis, mm
+  double left = std::numeric_limits<double>::infinity(), right = -left;  ///< across, mm
+  double area = 0;  ///< mm^2 in plan; of upright cutters alone
+
+  bool is_empty() const { return !(low < high); }
+  void add(const CutExtent& o) {
+    low = std::min(low, o.low), high = std::max(high, o.high);
+    left = std::min(left, o.left), right = std::max(right, o.right);
+    area += o.area;
+  }
+};
+
+/// `tool`: its underside where it nowhere narrows upwards, else empty; then the cutter's own radius
+/// stands for the engagement.
+CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Underside& tool,
+                   double radius);
+
+}  // namespace mrsim
