@@ -77,6 +77,20 @@ TEST(Compensation, VoidElementsAreSkipped) {
   EXPECT_EQ(track(read_text(step, at_origin(Dialect::fanuc))), "0,5 15,5 15,7 40,7 40,20");
 }
 
+// G41 to G42 without G40, at a corner of 90 degrees and on a straight line, radius 5. FANUC: the
+// moved lines meet, or a vector square to the next block's start; SINUMERIK: square to both, a line
+// between them.
+TEST(Compensation, ChangesItsSide) {
+  const auto run = [](Dialect dialect, const char* text) {
+    return path_text(read_text(text, at_origin(dialect)));
+  };
+  const char* corner = "G41 G1 X10 Y0 F100\nY50\nG42 X50\nY0\nG40 X80\n";
+  EXPECT_EQ(run(Dialect::fanuc, corner), "l5,0,0 l5,45,0 l45,45,0 l45,0,0 l80,0,0");
+  EXPECT_EQ(run(Dialect::sinumerik, corner), "l5,0,0 l5,50,0 l10,45,0 l45,45,0 l45,0,0 l80,0,0");
+  const char* straight = "G41 G1 X10 Y0 F100\nX30\nG42 X60\nG40 Y-20\n";
+  EXPECT_EQ(run(Dialect::fanuc, straight), "l10,5,0 l30,5,0 l30,-5,0 l60,-5,0 l60,-20,0");
+}
+
 TEST(Compensation, AnArcTooSmallInsideIsAnError) {
   const Program p =
       read_text("G0 X-20 Y0\nG41 G1 X0 Y0 D1 F100\nG3 X0 Y4 I0 J2\nG1 X-20\nG40 Y20\n",

@@ -129,9 +129,19 @@ TEST(ControlsDiffer, CompensationOfABoringBarHasItsTipOutside) {
   expect_near(p.motions[4].end, {18, 0, -20});
 }
 
-// Okuma: G15 H chooses the work offset, G56 H the length.
-TEST(ControlsDiffer, OkumasOffsetsAreNamed) {
-  EXPECT_EQ(mill("G15 H1\nG1 X1. F10\n"), "l1,0,0 | not-supported");
+// Okuma: G15 H chooses the work offset, for one block G16 H; behind it G56 H is the length along Z,
+// which G53 ends. Without a G15 H the words are FANUC's.
+TEST(ControlsDiffer, OkumasOffsets) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.table.work.push_back({"G15 H2", {100, 0, 0}});
+  options.table.offsets.push_back({});
+  options.table.offsets.back().name = "H3";
+  options.table.offsets.back().length = 7;
+  EXPECT_EQ(path_text(read_text("G15 H2\nG1 X1. F10\nG56 H3 Z5.\nG53 Z5.\n", options)),
+            "l101,0,0 l101,0,12 l101,0,5");
+  EXPECT_EQ(mill("G15 H1\nG1 X1. F10\n"), "l1,0,0");
+  EXPECT_EQ(mill("G15 H0\n"), " | value-range");
+  EXPECT_EQ(mill("G16 H1\nG1 X1. F10\n"), "l1,0,0 | not-supported");
   EXPECT_EQ(mill("G56 H1 Z5.\nG1 X1. F10\n"), "l1,0,0 | not-supported");
   EXPECT_EQ(mill("G43 G54 H0 Z5.\nG1 X1. F10\n"), "r0,0,5 l1,0,5");
 }

@@ -43,6 +43,10 @@ TEST(Cycles, PecksWithFullRetractAndChipBreaking) {
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG73 Z-5 R1 Q3 F100\n"),
             "r0,0,5 r0,0,1 l0,0,-2 r0,0,-1.746 l0,0,-5 r0,0,5");
   // Haas: first stroke I, each next one J less, at least K.
+  // They hold for the holes that follow, also those of a cycle stored with L0.
+  EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG83 G99 Z-10 R1 I4 J1 K2 F100 L0\nX5\n"),
+            "r0,0,5 r5,0,5 r5,0,1 l5,0,-3 r5,0,1 r5,0,-2.746 l5,0,-6 r5,0,1 r5,0,-5.746 l5,0,-8 "
+            "r5,0,1 r5,0,-7.746 l5,0,-10 r5,0,1");
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG73 Z-6 R0 I3 J1 K1.5 F100\n"),
             "r0,0,5 r0,0,0 l0,0,-3 r0,0,-2.746 l0,0,-5 r0,0,-4.746 l0,0,-6 r0,0,5");
 }

@@ -33,11 +33,27 @@ TEST(IsoWords, WordsWithoutEffectOnThePart) {
         << words;
 }
 
+// 8055: G11 to G13 mirror about the zero, one beside the other; G72 S scales about it; G73 Q turns
+// further each time, so that a part repeated by RPT stands round about; alone it ends that.
+TEST(IsoWords, MirrorScaleAndRotationOfFagor) {
+  EXPECT_EQ(iso("G11 X5 Y2\nX10\nG12\nX11 Y3\nG10\nX12 Y4\n"),
+            "l-5,2,0 l-10,2,0 l-11,-3,0 l12,4,0");
+  EXPECT_EQ(iso("G13\nX1 Y1 Z-2\nG10 G1 X5 Z-3\n"), "l1,1,2 l5,1,-3");
+  EXPECT_EQ(iso("G11 X5 Y0\nG3 X10 Y5 R5\n"), "l-5,0,0 a-10,5,0");
+  EXPECT_EQ(iso("G72 S2\nX5 Y5 Z-1\nG72 S1\nX5 Y5\n"), "l10,10,-2 l5,5,-2");
+  EXPECT_EQ(iso("G73 Q90\nX10 Y0\nG73 Q90\nX10 Y0\nG73\nX10 Y0\n"), "l0,10,0 l-10,0,0 l10,0,0");
+  EXPECT_EQ(iso("G73 Q90 I10 J0\nX20 Y0\n"), "l10,10,0");
+  EXPECT_EQ(iso("N10 G73 Q90\nN20 X10 Y0\n(RPT N10,N20) N3\n"),
+            "l0,10,0 l-10,0,0 l0,-10,0 l10,0,0");
+  EXPECT_EQ(iso("G73 Q90\nG73 Q90 I5\n"), " | not-supported");
+  EXPECT_EQ(iso("G72 S0\n"), " | value-range");
+}
+
 // Each of them moved straight on with a warning at most.
 TEST(IsoWords, WhatIsNotReadIsNamed) {
-  for (const char* words : {"G11", "G12", "G13", "G72 S2", "G73 Q45", "G32", "G37 R5 X20",
-                            "G38 R5 X20", "G61 X100 I10 Y50 J5", "G63 X100 I10", "G93 I10 J10",
-                            "G1 R10 Q45", "G1 X10 Q45", "G1 X10 Y20 R3"})
+  for (const char* words :
+       {"G72 S2 X1", "G32", "G37 R5 X20", "G38 R5 X20", "G61 X100 I10 Y50 J5", "G63 X100 I10",
+        "G93 I10 J10", "G1 R10 Q45", "G1 X10 Q45", "G1 X10 Y20 R3"})
     EXPECT_EQ(iso(std::string(words) + "\n"), " | not-supported") << words;
 }
 

@@ -182,7 +182,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 J0 K0"},
       {Dialect::fanuc, "G43.4 H1"},
       {Dialect::fanuc, "G150 I5 D1"},
-      {Dialect::iso, "G11"},
+      {Dialect::iso, "G37 R5 X20"},
       {Dialect::iso, "G68.2 I0"},
 
       {Dialect::fanuc, "G10 L50"},
@@ -195,6 +195,12 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
     EXPECT_EQ(codes(p), "not-supported") << listing(p);
     EXPECT_EQ(p.motions.size(), 1U);
   }
+}
+
+TEST(Policy, ACallOfNothingIsNamed) {
+  const Program p = read_text("G1 X1 F100\nPART(3,4)\n", at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p), "subprogram-missing");
+  EXPECT_NE(p.diagnostics.back().text.find("PART"), std::string::npos);
 }
 
 TEST(Policy, TextBehindTheTapeIsNamed) {

@@ -135,8 +135,8 @@ TEST(Posts, RunAsWorkedOut) {
        4,
        {-8.660254038, -5, -1},
        {70, 70, 19}},
-      // No T word: a run asks for --tool.
-      {"estlcam.nc", Dialect::ngc, mill, 2, 3, 1, {10, 5, -1}, {45, 30, -1}, "tool-unknown"},
+      // No T word: the one tool of the comments cuts.
+      {"estlcam.nc", Dialect::ngc, mill, 2, 3, 1, {10, 5, -1}, {45, 30, -1}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);

@@ -82,12 +82,70 @@ TEST(WordsOfMakers, AToolNamedInACommentAlone) {
 }
 
 TEST(WordsOfMakers, BrothersWordsAreRefusedByName) {
-  for (const char* words : {"G100 T1 X1 Y2 Z3", "G77 X1 Y2 Z-3 R1", "G78 X1 Y2 Z-3 R1"}) {
+  for (const char* words : {"G100 X1 Y2 Z3", "G77 X1 Y2 Z-3 R1", "G78 X1 Y2 Z-3 R1"}) {
     const Program p =
         read_text("G1 X1 F100\n" + std::string(words) + "\n", at_origin(Dialect::fanuc));
     ASSERT_EQ(codes(p), "not-supported") << words;
     EXPECT_NE(p.diagnostics.back().text.find("Brother"), std::string::npos) << words;
   }
+}
+
+// The tool changes at the top, so that the rapid to the place begins there: Z is known from it on.
+TEST(WordsOfMakers, ToolChangeOfBrother) {
+  const Program p = read_text("T2 M6\nG1 X1 F100\nG100 T1 X10 Y20 Z50 G43 H0 L2 S8000 M3\nX5\n",
+                              at_origin(Dialect::fanuc));
+  EXPECT_EQ(path_text(p), "l1,0,0 r10,20,50 l5,20,50");
+  ASSERT_EQ(p.motions.size(), 3U);
+  EXPECT_TRUE(p.motions[1].assumed_start);
+  EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[2].tool)].id, "1");
+}
+
+// FANUC 0i: M98 <NAME>. One error, not five.
+TEST(WordsOfMakers, NamesOfProgramsAreOneError) {
+  const Program p = read_text("G1 X1 F100\nM98 <SUB/A.NC>\n", at_origin(Dialect::fanuc));
+  EXPECT_EQ(codes(p), "not-supported");
+  EXPECT_NE(p.diagnostics.back().text.find("<SUB/A.NC>"), std::string::npos);
+}
+
+TEST(WordsOfMakers, LookAheadWithATolerance) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::iso, Dialect::ngc})
+    EXPECT_EQ(path_text(read_text("G90 G64 P0.01 Q0.02\nG1 X1 F100\n", at_origin(dialect))),
+              "l1,0,0");
+}
+
+// PowerMill and NX write a line for each value.
+TEST(WordsOfMakers, CornerRadiusInALineOfItsOwn) {
+  InterpOptions options;
+  options.machine = MachineKind::mill;
+  options.start = Vec3{};
+  const auto tool = [&](const std::string& lines) {
+    const Program p = read_text("%\nO1\n" + lines + "T1 M6\nG1 X5 F100\nM30\n", options);
+    const Tool t = p.tools.empty() ? Tool() : p.tools[0];
+    return fmt::format("{} {:g} {:g}", static_cast<int>(t.type), t.diameter, t.corner_radius);
+  };
+  const std::string head = "(TOOL NAME: EM10)\n(TOOL DIAMETER: 10.0)\n";
+  EXPECT_EQ(tool(head + "(TIP RADIUS: 1.5)\n"),
+            fmt::format("{} 10 1.5", static_cast<int>(ToolType::bullmill)));
+  EXPECT_EQ(tool(head + "(CORNER RADIUS = 0.0)\n"),
+            fmt::format("{} 10 0", static_cast<int>(ToolType::endmill)));
+  EXPECT_EQ(tool(head + "(CORNER RADIUS 3 OF THE PART)\n"),
+            fmt::format("{} 10 0", static_cast<int>(ToolType::endmill)));
+}
+
+// Without T words and numbers: Estlcam, bCNC. Two of them ask for --tool.
+TEST(WordsOfMakers, AToolWithoutANumber) {
+  InterpOptions options;
+  options.machine = MachineKind::mill;
+  options.dialect = Dialect::ngc;
+  options.start = Vec3{};
+  const auto tool = [&](const std::string& head) {
+    const Program p = read_text(head + "G21\nG1 X5 F100\n", options);
+    return codes(p) + (p.tools.empty() ? "" : fmt::format("{:g}", p.tools[0].diameter));
+  };
+  EXPECT_EQ(tool("(Required tools:)\n(Endmill 3mm)\nG90\n(No. 1: Pocket 1)\n"), "3");
+  EXPECT_EQ(tool("(tool 3.175mm)\n"), "3.175");
+  EXPECT_EQ(tool("(Required tools:)\n(Endmill 3mm)\n(Endmill 6mm)\n"), "tool-unknown");
+  EXPECT_EQ(tool("(pocket 30mm)\n"), "tool-unknown");
 }
 
 TEST(WordsOfMakers, MirrorOfHaasIsRefusedByName) {

@@ -76,6 +76,7 @@ bool DrillWords::peck(const Word& q) {
   if (q.value < 0 || (q.value == 0 && is(Dialect::ngc)))
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
   modal_.drill.peck = q.value * length_unit(q);
+  modal_.drill.first = 0;
   if (q.point || q.value < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
     return true;
   modal_.drill.peck *= modal_.inch ? 1e-4 : 1e-3;
@@ -205,8 +206,8 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
 
 bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   const double depth = hole.safe - hole.bottom;
-  if (const Word* first = haas_words && !modal_.drill.fagor ? take('I') : nullptr)
-    return haas_pecks(hole, *first);
+  if (haas_words && !modal_.drill.fagor && peek('I')) read_haas_strokes();
+  if (modal_.drill.first != 0) return haas_pecks(hole);
   const double q = modal_.drill.peck;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (q <= 0) {
@@ -224,19 +225,29 @@ bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   return true;
 }
 
-// Haas: the first stroke is I, each next one less by J, the least K.
-bool DrillWords::haas_pecks(Hole& hole, const Word& first) {
-  const Word* less = take('J');
-  const Word* least = take('K');
-  double stroke = first.value * length_unit(first);
-  const double by = less ? less->value * length_unit(*less) : 0;
-  const double smallest = least ? least->value * length_unit(*least) : stroke;
-  if (stroke <= 0 || smallest <= 0 || by < 0 ||
-      (hole.safe - hole.bottom) / std::min(stroke, smallest) > static_cast<double>(kMostStrokes))
-    return error("value-range", "I J K: the strokes of the cycle must be above 0", first);
+// Haas: the first stroke is I, each next one less by J, the least K. They hold for the points that
+// follow, too.
+void DrillWords::read_haas_strokes() {
+  DrillCycle& cycle = modal_.drill;
+  const auto value = [&](char c, double otherwise) {
+    const Word* word = take(c);
+    return word ? word->value * length_unit(*word) : otherwise;
+  };
+  cycle.first = value('I', 0);
+  cycle.less = value('J', 0);
+  cycle.least = value('K', cycle.first);
+}
+
+bool DrillWords::haas_pecks(Hole& hole) {
+  const DrillCycle& cycle = modal_.drill;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  double stroke = cycle.first;
+  if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
+      (hole.safe - hole.bottom) / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
+    return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
   for (double at = hole.safe - stroke; at > hole.bottom + 1e-9; at -= stroke) {
     hole.strokes.push_back(at);
-    stroke = std::max(stroke - by, smallest);
+    stroke = std::max(stroke - cycle.less, cycle.least);
   }
   return true;
 }

@@ -29,7 +29,8 @@ class DrillWords : public ControlPart {
   bool repeats(long& count);
   bool fill(Hole& hole, bool haas_words = true);
   bool fill_pecks(Hole& hole, bool haas_words);
-  bool haas_pecks(Hole& hole, const Word& first);
+  void read_haas_strokes();
+  bool haas_pecks(Hole& hole);
   double tapping_lead() const;
 
   AxisWords& axes_;

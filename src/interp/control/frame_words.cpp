@@ -40,8 +40,20 @@ void FrameWords::start() {
   rebuild();
 }
 
+// G15 H1 to H200 of Okuma.
+bool FrameWords::select_numbered(const Word& h) {
+  if (h.value < 1 || h.value > 200 || h.value != std::floor(h.value))
+    return error("value-range", "G15 needs H1 to H200, a work offset of Okuma's OSP", h);
+  modal_.okuma = true;
+  return use_work(fmt::format("G15H{:g}", h.value), h);
+}
+
 bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
-  save();
+  if (modal_.okuma && word.value == 56 && peek('H')) {  // the length of the tool, along Z
+    modal_.length = Code::length_plus;
+    block_.length_changed = true;
+    return true;
+  }
   std::string name;
   if (entry.code == Code::work_extended) {
     const Word* p = take('P');
@@ -53,6 +65,11 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
   } else if (entry.code == Code::work_offset) {
     name = fmt::format("G{:g}", word.value);
   }
+  return use_work(name, word);
+}
+
+bool FrameWords::use_work(const std::string& name, const Word& word) {
+  save();
   if (!set_work(name))
     note_once("work-offset-unset",
               fmt::format("{} is not in the tool table: its zero is that of the stock, as for G54 "
@@ -293,6 +310,44 @@ void FrameWords::set_mirror() {
   for (int i = 0; i < 3; ++i)
     if (frames_.mirrored >> i & 1U) component(factors, i) = -1;
   frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
+}
+
+// G11 to G13 mirror X, Y or Z about the zero, one beside the other, G10 ends that; G72 S scales.
+bool FrameWords::fagor(Code code, const Word& word) {
+  save();
+  if (code == Code::fagor_mirror) {
+    const int g = static_cast<int>(word.value);
+    frames_.mirrored = g == 10 ? 0U : frames_.mirrored | 1U << (g - 11);
+    frames_.mirror_at = {};
+    set_mirror();
+  } else if (code == Code::fagor_scale) {
+    const double factor = take('S')->value;
+    if (!(factor > 1e-6 && factor < 1e6))
+      return error("value-range", "S of G72 is the scale, above 0", word);
+    frames_.scaling = scale_frame({factor, factor, factor});
+  } else if (!fagor_turn(word)) {
+    return false;
+  }
+  rebuild();
+  return true;
+}
+
+// G73 Q turns the plane further, about I J or the zero; alone it ends the rotation.
+bool FrameWords::fagor_turn(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  const Word* q = take('Q');
+  const Basis b = basis();
+  Vec3 center;
+  if (const Word* i = take('I')) center = center + i->value * length_unit(*i) * b.u;
+  if (const Word* j = take('J')) center = center + j->value * length_unit(*j) * b.v;
+  if (q && frames_.rotation_angle != 0 && distance(center, frames_.rotation_at) > 1e-9)
+    return error("not-supported",
+                 "G73 about another centre while a rotation is in force: write G73 alone before it",
+                 word);
+  frames_.rotation_angle = q ? frames_.rotation_angle + q->value : 0;
+  frames_.rotation_at = center;
+  frames_.rotation = about(rotation_frame(kNormal[modal_.plane], frames_.rotation_angle), center);
+  return true;
 }
 
 // G53 resets the decoder's frame, G54 sets its shift, G55 adds to it, G56 puts it at the position.

@@ -17,6 +17,10 @@ class FrameWords : public ControlPart {
   bool run();
   /// G54 and its kin.
   bool select_work(const CodeEntry& entry, const Word& word);
+  /// G15 H of Okuma.
+  bool select_numbered(const Word& h);
+  /// Mirror images, scale and rotation of Fagor. False: an error was reported.
+  bool fagor(Code code, const Word& word);
   /// The work offset in force may have new values.
   void renew_work();
   /// The frame of this block's points.
@@ -42,6 +46,8 @@ class FrameWords : public ControlPart {
   bool codesys();
   bool pole();
   bool set_work(const std::string& written);
+  bool use_work(const std::string& name, const Word& word);
+  bool fagor_turn(const Word& word);
 };
 
 }  // namespace mrsim

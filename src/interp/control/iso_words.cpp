@@ -8,10 +8,6 @@ namespace {
 /// What a G word does that is not read; empty: another one.
 std::string_view unread(int code) {
   switch (code) {
-    case 11:
-    case 12:
-    case 13:
-      return "a mirror image of Fagor's";
     case 32:
       return "zero offsets that G31 has kept";
     case 37:
@@ -72,8 +68,13 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       return true;
     case 9:
       return to_point_arc(word);
-    case 10:  // no mirror image is in force
-      gone = bare;
+    case 10:
+      if (!has_any("LP")) to_frame(Code::fagor_mirror, word);
+      return true;
+    case 11:
+    case 12:
+    case 13:
+      if (code == 11 || !has_any("I")) to_frame(Code::fagor_mirror, word);
       return true;
     case 31:
       gone = !has_any("XYZ");
@@ -82,33 +83,40 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 39:
       gone = true;
       return to_corner(code == 36 ? Address::rnd : Address::chr, word);
+    case 72:
+      if (!has_any("S")) return true;
+      if (has_any("XYZ")) return refuse_pattern(word, code);
+      to_frame(Code::fagor_scale, word);
+      return true;
     case 73:
-      gone = bare;
-      return gone || refuse_pattern(word, code);
+      if (bare || (has_any("Q") && !has_any("XYZR"))) to_frame(Code::fagor_turn, word);
+      return true;
     default:
       break;
   }
   const std::string_view what = unread(code);
-  const bool pocket = (code == 12 || code == 13) && has_any("I");
-  if (what.empty() || pocket) return refuse_pattern(word, code);
+  if (what.empty()) return refuse_pattern(word, code);
   return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);
 }
 
-// G60 to G65 repeat a cycle at places, G72 S scales, G73 Q turns, G93 I J sets the polar origin.
+// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G93 I J sets the polar origin.
 bool IsoWords::refuse_pattern(const Word& word, int code) {
   const char* what = "";
   if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
     what = "the places of a cycle";
   else if (code == 72 && has_any("S"))
-    what = "a scale";
-  else if (code == 73 && has_any("Q") && !has_any("XYZIR"))
-    what = "a rotation";
+    what = "a scale of one axis";
   else if (code == 93 && has_any("IJK"))
     what = "the origin of polar coordinates";
   if (*what == '\0') return true;
   return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);
+}
+
+void IsoWords::to_frame(Code code, Word& word) {
+  word.address = Address::function;
+  word.code = code;
 }
 
 bool IsoWords::to_corner(Address corner, const Word& word) {

@@ -96,7 +96,16 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::statement:
     case Code::unsupported:
-      return units_of_mach(word) || refuse(word);
+      return units_of_mach(word) || brother_change(word) || refuse(word);
+    case Code::fagor_mirror:
+    case Code::fagor_scale:
+    case Code::fagor_turn:
+      return frame_words_.fagor(entry.code, word);
+    case Code::suppress_frames:
+      if (!modal_.okuma) return apply_modal_code(word, entry);
+      modal_.length = Code::length_off;
+      block_.length_changed = true;
+      return true;
     case Code::circle_pocket:
       block_.oneshot = &word;
       block_.oneshot_code = entry.code;
@@ -108,15 +117,13 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       block_.oneshot_code = entry.code;
       return true;
     case Code::ignored:
+      if (word.value == 64 && !is(Dialect::sinumerik))  // G64 P0.01 Q0.01 of Mach and LinuxCNC
+        for (const char c : {'P', 'Q'}) take(c);
       return !is(Dialect::ngc) || !peek('R') || word.value != 61 ||
              error("word-unexpected", "R with no word that uses it", *peek('R'));
     case Code::polar_on:
     case Code::polar_off:
-      if (peek('H'))
-        return error("not-supported",
-                     fmt::format("{} H (a work offset of Okuma's OSP) is not supported: write G54",
-                                 text_of(word)),
-                     word);
+      if (peek('H')) return okuma_offset(word);
       return apply_modal_code(word, entry);
     case Code::ignored_words:
       if (is(Dialect::ngc) && word.value == 64 && peek('R') && orients_spindle())
@@ -171,6 +178,16 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   }
 }
 
+// G15 H2 of Okuma's OSP selects a work offset; G16 H does for one block.
+bool ModalWords::okuma_offset(const Word& word) {
+  if (word.value == 15) return frame_words_.select_numbered(*take('H'));
+  return error(
+      "not-supported",
+      fmt::format("{} H (a work offset of Okuma's OSP for one block) is not supported: write G15 H",
+                  text_of(word)),
+      word);
+}
+
 bool ModalWords::orients_spindle() const {
   return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
     return word.address == letter('M') && word.value == 19;
@@ -188,6 +205,15 @@ bool ModalWords::for_one_block(const Word& word, Code code) {
 bool ModalWords::units_of_mach(const Word& word) {
   if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
   return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+}
+
+// G100 T1 X Y Z G43 H1 of Brother: the tool changes above, then it goes to the place.
+bool ModalWords::brother_change(const Word& word) {
+  if (!is(Dialect::fanuc) || lathe() || word.value != 100 || !peek('T')) return false;
+  for (const char c : {'L', 'R'}) take(c);  // the next tool, and where the door stands
+  block_.tool_change = true;
+  block_.home = &word;
+  return for_one_block(word, Code::rapid);
 }
 
 bool ModalWords::refuse(const Word& word) {
@@ -218,6 +244,7 @@ void ModalWords::select_cycle(int number) {
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
   cycle.number = number;
+  cycle.first = 0;
   // FANUC lathes drill along Z, or along X from the side, whatever the plane.
   const bool turned = lathe() && is(Dialect::fanuc);
   cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? 2 : 0;

@@ -25,6 +25,8 @@ class ModalWords : public ControlPart {
   bool refuse(const Word& word);
   bool for_one_block(const Word& word, Code code);
   bool orients_spindle() const;
+  bool okuma_offset(const Word& word);
+  bool brother_change(const Word& word);
   bool high_speed(const Word& word);
   void select_cycle(int number);
   bool select_turning(const Word& word, int number);

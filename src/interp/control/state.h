@@ -19,14 +19,15 @@ struct CycleLevel {
 
 /// A drilling cycle in force (G73 ... G89): what its blocks have said so far.
 struct DrillCycle {
-  int number = 0;                     ///< of the G word, 0 = none
-  CycleLevel safe, bottom;            ///< R and Z
-  double peck = 0;                    ///< Q, mm
-  double initial = 0;                 ///< level along the plane's normal before the first cycle
-  bool begun = false;                 ///< `initial` counts
-  bool fagor = false;                 ///< its first block has the depth in I
-  int plane = -1;                     ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
-  int file = 0, line = 0, call = -1;  ///< of the block that chose the cycle
+  int number = 0;                         ///< of the G word, 0 = none
+  CycleLevel safe, bottom;                ///< R and Z
+  double peck = 0;                        ///< Q, mm
+  double first = 0, less = 0, least = 0;  ///< Haas: strokes by I J K, mm
+  double initial = 0;                     ///< level along the plane's normal before the first cycle
+  bool begun = false;                     ///< `initial` counts
+  bool fagor = false;                     ///< its first block has the depth in I
+  int plane = -1;                         ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
+  int file = 0, line = 0, call = -1;      ///< of the block that chose the cycle
 };
 
 /// A turning cycle in force: G90, G92 or G94 of a FANUC lathe.
@@ -76,6 +77,7 @@ struct Modal {
   int edge = 1;  ///< D number; CODESYS: see edge_radius
   bool edge_given = false;
   double edge_radius = 0;  ///< CODESYS: D, mm
+  bool okuma = false;      ///< the program has said G15 H: G53 and G56 are lengths of tools
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
   DrillCycle drill;
@@ -111,7 +113,8 @@ struct Frames {
   Vec3 fine;                        ///< G59
   Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame
   Frame rotation, scaling, mirror;  ///< FANUC G68, G51, G51.1
-  double rotation_angle = 0;        ///< of G68, degrees
+  double rotation_angle = 0;        ///< of G68 or G73, degrees
+  Vec3 rotation_at;                 ///< centre of G73 (Fagor)
   Vec3 mirror_at;
   unsigned mirrored = 0;  ///< axes under G51.1
   Frame total;

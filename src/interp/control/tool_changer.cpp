@@ -136,7 +136,10 @@ bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why) co
 // Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
 void ToolChanger::take_commented(const Word& where) {
   const std::string id = notes_.only();
-  if (id.empty()) return;
+  if (id.empty()) {
+    notes_.adopt_nameless();
+    return;
+  }
   tool_.pending.id = id;
   tool_.pending.at.file = block_.file;
   tool_.pending.at.line = block_.line_number;
@@ -185,7 +188,9 @@ void ToolChanger::missing(const Word& where, const std::string& why) {
   if (!tool_.chosen) {
     const Severity severity = options_.require_tools ? Severity::error : Severity::warning;
     reporter_.add(severity, "tool-unknown",
-                  "the program names no tool: give one with --tool endmill:d=10, or --tools",
+                  fmt::format("the program names no tool{}: give one with --tool endmill:d=10, or "
+                              "--tools",
+                              why.empty() ? "" : ", and " + why),
                   where.column, where.length);
     return;
   }

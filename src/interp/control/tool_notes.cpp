@@ -1,6 +1,20 @@
 #include "interp/control/tool_notes.h"
 
+#include "interp/text/characters.h"
+
 namespace mrsim {
+
+namespace {
+
+// "Required tools:" of Estlcam, "Tools used in this file:".
+bool heads_list(const std::string& comment) {
+  const std::string text = upper_case(comment);
+  for (const std::string_view head : {"REQUIRED TOOLS", "TOOLS USED", "WERKZEUGE:"})
+    if (text.find(head) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
 
 void ToolNotes::add(const std::string& id, const ToolHint& hint) {
   const auto [at, fresh] = hints_.try_emplace(id, hint);
@@ -16,7 +30,12 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     if (hint) add(called, hint);
     return;
   }
-  if (!alone || !(hint || !hint.id.empty())) return;
+  if (!alone) return;
+  lists_ = lists_ || heads_list(hint.text);
+  if (hint.only_corner()) return add_corner(hint);
+  if (!(hint || !hint.id.empty())) return;
+  if (hint.id.empty() && (hint.names_tool || (hint.type && lists_)) && hint.diameter > 0)
+    add_nameless(hint);
   if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
     return add(current_, hint);
   if (!hint.id.empty() || interrupted_) {  // "TOOL 3" begins what is said of it
@@ -28,6 +47,29 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     group_ = hint;
   else
     merge_hint(group_, hint);
+}
+
+// It counts beside other comments about the tool only.
+void ToolNotes::add_corner(const ToolHint& hint) {
+  if (blocks_since_change_ == 0 && find(current_) != nullptr)
+    add(current_, hint);
+  else if (!group_.text.empty() && !interrupted_)
+    merge_hint(group_, hint);
+}
+
+// "(Endmill 3mm)" in a program without T words.
+void ToolNotes::add_nameless(const ToolHint& hint) {
+  if (cuts_) return;
+  if (nameless_.text.empty())
+    nameless_ = hint;
+  else if (nameless_.text.find(hint.text) == std::string::npos)
+    merge_hint(nameless_, hint);
+}
+
+bool ToolNotes::adopt_nameless() {
+  if (!hints_.empty() || nameless_.text.empty()) return false;
+  hints_.try_emplace("", nameless_);
+  return true;
 }
 
 void ToolNotes::call(const std::string& id) {

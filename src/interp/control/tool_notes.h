@@ -26,19 +26,30 @@ class ToolNotes {
   /// A block with words has been read.
   void end_block();
   /// A cut: comments above it are not about the next tool.
-  void cut() { group_ = {}; }
+  void cut() {
+    group_ = {};
+    cuts_ = true;
+  }
 
   /// What is known of the tool; null: nothing.
   const ToolHint* find(const std::string& id) const;
+  /// Where no comment has named a tool by its id: those above the first cut that describe one are
+  /// about the tool without id. False: there are none.
+  bool adopt_nameless();
   /// The id of the tool that comments have named, where they have named one alone; else empty.
   std::string only() const { return hints_.size() == 1 ? hints_.begin()->first : std::string(); }
 
  private:
   void add(const std::string& id, const ToolHint& hint);
+  void add_corner(const ToolHint& hint);
+  void add_nameless(const ToolHint& hint);
 
   bool turret_;
   std::map<std::string, ToolHint> hints_;
-  ToolHint group_;            ///< the comments that wait for their tool
+  ToolHint group_;      ///< the comments that wait for their tool
+  ToolHint nameless_;   ///< above the first cut
+  bool lists_ = false;  ///< a comment has headed a list of tools
+  bool cuts_ = false;
   bool interrupted_ = false;  ///< a block stands between the group and the next comment
   std::string current_;
   int blocks_since_change_ = 1;

@@ -246,7 +246,7 @@ CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
   CornerWay way;
   way.end = piece.end;
   const std::size_t j = following(1);
-  if (j >= queue_.size()) return leaving(piece);
+  if (j >= queue_.size()) return crosses_over(piece, way) ? way : leaving(piece);
   const PathMove& first = queue_.front();
   const PlanePiece next = moved(queue_[j]);
   const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
@@ -262,6 +262,29 @@ CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
                                first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
                    queue_[j].motion);
   return way;
+}
+
+// G41 behind G42 or the other way round, without G40. FANUC: where the moved lines meet. Else the
+// element ends square to its end, and a line leads to the point square to the next one's start.
+bool CompensationStage::crosses_over(const PlanePiece& piece, CornerWay& way) {
+  std::size_t k = 1;
+  while (k < queue_.size() && is_infeed(queue_[k])) ++k;
+  const PathMove& first = queue_.front();
+  if (k >= queue_.size() || !takes_part(queue_[k]) || queue_[k].comp.side == first.comp.side)
+    return false;
+  const PlanePiece next = moved(queue_[k]);
+  const Vec2 d = piece.end - piece.start, e = next.end - next.start;
+  const double turn = cross(d, e);
+  if (first.comp.two_points && !piece.arc && !next.arc && std::abs(turn) > 1e-9) {
+    const double along = cross(next.start - piece.start, e) / turn;
+    const double beyond = cross(next.start - piece.start, d) / turn;
+    if (along > 0 && beyond < 1) {
+      way.end = piece.start + along * d;
+      return true;
+    }
+  }
+  resumes_ = true;
+  return true;
 }
 
 // The last element: square to its end, or with KONT round it to a point behind the contour.

@@ -33,6 +33,7 @@ class CompensationStage {
   void close_over(const PlanePiece& piece, CornerWay& way);
   void skip_before(std::size_t keep);
   CornerWay choose_end(const PlanePiece& piece);
+  bool crosses_over(const PlanePiece& piece, CornerWay& way);
   CornerWay leaving(const PlanePiece& piece) const;
   PlanePiece reach(std::size_t i, std::size_t next) const;
   void run_infeeds();
@@ -46,7 +47,7 @@ class CompensationStage {
   std::vector<PathMove> queue_;
   Basis basis_;  ///< of the contour under way
   bool active_ = false;
-  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON)
+  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON), or on the other side
   Vec3 at_;               ///< where the last motion given on ended
   Vec2 cursor_;           ///< the same in the plane, as tool centre
 };

@@ -49,6 +49,23 @@ bool is_o_word(std::string_view c) {
   return false;
 }
 
+// "%PART,MX,": the header of a program of Fagor's 8055.
+bool is_fagor_header(std::string_view raw) {
+  if (raw.size() < 4 || raw[0] != '%') return false;
+  const std::size_t name = raw.find(','), end = raw.find(',', name + 1);
+  if (name == raw.npos || end == raw.npos || end == name + 1) return false;
+  return raw.substr(name + 1, end - name - 1).find_first_not_of("OMXHEV") == raw.npos;
+}
+
+// "X[#1+2]", "Y [3]": an expression in brackets, which SINUMERIK does not have behind a letter.
+bool has_bracket_value(std::string_view c) {
+  for (std::size_t i = 0; i + 1 < c.size(); ++i)
+    if (c[i + 1] == '[' && std::string_view("XYZIJKUVWF").find(c[i]) != c.npos &&
+        (i == 0 || !is_name(c[i - 1])))
+      return true;
+  return false;
+}
+
 // A whole word of a comment.
 bool names(std::string_view comment, std::string_view word) {
   for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
@@ -96,6 +113,7 @@ void DialectSigns::name(const std::string& path) {
   if (extension == ".CNC") add(Dialect::codesys, 2, sign, 0);
   if (extension == ".NGC") add(Dialect::ngc, 12, sign, 0);
   if (extension == ".TAP" || extension == ".GCODE") add(Dialect::ngc, 3, sign, 0);
+  if (extension == ".PIM" || extension == ".PIT") add(Dialect::iso, 8, sign, 0);  // Fagor
   if (extension == ".MIN" || extension == ".EIA") add(Dialect::fanuc, 4, sign, 0);
 }
 
@@ -141,6 +159,7 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   if (raw.size() == 1 && raw[0] == '%') add(d, 3, "% alone", line);
   if (c.size() > 3 && c[0] == '$' && c.back() == '%') add(d, 10, "a program name of Okuma", line);
   if (s.ends_block) add(d, 3, "; as end of block", line);
+  if (has_bracket_value(c)) add(d, 3, "an expression in [ ]", line);
   if (has(c, "M98")) add(d, 6, "M98", line);
   if (has_word(c, "M99")) add(d, 4, "M99", line);
   for (const std::string_view g : {"G43", "G49", "G28"})
@@ -214,6 +233,7 @@ void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) 
   const std::string& c = s.code;
   if (o_word_) add(d, 15, "an O word with a name of LinuxCNC", line);
   if (c.find("#<") != std::string::npos) add(d, 15, "a named variable", line);
+  if (has_bracket_value(c)) add(d, 3, "an expression in [ ]", line);
   if (c.find("**") != std::string::npos || has(c, "EXISTS["))
     add(d, 6, "an operator of LinuxCNC", line);
   for (const std::string_view g :
@@ -265,6 +285,7 @@ void DialectSigns::weigh_iso(const LineScan& s, std::string_view raw, int line) 
       std::any_of(raw.begin(), raw.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   if (lower && s.comment.empty() && s.code.find('=') == std::string::npos && !o_word_)
     add(Dialect::iso, 1, "lower-case words", line);
+  if (is_fagor_header(raw)) add(Dialect::iso, 15, "a program header of Fagor's", line);
   if (s.comment_kind == '(' && !bracket_statement(s.comment).empty())
     add(Dialect::iso, 10, "a statement in brackets", line);
 }

@@ -80,7 +80,7 @@ void MachineSigns::weak_signs(const std::string& c, int n) {
   if (has_word(c, "G18")) note_first(turning_, "G18", n);
   if (has_word(c, "G96") || has_word(c, "G961")) note_first(lathe_, "G96", n);
   const bool alone = (has_word(c, "G7") || has_word(c, "G8")) && !has_axis(c, 'P');
-  if (alone) note_first(lathe_, "G7 or G8", n);
+  if (alone) note_first(ngc_lathe_, "G7 or G8", n);
 }
 
 void MachineSigns::line(const LineScan& s, int n) {
@@ -121,7 +121,9 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   bool turning = false, milling = false;
   for (const Tool& tool : options.table.tools) (is_turning(tool.type) ? turning : milling) = true;
   const bool fanuc = out.dialect == Dialect::fanuc;
-  const std::string& lathe = lathe_.empty() && fanuc ? fanuc_lathe_ : lathe_;
+  const bool ngc = out.dialect == Dialect::ngc;  // X is a length there until G7
+  const std::string& own = ngc ? ngc_lathe_ : fanuc ? fanuc_lathe_ : lathe_;
+  const std::string& lathe = lathe_.empty() || (ngc && !own.empty()) ? own : lathe_;
   std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
   // Beside turning tools or an axis C a milling tool in a turret is a live one.
   const bool live = !turning_tool_.empty() || !rotary_.empty();
@@ -131,7 +133,6 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
     weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
   if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";
   const std::string mill = weak_mill(milling && !turning, !milling_tool_.empty());
-  const bool ngc = out.dialect == Dialect::ngc;  // X is a length there until G7
   if (!mill_.empty() && !lathe.empty() && !(ngc && lathe.starts_with("G96"))) {
     out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", mill_, lathe);
   } else if (!mill_.empty()) {

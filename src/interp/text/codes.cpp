@@ -40,7 +40,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {684, "a tilted working plane"},
     {770, "Brother's synchronised tapping"},
     {780, "Brother's synchronised tapping"},
-    {1000, "a tool change of Brother's, a mirror image of Haas'"},
+    {1000, "without T: a tool change of Brother's, a mirror image of Haas'"},
     {1010, "a mirror image of Haas'"},
     {1070, "cylindrical interpolation"},
     {1120, "polar interpolation"},

@@ -128,6 +128,9 @@ enum class Code : std::uint8_t {
   position_jump,
   decoder_length,
   path_smoothing,
+  fagor_mirror,  ///< G10 to G13
+  fagor_scale,   ///< G72 S
+  fagor_turn,    ///< G73 Q
   program_end,
   program_return,
   header,

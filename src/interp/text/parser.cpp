@@ -203,6 +203,11 @@ void Parser::strange_character(Block& block) {
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (const std::size_t close = line_.find('>', p_); c == '<' && close != line_.npos) {
+    p_ = close + 1;
+    return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
+                       "the name of a program", from);
+  }
   if (c == ',' && corner_word(block)) return;
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);

@@ -390,7 +390,11 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
     word.text = run;
     return push(block, word, from);
   }
-  unsupported(block, run, what.empty() ? "a call with arguments" : what, from);
+  if (what.empty())
+    return fault(block, "subprogram-missing",
+                 fmt::format("{} is no cycle, and no PROC of this file or of one beside it", name),
+                 from, p_);
+  unsupported(block, run, what, from);
 }
 
 }  // namespace mrsim

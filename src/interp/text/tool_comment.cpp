@@ -86,6 +86,7 @@ class CommentReader {
   void read_insert();
   void settle();
   void settle_turning();
+  bool is_corner_line() const;
   void add_diameter(std::size_t i) {
     hint_.diameters.push_back(length(tokens_[i]));
     taken_[i] = true;
@@ -329,6 +330,18 @@ void CommentReader::settle_turning() {
   hint_.diameters.clear();
 }
 
+// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
+bool CommentReader::is_corner_line() const {
+  std::size_t i = has(0) && one_of(tokens_[0], {"TOOL", "CUTTER"}) ? 1 : 0;
+  if (!has(i + 1) || !one_of(tokens_[i], {"TIP", "CORNER"}) ||
+      !one_of(tokens_[i + 1], {"RADIUS", "RAD"}))
+    return false;
+  const std::size_t value = i + 2;
+  i = value;
+  while (has(i) && one_of(tokens_[i], {"=", ":", "-"})) ++i;
+  return has(i) && tokens_[i].is_number() && i + 1 == tokens_.size();
+}
+
 void CommentReader::settle() {
   const bool data = !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner;
   if (kind_ && (kind_->firm || hint_.names_tool || (data && !is_turning(kind_->type)))) {
@@ -337,7 +350,7 @@ void CommentReader::settle() {
   }
   if (insert_ || (hint_.type && is_turning(*hint_.type))) settle_turning();
   if (!hint_.type && !hint_.names_tool) hint_.diameters.clear();
-  if (!hint_.type) hint_.corner = {};
+  if (!hint_.type && !is_corner_line()) hint_.corner = {};
   if (hint_.type == ToolType::endmill && hint_.corner) hint_.type = ToolType::bullmill;
 }
 

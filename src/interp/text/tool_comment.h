@@ -40,6 +40,8 @@ struct ToolHint {
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
+  /// It adds a corner radius to what other comments say of the tool.
+  bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
 };
 
 /// `bytes` in whatever encoding they came.

@@ -68,6 +68,7 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   out.taper_angle = hint.taper_angle;
   out.tip_angle = hint.tip_angle;
   out.corner_radius = hint.corner ? beside(hint.corner, hint, unit) : 0;
+  if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
   const double radius = out.diameter / 2;
   if (out.corner_radius > radius + kSame) {
     why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
