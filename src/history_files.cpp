@@ -1,5 +1,6 @@
 // A history as a table and as JSON: the same rows in both.
 
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "removal/part/default_stock.h"
@@ -15,6 +16,8 @@
 namespace mrsim {
 namespace {
 
+// Bytes of a row, of the map of lines and of the text, as measured; a motion has a line at most.
+constexpr double kRowMemory = 600;
 constexpr double kCubicCmPerMinute = 60 / 1000.0;  // in a mm^3/s
 
 // What a row is about; what does not apply is empty or 0.
@@ -34,6 +37,7 @@ std::string tool_id(const Program& program, int tool) {
 
 // Motions, lines in the order of files and numbers, tools, the program.
 std::vector<Row> rows_of(const Program& program, const CycleTime& time, const History& history) {
+  require_memory(2 * kRowMemory * static_cast<double>(history.removed.size()), "--history");
   std::vector<Row> rows;
   struct Sum {
     Removal removal;
@@ -95,7 +99,14 @@ std::string history_csv(const Program& program, const CycleTime& time, const His
 
 std::string history_json(const Program& program, const CycleTime& time, const History& history) {
   using Json = nlohmann::ordered_json;
-  Json rows = Json::array();
+  const auto text_of = [](const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  // Row by row: an object of all rows takes five times its text.
+  std::string out =
+      "{\n \"schema\": 1,\n \"kind\": \"history\",\n \"unit\": \"mm\",\n \"voxel\": " +
+      text_of(history.voxel) + ",\n \"rows\": [";
+  const char* between = "\n  ";
   for (const Row& row : rows_of(program, time, history)) {
     Json one{{"kind", row.kind}};
     if (!row.file.empty()) one["file"] = to_utf8(row.file);
@@ -109,14 +120,10 @@ std::string history_json(const Program& program, const CycleTime& time, const Hi
     one["depth"] = row.shape.depth;  // NaN is written as null
     one["width"] = row.shape.width;
     one["engagement"] = degrees(row.shape.engagement);
-    rows.push_back(std::move(one));
+    out += between + text_of(one);
+    between = ",\n  ";
   }
-  const Json out{{"schema", 1},
-                 {"kind", "history"},
-                 {"unit", "mm"},
-                 {"voxel", history.voxel},
-                 {"rows", std::move(rows)}};
-  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return out + "\n ]\n}\n";
 }
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "mesh_choice.h"
 
 #include "core/vec.h"
+#include "mesh/surface/cell_levels.h"
 #include "mesh/surface/survey.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
@@ -133,6 +134,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.voxel_reason = "--voxel";
   choice.tolerance = job.mesh.tolerance;
   choice.tolerance_reason = choice.tolerance != 0 ? "--tolerance" : "";
+  if (choice.tolerance > 0) detail::require_tolerance(stock.box, choice.tolerance);
   if (choice.voxel != 0) return choice;
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);

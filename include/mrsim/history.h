@@ -64,6 +64,7 @@ MRSIM_API Removal removal_of(const Program& program, const CycleTime& time, cons
 
 /// The history as a table: a row for each cutting motion ("motion"), and sums for each line
 /// ("line"), tool ("tool") and the program ("program"); docs/history.md tells the columns.
+/// Throws Error "memory".
 MRSIM_API std::string history_csv(const Program& program, const CycleTime& time,
                                   const History& history);
 /// The same as one JSON object.

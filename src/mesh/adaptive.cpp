@@ -234,7 +234,7 @@ class Contour {
       report_.unresolved += !can;
     }
     timer_.step("certify");
-    const double nodes = is_late() ? 8 + 8 * 8 : 8;  // of each cell
+    const double nodes = is_late() ? 8 + 16 : 8;  // of each cell, as measured
     detail::require_room(detail::kSplitMemory * nodes * static_cast<double>(cells.size()));
     const std::size_t count = tree_.split(std::move(cells));
     if (is_late()) tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));

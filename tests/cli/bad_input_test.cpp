@@ -148,6 +148,11 @@ TEST_F(BadInput, Voxel) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.001 -o part.stl", 1,
                  "--voxel 0.00394 or more");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0.001 -o part.vdb", 1, "voxel-too-small");
+  // Coordinates of up to x mm are floats, at most x / 2^22 apart; 1.1 of it is proposed.
+  expect_failure("PRIMER_2F.MPF --stock block.stl --tolerance 1e-5 -o part.stl", 2,
+                 "--tolerance 2.6e-05 or more");
+  expect_failure("PRIMER_2S.MPF --stock bar.stl --tolerance 1e-5 -o part.stl", 2,
+                 "--tolerance 1.3e-05 or more");
   expect_failure("PRIMER_2F.MPF --stock block.stl --max-memory 1M -o part.stl", 1, "memory");
 }
 

@@ -87,6 +87,23 @@ TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
   EXPECT_LT(number_after(outcome.out, "  memory "), 105) << outcome.out;  // MB; 227 before
 }
 
+// A history of many motions, whose rows are written one by one.
+TEST_F(Memory, LimitsHistories) {
+  if (!kIsPlain) GTEST_SKIP();
+  std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
+  for (int i = 0; i < 100000; ++i)
+    text += "G1 X" + std::to_string(i % 20) + " Y" + std::to_string(i / 20 % 20) + " Z-1 F500\n";
+  write("many.MPF", text + "G0 Z9\nM30\n");
+  const std::string cut =
+      "many.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --threads 1 --voxel 1 -v -o "
+      "part.stl --history h.json --max-memory ";
+  const Outcome outcome = run(cut + "250M");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LT(number_after(outcome.out, "  memory "), 262) << outcome.out;  // MB
+  std::filesystem::remove(folder_ / "part.stl");
+  expect_failure(cut + "120M", 1, "--history takes");
+}
+
 // A turned part, once its rings are counted.
 TEST_F(Memory, LimitsTurnedMeshes) {
   const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";

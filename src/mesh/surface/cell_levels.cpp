@@ -33,6 +33,16 @@ int fine_levels(const Box3& bounds, double voxel, double tolerance) {
   return levels;
 }
 
+void require_tolerance(const Box3& bounds, double tolerance) {
+  const double largest = largest_coordinate(bounds), least = coordinate_step(largest);
+  if (tolerance < least)
+    throw Error("tolerance-invalid",
+                fmt::format("a tolerance of {:.3g} mm is too small: the mesh's coordinates, up to "
+                            "{:.6g} mm, are floats; --tolerance {:.2g} or more",
+                            tolerance, largest, 1.1 * least),
+                Error::Kind::usage);
+}
+
 void require_resolved(const Box3& bounds, double voxel) {
   constexpr double kSteps = 4;  // planes of the lattice are floats, too
   const double largest = largest_coordinate(bounds), least = kSteps * coordinate_step(largest);

@@ -14,4 +14,8 @@ int fine_levels(const Box3& bounds, double voxel, double tolerance);
 /// apart.
 void require_resolved(const Box3& bounds, double voxel);
 
+/// Throws Error "tolerance-invalid" for a tolerance, mm, that vertices with coordinates as floats
+/// can not keep.
+void require_tolerance(const Box3& bounds, double tolerance);
+
 }  // namespace mrsim::detail
