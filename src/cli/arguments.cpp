@@ -306,7 +306,6 @@ void read_program_options(Arguments& out, const Typed& typed) {
 }
 
 void read_simulation_options(Arguments& out, const Typed& typed) {
-  out.stock = typed.stock;
   if (!typed.stock_exact.empty())
     out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
@@ -320,11 +319,9 @@ void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.frames_by.empty() && out.frames == 0) fail_usage("--frames-by needs --frames N");
   if (out.frames_by_volume && typed.history == "off")
     fail_usage("--frames-by volume asks the history, which --history off leaves out");
-  out.history = typed.history;
   if (!typed.history.empty() && typed.history != "off" && !typed.history.ends_with(".csv") &&
       !typed.history.ends_with(".json"))
     fail_usage(fmt::format("--history {}: a .csv or .json file, or off", typed.history));
-  out.rest = typed.rest;
   if (!typed.rest.empty() && !typed.rest.ends_with(".json"))
     fail_usage(fmt::format("--rest {}: a .json file", typed.rest));
   if (!typed.keep.empty()) out.keep = keep_value(typed.keep);
@@ -363,14 +360,30 @@ void read_input(Arguments& out, const Typed& typed, const CommandLine& line) {
   if (is_job(typed.inputs) && (!render || !typed.frames.empty()))
     fail_usage(
         fmt::format("{} takes a program; a job is run with: mrsim {}", line.word, typed.inputs[0]));
-  out.input = typed.inputs[0];
   out.inputs = typed.inputs;
-  out.outputs = typed.outputs;
   if (render && out.outputs.size() != 1) fail_usage("render needs one output: -o picture.png");
   if (!typed.frames.empty() && out.outputs.empty())
     fail_usage("--frames numbers the outputs: -o part.stl");
   if (line.command == Command::trace && out.outputs.size() > 1)
     fail_usage("trace draws one picture: -o path.svg");
+}
+
+// All files of the command line, before anything that is typed may be wrong.
+void read_files(Arguments& out, const Typed& typed) {
+  if (!typed.inputs.empty()) out.input = typed.inputs[0];
+  out.stock = typed.stock;
+  out.outputs = typed.outputs;
+  out.history = typed.history;
+  out.rest = typed.rest;
+  out.compare.json = typed.compare.json;
+  out.compare.junit = typed.compare.junit;
+  out.compare.report = typed.compare.report;
+  out.compare.deviation = typed.compare.deviation;
+  for (const std::string& file : typed.tools_files) out.named_inputs.push_back({file, "--tools"});
+  if (!typed.machine_file.empty())
+    out.named_inputs.push_back({typed.machine_file, "--machine-file"});
+  if (!typed.compare.nominal.empty())
+    out.named_inputs.push_back({typed.compare.nominal, "--nominal"});
 }
 
 void read_values(Arguments& out, const Typed& typed) {
@@ -392,28 +405,26 @@ void read_values(Arguments& out, const Typed& typed) {
                                         {typed.compare.colors, "--colors"}})
       if (!value.empty())
         fail_usage(fmt::format("{} needs a nominal to compare with: --nominal part.step", option));
-  for (const std::string& file : typed.tools_files) out.named_inputs.push_back({file, "--tools"});
-  if (!typed.machine_file.empty())
-    out.named_inputs.push_back({typed.machine_file, "--machine-file"});
-  if (!out.compare.nominal.empty()) out.named_inputs.push_back({out.compare.nominal, "--nominal"});
   read_program_options(out, typed);
 }
 
-Arguments parse_command(const CommandLine& line, int argc, const char* const* argv);
+Arguments parse_command(const CommandLine& line, int argc, const char* const* argv,
+                        Arguments* refused);
 
 // The words of the file are read like typed ones; it names a program, so this goes one deep.
 Arguments parse_job_command(const CommandLine& line, const std::string& path, int argc,
-                            const char* const* argv) {
+                            const char* const* argv, Arguments* refused) {
   const std::vector<std::string> words =
       job_words(path, argc, argv, line.command == Command::render ? JobUse::pictures : JobUse::run);
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  Arguments out = parse_command(line, static_cast<int>(pointers.size()), pointers.data());
+  Arguments out = parse_command(line, static_cast<int>(pointers.size()), pointers.data(), refused);
   out.named_inputs.push_back({path, "the job"});
   return out;
 }
 
-Arguments parse_command(const CommandLine& line, int argc, const char* const* argv) {
+Arguments parse_command(const CommandLine& line, int argc, const char* const* argv,
+                        Arguments* refused) {
   Typed typed;
   CLI::App app(line.summary);
   app.set_help_flag("");
@@ -444,9 +455,11 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
   out.command = typed.help ? Command::help : typed.version ? Command::version : line.command;
   if (typed.help) out.help = single_spaced(app.help());
   if (typed.help || typed.version) return out;
+  read_files(out, typed);
+  if (refused != nullptr) *refused = out;
   refuse_unknown(app);
   if ((line.command == Command::simulate || plays) && is_job(typed.inputs))
-    return parse_job_command(line, typed.inputs[0], argc, argv);
+    return parse_job_command(line, typed.inputs[0], argc, argv, refused);
   read_input(out, typed, line);
   read_values(out, typed);
   return out;
@@ -454,16 +467,17 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
 
 }  // namespace
 
-Arguments parse_arguments(int argc, const char* const* argv) {
+Arguments parse_arguments(int argc, const char* const* argv, Arguments* refused) {
   const std::string_view first = argc > 1 ? argv[1] : "--help";
   const bool ask_help = argc < 2 || first == "help";
   for (const CommandLine& line : kCommands)
-    if (!line.word.empty() && first == line.word) return parse_command(line, argc - 1, argv + 1);
+    if (!line.word.empty() && first == line.word)
+      return parse_command(line, argc - 1, argv + 1, refused);
   if (ask_help) {
     const char* words[] = {"mrsim", "--help"};
-    return parse_command(kCommands[0], 2, words);
+    return parse_command(kCommands[0], 2, words, refused);
   }
-  return parse_command(kCommands[0], argc, argv);
+  return parse_command(kCommands[0], argc, argv, refused);
 }
 
 }  // namespace mrsim::cli

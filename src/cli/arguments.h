@@ -39,7 +39,8 @@ struct Arguments {
 };
 
 /// Reads the command line. Throws Error of kind usage for anything it does not understand, with the
-/// word that was probably meant; what --tools throws for its file.
-Arguments parse_arguments(int argc, const char* const* argv);
+/// word that was probably meant; what --tools throws for its file. `refused`, where given, then has
+/// the files that were named.
+Arguments parse_arguments(int argc, const char* const* argv, Arguments* refused = nullptr);
 
 }  // namespace mrsim::cli

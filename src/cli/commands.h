@@ -16,6 +16,8 @@ int exit_code_of(const Error& error);
 int run_simulate(const Arguments& arguments);
 /// `result` has what was found.
 int run_simulate(const Arguments& arguments, JobResult& result);
+/// Writes --json and --junit of a run whose command line, tools or job were refused with `error`.
+void tell_refused(const Arguments& refused, const Error& error);
 /// run_simulate() for each of arguments.frames moments.
 int run_frames(const Arguments& arguments);
 /// A picture of the part at each of arguments.frames moments.

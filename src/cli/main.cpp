@@ -42,6 +42,16 @@ int run(const Arguments& arguments) {
   return kInternal;
 }
 
+Arguments typed_arguments(int argc, const char* const* argv) {
+  Arguments refused;
+  try {
+    return parse_arguments(argc, argv, &refused);
+  } catch (const Error& error) {
+    tell_refused(refused, error);
+    throw;
+  }
+}
+
 int fail(const std::string& text, const char* code, int exit_code) {
   std::fflush(stdout);
   std::fputs(format_error(text, code, has_colours(stderr)).c_str(), stderr);
@@ -54,7 +64,7 @@ int run_guarded(int argc, const char* const* argv) {
     if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "rest") return run_rest(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "view") return run_view(argc - 1, argv + 1);
-    return run(parse_arguments(argc, argv));
+    return run(typed_arguments(argc, argv));
   } catch (const PlacedError& error) {
     std::fflush(stdout);
     std::fputs(format_diagnostic(error.diagnostic(), has_colours(stderr)).c_str(), stderr);

@@ -170,7 +170,7 @@ void tell_failure(const RunRecord& record) {
   kept.push_back({arguments.stock, "the stock"});
   for (const std::string& path : arguments.outputs) kept.push_back({path, "-o"});
   for (const std::string& path :
-       {arguments.compare.report, arguments.compare.deviation, arguments.rest})
+       {arguments.compare.report, arguments.compare.deviation, arguments.history, arguments.rest})
     kept.push_back({path, "an output"});
   const auto tell = [&](const NamedPath& file, const std::string& text) {
     if (file.path.empty()) return;
@@ -218,6 +218,11 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
 }
 
 }  // namespace
+
+void tell_refused(const Arguments& refused, const Error& error) {
+  if (refused.command == Command::simulate)
+    tell_failure({&refused, nullptr, nullptr, exit_code_of(error), error.code(), error.what(), {}});
+}
 
 int run_simulate(const Arguments& arguments) {
   JobResult result;

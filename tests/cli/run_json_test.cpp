@@ -72,10 +72,27 @@ TEST_F(RunJson, HasTheSameKeysWhenTheRunFails) {
   EXPECT_FALSE(bad["diagnostics"].empty());
   EXPECT_TRUE(bad["outputs"].empty());
   EXPECT_FALSE(exists("part.stl"));
+  // What is wrong before the run begins.
+  write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiametr = 5\n");
+  write("job.toml", "program = \"PRIMER_2F.MPF\"\nvoxl = 5\n");
+  for (const auto& [arguments, code, error] :
+       {std::tuple("PRIMER_2F.MPF --tools missing.toml", 1, "file-missing"),
+        std::tuple("PRIMER_2F.MPF --tools tools.toml", 1, "tools-key"),
+        std::tuple("job.toml", 1, "job-key"), std::tuple("gone.toml", 1, "file-missing"),
+        std::tuple("PRIMER_2F.MPF --stok block.stl", 2, "usage"),
+        std::tuple("PRIMER_2F.MPF --stock box:0,0", 2, "stock-spec"),
+        std::tuple("PRIMER_2F.MPF --voxel 0", 2, "usage")}) {
+    const Json j = told(arguments, code);
+    EXPECT_EQ(keys(j), all) << arguments;
+    EXPECT_EQ(j["error"]["code"], error) << arguments;
+  }
   // An old part is no place for it, however the run ends.
   write("old.stl", "old");
   EXPECT_EQ(run("missing.MPF -o old.stl --json old.stl").code, 2);
+  EXPECT_EQ(run("missing.MPF -o old.stl --voxel 0 --json old.stl").code, 2);
+  EXPECT_EQ(run(std::string(kCut) + "--history old.json --json old.json").code, 2);
   EXPECT_EQ(read("old.stl"), "old");
+  EXPECT_FALSE(exists("old.json"));
 }
 
 TEST_F(RunJson, StandsAloneOnTheStandardOutput) {
