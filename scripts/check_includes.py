@@ -61,7 +61,7 @@ FACADE_PARTS = {"src/interp/show/motion_text.h", "src/interp/show/path_picture.h
 # Third-party header prefix -> files that may include it (regular expressions on the path).
 THIRD_PARTY = {
     "openvdb/": r"src/removal/vdb/.*|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
-    "CGAL/": r"src/mesh/solid/solid_repair\.cpp|tests/.*|bench/compare_bench\.cpp",
+    "CGAL/": r"src/mesh/solid/(solid_repair|wrap)\.cpp|tests/.*|bench/compare_bench\.cpp",
     "OpenMesh/": r"src/mesh/reduce/reduce\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",

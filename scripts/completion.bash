@@ -22,7 +22,7 @@ _mrsim() {
       compare) common="$common --output --accept --align --density --deflection --report --json --junit --colors --path --threads --max-memory" ;;
       render) common="$common --output --frames --size --azimuth --elevation --up --edges --color --threads --nominal --accept --align --deflection --colors" ;;
       *) [ "$command" = view ] && common="$common --no-open"
-        common="$program $common --output --color --stock --stock-exact --keep --until --frames --frames-by --history --rest --machine-file --allow-outside --voxel --tolerance --max-triangles --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
+        common="$program $common --output --color --stock --stock-exact --stock-repair --keep --until --frames --frames-by --history --rest --machine-file --allow-outside --voxel --tolerance --max-triangles --threads --max-memory --nominal --accept --align --density --deflection --report --json --junit --deviation --colors" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$common" -- "$current")
   else

@@ -28,6 +28,7 @@
 #include "setup/machine_file.h"
 #include "setup/stock_spec.h"
 #include "setup/tool_spec.h"
+#include "stock_wrap.h"
 #include "until.h"
 #include "vdb_files.h"
 #include "voxel_module.h"
@@ -80,16 +81,25 @@ bool writes_vdb(const Job& job) {
   return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
 }
 
-// `accuracy`, unless null, takes what a surface that was made of voxels is worth.
-StockShape load_stock(const std::string& spec, const StockOptions& options, std::string* accuracy) {
+// What the file of a stock made necessary.
+struct StockFindings {
+  std::string accuracy;  // what a surface that was made of voxels is worth
+  StockRepair repair;
+};
+
+StockShape load_stock(const std::string& spec, const StockOptions& options,
+                      StockFindings* findings) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
   VdbContent saved;
   if (is_vdb(spec)) saved = read_vdb_file(spec);
   if (saved.recipe) return std::move(saved.recipe->shape);
-  if (accuracy != nullptr) *accuracy = saved.accuracy;
+  StockFindings found;
+  found.accuracy = saved.accuracy;
   TriMesh mesh = is_vdb(spec)    ? std::move(saved.surface)
                  : is_step(spec) ? read_step(spec)
                                  : read_mesh(spec);
+  if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
+  if (findings != nullptr) *findings = found;
   const std::string repairs = make_solid(mesh, spec);
   StockShape shape = recognise_stock(std::move(mesh), options, spec);
   shape.repairs = repairs;
@@ -101,12 +111,16 @@ StockShape load_stock(const std::string& spec, const StockOptions& options, std:
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
   if (!job.stock.empty()) {
-    std::string accuracy;
-    StockShape given = load_stock(job.stock, job.stock_options, &accuracy);
+    StockFindings found;
+    StockShape given = load_stock(job.stock, job.stock_options, &found);
+    result.stock_repair = found.repair;
+    if (found.repair.wrapped)
+      report(result, Severity::note, "stock-wrapped", wrap_text(job.stock, found.repair));
     if (!given.repairs.empty())
       report(result, Severity::warning, "stock-repaired",
              fmt::format("{} was no solid and has been repaired: {}", job.stock, given.repairs));
-    if (!accuracy.empty()) report(result, Severity::warning, "stock-of-voxels", accuracy);
+    if (!found.accuracy.empty())
+      report(result, Severity::warning, "stock-of-voxels", found.accuracy);
     return given;
   }
   if (program.workpiece) return *program.workpiece;

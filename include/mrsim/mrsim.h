@@ -163,6 +163,17 @@ struct MeshReduction {
   Vec3 place;  ///< where `least` was found
 };
 
+/// What StockOptions::wrap made of the stock's mesh.
+struct StockRepair {
+  bool wrapped = false;
+  std::size_t openings = 0;  ///< closed with triangles between their corners
+  double widest = 0;         ///< mm: the largest side of those
+  /// mm: the largest distance of a point of the wrap, or of the surface with its openings closed,
+  /// from the other one lies between these.
+  double least = 0, most = 0;
+  Vec3 place;  ///< where `least` was found
+};
+
 /// A wall (material between air) or gap that the mesh does not hold, or may not hold.
 struct ThinPlace {
   Vec3 place;  ///< mm, on or in it
@@ -173,6 +184,7 @@ struct ThinPlace {
 struct JobResult {
   Program program;   ///< with all diagnostics, those of later stages too
   StockShape stock;  ///< as simulated, without its mesh
+  StockRepair stock_repair;
   double voxel = 0;  ///< mm
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels

@@ -62,9 +62,16 @@ struct InterpOptions {
   bool trace_variables = false;
 };
 
+/// A mesh that bounds no solid is wrapped (docs/formats.md).
+struct StockWrap {
+  double distance = 0;  ///< mm: the wrap keeps to this where the surface has no gaps; 0 = no wrap
+  double gap = 0;       ///< mm: narrower gaps and grooves are closed; 0 = ten distances
+};
+
 struct StockOptions {
   /// Replace a mesh that is a box, a cylinder or a tube by that exact solid.
   bool exact_primitives = true;
+  StockWrap wrap;
   Progress progress;
 };
 

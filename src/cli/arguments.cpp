@@ -24,7 +24,7 @@ struct Typed {
   std::vector<std::string> variables;
   std::string max_blocks, max_steps;
   bool trace_variables = false;
-  std::string stock, stock_exact, voxel, tolerance, threads, max_memory, keep;
+  std::string stock, stock_exact, stock_repair, voxel, tolerance, threads, max_memory, keep;
   std::string max_triangles;
   std::string size, azimuth, elevation, up, edges, color;
   bool quiet = false, verbose = false, strict = false, json = false, programmed = false;
@@ -135,6 +135,9 @@ void add_simulation_options(CLI::App& app, Typed& typed) {
       "around the program's cuts");
   add("Stock", "--stock-exact", typed.stock_exact, "off",
       "off: take a mesh as it is, even where it is a box, a cylinder or a tube");
+  add("Stock", "--stock-repair", typed.stock_repair, "wrap=W",
+      "make a mesh with holes or crossings a solid that lies W mm beside it; gaps up to 10 W, or "
+      "G with wrap=W,G, are closed");
   add("Cutting", "--voxel", typed.voxel, "H", "voxel edge, mm; default: from stock and tools");
   add("Cutting", "--tolerance", typed.tolerance, "T",
       "largest distance between mesh and exact part, mm");
@@ -308,6 +311,8 @@ void read_program_options(Arguments& out, const Typed& typed) {
 void read_simulation_options(Arguments& out, const Typed& typed) {
   if (!typed.stock_exact.empty())
     out.stock_options.exact_primitives = on_off_value("--stock-exact", typed.stock_exact);
+  if (!typed.stock_repair.empty())
+    out.stock_options.wrap = wrap_value("--stock-repair", typed.stock_repair);
   if (!typed.voxel.empty()) out.carve.voxel = positive_value("--voxel", typed.voxel);
   if (!typed.tolerance.empty()) out.mesh.tolerance = positive_value("--tolerance", typed.tolerance);
   out.until = typed.until;

@@ -306,6 +306,11 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
                {"Removed", grouped(result.removed_volume, 3) + " mm³"},
                {"Cycle", duration(result.cycle.total)},
                {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
+  if (result.stock_repair.wrapped)
+    out.facts.emplace_back("Stock's repair",
+                           fmt::format("wrapped, at most {:.3g} mm beside its surface, {} openings "
+                                       "closed",
+                                       result.stock_repair.most, result.stock_repair.openings));
   if (result.mesh_bound > 0)
     out.facts.emplace_back("Mesh",
                            fmt::format("within {:.4g} mm of the exact part{}", result.mesh_bound,

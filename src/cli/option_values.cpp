@@ -133,6 +133,17 @@ ColorBy color_value(const std::string& text) {
                             {ColorBy::line, ColorBy::tool, ColorBy::none});
 }
 
+StockWrap wrap_value(const std::string& option, const std::string& text) {
+  constexpr std::string_view kWord = "wrap=";
+  if (!text.starts_with(kWord))
+    fail_usage(fmt::format("{} {}: wrap=W, such as wrap=0.2", option, text));
+  const std::string values = text.substr(kWord.size());
+  const std::size_t comma = values.find(',');
+  StockWrap out{positive_value(option, values.substr(0, comma)), 0};
+  if (comma != values.npos) out.gap = positive_value(option, values.substr(comma + 1));
+  return out;
+}
+
 UpAxis up_value(const std::string& text) {
   return choice<UpAxis, 2>("--up", text, {"x", "z"}, {UpAxis::x, UpAxis::z});
 }

@@ -34,6 +34,8 @@ Dialect dialect_value(const std::string& text);
 MachineKind machine_value(const std::string& text);
 CompRadius comp_value(const std::string& text);
 ColorBy color_value(const std::string& text);
+/// "wrap=W" or "wrap=W,G", mm
+StockWrap wrap_value(const std::string& option, const std::string& text);
 UpAxis up_value(const std::string& text);
 KeepPieces keep_value(const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.

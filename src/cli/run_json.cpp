@@ -71,12 +71,21 @@ Json tools_json(const Program& program) {
   return out;
 }
 
+Json repair_json(const StockRepair& repair) {
+  if (!repair.wrapped) return nullptr;
+  return {{"openings", repair.openings},
+          {"widest", number(repair.widest)},
+          {"distance", {number(repair.least), number(repair.most)}},
+          {"at", point(repair.place)}};
+}
+
 Json stock_json(const RunRecord& record) {
   const StockShape& stock = record.result->stock;
   const bool known = stock.box.lo.x <= stock.box.hi.x;
   return {{"given", text_or_null(record.arguments->stock)},
           {"description", text_or_null(stock.description)},
           {"box", known ? box(stock.box) : Json(nullptr)},
+          {"repair", repair_json(record.result->stock_repair)},
           {"volume", number(record.result->stock_volume)}};
 }
 

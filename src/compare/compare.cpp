@@ -21,7 +21,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kHausdorffPieces = 300'000;
 constexpr std::size_t kIcpPoints = 20000;
 // Bytes, as measured (docs/limits.md).
 constexpr double kSampleBytes = 80, kTriangleBytes = 400;

@@ -257,4 +257,19 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
   return Search(to, patches, {known, known, place}, error, threads).run(std::move(pieces), budget);
 }
 
+HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, double error, int threads) {
+  HausdorffBound out;
+  for (const auto& [from, to] : {std::pair(&a, &b), {&b, &a}}) {
+    const NominalSurface surface(*to, threads);
+    const FlatPatches patches(*to, surface, threads);
+    const Vec3 first = corner(*from, 0, 0);
+    const double known = std::abs(surface.at(first).distance);
+    const HausdorffBound one =
+        directed_hausdorff(*from, surface, patches, known, first, error, kHausdorffPieces, threads);
+    if (one.lower >= out.lower) out.lower = one.lower, out.place = one.place;
+    out.upper = std::max(out.upper, one.upper);
+  }
+  return out;
+}
+
 }  // namespace mrsim

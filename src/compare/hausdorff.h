@@ -24,4 +24,9 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
                                   const FlatPatches& patches, double known, const Vec3& place,
                                   double error, std::size_t budget, int threads);
 
+inline constexpr std::size_t kHausdorffPieces = 300'000;
+
+/// The larger of both directed distances of two surfaces, of which either may be open.
+HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, double error, int threads);
+
 }  // namespace mrsim

@@ -46,6 +46,7 @@ constexpr std::array kKeys = {
     JobKey{"program", "", Value::path},
     JobKey{"stock", "--stock", Value::stock},
     JobKey{"stock_exact", "--stock-exact", Value::on_off},
+    JobKey{"stock_repair", "--stock-repair", Value::text},
     JobKey{"outputs", "--output", Value::paths},
     JobKey{"color", "--color", Value::choice, "line tool none"},
     JobKey{"keep", "--keep", Value::choice, "all largest"},

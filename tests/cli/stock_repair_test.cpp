@@ -2,14 +2,19 @@
 // refused where something would.
 #include "run_program.h"
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace mrsim {
 namespace {
+
+using Json = nlohmann::json;
 
 using Corner = std::vector<double>;
 struct Facets {
@@ -167,6 +172,81 @@ TEST_F(StockRepair, StrictRunsTakeNoRepairedStock) {
   const Outcome o = run("PRIMER_2F.MPF --strict --stock stock.off --voxel 1 -o part.stl");
   EXPECT_NE(o.code, 0);
   EXPECT_FALSE(exists("part.stl"));
+}
+
+class StockWrap : public CliTest {
+ protected:
+  // Cut in the air: the stock as it was read.
+  Json stock(const std::string& words) {
+    write("air.MPF", "G17 G90 G71\nT1 M6\nG0 X-50 Y-90 Z50\nG1 X-60 F500\nM30\n");
+    const Outcome o = run(
+        "air.MPF --machine mill --tool 1=endmill:d=5 --voxel 1 -q --json r.json --stock " + words);
+    EXPECT_EQ(o.code, 0) << o.err;
+    expect_valid("run", "r.json");
+    return Json::parse(read("r.json"), nullptr, false)["stock"];
+  }
+};
+
+TEST_F(StockWrap, BoxWithoutItsTopIsTheBox) {
+  Facets box = block(0, 0);
+  std::erase(box.triangles, std::vector<int>{4, 5, 7});
+  std::erase(box.triangles, std::vector<int>{4, 7, 6});
+  write("open.off", off_text(box));
+  expect_failure("PRIMER_2F.MPF --stock open.off", 1, "mesh-open");
+  const double area = 2 * (100 * 60 + 100 * 10 + 60 * 10), exact = 100 * 60 * 10;
+  for (const double w : {0.4, 0.2}) {
+    const Json found = stock("open.off --stock-repair wrap=" + std::to_string(w));
+    EXPECT_EQ(found["repair"]["openings"], 1);
+    EXPECT_NEAR(found["repair"]["widest"].get<double>(), 100, 1e-3);
+    const double most = found["repair"]["distance"][1];
+    EXPECT_LE(most, w);
+    EXPECT_LE(found["repair"]["distance"][0], most);
+    EXPECT_NEAR(found["volume"].get<double>(), exact, area * most);
+    EXPECT_NEAR(found["volume"].get<double>(), exact, 0.002 * exact);
+  }
+}
+
+// Triangles whose corners are each somewhere else by up to 0.05 mm: no two of them meet.
+TEST_F(StockWrap, SphereOfApartTrianglesIsASphere) {
+  constexpr double kPi = 3.14159265358979323846, kRadius = 20, kNoise = 0.05;
+  constexpr int kRound = 90, kDown = 45;
+  unsigned state = 1;
+  Facets sphere;
+  const auto add = [&](int i, int j) {
+    state = state * 1664525u + 1013904223u;
+    const double r = kRadius + kNoise * (state / 2147483648.0 - 1);
+    const double t = kPi * j / kDown, p = 2 * kPi * i / kRound;
+    sphere.corners.push_back(
+        {r * std::sin(t) * std::cos(p), r * std::sin(t) * std::sin(p), r * std::cos(t)});
+  };
+  const auto triangle = [&](std::vector<std::pair<int, int>> at) {
+    const int k = static_cast<int>(sphere.corners.size());
+    for (const auto& [i, j] : at) add(i, j);
+    sphere.triangles.push_back({k, k + 1, k + 2});
+  };
+  for (int j = 0; j < kDown; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      if (j > 0) triangle({{i, j}, {i, j + 1}, {i + 1, j}});
+      if (j + 1 < kDown) triangle({{i + 1, j}, {i, j + 1}, {i + 1, j + 1}});
+    }
+  write("sphere.off", off_text(sphere));
+  const Json found = stock("sphere.off --stock-repair wrap=0.2");
+  EXPECT_EQ(found["repair"]["openings"], 0);
+  // The wrap lies within `most` of the triangles, which lie within the noise and a chord of the
+  // sphere.
+  const double chord = kRadius * (1 - std::cos(kPi / kDown));
+  const double most = found["repair"]["distance"][1];
+  EXPECT_LT(most, 0.2);
+  const double exact = 4.0 / 3 * kPi * std::pow(kRadius, 3), area = 4 * kPi * kRadius * kRadius;
+  EXPECT_NEAR(found["volume"].get<double>(), exact, area * (most + kNoise + chord));
+  EXPECT_NEAR(found["volume"].get<double>(), exact, 0.005 * exact);
+}
+
+TEST_F(StockWrap, WhatItCannotDoIsSaid) {
+  write("block.off", off_text(block()));
+  expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair glue", 2, "wrap=0.2");
+  expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=0", 2, "--stock-repair");
+  expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1e-5", 2, "triangles");
 }
 
 }  // namespace
