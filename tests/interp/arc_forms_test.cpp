@@ -165,6 +165,13 @@ void expect_all_forms(const Arc& a) {
   expect_arc(by_g98(a), a, Dialect::codesys);
 }
 
+// L is the number of turns on some controls: one turn would be another part.
+TEST(ArcForms, LBesideAnArcIsNamed) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::iso})
+    EXPECT_EQ(path_text(read_text("G1 X20 F100\nG3 I-20 Z-2 L5\n", at_origin(dialect))),
+              "l20,0,0 | not-supported");
+}
+
 TEST(ArcForms, EveryPlaneAndDirection) {
   for (int plane = 0; plane < 3; ++plane)
     for (const double sweep :

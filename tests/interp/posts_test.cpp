@@ -137,6 +137,42 @@ TEST(Posts, RunAsWorkedOut) {
        {70, 70, 19}},
       // No T word: the one tool of the comments cuts.
       {"estlcam.nc", Dialect::ngc, mill, 2, 3, 1, {10, 5, -1}, {45, 30, -1}},
+      // No T word: "(tool 3.175mm)".
+      {"bcnc_pocket.nc", Dialect::ngc, mill, 1, 3, 1, {10, 10, -1}, {55, 40, -1}},
+      // A cut at each 90 degrees by RPT and G73, a quarter circle mirrored in X, a line at half its
+      // size.
+      {"fagor_mirror_rotation.pim", Dialect::iso, mill, 18, 11, 1, {-60, -50, -3}, {50, 60, -2}},
+      // G15 H, G56 H and G53; two holes.
+      {"okuma_osp_mill.min", Dialect::fanuc, mill, 10, 5, 1, {-20, 0, -20}, {60, 40, -3}},
+      // Z is unknown behind the tool changes, until the place beside G100.
+      {"brother_speedio.nc", Dialect::fanuc, mill, 7, 5, 0, {0, 0, -15}, {30, 20, -2}},
+      {"powermill_bullnose.tap", Dialect::fanuc, mill, 2, 4, 0, {10, 10, -0.7}, {50, 10.5, -0.5}},
+      // Strokes of 0.5, 0.3, 0.1, 0.1 and 0.1 inch from R in both holes.
+      {"haas_ijk_stored.nc",
+       Dialect::fanuc,
+       mill,
+       22,
+       10,
+       0,
+       {25.4, 0, -25.4},
+       {50.8, 25.4, -10.16}},
+      {"both_sides.nc",
+       Dialect::fanuc,
+       mill,
+       1,
+       6,
+       0,
+       {-20, -20, -3},
+       {80, 45, -3},
+       "register-missing"},
+      // The start lies at the end's radius, then 1 and 2 mm below.
+      {"lathe_taper_cycles.nc", Dialect::fanuc, lathe, 7, 7, 0, {23, 0, -20}, {30, 0, 2}},
+      {"sin_patterns_trans.mpf", Dialect::sinumerik, mill, 13, 12, 6, {0, 0, -1}, {35, 0, -1}},
+      // Depths of 2, 4 and 5 mm at two places.
+      {"ngc_steps.ngc", Dialect::ngc, mill, 4, 6, 6, {10, 10, -5}, {30, 10, -2}},
+      // Turns of 1.5 mm down to 4.5, then to 5, then a flat one.
+      {"helical_bore_macro.nc", Dialect::fanuc, mill, 1, 3, 5, {0, 0, -5}, {14, 0, 0}},
+      {"tool_change_sub.nc", Dialect::fanuc, mill, 6, 4, 0, {0, 0, -10}, {30, 10, -2}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);

@@ -100,6 +100,7 @@ TEST(RecogniseForeign, NamedAndRefused) {
       std::string::npos);
   EXPECT_NE(refusal("%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\n").find("DIN/ISO"),
             std::string::npos);
+  EXPECT_EQ(refusal("N10 G54\nN70 TRANS X=R11*(R10-1)\nN80 G1 X1 Y1 F100\n"), "");
   EXPECT_NE(refusal("G50 S2000\nG85 NAP1 D3 F.3 U.4 W.2\n").find("LAP"), std::string::npos);
   EXPECT_NE(refusal("N1 G15 H1\nN6 CALL O100 Q3\n").find("OSP"), std::string::npos);
   EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),

@@ -36,6 +36,15 @@ TEST(Turning, G90CutsAlongZ) {
             "r30,2 r21,2 l25,-20 l30,-20 r30,2");
 }
 
+// R of a cycle's second block and of a peck is no rounding, although a G1 was in force.
+TEST(Turning, RadiiOfCyclesAreNoCorners) {
+  EXPECT_EQ(turned(lathe("G1 X60 Z2 F.2\nG90 X50 Z-20\nX48 R-1\n")),
+            "l30,2 r25,2 l25,-20 l30,-20 r30,2 r23,2 l24,-20 l30,-20 r30,2");
+  EXPECT_EQ(turned(lathe("G1 X0 Z2 F.2\nG74 R1\nG74 Z-10 Q6000 R0.5\n")),
+            "l0,2 l0,-4 r0,-3 l0,-10 r-0.5,-10 r-0.5,2 r0,2")
+      << "R of G74 is the relief at the bottom";
+}
+
 TEST(Turning, G94CutsAlongX) {
   EXPECT_EQ(turned(lathe("G0 X60 Z2\nG94 X20 Z-2 F.2\nZ-4\nG0 Z5\n")),
             "r30,2 r30,-2 l10,-2 l10,2 r30,2 r30,-4 l10,-4 l10,2 r30,2 r30,5");

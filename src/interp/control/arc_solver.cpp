@@ -353,6 +353,13 @@ bool ArcSolver::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, V
 
 // P: how many turns in all, the programmed one among them.
 bool ArcSolver::add_p_turns(SolvedArc& arc) {
+  if (const Word* l = block_.open(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
+    return error(
+        "not-supported",
+        fmt::format("{} beside an arc (its turns on some controls) is not supported: write "
+                    "a block for each turn",
+                    text_of(*l)),
+        *l);
   const Word* word = take('P');
   if (!word) return true;
   if (word->value < 1 || word->value > 999 || word->value != std::floor(word->value))

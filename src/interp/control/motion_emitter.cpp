@@ -92,8 +92,9 @@ void MotionEmitter::refuse_live_tool(const Motion& motion) {
 }
 
 // FANUC lathes: R, or C and (in the direction of the next block) I and K, without a comma, beside
-// one axis.
+// one axis. In cycles they have meanings of their own.
 void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
+  if (modal_.turn.number != 0 || modal_.drill.number != 0 || block_.turn_cycle != 0) return;
   const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
   if (x == z) return;
   round = take('R');

@@ -27,7 +27,7 @@ class ToolNotes {
   void end_block();
   /// A cut: comments above it are not about the next tool.
   void cut() {
-    group_ = {};
+    if (!group_.text.empty()) group_ = {};  // asked at every cut
     cuts_ = true;
   }
 

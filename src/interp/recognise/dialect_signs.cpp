@@ -270,8 +270,9 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
     for (const std::string_view word : words)
       if (names(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
   };
-  weigh(Dialect::ngc, {"LINUXCNC", "EMC", "GRBL", "MACH", "ESTLCAM", "CARBIDE", "VECTRIC", "VCARVE",
-                       "SHAPEOKO", "EASEL", "MAKERA", "PATHPILOT", "TORMACH", "CAMOTICS"});
+  weigh(Dialect::ngc,
+        {"LINUXCNC", "EMC", "GRBL", "MACH", "ESTLCAM", "CARBIDE", "VECTRIC", "VCARVE", "SHAPEOKO",
+         "EASEL", "BCNC", "OPENBUILDS", "MAKERA", "PATHPILOT", "TORMACH", "CAMOTICS"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
   for (const std::string_view word : {"STOCKMIN:", "STOCK/BLOCK", "TOOL/MILL"})  // Carbide

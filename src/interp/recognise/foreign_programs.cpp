@@ -42,7 +42,9 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
     return "a Heidenhain conversational program";
   const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
-  if (whole.size() > 1 && whole.back() == '*' && (whole[0] == '%' || whole[0] == 'N'))
+  const std::size_t last = raw.find_last_not_of(" \t\r");  // brackets may stand behind it
+  const bool star = last != raw.npos && raw[last] == '*';
+  if (star && whole.size() > 1 && whole.back() == '*' && (whole[0] == '%' || whole[0] == 'N'))
     return "a Heidenhain DIN/ISO program (blocks that end in *)";
   if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||

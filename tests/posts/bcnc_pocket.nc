@@ -1,0 +1,14 @@
+(Exported by bCNC)
+G21
+G90
+M3 S12000
+(tool 3.175mm)
+G0 Z3.
+G0 X10. Y10.
+G1 Z-1. F100
+G1 X50. F500
+G3 X55. Y15. I0 J5
+G1 Y40.
+G0 Z3.
+M5
+M2
