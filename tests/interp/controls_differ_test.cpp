@@ -107,6 +107,25 @@ TEST(ControlsDiffer, ARegisterMaySetItsRadiusAgain) {
             (std::pair{5.0, 7.0}));
 }
 
+// A settable frame that turns about Z: whole, or its part RT.
+TEST(ControlsDiffer, SettableFramesTurn) {
+  const auto s = Dialect::sinumerik;
+  EXPECT_EQ(mill("$P_UIFR[1]=CTRANS(X,10,Y,5):CROT(Z,90)\nG54\nG1 X5 Y0 F10\n", s), "l10,10,0");
+  EXPECT_EQ(mill("$P_UIFR[1,Z,RT]=90\n$P_UIFR[1,X,TR]=1\nG54\nG1 X5 Y0 F10\n"
+                 "X=$P_UIFR[1,Z,RT]\nG500\nX=$P_IFRAME[X,TR]\n",
+                 s),
+            "l1,5,0 l1,90,0 l0,90,0");
+  EXPECT_EQ(mill("$P_UIFR[1]=CROT(X,90)\n", s), " | variable-unset");
+}
+
+// Within a word ROUND of FANUC rounds to least increments, everywhere else to whole numbers.
+TEST(ControlsDiffer, RoundInAWord) {
+  EXPECT_EQ(mill("#1=3.2\nG1 X[ROUND[#1*1.1]] F10\n"), "l3.52,0,0");
+  EXPECT_EQ(mill("R1=3.2\nG1 X=ROUND(R1*1.1) F10\n", Dialect::sinumerik), "l4,0,0");
+  EXPECT_EQ(mill("#1=3.2\nG1 X[ROUND[#1*1.1]] F10\n", Dialect::ngc), "l4,0,0");
+  EXPECT_EQ(mill("(P1=3.2)\nG1 X(ROUND(P1*1.1)) F10\n", Dialect::iso), "l4,0,0");
+}
+
 TEST(ControlsDiffer, OnePartOfASinumerikFrame) {
   EXPECT_EQ(mill("$P_PFRAME[X,TR]=5\nX1 F10\n$P_UIFR[2,Y,TR]=7\nTRANS\nG55 "
                  "Y=$P_UIFR[2,Y,TR]\n",

@@ -92,7 +92,8 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const auto c = static_cast<char>(word.address);
   const bool length = word.address < Address::function &&
                       std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
-  evaluator_.set_round_step(!length ? 1 : modal_.inch ? 1e-4 : 1e-3);
+  const bool steps = length && is(Dialect::fanuc);  // ROUND in a word rounds to least increments
+  evaluator_.set_round_step(!steps ? 1 : modal_.inch ? 1e-4 : 1e-3);
   Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
   evaluator_.set_round_step(1);

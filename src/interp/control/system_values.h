@@ -54,6 +54,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   double work_number() const;
   bool work_cell(int number, std::string& name, int& axis) const;
   Vec3 work_shift(const std::string& name) const;
+  double work_turn(const std::string& name) const;  ///< about Z, degrees
   void set_work(const std::string& name, const Vec3& shift);
 
   ToolChanger* tools_ = nullptr;

@@ -1,5 +1,7 @@
 // System variables of SINUMERIK: data of tools, positions, frames.
 #include "core/text_io.h"
+#include "core/trig.h"
+#include "core/units.h"
 #include "interp/control/frame_words.h"
 #include "interp/control/system_values.h"
 #include "interp/control/tool_changer.h"
@@ -58,8 +60,9 @@ bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) c
 bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
                                Value& out) const {
   Frame frame;
+  double turned = 0;
   if (name == "$P_IFRAME") {
-    frame = shift_frame(frames_.work);
+    frame = compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn));
   } else if (name == "$P_PFRAME") {
     frame = frames_.program;
   } else if (name == "$P_ACTFRAME") {
@@ -67,13 +70,19 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
   } else if (name == "$P_UIFR" && !indices.empty() && indices[0].is_number()) {
     const double n = indices[0].number;
     const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
-    frame = shift_frame(work_shift(wanted));
+    turned = work_turn(wanted);
+    frame = compose(shift_frame(work_shift(wanted)), rotation_frame(2, turned));
     indices = indices.subspan(1);
   } else {
     return false;
   }
   if (indices.empty()) {
     out = Value::of_frame(frame);
+    return true;
+  }
+  if (name == "$P_UIFR" && indices.size() == 2 && indices[1].text == "RT" &&
+      indices[0].text == "Z") {
+    out = Value::of(turned);
     return true;
   }
   if (indices.size() != 2 || indices[1].text != "TR" || axis_named(indices[0].text) < 0)
@@ -120,7 +129,31 @@ bool SystemValues::write_program_frame(std::span<const Value> indices, const Val
   return true;
 }
 
-// $P_UIFR[1] = CTRANS(...), $P_UIFR[1,X,TR] = 5
+double SystemValues::work_turn(const std::string& name) const {
+  const auto turn = control_.work_turns.find(name);
+  return turn == control_.work_turns.end() ? 0 : turn->second;
+}
+
+namespace {
+
+// Whether the frame shifts and turns about Z alone, and by how much in degrees.
+bool turned_about_z(const Frame& frame, double& angle) {
+  const Vec3 x = turn(frame, {1, 0, 0});
+  angle = degrees(atan2(x.y, x.x));
+  const double whole = std::round(angle * 1e9) / 1e9;  // the angle as it was written
+  angle = whole;
+  const Frame same = rotation_frame(2, angle);
+  for (int i = 0; i < 3; ++i) {
+    Vec3 axis;
+    component(axis, i) = 1;
+    if (distance(turn(frame, axis), turn(same, axis)) > 1e-9) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30
 bool SystemValues::write_work_frame(std::span<const Value> indices, const Value& value) {
   if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
       indices[0].number >= 100)
@@ -128,13 +161,21 @@ bool SystemValues::write_work_frame(std::span<const Value> indices, const Value&
   const double n = indices[0].number;
   const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
   Vec3 shift = work_shift(wanted);
-  if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
-      axis_named(indices[1].text) >= 0)
+  double angle = work_turn(wanted);
+  if (indices.size() == 3 && indices[2].text == "RT" && value.is_number()) {
+    const bool about_z = indices[1].text == "Z";
+    if (!about_z && (value.number != 0 || axis_named(indices[1].text) < 0)) return false;
+    if (about_z) angle = value.number;
+  } else if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
+             axis_named(indices[1].text) >= 0) {
     component(shift, axis_named(indices[1].text)) = value.number * scale();
-  else if (indices.size() == 1 && value.kind == Value::Kind::frame && value.frame->plain)
+  } else if (indices.size() == 1 && value.kind == Value::Kind::frame &&
+             turned_about_z(*value.frame, angle)) {
     shift = value.frame->shift;
-  else
+  } else {
     return false;
+  }
+  control_.work_turns[wanted] = angle;
   set_work(wanted, shift);
   return true;
 }
@@ -145,7 +186,8 @@ bool SystemValues::write(std::string_view name, std::span<const Value> indices, 
   if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
   if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
   if (write_tool(key, indices, value)) return true;
-  why = fmt::format("the system variable {} cannot be set here", to_utf8(name.substr(0, 60)));
+  why = fmt::format("the system variable {} cannot be set here{}", to_utf8(name.substr(0, 60)),
+                    key == "$P_UIFR" ? " (a settable frame shifts, and turns about Z)" : "");
   return false;
 }
 
