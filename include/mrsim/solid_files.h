@@ -29,8 +29,8 @@ MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
 
 /// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
 /// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",
-/// "step-unsupported" (built without Open CASCADE), "step-module" (the module that reads STEP
-/// files, mrsim/step.so beside the library, is missing or does not fit).
+/// "step-too-far", "step-unsupported" (built without Open CASCADE), "step-module" (the module that
+/// reads STEP files, mrsim/step.so beside the library, is missing or does not fit).
 MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001);
 
 }  // namespace mrsim

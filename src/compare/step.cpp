@@ -8,12 +8,15 @@
 #include <mrsim/solid_files.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace mrsim {
@@ -46,6 +49,28 @@ TriMesh weld_facets(const StepFacets& facets) {
   return mesh;
 }
 
+constexpr double kFarthest = 1e10;  // 10 km, were the unit a micrometre
+
+// Whether the number at the front of `text` is farther than that; of what is no number, no.
+bool is_far(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \r\n\t+"), text.size()));
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc::result_out_of_range) return std::abs(value) > kFarthest;
+  return std::string_view(text.data(), end).find("E-") == text.npos;
+}
+
+// A point at infinity, which a damaged exponent gives, keeps Open CASCADE busy for minutes.
+void require_near(std::string_view text, const std::string& path) {
+  for (std::size_t at = 0; (at = text.find("CARTESIAN_POINT", at)) != text.npos;) {
+    const std::size_t end = std::min(text.find(';', at), text.size());
+    for (at = text.find('(', at); at < end; at = text.find_first_of("(,", at + 1))
+      if (is_far(text.substr(at + 1, end - at)))
+        throw Error("step-too-far", path + " has a point farther than 10 km from the origin");
+    at = end;
+  }
+}
+
 // A file that is no STEP never reaches the module, whose messages for such files say little.
 // The size of the file.
 std::size_t require_step_header(const std::string& path) {
@@ -53,6 +78,7 @@ std::size_t require_step_header(const std::string& path) {
   const std::string head = text.substr(0, 4096);
   if (head.find("ISO-10303-21") == std::string::npos)
     throw Error("step-unreadable", path + " is not a STEP file: it has no ISO-10303-21 header");
+  require_near(text, path);
   return text.size();
 }
 

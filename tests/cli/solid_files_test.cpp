@@ -140,6 +140,19 @@ TEST_F(StepFiles, DamagedOnesAreErrors) {
   EXPECT_GT(errors, testing::rounds(40) / 4);  // the others are still files of a solid
 }
 
+TEST_F(StepFiles, VerticesAtInfinityAreErrors) {
+  write_step(bar(50, 51), "far.step");
+  std::string text = read("far.step");
+  const std::size_t vertex = text.find("VERTEX_POINT('',#") + 17;
+  const std::size_t point =
+      text.find("\n#" + std::to_string(std::stoi(text.substr(vertex))) + " =");
+  ASSERT_NE(point, std::string::npos);
+  const std::size_t first = text.find(",(", point) + 2;
+  text.replace(first, text.find(',', first) - first, "1.E123456789");
+  write("far.step", text);
+  expect_failure("compare far.step bar.stl", 1, "[step-too-far]");
+}
+
 #else
 
 TEST_F(SolidFiles, IsSaidToBeMissing) {
