@@ -118,6 +118,11 @@ TEST(ControlsDiffer, SettableFramesTurn) {
   EXPECT_EQ(mill("$P_UIFR[1]=CROT(X,90)\n", s), " | variable-unset");
 }
 
+TEST(ControlsDiffer, ComputedScales) {
+  EXPECT_EQ(mill("G51 X0 Y0 P[1500+500]\nG1 X5. F10\n"), "l10,0,0");
+  EXPECT_EQ(mill("#1=2\nG51 X0 Y0 I#1 J#1\nG1 X5. F10\n"), "l10,0,0");
+}
+
 // Within a word ROUND of FANUC rounds to least increments, everywhere else to whole numbers.
 TEST(ControlsDiffer, RoundInAWord) {
   EXPECT_EQ(mill("#1=3.2\nG1 X[ROUND[#1*1.1]] F10\n"), "l3.52,0,0");

@@ -290,10 +290,18 @@ void FrameWords::turn_about(double angle, int axis, const Vec3& center, const Wo
   frames_.rotation = about(rotation_frame(axis, angle), center);
 }
 
-// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths.
+// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths, and so
+// does a computed one from 10 on (P[1500+500]).
 bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
   Vec3 factors{1, 1, 1};
-  const auto factor = [](const Word& w) { return w.point ? w.value : w.value / 1000; };
+  const auto factor = [&](const Word& w) {
+    const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
+    const bool counts = computed ? std::abs(w.value) >= 10 : !w.point;
+    if (computed && counts)
+      note_once("number-without-point",
+                fmt::format("{} = {:g} is read as thousandths", text_of(w), w.value), w, "factor");
+    return counts ? w.value / 1000 : w.value;
+  };
   if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
   for (int i = 0; i < 3; ++i)
     if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
