@@ -132,6 +132,24 @@ TEST(WordsOfMakers, CornerRadiusInALineOfItsOwn) {
             fmt::format("{} 10 0", static_cast<int>(ToolType::endmill)));
 }
 
+// "T1 = 6mm", and the T of an insert's code.
+TEST(WordsOfMakers, NumbersAboutAToolsNumber) {
+  const auto tool = [](const std::string& comment, bool lathe) {
+    InterpOptions options;
+    options.machine = lathe ? MachineKind::lathe : MachineKind::mill;
+    options.dialect = Dialect::fanuc;
+    options.start = Vec3{};
+    const Program p = read_text(
+        "(" + comment + ")\nT" + (lathe ? "0303" : "3 M6") + "\nG1 X5 F100\nM30\n", options);
+    if (p.tools.empty()) return codes(p);
+    return codes(p) + fmt::format("{:g} {:g}", p.tools[0].diameter, p.tools[0].nose_radius);
+  };
+  EXPECT_EQ(tool("T3 = 6mm Endmill", false), "6 0");
+  EXPECT_EQ(tool("T3 = 6. ENDMILL", false), "6 0");
+  EXPECT_EQ(tool("TOOL 3 - ROUGH BORING BAR CCMT 09T304", true), "0 0.4");
+  EXPECT_EQ(tool("T3 CCMT 09T308", true), "0 0.8");
+}
+
 // Without T words and numbers: Estlcam, bCNC. Two of them ask for --tool.
 TEST(WordsOfMakers, AToolWithoutANumber) {
   InterpOptions options;

@@ -79,7 +79,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
 void MotionEmitter::refuse_live_tool(const Motion& motion) {
   if (motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
-  if (is_turning(tool.type)) return;
+  if (is_turning(tool.type) || tool.diameter == 0) return;  // without data: told at its T word
   const double beside =
       std::max(motion.assumed_start ? 0.0 : std::abs(motion.start.x), std::abs(motion.end.x));
   if (beside <= kOnAxis) return;

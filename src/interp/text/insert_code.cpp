@@ -59,6 +59,17 @@ bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   return code.has_size;
 }
 
+// "09T304": thickness T3, 3.97 mm. The letter makes three tokens of it.
+bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
+                 InsertCode& code) {
+  if (i + 2 >= tokens.size() || !tokens[i + 1].is("T") || !tokens[i + 1].glued ||
+      !tokens[i + 2].glued)
+    return false;
+  const std::string_view edge = tokens[i].text, rest = tokens[i + 2].text;
+  if (edge.size() != 2 || rest.size() != 3) return false;
+  return read_size(std::string(edge) + "0" + std::string(rest), shape, code);
+}
+
 // "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
 bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code) {
   if (text.size() != 5 || text[2] != '.' || text[3] != '5') return false;
@@ -84,6 +95,9 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
         (read_size(tokens[size].text, *shape, code) ||
          read_half_size(tokens[size].text, *shape, code)))
       code.end = size + 1;
+    else if (size < tokens.size() && tokens[size].is_number() &&
+             read_t_size(tokens, size, *shape, code))
+      code.end = size + 3;
     const bool usual =
         std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
     if (code.has_size || usual) return code;

@@ -116,7 +116,8 @@ void CommentReader::set_id(std::size_t i) {
 void CommentReader::read_id() {
   for (std::size_t i = 0; i < tokens_.size(); ++i) {
     const Token& t = tokens_[i];
-    if (t.is("T") && number(i + 1) && tokens_[i + 1].glued) set_id(i + 1);
+    const bool inside = i > 0 && t.glued && tokens_[i - 1].is_number();  // "CCMT 09T304"
+    if (t.is("T") && !inside && number(i + 1) && tokens_[i + 1].glued) set_id(i + 1);
     const bool tool = one_of(t, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE"});
     if (one_of(t, {"TC", "TOOL", "WERKZEUG", "HERRAMIENTA", "ORODJE"})) hint_.names_tool = true;
     const bool head = i == 0 && one_of(t, {"NO", "NR"}) && has(i + 2) && tokens_[i + 2].is(":");
@@ -143,6 +144,8 @@ bool CommentReader::is_size(std::size_t i) const {
     return tokens_[i].fraction || tokens_[i].unit > 0;  // "1/4-20" is a thread
   if (i == 0) return true;
   const Token& before = tokens_[i - 1];
+  const bool named = before.is("=") && i > 1 && tokens_[i - 2].is_number() && taken_[i - 2];
+  if (named) return true;  // "T1 = 6mm endmill"
   if (before.is("#") || before.is("=") || one_of(before, {"NO", "NR", "NUMBER"})) return false;
   if (before.is("-") && tokens_[i].glued) return false;
   return !(before.kind == Token::Kind::word && tokens_[i].glued);
