@@ -150,6 +150,29 @@ TEST(WordsOfMakers, NumbersAboutAToolsNumber) {
   EXPECT_EQ(tool("T3 CCMT 09T308", true), "0 0.8");
 }
 
+// On a lathe the comment beside the T word names what its tool does.
+TEST(WordsOfMakers, WhatATurretToolDoes) {
+  const auto tool = [](const std::string& comment) {
+    const Program p = read_text("T0303 (" + comment + ")\nG1 X5 Z1 F.1\n", [] {
+      InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+      options.table.tools.clear();
+      return options;
+    }());
+    if (p.tools.empty()) return codes(p);
+    const Tool& t = p.tools[0];
+    return fmt::format("{} {:g} {:g}", static_cast<int>(t.type), t.width, t.nose_radius);
+  };
+  const auto kind = [](ToolType type, const char* rest) {
+    return fmt::format("{} {}", static_cast<int>(type), rest);
+  };
+  EXPECT_EQ(tool("GROOVE 3MM"), kind(ToolType::grooving, "3 0"));
+  EXPECT_EQ(tool("OD GROOVE 2.5MM"), kind(ToolType::grooving, "2.5 0"));
+  EXPECT_EQ(tool("PART OFF 3.0 MM"), kind(ToolType::grooving, "3 0"));
+  EXPECT_EQ(tool("OD THREAD"), kind(ToolType::threading, "0 0"));
+  EXPECT_EQ(tool("GROOVE AT Z-20"), kind(ToolType::turning, "0 0")) << "no width: the default";
+  EXPECT_EQ(tool("CNMG 12 04 08"), kind(ToolType::turning, "0 0.8"));
+}
+
 // Without T words and numbers: Estlcam, bCNC. Two of them ask for --tool.
 TEST(WordsOfMakers, AToolWithoutANumber) {
   InterpOptions options;

@@ -27,6 +27,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (turret_ && hint.id.size() > 2) hint.id.resize(hint.id.size() - 2);
   if (!hint.id.empty() && hint) return add(hint.id, hint);
   if (!called.empty()) {
+    if (turret_ && !hint && hint.operation) name_by_operation(hint);
     if (hint) add(called, hint);
     return;
   }
@@ -47,6 +48,12 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     group_ = hint;
   else
     merge_hint(group_, hint);
+}
+
+// "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)": on a lathe the tool of the block does that.
+void ToolNotes::name_by_operation(ToolHint& hint) {
+  const bool grooves = hint.operation == ToolType::grooving && hint.width;
+  if (grooves || hint.operation == ToolType::threading) hint.type = hint.operation;
 }
 
 // It counts beside other comments about the tool only.

@@ -41,6 +41,7 @@ class ToolNotes {
 
  private:
   void add(const std::string& id, const ToolHint& hint);
+  static void name_by_operation(ToolHint& hint);
   void add_corner(const ToolHint& hint);
   void add_nameless(const ToolHint& hint);
 

@@ -70,6 +70,17 @@ bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const S
   return read_size(std::string(edge) + "0" + std::string(rest), shape, code);
 }
 
+// "12 04 08".
+bool read_spaced_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
+                      InsertCode& code) {
+  std::string digits;
+  for (std::size_t k = i; k < i + 3; ++k) {
+    if (k >= tokens.size() || !tokens[k].is_number() || tokens[k].text.size() != 2) return false;
+    digits += tokens[k].text;
+  }
+  return read_size(digits, shape, code);
+}
+
 // "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
 bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code) {
   if (text.size() != 5 || text[2] != '.' || text[3] != '5') return false;
@@ -91,9 +102,11 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
     code.end = i + 1;
     const bool dash = i + 2 < tokens.size() && tokens[i + 1].is("-");
     const std::size_t size = i + (dash ? 2 : 1);
-    if (size < tokens.size() && tokens[size].is_number() &&
-        (read_size(tokens[size].text, *shape, code) ||
-         read_half_size(tokens[size].text, *shape, code)))
+    if (read_spaced_size(tokens, size, *shape, code))
+      code.end = size + 3;
+    else if (size < tokens.size() && tokens[size].is_number() &&
+             (read_size(tokens[size].text, *shape, code) ||
+              read_half_size(tokens[size].text, *shape, code)))
       code.end = size + 1;
     else if (size < tokens.size() && tokens[size].is_number() &&
              read_t_size(tokens, size, *shape, code))

@@ -351,6 +351,11 @@ void CommentReader::settle() {
     hint_.type = kind_->type;
     if (kind_->indescribable) hint_.doubt = "names a kind of tool that needs more data";
   }
+  if (kind_ && !hint_.type && is_turning(kind_->type)) {
+    hint_.operation = kind_->type;
+    if (!hint_.width && !hint_.diameters.empty() && hint_.diameters.front().unit > 0)
+      hint_.width = hint_.diameters.front();
+  }
   if (insert_ || (hint_.type && is_turning(*hint_.type))) settle_turning();
   if (!hint_.type && !hint_.names_tool) hint_.diameters.clear();
   if (!hint_.type && !is_corner_line()) hint_.corner = {};

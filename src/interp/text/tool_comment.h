@@ -27,6 +27,7 @@ struct ToolHint {
   std::string id;           ///< when the comment names the tool's number itself
   bool names_tool = false;  ///< "TOOL", "TC:", a number: the comment is about a tool
   std::optional<ToolType> type;
+  std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
   double diameter = 0;                ///< value of the first reading, 0 = none
   ToolLength corner, nose, width;

@@ -151,6 +151,10 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   out.type = hint.type.value_or(ToolType::endmill);
   out.origin = fmt::format("comment \"{}\"", hint.text);
   if (!hint.type) out.origin += ", taken to be an end mill";
+  if (out.type == ToolType::threading && !lathe) {
+    why = "names a threading tool of a lathe";
+    return false;
+  }
   if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
   fill_turning(hint, unit, out);
   if (out.type == ToolType::grooving && !(out.width > 0)) {

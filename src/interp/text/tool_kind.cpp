@@ -169,6 +169,7 @@ constexpr Phrase kPhrases[] = {
     {"PART OFF", grooving, soft},
     {"PARTOFF", grooving, soft},
     {"CUT OFF", grooving, soft},
+    {"THREAD", threading, soft},
 };
 
 bool matches(std::string_view pattern, const CommentToken& token) {
