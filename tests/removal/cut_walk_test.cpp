@@ -3,6 +3,7 @@
 
 #include "carve_support.h"
 #include "removal/history/cut_columns.h"
+#include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/block_index.h"
 #include "support/moves.h"
@@ -128,6 +129,23 @@ TEST(CutWalk, IsTheFirstMotionThatHoldsThePlace) {
       expect_history(scene, walk(field, 0.3, true), 0.3);
       expect_history(scene, walk(field, 0.45, false), 0.45);
     }
+}
+
+TEST(CutWalk, StaircasesAreTheFirstMotionsThatHoldThePlace) {
+  Random r(13);
+  for (unsigned round = 0; round < rounds(3); ++round)
+    for (const Tool& tool : {endmill(3), ballmill(3), endmill(4, 1), mill(ToolType::drill, 3)})
+      for (const StockShape& stock :
+           {box_stock({0, 0, -6}, {9, 8, 0}), round_stock(4.2, 0.5, -6, 0)}) {
+        Scene scene = random_scene(r, tool, 30);
+        scene.stock = stock;
+        const PartField field = scene.field(scene.motions.size());
+        ASSERT_TRUE(has_height_history(field));
+        Collected found;
+        const StaircaseWalker walker(field, 0.3);
+        for (std::size_t t = 0; t < walker.tiles(); ++t) walker.walk(t, found);
+        expect_history(scene, found, 0.3);
+      }
 }
 
 // The part that a shorter program leaves, as its own field tells it.

@@ -1,6 +1,7 @@
 #include "removal/history/cut_heights.h"
 
 #include "core/vec.h"
+#include "removal/field/lattice.h"
 #include "removal/stock/stock_solid.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 namespace mrsim {
 namespace {
 
+constexpr int kCell = 8;        // voxels of a cell that is handed on, each way
 constexpr double kSteep = 0.5;  // of the depth of cut: where heights differ by more, columns halve
 
 }  // namespace
@@ -27,6 +29,25 @@ HeightGrid::HeightGrid(const Box3& stock, double voxel)
   const double nx = columns(size.x), ny = columns(size.y);
   column_ = {size.x / nx, size.y / ny};
   tiles_ = {static_cast<int>(std::ceil(nx / kTile)), static_cast<int>(std::ceil(ny / kTile))};
+}
+
+HeightGrid::HeightGrid(const Box3& stock, const CutLattice& lattice)
+    : end_{stock.hi.x, stock.hi.y}, column_{lattice.voxel, lattice.voxel} {
+  const auto tile_of = [&](double x, double shift) {
+    return static_cast<std::int32_t>(
+        std::floor((std::floor(x / lattice.voxel - shift + 0.5)) / kTile));
+  };
+  const std::int32_t x = tile_of(stock.lo.x, kLatticeShift.x),
+                     y = tile_of(stock.lo.y, kLatticeShift.y);
+  tiles_ = {tile_of(end_.x, kLatticeShift.x) - x + 1, tile_of(end_.y, kLatticeShift.y) - y + 1};
+  first_ = {x * kTile, y * kTile};
+  const Vec3 center = lattice.position({first_[0], first_[1], 0});
+  low_ = {center.x - 0.5 * lattice.voxel, center.y - 0.5 * lattice.voxel};
+}
+
+std::array<std::int32_t, 2> HeightGrid::origin(std::size_t tile) const {
+  const auto t = static_cast<std::int32_t>(tile);
+  return {first_[0] + t % tiles_[0] * kTile, first_[1] + t / tiles_[0] * kTile};
 }
 
 Vec2 HeightGrid::corner(std::size_t tile) const {
@@ -67,8 +88,20 @@ HeightWalker::HeightWalker(const PartField& field, const SweepUndersides& tools,
 
 void HeightWalker::walk(const HeightGrid& grid, std::size_t tile,
                         std::span<const std::uint32_t> sweeps, std::span<double> removed) {
-  heights_.assign(sweeps);
   removed_ = removed;
+  begin(grid, tile, sweeps);
+}
+
+void HeightWalker::walk_steps(const HeightGrid& grid, std::size_t tile,
+                              std::span<const std::uint32_t> sweeps, const Steps& steps) {
+  finest_ = 0;
+  steps_ = &steps;
+  begin(grid, tile, sweeps);
+}
+
+void HeightWalker::begin(const HeightGrid& grid, std::size_t tile,
+                         std::span<const std::uint32_t> sweeps) {
+  heights_.assign(sweeps);
   sweeps_ = sweeps;
   extents_.assign(frames_.empty() ? 0 : sweeps.size(), {});
   end_ = grid.end();
@@ -86,7 +119,7 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool is_even) 
   const bool is_column = square.columns <= 1;
   if (!is_column && (low.x >= end_.x || low.y >= end_.y)) return;
   if (is_column && (square.center.x >= end_.x || square.center.y >= end_.y)) return;
-  if (is_column && (is_even || square.finer == kFiner)) return cut(square, lists_[level]);
+  if (is_column && (is_even || square.finer == finest_)) return cut(square, lists_[level]);
   if (!narrow(square, level, is_even)) return;
   if (is_column && is_even) return cut(square, lists_[level + 1]);
   Square part{.side = 0.5 * square.side,
@@ -119,14 +152,17 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
 }
 
 void HeightWalker::cut(const Square& square, const List& list) {
-  const double area = square.side.x * square.side.y * stock_share(square);
+  const double area = steps_ != nullptr ? 0 : square.side.x * square.side.y * stock_share(square);
   double low = high_;
   for (const std::uint32_t place : list) {
     if (low <= low_) return;
     const double bottom =
         std::max(heights_.bottom(place, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
-    removed_[place] += area * (low - bottom);
+    if (steps_ != nullptr)
+      (*steps_)(square.center - 0.5 * square.side, place, bottom);
+    else
+      removed_[place] += area * (low - bottom);
     if (!frames_.empty() && area > 0) extend(place, square, bottom, low);
     low = bottom;
   }
@@ -148,6 +184,74 @@ double HeightWalker::stock_share(const Square& square) const {
   const double d = field_.solid().plan_distance(square.center.x, square.center.y);
   const double side = std::sqrt(square.side.x * square.side.y);
   return std::clamp(0.5 - d / side, 0.0, 1.0);
+}
+
+StaircaseWalker::StaircaseWalker(const PartField& field, double voxel)
+    : field_(field),
+      lattice_{voxel, false},
+      grid_(field.bounds(), lattice_),
+      tools_(field.sweeps()),
+      sweeps_(grid_.sweeps_of_tiles(field.sweeps())) {
+  const auto cell_of = [&](double z) {
+    return static_cast<std::int32_t>(
+        std::floor(lattice_floor(voxel, z, kLatticeShift.z) / double(kCell)));
+  };
+  bottom_ = cell_of(field.bounds().lo.z) * kCell;
+  deep_ = (cell_of(field.bounds().hi.z) + 1) * kCell - bottom_;
+}
+
+void StaircaseWalker::walk(std::size_t tile, CutSink& sink) const {
+  const std::array<std::int32_t, 2> origin = grid_.origin(tile);
+  const auto deep = static_cast<std::size_t>(deep_);
+  const Box3& stock = field_.bounds();
+  std::vector<std::int32_t> cut(std::size_t(HeightGrid::kTile) * HeightGrid::kTile * deep,
+                                kNeverThere);
+  const auto z = [&](std::int32_t k) { return lattice_.position({0, 0, bottom_ + k}).z; };
+  std::int32_t first = 0, end = deep_;  // of the stock
+  while (first < end && !(z(first) > stock.lo.z)) ++first;
+  while (end > first && !(z(end - 1) < stock.hi.z)) --end;
+  for (int x = 0; x < HeightGrid::kTile; ++x)
+    for (int y = 0; y < HeightGrid::kTile; ++y) {
+      const Vec3 p = lattice_.position({origin[0] + x, origin[1] + y, 0});
+      if (!(field_.solid().plan_distance(p.x, p.y) < 0)) continue;
+      const auto column = cut.begin() + std::ptrdiff_t((x * HeightGrid::kTile + y) * deep);
+      std::fill(column + first, column + end, kStillThere);
+    }
+  const std::vector<std::uint32_t>& sweeps = sweeps_[tile];
+  const Vec2 corner = grid_.corner(tile);
+  const double h = lattice_.voxel;
+  // Steps fall, so what a step removes ends where something has gone before.
+  const auto remove = [&](const Vec2& at, std::uint32_t place, double bottom) {
+    const auto x = std::size_t(std::lround((at.x - corner.x) / h)),
+               y = std::size_t(std::lround((at.y - corner.y) / h));
+    std::int32_t* column = cut.data() + (x * HeightGrid::kTile + y) * deep;
+    auto k = std::max(static_cast<std::int32_t>(std::floor((bottom - z(0)) / h)), first);
+    while (k < end && z(k) < bottom) ++k;
+    const std::int32_t motion = field_.sweeps().motion(sweeps[place]);
+    for (; k < end && column[k] == kStillThere; ++k) column[k] = motion;
+  };
+  if (!sweeps.empty()) HeightWalker(field_, tools_).walk_steps(grid_, tile, sweeps, remove);
+  hand_on(tile, cut, sink);
+}
+
+void StaircaseWalker::hand_on(std::size_t tile, const std::vector<std::int32_t>& cut,
+                              CutSink& sink) const {
+  const std::array<std::int32_t, 2> origin = grid_.origin(tile);
+  std::array<std::int32_t, std::size_t(kCell) * kCell * kCell> cell;
+  for (int x = 0; x < HeightGrid::kTile; x += kCell)
+    for (int y = 0; y < HeightGrid::kTile; y += kCell)
+      for (int z = 0; z < deep_; z += kCell) {
+        for (int i = 0; i < kCell; ++i)
+          for (int j = 0; j < kCell; ++j)
+            std::copy_n(
+                cut.begin() + ((x + i) * HeightGrid::kTile + y + j) * std::ptrdiff_t(deep_) + z,
+                kCell, cell.begin() + (i * kCell + j) * kCell);
+        const CutCell whole{{origin[0] + x, origin[1] + y, bottom_ + z}, kCell};
+        if (std::all_of(cell.begin(), cell.end(), [&](std::int32_t c) { return c == cell[0]; }))
+          sink.tile(whole, cell[0]);
+        else
+          sink.leaf(whole, cell.data());
+      }
 }
 
 }  // namespace mrsim

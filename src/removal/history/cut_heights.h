@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,12 @@ class HeightGrid {
 
   /// Columns of at most `voxel` mm that fill the stock's box.
   HeightGrid(const Box3& stock, double voxel);
+  /// The columns of a lattice below the stock; tiles begin at multiples of kTile voxels.
+  HeightGrid(const Box3& stock, const CutLattice& lattice);
 
   std::size_t tiles() const { return static_cast<std::size_t>(tiles_[0]) * tiles_[1]; }
+  /// Lattice coordinates of the first column of a tile. Requires: made for a lattice.
+  std::array<std::int32_t, 2> origin(std::size_t tile) const;
   /// Lower corner of a tile, mm.
   Vec2 corner(std::size_t tile) const;
   Vec2 column() const { return column_; }  ///< sides, mm
@@ -37,6 +42,7 @@ class HeightGrid {
 
  private:
   std::array<int, 2> tiles_{};
+  std::array<std::int32_t, 2> first_{};
   Vec2 low_, end_, column_;
 };
 
@@ -49,6 +55,11 @@ class HeightWalker {
   /// Adds mm^3 to `removed`, in the order of the list. `sweeps`: ascending.
   void walk(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
             std::span<double> removed);
+  /// Takes the staircase of a column, from its top, with the column's lower corner.
+  using Steps = std::function<void(const Vec2& corner, std::uint32_t place, double bottom)>;
+  /// Hands on the staircase of each column of a tile, by its middle alone.
+  void walk_steps(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
+                  const Steps& steps);
   /// Of the last walk, in the order of its list.
   const std::vector<CutExtent>& extents() const { return extents_; }
 
@@ -65,6 +76,7 @@ class HeightWalker {
   void visit(const Square& square, std::size_t level, bool is_even);
   bool narrow(const Square& square, std::size_t level, bool& is_even);
   void cut(const Square& square, const List& list);
+  void begin(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps);
   void extend(std::uint32_t place, const Square& square, double bottom, double top);
   double stock_share(const Square& square) const;
 
@@ -72,11 +84,34 @@ class HeightWalker {
   SweepHeights heights_;
   double low_, high_;
   Vec2 end_;
+  int finest_ = kFiner;
+  const Steps* steps_ = nullptr;
   std::span<double> removed_;
   std::span<const CutFrame> frames_;
   std::span<const std::uint32_t> sweeps_;
   std::vector<CutExtent> extents_;
   std::array<List, kLevels + 1> lists_;
+};
+
+/// What a motion first removes, voxel by voxel, from staircases: where has_height_history() holds,
+/// a voxel is removed where its centre lies above the bottom of a sweep.
+class StaircaseWalker {
+ public:
+  StaircaseWalker(const PartField& field, double voxel);
+  std::size_t tiles() const { return grid_.tiles(); }
+  /// The voxels of one tile that belong to the stock, and some about them, in cells of 8 voxels
+  /// each way. Tiles may be walked at once.
+  void walk(std::size_t tile, CutSink& sink) const;
+
+ private:
+  void hand_on(std::size_t tile, const std::vector<std::int32_t>& cut, CutSink& sink) const;
+
+  const PartField& field_;
+  CutLattice lattice_;
+  HeightGrid grid_;
+  SweepUndersides tools_;
+  std::vector<std::vector<std::uint32_t>> sweeps_;  // by tile
+  std::int32_t bottom_ = 0, deep_ = 0;              // first voxel of a column, and their count
 };
 
 }  // namespace mrsim

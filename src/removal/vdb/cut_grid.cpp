@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/vdb/leaf_writer.h"
 
@@ -57,8 +58,15 @@ class LeafCollector final : public CutSink {
 openvdb::Int32Grid::Ptr make_cut_grid(const PartField& field, const BlockIndex& index,
                                       const openvdb::math::Transform::Ptr& transform, int threads) {
   const double voxel = transform->voxelSize().x(), near = 0.5 * voxel + field.slack();
-  std::vector<LeafCollector> blocks(index.size());
-  parallel_for(index.size(), threads, [&](std::size_t b) {
+  const bool by_heights = has_height_history(field);
+  std::vector<LeafCollector> blocks;
+  if (by_heights) {
+    const StaircaseWalker walker(field, voxel);
+    blocks.resize(walker.tiles());
+    parallel_for(blocks.size(), threads, [&](std::size_t t) { walker.walk(t, blocks[t]); });
+  }
+  if (!by_heights) blocks.resize(index.size());
+  parallel_for(by_heights ? 0 : index.size(), threads, [&](std::size_t b) {
     const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
     std::vector<double> removed(sweeps.size(), 0.0);
     walk_block(field, {voxel, false}, index.origin(b), sweeps, &blocks[b], removed);
