@@ -141,7 +141,8 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
   left.clear();
   for (const std::uint32_t place : lists_[level]) {
     if (most <= low_) break;
-    const Underside::Bounds bottom = heights_.bounds(place, square.center.x, square.center.y, r);
+    const Underside::Bounds bottom =
+        heights_.bounds(place, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
     left.push_back(place);
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);

@@ -101,7 +101,8 @@ double SweepHeights::bottom(std::uint32_t place, double x, double y, double belo
   return search(row.sweep, x, y);
 }
 
-Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r) const {
+Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r,
+                                       double below) const {
   const Row& row = rows_[place];
   if (row.form == Form::level) {
     const double from = rho(row, x, y);
@@ -110,7 +111,7 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, 
   if (row.form == Form::slant) {
     Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
     at.length = row.length, at.slope = row.slope;
-    const Underside::Bounds found = row.tool->bounds(at, r);
+    const Underside::Bounds found = row.tool->bounds(at, r, below - row.z);
     return {row.z + found.lower, row.z + found.upper};
   }
   if (row.form == Form::helix)

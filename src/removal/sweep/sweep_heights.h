@@ -43,8 +43,10 @@ class SweepHeights {
   /// asked by distances, up to their error.
   double bottom(std::uint32_t place, double x, double y,
                 double below = std::numeric_limits<double>::infinity()) const;
-  /// Bounds of bottom() over all places within r of (x, y).
-  Underside::Bounds bounds(std::uint32_t place, double x, double y, double r) const;
+  /// Bounds of bottom() over all places within r of (x, y); `upper` may be infinite where `lower`
+  /// is not below `below`.
+  Underside::Bounds bounds(std::uint32_t place, double x, double y, double r,
+                           double below = std::numeric_limits<double>::infinity()) const;
 
  private:
   enum class Form : std::uint8_t { level, slant, helix, other };

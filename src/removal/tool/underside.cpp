@@ -28,6 +28,8 @@ Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(
     edges_.push_back(edge);
     lift_ = e.b.y;
   }
+  ball_ = edges_.size() == 1 && !edges_[0].above && edges_[0].center == 0 &&
+          edges_[0].radius == radius_ && edges_[0].z0 == radius_;
 }
 
 double Underside::height_on(const Edge& e, double rho) {
@@ -103,7 +105,19 @@ Underside::Bracket Underside::arc_contact(const Edge& e, const Slant& from, doub
   return in;
 }
 
+// A sphere about (e, v) touches at e = slope wide / sqrt(1 + slope^2), or at an end of the move.
+double Underside::ball_bottom(const Slant& at) const {
+  const double square = radius_ * radius_ - at.v * at.v;
+  if (square < 0) return kInfinity;
+  const double wide = std::sqrt(square);
+  const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
+  if (low > high) return kInfinity;
+  const double e = std::clamp(at.slope * wide / std::sqrt(1 + at.slope * at.slope), low, high);
+  return at.slope * (at.u - e) + radius_ - root(square - e * e);
+}
+
 double Underside::bottom(const Slant& at, double below) const {
+  if (ball_) return ball_bottom(at);
   const double wide = root(radius_ * radius_ - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > radius_ || low > high) return kInfinity;
@@ -165,8 +179,9 @@ double Underside::upper(const Slant& at, double r) const {
   return std::min(value(in.low), value(in.high));
 }
 
-Underside::Bounds Underside::bounds(const Slant& at, double r) const {
-  return {lower(at, r), upper(at, r)};
+Underside::Bounds Underside::bounds(const Slant& at, double r, double below) const {
+  const double least = lower(at, r);
+  return {least, least < below ? upper(at, r) : kInfinity};
 }
 
 }  // namespace mrsim

@@ -40,7 +40,9 @@ class Underside {
   struct Bounds {
     double lower = std::numeric_limits<double>::infinity(), upper = lower;
   };
-  Bounds bounds(const Slant& at, double r) const;
+  /// `upper` is infinite where `lower` is not below `below`.
+  Bounds bounds(const Slant& at, double r,
+                double below = std::numeric_limits<double>::infinity()) const;
 
  private:
   // z = z0 + slope (rho - from), or of an arc about (center, z0) on its lower side (above: on its
@@ -63,10 +65,11 @@ class Underside {
   Bracket arc_contact(const Edge& e, const Slant& from, double shift, Bracket in, int steps) const;
   double lower(const Slant& at, double r) const;
   double upper(const Slant& at, double r) const;
+  double ball_bottom(const Slant& at) const;
 
   std::vector<Edge> edges_;
   double radius_ = 0, lift_ = 0;
-  bool convex_ = true;
+  bool convex_ = true, ball_ = false;
 };
 
 }  // namespace mrsim
