@@ -35,6 +35,36 @@ TEST_F(Loops, PartEqualsThatOfTheProgramWrittenOut) {
   EXPECT_EQ(read("loops.stl"), read("plain.stl"));
 }
 
+// Three circles in ten depths under G42: by a subprogram in increments, by WHILE, by a macro with
+// arguments, and written out.
+TEST_F(Loops, FanucsPocketIsOnePart) {
+  const std::string head = "O0001\nG90G80G40G49\nT1M6\nM3S2500\nG0G90G54X0Y0\nG43H1Z5\nG1Z0F500\n";
+  const std::string tail = "G0Z100\nM30\n";
+  const std::string circles =
+      "G90G42D3X12.5\nG2I-12.5J0\nG1X17.5\nG2I-17.5\nG1X20.\nG2I-20.\nG0G90G40X0Y0\n";
+  write("m98.nc", head + "M98P2L10\n" + tail + "O0002\nG91G1Z-0.5F200\n" + circles + "M99\n");
+  write("while.nc", head +
+                        "#1=1\nWHILE[#1LE10]DO1\nG1Z-[#1*0.5]F200\n#2=12.5\n#1=#1+1\n"
+                        "G42D3X#2\nG2I-#2J0\n#2=#2+5\nG1X#2\nG2I-#2\n#2=#2+2.5\nG1X#2\n"
+                        "G2I-#2\nG0G40X0Y0\nEND1\n" +
+                        tail);
+  write("g65.nc", head + "G65P9010Z-5.K0.5A12.5B17.5C20.\n" + tail +
+                      "O9010\n#30=0\nN10#30=#30+#6\nG1Z-#30F200\nG42D3X#1\nG2I-#1\nG1X#2\n"
+                      "G2I-#2\nG1X#3\nG2I-#3\nG0G40X0Y0\nIF[#30LT-#26]GOTO10\nM99\n");
+  std::string plain = head;
+  for (int i = 1; i <= 10; ++i) plain += "G1Z-" + std::to_string(i * 0.5) + "F200\n" + circles;
+  write("plain.nc", plain + tail);
+  for (const std::string name : {"m98", "while", "g65", "plain"}) {
+    const Outcome outcome = run(name +
+                                ".nc --dialect fanuc --machine mill --stock box:-30,-30,-10,30,30,0"
+                                " --tool 1=endmill:d=10 -q -o " +
+                                name + ".stl");
+    ASSERT_EQ(outcome.code, 0) << name << outcome.err;
+    ASSERT_FALSE(read(name + ".stl").empty());
+    EXPECT_EQ(read(name + ".stl"), read("m98.stl")) << name;
+  }
+}
+
 TEST_F(Loops, CyclesLeaveTheVolumesOfTheirClosedForms) {
   const double pi = 3.14159265358979323846, stock = 60 * 40 * 10;
   // Volumes are good to the square of the tolerance for each millimetre of edge (docs/accuracy.md).
