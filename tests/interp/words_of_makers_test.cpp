@@ -128,6 +128,8 @@ TEST(WordsOfMakers, CornerRadiusInALineOfItsOwn) {
             fmt::format("{} 10 1.5", static_cast<int>(ToolType::bullmill)));
   EXPECT_EQ(tool(head + "(CORNER RADIUS = 0.0)\n"),
             fmt::format("{} 10 0", static_cast<int>(ToolType::endmill)));
+  EXPECT_EQ(tool("(T1 12. EM 0.5R)\n"),
+            fmt::format("{} 12 0.5", static_cast<int>(ToolType::bullmill)));
   EXPECT_EQ(tool(head + "(CORNER RADIUS 3 OF THE PART)\n"),
             fmt::format("{} 10 0", static_cast<int>(ToolType::endmill)));
 }

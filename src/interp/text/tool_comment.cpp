@@ -158,7 +158,7 @@ std::size_t CommentReader::value_behind(std::size_t i) const {
   return number(at) && !tokens_[at].angle ? at : kNone;
 }
 
-// "CR=2", "CORNER RADIUS 2", "R2", "2. RAD"; "TAPER=118DEG"; widths of blades.
+// "CR=2", "CORNER RADIUS 2", "R2", "2. RAD", ".030R"; "TAPER=118DEG"; widths of blades.
 void CommentReader::read_radii() {
   for (std::size_t i = 0; i < tokens_.size(); ++i) {
     const Token& t = tokens_[i];
@@ -169,6 +169,8 @@ void CommentReader::read_radii() {
       while (has(at + 1) && one_of(tokens_[at + 1], {"RADIUS", "RAD", "R"})) ++at;
     const bool corner = at > i || one_of(t, {"CR", "RAD", "RADIUS"}) || nose;
     const std::size_t value = value_behind(at);
+    const bool behind = t.is("R") && t.glued && i > 0 && tokens_[i - 1].decimals &&
+                        !(has(i + 1) && tokens_[i + 1].glued);
     if (t.is("TAPER") || t.is("ANGLE") || t.is("WINKEL")) {
       std::size_t angle = i + 1;
       while (has(angle) && one_of(tokens_[angle], {"=", ":", "-"})) ++angle;
@@ -184,7 +186,7 @@ void CommentReader::read_radii() {
     } else if (value != kNone && (corner || (t.is("R") && (tokens_[i + 1].glued)))) {
       (nose ? hint_.nose : hint_.corner) = length(tokens_[value]);
       taken_[value] = true;
-    } else if (corner && i > 0 && is_size(i - 1)) {  // "2. RAD", "1MM CORNER R"
+    } else if ((corner || behind) && i > 0 && is_size(i - 1)) {  // "2. RAD", "1MM CORNER R"
       hint_.corner = length(tokens_[i - 1]);
       taken_[i - 1] = true;
     }
