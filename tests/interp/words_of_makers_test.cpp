@@ -152,6 +152,19 @@ TEST(WordsOfMakers, NumbersAboutAToolsNumber) {
   EXPECT_EQ(tool("T3 CCMT 09T308", true), "0 0.8");
 }
 
+// LinuxCNC: M61 says which tool is in the spindle. It was passed over.
+TEST(WordsOfMakers, ToolInTheSpindle) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.table.tools[0].id = "1";
+  options.table.tools.push_back(options.table.tools[0]);
+  options.table.tools[1].id = "3";
+  const Program p = read_text("T1 M6\nG1 X1 F100\nM61 Q3\nX2\n", options);
+  EXPECT_EQ(path_text(p), "l1,0,0 l2,0,0");
+  ASSERT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[1].tool)].id, "3");
+  EXPECT_EQ(path_text(read_text("M61\n", options)), " | value-missing");
+}
+
 // On a lathe the comment beside the T word names what its tool does.
 TEST(WordsOfMakers, WhatATurretToolDoes) {
   const auto tool = [](const std::string& comment) {

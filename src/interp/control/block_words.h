@@ -84,7 +84,8 @@ class BlockWords : public Block {
   bool loops = false;               ///< M99
   const Word* call_word = nullptr;
   const Word* m98 = nullptr;
-  const Word* home = nullptr;  ///< M25 of Centroid: Z goes to its reference point
+  const Word* set_tool = nullptr;  ///< Q of M61 (LinuxCNC): the tool in the spindle
+  const Word* home = nullptr;      ///< M25 of Centroid: Z goes to its reference point
 
  private:
   // Epochs make clearing free.

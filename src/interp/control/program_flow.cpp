@@ -104,6 +104,11 @@ bool ProgramFlow::m_word(const Word& word) {
   if (m >= 70 && m <= 73 && is(Dialect::ngc))
     return error("not-supported",
                  fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
+  if (m == 61 && is(Dialect::ngc)) {
+    block_.set_tool = take('Q');
+    block_.tool_change = true;
+    return block_.set_tool || error("value-missing", "M61 needs Q, the tool in the spindle", word);
+  }
   if (m == 97 || m == 98 || external) return call_word(word, m);
   if (m == 25 && z_home(word)) return true;
   if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())

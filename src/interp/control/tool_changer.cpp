@@ -55,7 +55,7 @@ bool ToolChanger::apply() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
       (peek('I') || peek('J') || peek('K') || block_.motion_code))
     return true;  // the opening angle
-  const Word* word = take('T');
+  const Word* word = block_.set_tool ? block_.set_tool : take('T');
   if (word || block_.tool_change) control_.saved_tool = tool_;
   if (word) {
     if (!select(*word)) return false;
