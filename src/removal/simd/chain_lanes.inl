@@ -19,8 +19,7 @@ MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
 /// lies behind it; else, and where that way is too short to be known, minus infinity.
 MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const V zero = splat(0.0), h = at.w - splat(tool.tip);
-  const double scale = 1 / (line.plan * line.plan + line.rise * line.rise);
-  const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(scale);
+  const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(line.per_way);
   const V way = vmin(vmax(t, zero), splat(1.0));
   const V along = at.u - way * splat(line.plan), up = h - way * splat(line.rise);
   const V square = along * along + at.v * at.v;
@@ -30,17 +29,34 @@ MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const Chain
   return select(behind, off - splat(tool.ball), splat(-std::numeric_limits<double>::infinity()));
 }
 
-/// No position of the tool is nearer: the largest distance from planes that the sweep lies behind.
+/// A flank, continued beyond its edge: where on the move p is farthest outwards of it, or least
+/// deep within it, and the tool's distance there if the flank is what is nearest. Convex along the
+/// move.
+struct FlankPlace {
+  V t, rho, z, f;
+};
+MRSIM_LANE FlankPlace flank_place(const ChainTool& tool, const ChainLine& line, const ChainView& at,
+                                  std::size_t i) {
+  const V zero = splat(0.0), one = splat(1.0);
+  const ChainTool::Flank& flank = tool.flanks[i];
+  FlankPlace x{flank.up * line.rise > 0 ? one : zero, zero, zero, zero};  // steeper than the flank
+  if (!line.steep[i])
+    x.t = vmin(vmax((at.u - at.v * splat(line.tilt[i])) * splat(line.per_plan), zero), one);
+  const V along = at.u - x.t * splat(line.plan);
+  x.rho = vsqrt(along * along + at.v * at.v), x.z = at.w - x.t * splat(line.rise);
+  x.f = x.rho * splat(flank.across) + x.z * splat(flank.up) - splat(flank.offset);
+  return x;
+}
+
+/// No position of the tool is nearer: the tool lies within its flanks, continued, and its ball's
+/// tangent planes.
 MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const double low = line.rise < 0 ? tool.bottom + line.rise : tool.bottom;
   const double high = line.rise > 0 ? tool.top + line.rise : tool.top;
   V bound = vmax(vmax(-at.u, at.u - splat(line.plan)) - splat(tool.radius),
                  vmax(splat(low) - at.w, at.w - splat(high)));
-  for (std::size_t i = 0; i < tool.flank_count; ++i) {
-    if (line.across[i] == 0) continue;
-    const V side = at.u * splat(line.along[i]) + at.v * splat(line.across[i]);
-    bound = vmax(side + at.w * splat(tool.flanks[i].up) - splat(tool.flanks[i].offset), bound);
-  }
+  for (std::size_t i = 0; i < tool.flank_count; ++i)
+    bound = vmax(flank_place(tool, line, at, i).f, bound);
   return tool.pointed ? vmax(bound, tip_bound(tool, line, at)) : bound;
 }
 
@@ -139,8 +155,7 @@ struct ChainObjective {
   };
   Closed closed() const {
     const V zero = splat(0.0), one = splat(1.0), h = at.w - splat(tool.tip);
-    const double scale = 1 / (line.plan * line.plan + line.rise * line.rise);
-    const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(scale);
+    const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(line.per_way);
     Closed x{vmin(vmax(t, zero), one), zero, less(zero, zero)};
     if (tool.pointed) {
       const V along = at.u - x.t * splat(line.plan), up = h - x.t * splat(line.rise);
@@ -155,20 +170,12 @@ struct ChainObjective {
 
  private:
   void add_flank(std::size_t i, Closed& x) const {
-    const V zero = splat(0.0), one = splat(1.0);
-    const ChainTool::Flank& flank = tool.flanks[i];
-    const ProfileEdge& e = tool.edges[flank.edge];
-    V t = flank.up * line.rise > 0 ? one : zero;  // steeper than the flank
-    if (line.across[i] != 0) {
-      const V tilt = splat(line.along[i] / line.across[i]);
-      t = vmin(vmax((at.u - at.v * tilt) * splat(1 / line.plan), zero), one);
-    }
-    const V along = at.u - t * splat(line.plan), z = at.w - t * splat(line.rise);
-    const V rho = vsqrt(along * along + at.v * at.v);
+    const V zero = splat(0.0);
+    const ProfileEdge& e = tool.edges[tool.flanks[i].edge];
+    const auto [t, rho, z, f] = flank_place(tool, line, at, i);
     const V place =
         splat(e.direction.x) * (rho - splat(e.a.x)) + splat(e.direction.y) * (z - splat(e.a.y));
     const M fits = both(less_equal(zero, place), less_equal(place, splat(e.length)));
-    const V f = rho * splat(flank.across) + z * splat(flank.up) - splat(flank.offset);
     x.t = select(fits, t, x.t), x.f = select(fits, f, x.f);
     x.holds = either(both(fits, less_equal(zero, f)), except(x.holds, fits));
   }

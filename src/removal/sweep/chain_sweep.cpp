@@ -44,11 +44,13 @@ ChainLine chain_line(const ChainTool& tool, const ToolPath& path) {
   line.plan = std::sqrt(way.x * way.x + way.y * way.y), line.rise = way.z;
   if (line.plan == 0) return line;
   line.ux = way.x / line.plan, line.uy = way.y / line.plan;
+  line.per_plan = 1 / line.plan;
+  line.per_way = 1 / (line.plan * line.plan + line.rise * line.rise);
   for (std::size_t i = 0; i < tool.flank_count; ++i) {
     // Across the move: along * plan + up * rise = 0.
     const double slope = tool.flanks[i].up * line.rise / line.plan, across = tool.flanks[i].across;
-    if (!(across * across > slope * slope)) continue;
-    line.along[i] = -slope, line.across[i] = std::sqrt(across * across - slope * slope);
+    line.steep[i] = !(across * across > slope * slope);
+    if (!line.steep[i]) line.tilt[i] = -slope / std::sqrt(across * across - slope * slope);
   }
   return line;
 }
