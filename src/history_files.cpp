@@ -17,7 +17,7 @@ namespace mrsim {
 namespace {
 
 // Bytes of a row, of the map of lines and of the text, as measured; a motion has a line at most.
-constexpr double kRowMemory = 600;
+constexpr double kRowMemory = 1000;
 constexpr double kCubicCmPerMinute = 60 / 1000.0;  // in a mm^3/s
 
 // What a row is about; what does not apply is empty or 0.

@@ -320,6 +320,7 @@ void simulate(const Job& job, JobResult& result) {
   result.peak_memory = peak_memory();
   clock.done("write");
   outputs.publish(job, result);
+  result.peak_memory = peak_memory();  // with what histories and documents took
   clock.done("publish");
   result.ok = true;
 }

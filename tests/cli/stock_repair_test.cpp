@@ -109,6 +109,16 @@ TEST_F(StockRepair, DropsDoubleTriangles) {
   expect_repaired(twice, "1 double triangle dropped");
 }
 
+// Triangles back to back are closed and hold nothing, but the nearest of them would call one of
+// their sides the inside.
+TEST_F(StockRepair, DropsSheetsWithoutThickness) {
+  Facets sheet = block();
+  sheet.corners.insert(sheet.corners.end(), {{110, 5, -8}, {120, 6, -2}, {115, 25, -5}});
+  sheet.triangles.push_back({8, 9, 10});
+  sheet.triangles.push_back({10, 9, 8});
+  expect_repaired(sheet, "1 sheet without thickness dropped");
+}
+
 TEST_F(StockRepair, DropsTrianglesWithoutCornersOfTheirOwn) {
   Facets flat = block();
   flat.corners.push_back(flat.corners[2]);

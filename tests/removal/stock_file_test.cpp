@@ -140,6 +140,26 @@ TEST(LevelSet, SurfaceIsClosedAndHasTheVolumeOfThePart) {
   EXPECT_NEAR(volume, 840, 230 * 0.5 * 0.5 / 4);
 }
 
+TEST(LevelSet, SheetsOfRoundingAreNoSurface) {
+  openvdb::initialize();
+  const auto grid = openvdb::FloatGrid::create(1);
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  auto voxels = grid->getAccessor();
+  for (int x = 2; x < 10; ++x)
+    for (int y = 2; y < 10; ++y)
+      for (int z = 2; z < 10; ++z) {
+        const bool inside = std::min({x, y, z}) > 2 && std::max({x, y, z}) < 9;
+        voxels.setValue({x, y, z}, inside ? -0.5f : 0.5f);
+      }
+  const std::size_t triangles = surface_of(*grid).triangles.size();
+  ASSERT_GT(triangles, 0u);
+  voxels.setValue({0, 0, 0}, -1e-27f);  // a cube of 1e-27 mm about the origin
+  const TriMesh found = surface_of(*grid);
+  EXPECT_EQ(found.triangles.size(), triangles);
+  for (const auto& t : found.triangles)
+    for (const std::uint32_t v : t) EXPECT_GT(found.vertices[v][0], 1);
+}
+
 TEST(LevelSet, FileWithoutOneIsRefused) {
   openvdb::initialize();
   const auto code_of = [](const openvdb::GridPtrVec& grids) -> std::string {

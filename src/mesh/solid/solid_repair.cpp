@@ -21,6 +21,7 @@
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace mrsim {
 namespace {
@@ -33,6 +34,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 // Vertices of open edges that are this many float steps of the largest coordinate apart are one.
 constexpr float kWeldSteps = 8;
+constexpr std::uint32_t kNoPlace = ~0u;
 
 bool is_solid(const TriMesh& mesh) { return check_mesh(mesh).oriented; }
 
@@ -155,6 +157,52 @@ TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   return to_mesh(surface);
 }
 
+// Closed surfaces that hold less than the precision of their corners tells apart: triangles back to
+// back, needles. No point is certainly inside them. Returns how many were dropped.
+std::size_t drop_sheets(TriMesh& mesh) {
+  const std::vector<std::uint32_t> opposite = find_opposites(mesh, 1);
+  const double thinnest = weld_distance(mesh);
+  std::vector<bool> taken(mesh.triangles.size()), flat(mesh.triangles.size());
+  std::size_t sheets = 0;
+  for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
+    if (taken[first]) continue;
+    const Vec3 from = corner(mesh, first, 0);
+    std::vector<std::uint32_t> piece{first};
+    taken[first] = true;
+    double area = 0, volume = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec3 normal = area_normal(mesh, piece[i]);
+      area += 0.5 * length(normal);
+      volume += dot(normal, corner(mesh, piece[i], 0) - from) / 6;
+      for (std::uint32_t h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h) {
+        if (!is_half_edge(opposite[h]) || taken[opposite[h] / 3]) continue;
+        taken[opposite[h] / 3] = true;
+        piece.push_back(opposite[h] / 3);
+      }
+    }
+    if (std::fabs(volume) > 0.5 * area * thinnest) continue;
+    ++sheets;
+    for (const std::uint32_t f : piece) flat[f] = true;
+  }
+  if (sheets == 0) return 0;
+  TriMesh rest;
+  std::vector<std::uint32_t> place(mesh.vertices.size(), kNoPlace);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (flat[f]) continue;
+    Triangle t = mesh.triangles[f];
+    for (std::uint32_t& v : t) {
+      if (place[v] == kNoPlace) {
+        place[v] = static_cast<std::uint32_t>(rest.vertices.size());
+        rest.vertices.push_back(mesh.vertices[v]);
+      }
+      v = place[v];
+    }
+    rest.triangles.push_back(t);
+  }
+  mesh = std::move(rest);
+  return sheets;
+}
+
 // How many triangles look the other way; both meshes have the same triangles in the same order.
 std::size_t turned(const TriMesh& before, const TriMesh& after) {
   std::size_t count = 0;
@@ -175,43 +223,44 @@ void require_triangles(const TriMesh& mesh, const std::string& name) {
 
 std::string make_solid(TriMesh& mesh, const std::string& name) {
   const MeshSummary summary = check_mesh(mesh);
-  // Closed by indices, a mesh may still have vertices that share a place.
-  if (summary.oriented && summary.degenerate == 0) return {};
   if (summary.components == 0) require_solid(mesh, name);  // not a mesh at all
   std::vector<std::string> done;
-  const auto step = [&](std::size_t before, std::size_t after, const char* one, const char* many) {
-    if (after < before) done.push_back(counted(before - after, one, many));
+  const auto step = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) done.push_back(counted(count, one, many));
   };
   const auto weld_all = [&](const char* one, const char* many) {
     TriMesh welded = weld(mesh);
-    step(mesh.vertices.size(), welded.vertices.size(), one, many);
-    step(mesh.triangles.size(), welded.triangles.size(), "triangle without area dropped",
+    step(mesh.vertices.size() - welded.vertices.size(), one, many);
+    step(mesh.triangles.size() - welded.triangles.size(), "triangle without area dropped",
          "triangles without area dropped");
     mesh = std::move(welded);
     require_triangles(mesh, name);
   };
-  mesh.owners.clear(), mesh.colors.clear();
-  weld_all("vertex welded", "vertices welded");
-  if (!is_solid(mesh)) {
-    join_borders(mesh);
-    weld_all("vertex of an open edge welded", "vertices of open edges welded");
-    const std::size_t count = mesh.triangles.size();
-    drop_doubles(mesh);
-    step(count, mesh.triangles.size(), "double triangle dropped", "double triangles dropped");
-    require_triangles(mesh, name);
+  // Closed by indices, a mesh may still have vertices that share a place.
+  if (!summary.oriented || summary.degenerate > 0) {
+    mesh.owners.clear(), mesh.colors.clear();
+    weld_all("vertex welded", "vertices welded");
+    if (!is_solid(mesh)) {
+      join_borders(mesh);
+      weld_all("vertex of an open edge welded", "vertices of open edges welded");
+      const std::size_t count = mesh.triangles.size();
+      drop_doubles(mesh);
+      step(count - mesh.triangles.size(), "double triangle dropped", "double triangles dropped");
+      require_triangles(mesh, name);
+    }
+    if (!is_solid(mesh)) {
+      TriMesh after = weld(oriented(mesh, name));
+      require_solid(after, name);
+      if (const std::size_t n = turned(mesh, after); n > 0)
+        done.push_back(n == mesh.triangles.size()
+                           ? "it was inside out"
+                           : counted(n, "triangle turned", "triangles turned"));
+      mesh = std::move(after);
+    }
   }
-  if (!is_solid(mesh)) {
-    TriMesh after = weld(oriented(mesh, name));
-    require_solid(after, name);
-    if (const std::size_t n = turned(mesh, after); n > 0)
-      done.push_back(n == mesh.triangles.size()
-                         ? "it was inside out"
-                         : counted(n, "triangle turned", "triangles turned"));
-    mesh = std::move(after);
-  }
-  std::string text;
-  for (const std::string& part : done) text += (text.empty() ? "" : ", ") + part;
-  return text;
+  step(drop_sheets(mesh), "sheet without thickness dropped", "sheets without thickness dropped");
+  require_triangles(mesh, name);
+  return fmt::format("{}", fmt::join(done, ", "));
 }
 
 void refuse_self_intersections(const TriMesh& mesh, const std::string& name) {

@@ -1,10 +1,11 @@
 // Meshes that were meant to be solids, made solids where nothing has to be guessed.
 //
 // Repaired, because the solid meant is the same: vertices of one place that are several (or, on
-// open edges, a few float steps apart) are welded, triangles without corners or twice the same are
-// dropped, triangles are turned to look outwards (also those of cavities). Refused, with the place:
-// holes, bodies that touch along an edge (a part of them would be no 2-manifold), surfaces that
-// cannot be oriented or that cross each other. No hole is filled: what was there is not known.
+// open edges, a few float steps apart) are welded, triangles without corners or twice the same and
+// closed sheets without thickness are dropped, triangles are turned to look outwards (also those of
+// cavities). Refused, with the place: holes, bodies that touch along an edge (a part of them would
+// be no 2-manifold), surfaces that cannot be oriented or that cross each other. No hole is filled:
+// what was there is not known.
 #pragma once
 
 #include <mrsim/types.h>

@@ -5,7 +5,10 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,8 @@
 
 namespace mrsim {
 namespace {
+
+constexpr double kFinest = 1.0 / (1 << 20);  // of a voxel: what 32-bit floats tell apart
 
 Error unreadable(const std::string& why) { return {"vdb-unreadable", why}; }
 
@@ -60,19 +65,32 @@ LevelSetSurface read(const std::string& path) {
 
 }  // namespace
 
+// Where voxels are zero but for rounding, VolumeToMesh draws sheets some 1e-27 mm thin, in which no
+// point is certainly inside or outside. Vertices that agree within a millionth of a voxel are one.
 TriMesh surface_of(const openvdb::FloatGrid& grid) {
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec3I> triangles;
   std::vector<openvdb::Vec4I> quads;
   openvdb::tools::volumeToMesh(grid, points, triangles, quads);
+  const openvdb::Vec3d size = grid.voxelSize();
+  const double step = kFinest * std::min({size.x(), size.y(), size.z()});
   TriMesh mesh;
-  for (const openvdb::Vec3s& p : points) mesh.vertices.push_back({p.x(), p.y(), p.z()});
-  // OpenVDB's run clockwise.
-  for (const openvdb::Vec3I& t : triangles) mesh.triangles.push_back({t[2], t[1], t[0]});
-  for (const openvdb::Vec4I& q : quads) {
-    mesh.triangles.push_back({q[2], q[1], q[0]});
-    mesh.triangles.push_back({q[3], q[2], q[0]});
+  std::map<std::array<float, 3>, std::uint32_t> known;
+  std::vector<std::uint32_t> vertex_of;
+  for (const openvdb::Vec3s& p : points) {
+    const auto snapped = [&](float x) { return static_cast<float>(step * std::round(x / step)); };
+    const std::array<float, 3> v{snapped(p.x()), snapped(p.y()), snapped(p.z())};
+    const auto [at, is_new] = known.emplace(v, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (is_new) mesh.vertices.push_back(v);
+    vertex_of.push_back(at->second);
   }
+  // OpenVDB's triangles run clockwise.
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const std::array<std::uint32_t, 3> t{vertex_of[c], vertex_of[b], vertex_of[a]};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
+  };
+  for (const openvdb::Vec3I& t : triangles) add(t[0], t[1], t[2]);
+  for (const openvdb::Vec4I& q : quads) add(q[0], q[1], q[2]), add(q[0], q[2], q[3]);
   return mesh;
 }
 
