@@ -7,6 +7,7 @@
 #include "cli/terminal.h"
 #include "core/output_place.h"
 #include "core/publish.h"
+#include "core/text_io.h"
 #include <mrsim/rest.h>
 #include <mrsim/solid_files.h>
 
