@@ -4,11 +4,8 @@
 #include "core/base64.h"
 #include "core/bytes.h"
 #include "core/hash.h"
-#include "fuzz_files.h"
-#include <mrsim/mrsim.h>
+#include "fuzz_runs.h"
 
-#include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -59,12 +56,7 @@ Job job_on(const std::string& stock) {
   tool.diameter = 6;
   job.interp.table.tools = {tool};
   job.interp.machine = MachineKind::mill;
-  job.carve.voxel = 2;
-  job.carve.threads = job.mesh.threads = job.collisions.threads = 1;
-  job.carve.max_memory = std::size_t(1000) << 20;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
-  job.carve.progress = job.mesh.progress = job.collisions.progress = job.stock_options.progress =
-      [end](const char*, double) { return std::chrono::steady_clock::now() < end; };
+  fuzz::limit(job, 1000);
   return job;
 }
 
@@ -76,14 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string stock =
       fuzz::write("stock.vdb", data[0] % 2 == 0 ? std::string(rest) : file_of_recipe(rest));
   try {
-    const JobResult result = simulate(job_on(stock));
-    if (!result.ok) {
-      fuzz::require(!result.program.diagnostics.empty());
-      return 0;
-    }
-    fuzz::require(result.summary.closed && result.summary.manifold &&
-                  result.summary.degenerate == 0);
-    fuzz::require(std::isfinite(result.volume));
+    fuzz::checked_run(job_on(stock));
   } catch (const Error&) {
   }
   return 0;
