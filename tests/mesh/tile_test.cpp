@@ -2,7 +2,9 @@
 #include "mesh/surface/tile.h"
 
 #include "core/vec.h"
+#include "mesh/solid/check.h"
 #include "mesh/surface/surface.h"
+#include "mesh/tiles/uniform.h"
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"
 
@@ -241,6 +243,60 @@ TEST(CellTile, ASearchThatIsLedOutOfItsCellEnds) {
   at.distance = field.patch_distance(search.point(), near);
   EXPECT_TRUE(search.take(field, at));
   EXPECT_EQ(search.result().count, 0);
+}
+
+// A field whose answers away from the surface hang on the list that it is asked with, as far as its
+// promise allows: every other list lacks what decides d there.
+class FarOffField final : public ExactField {
+ public:
+  explicit FarOffField(const PartField& part) : part_(part) {}
+  Candidates all() const override { return part_.all(); }
+  Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
+                     Candidates& out) const override {
+    return part_.restrict_to(box, band, in, out);
+  }
+  FieldSample sample(const Vec3& p, std::span<const std::uint32_t> list) const override {
+    const FieldSample s = part_.sample(p, list);
+    if (std::abs(s.distance) <= 0.01 || s.owner == kStockOwner || list.size() % 2 == 0) return s;
+    Candidates others(list.begin(), list.end());
+    std::erase(others, part_.candidate(s.owner));
+    const FieldSample other = part_.sample(p, others);
+    return is_inside(other.distance) == is_inside(s.distance) ? other : s;
+  }
+  Vec3 gradient(const Vec3& p, const FieldSample& at) const override {
+    return part_.gradient(p, at);
+  }
+  double patch_distance(const Vec3& p, const FieldSample& at) const override {
+    return part_.patch_distance(p, at);
+  }
+  FacePlane face_plane(const Vec3& p, const FieldSample& at) const override {
+    return part_.face_plane(p, at);
+  }
+  std::uint32_t candidate(std::int32_t owner) const override { return part_.candidate(owner); }
+  bool expand_packs(const Box3& box, double band, std::span<const std::uint32_t> list,
+                    Candidates& out) const override {
+    return part_.expand_packs(box, band, list, out);
+  }
+  bool has_box_stock() const override { return part_.has_box_stock(); }
+  Box3 bounds() const override { return part_.bounds(); }
+
+ private:
+  const PartField& part_;
+};
+
+TEST(CellTile, TilesMeetWhateverTheirListsLeaveOutFarOff) {
+  Tool flat;
+  flat.diameter = 1.2;
+  for (const bool steep : {false, true}) {
+    const PartField part = raster({-3.3, 100.37, -20.1}, flat, steep);
+    const FarOffField field(part);
+    MeshReport report;
+    MeshCollector mesh;
+    mesh_uniform(field, 0.08, 2, {}, mesh, report);
+    const MeshSummary check = check_mesh(mesh.mesh());
+    EXPECT_EQ(check.first_fault, "");
+    EXPECT_GT(report.passes, 1u) << "the field is as usual: nothing is tested";
+  }
 }
 
 }  // namespace

@@ -124,6 +124,15 @@ void CellOctree::refine(std::vector<std::int32_t> pending) {
   }
 }
 
+// Null where the cell has none.
+const Candidates* CellOctree::common_list(std::int32_t n) const {
+  const OctreeNode& a = node(n);
+  if (part_.common == nullptr || a.region != ExactField::Region::mixed ||
+      a.size > lattice().per_voxel())
+    return nullptr;
+  return part_.common->at(a.origin);
+}
+
 void CellOctree::find_regions(const std::vector<std::int32_t>& pending) {
   parallel_for(
       pending.size(), threads_,
@@ -135,6 +144,7 @@ void CellOctree::find_regions(const std::vector<std::int32_t>& pending) {
         const std::span<const std::uint32_t> in =
             a.parent < 0 ? std::span<const std::uint32_t>(whole) : candidates(a.parent);
         a.region = field_.restrict_to(reach_of(b, b.hi.x - b.lo.x), kSurfaceBand, in, lists_[n]);
+        if (const Candidates* common = common_list(pending[k])) lists_[n] = *common;
       },
       64);
   // Lists are narrowed once.
@@ -296,6 +306,8 @@ std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) cons
 }
 
 std::pair<double, double> CellOctree::offsets(const MinimalEdge& e) const {
+  constexpr double kWhenAsked = std::numeric_limits<double>::quiet_NaN();
+  if (common_list(e.smallest_cell()) != nullptr) return {kWhenAsked, kWhenAsked};
   return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
 }
 

@@ -4,6 +4,7 @@
 
 #include "mesh/surface/cell_scan.h"
 #include "mesh/surface/cells.h"
+#include "mesh/surface/common_lists.h"
 #include "mesh/surface/flat_map.h"
 #include "removal/field/field.h"
 
@@ -32,6 +33,7 @@ struct OctreePart {
   std::int32_t size = 0;  ///< of the root, fine units
   std::span<const std::uint32_t> candidates;
   std::int32_t complete[2] = {}, owned[2] = {};  ///< ranges from the origin, fine units
+  const CommonLists* common = nullptr;  ///< of cells that do not take the part's, null = none
 };
 
 class CellOctree final : public SurfaceCells {
@@ -87,6 +89,7 @@ class CellOctree final : public SurfaceCells {
   const std::vector<std::int32_t>& new_leaves() const { return new_leaves_; }
 
  private:
+  const Candidates* common_list(std::int32_t cell) const;
   bool is_whole() const { return part_.size == lattice().size(); }
   bool in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const;
   void refine(std::vector<std::int32_t> pending);

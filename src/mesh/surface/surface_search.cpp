@@ -15,10 +15,11 @@ constexpr int kCrossingSteps = 80, kFaceSteps = 4;
 struct Line {
   const Vec3 &from, &along;
 };
-// Newton from t along the line to where the face, with this plane at t, leaves the material.
-double zero_on_line(const ExactField& field, const FieldSample& face, FacePlane plane,
+// Newton from t along the line to where the face, with this plane at t, leaves the material; the
+// plane becomes the last one met.
+double zero_on_line(const ExactField& field, const FieldSample& face, FacePlane& plane,
                     const Line& line, double t) {
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < kFaceSteps; ++k) {
     if (k > 0) plane = field.face_plane(line.from + t * line.along, face);
     const double f = plane.distance + kInsideTolerance;
     if (std::abs(f) < 0.2 * kCrossing) return t;
@@ -82,9 +83,9 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
   }
   // The zero of the face that decides here; then Illinois; plain halving when that is slow.
   if (steps_ < kFaceSteps) {
-    const FacePlane plane = field.face_plane(point_, at_);
-    normal_ = plane.normal;
+    FacePlane plane = field.face_plane(point_, at_);
     t_ = zero_on_line(field, at_, plane, {from_, along_}, t_);
+    normal_ = plane.normal;
   } else {
     t_ = steps_ < 24 && fb_ > fa_ ? a_ + (b_ - a_) * (-fa_ / (fb_ - fa_)) : 0.5 * (a_ + b_);
   }

@@ -18,9 +18,10 @@ bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
 }  // namespace
 
-CellTile::CellTile(const ExactField& field, const Lattice& lattice)
+CellTile::CellTile(const ExactField& field, const Lattice& lattice, const CommonLists* common)
     : SurfaceCells(lattice),
       field_(field),
+      common_(common),
       columns_(kCells * kCells),
       offset_(kCount),
       decider_(kCount),
@@ -50,9 +51,26 @@ void CellTile::build(const LatticePoint& first, std::span<const std::uint32_t> c
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
   visit({0, 0, 0}, kCells, 1);
+  add_common_lists();
   find_crossed();
   if (is_box_ && flat == FlatCells::merged) merge_flat_cells();
   crossed_.number();
+}
+
+void CellTile::add_common_lists() {
+  own_lists_.clear();
+  if (common_ == nullptr) return;
+  common_->each_in(first_, kCells, [&](const LatticePoint& p, const Candidates& list) {
+    own_lists_.emplace_back(cell_at(p.x, p.y, p.z), static_cast<std::int32_t>(lists_.size()));
+    add_list(list);
+  });
+  std::sort(own_lists_.begin(), own_lists_.end());
+}
+
+void CellTile::add_list(std::span<const std::uint32_t> list) {
+  lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
+                    static_cast<std::uint32_t>(ids_.size() + list.size())});
+  ids_.insert(ids_.end(), list.begin(), list.end());
 }
 
 // Which planes lie between the box's sides, as its distance has it.
@@ -112,9 +130,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
     if (is_box_) return mark_stock_node<kSize>(origin);  // its lists are 0 from the start
   } else {
     number = static_cast<std::int32_t>(lists_.size());
-    lists_.push_back({static_cast<std::uint32_t>(ids_.size()),
-                      static_cast<std::uint32_t>(ids_.size() + list.size())});
-    ids_.insert(ids_.end(), list.begin(), list.end());
+    add_list(list);
   }
   for (std::int32_t x = origin.x; x < origin.x + kSize; x += kNode)
     for (std::int32_t y = origin.y; y < origin.y + kSize; y += kNode)
@@ -212,7 +228,15 @@ std::span<const std::uint32_t> CellTile::candidates(std::int32_t cell) const {
   return {ids_.data() + list.begin, list.end - list.begin};
 }
 
+// The number of the cell's common list, 0 where it has none.
+std::int32_t CellTile::own_list(std::int32_t cell) const {
+  const auto found = std::lower_bound(own_lists_.begin(), own_lists_.end(), std::pair(cell, 0));
+  return found == own_lists_.end() || found->first != cell ? 0 : found->second;
+}
+
 std::int32_t CellTile::list_of(std::int32_t cell) const {
+  if (!own_lists_.empty())
+    if (const std::int32_t own = own_list(cell); own != 0) return own;
   const LatticePoint p = place(cell);
   return list_of_[static_cast<std::size_t>(node_id(p.x / kNode, p.y / kNode, p.z / kNode))];
 }
@@ -327,6 +351,7 @@ std::vector<MinimalEdge> CellTile::doubtful_edges() const {
 }
 
 std::pair<double, double> CellTile::offsets(const MinimalEdge& e) const {
+  if (!own_lists_.empty() && own_list(e.smallest_cell()) != 0) return {kWhenAsked, kWhenAsked};
   return {known_offset(e.low), known_offset(e.high)};
 }
 

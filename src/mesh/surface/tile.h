@@ -7,6 +7,7 @@
 #pragma once
 
 #include "mesh/surface/cells.h"
+#include "mesh/surface/common_lists.h"
 #include "mesh/surface/flat_squares.h"
 #include "mesh/surface/tile_edges.h"
 
@@ -34,7 +35,8 @@ class CellTile final : public SurfaceCells {
   static constexpr std::int32_t kFirstOwned = 2;
   static constexpr std::int32_t kEndOwned = kFirstOwned + kOwned;
 
-  CellTile(const ExactField& field, const Lattice& lattice);
+  /// `common`: lists of cells that do not take the tile's, null = none.
+  CellTile(const ExactField& field, const Lattice& lattice, const CommonLists* common = nullptr);
 
   /// `merged`: squares of cells are one each where no sweep can decide and the stock is a box. Of
   /// their edges only those at corners of squares count as crossed.
@@ -135,6 +137,9 @@ class CellTile final : public SurfaceCells {
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void find_stock();
+  void add_common_lists();
+  void add_list(std::span<const std::uint32_t> list);
+  std::int32_t own_list(std::int32_t cell) const;
   template <std::int32_t kSize>
   void mark_stock_node(const LatticePoint& origin);
   void find_crossed();
@@ -147,6 +152,7 @@ class CellTile final : public SurfaceCells {
   MinimalEdge edge_at(const LatticePoint& p, int axis) const;
 
   const ExactField& field_;
+  const CommonLists* common_;
   LatticePoint first_;
   std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
   std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
@@ -157,6 +163,7 @@ class CellTile final : public SurfaceCells {
   std::vector<std::int32_t> list_of_;   ///< by node, 0 (empty) where no sweep can decide
   std::vector<List> lists_;
   std::vector<std::uint32_t> ids_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> own_lists_;  ///< by cell, the common ones
   std::unique_ptr<ExactField::Descent> descent_;
   Candidates list_;
   bool is_box_ = false;        ///< the stock is

@@ -6,6 +6,31 @@
 
 namespace mrsim::detail {
 
+std::vector<std::array<std::uint32_t, 2>> border_edges(const TileMesh& tile) {
+  std::vector<std::array<std::uint32_t, 2>> out;
+  for (const auto& t : tile.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+      if (tile.marks[from] != 0 && tile.marks[to] != 0) out.push_back({from, to});
+    }
+  // Edges and their opposites come together; what is left of each pair is in `out` for good.
+  const auto ends = [](const std::array<std::uint32_t, 2>& e) {
+    return std::pair(std::min(e[0], e[1]), std::max(e[0], e[1]));
+  };
+  std::sort(out.begin(), out.end(), [&](const auto& a, const auto& b) {
+    return std::pair(ends(a), a) < std::pair(ends(b), b);
+  });
+  std::size_t kept = 0;
+  for (const std::array<std::uint32_t, 2> e : out) {
+    if (kept > 0 && out[kept - 1][0] == e[1] && out[kept - 1][1] == e[0])
+      --kept;
+    else
+      out[kept++] = e;
+  }
+  out.resize(kept);
+  return out;
+}
+
 void TileMerger::restart() { *this = TileMerger(order_); }
 
 // Vertices that no later tile has are forgotten; the others are numbered.
@@ -40,6 +65,7 @@ std::uint32_t TileMerger::index_of(SharedVertex& vertex, const std::array<float,
 void TileMerger::add(const LatticePoint& place, const TileMesh& tile) {
   if (is_complete_) begin_block();
   index_.resize(tile.vertices.size());
+  number_.resize(tile.vertices.size());
   for (std::size_t v = 0; v < index_.size(); ++v) {
     const auto fresh = static_cast<std::uint32_t>(fresh_.size());
     index_[v] = fresh;
@@ -51,12 +77,32 @@ void TileMerger::add(const LatticePoint& place, const TileMesh& tile) {
         shared_.push_back({order_.key(last), first_new_ + fresh, fresh});
       }
       index_[v] = index_of(shared_[known], tile.vertices[v]);
+      number_[v] = shared_[known].number;
     }
     if (index_[v] == fresh) fresh_.push_back(tile.vertices[v]);
   }
   for (const auto& t : tile.triangles)
     triangles_.push_back({index_[t[0]], index_[t[1]], index_[t[2]]});
   owners_.insert(owners_.end(), tile.owners.begin(), tile.owners.end());
+  close_edges(tile);
+}
+
+void TileMerger::close_edges(const TileMesh& tile) {
+  for (const auto& [from, to] : tile.border) {
+    const std::uint64_t a = number_[from], b = number_[to];
+    if (a == b) continue;
+    const auto edge = open_edges_.try_emplace(std::min(a, b) << 32 | std::max(a, b)).first;
+    edge->second.end = tile.vertices[from];
+    edge->second.count += a < b ? 1 : -1;
+    if (edge->second.count == 0) open_edges_.erase(edge);
+  }
+}
+
+std::vector<std::array<float, 3>> TileMerger::gaps() const {
+  std::vector<std::array<float, 3>> out;
+  for (const auto& [ends, edge] : open_edges_) out.push_back(edge.end);
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 MeshBlock TileMerger::block(std::uint64_t next) {

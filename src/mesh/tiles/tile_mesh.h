@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace mrsim::detail {
@@ -37,7 +38,11 @@ struct TileMesh {
   std::vector<std::uint8_t> marks;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> owners;
+  std::vector<std::array<std::uint32_t, 2>> border;  ///< edges that other tiles have to close
 };
+
+/// The directed edges of triangles between marked vertices whose opposite no triangle has.
+std::vector<std::array<std::uint32_t, 2>> border_edges(const TileMesh& tile);
 
 /// Joins tiles, in their order, by the coordinates of the vertices that they share.
 class TileMerger {
@@ -49,6 +54,8 @@ class TileMerger {
   /// The tiles since the last block, valid until the next add(). `next`: key of the tile that comes
   /// next. Throws Error "mesh-too-large".
   MeshBlock block(std::uint64_t next);
+  /// After the last tile: where tiles have not met, as ends of edges that none has closed.
+  std::vector<std::array<float, 3>> gaps() const;
 
  private:
   static constexpr std::uint32_t kUnused = ~std::uint32_t(0);
@@ -59,7 +66,12 @@ class TileMerger {
     std::uint32_t number = 0;       ///< in the whole mesh
     std::uint32_t index = kUnused;  ///< in this block, with kBorrowed where it is an earlier one
   };
+  struct OpenEdge {
+    int count = 0;  ///< of triangles along it, less those against it
+    std::array<float, 3> end{};
+  };
   std::uint32_t index_of(SharedVertex& vertex, const std::array<float, 3>& point);
+  void close_edges(const TileMesh& tile);
   void begin_block();
 
   TileOrder order_;
@@ -68,7 +80,8 @@ class TileMerger {
   Welder welder_;
   std::vector<SharedVertex> shared_;  ///< by the welder's index
   std::vector<std::array<float, 3>> fresh_, points_;
-  std::vector<std::uint32_t> borrowed_, open_, index_;
+  std::vector<std::uint32_t> borrowed_, open_, index_, number_;
+  std::unordered_map<std::uint64_t, OpenEdge> open_edges_;  ///< by the numbers of their ends
   std::vector<std::array<float, 3>> borrowed_points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<std::int32_t> owners_;

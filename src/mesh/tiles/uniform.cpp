@@ -40,8 +40,8 @@ struct TileNotes {
 
 /// A thread's memory for the tiles it makes.
 struct TileMaker {
-  TileMaker(const ExactField& field, const Lattice& lattice)
-      : cells(field, lattice),
+  TileMaker(const ExactField& field, const Lattice& lattice, const CommonLists& common)
+      : cells(field, lattice, &common),
         surface(field, cells,
                 {.shallow = kShallow * lattice.voxel(), .narrow = true, .threads = 1}) {}
   CellTile cells;
@@ -58,26 +58,23 @@ class UniformContour {
         report_(report),
         timer_(report, {}),  // progress is told by tiles
         set_(find_tiles(field, lattice, options.threads)),
-        notes_(set_.tiles.size()) {
+        notes_(set_.tiles.size()),
+        common_(field, lattice) {
     timer_.step("tiles");
   }
 
-  // The blocks go out as they are made. Should cells turn out to be crossed, which is rare, all
-  // tiles are made again once it is known which cells are to be split.
+  // The blocks go out as they are made. Should tiles not meet, or cells turn out to be crossed,
+  // which is rare, all tiles are made again once it is known what to do about it.
   void run(MeshSink& sink) {
     make_all(sink);
     timer_.step("cells");
-    bool is_split = false;
-    for (std::set<CellPlace> bad = crossed(); !bad.empty(); bad = crossed()) {
-      split(std::move(bad));
-      is_split = true;
-    }
-    timer_.step("check");
-    if (is_split) {
+    while (mend()) {
+      timer_.step("check");
       sink.restart();
       make_all(sink);
       timer_.step("cells");
     }
+    timer_.step("check");
     finish_report();
   }
 
@@ -98,6 +95,7 @@ class UniformContour {
             hand_on(merger, joined, triangles, sink);
         },
         batch);
+    gaps_ = merger.gaps();
   }
 
   void hand_on(TileMerger& merger, std::size_t joined, std::size_t& triangles, MeshSink& sink) {
@@ -134,7 +132,7 @@ class UniformContour {
 
   std::unique_ptr<TileMaker> take_maker() {
     const std::scoped_lock lock(mutex_);
-    if (makers_.empty()) return std::make_unique<TileMaker>(field_, lattice_);
+    if (makers_.empty()) return std::make_unique<TileMaker>(field_, lattice_, common_);
     std::unique_ptr<TileMaker> maker = std::move(makers_.back());
     makers_.pop_back();
     return maker;
@@ -174,6 +172,7 @@ class UniformContour {
     part.complete[1] = (kCells - 1) * unit();
     part.owned[0] = kFirstOwned * unit();
     part.owned[1] = (kFirstOwned + kOwned) * unit();
+    part.common = &common_;
     CellOctree tree(field_, lattice_, part);
     for (std::size_t count = 1; count > 0;) {
       std::vector<std::int32_t> leaves;
@@ -234,6 +233,7 @@ class UniformContour {
       out.owners.push_back(
           surface.crossings()[static_cast<std::size_t>(base.crossings[t])].at.owner);
     }
+    out.border = border_edges(out);
     notes = {};
     if (options_.measure) notes.distance = measured(surface, cells);
     notes.crowded = crowded_triangles(out.vertices, out.triangles,
@@ -300,6 +300,28 @@ class UniformContour {
     return out;
   }
 
+  // Whether anything was found that asks for all tiles to be made again.
+  bool mend() {
+    bool is_new = false;
+    for (const auto& gap : gaps_) is_new = settle({gap[0], gap[1], gap[2]}) || is_new;
+    for (std::set<CellPlace> bad = crossed(); !bad.empty(); bad = crossed()) {
+      split(std::move(bad));
+      is_new = true;
+    }
+    return is_new;
+  }
+
+  // The cells about a vertex on which tiles do not agree, and those that theirs depend on.
+  bool settle(const Vec3& vertex) {
+    const LatticePoint at = lattice_.floor(vertex);
+    const auto cell = [&](int a, std::int32_t i) { return component(at, a) / unit() + i; };
+    bool is_new = false;
+    for (std::int32_t i = 0; i < 27; ++i)
+      is_new =
+          common_.add({cell(0, i / 9 - 1), cell(1, i / 3 % 3 - 1), cell(2, i % 3 - 1)}) || is_new;
+    return is_new;
+  }
+
   std::set<CellPlace> crossed() const {
     std::vector<const CrowdedTriangles*> crowded;
     for (const TileNotes& notes : notes_)
@@ -354,8 +376,10 @@ class UniformContour {
   std::mutex mutex_;
   const TileSet set_;
   std::vector<TileNotes> notes_;
+  std::vector<std::array<float, 3>> gaps_;          ///< between the tiles that were made last
   std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
   std::set<CellPlace> forced_;                      ///< cells that must be split
+  CommonLists common_;                              ///< of cells in which tiles did not meet
 };
 
 }  // namespace
