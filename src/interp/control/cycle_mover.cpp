@@ -13,14 +13,23 @@ void CycleMover::go(Vec2 to, double height, MotionKind kind, double feed) {
   moves_.step(target, where_, kind, 0, feed);
 }
 
-void CycleMover::rapid(Vec2 to) {
+// False: the tool is known to be there.
+bool CycleMover::target(Vec2 to, Target& out) const {
   const Basis b = basis();
-  Target target;
-  target.programmed = from_plane(b, to, height());
+  out.programmed = from_plane(b, to, height());
   for (int i = 0; i < 3; ++i)
-    if (component(b.w, i) == 0) target.named |= 1U << i;
-  if (length(to - place()) > 1e-9 || (position_.known & target.named) != target.named)
-    moves_.step(target, where_, MotionKind::rapid);
+    if (component(b.w, i) == 0) out.named |= 1U << i;
+  return length(to - place()) > 1e-9 || (position_.known & out.named) != out.named;
+}
+
+void CycleMover::rapid(Vec2 to) {
+  Target there;
+  if (target(to, there)) moves_.step(there, where_, MotionKind::rapid);
+}
+
+void CycleMover::compensated(Vec2 to, MotionKind kind) {
+  Target there;
+  if (target(to, there)) moves_.compensated_step(there, where_, 0, kind);
 }
 
 void CycleMover::rapid_height(double to) {

@@ -19,6 +19,8 @@ class CycleMover : public ControlPart {
   /// `feed` 0: the one in force.
   void rapid(Vec2 to);
   void line(Vec2 to, double feed);
+  /// A rapid or line in the plane, with which radius compensation may begin or end.
+  void compensated(Vec2 to, MotionKind kind);
   void rapid_height(double to);
   void line_height(double to, double feed);
   /// Straight in the plane and along its normal.
@@ -29,6 +31,7 @@ class CycleMover : public ControlPart {
 
  private:
   void go(Vec2 to, double height, MotionKind kind, double feed);
+  bool target(Vec2 to, Target& out) const;
 
   Moves& moves_;
   Word where_;

@@ -30,7 +30,8 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       haas_(control_, axes_, moves_, compensation_, drilling_),
       cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
-      contours_(control_, reader_, statements_.get(), moves_, out_) {
+      contours_(control_, reader_, statements_.get(), moves_, out_),
+      profiles_(control_, reader_, statements_.get(), axes_, moves_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
   control_.place_machine();
@@ -62,6 +63,7 @@ void Engine::run() {
     execute();
   }
   contours_.end_program();
+  profiles_.end_program();
   cycles_.end_program();
   out_.flush();
   moves_.finish();
@@ -78,12 +80,14 @@ void Engine::execute() {
   block.begin();
   if (block.statement != Block::kNoStatement) return statements_->run();
   if (statements_ && statements_->take_block()) return;
+  if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;
   if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
   if (!index_.run()) block.bad = true;
   if (!block.comments.empty()) tools_.read_comments();
   if (block.bad) return;
   if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
   ++block.number;
+  if (profiles_.reads_contour()) return profiles_.contour_block();
   const Modal modal = control_.modal;
   const Position position = control_.position;
   control_.saved_tool.reset();
@@ -98,6 +102,7 @@ void Engine::execute() {
   tools_.end_block();
   flow_.end_block();
   contours_.end_block();
+  profiles_.end_block();
   cycles_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
@@ -119,7 +124,8 @@ bool Engine::run_move() {
 
 // Each cycle in a block of its own that moves, or a line of values for it.
 bool Engine::run_turning() {
-  return control_.block.turn_cycle <= 73 ? contours_.run() : turning_.run();
+  if (control_.block.turn_cycle > 73) return turning_.run();
+  return control_.dialect == Dialect::ngc ? profiles_.run() : contours_.run();
 }
 
 bool Engine::interpret_block() {

@@ -6,6 +6,7 @@
 #include "interp/control/drill_words.h"
 #include "interp/control/haas_cycles.h"
 #include "interp/control/iso_words.h"
+#include "interp/control/linuxcnc_turning.h"
 #include "interp/control/modal_words.h"
 #include "interp/control/oneshot_words.h"
 #include "interp/control/program_flow.h"
@@ -51,6 +52,7 @@ class Engine {
   SinumerikCycles cycles_;
   TurnWords turning_;
   ContourCycles contours_;
+  LinuxCncTurning profiles_;
   std::size_t executed_ = 0;
   bool moved_ = false;  ///< the block had a motion
 };

@@ -90,13 +90,14 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::turn_pass:
       return select_turning(word, entry.number);
     case Code::turn_cycle:
+      if (units_of_mach(word)) return true;
       block_.turn_cycle = entry.number;
       block_.oneshot = &word;
       block_.oneshot_code = entry.code;
       return true;
     case Code::statement:
     case Code::unsupported:
-      return units_of_mach(word) || brother_change(word) || refuse(word);
+      return brother_change(word) || refuse(word);
     case Code::fagor_mirror:
     case Code::fagor_scale:
     case Code::fagor_turn:

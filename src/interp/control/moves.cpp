@@ -183,8 +183,8 @@ void Moves::step(const Target& to, const Word& where, MotionKind kind, double le
   out_.emit(motion);
 }
 
-bool Moves::compensated_step(const Target& to, const Word& where, double feed) {
-  Motion motion = motion_template(where, MotionKind::line, 0, feed);
+bool Moves::compensated_step(const Target& to, const Word& where, double feed, MotionKind kind) {
+  Motion motion = motion_template(where, kind, 0, feed);
   commit(to, frame_words_.now(), motion);
   if (!compensation_.begin_move(motion, where)) return false;
   out_.emit(motion, {});

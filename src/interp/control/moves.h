@@ -27,8 +27,9 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
-  /// A line to `to` with which compensation may begin or end.
-  bool compensated_step(const Target& to, const Word& where, double feed);
+  /// The same; compensation may begin or end with it.
+  bool compensated_step(const Target& to, const Word& where, double feed,
+                        MotionKind kind = MotionKind::line);
   /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
   /// error was reported.
   bool solved_arc(const SolvedArc& arc, double feed = 0) {

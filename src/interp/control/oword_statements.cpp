@@ -256,29 +256,40 @@ bool OwordStatements::locate(const std::string& name, CallRequest& request) {
 
 bool OwordStatements::call(const std::string& name, std::size_t from, std::size_t p) {
   std::vector<double> arguments;
-  if (!values(p, arguments)) return false;
-  CallRequest request;
+  return values(p, arguments) && enter_sub(name, {}, std::move(arguments), place_word(from, p));
+}
+
+bool OwordStatements::call_sub(const std::string& name, CallRequest request, const Word& word) {
+  return enter_sub(name, std::move(request), {}, word);
+}
+
+bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
+                                std::vector<double> arguments, const Word& word) {
   if (!locate(name, request))
-    return fail("subprogram-missing",
-                fmt::format("there is no \"o<{}> sub\" in this file, nor in a file of that name "
-                            "beside it or in --path",
-                            to_utf8(name.substr(0, 60))),
-                from, p);
+    return error("subprogram-missing",
+                 fmt::format("there is no \"o<{}> sub\" in this file, nor in a file of that name "
+                             "beside it or in --path",
+                             to_utf8(name.substr(0, 60))),
+                 word);
   const Outline& all = outline(request.file);
   if (const OutlineFault* wrong = all.fault_in(0)) {
     const std::string text = wrong->text;
-    return fail("structure", fmt::format("{}, line {}: {}", request.file, wrong->at.line + 1, text),
-                from, p);
+    return error("structure",
+                 fmt::format("{}, line {}: {}", request.file, wrong->at.line + 1, text), word);
   }
-  request.on_start = [this, arguments] {
+  request.on_start = [this, arguments = std::move(arguments), before = request.on_start] {
     variables_.enter_level();
     std::string ignored;
     for (std::size_t i = 0; i < arguments.size(); ++i)
       variables_.assign(static_cast<double>(i + 1), Value::of(arguments[i]), ignored);
     system_.set_returned(0, false);
+    if (before) before();
   };
-  request.on_end = [this] { variables_.leave_level(); };
-  return reader_.enter(std::move(request), place_word(from, p));
+  request.on_end = [this, behind = request.on_end] {
+    variables_.leave_level();
+    if (behind) behind();
+  };
+  return reader_.enter(std::move(request), word);
 }
 
 // M98 P100: a program that begins with the bare word O100, and shares all variables.

@@ -17,6 +17,7 @@ class OwordStatements : public Statements {
   bool starts_statement(std::string_view line, std::size_t p) override;
   bool take_block() override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
+  bool call_sub(const std::string& name, CallRequest request, const Word& word) override;
 
  protected:
   bool statement(std::size_t p) override;
@@ -42,6 +43,8 @@ class OwordStatements : public Statements {
     return repeats_[{static_cast<int>(variables_.levels()), block_.file, entry}];
   }
   bool call(const std::string& name, std::size_t from, std::size_t p);
+  bool enter_sub(const std::string& name, CallRequest request, std::vector<double> arguments,
+                 const Word& word);
   bool locate(const std::string& name, CallRequest& request);
   bool leave(std::size_t p, bool required);
   bool values(std::size_t p, std::vector<double>& out);

@@ -226,6 +226,10 @@ Outline& Statements::outline(const std::string& file) {
   return *found;
 }
 
+bool Statements::call_sub(const std::string& name, CallRequest, const Word& word) {
+  return error("subprogram-missing", "there is no subprogram " + name, word);
+}
+
 const FlowEntry* Statements::entry_at(std::size_t p) {
   Outline& all = outline();
   const Place here = reader_.place_at(p);

@@ -37,6 +37,9 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
     return reader_.call(name, repeats, word);
   }
+  /// A subprogram of the control's language without arguments; `request` says what happens about
+  /// it. False: reported.
+  virtual bool call_sub(const std::string& name, CallRequest request, const Word& word);
   /// Who knows the data of the tool in the spindle.
   void set_tools(ToolChanger& tools) { system_.set_tools(tools); }
   /// The values of a call whose text between the brackets is `argument`, a part of the block's

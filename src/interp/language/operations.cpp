@@ -18,11 +18,6 @@ namespace {
 constexpr double kLargestAngle = 1e9, kLargestRadians = 1e7;
 constexpr double kLargestBits = 9007199254740992.0;  // 2^53
 
-bool fail(std::string& why, std::string text) {
-  why = std::move(text);
-  return false;
-}
-
 bool equal(const ExpressionRules& rules, double a, double b) {
   const double gap = std::abs(a - b);
   return gap <= rules.equal_within ||

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 
 namespace mrsim {
 
@@ -20,6 +21,12 @@ bool apply_operator(const ExpressionRules& rules, Operator op, Value& left, cons
 bool apply_function(const ExpressionRules& rules, Function function,
                     std::span<const Value> arguments, double round_step, Value& out,
                     std::string& why);
+
+/// Says why, and returns false.
+inline bool fail(std::string& why, std::string text) {
+  why = std::move(text);
+  return false;
+}
 
 /// Nearest whole number, halves away from 0.
 double nearest_whole(double x);

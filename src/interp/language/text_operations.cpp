@@ -14,11 +14,6 @@ namespace {
 constexpr std::size_t kLongestText = 1000;
 constexpr double kLongestPart = 1e9;
 
-bool fail(std::string& why, std::string text) {
-  why = std::move(text);
-  return false;
-}
-
 double index_of(const std::string& text, const std::string& sought, bool last) {
   if (sought.size() != 1) return -1;
   const std::size_t at = last ? text.rfind(sought[0]) : text.find(sought[0]);

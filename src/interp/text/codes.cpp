@@ -103,8 +103,6 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
 }
 
 std::string_view unsupported_code(Dialect dialect, int number_by_10) {
-  if (dialect == Dialect::ngc && number_by_10 >= 700 && number_by_10 <= 722)
-    return "a turning cycle";
   if (dialect != Dialect::fanuc && dialect != Dialect::iso) return {};
   for (const auto& [number, name] : kUnsupportedNames)
     if (number == number_by_10) return name;
