@@ -177,6 +177,33 @@ TEST(Owords, SubprogramsInFilesOfTheirOwn) {
   EXPECT_EQ(path_of(read_program(outside, at_origin(Dialect::ngc))), "0,0,1 subprogram-missing");
 }
 
+TEST(Owords, AFileOfItsOwnGivesTheSubOfItsNameOnly) {
+  const Scratch scratch;
+  scratch.write("square.ngc",
+                "o<square> sub\nG1 X#1\no200 call\no<square> endsub\no200 sub\nY9\n"
+                "o200 endsub\n");
+  const std::string main = scratch.write("main.ngc", "G1 F100 Z1\no<square> call [5]\nM2\n");
+  EXPECT_EQ(path_of(read_program(main, at_origin(Dialect::ngc))), "0,0,1 5,0,1 subprogram-missing");
+  const std::string own =
+      scratch.write("own.ngc", "G1 F100 Z1\no<square> call [5]\nM2\no200 sub\nY3\no200 endsub\n");
+  EXPECT_EQ(path_of(read_program(own, at_origin(Dialect::ngc))), "0,0,1 5,0,1 5,3,1 ");
+}
+
+// LinuxCNC: "File ended with no percent sign (%) or program end (M2)". Grbl's files end anywhere.
+TEST(Owords, AProgramWithOWordsEndsWithM2OrPercent) {
+  const std::string loop = "G1 F100 X1\no1 repeat [1]\nX2\no1 endrepeat\n";
+  EXPECT_EQ(run(Dialect::ngc, loop), "1,0,0 2,0,0 program-end-missing");
+  EXPECT_EQ(run(Dialect::ngc, loop + "M2\n"), "1,0,0 2,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, loop + "M30\n"), "1,0,0 2,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "%\n" + loop + "%\n"), "1,0,0 2,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X1\n"), "1,0,0 ");
+  const std::string sub = "o2 sub\nX3\no2 endsub\n";
+  EXPECT_EQ(run(Dialect::ngc, "o1\nG1 F100 X1\no2 call\n" + sub + "M2\n"),
+            "1,0,0 3,0,0 program-end-missing");
+  EXPECT_EQ(run(Dialect::ngc, "o1\nG1 F100 X1\no2 call\nM2\n" + sub), "1,0,0 3,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, sub + "o1\nG1 F100 X1\no2 call\nM2\n"), "1,0,0 3,0,0 ");
+}
+
 TEST(Owords, AssignmentsHoldFromTheNextBlock) {
   EXPECT_EQ(run(Dialect::ngc, "#3=15\nG1 F100 X1\n#3=6 X#3\nX#3\nM2\n"), "1,0,0 15,0,0 6,0,0 ");
 }

@@ -51,6 +51,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
 void Engine::run() {
   while (!reader_.finished()) {
     if (!reader_.next()) {
+      if (statements_ && reader_.depth() == 1) statements_->end_of_main();
       reader_.end_of_text();
       continue;
     }

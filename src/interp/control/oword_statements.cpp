@@ -65,6 +65,13 @@ bool OwordStatements::take_block() {
   return reader_.finished();
 }
 
+// Grbl and others end where the text does; whoever writes O words writes for LinuxCNC.
+void OwordStatements::end_of_main() {
+  if (!has_owords_) return;
+  reporter_.forget_text();
+  fail("program-end-missing", "the program ends without M2, M30 or %: LinuxCNC refuses that", 0, 1);
+}
+
 // (debug, #1), (print, ...), (msg, ...) show a text; (abort, ...) ends the program with it.
 void OwordStatements::message(std::string_view comment) {
   std::size_t p = 0;
@@ -101,6 +108,7 @@ std::size_t OwordStatements::end_of_line(std::size_t p) const {
 }
 
 bool OwordStatements::statement(std::size_t from) {
+  has_owords_ = true;
   std::size_t p = from;
   std::string name;
   oword_name(block_.line, p, name);
@@ -117,6 +125,7 @@ bool OwordStatements::statement(std::size_t from) {
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
   if (word.empty()) {  // the header of a numbered or named program
+    titled_ = titled_ || reader_.depth() == 1;
     reader_.set_position(block_.line.size());
     return true;
   }
@@ -148,6 +157,10 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
       return reader_.jump(last.at);
     }
     case FlowWord::sub:  // defined here, run when called
+      if (titled_ && reader_.depth() == 1)
+        return fail("program-end-missing",
+                    "the program that began with a bare O word has no M2 or M30 before this sub",
+                    entry.at.position, p);
       return jump_past(outline().entry(entry.last));
     case FlowWord::sub_end:
     case FlowWord::sub_return:
@@ -226,15 +239,13 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
   return true;
 }
 
-// In this file, in that of the main program, or in a file of its own.
+// In the main program, or in a file of its own. Other subs of such a file are found by nobody.
 bool OwordStatements::locate(const std::string& name, CallRequest& request) {
-  for (const std::string& file : {reader_.file(), program_.files.front()}) {
-    const Outline& all = outline(file);
-    const int i = all.find_name(FlowWord::sub, name, -1);
-    if (i < 0) continue;
-    request.file = file;
-    request.begin = all.entry(i).at;
-    request.begin.position = all.entry(i).behind;
+  const Outline& main = outline(program_.files.front());
+  if (const int i = main.find_name(FlowWord::sub, name, -1); i >= 0) {
+    request.file = program_.files.front();
+    request.begin = main.entry(i).at;
+    request.begin.position = main.entry(i).behind;
     return true;
   }
   std::string lower = name;

@@ -16,6 +16,7 @@ class OwordStatements : public Statements {
   bool assignment(std::string_view line, std::size_t& p) override;
   bool starts_statement(std::string_view line, std::size_t p) override;
   bool take_block() override;
+  void end_of_main() override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
   bool call_sub(const std::string& name, CallRequest request, const Word& word) override;
 
@@ -51,6 +52,8 @@ class OwordStatements : public Statements {
   std::size_t end_of_line(std::size_t p) const;
 
   std::vector<Pending> pending_;
+  bool titled_ = false;  ///< the main program has begun with a bare O word
+  bool has_owords_ = false;
   bool arriving_ = false;  ///< at an elseif, because the conditions before it are false
   std::map<std::array<int, 3>, long> repeats_;  ///< passes left, by level, file and entry
 };

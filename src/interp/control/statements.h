@@ -31,6 +31,8 @@ class Statements : public ControlPart, public LanguageReader {
   void run();
   /// Before the words of a block are looked at. True: it is done with.
   virtual bool take_block() { return false; }
+  /// The main program's text ends without a word that says so.
+  virtual void end_of_main() {}
   /// After a block of words; `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }
   /// A call by number or name without arguments. False: reported.
