@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace mrsim {
 namespace {
@@ -25,6 +24,9 @@ constexpr std::size_t kMostFloors = 256;
 
 // Movers and stocks are mostly convex: outside of them there is room for larger balls than in cuts.
 constexpr double kOutside = 8;
+
+// Share of the threshold: balls for less overlap than this would be too large.
+constexpr double kLeastOverlap = 1.0 / 16;
 
 // Boxes smaller than this many thresholds are tried for two clear balls; larger ones would need
 // tools that are too large.
@@ -208,60 +210,77 @@ void CollisionDetector::drop_over_floors(const Box3& box, Level& level) {
 // outside of the stock by R - threshold: distances are 1-Lipschitz. Two of them on both sides of a
 // surface cover a box on it, because they are far larger than the box.
 void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& level) {
-  const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
-  const StockSolid& solid = scene_.part.solid();
+  const SweepTable& sweeps = scene_.part.sweeps();
   clear_.clear();
-  if (stock > -ball.radius) {
-    const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
-    const double far = kOutside * depth;
-    add_clear(out, far, solid.distance(ball.center + far * out) + scene_.threshold, -1);
-  }
-  add_clear_cuts(ball, level, depth);
-  std::size_t kept = 0;
+  add_clear_stock(ball, stock);
+  const std::size_t common = clear_.size();
+  near_cuts_.clear();
+  std::size_t kept = 0, cut = 0;
   for (std::size_t m = 0; m < level.movers.size(); ++m) {
     const std::uint32_t mover = level.movers[m];
-    if (only_touches(ball, mover, scene_.movers.motions[mover], depth)) continue;
+    const std::int32_t time = scene_.movers.motions[mover];
+    for (; cut < level.cuts.size() && sweeps.motion(level.cuts[cut]) <= time; ++cut)
+      add_near({level.cut_distance[cut], level.cuts[cut]});
+    // Where the mover grazes what the cut left, the clear sides overlap by less than the threshold.
+    double overlap = scene_.threshold;
+    if (!near_cuts_.empty())
+      overlap = std::clamp(overlap + level.mover_distance[m] - near_cuts_.front().distance,
+                           kLeastOverlap * scene_.threshold, scene_.threshold);
+    const double depth = 0.75 * ball.radius * ball.radius / overlap + ball.radius;
+    for (NearCut& near : near_cuts_) {
+      if (!near.is_known) find_clear(ball, depth, near);
+      clear_.push_back(near.clear);
+    }
+    const bool touches = only_touches(ball, mover, depth);
+    clear_.resize(common);
+    if (touches) continue;
     level.mover_distance[kept] = level.mover_distance[m];
     level.movers[kept++] = mover;
   }
   level.movers.resize(kept);
 }
 
-void CollisionDetector::add_clear_cuts(const Ball& ball, const Level& level, double depth) {
+void CollisionDetector::add_clear_stock(const Ball& ball, double stock) {
+  if (stock <= -ball.radius) return;
+  const StockSolid& solid = scene_.part.solid();
+  const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
+  const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
+  const Vec3 offset = kOutside * depth * out;
+  clear_.push_back(clear_ball(offset, solid.distance(ball.center + offset) + scene_.threshold));
+}
+
+// The nearest come first, of equal ones the earlier.
+void CollisionDetector::add_near(const NearCut& cut) {
+  const auto at =
+      std::partition_point(near_cuts_.begin(), near_cuts_.end(),
+                           [&](const NearCut& other) { return other.distance <= cut.distance; });
+  near_cuts_.insert(at, cut);
+  if (near_cuts_.size() > kMostClear) near_cuts_.pop_back();
+}
+
+void CollisionDetector::find_clear(const Ball& ball, double depth, NearCut& near) const {
   const SweepTable& sweeps = scene_.part.sweeps();
-  order_.resize(level.cuts.size());
-  std::iota(order_.begin(), order_.end(), std::size_t(0));
-  const std::size_t count = std::min(order_.size(), kMostClear);
-  std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count),
-                    order_.end(), [&](std::size_t a, std::size_t b) {
-                      const auto& d = level.cut_distance;
-                      return d[a] != d[b] ? d[a] < d[b] : a < b;
-                    });
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::uint32_t cut = level.cuts[order_[n]];
-    const Vec3 in = -sweeps.gradient(cut, ball.center, sweeps.sample(cut, ball.center).patch);
-    // No deeper than the tool at rest: beyond the middle of a slot or bore balls are small again.
-    const double middle = sweeps.ball_radius(cut) + level.cut_distance[order_[n]];
-    const double far = std::min(depth, std::max(0.0, middle));
-    const double there = -sweeps.distance(cut, ball.center + far * in);
-    add_clear(in, far, there + scene_.threshold, sweeps.motion(cut));
-  }
+  const Vec3 in =
+      -sweeps.gradient(near.cut, ball.center, sweeps.sample(near.cut, ball.center).patch);
+  // No deeper than the tool at rest: beyond the middle of a slot or bore balls are small again.
+  const double middle = sweeps.ball_radius(near.cut) + near.distance;
+  const Vec3 offset = std::min(depth, std::max(0.0, middle)) * in;
+  near.clear =
+      clear_ball(offset, scene_.threshold - sweeps.distance(near.cut, ball.center + offset));
+  near.is_known = true;
 }
 
-void CollisionDetector::add_clear(const Vec3& gradient, double depth, double radius,
-                                  std::int32_t from) {
-  const Vec3 offset = depth * gradient;
-  radius -= slack_;
-  if (radius > 0) clear_.push_back({offset, dot(offset, offset) - radius * radius, from});
+CollisionDetector::ClearBall CollisionDetector::clear_ball(const Vec3& offset,
+                                                           double radius) const {
+  radius = std::max(0.0, radius - slack_);
+  return {offset, dot(offset, offset) - radius * radius};
 }
 
-bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, std::int32_t time,
-                                     double depth) {
+bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, double depth) {
   const SweepTable& sweeps = scene_.movers.sweeps;
   const Vec3 out = sweeps.gradient(mover, ball.center, sweeps.sample(mover, ball.center).patch);
-  const std::size_t others = clear_.size();
   for (const double far : {kOutside * depth, depth})
-    add_clear(out, far, sweeps.distance(mover, ball.center + far * out), time);
+    clear_.push_back(clear_ball(far * out, sweeps.distance(mover, ball.center + far * out)));
   // For a point v outside of ball a, |v|^2 - 2 v.offset + excess >= 0, and for b: weighted so that
   // opposite offsets cancel, the sum is at most this within the box.
   const auto covered = [&ball](const ClearBall& a, const ClearBall& b) {
@@ -270,12 +289,10 @@ bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, std:
                wb * b.excess <
            0;
   };
-  bool found = false;
-  for (std::size_t a = 0; a < clear_.size() && !found; ++a)
-    for (std::size_t b = a + 1; b < clear_.size() && !found; ++b)
-      found = clear_[a].from <= time && clear_[b].from <= time && covered(clear_[a], clear_[b]);
-  clear_.resize(others);
-  return found;
+  for (std::size_t a = 0; a < clear_.size(); ++a)
+    for (std::size_t b = a + 1; b < clear_.size(); ++b)
+      if (covered(clear_[a], clear_[b])) return true;
+  return false;
 }
 
 }  // namespace mrsim

@@ -55,8 +55,14 @@ class CollisionDetector {
   // A ball in which nothing collides, seen from a box's centre.
   struct ClearBall {
     Vec3 offset;        // to its centre
-    double excess;      // |offset|^2 - radius^2
-    std::int32_t from;  // first motion for which it is clear
+    double excess = 0;  // |offset|^2 - radius^2
+  };
+  // A cut near a box's centre, with its clear ball once that is asked for.
+  struct NearCut {
+    double distance = 0;
+    std::uint32_t cut = 0;
+    bool is_known = false;
+    ClearBall clear;
   };
 
   void visit(const Box3& box, std::size_t depth, std::span<const std::uint32_t> cuts,
@@ -68,16 +74,18 @@ class CollisionDetector {
   double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
   void drop_over_floors(const Box3& box, Level& level);
   void drop_touching(const Ball& ball, double stock, Level& level);
-  void add_clear_cuts(const Ball& ball, const Level& level, double depth);
-  void add_clear(const Vec3& gradient, double depth, double radius, std::int32_t from);
-  bool only_touches(const Ball& ball, std::uint32_t mover, std::int32_t time, double depth);
+  void add_clear_stock(const Ball& ball, double stock);
+  void add_near(const NearCut& cut);
+  void find_clear(const Ball& ball, double depth, NearCut& near) const;
+  ClearBall clear_ball(const Vec3& offset, double radius) const;
+  bool only_touches(const Ball& ball, std::uint32_t mover, double depth);
 
   const CollisionScene& scene_;
   double slack_;  // mm: rounding of a difference of two distances
   std::array<Level, 64> levels_;
-  std::vector<ClearBall> clear_;
+  std::vector<ClearBall> clear_;    // of all movers at their time
+  std::vector<NearCut> near_cuts_;  // the nearest first
   std::vector<CollisionHit> hits_;
-  std::vector<std::size_t> order_;
   std::vector<char> done_;  // by place in the list of the whole box
   std::span<const std::uint32_t> all_cuts_, all_movers_;
 };
