@@ -164,5 +164,17 @@ TEST(Cycles, SinumerikTappingAndBoring) {
             "r0,0,5 r0,0,2 l0,0,-10 r-1,0,-9 r-1,0,5 r0,0,5");
 }
 
+// LinuxCNC feeds up to where the cycle ends; G85 feeds to R and leaves with a rapid.
+TEST(Cycles, TapsOfLinuxCncFeedUpToTheEnd) {
+  const auto path = [](const std::string& text) {
+    return path_text(
+        read_text("G0 X0 Y0 Z5\nS500 M3 F625\n" + text + "M2\n", at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(path("G98 G84 Z-5 R1\n"), "r0,0,5 r0,0,1 l0,0,-5 l0,0,5");
+  EXPECT_EQ(path("G99 G84 Z-5 R1\n"), "r0,0,5 r0,0,1 l0,0,-5 l0,0,1");
+  EXPECT_EQ(path("G98 G85 Z-5 R1\n"), "r0,0,5 r0,0,1 l0,0,-5 l0,0,1 r0,0,5");
+  EXPECT_EQ(path("G18 G84 Y-5 R1\n"), "r0,0,5 | not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -115,7 +115,15 @@ bool DrillWords::drill() {
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
     return error("not-supported",
-                 fmt::format("G{} (back boring) is not supported yet", cycle.number), where);
+                 fmt::format("G{} ({}) is not supported yet", cycle.number,
+                             cycle.number == 87 ? "back boring" : "boring with a way out by hand"),
+                 where);
+  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != 0)
+    return error("not-supported",
+                 fmt::format("G{} outside of G17: LinuxCNC exchanges its axes, and does not tap "
+                             "where the hole is",
+                             cycle.number),
+                 where);
   if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
     return error("cycle-compensation", "a canned cycle under radius compensation", where);
   if (!cycle.begun) cycle.initial = holes_.level();
@@ -195,6 +203,7 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
   const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
+  hole.feed_to_end = (g == 74 || g == 84) && is(Dialect::ngc);
   if (g == 74 || g == 84) hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
   if (g == 76)
     note_once("cycle-shift", "G76: the shift by Q at the bottom is not run, its side is not known",

@@ -66,7 +66,8 @@ void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& whe
     to.named = 7;
     moves_.step(to, where, kRapid);
   }
-  if (hole.feed_out) to_level(hole.safe, kLine, hole.lead, hole.feed_back);
+  if (hole.feed_out)
+    to_level(hole.feed_to_end ? hole.end : hole.safe, kLine, hole.lead, hole.feed_back);
   to_level(hole.end, kRapid, 0, 0);
   if (length(hole.lift) > 0) {
     const Basis b = basis();

@@ -24,6 +24,7 @@ struct Hole {
   bool chips_out = true;        ///< a stroke ends at `safe`; else its chip is broken
   double clearance = kPeckClearance;
   bool feed_out = false;           ///< back to `safe` with the feed
+  bool feed_to_end = false;        ///< ... and on to `end`
   double lead = 0;                 ///< of a tap, mm per revolution
   double feed = 0, feed_back = 0;  ///< 0 = that of the program
   Vec3 lift;                       ///< before the way out, the edge leaves the wall

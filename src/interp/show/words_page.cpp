@@ -77,8 +77,9 @@ std::string g_words(Dialect dialect, MachineKind machine) {
     std::string word = fmt::format("G{:g}", number / 10.0);
     const std::string_view what = r == Reading::refused ? unsupported_code(dialect, number) : "";
     if (!what.empty()) word += fmt::format(" ({})", what);
-    // G87 is in the range of the drilling cycles, and its tool bores upwards.
-    const bool back = entry.code == Code::drill_cycle && number == 870;
+    // In the range of the drilling cycles G87 bores upwards, and LinuxCNC's G88 waits for a hand.
+    const bool back = entry.code == Code::drill_cycle &&
+                      (number == 870 || (number == 880 && dialect == Dialect::ngc));
     lists[static_cast<std::size_t>(back ? Reading::refused : r)].add(word);
   }
   return titled(lists);
