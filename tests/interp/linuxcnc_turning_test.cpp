@@ -127,7 +127,7 @@ TEST(LinuxCncTurning, WhatCanNotBeCutIsRefused) {
   const std::string sub = "O1 sub\nG1 X8\nZ-10\nX14\nO1 endsub\n";
   EXPECT_EQ(refused("G18\n" + sub + "G71.1 X20 Z2"), "value-missing");
   EXPECT_EQ(refused("G18\n" + sub + "G71 Q2 X20 Z2"), "subprogram-missing");
-  EXPECT_EQ(refused("G17\n" + sub + "G71 Q1 X20 Z2"), "plane");
+  EXPECT_EQ(refused("G17\n" + sub + "G71 Q1 X20 Z2"), "cycle-plane");
   EXPECT_EQ(refused("G18\n" + sub + "G42\nG71 Q1 X20 Z2\nG40"), "cycle-compensation");
   EXPECT_EQ(refused("G18\n" + sub + "G71 Q1 X20 Z2 I0"), "value-range");
   EXPECT_EQ(refused("G18\n" + sub + "G71 Q1 X20 Z2 U1"), "not-supported");

@@ -32,7 +32,7 @@ bool LinuxCncTurning::run() {
                  q ? *q : where_);
   contour_ = static_cast<long>(q->value);
   if (modal_.plane != 1)
-    return error("plane", name + " needs the plane X Z: G18 before it", where_);
+    return error("cycle-plane", name + " needs the plane X Z: G18 before it", where_);
   if (modal_.comp != Code::comp_off && number_ != 70)
     return error("cycle-compensation", name + " under radius compensation: G40 before it", where_);
   if (!own_words() || !go_to_start()) return false;

@@ -52,6 +52,7 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
                      ? "two frame words in one block (alarm 12070)"
                      : "two words of one G group in one block (alarm 12060)",
                  word);
+  if (is(Dialect::ngc)) return error("group-twice", "two words of one G group in one block", word);
   warning("group-twice", "two words of one G group in one block: the last one counts", word);
   return true;
 }
@@ -140,6 +141,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::cycle_off:
     case Code::motion_off:
       modal_.drill.number = 0;
+      block_.ends_cycle = &word;
       if (entry.code == Code::motion_off && !block_.motion_code) modal_.motion = entry.code;
       return true;
     case Code::return_initial:

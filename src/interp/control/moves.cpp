@@ -12,6 +12,9 @@ namespace mrsim {
 bool Moves::run() {
   if (block_.suppress_frames) return machine_move();
   if (current_motion() == Code::probe) return probe();
+  if (is(Dialect::ngc) && block_.ends_cycle && !block_.motion_code)
+    return error("motion-missing", "axis words beside G80, which ends the motion in force",
+                 *block_.ends_cycle);
   if (current_motion() == Code::motion_off)
     return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
                  block_.words.front());

@@ -73,10 +73,32 @@ Vec3 OffsetWords::shift_to_here(const Vec3& old, const std::string& name) {
   const auto angle = control_.work_turns.find(name);
   const Frame turned = rotation_frame(2, angle == control_.work_turns.end() ? 0 : angle->second);
   const Vec3 inner = frames_.position_shift + frames_.local;
+  meet_unknown(compose(compose(shift_frame(old), turned), shift_frame(inner)));
   Vec3 at = turn_inverse(turned, position_.physical - old) - inner;
   for (int i = 0; i < 3; ++i)
     if (const Word* word = take("XYZ"[i])) component(at, i) = axis_value(i, *word, false);
   return position_.physical - turn(turned, at + inner);
+}
+
+// An axis whose place is unknown, as behind a probe, has the coordinate in the offset as it is.
+void OffsetWords::meet_unknown(const Frame& frame) {
+  Vec3 at = apply_inverse(frame, position_.physical);
+  unsigned met = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = position_.known >> i & 1U ? nullptr : peek("XYZ"[i]);
+    if (!word) continue;
+    component(at, i) = axis_value(i, *word, false);
+    met |= 1U << i;
+    note_once("touch-off",
+              fmt::format("the place of {} is unknown here: it is taken to be where this offset "
+                          "says, which stays as it was",
+                          "XYZ"[i]),
+              *word, fmt::format("touch-off {}", i));
+  }
+  if (met == 0) return;
+  position_.physical = apply(frame, at);
+  position_.programmed = apply_inverse(frames_.total, position_.physical);
+  position_.known |= met;
 }
 
 // L12 and L13: radius and its wear. Lengths (L10, L11) are taken to be those of the real tools: the

@@ -17,7 +17,8 @@ constexpr std::size_t kMostArguments = 30;
 }  // namespace
 
 OwordStatements::OwordStatements(Control& control, BlockReader& reader)
-    : Statements(control, reader, linuxcnc_rules(), VariableForm::linuxcnc, OutlineForm::owords) {}
+    : Statements(control, reader, linuxcnc_rules(), VariableForm::linuxcnc, OutlineForm::owords),
+      saved_modes_(control) {}
 
 bool OwordStatements::starts_statement(std::string_view line, std::size_t p) {
   std::string name;
@@ -298,6 +299,7 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
   };
   request.on_end = [this, behind = request.on_end] {
     variables_.leave_level();
+    saved_modes_.leave(reader_.depth());
     if (behind) behind();
   };
   return reader_.enter(std::move(request), word);
@@ -312,11 +314,18 @@ bool OwordStatements::call_program(const SubprogramName& name, long repeats, con
     return error("subprogram-missing",
                  fmt::format("O{} is defined with sub: call it with \"O{} call\"", number, number),
                  word);
-  if (i < 0) return reader_.call(name, repeats, word);
   CallRequest request;
-  request.file = program_.files.front();
-  request.begin = all.entry(i).at;
+  if (i >= 0) {
+    request.file = program_.files.front();
+    request.begin = all.entry(i).at;
+  } else if (const auto place = reader_.locate(name, word)) {
+    request.file = place->file;
+    request.begin = {place->offset, place->line, 0};
+  } else {
+    return false;
+  }
   request.repeats = repeats;
+  request.on_end = [this] { saved_modes_.leave(reader_.depth()); };
   return reader_.enter(std::move(request), word);
 }
 

@@ -2,6 +2,7 @@
 // assignments, which hold from the next block on. Private to src/interp.
 #pragma once
 
+#include "interp/control/saved_modes.h"
 #include "interp/control/statements.h"
 
 #include <array>
@@ -17,6 +18,9 @@ class OwordStatements : public Statements {
   bool starts_statement(std::string_view line, std::size_t p) override;
   bool take_block() override;
   void end_of_main() override;
+  bool saved_modes(int m, const Word& word) override {
+    return saved_modes_.run(m, reader_.depth(), word);
+  }
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
   bool call_sub(const std::string& name, CallRequest request, const Word& word) override;
 
@@ -51,6 +55,7 @@ class OwordStatements : public Statements {
   bool values(std::size_t p, std::vector<double>& out);
   std::size_t end_of_line(std::size_t p) const;
 
+  SavedModes saved_modes_;
   std::vector<Pending> pending_;
   bool titled_ = false;  ///< the main program has begun with a bare O word
   bool has_owords_ = false;

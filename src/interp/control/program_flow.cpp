@@ -101,9 +101,8 @@ bool ProgramFlow::m_word(const Word& word) {
     block_.return_after = true;
     block_.loops = true;
   }
-  if (m >= 70 && m <= 73 && is(Dialect::ngc))
-    return error("not-supported",
-                 fmt::format("M{} (saving or restoring modes) is not supported yet", m), word);
+  if (m >= 70 && m <= 73 && is(Dialect::ngc)) return statements_->saved_modes(m, word);
+  if (is(Dialect::ngc) && linuxcnc_signal(m)) return true;
   if (m == 61 && is(Dialect::ngc)) {
     block_.set_tool = take('Q');
     block_.tool_change = true;
@@ -116,6 +115,15 @@ bool ProgramFlow::m_word(const Word& word) {
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,
               fmt::format("M{}", m));
   return true;
+}
+
+// Inputs, outputs, overrides, the spindle's orientation, and M100 to M199, which are programs of
+// the machine's owner: their words are their own. False: another word.
+bool ProgramFlow::linuxcnc_signal(int m) {
+  const bool quiet = m == 19 || (m >= 48 && m <= 53) || (m >= 62 && m <= 68);
+  if (!quiet && (m < 100 || m > 199)) return false;
+  for (const char c : {'E', 'L', 'P', 'Q', 'R'}) take(c);
+  return quiet;
 }
 
 // M25 of Centroid, which its posts write beside G49 at the start: Z goes to its reference point.

@@ -226,6 +226,10 @@ Outline& Statements::outline(const std::string& file) {
   return *found;
 }
 
+bool Statements::saved_modes(int m, const Word& word) {
+  return error("not-supported", fmt::format("M{} is not a word of this control", m), word);
+}
+
 bool Statements::call_sub(const std::string& name, CallRequest, const Word& word) {
   return error("subprogram-missing", "there is no subprogram " + name, word);
 }

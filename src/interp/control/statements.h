@@ -31,6 +31,8 @@ class Statements : public ControlPart, public LanguageReader {
   void run();
   /// Before the words of a block are looked at. True: it is done with.
   virtual bool take_block() { return false; }
+  /// M70 to M73: modes that are saved and restored. False: reported.
+  virtual bool saved_modes(int m, const Word& word);
   /// The main program's text ends without a word that says so.
   virtual void end_of_main() {}
   /// After a block of words; `moved`: it had a motion.

@@ -176,6 +176,11 @@ bool SystemValues::read_linuxcnc(int number, double& out) const {
   return true;
 }
 
+// Where a probe touched and whether it did; what M66 has read.
+bool SystemValues::from_outside(int number) const {
+  return is(Dialect::ngc) && ((number >= 5061 && number <= 5070) || number == 5399);
+}
+
 bool SystemValues::read(double number, Value& out, std::string& why) {
   const int n = number < 1e6 ? static_cast<int>(number) : 0;
   double value = 0;
@@ -188,6 +193,13 @@ bool SystemValues::read(double number, Value& out, std::string& why) {
   if (is(Dialect::ngc) ? read_linuxcnc(n, value) : read_fanuc(n, value)) {
     out = Value::of(value);
     return true;
+  }
+  if (from_outside(n)) {
+    const auto given = outside_.find(n);
+    out = Value::of(given == outside_.end() ? 0 : given->second);
+    why = fmt::format("what a probe or an input said (#{0}) is not known here: say --set '#{0}=1'",
+                      n);
+    return given != outside_.end();
   }
   why = fmt::format("the system variable #{:.0f} is not answered here", number);
   return false;
@@ -206,6 +218,10 @@ bool SystemValues::write(double number, const Value& value, std::string& why) {
     Vec3 shift = work_shift(name);
     component(shift, axis) = value.number * scale();
     set_work(name, shift);
+    return true;
+  }
+  if (number < 6000 && value.is_number() && from_outside(static_cast<int>(number))) {
+    outside_[static_cast<int>(number)] = value.number;
     return true;
   }
   why = fmt::format("the system variable #{:.0f} cannot be set here", number);

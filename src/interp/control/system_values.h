@@ -6,6 +6,7 @@
 #include "interp/control/control.h"
 #include "interp/language/variables.h"
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   double tool_radius() const;
   double work_number() const;
   bool work_cell(int number, std::string& name, int& axis) const;
+  bool from_outside(int number) const;
   Vec3 work_shift(const std::string& name) const;
   double work_turn(const std::string& name) const;  ///< about Z, degrees
   void set_work(const std::string& name, const Vec3& shift);
@@ -61,6 +63,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   double returned_ = 0;
   bool has_returned_ = false;
   std::size_t call_level_ = 0;
+  std::map<int, double> outside_;  ///< given with --set
 };
 
 }  // namespace mrsim

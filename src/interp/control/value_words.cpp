@@ -40,6 +40,16 @@ bool ValueWords::rotary_axes() {
                    fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
     note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
   }
+  if (!is(Dialect::ngc)) return true;
+  for (const char c : {'U', 'V', 'W'}) {
+    const Word* word = take(c);
+    if (!word) continue;
+    if (word->value != 0)
+      return error("not-supported",
+                   fmt::format("{} is an auxiliary axis, which is not supported yet", c), *word);
+    note_once("auxiliary-axis", fmt::format("auxiliary axis {} stays at 0", c), *word,
+              std::string(1, c));
+  }
   return true;
 }
 
@@ -98,6 +108,7 @@ bool ValueWords::speed() {
   if (const Word* word = take(Address::lims)) {
     if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
   }
+  if (is(Dialect::ngc)) take('$');  // which spindle
   const Word* word = take('S');
   if (!word) return true;
   if (word->value < 0) return error("speed-range", "S must not be negative", *word);
