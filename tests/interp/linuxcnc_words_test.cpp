@@ -81,6 +81,50 @@ TEST(LinuxCncWords, TwoWordsOfOneGroupAreRefused) {
   EXPECT_EQ(path_of_words("G0 G17 G21 G40 G49 G80 G90 G94 G54\nG1 X1 F1\nM2\n"), "l1,0,0");
 }
 
+// G4 is of another group than G1: the block dwells, and moves.
+TEST(LinuxCncWords, ADwellBesideAMoveMoves) {
+  const Program p = run_words("G1 F50 X3 G4 P0.1\nG4 P1\nX4\nM2\n");
+  EXPECT_EQ(path_text(p), "l3,0,0 l4,0,0");
+  EXPECT_EQ(p.motions[0].feed, 50);
+  EXPECT_EQ(path_of_words("G1 F50 X3\nG4 X2\nM2\n"), "l3,0,0 | value-missing");
+}
+
+// Twelve holes of the manual: four to the right, three up, three to the left, two down.
+TEST(LinuxCncWords, HolesInASquareOfTheManual) {
+  const Program p = run_words(
+      "N1000 G90 G0 X0 Y0 Z0\nN1010 G1 F50 X0 G4 P0.1\nN1020 G91 G81 X1 Y0 Z-0.5 R1 L4\n"
+      "N1030 X0 Y1 R0 L3\nN1040 X-1 Y0 L3\nN1050 X0 Y-1 L2\nN1060 G80\nN1070 G90 G0 X0\n"
+      "N1080 Y0\nN1090 Z0\nN1100 M2\n");
+  EXPECT_EQ(codes(p), "");
+  std::string holes;
+  for (const Motion& m : p.motions)
+    if (m.kind == MotionKind::line) holes += fmt::format("{:g},{:g} ", m.end.x, m.end.y);
+  EXPECT_EQ(holes, "1,0 2,0 3,0 4,0 4,1 4,2 4,3 3,3 2,3 1,3 1,2 1,1 ");
+  expect_near(p.motions.back().end, {0, 0, 0});
+}
+
+TEST(LinuxCncWords, AnotherCycleNeedsItsOwnDepthStrokeAndDwell) {
+  const std::string first = "F50 S100 M3\nG0 Z5\nG99 G83 X1 Z-2 R1 Q3\n";
+  const std::string drilled = "r0,0,5 r1,0,5 r1,0,1 l1,0,-2 r1,0,1";
+  EXPECT_EQ(path_of_words(first + "X2\nM2\n"), drilled + " r2,0,1 l2,0,-2 r2,0,1");
+  EXPECT_EQ(path_of_words(first + "G81 X2\nM2\n"), drilled + " | value-missing");
+  EXPECT_EQ(path_of_words(first + "G73 X2 Z-2\nM2\n"), drilled + " | value-missing");
+  EXPECT_EQ(path_of_words(first + "G82 X2 Z-2\nM2\n"), drilled + " | value-missing");
+  EXPECT_EQ(path_of_words(first + "G82 X2 Z-2 P1\nX3\nM2\n"),
+            drilled + " r2,0,1 l2,0,-2 r2,0,1 r3,0,1 l3,0,-2 r3,0,1");
+}
+
+// "When G7 is in force the values for I, J and K are diameter measurements."
+TEST(LinuxCncWords, G76TakesIJKAsDiametersInG7) {
+  const auto thread = [](const char* words) {
+    return path_text(read_text(std::string("G18 S400 M3\n") + words + "\nM2\n",
+                               at_origin(Dialect::ngc, MachineKind::lathe)));
+  };
+  const std::string radii = thread("G8\nG0 X20 Z5\nG76 P2 Z-30 I-5 J1 K2 E3 L2");
+  EXPECT_EQ(radii.substr(0, 54), "r20,0,5 r21,0,5 r14,0,5 l14,0,-27 l16,0,-30 r21,0,-30 ");
+  EXPECT_EQ(thread("G7\nG0 X40 Z5\nG76 P2 Z-30 I-10 J2 K4 E3 L2"), radii);
+}
+
 TEST(LinuxCncWords, AxesBesideG80AreRefused) {
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 X2\nM2\n"), "l1,0,0 | motion-missing");
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 G0 X2\nG80 G92 X0\nG1 X1\nM2\n"), "l1,0,0 r2,0,0 l3,0,0");

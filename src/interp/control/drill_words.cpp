@@ -66,7 +66,10 @@ bool DrillWords::read_words(const Basis& b) {
     const Word* relative = take("UVW"[i]);
     if (relative) cycle.bottom = {axis_value(i, *relative, true), true, true};
   }
-  take('P');
+  cycle.dwells = take('P') || cycle.dwells;
+  const int g = cycle.number;
+  if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
+    return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
   const Word* q = take('Q');
   return !q || peck(*q);
 }

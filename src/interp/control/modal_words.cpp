@@ -81,6 +81,9 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
                              text_of(word)),
                  word);
   switch (entry.code) {
+    case Code::dwell:
+      if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
+      return take('P') || error("value-missing", "G4 needs P, its seconds", word);
     case Code::unknown:
       return error("g-unknown",
                    fmt::format("G{:g} is not known to this control{}", word.value,
@@ -241,11 +244,15 @@ bool ModalWords::high_speed(const Word& word) {
   return true;
 }
 
-// A cycle behind another keeps its values, and the level before the first of them.
+// A cycle behind another keeps its values (LinuxCNC: R), and the level before the first of them.
 void ModalWords::select_cycle(int number) {
   modal_.turn.number = 0;
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
+  if (is(Dialect::ngc) && cycle.number != number) {  // only R is kept for another cycle
+    cycle.bottom.given = cycle.dwells = false;
+    cycle.peck = 0;
+  }
   cycle.number = number;
   cycle.first = 0;
   // FANUC lathes drill along Z, or along X from the side, whatever the plane.

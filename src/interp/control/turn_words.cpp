@@ -251,8 +251,8 @@ void TurnWords::thread_passes(const Thread& t, const Vec3& from, const Vec3& end
 }
 
 // G76 P Z I J K R Q H E L of LinuxCNC: I from the drive line to the crest (below 0: outside), J the
-// first depth, K the full one, R degression, Q the angle of the slide, H spring passes, E and L the
-// tapers at the ends.
+// first depth, K the full one (the three as diameters in G7), R degression, Q the angle of the
+// slide, H spring passes, E and L the tapers at the ends.
 bool TurnWords::drive_line(DriveLine& out, double& springs) {
   for (const char c : {'P', 'Z', 'I', 'J', 'K'})
     if (!peek(c)) return error("value-missing", fmt::format("G76 needs {}", c), where());
@@ -260,10 +260,11 @@ bool TurnWords::drive_line(DriveLine& out, double& springs) {
     const Word* word = take(c);
     return word ? word->value : otherwise;
   };
+  const double across = modal_.diameter == Code::diameter_on ? scale() / 2 : scale();
   out.pitch = value('P', 0) * scale();
-  out.crest = value('I', 0) * scale();
-  out.first = value('J', 0) * scale();
-  out.full = value('K', 0) * scale();
+  out.crest = value('I', 0) * across;
+  out.first = value('J', 0) * across;
+  out.full = value('K', 0) * across;
   out.degression = value('R', 1);
   out.taper = value('E', 0) * scale();
   const double angle = value('Q', 0), ends = value('L', 0);
