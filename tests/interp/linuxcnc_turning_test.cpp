@@ -132,6 +132,8 @@ TEST(LinuxCncTurning, WhatCanNotBeCutIsRefused) {
   EXPECT_EQ(refused("G18\n" + sub + "G71 Q1 X20 Z2 I0"), "value-range");
   EXPECT_EQ(refused("G18\n" + sub + "G71 Q1 X20 Z2 U1"), "not-supported");
   EXPECT_EQ(refused("G18\n" + sub + "G70 Q1 X20 Z2 P0"), "value-range");
+  EXPECT_EQ(refused("G18\n" + sub + "G70 Q1 X20 Z2 M2"), "call-not-alone");
+  EXPECT_EQ(refused("G18\n" + sub + "G70 Q1 X20 Z2 M98 P1"), "call-not-alone");
   EXPECT_EQ(refused("G18\nO1 sub\nG1 X8\nZ-10\nX9 Z-5\nX14\nO1 endsub\nG71 Q1 X20 Z2"),
             "cycle-contour");
   EXPECT_EQ(refused("G18\nO1 sub\nG1 X8\nG33 Z-10 K1\nX14\nO1 endsub\nG71 Q1 X20 Z2"),

@@ -192,5 +192,14 @@ TEST(Turning, G76OfLinuxCnc) {
             "value-missing");
 }
 
+// The contour would be read behind the program's end.
+TEST(Turning, ACycleWithAContourDoesNotEndTheProgram) {
+  for (const char* end : {"M30", "M99"})
+    EXPECT_EQ(codes(read_text(fmt::format("G0 X20 Z2\nG70 P1 Q2 {}\nN1 X10\nN2 G1 Z-5 F1\n", end),
+                              at_origin(Dialect::fanuc, MachineKind::lathe)),
+                    Severity::error),
+              "call-not-alone");
+}
+
 }  // namespace
 }  // namespace mrsim

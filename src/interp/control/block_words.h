@@ -25,6 +25,8 @@ class BlockWords : public Block {
   }
   /// No word is found any more.
   void forget_words();
+  /// The program ends, returns or calls behind this block.
+  bool leaves() const { return stop_after || return_after || m98 || call_word; }
 
   /// The first word of an address, or null.
   const Word* find(Address a) const {

@@ -72,6 +72,7 @@ bool ContourCycles::run() {
   if (!first || !last)
     return error("value-missing", fmt::format("G{} needs P and Q, the blocks of its contour", g),
                  *block_.oneshot);
+  if (!goes_on(*block_.oneshot)) return false;
   if (!old_words(peek('D') || peek('I') || peek('K'))) return false;
   call_ = {};
   if (const Word* u = take('U')) call_.allowance.x = axis_value(0, *u, true);

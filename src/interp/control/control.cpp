@@ -59,6 +59,15 @@ bool is_thread(Code c) {
          c == Code::tap_floating;
 }
 
+bool ControlPart::goes_on(const Word& cycle) {
+  return !block_.leaves() ||
+         error("call-not-alone",
+               fmt::format("{} reads its contour behind this block, which calls or ends the "
+                           "program: write that in the next one",
+                           text_of(cycle)),
+               cycle);
+}
+
 bool ControlPart::error(const char* code, const std::string& text, const Word& word) {
   reporter_.add(Severity::error, code, text, word);
   return false;

@@ -119,6 +119,8 @@ class ControlPart {
   const Word* peek(char c) const { return block_.find(letter(c)); }
   std::string text_of(const Word& word) const { return block_.text_of(word); }
 
+  /// False, and reported: the block calls or ends the program, too, behind a cycle with a contour.
+  bool goes_on(const Word& cycle);
   /// Reports and returns false.
   bool error(const char* code, const std::string& text, const Word& word);
   void warning(const char* code, const std::string& text, const Word& word);

@@ -31,6 +31,7 @@ bool LinuxCncTurning::run() {
     return error("value-missing", name + " needs Q, the number of the subprogram of its contour",
                  q ? *q : where_);
   contour_ = static_cast<long>(q->value);
+  if (!goes_on(where_)) return false;
   if (modal_.plane != 1)
     return error("cycle-plane", name + " needs the plane X Z: G18 before it", where_);
   if (modal_.comp != Code::comp_off && number_ != 70)

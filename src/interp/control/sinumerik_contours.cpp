@@ -40,6 +40,7 @@ bool SinumerikContours::run(const CycleCall& call, const Word& where) {
   }
   if (modal_.comp != Code::comp_off)
     return error("cycle-compensation", "a cycle under radius compensation: G40 before it", where);
+  if (!goes_on(where)) return false;
   const std::string name = call.text(0).empty() ? named_ : call.text(0);
   request_ = {};
   if (!find_contour(name, request_)) return false;
