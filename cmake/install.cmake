@@ -22,8 +22,8 @@ install(FILES ${PROJECT_BINARY_DIR}/mrsimConfig.cmake ${PROJECT_BINARY_DIR}/mrsi
 file(RELATIVE_PATH mrsim_pc_up /p/${CMAKE_INSTALL_LIBDIR}/pkgconfig /p)
 configure_file(cmake/mrsim.pc.in ${PROJECT_BINARY_DIR}/mrsim.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/mrsim.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-install(FILES docs/mrsim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES scripts/completion.bash RENAME mrsim
+install(FILES ${PROJECT_BINARY_DIR}/share/mrsim.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/share/completion.bash RENAME mrsim
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(DIRECTORY docs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/mrsim)
 install(FILES README.md CHANGELOG.md LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -16,7 +16,7 @@ struct JobOption {
 
 struct JobFile {
   std::string program;
-  std::vector<JobOption> options;  ///< in the order of docs/job.md
+  std::vector<JobOption> options;  ///< in the order of mrsim --help
 };
 
 /// Reads a job; relative paths become relative to its folder, and may lead out of it (..) only

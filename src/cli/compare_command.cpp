@@ -4,6 +4,8 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/report.h"
+#include "cli/terminal.h"
+#include "cli/typed_options.h"
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/suggest.h"
@@ -16,13 +18,10 @@
 #include <filesystem>
 #include <functional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace mrsim::cli {
 namespace {
-
-constexpr const char* kUsageLine = "mrsim compare PART NOMINAL [options]";
 
 void check_deviation_name(const CompareRequest& request) {
   const std::string& colored = request.deviation;
@@ -108,54 +107,24 @@ const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "l
 
 }  // namespace
 
-void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use) {
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
-    app.add_option(name, value, text)->type_name(type)->group("Comparison");
-  };
-  const bool picture = use == CompareUse::picture;
-  if (use != CompareUse::command)
-    add("--nominal", typed.nominal, "N",
-        picture ? "colour by the deviation from this mesh or STEP file"
-                : "compare the part with this mesh or STEP file");
-  add("--accept", typed.accept, "T",
-      picture ? "tolerance of the part, T or LO,HI in mm: what is green; default: 0.02"
-              : "tolerance of the part, T or LO,HI in mm: gives the verdict and the exit code");
-  add("--align", typed.align, "A", "none, bbox or icp: move the part onto the nominal first");
-  add("--deflection", typed.deflection, "D",
-      "STEP: largest distance from the exact faces, mm; default: a twentieth of the tolerance");
-  add("--colors", typed.colors, "C", "standard, or safe for every kind of colour vision");
-  if (picture) return;
-  add("--density", typed.density, "N", "samples per mm2; default: 200 000 on each surface");
-  add("--report", typed.report, "FILE", "self-contained HTML page");
-  add("--json", typed.json, "FILE",
-      use == CompareUse::run
-          ? "what the run did, comparison included, as JSON; - for the standard output"
-          : "comparison as JSON, - for the standard output");
-  add("--junit", typed.junit, "FILE",
-      use == CompareUse::run ? "the same as JUnit XML" : "verdict and regions as JUnit XML");
-  add(use == CompareUse::run ? "--deviation" : "-o,--output", typed.deviation, "FILE",
-      "part coloured by deviation: .ply or .glb");
-}
-
-CompareRequest compare_request(const CompareTyped& typed) {
+CompareRequest compare_request(const TypedOptions& typed) {
   CompareRequest out;
-  out.nominal = typed.nominal;
-  if (!typed.accept.empty()) out.options.accept = parse_acceptance(typed.accept);
-  out.options.align = alignment_value(typed.align);
-  if (!typed.density.empty()) {
-    out.options.density = number_value("--density", typed.density);
-    if (!(out.options.density > 0))
-      fail_usage(fmt::format("--density {} must be above 0, in samples a mm2", typed.density));
-  }
-  if (!typed.deflection.empty()) out.deflection = positive_value("--deflection", typed.deflection);
-  if (!typed.colors.empty() && typed.colors != "standard" && typed.colors != "safe")
-    fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", typed.colors));
-  if (typed.colors == "safe") out.scheme = DeviationScheme::safe;
-  out.report = typed.report;
-  out.json = typed.json;
-  out.junit = typed.junit;
-  out.deviation = typed.deviation;
-  out.folders = typed.programs;
+  out.nominal = typed.text("--nominal");
+  if (typed.has("--accept")) out.options.accept = parse_acceptance(typed.text("--accept"));
+  out.options.align = alignment_value(typed.text("--align"));
+  typed.read("--density", out.options.density, number_value);
+  if (typed.has("--density") && !(out.options.density > 0))
+    fail_usage(
+        fmt::format("--density {} must be above 0, in samples a mm2", typed.text("--density")));
+  typed.read("--deflection", out.deflection, positive_value);
+  const std::string& colors = typed.text("--colors");
+  if (!colors.empty() && colors != "standard" && colors != "safe")
+    fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", colors));
+  if (colors == "safe") out.scheme = DeviationScheme::safe;
+  out.report = typed.text("--report");
+  out.json = typed.text("--json");
+  out.junit = typed.text("--junit");
+  out.deviation = typed.text("--deviation");
   return out;
 }
 
@@ -201,48 +170,25 @@ TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
 }
 
 int run_compare(int argc, const char* const* argv) {
-  CompareTyped typed;
-  std::vector<std::string> inputs;
-  std::string threads, max_memory;
-  bool help = false, quiet = false;
-  CLI::App app(
-      "Says where a part differs from its drawing, by how much, and which line is to blame.");
-  app.set_help_flag("");
-  app.allow_extras();
-  app.footer(
-      "\nExamples:\n  mrsim compare part.ply nominal.step --accept 0.02 --report r.html\n"
-      "  mrsim compare part.3mf nominal.stl --accept -0.02,0.05 --json - | jq .verdict\n\n"
-      "Exit: 0 in tolerance, or no --accept; 1 a bad file; 2 wrong usage; 4 out of tolerance.");
-  app.add_option("INPUT", inputs)->expected(0, -1)->group("");
-  add_compare_options(app, typed, CompareUse::command);
-  app.add_option("--path", typed.programs, "look for the programs here; may be repeated")
-      ->type_name("DIR")
-      ->group("Comparison")
-      ->allow_extra_args(false);
-  app.add_option("--threads", threads, "default: all cores; the result is the same for any number")
-      ->type_name("N");
-  app.add_option("--max-memory", max_memory, "refuse what would need more; default: what is free")
-      ->type_name("SIZE");
-  app.add_flag("-q,--quiet", quiet, "print errors only");
-  app.add_flag("-h,--help", help, "print this and exit");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    fail_usage(error.what());
-  }
-  if (help) {
-    fmt::print("Usage: {}\n{}", kUsageLine, app.help());
+  const CommandLine& line = command_line(kUseCompare);
+  const TypedOptions typed(line, argc, argv);
+  if (!typed.help().empty()) {
+    print(typed.help());
     return kDone;
   }
-  refuse_unknown(app);
-  if (inputs.size() != 2)
-    fail_usage(fmt::format("compare takes a part and a nominal; usage: {}", kUsageLine));
+  typed.refuse_unknown();
+  if (typed.inputs().size() != 2)
+    fail_usage(fmt::format("compare takes a part and a nominal; usage: {}", line.usage));
   CompareRequest request = compare_request(typed);
-  request.part = inputs[0];
-  request.nominal = inputs[1];
-  request.quiet = quiet;
-  if (!threads.empty()) request.options.threads = threads_value("--threads", threads);
-  set_memory_limit(max_memory.empty() ? 0 : size_value("--max-memory", max_memory));
+  request.part = typed.inputs()[0];
+  request.nominal = typed.inputs()[1];
+  request.deviation = typed.text("--output");
+  request.folders = typed.texts("--path");
+  request.quiet = typed.flag("--quiet");
+  typed.read("--threads", request.options.threads, threads_value);
+  std::size_t max_memory = 0;
+  typed.read("--max-memory", max_memory, size_value);
+  set_memory_limit(max_memory);
   check_places(request);
   const NamedNominal nominal = prepare_comparison(request);
   ReportFacts facts;

@@ -8,17 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace mrsim::cli {
 
-/// The options of a comparison as they are typed.
-struct CompareTyped {
-  std::string nominal, accept, align, density, deflection, report, json, junit, deviation, colors;
-  std::vector<std::string> programs;
-};
+class TypedOptions;
 
 /// What a comparison is asked for.
 struct CompareRequest {
@@ -31,12 +23,8 @@ struct CompareRequest {
   bool quiet = false;
 };
 
-/// Where a comparison is asked for: `mrsim compare`, a run's --nominal, a picture's --nominal.
-enum class CompareUse : std::uint8_t { command, run, picture };
-
-void add_compare_options(CLI::App& app, CompareTyped& typed, CompareUse use);
 /// Throws Error of kind usage.
-CompareRequest compare_request(const CompareTyped& typed);
+CompareRequest compare_request(const TypedOptions& typed);
 
 struct NamedNominal {
   TriMesh mesh;

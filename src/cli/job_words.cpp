@@ -1,5 +1,6 @@
 #include "cli/job_words.h"
 
+#include "core/option_table.h"
 #include <mrsim/job_file.h>
 
 #include <algorithm>
@@ -19,13 +20,12 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
   return false;
 }
 
-// What a job says of files and of a comparison, which pictures of its run do not ask.
+// Pictures of a run take its options, but for its files and the moments of its parts.
 bool is_for_pictures(const std::string& option) {
-  static constexpr std::array<std::string_view, 16> kOthers = {
-      "--output", "--frames",    "--until",   "--history",    "--strict", "--nominal",
-      "--accept", "--align",     "--density", "--deflection", "--report", "--json",
-      "--junit",  "--deviation", "--colors",  "--rest"};
-  return std::find(kOthers.begin(), kOthers.end(), option) == kOthers.end();
+  static constexpr std::array<std::string_view, 5> kOthers = {"--output", "--frames", "--until",
+                                                              "--history", "--rest"};
+  return find_option(option, kUseFilm) != nullptr &&
+         std::find(kOthers.begin(), kOthers.end(), option) == kOthers.end();
 }
 
 }  // namespace

@@ -1,21 +1,24 @@
 #include "cli/option_values.h"
 
+#include "core/error.h"
+#include "core/option_table.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace mrsim::cli {
 namespace {
 
 constexpr double kLargest = 1e6;  // mm
-constexpr int kMostThreads = 256;
+constexpr int kMostThreads = 256, kMostFrames = 256;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -28,16 +31,17 @@ std::vector<std::string> split(const std::string& text) {
   }
 }
 
-template <class T, std::size_t N>
-T choice(const char* option, const std::string& text, const std::array<std::string_view, N>& words,
-         const std::array<T, N>& values) {
-  std::string all;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (text == words[i]) return values[i];
-    all += (i > 0 ? ", " : "") + std::string(words[i]);
-  }
+// `values` in the order of the option's words.
+template <class T>
+T choice(const std::string& option, const std::string& text, std::initializer_list<T> values) {
+  const OptionRow* row = find_option(option);
+  MRSIM_ASSERT(row != nullptr);
+  const std::vector<std::string_view> words = option_words(*row);
+  MRSIM_ASSERT(words.size() == values.size());
+  const auto word = std::find(words.begin(), words.end(), text);
+  if (word != words.end()) return values.begin()[word - words.begin()];
   fail_usage(fmt::format("{} \"{}\" is unknown{} (known: {})", option, text,
-                         suggestion(text, words), all));
+                         suggestion(text, words), fmt::join(words, ", ")));
 }
 
 }  // namespace
@@ -78,6 +82,10 @@ int threads_value(const std::string& option, const std::string& text) {
   return whole_value(option, text, 1, kMostThreads);
 }
 
+int frames_value(const std::string& option, const std::string& text) {
+  return whole_value(option, text, 1, kMostFrames);
+}
+
 Vec3 point_value(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split(text);
   if (parts.size() != 3) fail_usage(fmt::format("{} \"{}\" must be X,Y,Z in mm", option, text));
@@ -110,27 +118,23 @@ bool on_off_value(const std::string& option, const std::string& text) {
   return text == "on";
 }
 
-Dialect dialect_value(const std::string& text) {
-  return choice<Dialect, 6>("--dialect", text,
-                            {"sinumerik", "iso", "fanuc", "codesys", "ngc", "auto"},
-                            {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys,
-                             Dialect::ngc, Dialect::automatic});
+Dialect dialect_value(const std::string& option, const std::string& text) {
+  return choice(option, text,
+                {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys, Dialect::ngc,
+                 Dialect::automatic});
 }
 
-MachineKind machine_value(const std::string& text) {
-  return choice<MachineKind, 3>("--machine", text, {"mill", "lathe", "auto"},
-                                {MachineKind::mill, MachineKind::lathe, MachineKind::automatic});
+MachineKind machine_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {MachineKind::mill, MachineKind::lathe, MachineKind::automatic});
 }
 
-CompRadius comp_value(const std::string& text) {
-  return choice<CompRadius, 4>(
-      "--comp", text, {"auto", "radius", "wear", "off"},
-      {CompRadius::automatic, CompRadius::radius, CompRadius::wear, CompRadius::off});
+CompRadius comp_value(const std::string& option, const std::string& text) {
+  return choice(option, text,
+                {CompRadius::automatic, CompRadius::radius, CompRadius::wear, CompRadius::off});
 }
 
-ColorBy color_value(const std::string& text) {
-  return choice<ColorBy, 3>("--color", text, {"line", "tool", "none"},
-                            {ColorBy::line, ColorBy::tool, ColorBy::none});
+ColorBy color_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {ColorBy::line, ColorBy::tool, ColorBy::none});
 }
 
 StockWrap wrap_value(const std::string& option, const std::string& text) {
@@ -144,30 +148,18 @@ StockWrap wrap_value(const std::string& option, const std::string& text) {
   return out;
 }
 
-UpAxis up_value(const std::string& text) {
-  return choice<UpAxis, 2>("--up", text, {"x", "z"}, {UpAxis::x, UpAxis::z});
+UpAxis up_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {UpAxis::x, UpAxis::z});
 }
 
-KeepPieces keep_value(const std::string& text) {
-  return choice<KeepPieces, 2>("--keep", text, {"all", "largest"},
-                               {KeepPieces::all, KeepPieces::largest});
+KeepPieces keep_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {KeepPieces::all, KeepPieces::largest});
 }
 
 unsigned skip_value(const std::string& option, const std::string& text) {
   unsigned bits = 0;
   for (const std::string& part : split(text)) bits |= 1u << whole_value(option, part, 0, 9);
   return bits;
-}
-
-void refuse_unknown(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  for (const std::string& word : app.remaining()) {
-    const std::string option = word.substr(0, word.find('='));
-    fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known)));
-  }
 }
 
 }  // namespace mrsim::cli

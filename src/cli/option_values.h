@@ -8,10 +8,6 @@
 #include <optional>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace mrsim::cli {
 
 /// Error "usage" of kind usage.
@@ -25,23 +21,22 @@ int whole_value(const std::string& option, const std::string& text, int low, int
 std::uint64_t count_value(const std::string& option, const std::string& text);
 /// 1 to 256.
 int threads_value(const std::string& option, const std::string& text);
+int frames_value(const std::string& option, const std::string& text);
 /// "X,Y,Z"
 Vec3 point_value(const std::string& option, const std::string& text);
 /// Bytes: "4G", "500M", "1048576"; units K M G T are powers of 1024.
 std::size_t size_value(const std::string& option, const std::string& text);
 bool on_off_value(const std::string& option, const std::string& text);
-Dialect dialect_value(const std::string& text);
-MachineKind machine_value(const std::string& text);
-CompRadius comp_value(const std::string& text);
-ColorBy color_value(const std::string& text);
+// One of the words that the table of options has for the option.
+Dialect dialect_value(const std::string& option, const std::string& text);
+MachineKind machine_value(const std::string& option, const std::string& text);
+CompRadius comp_value(const std::string& option, const std::string& text);
+ColorBy color_value(const std::string& option, const std::string& text);
 /// "wrap=W" or "wrap=W,G", mm
 StockWrap wrap_value(const std::string& option, const std::string& text);
-UpAxis up_value(const std::string& text);
-KeepPieces keep_value(const std::string& text);
+UpAxis up_value(const std::string& option, const std::string& text);
+KeepPieces keep_value(const std::string& option, const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.
 unsigned skip_value(const std::string& option, const std::string& text);
-
-/// Usage error for the first word that `app` did not take, with the option that it may have meant.
-void refuse_unknown(const CLI::App& app);
 
 }  // namespace mrsim::cli

@@ -5,6 +5,7 @@
 #include "cli/option_values.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "cli/typed_options.h"
 #include "core/units.h"
 #include <mrsim/mrsim.h>
 
@@ -12,25 +13,10 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace mrsim::cli {
 namespace {
-
-constexpr const char* kHelp =
-    "Lists the tools of a file, and draws them.\n\n"
-    "Usage: mrsim tools FILE [-o tools.svg|tools.png] [--json] [-q]\n\n"
-    "FILE is tools.toml, LinuxCNC .tbl, CAMotics .camotics or .json, Fusion .json or .tools,\n"
-    "FreeCAD .fctb or .fctl. What can not be read is named.\n\n"
-    "Output:\n"
-    "  -o, --output FILE       draw the tools: .svg or .png\n"
-    "  --json                  one JSON object a tool\n"
-    "  -q, --quiet             print errors only\n"
-    "  -h, --help              print this and exit\n\n"
-    "Examples:\n"
-    "  mrsim tools tools.toml\n"
-    "  mrsim tools library.tools -o library.svg\n";
 
 constexpr const char* kTypeNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
                                       "drill",   "tslot",    "lollipop", "barrel",   "form",
@@ -70,34 +56,23 @@ void list(const ToolTable& table, bool json) {
 }  // namespace
 
 int run_tools(int argc, const char* const* argv) {
-  CLI::App app;
-  std::vector<std::string> inputs, outputs;
-  bool json = false, quiet = false, help = false;
-  app.set_help_flag("");
-  app.allow_extras();
-  app.add_option("INPUT", inputs)->expected(0, -1);
-  app.add_option("-o,--output", outputs)->allow_extra_args(false);
-  app.add_flag("--json", json);
-  app.add_flag("-q,--quiet", quiet);
-  app.add_flag("-h,--help", help);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    fail_usage(error.what());
-  }
-  if (help) {
-    print(kHelp);
+  const TypedOptions typed(command_line(kUseTools), argc, argv);
+  if (!typed.help().empty()) {
+    print(typed.help());
     return kDone;
   }
-  refuse_unknown(app);
+  typed.refuse_unknown();
+  const std::vector<std::string>& inputs = typed.inputs();
   if (inputs.size() != 1 || inputs[0].empty())
     fail_usage("one file is needed; usage: mrsim tools FILE [-o tools.svg]");
+  const bool quiet = typed.flag("--quiet");
   std::vector<std::string> notes;
   const ToolTable table = load_tools(inputs[0], &notes);
   if (!quiet)
     for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", printable(note));
-  if (!quiet) list(table, json);
-  for (const std::string& output : outputs) write_tools_picture(table.tools, output);
+  if (!quiet) list(table, typed.flag("--json"));
+  for (const std::string& output : typed.texts("--output"))
+    write_tools_picture(table.tools, output);
   return finish_output(kDone);
 }
 

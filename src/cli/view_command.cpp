@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/terminal.h"
+#include "cli/typed_options.h"
 #include "core/scratch_file.h"
 #include "core/text_io.h"
 #include <mrsim/compare.h>
@@ -26,16 +27,6 @@
 
 namespace mrsim::cli {
 namespace {
-
-constexpr const char* kViewHelp =
-    "Writes the page that plays a run, or shows a part, to a temporary file and opens it.\n\n"
-    "Usage: mrsim view PROGRAM|job.toml|PART [options of a run] [--no-open]\n\n"
-    "  --no-open               print the file's name and open nothing\n"
-    "  --report FILE           of a run: write the page there instead\n\n"
-    "Examples:\n"
-    "  mrsim view PRIMER_2F.MPF --stock block.stl\n"
-    "  mrsim view job.toml\n"
-    "  mrsim view part.ply --no-open\n";
 
 bool is_part(const std::string& path) {
   static constexpr std::array<std::string_view, 9> kEndings = {
@@ -136,7 +127,8 @@ int run_view(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--help" || word == "-h") {
-      print(kViewHelp);
+      const char* const asked[] = {"view", "--help"};
+      print(TypedOptions(command_line(kUseView), 2, asked).help());
       return finish_output(kDone);
     }
     if (word == "--no-open")

@@ -1,5 +1,6 @@
 #include "setup/job_file.h"
 
+#include "core/option_table.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
 
@@ -19,81 +20,17 @@ namespace {
 constexpr std::size_t kFileLimit = std::size_t(1) << 20;
 constexpr double kLargest = 1e6;
 
-enum class Value : std::uint8_t {
-  text,    // as it is
-  texts,   // one or a list
-  choice,  // one of a few words
-  path,    // relative to the file
-  path_or_off,
-  paths,    // one or a list
-  stock,    // a path, or a primitive such as "box:..."
-  number,   // above 0
-  whole,    // 1 or more
-  numbers,  // one number, or a list typed with commas
-  flag,     // the option is there or not
-  on_off,   // a switch that is typed as on or off
-};
+using Value = OptionValue;
 
-struct JobKey {
-  std::string_view name, option;
-  Value value;
-  std::string_view words = {};  // of a choice, apart by spaces
-};
-
-// The option's own check follows when the command line is read; here stands what can be told with
-// line and column.
-constexpr std::array kKeys = {
-    JobKey{"program", "", Value::path},
-    JobKey{"stock", "--stock", Value::stock},
-    JobKey{"stock_exact", "--stock-exact", Value::on_off},
-    JobKey{"stock_repair", "--stock-repair", Value::text},
-    JobKey{"outputs", "--output", Value::paths},
-    JobKey{"color", "--color", Value::choice, "line tool none"},
-    JobKey{"keep", "--keep", Value::choice, "all largest"},
-    JobKey{"max_triangles", "--max-triangles", Value::number},
-    JobKey{"tools", "--tools", Value::paths},
-    JobKey{"tool", "--tool", Value::texts},
-    JobKey{"dialect", "--dialect", Value::choice, "sinumerik iso fanuc codesys ngc auto"},
-    JobKey{"machine", "--machine", Value::choice, "mill lathe auto"},
-    JobKey{"until", "--until", Value::text},
-    JobKey{"frames", "--frames", Value::whole},
-    JobKey{"frames_by", "--frames-by", Value::choice, "time volume"},
-    JobKey{"history", "--history", Value::path_or_off},
-    JobKey{"rest", "--rest", Value::path},
-    JobKey{"machine_file", "--machine-file", Value::path},
-    JobKey{"start", "--start", Value::numbers},
-    JobKey{"block_skip", "--block-skip", Value::numbers},
-    JobKey{"comp", "--comp", Value::choice, "auto radius wear off"},
-    JobKey{"least_increments", "--least-increments", Value::flag},
-    JobKey{"path", "--path", Value::paths},
-    JobKey{"variables", "--set", Value::texts},
-    JobKey{"max_blocks", "--max-blocks", Value::number},
-    JobKey{"max_steps", "--max-steps", Value::number},
-    JobKey{"voxel", "--voxel", Value::number},
-    JobKey{"tolerance", "--tolerance", Value::number},
-    JobKey{"threads", "--threads", Value::whole},
-    JobKey{"max_memory", "--max-memory", Value::text},
-    JobKey{"strict", "--strict", Value::flag},
-    JobKey{"nominal", "--nominal", Value::path},
-    JobKey{"accept", "--accept", Value::numbers},
-    JobKey{"align", "--align", Value::choice, "none bbox icp"},
-    JobKey{"density", "--density", Value::number},
-    JobKey{"deflection", "--deflection", Value::number},
-    JobKey{"report", "--report", Value::path},
-    JobKey{"json", "--json", Value::path},
-    JobKey{"junit", "--junit", Value::path},
-    JobKey{"deviation", "--deviation", Value::path},
-    JobKey{"colors", "--colors", Value::choice, "standard safe"},
-};
-
-std::vector<std::string_view> split_words(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
+// The keys of the table of options, and the program, which is an input on the command line. The
+// option's own check follows when the command line is read; here stands what can be told with line
+// and column.
+std::vector<OptionRow> job_keys() {
+  std::vector<OptionRow> keys = {
+      {"", "", kUseRun, OptionGroup::program, Value::path, "", "", "program"}};
+  for (const OptionRow& row : option_table())
+    if (!row.key.empty()) keys.push_back(row);
+  return keys;
 }
 
 class JobReader {
@@ -105,28 +42,29 @@ class JobReader {
  private:
   [[noreturn]] void fail(const toml::source_position& at, const char* code,
                          const std::string& what) const;
-  [[noreturn]] void fail_value(const JobKey& key, const toml::node& node,
+  [[noreturn]] void fail_value(const OptionRow& key, const toml::node& node,
                                const std::string& what) const {
-    fail(node.source().begin, "job-value", fmt::format("{} {}", key.name, what));
+    fail(node.source().begin, "job-value", fmt::format("{} {}", key.key, what));
   }
   void check_keys(const toml::table& root) const;
-  std::string text(const JobKey& key, const toml::node& node) const;
-  std::string path(const JobKey& key, const toml::node& node) const;
-  std::string stock(const JobKey& key, const toml::node& node) const;
-  std::string choice(const JobKey& key, const toml::node& node) const;
-  double number(const JobKey& key, const toml::node& node) const;
-  std::string positive(const JobKey& key, const toml::node& node) const;
-  std::string whole(const JobKey& key, const toml::node& node) const;
-  std::string numbers(const JobKey& key, const toml::node& node) const;
-  bool flag(const JobKey& key, const toml::node& node) const;
-  std::string single(const JobKey& key, const toml::node& node) const;
-  std::vector<std::string> list(const JobKey& key, const toml::node& node) const;
-  std::vector<std::string> variables(const JobKey& key, const toml::table& table) const;
-  void read_machine_table(JobFile& job, const JobKey& key, const toml::table& table) const;
+  std::string text(const OptionRow& key, const toml::node& node) const;
+  std::string path(const OptionRow& key, const toml::node& node) const;
+  std::string stock(const OptionRow& key, const toml::node& node) const;
+  std::string choice(const OptionRow& key, const toml::node& node) const;
+  double number(const OptionRow& key, const toml::node& node) const;
+  std::string positive(const OptionRow& key, const toml::node& node) const;
+  std::string whole(const OptionRow& key, const toml::node& node) const;
+  std::string numbers(const OptionRow& key, const toml::node& node) const;
+  bool flag(const OptionRow& key, const toml::node& node) const;
+  std::string single(const OptionRow& key, const toml::node& node) const;
+  std::vector<std::string> list(const OptionRow& key, const toml::node& node) const;
+  std::vector<std::string> variables(const OptionRow& key, const toml::table& table) const;
+  void read_machine_table(JobFile& job, const OptionRow& key, const toml::table& table) const;
 
   std::string_view text_;
   const std::string& name_;
   bool allow_outside_;
+  std::vector<OptionRow> keys_ = job_keys();
 };
 
 void JobReader::fail(const toml::source_position& at, const char* code,
@@ -146,8 +84,8 @@ void JobReader::fail(const toml::source_position& at, const char* code,
 
 void JobReader::check_keys(const toml::table& root) const {
   std::vector<std::string_view> known;
-  known.reserve(std::size(kKeys));
-  for (const JobKey& key : kKeys) known.push_back(key.name);
+  known.reserve(keys_.size());
+  for (const OptionRow& key : keys_) known.push_back(key.key);
   for (const auto& [key, node] : root) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
     std::string hint = suggestion(key.str(), known);
@@ -156,34 +94,34 @@ void JobReader::check_keys(const toml::table& root) const {
   }
 }
 
-std::string JobReader::text(const JobKey& key, const toml::node& node) const {
+std::string JobReader::text(const OptionRow& key, const toml::node& node) const {
   const auto* value = node.as_string();
   if (value == nullptr || value->get().empty()) fail_value(key, node, "must be a text");
   return value->get();
 }
 
-std::string JobReader::path(const JobKey& key, const toml::node& node) const {
+std::string JobReader::path(const OptionRow& key, const toml::node& node) const {
   const std::filesystem::path value = text(key, node);
   if (!allow_outside_ && value.is_relative() && *value.lexically_normal().begin() == "..")
     fail(node.source().begin, "job-outside",
          fmt::format("{} \"{}\" leads out of the job's folder: give an absolute path, or "
                      "--allow-outside on the command line",
-                     key.name, value.string()));
+                     key.key, value.string()));
   const std::filesystem::path folder = std::filesystem::path(name_).parent_path();
   return folder.empty() || value == "-" ? value.string()
                                         : (folder / value).lexically_normal().string();
 }
 
-std::string JobReader::stock(const JobKey& key, const toml::node& node) const {
+std::string JobReader::stock(const OptionRow& key, const toml::node& node) const {
   std::string value = text(key, node);
   for (const std::string_view kind : {"box:", "cylinder:", "tube:"})
     if (value.starts_with(kind)) return value;
   return path(key, node);
 }
 
-std::string JobReader::choice(const JobKey& key, const toml::node& node) const {
+std::string JobReader::choice(const OptionRow& key, const toml::node& node) const {
   std::string value = text(key, node);
-  const std::vector<std::string_view> words = split_words(key.words);
+  const std::vector<std::string_view> words = option_words(key);
   if (std::find(words.begin(), words.end(), value) == words.end())
     fail_value(key, node,
                fmt::format("\"{}\" is unknown{} (known: {})", value, suggestion(value, words),
@@ -191,27 +129,27 @@ std::string JobReader::choice(const JobKey& key, const toml::node& node) const {
   return value;
 }
 
-double JobReader::number(const JobKey& key, const toml::node& node) const {
+double JobReader::number(const OptionRow& key, const toml::node& node) const {
   const std::optional<double> value = node.value<double>();
   if (!node.is_number() || !value || !(std::fabs(*value) <= kLargest))
     fail_value(key, node, "must be a number");
   return *value;
 }
 
-std::string JobReader::positive(const JobKey& key, const toml::node& node) const {
+std::string JobReader::positive(const OptionRow& key, const toml::node& node) const {
   const double value = number(key, node);
   if (!(value > 0)) fail_value(key, node, "must be above 0");
   return fmt::format("{}", value);
 }
 
-std::string JobReader::whole(const JobKey& key, const toml::node& node) const {
+std::string JobReader::whole(const OptionRow& key, const toml::node& node) const {
   const auto* value = node.as_integer();
   if (value == nullptr || value->get() < 1 || value->get() > 256)
     fail_value(key, node, "must be a whole number from 1 to 256");
   return std::to_string(value->get());
 }
 
-std::string JobReader::numbers(const JobKey& key, const toml::node& node) const {
+std::string JobReader::numbers(const OptionRow& key, const toml::node& node) const {
   std::string out;
   if (const toml::array* row = node.as_array()) {
     for (const toml::node& item : *row)
@@ -222,19 +160,20 @@ std::string JobReader::numbers(const JobKey& key, const toml::node& node) const 
   return fmt::format("{}", number(key, node));
 }
 
-bool JobReader::flag(const JobKey& key, const toml::node& node) const {
+bool JobReader::flag(const OptionRow& key, const toml::node& node) const {
   const auto* value = node.as_boolean();
   if (value == nullptr) fail_value(key, node, "must be true or false");
   return value->get();
 }
 
-std::string JobReader::single(const JobKey& key, const toml::node& node) const {
+std::string JobReader::single(const OptionRow& key, const toml::node& node) const {
   switch (key.value) {
     case Value::text:
     case Value::texts:
       return text(key, node);
     case Value::path:
     case Value::paths:
+    case Value::folders:
       return path(key, node);
     case Value::path_or_off:
       return text(key, node) == "off" ? "off" : path(key, node);
@@ -255,10 +194,9 @@ std::string JobReader::single(const JobKey& key, const toml::node& node) const {
   return flag(key, node) ? "on" : "off";
 }
 
-std::vector<std::string> JobReader::list(const JobKey& key, const toml::node& node) const {
+std::vector<std::string> JobReader::list(const OptionRow& key, const toml::node& node) const {
   const toml::array* items = node.as_array();
-  if (items == nullptr || (key.value != Value::paths && key.value != Value::texts))
-    return {single(key, node)};
+  if (items == nullptr || !is_repeated(key.value)) return {single(key, node)};
   std::vector<std::string> out;
   for (const toml::node& item : *items) out.push_back(single(key, item));
   return out;
@@ -266,7 +204,7 @@ std::vector<std::string> JobReader::list(const JobKey& key, const toml::node& no
 
 // The table [machine]: its kind is the option --machine, the rest is read from this file again
 // (machine_file.h).
-void JobReader::read_machine_table(JobFile& job, const JobKey& key,
+void JobReader::read_machine_table(JobFile& job, const OptionRow& key,
                                    const toml::table& table) const {
   if (const toml::node* kind = table.get("kind"))
     job.options.push_back({"--machine", {choice(key, *kind)}});
@@ -274,7 +212,8 @@ void JobReader::read_machine_table(JobFile& job, const JobKey& key,
 }
 
 // The table [variables]: "#100" = 2, R1 = 5.0, NAME = "A".
-std::vector<std::string> JobReader::variables(const JobKey& key, const toml::table& table) const {
+std::vector<std::string> JobReader::variables(const OptionRow& key,
+                                              const toml::table& table) const {
   std::vector<std::string> out;
   for (const auto& [name, node] : table)
     out.push_back(
@@ -292,24 +231,24 @@ JobFile JobReader::read() const {
   }
   check_keys(root);
   JobFile job;
-  for (const JobKey& key : kKeys) {
-    const toml::node* node = root.get(key.name);
+  for (const OptionRow& key : keys_) {
+    const toml::node* node = root.get(key.key);
     if (node == nullptr) continue;
-    if (key.option == "--machine" && node->is_table()) {
+    if (key.name == "--machine" && node->is_table()) {
       read_machine_table(job, key, *node->as_table());
       continue;
     }
-    if (key.option == "--set" && node->is_table()) {
+    if (key.name == "--set" && node->is_table()) {
       job.options.push_back({"--set", variables(key, *node->as_table())});
       continue;
     }
     if (key.value == Value::flag) {
-      if (flag(key, *node)) job.options.push_back({std::string(key.option), {}});
+      if (flag(key, *node)) job.options.push_back({std::string(key.name), {}});
       continue;
     }
     std::vector<std::string> values = list(key, *node);
-    if (!key.option.empty()) {
-      if (!values.empty()) job.options.push_back({std::string(key.option), std::move(values)});
+    if (!key.name.empty()) {
+      if (!values.empty()) job.options.push_back({std::string(key.name), std::move(values)});
       continue;
     }
     job.program = values[0];

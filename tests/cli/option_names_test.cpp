@@ -1,40 +1,91 @@
-// The options of --help stand in the man page and in the completion of bash.
+// Help, manual, completion and the document of jobs say the same of the options.
 #include "run_program.h"
 
-#include <algorithm>
+#include <regex>
 #include <set>
 #include <string>
 
 namespace mrsim {
 namespace {
 
-using OptionNames = CliTest;
+using Names = std::set<std::string>;
 
-// "--name" words of a text; a man page writes its dashes as "\-".
-std::set<std::string> options_in(std::string text) {
-  for (std::size_t at = 0; (at = text.find("\\-", at)) != std::string::npos;) text.erase(at, 1);
-  std::set<std::string> out;
-  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at + 2)) {
-    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at);
-    const std::string name = text.substr(at, end - at);
-    if (name.size() > 2) out.insert(name);
-  }
+// All matches of a group of `pattern`.
+Names found(const std::string& text, const char* pattern) {
+  Names out;
+  const std::regex expression(pattern);
+  for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
+    out.insert((*at)[1]);
   return out;
 }
 
-TEST_F(OptionNames, HelpManPageAndCompletionAgree) {
-  const std::filesystem::path root = std::filesystem::path(MRSIM_DATA_DIR).parent_path();
-  const auto manual = options_in(contents(root / "docs/mrsim.1"));
-  const auto completion = options_in(contents(root / "scripts/completion.bash"));
-  std::set<std::string> all;
-  for (const char* command : {"", "trace", "check", "compare", "render", "tools", "view", "rest"})
-    all.merge(options_in(run(std::string(command) + " --help").out));
-  EXPECT_GT(all.size(), 30U);
-  for (const std::string& name : all) {
-    EXPECT_TRUE(manual.count(name)) << name << " is not in docs/mrsim.1";
-    EXPECT_TRUE(completion.count(name)) << name << " is not in scripts/completion.bash";
+class OptionNames : public CliTest {
+ protected:
+  // Options at the beginning of a line of --help.
+  Names helped(const std::string& command) {
+    return found(run(command + " --help").out, "\n  (?:-[a-z],)?(--[a-z-]+)");
   }
-  for (const std::string& name : completion) EXPECT_TRUE(all.count(name)) << name << " is unknown";
+  // What bash offers for the last word, a line each.
+  std::string offered(const std::string& words) {
+    const std::string texts = MRSIM_OPTION_TEXTS;
+    write("ask.sh", "source '" + texts + "/completion.bash'\nCOMP_WORDS=(" + words +
+                        ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_mrsim\n"
+                        "printf '%s\\n' \"${COMPREPLY[@]}\" >offered\n");
+    const std::string command = "cd '" + folder_.string() + "' && bash ask.sh";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return read("offered");
+  }
+};
+
+TEST_F(OptionNames, CompletionOffersWhatHelpNames) {
+  for (const std::string command : {"trace", "check", "compare", "rest", "tools"}) {
+    const Names names = helped(command);
+    EXPECT_GT(names.size(), 3U) << command;
+    EXPECT_EQ(found(offered("mrsim " + command + " --"), "(--[a-z-]+)"), names) << command;
+  }
+  EXPECT_EQ(found(offered("mrsim p.mpf --"), "(--[a-z-]+)"), helped(""));
+  Names render = helped("render");
+  render.merge(helped("render p.mpf --frames 2"));
+  EXPECT_EQ(found(offered("mrsim render --"), "(--[a-z-]+)"), render);
+}
+
+TEST_F(OptionNames, CompletionOffersValuesAndCommands) {
+  EXPECT_EQ(offered("mrsim p.mpf --dialect f"), "fanuc\n");
+  EXPECT_EQ(offered("mrsim p.mpf --align i"), "icp\n");
+  EXPECT_EQ(offered("mrsim p.mpf --stock cyl"), "cylinder:\n");
+  EXPECT_EQ(offered("mrsim comp"), "compare\n");
+}
+
+TEST_F(OptionNames, ManualTellsEachOptionOnce) {
+  std::string manual = contents(std::string(MRSIM_OPTION_TEXTS) + "/mrsim.1");
+  for (std::size_t at = 0; (at = manual.find("\\-", at)) != std::string::npos;) manual.erase(at, 1);
+  Names all;
+  for (const char* command :
+       {"", "trace", "check", "compare", "render", "tools", "view", "rest", "render --frames 2"})
+    all.merge(helped(command));
+  EXPECT_GT(all.size(), 50U);
+  EXPECT_EQ(found(manual, "\n\\.TP\n[^\n]*(--[a-z-]+)"), all);
+  for (const std::string& name : all) {
+    const std::regex entry("\n\\.TP\n[^\n]*" + name + "[ \"\n]");
+    EXPECT_EQ(std::distance(std::sregex_iterator(manual.begin(), manual.end(), entry), {}), 1)
+        << name;
+  }
+}
+
+// An unknown key is answered with all that there are.
+TEST_F(OptionNames, DocumentOfJobsHasAllKeys) {
+  write("job.toml", "quux = 1\n");
+  const std::string error = run("job.toml").err;
+  const std::string list = error.substr(error.find("known here: ") + 12);
+  const Names keys =
+      found(list.substr(0, list.find_first_not_of("abcdefghijklmnopqrstuvwxyz_ ")), "([a-z_]+)");
+  EXPECT_GT(keys.size(), 35U);
+  const std::string text = contents(std::filesystem::path(MRSIM_DATA_DIR) / "../docs/job.md");
+  Names told;
+  for (const std::string& cell : found(text, "\n\\| ([a-z_, ]+) \\|"))
+    told.merge(found(cell, "([a-z_]+)"));
+  told.erase("key");
+  EXPECT_EQ(told, keys);
 }
 
 }  // namespace

@@ -49,11 +49,10 @@ nominal = "n.step"
 accept = [-0.02, 0.05]
 json = "-"
 )"),
-            "jobs/p.mpf --stock=box:0,0,0,1,2,3 --stock-exact=off --output=jobs/a.stl "
-            "--output=jobs/b.ply --color=line --keep=largest --tools=jobs/tools.toml "
-            "--tool=1=endmill:d=5 --tool=2=drill:d=3 --start=0,-1.5,20 --block-skip=0,2 "
-            "--voxel=0.25 --tolerance=1 --threads=2 --strict --nominal=jobs/n.step "
-            "--accept=-0.02,0.05 --json=-");
+            "jobs/p.mpf --stock=box:0,0,0,1,2,3 --stock-exact=off --voxel=0.25 --tolerance=1 "
+            "--keep=largest --threads=2 --nominal=jobs/n.step --accept=-0.02,0.05 --json=- "
+            "--tools=jobs/tools.toml --tool=1=endmill:d=5 --tool=2=drill:d=3 --start=0,-1.5,20 "
+            "--block-skip=0,2 --output=jobs/a.stl --output=jobs/b.ply --color=line --strict");
 }
 
 TEST(JobFile, PathsAreRelativeToTheFile) {
