@@ -10,6 +10,7 @@
 #include "mesh/surface/sample_groups.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mrsim::detail {
 namespace {
@@ -64,18 +65,27 @@ void DualSurface::find_creases() {
     if (s.is_crease) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
   }
   std::vector<std::uint64_t> fresh(creases_.size(), 0);  // keys of what is not known yet
+  const auto place = [&](std::size_t k) {
+    Crease& crease = creases_[k];
+    const std::uint64_t key = options_.remember ? key_of(at(segments_, crease.segment)) : 0;
+    if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
+      crease.point = known->point;
+      crease.outside = known->outside;
+      return;
+    }
+    place_crease(crease);
+    fresh[k] = key;
+  };
+  // Those of cells with the same candidates follow each other.
+  std::vector<std::int32_t> all(creases_.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Groups groups(all, cells_.lists(), [&](std::int32_t k) {
+    return cells_.list_of(face_cell(at(faces_, at(segments_, at(creases_, k).segment).face)));
+  });
   parallel_for(
-      creases_.size(), options_.threads,
-      [&](std::size_t k) {
-        Crease& crease = creases_[k];
-        const std::uint64_t key = options_.remember ? key_of(at(segments_, crease.segment)) : 0;
-        if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
-          crease.point = known->point;
-          crease.outside = known->outside;
-          return;
-        }
-        place_crease(crease);
-        fresh[k] = key;
+      groups.size(), options_.threads,
+      [&](std::size_t g) {
+        for (const std::int32_t k : groups[g]) place(static_cast<std::size_t>(k));
       },
       16);
   for (std::size_t k = 0; k < fresh.size(); ++k)

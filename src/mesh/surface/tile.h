@@ -1,9 +1,10 @@
 // One cube of the uniform grid: the same cells as an octree without larger or smaller ones would
 // have, in dense arrays that are used again for the next tile (docs/mesh.md, Tiles).
 //
-// A tile owns the edges that start in kOwned^3 of its cells. The rings about them, two cells below
-// and one above, are there so that every cell which an owned edge touches has all its crossings:
-// what is computed of it is what its own tile computes, to the last bit.
+// A tile owns the edges that start in kOwned^3 of its cells. The rings about them, two cells wide,
+// are there so that every cell which an owned edge touches has all its crossings: what is computed
+// of it is what its own tile computes. Tiles follow each other by a multiple of the nodes that
+// share lists, so that a cell has the same list in both but for rounding (common_lists.h).
 #pragma once
 
 #include "mesh/surface/cells.h"
@@ -31,7 +32,7 @@ struct TileSquare {
 class CellTile final : public SurfaceCells {
  public:
   static constexpr std::int32_t kCells = 64;  ///< on a side, with the rings
-  static constexpr std::int32_t kOwned = 61;  ///< from the third on
+  static constexpr std::int32_t kOwned = 60;  ///< from the third on
   static constexpr std::int32_t kFirstOwned = 2;
   static constexpr std::int32_t kEndOwned = kFirstOwned + kOwned;
 
@@ -92,6 +93,7 @@ class CellTile final : public SurfaceCells {
   static constexpr std::int32_t kNodes = kCells / kNode;
   static constexpr std::int32_t kStep[3] = {kCells * kCells, kCells, 1};
   static constexpr std::size_t kCount = std::size_t(kCells) * kCells * kCells;
+  static_assert(kOwned % (2 * kNode) == 0);
 
   struct List {
     std::uint32_t begin = 0, end = 0;

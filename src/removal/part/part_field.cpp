@@ -22,6 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box
 constexpr std::size_t kTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
+constexpr std::size_t kShortCostly = 16;  ///< other milling sweeps, likewise
 constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
 
 constexpr std::size_t kPart = 1 << 16;  ///< sweeps that are worth a thread
@@ -90,6 +91,7 @@ class CandidateDescent final : public ExactField::Descent {
   bool is_short(std::size_t level) const override {
     const CandidateList& left = levels_[level].left;
     if (left.closed) return left.size() <= kShort;
+    if (left.size() > kShortCostly) return false;
     static thread_local Candidates opened;
     return left.size() <= 1 || list(levels_[level], opened);
   }
