@@ -317,5 +317,25 @@ TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
   }
 }
 
+// An arc of radius 10 about the zero and back along one of radius 4 that touches it from within:
+// the way back lies to the left. A tool of radius 1 there meets both at x^2 + y^2 = 81, (x - 6)^2 +
+// y^2 = 25; on the right it goes round the cusp.
+TEST(Compensation, AtACuspOfArcsTheirCurvatureSaysWhichSideIsTheInner) {
+  const auto run = [](const char* comp) {
+    return read_text(fmt::format("G21 G90 F100\nG0 X-20 Y-10\n{} D2\nG1 X0\nG3 X10 Y0 J10\n"
+                                 "G2 X2 I-4\nG1 Y5\nG40 G1 Y20\nM2\n",
+                                 comp),
+                     at_origin(Dialect::ngc));
+  };
+  const Program left = run("G41.1");
+  ASSERT_EQ(codes(left, Severity::error), "");
+  expect_near(left.motions[2].end, {23.0 / 3, -std::sqrt(81 - 23.0 * 23 / 9), 0}, 1e-9);
+  expect_near(left.motions[3].end, {1, 0, 0}, 1e-9);
+  const Program right = run("G42.1");
+  ASSERT_EQ(codes(right, Severity::error), "");
+  expect_near(right.motions[2].end, {11, 0, 0}, 1e-9);
+  expect_near(right.motions[3].end, {9, 0, 0}, 1e-9);
+}
+
 }  // namespace
 }  // namespace mrsim

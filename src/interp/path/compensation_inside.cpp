@@ -47,6 +47,8 @@ bool CompensationStage::squeezed(std::size_t i, std::size_t next, Vec2 entered) 
   if (n == 0) return false;
   Vec2 out = hits[0];
   if (n == 2 && length(hits[1] - piece.end) < length(hits[0] - piece.end)) out = hits[1];
+  Vec2 both;  // at a cusp of two arcs the other one is as near
+  if (n == 2 && meeting(piece, after, piece.start, piece.end, both)) out = both;
   if (piece.arc && std::abs(piece.sweep) > kPi) return false;
   return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
 }

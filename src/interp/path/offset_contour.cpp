@@ -9,6 +9,12 @@ namespace {
 
 constexpr double kStraight = 1e-9;  // |t1 x t2| of a tangent transition
 constexpr double kStep = 5e-4;      // mm: what a program's last digit makes of one
+constexpr double kCusp = 0.1;       // |t1 x t2| from which on a path does not turn back
+
+// To the left above 0.
+double curvature(const PlanePiece& piece) {
+  return !piece.arc ? 0 : piece.sweep > 0 ? 1 / piece.radius : -1 / piece.radius;
+}
 
 bool collinear(const PlanePiece& a, const PlanePiece& b) {
   const Vec2 t = start_tangent(a), u = start_tangent(b);
@@ -54,9 +60,11 @@ bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, V
 }
 
 Corner corner_kind(const PathMove& a, const PathMove& b) {
-  const Vec2 t1 = end_tangent(to_plane(a.motion, a.basis)),
-             t2 = start_tangent(to_plane(b.motion, b.basis));
-  const double c = cross(t1, t2);
+  const PlanePiece p = to_plane(a.motion, a.basis), q = to_plane(b.motion, b.basis);
+  const Vec2 t1 = end_tangent(p), t2 = start_tangent(q);
+  double c = cross(t1, t2);
+  if (dot(t1, t2) < 0 && std::abs(c) < kCusp && (p.arc || q.arc))
+    c -= a.comp.radius * (curvature(p) + curvature(q));
   const double step = std::abs(c) * a.comp.radius;  // between the moved ends
   if ((std::abs(c) < kStraight || step < kStep) && dot(t1, t2) > 0) return Corner::smooth;
   if (std::abs(c) < kStraight) return Corner::outside;  // straight back
