@@ -302,6 +302,15 @@ TEST(Corners, RoundingBetweenSlantedLines) {
   expect_near(p.motions[3].end, {50, 60, 16});
 }
 
+// The largest rounding that fits takes the whole arc behind it.
+TEST(Corners, NothingIsLeftOfAnArcThatARoundingTakes) {
+  const Program p =
+      read_text("G18 G21\nG1 X14.152 Z1 F1\nZ-7.167 R6.157\nG3 X9.205 Z-5.165 R8.017\n",
+                at_origin(Dialect::fanuc, MachineKind::lathe));
+  ASSERT_EQ(p.motions.size(), 3U) << listing(p);
+  expect_near(p.motions[2].end, {4.6025, 0, -5.165});
+}
+
 TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};

@@ -100,6 +100,12 @@ double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece
   return low > 0 && contacts(spec, a, b, side, low, out) ? low : 0;
 }
 
+// False: the corner has taken the whole element.
+bool travels(const Motion& motion) {
+  return distance(motion.start, motion.end) > 1e-9 ||
+         (motion.kind == MotionKind::arc && motion.radius * std::abs(motion.sweep) > 1e-9);
+}
+
 // The piece is in coordinates of `basis`; that of the move may be turned against it.
 void shorten(PathMove& move, const Basis& basis, PlanePiece piece, bool at_end, Vec2 to) {
   const double start = dot(move.motion.start, basis.w);
@@ -189,9 +195,7 @@ void CornerStage::push(const PathMove& move) {
   }
   PathMove before = held_.front(), after = move, inserted;
   const bool fits = may_insert(move) && insert(before, after, inserted);
-  if (distance(before.motion.start, before.motion.end) > 1e-9 ||
-      before.motion.kind == MotionKind::arc)
-    next_(before);
+  if (travels(before.motion)) next_(before);
   if (fits) next_(inserted);
   for (std::size_t i = 1; i < held_.size(); ++i) {
     PathMove infeed = held_[i];
@@ -204,8 +208,7 @@ void CornerStage::push(const PathMove& move) {
     next_(infeed);
   }
   held_.clear();
-  if (distance(after.motion.start, after.motion.end) > 1e-9 || after.motion.kind == MotionKind::arc)
-    push(after);
+  if (travels(after.motion)) push(after);
 }
 
 }  // namespace mrsim
