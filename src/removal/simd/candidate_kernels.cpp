@@ -119,7 +119,7 @@ MRSIM_LANE float least_lane(V v) {
 }
 MRSIM_LANE std::size_t compress(float* out, V v, M m) {
   const unsigned mask = bits(m);
-  const auto* lanes = reinterpret_cast<const __m256i*>(kPacked[mask].data());
+  const auto* lanes = reinterpret_cast<const __m256i_u*>(kPacked[mask].data());
   store(out, _mm256_permutevar8x32_ps(v, _mm256_loadu_si256(lanes)));
   return static_cast<std::size_t>(std::popcount(mask));
 }
