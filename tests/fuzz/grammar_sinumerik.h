@@ -1,0 +1,107 @@
+// SINUMERIK: variables, loops, marks, cycles and frames.
+#pragma once
+
+#include "grammar.h"
+
+namespace mrsim::fuzz {
+
+class Sinumerik : public Grammar {
+ public:
+  using Grammar::Grammar;
+
+ private:
+  void head() override {
+    line("DEF REAL AA=1, BB[3]\nDEF INT COUNT=0\nR1=1 R2=2 R3=0\nT1 D1 M6\nG0 X0 Y0 Z0 F100 S100");
+  }
+  std::string variable() override { return one_of({"R1", "R2", "R3", "AA", "BB[1]", "$P_EP[X]"}); }
+  std::string bracket(const std::string& text) override { return "(" + text + ")"; }
+  std::string value() override { return "=" + (pick(3) == 0 ? expression(0) : number()); }
+  std::string condition() {
+    return variable() + one_of({"<", ">", "==", "<>", "<=", ">="}) + number();
+  }
+
+  void cycle() override {
+    switch (pick(7)) {
+      case 0:
+        return line(one_of({"CYCLE81(", "CYCLE83(", "MCALL CYCLE82(", "HOLES1(", "HOLES2("}) +
+                    list(14) + ")");
+      case 1:
+        return line(
+            one_of({"POCKET1(", "POCKET3(", "POCKET4(", "SLOT1(", "SLOT2(", "LONGHOLE(", "CYCLE61(",
+                    "CYCLE71(", "CYCLE76(", "CYCLE77(", "CYCLE90(", "CYCLE899("}) +
+            list(24) + ")");
+      case 2:
+        return line(one_of({"CYCLE72(\"KONTUR\",", "CYCLE95(\"KONTUR\",", "CYCLE97("}) + list(18) +
+                    ")");
+      case 3:
+        return line(one_of({"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR"}) +
+                    words({"X", "Y", "Z"}));
+      case 4:
+        return line("G1" + words({"X", "Y"}) + one_of({" RND=", " CHF=", " CHR=", " ANG="}) +
+                    number());
+      case 5:
+        return line(one_of({"G2", "G3", "CIP"}) +
+                    words({"X", "Y", "CR", "AR", "I1", "J1", "TURN"}));
+      default:
+        return line(one_of({"MCALL", "G110", "G111", "G1 AP=30 RP=5", "G33 Z-5 K1", "G4 F1",
+                            "DIAMON", "G451", "G96 S100", "OFFN=1"}));
+    }
+  }
+  std::string list(unsigned most) {
+    std::string text;
+    for (unsigned n = pick(most) + 1; n > 0; --n)
+      text += (pick(4) == 0 ? "" : number()) + (n > 1 ? "," : "");
+    return text;
+  }
+  void special(int depth) override {
+    const int label = ++labels_;
+    switch (pick(10)) {
+      case 0:
+        return line(one_of({"R1", "R2", "R3", "AA", "COUNT", "BB[2]", "$P_UIFR[1,X,TR]",
+                            "$P_PFRAME[Y,TR]", "$TC_DP6[1,1]"}) +
+                    "=" + expression(0));
+      case 1:
+        line("IF " + condition());
+        statements(depth);
+        line("ELSE");
+        statements(depth);
+        return line("ENDIF");
+      case 2:
+        line(fmt::format("FOR COUNT=0 TO {}", pick(4)));
+        statements(depth);
+        return line("ENDFOR");
+      case 3:
+        line(fmt::format("WHILE R1<{}", pick(12)));
+        line("R1=R1+1");
+        statements(depth);
+        return line("ENDWHILE");
+      case 4:
+        line("REPEAT");
+        line("R2=R2+1");
+        statements(depth);
+        return line(fmt::format("UNTIL R2>{}", pick(12)));
+      case 5:
+        line(fmt::format("IF {} GOTOF MARK{}", condition(), label));
+        statements(depth);
+        return line(fmt::format("MARK{}: R3=R3+1", label));
+      case 6:
+        line(fmt::format("PART{}: G91 X1", label));
+        line(fmt::format("ENDP{}: G90", label));
+        return line(fmt::format("REPEAT PART{0} ENDP{0} P={1}", label, pick(4)));
+      case 7:
+        return line(fmt::format("CASE {} OF 1 GOTOF DONE DEFAULT GOTOF DONE", variable()));
+      case 8:
+        return line("$P_UIFR[2]=CTRANS(X," + expression(0) + "):CROT(Z," + number() + ")");
+      default:
+        return line(one_of({"CUTCONON", "CUTCONOF", "G500", "KONT", "NORM", "G64", "M17", "STOPRE",
+                            "MSG(\"A\")", "SUPA G0 Z0", "G74 X1=0"}));
+    }
+  }
+  void subprograms() override {
+    line("DONE: M30\nE_LAB_A_KONTUR: G1 X0 Y0\nX10 Y0 Z-5\nX10 Y10\nE_LAB_E_KONTUR: X0");
+  }
+
+  int labels_ = 0;
+};
+
+}  // namespace mrsim::fuzz
