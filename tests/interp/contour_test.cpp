@@ -346,5 +346,22 @@ TEST(Compensation, AtACuspOfArcsTheirCurvatureSaysWhichSideIsTheInner) {
   expect_near(right.motions[3].end, {9, 0, 0}, 1e-9);
 }
 
+// Arcs of the tool's own radius on its inner side: the centre stands still at theirs.
+TEST(Compensation, AnInsideArcOfTheToolsRadiusIsAPoint) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::sinumerik, Dialect::iso}) {
+    const char* r = dialect == Dialect::sinumerik ? "CR=" : "R";
+    const auto run = [&](const std::string& text) {
+      return path_text(read_text("G90 G1 G41 D1 X20 Y0 F100\n" + text + "G40 X0 Y40\nM30\n",
+                                 at_origin(dialect)));
+    };
+    EXPECT_EQ(run(fmt::format("G3 X25 Y5 {0}5\nG1 Y20\nG3 X20 Y25 {0}5\nG1\n", r)),
+              "l20,5,0 l20,20,0 l0,40,0");
+    EXPECT_EQ(run(fmt::format("X30\nG3 X35 Y5 {}5\nG1 Y20\n", r)),
+              "l20,5,0 l30,5,0 l30,20,0 l0,40,0");
+    EXPECT_NE(run(fmt::format("X30\nG3 X34.9 Y4.9 {}4.9\nG1 Y20\n", r)).find("comp-element-void"),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -334,5 +334,29 @@ TEST(Text, NumbersAreShort) {
   EXPECT_EQ(number_text(123456.7890123), "123456.789012");
 }
 
+// A link may lead to a file of the folder or of --path, to no other.
+TEST(Subprograms, ALinkDoesNotLeadOutOfTheFolder) {
+  const Scratch job, elsewhere;
+  const std::string main = job.write("main.nc", "O1\nM98 P2\nG1 X30 F1\nM30\n");
+  const std::string far = elsewhere.write("far.nc", "G1 X20 F1\nM99\n");
+  const std::filesystem::path link = std::filesystem::path(main).parent_path() / "O0002.nc";
+  InterpOptions options = at_origin(Dialect::fanuc);
+  std::filesystem::create_symlink(far, link);
+  try {
+    read_program(main, options);
+    FAIL() << "a file of another folder was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "subprogram-outside");
+    EXPECT_NE(std::string(error.what()).find("O0002.nc is a link to"), std::string::npos);
+  }
+  options.search_path = {std::filesystem::path(far).parent_path().string()};
+  EXPECT_EQ(path_text(read_program(main, options)), "l20,0,0 l30,0,0");
+  options.search_path.clear();
+  std::filesystem::remove(link);
+  job.write("near.txt", "G1 X10 F1\nM99\n");
+  std::filesystem::create_symlink("near.txt", link);
+  EXPECT_EQ(path_text(read_program(main, options)), "l10,0,0 l30,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

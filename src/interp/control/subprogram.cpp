@@ -48,6 +48,18 @@ std::string sinumerik_section(std::string_view line) {
   return name;
 }
 
+// The file behind a link; as it stands where that can not be told.
+fs::path real_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? path : real;
+}
+
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+         folder.end();
+}
+
 }  // namespace
 
 std::string section_name(std::string_view line, Dialect dialect) {
@@ -102,7 +114,20 @@ std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
     found = name;
   }
   if (best == wanted.size()) return std::nullopt;
-  return folder == "." ? found : (fs::path(folder) / found).string();
+  const fs::path path = folder == "." ? fs::path(found) : fs::path(folder) / found;
+  stays_inside(path);
+  return path.string();
+}
+
+// A link in a folder that is not the user's own may name any file of the machine.
+void SubprogramIndex::stays_inside(const fs::path& file) const {
+  const fs::path real = real_path(file);
+  for (const std::string& folder : folders_)
+    if (lies_in(real, real_path(folder))) return;
+  throw Error("subprogram-outside",
+              fmt::format("{} is a link to {}, outside of the program's folder: say --path {}, if "
+                          "that is wanted",
+                          file.string(), real.string(), real.parent_path().string()));
 }
 
 std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name) {

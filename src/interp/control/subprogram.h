@@ -4,6 +4,7 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,13 +30,15 @@ class SubprogramIndex {
  public:
   SubprogramIndex(std::string main_file, std::vector<std::string> search_path, Dialect dialect);
 
-  /// Nothing when it is in none of the places.
+  /// Nothing when it is in none of the places. Throws Error "subprogram-outside" where a link there
+  /// leads out of them.
   std::optional<SubprogramPlace> find(const SubprogramName& name);
 
  private:
   void scan(const std::string& file);
   std::optional<std::string> find_file(const std::string& folder,
                                        const std::vector<std::string>& stems) const;
+  void stays_inside(const std::filesystem::path& file) const;
 
   std::string main_file_;
   std::vector<std::string> folders_;

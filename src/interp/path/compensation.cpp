@@ -147,6 +147,7 @@ void CompensationStage::enter() {
   if (j >= queue_.size()) return send_line(first, moved(first).end, h);
   if (first.comp.entry_beside) return enter_beside(h);
   const PlanePiece next = moved(queue_[j]);
+  if (is_point(next)) return send_line(first, next.center, h);
   if (is_void(next)) return send_line(first, moved(first).end, h);
   const Vec2 corner = corner_of(first), outer = in_plane(first.basis, at_) + first.comp.tip;
   PlanePiece line;
@@ -222,6 +223,9 @@ void CompensationStage::follow() {
   const PathMove first = queue_.front();
   PlanePiece piece = moved(first);
   const double h = height(first, first.motion.end);
+  const std::size_t after = following(1);
+  if (is_point(piece) && (after >= queue_.size() || nearly_tangent(first, queue_[after])))
+    return send_line(first, piece.center, h);
   if (is_void(piece)) {
     reporter_.add_at(
         Severity::error, "comp-interference",

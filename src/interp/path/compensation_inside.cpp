@@ -85,9 +85,10 @@ bool CompensationStage::meets(const PlanePiece& piece, Vec2 from, std::size_t n,
 void CompensationStage::skip_before(std::size_t keep) {
   for (std::size_t k = keep; k-- > 1;) {
     if (is_infeed(queue_[k])) continue;
-    reporter_.add_at(Severity::warning, "comp-element-void",
-                     "the tool is too large to reach this element: it is skipped",
-                     queue_[k].motion);
+    if (!is_point(moved(queue_[k])))
+      reporter_.add_at(Severity::warning, "comp-element-void",
+                       "the tool is too large to reach this element: it is skipped",
+                       queue_[k].motion);
     queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(k));
   }
 }

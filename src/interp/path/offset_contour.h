@@ -10,6 +10,9 @@ inline constexpr double kTouch = 1e-6;  ///< mm
 /// The element as the tool's centre runs it; an arc whose radius is used up is void.
 PlanePiece moved(const PathMove& move);
 inline bool is_void(const PlanePiece& offset) { return offset.arc && offset.radius <= kTouch; }
+/// A void arc whose radius is the tool's, but for a program's last digit: the tool stands at its
+/// centre and cuts all of it.
+inline bool is_point(const PlanePiece& offset) { return is_void(offset) && offset.radius > -5e-4; }
 
 /// False for infeeds, tilted arcs, suspended and uncompensated moves.
 bool takes_part(const PathMove& move);
