@@ -81,6 +81,15 @@ TEST(Frames, Points) {
   }
 }
 
+// G52 in force before G68 is one thing, between G68 and G69 the manuals forbid it.
+TEST(Frames, AShiftWithinARotationIsSaid) {
+  const auto run = [](const char* text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(run("G52 X20 Y0\nG68 X0 Y0 R90\nG1 X5 Y0 F1\nG52 X20\nG69\nG52 X0\n"), "l20,5,0");
+  EXPECT_EQ(run("G68 X0 Y0 R90\nG52 X20 Y0\nG1 X5 Y0 F1\n"), "l20,5,0 | rotation-shift");
+}
+
 TEST(Frames, LatheDiameters) {
   constexpr auto s = Dialect::sinumerik, f = Dialect::fanuc;
   const Row rows[] = {

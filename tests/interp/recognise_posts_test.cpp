@@ -108,6 +108,10 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("G0 X1\n", "PART.PBG").find("Mazatrol"), std::string::npos);
   EXPECT_NE(refusal("DEF WORK\nPS LC,[-50,0],[50,100]\nEND\n").find("Okuma IGF"),
             std::string::npos);
+  EXPECT_NE(refusal("%10\nN10 G0 G52 Z0\nN20 T1 D1 M6\nN30 G1 X5 Y0 F100\nM2\n").find("NUM"),
+            std::string::npos);
+  EXPECT_NE(refusal("N50 G1 X5 Y0 F100\nN60 G77 N10 N50\nM2\n").find("NUM"), std::string::npos);
+  EXPECT_EQ(refusal("%\nO10\nN10 G0 G52 X0 Y0\nG1 X5 Y0 F100\nM30\n"), "");
   EXPECT_NE(refusal("M140 S60\nM104 S210\nG28\nG1 X10 Y10 E0.5 F1200\n").find("3-D printer"),
             std::string::npos);
   EXPECT_NE(

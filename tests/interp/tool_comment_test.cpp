@@ -91,8 +91,23 @@ TEST(ToolComment, PostsInMillimetres) {
        {"TOOL DIAMETER = 10.0", endmill, 10, 0, ""},
        {"FRESA 12 MM", endmill, 12, 0, ""},
        {"FRAISE D8", endmill, 8, 0, ""},
-       {"BROCA 6,5 MM", drill, 6.5, 0, ""}},
+       {"BROCA 6,5 MM", drill, 6.5, 0, ""},
+       {"FRAISE DIAMETRE 10", endmill, 10, 0, ""},
+       {"T4 FRAISE DIAM\xC3\x88TRE 8", endmill, 8, 0, "4"},
+       {"FRESA DI\xC1METRO 6", endmill, 6, 0, ""},
+       {"T1 : 3.0", endmill, 3, 0, "1"},  // CamBam
+       {"T2 D=20. CR=0. - ZMIN=-30. - BORING BAR", endmill, 20, 0, "2"},
+       {"T3 BORING HEAD DIA 32.", endmill, 32, 0, "3"}},
       1);
+}
+
+// A boring bar is a turning tool on a lathe only, where its diameter says nothing.
+TEST(ToolComment, BoringBarsOfLathes) {
+  const Made m = made("T2 D=20. - BORING BAR", 1, true);
+  EXPECT_TRUE(m.ok) << m.why;
+  EXPECT_EQ(m.tool.type, boring);
+  EXPECT_EQ(m.tool.diameter, 0);
+  EXPECT_EQ(made("T2 BORING BAR").why, "gives no diameter");
 }
 
 TEST(ToolComment, PostsInInches) {
@@ -132,7 +147,7 @@ TEST(ToolComment, DoubtIsSaid) {
        {"T1 D=10 - FLAT END MILL DIA 8", "T1 10MM ENDMILL 8MM DIA", "1/4 FLAT ENDMILL",
         "T1 6MM ENDMILL T2 3MM DRILL", "T1 12. BULL ENDMILL", "T1 D=6 - DOVETAIL MILL",
         "T1 D=6 CR=4 - BULLNOSE END MILL", "T1 END MILL", "T5 D5 ENDMILL", "#7 DRILL",
-        "NO. 7 DRILL", "T3 D=8. - THREAD MILL"}) {
+        "NO. 7 DRILL", "T3 D=8. - FORM MILL"}) {
     const Made m = made(text);
     EXPECT_FALSE(m.ok) << text << ": " << m.tool.diameter;
     EXPECT_FALSE(m.why.empty()) << text;

@@ -90,5 +90,46 @@ TEST(ToolNotes, ByName) {
             "ENDMILL_D10:10");
 }
 
+// T words of lathes with six and eight digits have half of them for the offset.
+TEST(ToolNotes, StationsOfLathes) {
+  const auto tools = [](const std::string& program) {
+    InterpOptions options;
+    options.dialect = Dialect::fanuc;
+    options.machine = MachineKind::lathe;
+    const Program p = read_text(program, options);
+    std::string out;
+    for (const Tool& tool : p.tools) out += fmt::format("{}:{:g} ", tool.id, tool.diameter);
+    return out;
+  };
+  const std::string cut = "\nG0 X0 Z5\nG1 Z-1 F.1\n";
+  EXPECT_EQ(tools("T0101 (DRILL 8MM)" + cut + "T1212 (DRILL 9MM)" + cut), "1:8 12:9 ");
+  EXPECT_EQ(tools("T001001 (DRILL 8MM)" + cut + "T012012 (DRILL 9MM)" + cut), "1:8 12:9 ");
+  EXPECT_EQ(tools("(T003003 DRILL 8MM)\nT003003" + cut), "3:8 ");
+  EXPECT_EQ(tools("T00020002 (DRILL 8MM)" + cut), "2:8 ");
+}
+
+// Of a thread mill a comment gives the cylinder alone: a warning says so.
+TEST(ToolNotes, AThreadMillIsACylinderWithAWarning) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::mill;
+  const std::string cut = kCut;
+  const Program p = read_text("(T3 D=8. CR=0. PITCH=1.25 - THREAD MILL)\nT3 M6\n" + cut, options);
+  EXPECT_EQ(codes(p), "tool-inferred");
+  EXPECT_NE(listing(p).find("its thread as a plain cylinder"), std::string::npos);
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_EQ(p.tools[0].diameter, 8);
+  EXPECT_EQ(codes(read_text("T1 M6 (8MM ENDMILL)\n" + cut, options)), "");
+}
+
+// A register of a tool that is not known is no second fault.
+TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::mill;
+  EXPECT_EQ(codes(read_text("T1 M6\nG0 X0 Y0 Z0\nG1 G41 D1 X9 F9\nY9\nG40 X0\nM30\n", options)),
+            "tool-unknown");
+}
+
 }  // namespace
 }  // namespace mrsim

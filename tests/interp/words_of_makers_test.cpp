@@ -30,6 +30,16 @@ TEST(WordsOfMakers, M25OfCentroidTakesZToItsReferencePoint) {
   EXPECT_FALSE(other.motions.back().assumed_start);
 }
 
+// PathPilot's and Mach's posts begin so; what G15, G50 and G69 end does not exist in LinuxCNC.
+TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
+  const auto run = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(run("G90 G54 G64 G50 G17 G40 G80 G94 G91.1 G49\nG15 G69\nG1 X5 F100\nM2\n"), "l5,0,0");
+  for (const char* on : {"G16", "G51 X2", "G68 R30", "G12 I5"})
+    EXPECT_NE(run(on + std::string("\nM2\n")).find("g-unknown"), std::string::npos) << on;
+}
+
 TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
   const auto turn = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);

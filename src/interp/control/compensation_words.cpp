@@ -72,7 +72,7 @@ void CompensationWords::set_radius() {
       options_.comp == CompRadius::automatic ? tools_.commented_radius() : options_.comp;
   radius_ = reg ? reg->radius + reg->wear : comp == CompRadius::wear ? 0 : own;
   if (comp == CompRadius::off) radius_ = 0;
-  if (!reg && modal_.edge_given && comp == CompRadius::automatic)
+  if (!reg && (own > 0 || turning) && modal_.edge_given && comp == CompRadius::automatic)
     reporter_.once(Severity::warning, "register-missing",
                    fmt::format("{} is not in the tool table: the tool's own radius {:g} mm is "
                                "used; if the program holds the path of the tool's centre (wear "

@@ -260,8 +260,7 @@ bool FrameWords::fanuc(const Word& word) {
       frames_.scaling = Frame{};
       break;
     case Code::local_shift:
-      for (int i = 0; i < 3; ++i)
-        if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+      shift_locally(values, named, word);
       break;
     case Code::mirror_on:
     case Code::mirror_off:
@@ -278,6 +277,18 @@ bool FrameWords::fanuc(const Word& word) {
   }
   rebuild();
   return true;
+}
+
+// The manuals forbid G52 between G68 and G69; what machines make of it differs.
+void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
+  const Vec3 before = frames_.local;
+  for (int i = 0; i < 3; ++i)
+    if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+  if (frames_.rotation_angle != 0 && distance(before, frames_.local) > 1e-9)
+    warning("rotation-shift",
+            "G52 while G68 is in force, which controls forbid: read as a shift along the axes that "
+            "are not turned; write G52 before G68",
+            word);
 }
 
 // In G91 the angle adds to the rotation in force, where there is one.

@@ -14,11 +14,8 @@
 namespace mrsim {
 namespace {
 
-std::string id_of(const Word& word, bool lathe_offsets) {
-  if (word.string) return to_utf8(word.text.substr(0, 80));
-  long number = static_cast<long>(word.value);
-  if (lathe_offsets && number > 99) number /= 100;  // T0102: tool 1, offset 2
-  return fmt::format("{}", number);
+std::size_t digits_of(std::string_view text) {
+  return std::size_t(std::count_if(text.begin(), text.end(), is_digit));
 }
 
 }  // namespace
@@ -34,6 +31,15 @@ const Tool* ToolChanger::given(const std::string& id) const {
   return at == given_.end() ? nullptr : &options_.table.tools[at->second];
 }
 
+std::string ToolChanger::id_of(const Word& word) const {
+  if (word.string) return to_utf8(word.text.substr(0, 80));
+  const long number = static_cast<long>(word.value);
+  if (!lathe() || !is(Dialect::fanuc)) return fmt::format("{}", number);
+  const std::string text = text_of(word);
+  const bool plain = text.find_first_of("#[") == text.npos;
+  return fmt::format("{}", turret_station(number, plain ? digits_of(text) : 0));
+}
+
 void ToolChanger::use(Tool tool) {
   tool_.index = static_cast<int>(program_.tools.size());
   used_.emplace(tool.id, tool_.index);
@@ -44,7 +50,7 @@ void ToolChanger::read_comments() {
   const Word* t = peek('T');
   std::string called;
   if (t != nullptr)
-    called = id_of(*t, lathe() && is(Dialect::fanuc));
+    called = id_of(*t);
   else if (!block_.words.empty() && tool_.pending.active)
     called = tool_.pending.id;
   for (const std::string_view comment : block_.comments)
@@ -77,7 +83,7 @@ bool ToolChanger::select(const Word& word) {
   if (!word.string && (word.value < 0 || word.value != std::floor(word.value) || word.value > 1e8))
     return error("value-range", "T is a whole number or a name", word);
   tool_.pending.active = true;
-  tool_.pending.id = id_of(word, lathe() && is(Dialect::fanuc));
+  tool_.pending.id = id_of(word);
   tool_.pending.at.file = block_.file;
   tool_.pending.at.line = block_.line_number;
   tool_.pending.at.column = word.column + 1;
@@ -97,9 +103,10 @@ void ToolChanger::change() {
 }
 
 // From what comments say of it, else from its name. False and a reason where they do not suffice;
-// no reason: nothing is said.
-bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why) const {
+// no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
+bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
   if (const ToolHint* hint = notes_.find(id)) {
+    if (hint->plain_teeth) said = Severity::warning;
     if (fill_tool(*hint, scale(), lathe(), out, why)) return true;
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
     return false;
@@ -109,17 +116,19 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why) cons
   const ToolHint hint = read_tool_comment(name);
   std::string ignored;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
+  if (hint.plain_teeth) said = Severity::warning;
   out.origin.replace(0, out.origin.find(' '), "its name");
   return true;
 }
 
 // The data of a tool, and where they came from. False when there are none.
-bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why) const {
+bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why,
+                          Severity& said) const {
   if (const Tool* known = given(id)) {
     out = *known;
     return true;
   }
-  if (infer(id, out, why)) return true;
+  if (infer(id, out, why, said)) return true;
   out = {};
   if (const Tool* any = given("")) {
     out = *any;
@@ -167,7 +176,8 @@ void ToolChanger::require(const Word& where, bool cuts) {
   Tool tool;
   std::string why;
   if (!tool_.chosen && !cuts) return;
-  if (!resolve(tool_.current, tool, why)) {
+  Severity said = Severity::note;
+  if (!resolve(tool_.current, tool, why, said)) {
     if (cuts) missing(where, why);
     return;
   }
@@ -178,9 +188,9 @@ void ToolChanger::require(const Word& where, bool cuts) {
       fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
                   tool_summary(tool), tool.origin);
   if (tool_.chosen)
-    reporter_.add_at(Severity::note, "tool-inferred", text, tool_.place);
+    reporter_.add_at(said, "tool-inferred", text, tool_.place);
   else
-    reporter_.add(Severity::note, "tool-inferred", text, where);
+    reporter_.add(said, "tool-inferred", text, where);
 }
 
 void ToolChanger::missing(const Word& where, const std::string& why) {

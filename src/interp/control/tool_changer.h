@@ -39,8 +39,9 @@ class ToolChanger : public ControlPart {
   bool select(const Word& word);
   void change();
   void take_commented(const Word& where);
-  bool resolve(const std::string& id, Tool& out, std::string& why) const;
-  bool infer(const std::string& id, Tool& out, std::string& why) const;
+  std::string id_of(const Word& word) const;
+  bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
+  bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   void missing(const Word& where, const std::string& why);
   const Tool* given(const std::string& id) const;
   void use(Tool tool);

@@ -2,6 +2,8 @@
 
 #include "interp/text/characters.h"
 
+#include <fmt/format.h>
+
 namespace mrsim {
 
 namespace {
@@ -16,6 +18,11 @@ bool heads_list(const std::string& comment) {
 
 }  // namespace
 
+long turret_station(long number, std::size_t digits) {
+  if (digits == 6 || digits == 8) return number / (digits == 6 ? 1000 : 10000);
+  return number > 99 ? number / 100 : number;
+}
+
 void ToolNotes::add(const std::string& id, const ToolHint& hint) {
   const auto [at, fresh] = hints_.try_emplace(id, hint);
   const bool repeated = at->second.text.find(hint.text) != std::string::npos;
@@ -24,7 +31,8 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone) {
   ToolHint hint = read_tool_comment(bytes);
-  if (turret_ && hint.id.size() > 2) hint.id.resize(hint.id.size() - 2);
+  if (turret_ && hint.id_digits > 2)
+    hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
   if (!hint.id.empty() && hint) return add(hint.id, hint);
   if (!called.empty()) {
     if (turret_ && !hint && hint.operation) name_by_operation(hint);

@@ -11,9 +11,13 @@
 
 namespace mrsim {
 
+/// The station of a T word of a lathe, written with `digits` digits: T2, T0202; T002002 of Mazak
+/// and T00020002 have half of them for each.
+long turret_station(long number, std::size_t digits);
+
 class ToolNotes {
  public:
-  /// `turret`: numbers of four digits are station and offset, as T0202 of FANUC lathes.
+  /// `turret`: numbers are station and offset, as T0202 of FANUC lathes.
   explicit ToolNotes(bool turret) : turret_(turret) {}
 
   /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:

@@ -89,6 +89,18 @@ void ForeignPrograms::weigh_printer(const std::string& code, int number, std::st
     refuse("the program of a 3-D printer (it heats and extrudes)", number, raw);
 }
 
+// NUM: G77 and G79 call and jump to N words; "%12" at the head, and G52 beside a motion, which is a
+// place of the machine there.
+void ForeignPrograms::weigh_num(const std::string& code, int number, std::string_view raw) {
+  const std::size_t last = code.find_last_not_of(" \t\r");
+  if (code.size() > 1 && code[0] == '%' && code.find_first_not_of("0123456789", 1) > last)
+    numbered_ = true;
+  const bool moves = has_word(code, "G0") || has_word(code, "G00") || has_word(code, "G1");
+  if (any_of(code, {"G77 N", "G77N", "G79 N", "G79N"}) ||
+      (numbered_ && moves && has_word(code, "G52")))
+    refuse("a program of NUM's control", number, raw);
+}
+
 // A laser's power is S, it is switched by M3, M4 and M5, and nothing moves in Z.
 void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   const std::string& c = s.code;
@@ -116,6 +128,7 @@ void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
 void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
   if (number <= kHeadLines)
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
+  if (!scan.code.empty() && number <= kHeadLines) weigh_num(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);
   if (!settled()) weigh_laser(scan, number);
 }

@@ -28,9 +28,11 @@ class ForeignPrograms {
  private:
   [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
   void weigh_printer(const std::string& code, int number, std::string_view raw);
+  void weigh_num(const std::string& code, int number, std::string_view raw);
   void weigh_laser(const LineScan& scan, int number);
 
   const std::string& path_;
+  bool numbered_ = false;  ///< "%12" alone heads the text
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
   bool on_ = false, power_ = false, laser_word_ = false;

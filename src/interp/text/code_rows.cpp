@@ -269,7 +269,8 @@ constexpr Row kNgc[] = {
     {70, C::diameter_on, G::diameter},
     {80, C::diameter_off, G::diameter},
     {100, C::data_setting, G::oneshot},
-    {171, C::unsupported, G::plane},
+    {150, C::ignored, G::other},  // G15, G50, G69 end what LinuxCNC has not: in the safe starts of
+    {171, C::unsupported, G::plane},  // Mach and PathPilot
     {181, C::unsupported, G::plane},
     {191, C::unsupported, G::plane},
     {200, C::inch_feed, G::units},
@@ -290,6 +291,7 @@ constexpr Row kNgc[] = {
     {431, C::length_dynamic, G::length},
     {432, C::length_add, G::length},
     {490, C::length_off, G::length},
+    {500, C::ignored, G::other},
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::suppress},
     {591, C::work_offset, G::work},
@@ -298,6 +300,7 @@ constexpr Row kNgc[] = {
     {610, C::ignored, G::path},
     {611, C::ignored, G::path},
     {640, C::ignored_words, G::path},
+    {690, C::ignored, G::other},
     {700, C::turn_cycle, G::oneshot},
     {710, C::turn_cycle, G::oneshot},
     {711, C::turn_cycle, G::oneshot},

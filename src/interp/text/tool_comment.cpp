@@ -110,6 +110,7 @@ void CommentReader::set_id(std::size_t i) {
   taken_[i] = hint_.names_tool = true;
   if (!hint_.id.empty() && hint_.id != id) hint_.doubt = "names several tools";
   hint_.id = id;
+  hint_.id_digits = t.text.size();
 }
 
 // "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:".
@@ -196,8 +197,8 @@ void CommentReader::read_radii() {
 // "DIA. - 10.", "Ø5", "D=6.", ".5 DIA"; "DIA. OFF. - 41" is a register.
 void CommentReader::read_named_diameters() {
   for (std::size_t i = 0; i < tokens_.size(); ++i) {
-    if (!one_of(tokens_[i],
-                {"DIA", "DIAM", "DIAMETER", "DURCHMESSER", "DIAMETRO", "PREMER", "DMR"}))
+    if (!one_of(tokens_[i], {"DIA", "DIAM", "DIAMETER", "DURCHMESSER", "DIAMETRO", "DI~METRO",
+                             "DIAMETRE", "DIAM~TRE", "PREMER", "DMR"}))
       continue;
     if (has(i + 1) && one_of(tokens_[i + 1], {"OFF", "OFFSET", "COMP", "REG", "REGISTER"}))
       continue;
@@ -332,7 +333,7 @@ void CommentReader::settle_turning() {
     hint_.width = hint_.diameters.front();
   for (std::size_t i = 0; i < tokens_.size(); ++i)
     if (one_of(tokens_[i], {"LEFT", "LH", "LINKS"})) hint_.left_hand = true;
-  hint_.diameters.clear();
+  if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
 }
 
 // "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
@@ -351,6 +352,7 @@ void CommentReader::settle() {
   const bool data = !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner;
   if (kind_ && (kind_->firm || hint_.names_tool || (data && !is_turning(kind_->type)))) {
     hint_.type = kind_->type;
+    hint_.plain_teeth = kind_->plain_teeth;
     if (kind_->indescribable) hint_.doubt = "names a kind of tool that needs more data";
   }
   if (kind_ && !hint_.type && is_turning(kind_->type)) {

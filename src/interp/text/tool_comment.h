@@ -24,8 +24,9 @@ struct ToolLength {
 };
 
 struct ToolHint {
-  std::string id;           ///< when the comment names the tool's number itself
-  bool names_tool = false;  ///< "TOOL", "TC:", a number: the comment is about a tool
+  std::string id;             ///< when the comment names the tool's number itself
+  std::size_t id_digits = 0;  ///< with which that was written
+  bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
   std::optional<ToolType> type;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
@@ -38,6 +39,7 @@ struct ToolHint {
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
   bool left_hand = false;
+  bool plain_teeth = false;  ///< a thread mill, of which nothing but a cylinder is known
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }

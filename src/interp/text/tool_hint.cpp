@@ -115,7 +115,10 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
-  if (into.id.empty()) into.id = more.id;
+  if (into.id.empty()) {
+    into.id = more.id;
+    into.id_digits = more.id_digits;
+  }
   into.names_tool |= more.names_tool;
   const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
   if (!into.type || (plain && more.type == ToolType::bullmill)) {
@@ -137,6 +140,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
   if (into.edge_length == 0) into.edge_length = more.edge_length;
   into.left_hand |= more.left_hand;
+  into.plain_teeth |= more.plain_teeth;
   if (into.doubt.empty()) into.doubt = more.doubt;
   if (into.text.size() < 400) into.text += "\", \"" + more.text;
 }
@@ -150,6 +154,8 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   }
   out.type = hint.type.value_or(ToolType::endmill);
   out.origin = fmt::format("comment \"{}\"", hint.text);
+  if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
+  if (hint.plain_teeth) out.origin += ", its thread as a plain cylinder";
   if (!hint.type) out.origin += ", taken to be an end mill";
   if (out.type == ToolType::threading && !lathe) {
     why = "names a threading tool of a lathe";

@@ -5,7 +5,7 @@
 namespace mrsim {
 namespace {
 
-enum Form : std::uint8_t { firm, soft, no_shape, pointed };
+enum Form : std::uint8_t { firm, soft, no_shape, pointed, toothed };
 
 struct Phrase {
   std::string_view words;  // apart by blanks; '*' at the end of a word stands for any ending
@@ -18,9 +18,9 @@ struct Phrase {
 // particular stands before the general.
 using enum ToolType;
 constexpr Phrase kPhrases[] = {
-    {"THREAD MILL*", form, no_shape},
-    {"THREADMILL*", form, no_shape},
-    {"GEWINDEFR*", form, no_shape},
+    {"THREAD MILL*", endmill, toothed},
+    {"THREADMILL*", endmill, toothed},
+    {"GEWINDEFR*", endmill, toothed},
     {"DOVETAIL", form, no_shape},
     {"SCHWALBENSCHWANZ*", form, no_shape},
     {"FORM MILL", form, no_shape},
@@ -34,6 +34,8 @@ constexpr Phrase kPhrases[] = {
     {"SLITTING SAW", form, no_shape},
     {"PROBE", form, no_shape},
     {"BORING BAR", boring},
+    {"BORING HEAD", endmill},
+    {"AUSSPINDEL*", endmill},
     {"BOHRSTANGE", boring},
     {"TURNING BORING", boring},
     {"GROOVING TOOL", grooving},
@@ -202,6 +204,7 @@ std::optional<ToolKind> find_tool_kind(const std::vector<CommentToken>& tokens) 
       kind.type = phrase.type;
       kind.firm = phrase.form != soft;
       kind.indescribable = phrase.form == no_shape;
+      kind.plain_teeth = phrase.form == toothed;
       kind.needs_angle = phrase.form == pointed;
       kind.tip_angle = phrase.tip_angle;
       kind.first = i;

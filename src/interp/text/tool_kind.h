@@ -17,6 +17,7 @@ struct ToolKind {
   bool firm = false;
   bool indescribable = false;      ///< "DOVETAIL": a comment can not give its shape
   double tip_angle = 0;            ///< degrees, where the kind implies it (spot drill)
+  bool plain_teeth = false;        ///< a thread mill: a comment gives its cylinder alone
   bool needs_angle = false;        ///< a V-bit: nothing is known without it
   std::size_t first = 0, end = 0;  ///< tokens [first, end) are its name
 };

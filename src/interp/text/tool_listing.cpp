@@ -83,10 +83,26 @@ bool read_apt(std::string_view text, ToolHint& hint) {
   return true;
 }
 
+// CamBam's "T1 : 3.0".
+bool read_number_and_size(std::string_view text, ToolHint& hint) {
+  const std::vector<CommentToken> tokens = comment_tokens(text);
+  if (tokens.size() != 4 || !tokens[0].is("T") || !tokens[1].is_number() || tokens[1].decimals ||
+      tokens[1].text.size() > 8 || !tokens[2].is(":") || !tokens[3].is_number() ||
+      !tokens[3].decimals || !(tokens[3].value > 0))
+    return false;
+  hint.names_tool = true;
+  hint.id_digits = tokens[1].text.size();
+  hint.id = std::string(tokens[1].text);
+  hint.id.erase(0, std::min(hint.id.find_first_not_of('0'), hint.id.size() - 1));
+  set_diameter(hint, {tokens[3].value, tokens[3].unit, tokens[3].fraction});
+  return true;
+}
+
 }  // namespace
 
 bool read_listed_tool(std::string_view folded, ToolHint& hint) {
-  return read_key_values(folded, hint) || read_apt(folded, hint);
+  return read_key_values(folded, hint) || read_apt(folded, hint) ||
+         read_number_and_size(folded, hint);
 }
 
 }  // namespace mrsim
