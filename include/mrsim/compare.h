@@ -145,14 +145,18 @@ struct Comparison {
   double seconds = 0;
 };
 
-/// Deviation of `part` from `nominal`. Throws Error "compare-empty", "compare-not-finite",
-/// "compare-nominal-open", "compare-part-open", "compare-apart", "compare-units".
-/// `texts[i]` holds the lines of part.origin.files[i]; may be shorter or empty.
+/// Deviation of `part` from `nominal`, both in mm. `texts[i]` holds the lines of
+/// part.origin.files[i]; may be shorter or empty. Throws Error "compare-empty",
+/// "compare-not-finite", "compare-too-far", "compare-nominal-open", "compare-part-open",
+/// "compare-apart", "compare-units", "memory", "cancelled", and of kind usage "accept-invalid",
+/// "density-invalid", "density-too-large", "hausdorff-invalid". Cost: a search in a tree of
+/// triangles for each sample and vertex, O((samples + #V) log #F) for usual parts.
 MRSIM_API Comparison compare(const TriMesh& part, const TriMesh& nominal,
                              const CompareOptions& options = {},
                              const std::vector<std::vector<std::string>>& texts = {});
 
-/// Throws what compare() would throw for this nominal, before a long run.
+/// Throws what compare() would throw for this nominal, before a long run; `name` is what messages
+/// call it. Cost: sorting its edges.
 MRSIM_API void require_nominal(const TriMesh& nominal, const std::string& name, int threads = 0);
 
 /// One JSON object, schema in docs/compare.md ("schema": 1). Without times and memory, so that
@@ -160,13 +164,14 @@ MRSIM_API void require_nominal(const TriMesh& nominal, const std::string& name, 
 MRSIM_API std::string comparison_json(const Comparison& comparison);
 /// JUnit XML: a test case for the verdict and one for each region.
 MRSIM_API std::string comparison_junit(const Comparison& comparison);
-/// What the command prints.
+/// The lines that `mrsim compare` prints, mm.
 MRSIM_API std::string comparison_text(const Comparison& comparison);
 
 enum class DeviationScheme : std::uint8_t { standard, safe };
 /// `part` (moved by the comparison's transform) with a colour at every vertex: blue = material
 /// left, green (safe: near white) = in tolerance, red (safe: orange) = gouge. Long triangles are
-/// split so that the colours are right inside of them; the surface stays the same.
+/// split so that the colours are right inside of them; the surface stays the same. Requires:
+/// `comparison` is of these two meshes. Cost: a search in a tree of triangles for each vertex.
 MRSIM_API TriMesh deviation_mesh(const TriMesh& part, const TriMesh& nominal,
                                  const Comparison& comparison,
                                  DeviationScheme scheme = DeviationScheme::standard,
@@ -209,7 +214,8 @@ struct ReportFacts {
 };
 /// A self-contained HTML page: the part with its deviations, regions, program text. Works from
 /// disk without a network. `nominal` may have no triangles, `comparison` no figures (a plain
-/// viewer of the part).
+/// viewer of the part). Requires: what ReportRun points to stays alive during the call. Cost:
+/// linear in triangles and motions.
 MRSIM_API std::string report_html(const TriMesh& part, const TriMesh& nominal,
                                   const Comparison& comparison, const ReportFacts& facts = {},
                                   int threads = 0);

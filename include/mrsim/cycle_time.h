@@ -45,7 +45,8 @@ struct CycleTime {
   std::vector<double> seconds;   ///< #motions: of each motion alone
 };
 
-/// Moves with an assumed start count as no time. Cost: one pass forward and one back.
+/// Moves with an assumed start count as no time. Requires: values of `machine` above 0, as said
+/// there. Throws nothing. Cost: one pass over the motions forward and one back.
 MRSIM_API CycleTime cycle_time(const Program& program, const MachineData& machine);
 
 }  // namespace mrsim

@@ -41,6 +41,7 @@ struct CutShape {
   double width = 0;       ///< mm
   double engagement = 0;  ///< radians
 
+  /// The larger of each two; what is not defined gives way to a value above 0.
   MRSIM_API CutShape& operator+=(const CutShape& other);
 };
 
@@ -58,16 +59,17 @@ struct History {
   std::vector<ToolRemoval> tools;  ///< in the order of their first cuts
 };
 
-/// What one motion removes.
+/// What motion `motion` of the program (from 0) removes. Requires: `time` and `history` are of
+/// `program`, and a history was made: History::voxel > 0.
 MRSIM_API Removal removal_of(const Program& program, const CycleTime& time, const History& history,
                              std::size_t motion);
 
 /// The history as a table: a row for each cutting motion ("motion"), and sums for each line
 /// ("line"), tool ("tool") and the program ("program"); docs/history.md tells the columns.
-/// Throws Error "memory".
+/// Requires: all three are of one run. Throws Error "memory". Cost: linear in the motions.
 MRSIM_API std::string history_csv(const Program& program, const CycleTime& time,
                                   const History& history);
-/// The same as one JSON object.
+/// The same rows as one JSON object (docs/schema/history.json).
 MRSIM_API std::string history_json(const Program& program, const CycleTime& time,
                                    const History& history);
 

@@ -5,12 +5,16 @@
 ///     job.program = "PRIMER_2F.MPF";
 ///     job.stock = "block.stl";
 ///     job.outputs = {"part.stl"};
-///     const mrsim::JobResult result = mrsim::simulate(job);  // result.volume,
-///     result.program.diagnostics, ...
+///     const mrsim::JobResult result = mrsim::simulate(job);
+///     printf("%g mm^3 of %zu motions\n", result.volume, result.program.motions.size());
 ///
 /// Errors: faults of files, options and the machine throw mrsim::Error; faults of the program are
-/// Diagnostics. Every function may be called from any thread; results do not depend on the number
-/// of threads.
+/// Diagnostics. Every function that reads a file may throw "file-missing", "file-unreadable",
+/// "file-is-directory", "file-too-large" and "memory". One that writes a file may throw
+/// "output-unwritable", "output-folder" and "output-full"; the file that was there then stays. The
+/// functions name only what they throw besides.
+///
+/// Every function may be called from any thread; results do not depend on the number of threads.
 #pragma once
 
 #include <mrsim/collisions.h>
@@ -29,17 +33,20 @@
 namespace mrsim {
 
 /// Reads an NC program as its control would. Faults of the program are in Program::diagnostics, a
-/// rejected block moves nothing. Throws Error for a missing or empty file, or when the machine
-/// cannot be told.
+/// rejected block moves nothing. Throws Error "program-empty", "file-encoding", and of kind usage
+/// "machine-unclear" (mill or lathe?) and "variable-unknown" (InterpOptions::variables).
+/// Cost: linear in the blocks that run; sizeof(Motion) bytes of memory for each motion.
 MRSIM_API Program interpret(const std::string& path, const InterpOptions& options = {});
 
-/// One motion as the JSON object of `mrsim trace --json` (docs/interp.md), without line end.
+/// One motion as the JSON object of `mrsim trace --json` (docs/interp.md), in UTF-8, without line
+/// end. `motion` is one of `program`: its file, tool and call are looked up there.
 MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
+/// One finding as the JSON object that `mrsim check --json` prints, in UTF-8, without line end.
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
-/// One motion as a line for people.
+/// The same motion as a line for people: mm, degrees.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
 /// The tool path as a picture, .svg or .ply by extension: rapids dashed, arcs as arcs, a lathe in
-/// ZX. Throws Error of kind usage for another extension.
+/// ZX. Throws Error "output-format" (usage) for another extension. Cost: linear in the motions.
 MRSIM_API void write_path_picture(const Program& program, const std::string& path);
 
 /// Takes what trace() finds, in program order, as it is found. Any of them may be empty.
@@ -48,8 +55,9 @@ struct TraceSink {
   std::function<void(const std::string& line)> line;  ///< the same motion as text, no line end
   std::function<void(const Diagnostic& diagnostic)> diagnostic;
 };
-/// Like interpret, but hands motions on (as JSON or text for people, too) instead of keeping them:
-/// memory does not grow with the length of the program.
+/// Like interpret, with the same errors, but hands motions on instead of keeping them, as values
+/// and as lines of JSON or text: memory does not grow with the length of the program.
+/// Program::motions and Program::diagnostics of the result are empty.
 MRSIM_API Program trace(const std::string& path, const InterpOptions& options, bool json,
                         const TraceSink& sink);
 
@@ -58,35 +66,52 @@ struct CheckReport {
   Program program;
   std::size_t motions = 0, cuts = 0;
 };
-/// Reads a program like trace() and tells, too, what a run of it would refuse: threads, moves that
-/// can not be swept, tools without a shape. `found` takes the findings as they come.
+/// Reads a program like trace(), with the same errors and in as little memory, and tells, too, what
+/// a run of it would refuse: threads, moves that can not be swept, tools without a shape. `found`
+/// takes the findings as they come.
 MRSIM_API CheckReport check_program(const std::string& path, const InterpOptions& options,
                                     const std::function<void(const Diagnostic&)>& found);
 
 /// Reads tools.toml, or a tool library: LinuxCNC .tbl, CAMotics .camotics and .json, Fusion .json
 /// and .tools, FreeCAD .fctb and .fctl. `notes`: sentences about tools that were left out. Throws
-/// Error naming line and key, "tools-format" for another file.
+/// PlacedError "tools-syntax", "tools-key", "tools-value", "tools-duplicate" with line and column
+/// (libraries in JSON: Error with the tool's name), Error "tools-format" for another file.
 MRSIM_API ToolTable load_tools(const std::string& path, std::vector<std::string>* notes = nullptr);
-/// Draws tools from the side, .svg or .png by extension.
+/// Draws tools from the side, .svg or .png by extension. Throws Error "tools-empty", and
+/// "output-format" (usage) for another extension.
 MRSIM_API void write_tools_picture(const std::vector<Tool>& tools, const std::string& path);
-/// The table [machine] of a TOML file (docs/job.md). Throws PlacedError "machine-key" and the like.
+/// The table [machine] of a TOML file (docs/job.md). Throws PlacedError "machine-syntax",
+/// "machine-missing", "machine-key", "machine-value".
 MRSIM_API MachineData load_machine(const std::string& path);
-/// One tool from "4=endmill:d=5" or "endmill:d=5". Throws Error of kind usage.
+/// One tool from "4=endmill:d=5" or "endmill:d=5", lengths in mm, angles in degrees
+/// (docs/tools.md). Throws Error "tool-spec" (usage).
 MRSIM_API Tool parse_tool(const std::string& spec);
 
-/// The stock from "box:x0,y0,z0,x1,y1,z1", "cylinder:d,z0,z1", "tube:d,bore,z0,z1" or a mesh file.
+/// The stock from "box:x0,y0,z0,x1,y1,z1", "cylinder:d,z0,z1", "tube:d,bore,z0,z1", all in mm, or
+/// from a file: a mesh in mm, or a .vdb. Throws Error "stock-spec" (usage), "stock-empty", what
+/// read_mesh() throws, "mesh-open" and the like for a mesh that bounds no solid and can not be made
+/// to, "stock-wrap" where StockOptions::wrap finds no solid either, "vdb-unreadable" and the like
+/// for a damaged .vdb, "cancelled". Cost: a few sorts of a mesh's triangles, more where it must be
+/// repaired.
 MRSIM_API StockShape load_stock(const std::string& spec, const StockOptions& options = {});
 
-/// Format by extension. Throws Error naming the file and what is wrong with it.
+/// A mesh in mm from .stl, .obj, .ply, .off, .3mf or .glb, by extension. It need not be closed.
+/// Throws Error "mesh-format" (usage) for another extension; what is wrong with the file has a code
+/// that begins with the format's name: "stl-truncated", "3mf-xml".
 MRSIM_API TriMesh read_mesh(const std::string& path);
+/// Writes .stl, .obj, .ply, .off, .3mf or .glb, by extension. Throws Error "mesh-format" (usage),
+/// "mesh-empty", "stl-too-large", "glb-too-large", "3mf-too-large".
 MRSIM_API void write_mesh(const std::string& path, const TriMesh& mesh);
-/// The bytes of a mesh file in the format of `name`, which is not opened.
+/// The bytes of a mesh file in the format of `name`, which is not opened. Throws as write_mesh().
 MRSIM_API void encode_mesh(const TriMesh& mesh, const std::string& name, const ByteSink& sink);
 
-/// What a mesh is, and whether it keeps the promises of docs/mesh.md.
+/// What a mesh is, and whether it keeps the promises of docs/mesh.md. Throws
+/// nothing, whatever the mesh. Cost: about 0.1 s for a million triangles.
 MRSIM_API MeshSummary summarize(const TriMesh& mesh);
 
-/// Writes a shaded PNG of the mesh, edges drawn, without a display.
+/// Writes a shaded PNG of the mesh, edges drawn, without a display. Throws Error "render-options"
+/// (usage), "mesh-empty", "mesh-invalid", "memory". Cost: a few rays for each pixel, each of them
+/// logarithmic in the triangles.
 MRSIM_API void render(const TriMesh& mesh, const std::string& png_path,
                       const RenderOptions& options = {});
 
@@ -223,9 +248,18 @@ struct JobResult {
 };
 
 /// The whole way from program to part. With any error in the program nothing is carved or written
-/// and `ok` is false. Throws Error for files, options and machines, "vdb-module" among them:
-/// for a .vdb, the module that samples voxels, mrsim/vdb.so beside the library, is missing or does
-/// not fit. No output may be an input or another output: Errors "output-is-input", "output-twice".
+/// and `ok` is false. Throws what interpret(), load_stock() and the writers throw, and:
+///   "program-no-cuts", "part-empty"       nothing is cut, nothing is left
+///   "until-invalid", "until-file"         Job::until (usage)
+///   "voxel-invalid", "tolerance-invalid"  out of range for this part
+///   "tool-invalid", "tool-missing", "motion-unsupported"  a cut that can not be swept
+///   "mesh-unresolved", "max-triangles"    no mesh keeps the promise that was asked for
+///   "memory", "cancelled"                 CarveOptions::max_memory, Progress
+///   "output-is-input", "output-twice"     an output is an input or another output (usage)
+///   "vdb-module"                          mrsim/vdb.so, which samples voxels for a .vdb, is
+///                                         missing beside the library or does not fit
+/// Cost: grows with the motions and with the cut surface counted in voxels, not with the volume;
+/// docs/performance.md has measured runs.
 MRSIM_API JobResult simulate(const Job& job);
 /// The same into `result`, which holds what was found until then when an Error is thrown.
 MRSIM_API void simulate(const Job& job, JobResult& result);

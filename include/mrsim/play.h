@@ -59,7 +59,7 @@ struct Play {
 };
 
 /// The path alone, without a stock: motions that remove nothing, and outlines of the tools whose
-/// shapes are valid.
+/// shapes are valid; the others have none. Throws nothing. Cost: linear in motions and tools.
 MRSIM_API Play path_play(const Program& program);
 
 }  // namespace mrsim

@@ -53,12 +53,14 @@ struct Rest {
   std::vector<RestPiece> pieces;  ///< the largest volume first
 };
 
-/// Throws Error of compare() for meshes that bound no solid, "rest-voxel" (usage) for a voxel that
-/// would take too much memory, "vdb-module".
+/// The material that `part` has and `nominal` has not, both in mm. Throws what compare() throws for
+/// meshes that bound no solid, "rest-voxel" (usage) for a voxel that is too small for the meshes or
+/// RestOptions::above of more than two voxels, "vdb-module". Cost: the voxels near both surfaces,
+/// then searches in a tree of triangles for each piece whose tools are looked for.
 MRSIM_API Rest find_rest(const TriMesh& part, const TriMesh& nominal,
                          const RestOptions& options = {});
 
-/// The pieces as one mesh.
+/// The surfaces of all pieces as one mesh, in the order of Rest::pieces.
 MRSIM_API TriMesh joined_pieces(const Rest& rest);
 
 }  // namespace mrsim

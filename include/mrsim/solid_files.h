@@ -9,13 +9,16 @@
 
 namespace mrsim {
 
-/// Part or nominal from any file: a mesh, STEP (within `deflection` mm of its faces), or a .vdb,
-/// which is meshed with its owners. `note` gets a sentence where something was decided.
+/// Part or nominal in mm from any file: a mesh, STEP (within `deflection` mm of its faces), or a
+/// .vdb, which is carved again and meshed with its owners. `note` gets a sentence where something
+/// was decided. Throws what read_mesh() and read_step() throw; codes of a damaged .vdb begin with
+/// "vdb-". Cost: that of carving, for a .vdb.
 MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
                              std::string* note = nullptr);
 
-/// The lines of the programs that `origin` names, found by their names as they are, beside `part`,
-/// or in `folders`; empty for those that are not found. As compare() takes them.
+/// The lines of the programs that `origin` names, one list for each of OwnerTable::files, as
+/// compare() takes them: UTF-8, without line ends. A program is looked for beside the file `part`,
+/// in `folders`, and by its name as it is. The list of one that is not found is empty.
 MRSIM_API std::vector<std::vector<std::string>> read_program_lines(
     const OwnerTable& origin, const std::string& part,
     const std::vector<std::string>& folders = {});
@@ -30,7 +33,9 @@ MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
 /// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
 /// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",
 /// "step-too-far", "step-unsupported" (built without Open CASCADE), "step-module" (the module that
-/// reads STEP files, mrsim/step.so beside the library, is missing or does not fit).
+/// reads STEP files, mrsim/step.so beside the library, is missing or does not fit), and
+/// "deflection-invalid" (usage) where `deflection` is not above 0. Cost: the number of triangles
+/// grows as 1 / deflection on doubly curved faces, as its root on cylinders.
 MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001);
 
 }  // namespace mrsim
