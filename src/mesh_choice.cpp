@@ -126,6 +126,38 @@ void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
   choice.measure = true;
 }
 
+double finest_grid(const ExactField& field, const MeshChoice& choice) {
+  return std::max(choice.voxel,
+                  round_down_voxel(wished_cell(choice, longest_side(field.bounds()))));
+}
+
+void fit_voxel(const ExactField& field, const detail::SurfaceSurvey& survey, MeshChoice& choice) {
+  const double cell = wished_cell(choice, longest_side(field.bounds()));
+  choice.fallback_voxel = finest_grid(field, choice);
+  double& grid = choice.fallback_voxel;
+  while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
+    grid = finer_voxel(grid);
+  const double finest = grid;
+  while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
+  if (!choice.is_default) choice.fallback_voxel = 0;  // a wish is kept
+  if (!choice.is_default || suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
+    const double given = choice.voxel;
+    while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
+      choice.voxel = next_voxel(choice.voxel);
+    if (choice.voxel > given)
+      choice.voxel_reason = fmt::format("raised from {:.6g} mm, {}: the cuts' surface is large",
+                                        given, choice.voxel_reason);
+    return;
+  }
+  // Each sweep of a block leaves a crease beside its neighbours, and each crease has cells.
+  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), sweeps_met(survey))));
+  choice.voxel_reason =
+      choice.voxel > finest
+          ? fmt::format("{:.6g} mm would take about {} cells", finest,
+                        count_text(survey.cells(finest)))
+          : fmt::format("for a cutter radius of {:.6g} mm, rounded down", choice.radius);
+}
+
 }  // namespace
 
 MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& cuts) {
@@ -156,34 +188,14 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 }
 
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
-  if (!choice.fits_voxel) return;
-  const double longest = longest_side(field.bounds());
-  const double cell = wished_cell(choice, longest);
-  choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
-  if (field.is_turned(field.all())) return;  // meshed by its section
-  const detail::SurfaceSurvey survey = detail::survey_surface(field, threads);
-  double& grid = choice.fallback_voxel;
-  while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
-    grid = finer_voxel(grid);
-  const double finest = grid;
-  while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
-  if (!choice.is_default) choice.fallback_voxel = 0;  // a wish is kept
-  if (!choice.is_default || suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
-    const double given = choice.voxel;
-    while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
-      choice.voxel = next_voxel(choice.voxel);
-    if (choice.voxel > given)
-      choice.voxel_reason = fmt::format("raised from {:.6g} mm, {}: the cuts' surface is large",
-                                        given, choice.voxel_reason);
+  if (!choice.fits_voxel && choice.tolerance > 0) return;
+  if (field.is_turned(field.all())) {  // meshed by its section
+    if (choice.fits_voxel) choice.fallback_voxel = finest_grid(field, choice);
     return;
   }
-  // Each sweep of a block leaves a crease beside its neighbours, and each crease has cells.
-  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), sweeps_met(survey))));
-  choice.voxel_reason =
-      choice.voxel > finest
-          ? fmt::format("{:.6g} mm would take about {} cells", finest,
-                        count_text(survey.cells(finest)))
-          : fmt::format("for a cutter radius of {:.6g} mm, rounded down", choice.radius);
+  const detail::SurfaceSurvey survey = detail::survey_surface(field, threads);
+  if (choice.fits_voxel) fit_voxel(field, survey, choice);
+  choice.cut_cells = survey.cells(choice.voxel);
 }
 
 void give_up_tolerance(MeshChoice& choice, const std::string& why) {

@@ -23,12 +23,14 @@ struct MeshChoice {
   bool is_default = false;    ///< nor was the tolerance: likewise
   bool measure = false;       ///< MeshOptions::measure
   double fallback_voxel = 0;  ///< MeshOptions::fallback_voxel
+  double cut_cells = 0;       ///< CarveOptions::cut_cells
 };
 
 /// What was given; else what the size of stock and cutters suggests.
 MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& cuts);
 
-/// Coarser where the cut surface is so large that the run would take long.
+/// Looks how large the cut surface is. Voxel and tolerance that were not given get coarser where it
+/// is so large that the run would take long.
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice);
 
 /// The mesh within the tolerance was given up for the grid of choice.fallback_voxel.

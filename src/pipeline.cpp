@@ -167,6 +167,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                  fit_mesh(field, job.mesh.threads, choice);
                  chosen.voxel = choice.voxel;
                  chosen.grid_mesh = choice.tolerance == 0;
+                 chosen.cut_cells = choice.cut_cells;
                  chosen.no_slabs = no_slabs(job, choice.tolerance);
                });
 }

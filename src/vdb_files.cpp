@@ -3,6 +3,7 @@
 #include "core/bytes.h"
 #include "core/child_process.h"
 #include "core/error.h"
+#include "core/heap.h"
 #include "core/text_io.h"
 #include "voxel_module.h"
 
@@ -21,11 +22,6 @@ struct SurfaceHeader {
   double voxel = 0;
   std::uint64_t fault = 0, grid = 0, hash = 0, vertices = 0, triangles = 0;
 };
-
-template <class T>
-std::size_t bytes_of(const std::vector<T>& rows) {
-  return rows.size() * sizeof(T);
-}
 
 void send(const LevelSetSurface& found, const std::string& fault, const ByteSink& sink) {
   const SurfaceHeader header{found.voxel,

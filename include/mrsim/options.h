@@ -86,6 +86,8 @@ struct CarveOptions {
   // simulate() sets the following.
   /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
   bool grid_mesh = false;
+  /// Voxels that the cut surface passes, about, for the estimate of such a mesh; 0 = not known.
+  double cut_cells = 0;
   /// Sample the part into a narrow band and keep it, unless the run is done in slabs: without it
   /// no voxel is sampled. simulate() wants it for a .vdb: meshes come from the exact part.
   bool keep_grid = true;

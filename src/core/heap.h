@@ -34,4 +34,20 @@ void reserve_large(std::vector<T>& column, std::size_t count) {
   prefer_huge_pages(column.data(), count * sizeof(T));
 }
 
+/// What the entries of a column take; room in reserve is not touched.
+template <class T>
+std::size_t bytes_of(const std::vector<T>& column) {
+  return column.size() * sizeof(T);
+}
+
+/// Room for `more` entries; where the column has to grow, at once for those to come if the rest of
+/// the work brings as many: `done` parts of `all` are done with these.
+template <class T>
+void reserve_ahead(std::vector<T>& column, std::size_t more, std::size_t done, std::size_t all) {
+  const std::size_t needed = column.size() + more;
+  if (needed <= column.capacity()) return;
+  const double share = static_cast<double>(done) / static_cast<double>(all);
+  reserve_large(column, static_cast<std::size_t>(1.1 * static_cast<double>(needed) / share) + 1);
+}
+
 }  // namespace mrsim

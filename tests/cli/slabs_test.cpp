@@ -27,7 +27,7 @@ class Slabs : public CliTest {
 };
 
 // Between what the run takes in slabs and in one piece, for that many threads.
-std::string limit(int threads) { return std::to_string(14 + 12 * threads) + "M"; }
+std::string limit(int threads) { return std::to_string(14 + 13 * threads) + "M"; }
 
 TEST_F(Slabs, GiveTheSameBytes) {
   for (const char* format : {"stl", "ply", "obj", "off", "3mf"}) {

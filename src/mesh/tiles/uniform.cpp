@@ -24,7 +24,7 @@ namespace {
 constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr double kMost = 0.99;         ///< share of the triangles whose distance is told
 constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
-constexpr std::size_t kBatch = 8;      ///< tiles a thread between two blocks of the mesh
+constexpr std::size_t kBatch = 2;      ///< tiles a thread between two blocks of the mesh
 constexpr std::int32_t kCells = CellTile::kCells, kOwned = CellTile::kOwned,
                        kFirstOwned = CellTile::kFirstOwned;
 

@@ -26,7 +26,9 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
             const CarveOptions& options, const VoxelDecision& decide) {
   auto grid = std::make_unique<StockGrid>();
   StockSolid solid(shape);
-  SweepTable sweeps(motions, tools, {.top = solid.bounds().hi.z}, options.threads);
+  const SweepSelection cuts{.top = solid.bounds().hi.z};
+  require_table(motions, tools, cuts);
+  SweepTable sweeps(motions, tools, cuts, options.threads);
   grid->field = std::make_unique<PartField>(std::move(solid), std::move(sweeps), options.threads);
   const PartField& field = *grid->field;
   CarveOptions chosen = options;

@@ -1,12 +1,13 @@
 #include "removal/part/memory_plan.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "removal/sweep/turn_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,24 +16,36 @@ namespace mrsim {
 namespace {
 
 // Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
-// active voxels, in leaves that are about half full, and two triangles of a mesh on the voxels;
-// flat sides that a box keeps have few.
-constexpr double kProgram = 10e6, kMotion = 400;
-constexpr double kTurn = 1500;     ///< the outline that an insert sweeps, besides
-constexpr double kOpenVdb = 30e6;  ///< its library
-constexpr double kRecipe = 400;    ///< a motion once more, for the file
+// active voxels, in leaves that are about half full. A mesh on the voxels has two triangles for
+// each voxel that the cuts' surface passes; flat sides that a box keeps have few.
+constexpr double kProgram = 10e6, kMotion = 320;
+constexpr double kSweep = 200, kPiece = 250;  ///< in lists of candidates
+constexpr double kOpenVdb = 30e6;             ///< its library
+constexpr double kRecipe = 400;               ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
-constexpr double kThread = 12e6, kMeshColumn = 70, kBoxMeshColumn = 20;
+constexpr double kThread = 12e6;
+constexpr double kMeshCell = 33, kMeshColumn = 70, kBoxMeshColumn = 8;
+constexpr double kTileCell = 500;      ///< of the tiles that are being made and joined
+constexpr double kTilesAThread = 2;    ///< of them
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
-constexpr double kTileVoxels = 61;
+constexpr double kTileVoxels = 60;
 constexpr double kTile = 400;         ///< what is kept of each, by the sizes of its records
 constexpr double kMostColumns = 1e9;  ///< of surface voxels; the triangles of a mesh are twice that
+constexpr std::size_t kSample = 4096;  ///< motions that tell how much the sweeps of all take
 
 std::size_t free_memory() {
   const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
   return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page)
                                : std::size_t(4) << 30;
+}
+
+// The tiles of the mesh that hold surface, about: those of the stock's own, or all.
+double surface_tiles(const StockSolid& stock, double voxel) {
+  const double tile = voxel * kTileVoxels;
+  const Vec3 size = stock.bounds().hi - stock.bounds().lo;
+  const double all = std::ceil(size.x / tile) * std::ceil(size.y / tile) * std::ceil(size.z / tile);
+  return std::min(stock.area() / (tile * tile) + 1, all);
 }
 
 // The tiles of the mesh that a cut across the longest axis meets, were it the stock's whole
@@ -44,26 +57,37 @@ double section_tiles(const StockSolid& stock, double voxel) {
   return (sides[0] + 2 * sides[1]) / (voxel * kTileVoxels) + 1;
 }
 
+// The table, and the lists of those that threads work on.
+double memory_of(const SweepTable& sweeps) {
+  return static_cast<double>(sweeps.memory()) + kSweep * static_cast<double>(sweeps.size()) +
+         kPiece * static_cast<double>(sweeps.pieces());
+}
+
 struct Need {
   const StockSolid& stock;
-  std::size_t motions, turns;
+  const SweepTable& sweeps;
+  std::size_t motions;
   const CarveOptions& options;
 
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
-    const double always =
-        kProgram + kMotion * static_cast<double>(motions) + kTurn * static_cast<double>(turns);
+    const double always = kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps);
     double grid = options.keep_grid ? kOpenVdb : 0;
     if (options.keep_grid && !in_slabs)
       grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel +
               kRecipe * static_cast<double>(motions);
-    if (!options.grid_mesh) return always + grid;
-    const double working = kThread * resolve_threads(options.threads) +
-                           section_tiles(stock, voxel) * kFrontTile +
-                           columns / (kTileVoxels * kTileVoxels) * kTile;
-    return always + grid + working +
-           (in_slabs ? 0 : columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn));
+    return always + grid + (options.grid_mesh ? mesh(voxel, columns, in_slabs) : 0);
+  }
+
+  double mesh(double voxel, double columns, bool in_slabs) const {
+    const int threads = resolve_threads(options.threads);
+    const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
+    const double tiles = surface_tiles(stock, voxel);
+    const double working = threads * (kThread + kTilesAThread * kTileCell * cells / tiles) +
+                           section_tiles(stock, voxel) * kFrontTile + tiles * kTile;
+    if (in_slabs) return working;
+    return working + kMeshCell * cells + columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
   }
 };
 
@@ -96,13 +120,24 @@ void require_columns(const StockSolid& stock, double voxel) {
 
 }  // namespace
 
+void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
+                   const SweepSelection& selection) {
+  if (motions.size() < 2 * kSample) return;
+  std::vector<Motion> some;
+  for (std::size_t k = 0; k < kSample; ++k) some.push_back(motions[motions.size() / kSample * k]);
+  const SweepTable sample(some, tools, selection);
+  const double share = static_cast<double>(motions.size()) / kSample;
+  require_memory(share * memory_of(sample),
+                 fmt::format("what the tools sweep along {} motions", motions.size()));
+}
+
 MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options) {
   if (!(options.voxel > 0) || !std::isfinite(options.voxel))
     throw Error("voxel-invalid",
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),
                 Error::Kind::usage);
   if (options.grid_mesh || options.keep_grid) require_columns(field.solid(), options.voxel);
-  const Need need{field.solid(), motions, field.sweeps().turn_tree().size(), options};
+  const Need need{field.solid(), field.sweeps(), motions, options};
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);

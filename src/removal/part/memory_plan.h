@@ -7,6 +7,7 @@
 #include <mrsim/options.h>
 
 #include <cstddef>
+#include <span>
 
 namespace mrsim {
 
@@ -16,6 +17,11 @@ struct MemoryPlan {
   double whole = 0;       ///< the same in one piece
   bool in_slabs = false;
 };
+
+/// Throws Error "memory" where the limit in force (core/memory_limit.h) does not leave what a
+/// SweepTable of these would take, told from some of the motions.
+void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
+                   const SweepSelection& selection);
 
 /// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "voxel-too-small"
 /// where the stock's surface has too many voxels; "memory" where the run does not fit, with what

@@ -18,7 +18,8 @@ constexpr std::size_t kPart = 1 << 13;  // motions; their rows stay in the cache
 // Appends parts to a table, in their order.
 class Joiner {
  public:
-  Joiner(SweepColumns& table, std::size_t motions) : table_(table) {
+  Joiner(SweepColumns& table, std::size_t motions)
+      : table_(table), parts_((motions + kPart - 1) / kPart) {
     reserve_large(table.refs, motions);
     reserve_large(table.tags, motions);
     reserve_large(table.motions, motions);
@@ -26,6 +27,7 @@ class Joiner {
   }
 
   void append(SweepBuilder& part) {
+    ++joined_;
     SweepColumns& from = part.columns();
     const std::vector<std::int32_t> shapes = shapes_of(part);
     const std::vector<std::uint16_t> frames = frames_of(from);
@@ -63,12 +65,10 @@ class Joiner {
   }
 
  private:
-  // A long program is mostly of one form: room for all of it at once (pages are not touched).
   template <class Row>
   std::uint32_t append(std::vector<Row>& rows, std::vector<Row>& column) const {
     const auto first = static_cast<std::uint32_t>(column.size());
-    if (column.empty() && !rows.empty() && sizeof(Row) <= sizeof(LineRecord))
-      reserve_large(column, table_.refs.capacity());
+    reserve_ahead(column, rows.size(), joined_, parts_);
     column.insert(column.end(), std::make_move_iterator(rows.begin()),
                   std::make_move_iterator(rows.end()));
     return first;
@@ -100,6 +100,7 @@ class Joiner {
   }
 
   SweepColumns& table_;
+  std::size_t parts_, joined_ = 0;
   std::map<ShapeKey, std::int32_t> shapes_;
 };
 

@@ -1,6 +1,7 @@
 // Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
 #include "removal/sweep/sweep_classes.h"
 
+#include "core/heap.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -106,14 +107,22 @@ bool are_alike(const SweepColumns& c, int threads) {
 }  // namespace
 
 void cut_pieces(SweepColumns& c) {
+  constexpr std::size_t kTogether = 1024;  // sweeps
+  std::vector<LineRecord> some;
   for (std::size_t i = 0; i < c.refs.size(); ++i) {
     const SweepRef& ref = c.refs[i];
     const bool path = ref.kind == SweepKind::path, profile = ref.kind == SweepKind::profile;
-    if (!c.first_piece.empty()) c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size());
-    if (ref.frame != 0 || !(path || profile) || !has_heights(c.cutter(ref))) continue;
-    const bool cut = path ? append_pieces(c.paths[ref.row], c.pieces)
-                          : append_pieces(c.profiles[ref.row], c.pieces);
-    if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
+    if (!c.first_piece.empty())
+      c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size() + some.size());
+    if (ref.frame == 0 && (path || profile) && has_heights(c.cutter(ref))) {
+      const bool cut =
+          path ? append_pieces(c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
+      if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
+    }
+    if ((i + 1) % kTogether != 0 && i + 1 != c.refs.size()) continue;
+    reserve_ahead(c.pieces, some.size(), i + 1, c.refs.size());
+    c.pieces.insert(c.pieces.end(), some.begin(), some.end());
+    some.clear();
   }
   if (!c.first_piece.empty()) c.first_piece.back() = static_cast<std::uint32_t>(c.pieces.size());
 }

@@ -49,6 +49,9 @@ class SweepPacks {
   SweepPacks(const SweepColumns& columns, int threads);
 
   std::size_t size() const { return packs_.size(); }
+  std::size_t memory() const {  ///< bytes
+    return bytes_of(packs_) + bytes_of(chords_) + bytes_of(children_) + bytes_of(roots_);
+  }
   const SweepPack& operator[](std::uint32_t number) const { return packs_[number - kFirstPack]; }
   std::vector<SweepPack>& all() { return packs_; }
   /// The sweep along the chord, in the form of the members.

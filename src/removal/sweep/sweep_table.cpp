@@ -1,5 +1,6 @@
 #include "removal/sweep/sweep_table.h"
 
+#include "core/heap.h"
 #include "removal/sweep/build_columns.h"
 #include "removal/sweep/sweep_faces.h"
 #include "removal/sweep/sweep_lists.h"
@@ -30,6 +31,17 @@ double SweepTable::ball_radius(std::size_t i) const {
   if (ref.kind == SweepKind::turn) return std::numeric_limits<double>::infinity();
   const Profile& tool = columns_->cutter(ref);
   return std::min(tool.max_radius(), 0.5 * (tool.top() - tool.bottom()));
+}
+std::size_t SweepTable::pieces() const { return columns_->pieces.size(); }
+std::size_t SweepTable::memory() const {
+  const SweepColumns& c = *columns_;
+  std::size_t bytes = c.packs.memory() + c.turn_tree.memory();
+  for (const std::vector<Box3>& boxes : c.bounds) bytes += bytes_of(boxes);
+  return bytes + bytes_of(c.refs) + bytes_of(c.motions) + bytes_of(c.tags) +
+         bytes_of(c.ball_lines) + bytes_of(c.plane_lines) + bytes_of(c.plane_arcs) +
+         bytes_of(c.ball_arcs) + bytes_of(c.profiles) + bytes_of(c.paths) +
+         bytes_of(c.chain_lines) + bytes_of(c.slant_lines) + bytes_of(c.turns) +
+         bytes_of(c.pieces) + bytes_of(c.first_piece) + bytes_of(c.class_of) + bytes_of(c.levels);
 }
 Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds_of_number(i); }
 

@@ -118,6 +118,11 @@ class SweepTable {
   };
   std::optional<FlatFloor> flat_floor(std::size_t i, const Vec3& p) const;
 
+  /// Bytes that the table holds.
+  std::size_t memory() const;
+  /// Pieces of paths by which sweeps are pruned (removal/sweep/height_pieces.h).
+  std::size_t pieces() const;
+
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.
   double max_error() const;
   /// Smallest radius of any cutter or nose used (0 when none has one), for the default voxel.

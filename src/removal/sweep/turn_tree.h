@@ -7,6 +7,7 @@
 // move along smooth curves, so chords are close and a search goes down one way.
 #pragma once
 
+#include "core/heap.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/turn_sweep.h"
 #include "removal/tool/tool.h"
@@ -53,6 +54,9 @@ class TurnTree {
            std::vector<Item> items, int threads);
 
   std::size_t size() const { return turns_.size(); }  ///< sweeps
+  std::size_t memory() const {                        ///< bytes
+    return bytes_of(items_) + bytes_of(packs_) + bytes_of(sides_) + bytes_of(size_);
+  }
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
   /// The pack holds sweeps, not packs.
