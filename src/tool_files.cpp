@@ -14,7 +14,7 @@ namespace {
 
 // The unit of a LinuxCNC table is the machine's; a remark such as "1/4 end mill" beside D0.25 tells
 // it.
-double table_unit(const std::vector<LibraryTool>& tools) {
+double table_unit(const std::vector<LibraryTool>& tools, bool& told) {
   int inches = 0, millimetres = 0;
   for (const LibraryTool& entry : tools) {
     const ToolHint hint = read_tool_comment(entry.remark);
@@ -25,6 +25,7 @@ double table_unit(const std::vector<LibraryTool>& tools) {
       if (std::abs(entry.tool.diameter * kMmPerInch - mm) < 0.05) ++inches;
     }
   }
+  told = inches != millimetres;
   return inches > millimetres ? kMmPerInch : 1;
 }
 
@@ -71,7 +72,13 @@ ToolTable load_tools(const std::string& path, std::vector<std::string>* notes) {
   ToolLibrary library = load_library(path);
   if (library.format == LibraryFormat::toml) return std::move(library.table);
   if (library.format == LibraryFormat::linuxcnc) {
-    const double unit = table_unit(library.tools);
+    bool told = false;
+    const double unit = table_unit(library.tools, told);
+    if (!told && !library.tools.empty() && notes != nullptr)
+      notes->push_back(fmt::format(
+          "{}: no remark tells the table's unit: its numbers are read as mm (\";1/4 end mill\" "
+          "beside D0.25 would say inches)",
+          path));
     for (LibraryTool& entry : library.tools) complete_linuxcnc(entry, unit);
   }
   if (notes != nullptr) {

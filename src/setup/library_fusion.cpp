@@ -32,6 +32,7 @@ constexpr Kind kKinds[] = {{"flat end mill", ToolType::endmill},
                            {"reamer", ToolType::endmill},
                            {"tap right hand", ToolType::endmill},
                            {"tap left hand", ToolType::endmill},
+                           {"boring bar", ToolType::endmill},
                            {"boring head", ToolType::endmill}};
 
 void read_angles(const Json& geometry, const std::string& kind, Tool& tool) {
@@ -52,6 +53,22 @@ void read_holder(const Json& entry, double scale, Tool& tool) {
     if (low > 0 && high > 0 && height > 0 && tool.holder.size() < 100)
       tool.holder.push_back({low, high, height});
   }
+}
+
+// A neck up to the shoulder, where it is thinner or thicker than the shank, then the shank.
+void read_shank(const Json& geometry, double scale, Tool& tool) {
+  const auto length = [&](const char* key) {
+    return scale * json_number(geometry, key).value_or(0);
+  };
+  const double shank = length("SFDM"), body = length("LB");
+  const double neck = length("shoulder-diameter"), shoulder = length("shoulder-length");
+  if (!(tool.flute_length > 0)) return;
+  double from = tool.flute_length;
+  if (neck > 0 && shoulder > from) {
+    tool.shank.push_back({neck, neck, shoulder - from});
+    from = shoulder;
+  }
+  if (shank > 0 && body > from) tool.shank.push_back({shank, shank, body - from});
 }
 
 double unit_of(const Json& entry) {
@@ -84,9 +101,9 @@ void read_tool(const Json& entry, const std::string& name, ToolLibrary& out) {
       tool.type == ToolType::chamfer || tool.type == ToolType::taper ? length("tip-diameter") : 0;
   tool.flute_length = length("LCF");
   read_angles(geometry, type, tool);
-  const double shank = length("SFDM"), body = length("LB");
-  if (shank > 0 && tool.flute_length > 0 && body > tool.flute_length)
-    tool.shank.push_back({shank, shank, body - tool.flute_length});
+  read_shank(geometry, scale, tool);
+  // DC is the diameter at the tip, from where the flank leans out.
+  if (type == "face mill" && tool.taper_angle > 0) tool.type = ToolType::taper;
   read_holder(entry, unit_of(json_at(entry, "holder")), tool);
   add_library_tool(out, std::move(made), name);
 }

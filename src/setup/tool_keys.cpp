@@ -1,5 +1,6 @@
 #include "setup/tool_keys.h"
 
+#include "core/trig.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -50,6 +51,16 @@ const std::vector<ToolKey> kKeys = {
 };
 
 bool has(const ToolKey& key, ToolType type) { return (key.types & bits(type)) != 0; }
+
+// The diameter of a taper without a tip diameter is that in the plane of its tip, which cuts a ball
+// below its equator; it comes rounded to the last digit of a library.
+double largest_corner(const Tool& tool) {
+  const double radius = tool.diameter / 2;
+  if (tool.type != ToolType::taper || tool.tip_diameter > 0) return radius;
+  constexpr double kRounded = 0.01;  // mm
+  const SinCos lean = sincos(tool.taper_angle);
+  return radius * lean.cos / (1 - lean.sin) + kRounded;
+}
 
 }  // namespace
 
@@ -103,7 +114,7 @@ std::string check_tool(const Tool& tool) {
     return "a tool of type form needs a profile of two points or more";
   if (tool.type == bullmill && tool.corner_radius <= 0)
     return "a tool of type bullmill needs a corner_radius";
-  if ((bits(tool.type) & kRound) != 0 && tool.corner_radius > radius)
+  if ((bits(tool.type) & kRound) != 0 && tool.corner_radius > largest_corner(tool))
     return fmt::format("corner_radius {:g} mm is larger than the tool's radius {:g} mm",
                        tool.corner_radius, radius);
   const bool round_insert =

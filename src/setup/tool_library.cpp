@@ -67,6 +67,14 @@ bool is_linuxcnc(std::string_view text) {
   return false;
 }
 
+// Two commas or semicolons at least in the first line, and no "=": as tables are exported.
+bool is_csv(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const auto several = [&](char c) { return std::count(line.begin(), line.end(), c) >= 2; };
+  return line.find('=') == line.npos && line[0] != '[' && line[0] != '#' &&
+         (several(',') || several(';') || several('\t'));
+}
+
 }  // namespace
 
 std::string_view library_name(LibraryFormat format) {
@@ -117,12 +125,17 @@ ToolLibrary parse_library(std::string_view bytes, const std::string& name) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == bytes.npos) fail_format(name, "is empty");
   if (bytes.find('\0') != bytes.npos) fail_format(name, "is no text");
+  const bool list = bytes[first] == '[' && bytes.find('"', first) != bytes.npos &&
+                    bytes.find_first_not_of(" \t\r\n", first + 1) == bytes.find('{', first + 1);
+  if (list) fail_format(name, "is a JSON list, but no tool library that is known");
   if (bytes[first] == '{') {
     read_json(parse_json(bytes, name), name, out);
   } else if (bytes[first] == '<') {
     fail_format(name, "is XML");
   } else if (is_linuxcnc(bytes)) {
     read_linuxcnc_table(bytes, name, out);
+  } else if (is_csv(bytes.substr(first))) {
+    fail_format(name, "is a table of values with commas (CSV)");
   } else {
     out.table = parse_tools(bytes, name);
   }

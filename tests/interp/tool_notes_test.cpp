@@ -122,6 +122,20 @@ TEST(ToolNotes, AThreadMillIsACylinderWithAWarning) {
   EXPECT_EQ(codes(read_text("T1 M6 (8MM ENDMILL)\n" + cut, options)), "");
 }
 
+// Fusion's D of a tapered ball mill lies within the ball; how long the taper is stands nowhere.
+TEST(ToolNotes, ATaperedMillNeedsItsFlutes) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::mill;
+  const Program p = read_text(
+      "(T12 D=1.872 CR=1. TAPER=3.8deg - tapered mill)\nT12 M6\n" + std::string(kCut), options);
+  EXPECT_EQ(codes(p), "tool-unknown");
+  EXPECT_NE(listing(p).find("gives no flute length: give --tool "
+                            "12=taper:d=1.872,r=1,a=3.8,l=20 (l: its flutes)"),
+            std::string::npos)
+      << listing(p);
+}
+
 // A register of a tool that is not known is no second fault.
 TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
   InterpOptions options;

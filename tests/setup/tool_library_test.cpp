@@ -86,6 +86,44 @@ TEST(ToolLibrary, Fusion) {
   }
 }
 
+// The neck of a reduced shank; the taper of a face mill, whose DC is at its tip; a boring bar.
+TEST(ToolLibrary, ShapesOfFusion) {
+  const ToolLibrary l = parse_library(R"({"data":[
+  {"type":"flat end mill","unit":"millimeters","geometry":{"DC":6,"LB":40,"LCF":10,"SFDM":6,"shoulder-diameter":5.6,"shoulder-length":30},"post-process":{"number":1}},
+  {"type":"face mill","unit":"millimeters","geometry":{"DC":50,"LCF":5,"TA":45},"post-process":{"number":2}},
+  {"type":"boring bar","unit":"millimeters","geometry":{"DC":20,"LCF":5},"post-process":{"number":3}},
+  {"type":"tapered mill","unit":"millimeters","geometry":{"DC":1.872,"RE":1,"TA":3.8,"LCF":15},"post-process":{"number":4}}]})",
+                                      "lib.json");
+  ASSERT_EQ(l.tools.size(), 4U);
+  const std::vector<ToolSegment>& shank = tool(l, "1").shank;
+  ASSERT_EQ(shank.size(), 2U);
+  EXPECT_EQ(shank[0].diameter_low, 5.6);
+  EXPECT_EQ(shank[0].length, 20);
+  EXPECT_EQ(shank[1].diameter_low, 6);
+  EXPECT_EQ(shank[1].length, 10);
+  EXPECT_EQ(tool(l, "2").type, ToolType::taper);
+  EXPECT_NEAR(degrees(tool(l, "2").taper_angle), 45, 1e-9);
+  EXPECT_EQ(tool(l, "3").type, ToolType::endmill);
+  EXPECT_EQ(tool(l, "4").corner_radius, 1);
+}
+
+TEST(ToolLibrary, OtherTablesAreNamed) {
+  const auto why = [](const char* bytes) {
+    try {
+      parse_library(bytes, "f");
+    } catch (const Error& error) {
+      return error.code() + " " + error.what();
+    }
+    return std::string();
+  };
+  for (const char* csv : {"Tool,Description,Diameter\n1,End Mill,6\n",
+                          "Tool Index (tool_index);Number;Diameter\n1;1;6 mm\n"})
+    EXPECT_NE(why(csv).find("tools-format f is a table of values"), std::string::npos) << why(csv);
+  EXPECT_NE(why("[{\"type\":\"drill\"}]").find("tools-format f is a JSON list"), std::string::npos);
+  EXPECT_EQ(why("[[tool]]\nid = \"1\"\ntype = \"endmill\"\ndiameter = 5\n"), "");
+  EXPECT_EQ(why("[offsets.D3]\nradius = 5\n"), "");
+}
+
 using ToolLibraryFiles = TempFolderTest;
 
 TEST_F(ToolLibraryFiles, FreeCad) {

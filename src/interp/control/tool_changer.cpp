@@ -129,13 +129,13 @@ bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why,
     return true;
   }
   if (infer(id, out, why, said)) return true;
-  out = {};
   if (const Tool* any = given("")) {
     out = *any;
     out.origin = fmt::format("{}, given for the program as a whole", any->origin);
     return true;
   }
   if (!lathe() || !why.empty()) return false;
+  out = {};
   out.type = ToolType::turning;
   out.origin = "no data: a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm";
   complete_turning_tool(out);
@@ -178,7 +178,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
   if (!tool_.chosen && !cuts) return;
   Severity said = Severity::note;
   if (!resolve(tool_.current, tool, why, said)) {
-    if (cuts) missing(where, why);
+    if (cuts) missing(where, why, tool);
     return;
   }
   tool.id = tool_.current;
@@ -193,7 +193,8 @@ void ToolChanger::require(const Word& where, bool cuts) {
     reporter_.add(said, "tool-inferred", text, where);
 }
 
-void ToolChanger::missing(const Word& where, const std::string& why) {
+// `read`: what the comments do say of it.
+void ToolChanger::missing(const Word& where, const std::string& why, const Tool& read) {
   tool_.failed = true;
   if (!tool_.chosen) {
     const Severity severity = options_.require_tools ? Severity::error : Severity::warning;
@@ -204,6 +205,10 @@ void ToolChanger::missing(const Word& where, const std::string& why) {
                   where.column, where.length);
     return;
   }
+  std::string example = lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
+  if (read.type == ToolType::taper && read.diameter > 0)
+    example = fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
+                          read.corner_radius, degrees(read.taper_angle));
   Tool unknown;  // so that traces can name it; the error stops everything else
   unknown.id = tool_.current;
   unknown.origin = "no data";
@@ -211,8 +216,7 @@ void ToolChanger::missing(const Word& where, const std::string& why) {
   reporter_.add_at(
       Severity::error, "tool-unknown",
       fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml", tool_.current,
-                  why.empty() ? "there are no data for it" : why, tool_.current,
-                  lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10"),
+                  why.empty() ? "there are no data for it" : why, tool_.current, example),
       tool_.place);
 }
 

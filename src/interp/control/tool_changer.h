@@ -42,7 +42,7 @@ class ToolChanger : public ControlPart {
   std::string id_of(const Word& word) const;
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
-  void missing(const Word& where, const std::string& why);
+  void missing(const Word& where, const std::string& why, const Tool& read);
   const Tool* given(const std::string& id) const;
   void use(Tool tool);
 

@@ -1,4 +1,5 @@
 // From what comments say to a tool, or to the reason why there is none.
+#include "core/trig.h"
 #include "core/units.h"
 #include "interp/text/tool_comment.h"
 
@@ -70,13 +71,19 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   out.corner_radius = hint.corner ? beside(hint.corner, hint, unit) : 0;
   if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
   const double radius = out.diameter / 2;
-  if (out.corner_radius > radius + kSame) {
+  // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.
+  const SinCos lean = sincos(out.type == ToolType::taper ? out.taper_angle : 0);
+  if (out.corner_radius > radius * lean.cos / (1 - lean.sin) + kSame) {
     why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
                       out.corner_radius);
     return false;
   }
   if (out.type == ToolType::bullmill && !(out.corner_radius > 0)) {
     why = "gives no corner radius";
+    return false;
+  }
+  if (out.type == ToolType::taper) {
+    why = "gives no flute length";
     return false;
   }
   const bool whole = out.corner_radius > radius - 1e-3;
