@@ -21,6 +21,10 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
+// Sweeps that tell how large the surface of many more is, where nothing else is asked.
+constexpr std::size_t kEnoughSweeps = 20000;
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max() / 2;
+
 // Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
 // tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
 // another one leaves one); voxels in whose corners it looks for what its cells may hide.
@@ -193,7 +197,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
     if (choice.fits_voxel) choice.fallback_voxel = finest_grid(field, choice);
     return;
   }
-  const detail::SurfaceSurvey survey = detail::survey_surface(field, threads);
+  const detail::SurfaceSurvey survey =
+      detail::survey_surface(field, choice.fits_voxel ? kAll : kEnoughSweeps, threads);
   if (choice.fits_voxel) fit_voxel(field, survey, choice);
   choice.cut_cells = survey.cells(choice.voxel);
 }
