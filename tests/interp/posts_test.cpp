@@ -302,6 +302,9 @@ TEST(Posts, MachineCoordinatesWithAKnownZero) {
             " 5,0,0 5,0,300 150,0,300 0,0,300");
   EXPECT_EQ(moved(f, "G1 X5. F100.\nG91 G28 Z3.\nG28 X0. Y0.\nG90 G30 X10.\n"),
             " 5,0,0 5,0,3 5,0,290 200,100,290 10,100,290 -100,100,290");
+  for (const Dialect dialect : {f, Dialect::ngc})  // without axes all of them
+    EXPECT_EQ(moved(dialect, "G1 X5. F100.\nG28\nG30\n"), " 5,0,0 200,100,290 -100,100,300");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG28 A0.\n"), "rotary-axis 5,0,0");
   EXPECT_EQ(moved(f, "G1 X5. F100.\nG55\nX0. Y0.\n"), " 5,0,0 50,0,0");
   EXPECT_EQ(moved(f, "G10 L2 P1 X-190. Y-100. Z-300.\nG1 X5. F100.\n"), " 15,0,0");
   EXPECT_EQ(moved(f, "G1 X5. Z0. F100.\nG53 G0 Z0.\n", true), " 5,0,40 5,0,340");

@@ -96,6 +96,7 @@ TEST(ToolComment, PostsInMillimetres) {
        {"T4 FRAISE DIAM\xC3\x88TRE 8", endmill, 8, 0, "4"},
        {"FRESA DI\xC1METRO 6", endmill, 6, 0, ""},
        {"T1 : 3.0", endmill, 3, 0, "1"},  // CamBam
+       {"Endmill Diameter: 3.175", endmill, 3.175, 0, ""},
        {"T2 D=20. CR=0. - ZMIN=-30. - BORING BAR", endmill, 20, 0, "2"},
        {"T3 BORING HEAD DIA 32.", endmill, 32, 0, "3"}},
       1);

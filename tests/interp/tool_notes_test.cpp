@@ -136,6 +136,15 @@ TEST(ToolNotes, ATaperedMillNeedsItsFlutes) {
       << listing(p);
 }
 
+// A size below 1 in a program that names no unit may be inches: the run asks.
+TEST(ToolNotes, SmallSizesNeedAUnit) {
+  const std::string head = "(TOOL 3 .250 BALL EM)\n", change = "T3 M6\n";
+  EXPECT_EQ(diameters(head + change + kCut), "3:0 tool-unknown");
+  EXPECT_EQ(diameters(head + "G20\n" + change + kCut), "3:6.35");
+  EXPECT_EQ(diameters(head + "G21\n" + change + kCut), "3:0.25");
+  EXPECT_EQ(diameters("(T3 0.5MM ENDMILL)\n" + change + kCut), "3:0.5");
+}
+
 // A register of a tool that is not known is no second fault.
 TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
   InterpOptions options;

@@ -40,6 +40,31 @@ TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
     EXPECT_NE(run(on + std::string("\nM2\n")).find("g-unknown"), std::string::npos) << on;
 }
 
+// What senders write between the lines: $H homes, settings do nothing, $J= moves.
+TEST(WordsOfMakers, CommandsOfGrbl) {
+  const auto run = [](const std::string& text) { return read_text(text, at_origin(Dialect::ngc)); };
+  const Program p = run("$X\n$32=0\n$$ (all)\nG1 X5 F100\n$H\nG0 X0 Y0 Z5\nG1 X6 F100\nM2\n");
+  EXPECT_EQ(codes(p), "") << listing(p);
+  EXPECT_EQ(codes(p, Severity::note), "reference-point");
+  ASSERT_EQ(p.motions.size(), 3U);
+  EXPECT_TRUE(p.motions[1].assumed_start);
+  EXPECT_EQ(codes(run("$J=G91 X10 F500\nM2\n")), "not-supported");
+  EXPECT_EQ(codes(run("$1 M3 S500\nG1 X5 F100\nM2\n")), "");
+  InterpOptions options;
+  options.machine = MachineKind::mill;
+  EXPECT_EQ(static_cast<int>(read_text("$H\nG90\nG0 X0 Y0\nG1 X5 F9\n", options).dialect),
+            static_cast<int>(Dialect::ngc));
+}
+
+// G5.3 P of Hurco sets how smooth surfaces get; LinuxCNC's stands behind G5.2.
+TEST(WordsOfMakers, SurfaceQualityOfHurco) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.dialect = Dialect::automatic;
+  EXPECT_EQ(
+      path_text(read_text("%\nG70 G90 G40\nG53 G0 Z0.\nG5.3 P50\nG1 X2. F40.\nM2\n", options)),
+      "l50.8,0,0");
+}
+
 TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
   const auto turn = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);

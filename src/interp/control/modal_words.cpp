@@ -314,6 +314,8 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
 bool ModalWords::apply_mode(Code code, const Word& word) {
   if (apply_feed_mode(code, word)) return true;
   Modal& m = modal_;
+  m.units_given |= code == Code::inch || code == Code::metric || code == Code::inch_feed ||
+                   code == Code::metric_feed;
   if (code == Code::inch || code == Code::metric) {
     m.inch = code == Code::inch;
   } else if (code == Code::inch_feed || code == Code::metric_feed) {

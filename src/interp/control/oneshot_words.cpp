@@ -3,8 +3,10 @@
 #include "core/text_io.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -56,7 +58,8 @@ bool OneShotWords::dwell() {
   return true;
 }
 
-// G28 G30: a rapid to the intermediate point, then to the reference point.
+// G28 G30: a rapid to the intermediate point, then to the reference point; without axes all of them
+// go there (LinuxCNC, Haas).
 bool OneShotWords::reference() {
   const Word* p = take('P');
   Target to;
@@ -64,7 +67,11 @@ bool OneShotWords::reference() {
   if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
   const MachinePlaces& places = options_.places;
   const Vec3* second = places.second && (!p || p->value == 2) ? &*places.second : nullptr;
-  moves_.to_place(block_.oneshot_code == Code::reference ? &places.reference : second, to.named,
+  const std::string_view others = "ABCHUVW";  // "G28 H0": the spindle's axis alone
+  const bool all = to.named == 0 && std::none_of(others.begin(), others.end(),
+                                                 [&](char c) { return peek(c) != nullptr; });
+  const unsigned axes = !all ? to.named : lathe() ? 5U : 7U;
+  moves_.to_place(block_.oneshot_code == Code::reference ? &places.reference : second, axes,
                   *block_.oneshot);
   return true;
 }

@@ -60,6 +60,7 @@ struct Modal {
   bool incremental = false;
   bool inch = false;             ///< lengths
   bool inch_feed = false;        ///< feeds
+  bool units_given = false;      ///< by a G word of the program
   bool center_absolute = false;  ///< CODESYS G98
   bool polar = false;            ///< FANUC G16
   Code diameter = Code::diameter_off;

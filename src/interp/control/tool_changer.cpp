@@ -102,12 +102,24 @@ void ToolChanger::change() {
   notes_.change(tool_.current);
 }
 
+// ".250 BALL EM" where no G word says inches: of a shop whose control wakes up in them?
+bool ToolChanger::of_unknown_unit(const ToolHint& hint) const {
+  constexpr double kSmall = 1;  // in mm rare, in inches usual
+  if (modal_.units_given || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
+  if (hint.diameters.empty() || hint.diameter >= kSmall) return false;
+  return hint.diameters.front().unit == 0 && !hint.diameters.front().fraction;
+}
+
 // From what comments say of it, else from its name. False and a reason where they do not suffice;
 // no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
 bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
   if (const ToolHint* hint = notes_.find(id)) {
     if (hint->plain_teeth) said = Severity::warning;
-    if (fill_tool(*hint, scale(), lathe(), out, why)) return true;
+    if (fill_tool(*hint, scale(), lathe(), out, why)) {
+      if (!of_unknown_unit(*hint)) return true;
+      why = fmt::format("gives the diameter {:g} without a unit, in a program without G20 and G21",
+                        hint->diameter);
+    }
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
     return false;
   }

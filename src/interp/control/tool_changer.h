@@ -40,6 +40,7 @@ class ToolChanger : public ControlPart {
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word) const;
+  bool of_unknown_unit(const ToolHint& hint) const;
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   void missing(const Word& where, const std::string& why, const Tool& read);

@@ -238,9 +238,10 @@ void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) 
     add(d, 6, "an operator of LinuxCNC", line);
   for (const std::string_view g :
        {"G90.1", "G91.1", "G61.1", "G43.1", "G33.1", "G59.1", "G59.2", "G59.3", "G38.2", "G38.3",
-        "G38.4", "G38.5", "G5.2", "G5.3", "G92.2", "G92.3", "G41.1", "G42.1"})
+        "G38.4", "G38.5", "G5.2", "G92.2", "G92.3", "G41.1", "G42.1"})
     if (has_word(c, g)) add(d, 6, g, line);
   if (has_word(c, "G64") && has_axis(c, 'P')) add(d, 6, "G64 P", line);
+  if (c == "$H" || c == "$X") add(d, 6, "a command of Grbl", line);
   if (has_any_word(c, {"G7", "G8"}) && !has_axis(c, 'P')) add(d, 6, "G7/G8", line);
   if (has_word(c, "G10") &&
       (c.find("L20") != std::string::npos || c.find("L10") != std::string::npos ||

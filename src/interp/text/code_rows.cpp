@@ -82,6 +82,7 @@ constexpr Row kSinumerik[] = {
 constexpr Row kFanuc[] = {
     {50, C::high_speed, G::path},
     {51, C::high_speed, G::path},
+    {53, C::high_speed, G::path},  // Hurco's surface quality
     {70, C::unsupported, G::other},
     {71, C::unsupported, G::other},
     {80, C::high_speed, G::path},
@@ -209,6 +210,7 @@ constexpr Row kFanucLathe[] = {
 constexpr Row kIso[] = {
     {50, C::high_speed, G::path},
     {51, C::high_speed, G::path},
+    {53, C::high_speed, G::path},
     {60, C::statement, G::other},
     {70, C::unsupported, G::path},
     {80, C::unsupported, G::path},

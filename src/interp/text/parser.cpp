@@ -99,6 +99,7 @@ Parser::Step Parser::step(Block& block) {
     letter_word(block);
     return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
   }
+  if (dialect_ == Dialect::ngc && c == '$' && grbl_command(block)) return Step::more;
   if (dialect_ == Dialect::ngc && (c == '@' || c == '^' || c == '$')) {
     letter_word(block);
     return Step::more;

@@ -59,6 +59,7 @@ class Parser {
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
   void strange_character(Block& block);
+  bool grbl_command(Block& block);
   std::string alarm(const char* fanuc, const char* sinumerik = nullptr) const;
   void text_value(Block& block, Word& word);
   void skip_blanks();

@@ -218,4 +218,28 @@ void Parser::codesys_name(Block& block) {
   push(block, word, from);
 }
 
+// "$H" homes, as G28 does; "$X", "$32=0" and the like tell Grbl something and move nothing; "$J="
+// jogs. False: "$1" names a spindle of LinuxCNC.
+bool Parser::grbl_command(Block& block) {
+  const std::string_view line = line_.substr(p_);
+  const std::size_t digits = line.find_first_not_of("0123456789", 1);
+  const bool setting = digits != line.npos && (digits > 1 ? line[digits] == '=' : true);
+  if (!block.words.empty() || line.size() < 2 || !setting) return false;
+  const std::size_t from = p_;
+  std::size_t end = line.find_last_not_of(" \t\r") + 1;
+  end = std::min(end, line.find_first_of("(;"));
+  p_ += end;
+  if (upper(line[1]) == 'J') {
+    unsupported(block, line.substr(0, std::min<std::size_t>(end, 40)), "a jog of Grbl", from);
+  } else if (upper(line[1]) == 'H') {
+    Word word;
+    word.address = letter('G');
+    word.value = 28;
+    word.column = static_cast<int>(from);
+    word.length = static_cast<int>(end);
+    block.words.push_back(word);
+  }
+  return true;
+}
+
 }  // namespace mrsim

@@ -203,6 +203,7 @@ void CommentReader::read_named_diameters() {
     if (has(i + 1) && one_of(tokens_[i + 1], {"OFF", "OFFSET", "COMP", "REG", "REGISTER"}))
       continue;
     hint_.names_tool |= i > 0 && tokens_[i - 1].is("TOOL");
+    hint_.names_tool |= i > 0 && kind_ && kind_->firm && kind_->first == 0 && kind_->end == i;
     const std::size_t value = value_behind(i);
     if (value != kNone && tokens_[value].value > 0)
       add_diameter(value);
