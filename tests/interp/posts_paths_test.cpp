@@ -1,0 +1,86 @@
+// Programs in the manner of CAM posts, by the whole path of each: worked out from the program and
+// its control's manual. path_text() gives ends and kinds; tools are "id:diameter".
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+struct PathOfPost {
+  const char* file;
+  Dialect dialect;
+  MachineKind machine;
+  const char* tools;
+  const char* path;
+};
+
+constexpr auto kMill = MachineKind::mill, kLathe = MachineKind::lathe;
+
+const PathOfPost kPaths[] = {
+    // Inches; two turns down, half a turn on.
+    {"pathpilot_mill.nc", Dialect::ngc, kMill, "1:12.7",
+     "r25.4,25.4,0 r25.4,25.4,15.24 r25.4,25.4,5.08 l25.4,25.4,2.54 "
+     "a25.4,25.4,-1.27 a25.4,25.4,-6.35 a30.48,25.4,-6.35 l50.8,25.4,-6.35 "
+     "r50.8,25.4,15.24"},
+    // The lead-in: a quarter circle in G18, G2 from X- to Z-, one in G17.
+    {"fusion_uccnc.nc", Dialect::ngc, kMill, "1:6",
+     "r-4.2,10,0 r-4.2,10,15 r-4.2,10,5 l-4.2,10,1 a-3.6,10,0.4 l-3,10,0.4 "
+     "a-2.4,10.6,0.4 l-2.4,40,0.4 r-2.4,40,15"},
+    // "T1 : 3.0" is the tool.
+    {"cambam.nc", Dialect::ngc, kMill, "1:3",
+     "r0,0,3 r-1.5,20,3 r-1.5,20,1 l-1.5,20,-1 l-1.5,40,-1 a0,41.5,-1 l40,41.5,-1 "
+     "a41.5,40,-1 l41.5,20,-1 r41.5,20,3"},
+    // G70 are inches, G5.3 P is nothing.
+    {"hurco_isnc.hnc", Dialect::fanuc, kMill, "1:12.7",
+     "r0,0,15.24 l0,0,-5.08 l50.8,0,-5.08 r50.8,0,15.24"},
+    // No T word; $H at the end.
+    {"openbuilds.gcode", Dialect::ngc, kMill, ":3.175",
+     "r0,0,10 r1.587,1.587,10 l1.587,1.587,-1 l20,1.587,-1 l20,20,-1 r20,20,10"},
+    // The tool of radius 5 in the arc of radius 5: a point. MCALL drills at one place.
+    {"fusion_828d.mpf", Dialect::sinumerik, kMill, "1:10",
+     "r-20,10,0 r-20,10,15 r-20,10,5 l-20,10,-5 l-5,5,-5 l-5,40,-5 a5,50,-5 "
+     "l50,50,-5 l60,60,-5 r60,60,15 r10,10,15 r10,10,5 l10,10,-10 r10,10,15 | "
+     "register-missing"},
+    // A cylinder of the thread's diameter, with a warning.
+    {"thread_mill.nc", Dialect::fanuc, kMill, "10:8",
+     "r0,0,15 r0,0,2 l0,0,-12 a1,0,-12 a1,0,-10.75 a0,0,-10.75 r0,0,15 | "
+     "tool-inferred"},
+    // A circle of radius 10 cut from within by a radius of 6.
+    {"featurecam.nc", Dialect::fanuc, kMill, "2:12",
+     "r0,0,25 l0,0,-2 l4,0,-2 a4,0,-2 l0,0,-2 r0,0,25 | register-missing"},
+    // Three runs; G92 at the end of each makes the place its zero.
+    {"sub_that_shifts.nc", Dialect::fanuc, kMill, "7:12",
+     "r0,0,50 r0,0,2 l0,0,-1 l40,0,-1 l40,20,-1 a30,30,-1 r30,30,2 r80,30,2 "
+     "l80,30,-1 l120,30,-1 l120,50,-1 a110,60,-1 r110,60,2 r160,60,2 l160,60,-1 "
+     "l200,60,-1 l200,80,-1 a190,90,-1 r190,90,2 r240,90,2 r240,90,50"},
+    // T001001 is tool 1; five strokes of 5 mm, back by 1.
+    {"mazak_six_digits.eia", Dialect::fanuc, kLathe, "1:0 3:12",
+     "r26,0,0 l-0.8,0,0 r23,0,2 l23,0,-30 l26,0,-30 r0,0,5 l0,0,0 r0,0,1 l0,0,-5 "
+     "r0,0,-4 l0,0,-10 r0,0,-9 l0,0,-15 r0,0,-14 l0,0,-20 r0,0,-19 l0,0,-25 r0,0,5"},
+    // K-1.5 from Z-20; R-3 from Z5, strokes of 2.
+    {"mastercam_lathe_oils.nc", Dialect::fanuc, kLathe, "1:0 61:6",
+     "r27.5,0,2.5 l27.5,0,0.5 l-0.8,0,0.5 r-0.8,0,2.5 r23.7,0,2.5 l23.7,0,-48 "
+     "l25,0,-48 l26.41,0,-46.59 r26.41,0,2.5 r22.5,0,2.5 l22.5,0,-20 a24,0,-21.5 "
+     "l26,0,-21.5 r0,0,5 r0,0,2 l0,0,0 r0,0,2 r0,0,0.254 l0,0,-2 r0,0,2 "
+     "r0,0,-1.746 l0,0,-4 r0,0,2 r0,0,-3.746 l0,0,-6 r0,0,2 r0,0,-5.746 l0,0,-8 "
+     "r0,0,2 r0,0,-7.746 l0,0,-10 r0,0,5"},
+    // A byte order mark, CR LF, tabs, blank lines, a text end (0x1A).
+    {"bom_crlf.nc", Dialect::fanuc, kMill, "1:6", "r0,0,5 l0,0,-1 l10,0,-1 r10,0,5"},
+};
+
+TEST(PostsPaths, AsWorkedOut) {
+  for (const PathOfPost& post : kPaths) {
+    SCOPED_TRACE(post.file);
+    const Program p =
+        read_program(std::string(MRSIM_DATA_DIR) + "/../tests/posts/" + post.file, {});
+    EXPECT_EQ(p.dialect, post.dialect) << p.dialect_reason;
+    EXPECT_EQ(p.machine, post.machine) << p.machine_reason;
+    std::string tools;
+    for (const Tool& tool : p.tools)
+      tools += fmt::format("{}{}:{:g}", tools.empty() ? "" : " ", tool.id, tool.diameter);
+    EXPECT_EQ(tools, post.tools);
+    EXPECT_EQ(path_text(p), post.path);
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
