@@ -2,7 +2,7 @@
 // in the same run. Milliseconds of each step are printed.
 //   mesh_bench --benchmark_filter=raster-1000000 --benchmark_repetitions=3
 #include "core/heap.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "programs.h"
 #include "removal/part/stock.h"
 #include "removal/part/stock_grid.h"

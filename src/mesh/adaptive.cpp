@@ -12,8 +12,6 @@
 #include "mesh/surface/step_timer.h"
 #include "mesh/surface/surface.h"
 #include "mesh/surface/thin_features.h"
-#include "mesh/tiles/uniform.h"
-#include "mesh/turned/turned_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +44,10 @@ constexpr double kMostFirstNodes = 1.2e5;  ///< before the first round, likewise
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
-class Contour {
+class AdaptiveMesher {
  public:
-  Contour(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
-          MeshReport& report)
+  AdaptiveMesher(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
+                 MeshReport& report)
       : field_(field),
         options_(options),
         report_(report),
@@ -145,7 +143,8 @@ class Contour {
     return part < found.distance ? TriangleBound{part, false} : found;
   }
 
-  // From the face of the part, or from the nearest corner, which is exact.
+  // The distance from the face of the part or, where that is less, from the nearest corner: corners
+  // lie on the part.
   TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
     const auto& x = mesh.triangles[t];
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
@@ -263,7 +262,8 @@ class Contour {
     return c.detail != Detail::full && factor <= 4 ? Detail::full : Detail::flat;
   }
 
-  // By then few triangles fail, and a round costs more than what too many cells about them do.
+  // After some rounds few triangles fail: splitting too many cells about them is then cheaper than
+  // another round.
   bool is_late() const { return report_.passes > kCarefulRounds; }
 
   // Tells a triangle from all others of former rounds, which need not be certified again.
@@ -304,7 +304,7 @@ class Contour {
     return std::move(small.mesh);
   }
 
-  // What a triangle above the tolerance is measured by need not be a bound, unless asked without.
+  // certified() stops at the first distance above its limit; with none it gives the true bound.
   TriangleBound reached(const LabelledMesh& mesh, std::size_t t) const {
     const TriangleBound found = certified(mesh, t, options_.tolerance);
     return found.distance <= options_.tolerance
@@ -361,14 +361,13 @@ class Contour {
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };
 
-constexpr int kMostGrids = 4;  ///< that are tried where pieces in a cell meet
+}  // namespace
 
-// The mesh within the tolerance; none where a grid takes its place.
-std::optional<TriMesh> mesh_within(const ExactField& field, double voxel,
-                                   const MeshOptions& options, MeshReport& report) {
+std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel,
+                                     const MeshOptions& options, MeshReport& report) {
   const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
   try {
-    return Contour(field, Lattice(field.bounds(), voxel, levels), options, report).run();
+    return AdaptiveMesher(field, Lattice(field.bounds(), voxel, levels), options, report).run();
   } catch (const Error& error) {
     const bool may_fall_back = error.code() == "mesh-unresolved" || error.code() == "memory";
     if (!may_fall_back || !(options.fallback_voxel > 0)) throw;
@@ -376,72 +375,6 @@ std::optional<TriMesh> mesh_within(const ExactField& field, double voxel,
     report.given_up = error.what();
     return {};
   }
-}
-
-// By default a grid whose cells can not be split far enough gives way to one that is a little
-// finer.
-void mesh_grid(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
-               MeshReport& report) {
-  const std::string given_up = report.given_up;
-  for (int k = 1;; ++k) {
-    try {
-      const int levels = detail::fine_levels(field.bounds(), voxel, 0);
-      detail::mesh_uniform(field, voxel, levels, options, sink, report);
-      return;
-    } catch (const Error& error) {
-      if (error.code() != "mesh-unresolved" || !options.measure || k == kMostGrids) throw;
-      sink.restart();
-      report = {};
-      report.given_up = given_up;
-      voxel *= 1 - 1.0 / 64;
-    }
-  }
-}
-
-}  // namespace
-
-void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
-               MeshReport* report) {
-  if (!(voxel > 0) || !std::isfinite(voxel))
-    throw Error("voxel-invalid", fmt::format("a voxel of {} mm is not a positive length", voxel));
-  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
-    throw Error("tolerance-invalid",
-                fmt::format("--tolerance {} is not a length in mm", options.tolerance),
-                Error::Kind::usage);
-  MeshReport ignored;
-  MeshReport& out = report ? *report : ignored;
-  out = {};
-  if (options.tolerance > 0 && field.is_turned(field.all()))
-    if (const std::optional<TriMesh> turned = detail::turned_mesh(field, voxel, options, out))
-      return sink.take(whole_block(*turned));
-  detail::require_resolved(field.bounds(), voxel);
-  if (options.tolerance > 0)
-    if (const std::optional<TriMesh> mesh = mesh_within(field, voxel, options, out))
-      return sink.take(whole_block(*mesh));
-  MeshOptions grid = options;
-  grid.tolerance = 0;
-  grid.measure = options.measure || options.tolerance > 0;
-  mesh_grid(field, options.tolerance > 0 ? options.fallback_voxel : voxel, grid, sink, out);
-}
-
-TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options,
-                  MeshReport* report) {
-  MeshCollector collector;
-  mesh_part(field, voxel, options, collector, report);
-  if (collector.mesh().triangles.empty()) refuse_empty(field, voxel);
-  return std::move(collector.mesh());
-}
-
-void refuse_empty(const ExactField& field, double voxel) {
-  const std::optional<ThinFeature> left = detail::find_material(field, voxel);
-  if (!left) throw Error("part-empty", "nothing is left of the stock");
-  throw Error(
-      "part-thin",
-      fmt::format("what is left of the stock is thinner than a voxel, {:.3g} mm at ({:.3f}, "
-                  "{:.3f}, {:.3f}), so that no mesh was made; --voxel {:.2g} --tolerance "
-                  "{:.2g} shows it",
-                  left->thickness, left->place.x, left->place.y, left->place.z,
-                  0.45 * left->thickness, voxel / 8));
 }
 
 }  // namespace mrsim

@@ -1,39 +1,21 @@
-// The exact mesher: from the exact part to triangles that are sharp, manifold, small and certified
-// (docs/mesh.md).
-//
-// Guarantees, all of them on the coordinates as written (float): closed, oriented, 2-manifold, no
-// triangle without area, no self-intersection; every vertex within 1 um of the exact surface; same
-// bytes for any number of threads. With a tolerance, the distance between mesh and part, both ways,
-// stays below it on resolved features, and the bound that was reached is reported.
-//
-// Not guaranteed: features that no edge of the grid meets (a needle between the samples); walls and
-// gaps thinner than a voxel are found where an edge of the grid shows them, and listed; with a
-// tolerance, those that the mesh does not hold within it.
+// The mesh of a part within a tolerance: cells of an octree are split until every triangle is
+// within it (docs/mesh.md). What it guarantees stands in mesh/mesh_part.h.
 #pragma once
 
-#include "mesh/solid/mesh_block.h"
 #include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
+#include <optional>
+
 namespace mrsim {
 
-/// The surface of `field`, with the owner of each triangle. `voxel` (mm) is the size of features to
-/// resolve, and the edge of all cells where options.tolerance is 0. Throws as refuse_empty() does,
-/// "voxel-invalid", "tolerance-invalid", "memory" (options.max_memory); "mesh-unresolved" rather
-/// than give a mesh that breaks a guarantee.
-TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options = {},
-                  MeshReport* report = nullptr);
-
-/// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
-/// memory as a whole. Does not throw where the part is empty: there are no triangles then.
-void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
-               MeshReport* report = nullptr);
-
-/// Ends a run whose mesh has no triangles: Error "part-empty", or "part-thin" where something is
-/// left that is thicker than an eighth of the voxel (mm). Costs a few samples for each voxel that
-/// the surface may pass.
-[[noreturn]] void refuse_empty(const ExactField& field, double voxel);
+/// The mesh within options.tolerance (mm) of the surface of `field`, on cells of `voxel` mm and
+/// smaller ones. None where it takes more cells, splits or memory than are allowed and
+/// options.fallback_voxel says that a grid may take its place: `report` then holds the reason
+/// alone. Without a fallback throws "mesh-unresolved", "memory", and "cancelled" always.
+std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel,
+                                     const MeshOptions& options, MeshReport& report);
 
 }  // namespace mrsim

@@ -1,7 +1,7 @@
 // The stock's surface as a triangle mesh.
 #pragma once
 
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "removal/part/stock.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
@@ -13,7 +13,7 @@ namespace mrsim {
 TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {},
                      MeshReport* report = nullptr);
 
-/// The same in blocks (mesh/adaptive.h).
+/// The same in blocks (mesh/mesh_part.h).
 void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
                   MeshReport* report = nullptr);
 

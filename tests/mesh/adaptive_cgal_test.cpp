@@ -2,7 +2,7 @@
 // part from the mesh.
 #include "core/trig.h"
 #include "core/units.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"

@@ -1,5 +1,4 @@
-#include "mesh/adaptive.h"
-
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
@@ -61,7 +60,7 @@ bool same_bytes(const TriMesh& a, const TriMesh& b) {
                      a.vertices.size() * sizeof(a.vertices[0])) == 0;
 }
 
-TEST(Contour, BoxIsExactWithTwelveTriangles) {
+TEST(MeshPart, BoxIsExactWithTwelveTriangles) {
   const AnalyticField box({{0, 0, 0}, {20, 15, 10}}, false, {});
   const TriMesh uniform = mesh_part(box, 1);
   expect_solid(uniform);
@@ -72,7 +71,7 @@ TEST(Contour, BoxIsExactWithTwelveTriangles) {
   EXPECT_EQ(small.triangles.size(), 12u);
 }
 
-TEST(Contour, VerticesAreExactAtAnyVoxel) {
+TEST(MeshPart, VerticesAreExactAtAnyVoxel) {
   const AnalyticField part = primer_2f();
   for (const double voxel : {1.0, 0.5, 0.25}) {
     const TriMesh mesh = mesh_part(part, voxel);
@@ -81,7 +80,7 @@ TEST(Contour, VerticesAreExactAtAnyVoxel) {
   }
 }
 
-TEST(Contour, ErrorFallsWithTheSquareOfTheVoxel) {
+TEST(MeshPart, ErrorFallsWithTheSquareOfTheVoxel) {
   const AnalyticField part = primer_2f();
   double last = 0, last_volume = 0;
   for (const double voxel : {1.0, 0.5, 0.25}) {
@@ -97,7 +96,7 @@ TEST(Contour, ErrorFallsWithTheSquareOfTheVoxel) {
   }
 }
 
-TEST(Contour, ToleranceHoldsOnEverySampleOfTheMesh) {
+TEST(MeshPart, ToleranceHoldsOnEverySampleOfTheMesh) {
   const AnalyticField part = primer_2f();
   for (const double tolerance : {0.05, 0.005, 0.0005}) {
     MeshReport report;
@@ -111,7 +110,7 @@ TEST(Contour, ToleranceHoldsOnEverySampleOfTheMesh) {
   }
 }
 
-TEST(Contour, Primer2fTakesFewTriangles) {
+TEST(MeshPart, Primer2fTakesFewTriangles) {
   const AnalyticField part = primer_2f();
   const TriMesh coarse = mesh_part(part, 0.25, with_tolerance(0.005));
   EXPECT_LE(coarse.triangles.size(), 4000u);
@@ -119,7 +118,7 @@ TEST(Contour, Primer2fTakesFewTriangles) {
   EXPECT_LE(mesh_part(part, 0.25, with_tolerance(0.001)).triangles.size(), 10000u);
 }
 
-TEST(Contour, Primer2sTakesFewTriangles) {
+TEST(MeshPart, Primer2sTakesFewTriangles) {
   const AnalyticField part = primer_2s();
   const TriMesh mesh = mesh_part(part, 0.1, with_tolerance(0.005));
   expect_solid(mesh);
@@ -138,7 +137,7 @@ AnalyticField raster_of_short_moves(double apart) {
   return AnalyticField({{0, 0, 0}, {8, 8, 10}}, false, std::move(cuts));
 }
 
-TEST(Contour, ShortMovesTakeFewCells) {
+TEST(MeshPart, ShortMovesTakeFewCells) {
   for (const double apart : {1.0, 0.3}) {
     const AnalyticField part = raster_of_short_moves(apart);
     MeshReport report;
@@ -154,7 +153,7 @@ TEST(Contour, ShortMovesTakeFewCells) {
   }
 }
 
-TEST(Contour, SameBytesForAnyNumberOfThreads) {
+TEST(MeshPart, SameBytesForAnyNumberOfThreads) {
   const AnalyticField part = primer_2f();
   for (const double tolerance : {0.0, 0.01}) {
     const TriMesh one = mesh_part(part, 0.5, with_tolerance(tolerance, 1));
@@ -164,7 +163,7 @@ TEST(Contour, SameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Contour, OwnersAreThoseOfTheExactPart) {
+TEST(MeshPart, OwnersAreThoseOfTheExactPart) {
   const AnalyticField part = primer_2f();
   const TriMesh mesh = mesh_part(part, 0.5);
   const Candidates all = part.all();
@@ -178,7 +177,7 @@ TEST(Contour, OwnersAreThoseOfTheExactPart) {
   EXPECT_LE(wrong, mesh.triangles.size() / 500);  // where owners change on one smooth surface
 }
 
-TEST(Contour, ThinWallsAndGapsAreReported) {
+TEST(MeshPart, ThinWallsAndGapsAreReported) {
   // Two slots with 0.12 mm between them, and a slot that leaves 0.1 mm beside the stock's side.
   const AnalyticField wall(
       {{0, 0, 0}, {30, 20, 10}}, false,
@@ -198,7 +197,7 @@ TEST(Contour, ThinWallsAndGapsAreReported) {
 // A wall of 0.15 voxels between two slots, everywhere in the voxels of a row that is longer than a
 // A wall of 0.15 voxels between two slots, in every voxel of a row that is longer than a tile: in
 // its first and last planes too, and wherever it lies in a node that shares a list.
-TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
+TEST(MeshPart, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
   constexpr double kVoxel = 0.5, kHalf = 0.075 * kVoxel, kRadius = 1.5;
   for (const int axis : {0, 1})
     for (int voxel = 8; voxel < 74; ++voxel)
@@ -229,7 +228,7 @@ TEST(Contour, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
       }
 }
 
-TEST(Contour, RefusesWhatItCanNotMesh) {
+TEST(MeshPart, RefusesWhatItCanNotMesh) {
   const AnalyticField part = primer_2f();
   EXPECT_EQ(error_code([&] { mesh_part(part, 0); }), "voxel-invalid");
   EXPECT_EQ(error_code([&] { mesh_part(part, 1e-9); }), "voxel-invalid");

@@ -3,7 +3,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"

@@ -2,7 +2,7 @@
 // voxels, and the grid that takes the place of a tolerance.
 #include "core/error.h"
 #include "core/units.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/surface/survey.h"
 #include "removal/part/part_field.h"

@@ -1,8 +1,8 @@
 // Meshes kept in a file while they are made, as runs in slabs do: the same files as from memory,
 // also where the tiles have to be made again.
 #include "core/vec.h"
-#include "mesh/adaptive.h"
 #include "mesh/format/mesh_io.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/mesh_spill.h"
 #include "removal/part/part_field.h"

@@ -3,7 +3,7 @@
 
 #include "core/triangle_tree.h"
 #include "core/vec.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/surface/octree.h"
 #include "support/analytic_field.h"
 #include "support/rounds.h"

@@ -2,7 +2,7 @@
 // places where a face ends or its curvature changes within a triangle.
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"
 #include "support/field_distance.h"

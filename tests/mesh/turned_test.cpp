@@ -4,7 +4,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/turned/turned_chords.h"
 #include "mesh/turned/turned_mesh.h"

@@ -3,7 +3,7 @@
 // sum of areas times depths, and membership of a point is that of a point in a polygon.
 #include "core/units.h"
 #include "interp/interpreter.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
 #include "oracle/random.h"

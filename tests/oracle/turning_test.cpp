@@ -3,7 +3,7 @@
 // The part's volume follows by Pappus; membership of a point is that of (radius, Z) in the region.
 #include "core/units.h"
 #include "interp/interpreter.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
 #include "oracle/random.h"

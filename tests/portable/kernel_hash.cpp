@@ -5,7 +5,7 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "interp/interpreter.h"
-#include "mesh/adaptive.h"
+#include "mesh/mesh_part.h"
 #include "removal/part/part_field.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"
