@@ -28,7 +28,7 @@ namespace mrsim {
 inline constexpr double kInsideTolerance = 1e-6;
 
 inline constexpr std::int32_t kStockOwner = -1;
-/// Stands among candidates for the stock, which is none of them.
+/// Candidate number that means the uncut stock; never part of a list of candidates.
 inline constexpr std::uint32_t kStockDecides = ~std::uint32_t(0);
 
 struct FieldSample {

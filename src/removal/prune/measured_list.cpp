@@ -1,0 +1,211 @@
+#include "removal/prune/measured_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
+constexpr std::size_t kFewOthers = 6;
+constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
+
+constexpr std::size_t kTogether = 512;  // a multiple of any register
+constexpr std::size_t kLongRun = 512, kProbes = 16;
+
+using Kernel = decltype(CandidateKernels::strip);
+Kernel kernel_of(const CandidateKernels& kernels, SweepClass::Form form) {
+  return form == SweepClass::Form::strip  ? kernels.strip
+         : form == SweepClass::Form::line ? kernels.line
+                                          : kernels.arc;
+}
+
+}  // namespace
+
+void MeasuredList::Rows::resize(std::size_t slots) {
+  stride_ = slots + CandidateList::kPad;
+  if (data_.size() < 7 * stride_) data_.resize(7 * stride_);
+}
+
+MeasuredList::Scratch& MeasuredList::scratch() {
+  static thread_local Scratch s;
+  return s;
+}
+
+MeasuredList::MeasuredList(const SweepTable& table, const PruneRegion& region, double reach,
+                           double band, const CandidateList& in)
+    : columns_(table.columns()),
+      in_(in),
+      kernels_(candidate_kernels()),
+      region_(region),
+      deep_(-reach),
+      at_(region_args(region, in.origin)),
+      heights_(band + distance_slack(table)) {
+  const auto& runs = in.runs();
+  for (std::size_t i = 0; band > 0 && i < runs.size(); ++i)
+    by_heights_ = by_heights_ || type(i).form == SweepClass::Form::piece;
+  measure(table);
+}
+
+bool MeasuredList::is_swept_by_nearest() const {
+  const double band = -deep_ - region_.radius;
+  if (!(double(least_) + at_.delta < -band)) return false;
+  const auto& runs = in_.runs();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!is_strip(type(i)) || scratch_.least[i].distance > least_) continue;
+    const std::size_t k = kernels_.find(rows(i).distance, runs[i].count, least_);
+    if (k == runs[i].count) continue;
+    const CandidateRows r = rows(i);
+    return farthest(region_, r.x[k], r.y[k], r.z[k]) - type(i).tool.round + 2 * at_.delta < -band;
+  }
+  return false;
+}
+
+void MeasuredList::measure(const SweepTable& table) {
+  scratch_.least.clear();
+  if (in_.runs().empty()) return;
+  scratch_.rows.resize(end_of(in_.runs().back()) + CandidateList::kPad);
+  double extent = near_extent(at_, in_);
+  for (std::size_t i = 0; i < in_.runs().size(); ++i)
+    if (is_other(i))
+      extent = std::max(extent, measure_others(table, in_.runs()[i]));
+    else
+      scratch_.least.push_back({});
+  if (has_packs()) {
+    scratch_.least.back() = measure_packs(in_.runs().back());
+    extent = std::max(extent, std::fabs(scratch_.turned.distance));
+  }
+  set_delta(at_, extent, region_.radius);
+  for (const CandidateList::Run& run : in_.runs())
+    spread_ = std::max(spread_, columns_.classes[run.of].spread);
+  for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) probe_run(i);
+  for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i)
+    if (!is_bounded(i)) measure_run(i);
+  if (by_heights_ && !is_swept()) measure_heights();
+}
+
+// Sweeps without columns: in double, then rounded. Returns the largest value.
+double MeasuredList::measure_others(const SweepTable& table, const CandidateList::Run& run) {
+  Scratch& s = scratch_;
+  s.ids.resize(run.count), s.distance.resize(run.count);
+  for (std::size_t k = 0; k < run.count; ++k) s.ids[k] = in_.number(run, k);
+  const Vec3& p = region_.center;
+  table.distances(s.ids, p, s.distance.data());
+  const CandidateRows out = s.rows.at(run.first);
+  LeastDistance& least = s.least.emplace_back(LeastDistance{kInfinity, kInfinity, kInfinity});
+  const std::size_t padded =
+      (run.count + CandidateList::kPad - 1) / CandidateList::kPad * CandidateList::kPad;
+  std::fill(out.distance + run.count, out.distance + padded, kInfinity);
+  std::fill(out.squared + run.count, out.squared + padded, kInfinity);
+  std::fill(out.z + run.count, out.z + padded, kInfinity);
+  // Where a sweep is dropped by its distance, its nearest point is not asked for.
+  const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
+  const double limit =
+      run.count < kFewOthers || nearest > -deep_ ? deep_ : nearest + 2 * region_.radius + kRoom;
+  double extent = 0;
+  for (std::size_t k = 0; k < run.count; ++k) {
+    const SweepColumns::Foot f =
+        s.distance[k] > limit ? SweepColumns::Foot{} : columns_.foot(columns_.refs[s.ids[k]], p);
+    out.distance[k] = static_cast<float>(s.distance[k]);
+    out.squared[k] = static_cast<float>(f.squared);
+    out.x[k] = static_cast<float>(f.offset.x), out.y[k] = static_cast<float>(f.offset.y);
+    out.z[k] = static_cast<float>(f.offset.z);
+    out.rest[k] =
+        f.convex ? static_cast<float>(region_.radius * region_.radius * 1.00001) : kInfinity;
+    out.level[k] =
+        columns_.levels.empty() ? 0 : static_cast<float>(sweep_level(columns_.levels[s.ids[k]]));
+    least.distance = std::min(least.distance, out.distance[k]);
+    least.squared = std::min(least.squared, out.squared[k]);
+    least.z = std::min(least.z, out.z[k]);
+    extent = std::max({extent, std::fabs(s.distance[k]), length(f.offset)});
+  }
+  return extent;
+}
+
+// The nearest of all packs; its distance.
+LeastDistance MeasuredList::measure_packs(const CandidateList::Run& run) {
+  scratch_.packs.clear(), scratch_.turned = {};
+  const Vec3& c = region_.center;
+  const double rho = std::sqrt(c.x * c.x + c.y * c.y);
+  for (std::size_t k = 0; k < run.count; ++k) {
+    scratch_.packs.push_back(in_.number(run, k) - static_cast<std::uint32_t>(columns_.refs.size()));
+    columns_.turn_tree.nearest(scratch_.packs.back(), rho, c.z, scratch_.turned);
+  }
+  return {static_cast<float>(scratch_.turned.distance), kInfinity, kInfinity};
+}
+
+// A few sweeps here and there in a long run tell most regions that are deep in one, which is no
+// farther away than the tool is wide.
+void MeasuredList::probe_run(std::size_t i) {
+  const CandidateList::Run& run = in_.runs()[i];
+  if (run.count < kLongRun || type(i).form > SweepClass::Form::arc) return;
+  at_.tool = type(i).tool;
+  if (at_.tool.core + at_.tool.round < -deep_) return;
+  const std::size_t stretch = run.count / kProbes / CandidateList::kPad * CandidateList::kPad;
+  for (std::size_t k = 0; k < run.count && !is_swept(); k += stretch) {
+    const std::size_t some = std::min(run.count - k, CandidateList::kPad);
+    const LeastDistance found = kernel_of(kernels_, type(i).form)(
+        in_.columns(run.first + k), some, at_, scratch_.rows.at(run.first + k));
+    least_ = std::min(least_, found.distance + spread_of(type(i)));
+  }
+}
+
+void MeasuredList::measure_run(std::size_t i) {
+  const CandidateList::Run& run = in_.runs()[i];
+  LeastDistance& least = scratch_.least[i];
+  at_.tool = type(i).tool;
+  set_margin(at_, static_cast<float>(1.0001 * (type(i).spread + spread_)));
+  if (type(i).form == SweepClass::Form::turn) {
+    least_ = std::min(least_, least.distance);
+    return;
+  }
+  if (is_other(i)) {
+    const CandidateRows r = rows(i);
+    for (std::size_t k = 0; k < run.count; ++k)
+      r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + 1e-9f * r.squared[k];
+    least_ = std::min(least_, least.distance);
+    return;
+  }
+  const Kernel kernel = kernel_of(kernels_, type(i).form);
+  least = {kInfinity, kInfinity, kInfinity};
+  for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
+    const LeastDistance some =
+        kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether), at_,
+               scratch_.rows.at(run.first + k));
+    least.distance = std::min(least.distance, some.distance);
+    least.squared = std::min(least.squared, some.squared);
+    least.z = std::min(least.z, some.z);
+    least_ = std::min(least_, some.distance + spread_of(type(i)));
+  }
+}
+
+// What the list's heights are in the square: a sweep above the lowest of them, or above the
+// region, is out of all that is asked.
+void MeasuredList::measure_heights() {
+  heights_.begin(at_, lateral(at_));
+  scratch_.lower.resize(
+      std::max(scratch_.lower.size(), end_of(in_.runs().back()) + CandidateList::kPad));
+  for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i) {
+    const CandidateList::Run& run = in_.runs()[i];
+    float* lower = scratch_.lower.data() + run.first;
+    if (is_bounded(i))
+      heights_.add(kernels_.piece_heights(in_.columns(run.first), run.count,
+                                          heights_.args(type(i).heights), lower));
+    else if (is_measured_level(i))
+      heights_.add(
+          kernels_.level_heights(rows(i), run.count, heights_.args(type(i).heights), lower));
+  }
+  for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i)
+    if (is_measured_level(i)) drop_high(i);
+}
+
+void MeasuredList::drop_high(std::size_t i) {
+  const CandidateRows r = rows(i);
+  const float* lower = scratch_.lower.data() + in_.runs()[i].first;
+  for (std::size_t k = 0; k < in_.runs()[i].count; ++k)
+    if (lower[k] > heights_.limit()) r.distance[k] = kInfinity;
+}
+
+}  // namespace mrsim

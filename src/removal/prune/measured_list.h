@@ -1,0 +1,142 @@
+// The candidates of a list as one region meets them: how far each of them is from the region's
+// centre, and which of those distances is the least. prune() then drops what is beaten.
+#pragma once
+
+#include "removal/prune/candidate_list.h"
+#include "removal/prune/heights.h"
+#include "removal/prune/region_args.h"
+#include "removal/sweep/sweep_columns.h"
+#include "removal/sweep/sweep_table.h"
+
+#include <limits>
+#include <vector>
+
+namespace mrsim {
+
+/// One thread has one of these at a time: its memory is kept for the next.
+class MeasuredList {
+ public:
+  /// Measures the list. `reach` and `band` (mm) as for prune().
+  MeasuredList(const SweepTable& table, const PruneRegion& region, double reach, double band,
+               const CandidateList& in);
+
+  /// The whole region is deep in one sweep; the others may not have been measured.
+  bool is_swept() const {
+    return double(least_) + at_.delta < deep_ || (by_heights_ && heights_.is_swept());
+  }
+  /// The same, shown by where the nearest point of the nearest strip lies.
+  bool is_swept_by_nearest() const;
+
+  /// mm: the least distance of all, and what single precision may err by in it.
+  float least() const { return least_; }
+  double delta() const { return at_.delta; }
+  /// mm: by how much the nearest sweep may be nearer than least() + delta(), as the distance of a
+  /// pack is known up to its spread only.
+  double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
+
+  const CandidateList& list() const { return in_; }
+  const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
+  CandidateRows rows(std::size_t run) const { return scratch_.rows.at(in_.runs()[run].first); }
+  const LeastDistance& least_of(std::size_t run) const { return scratch_.least[run]; }
+  /// mm: the largest spread of a pack of the list.
+  double spread() const { return spread_; }
+  /// The region as the loops see it; `tool` is that of the run that was measured last.
+  const RegionArgs& at() const { return at_; }
+
+  /// The run is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
+  bool is_bounded(std::size_t run) const {
+    return type(run).form == SweepClass::Form::piece && by_heights_;
+  }
+  const float* lower(std::size_t run) const {
+    return scratch_.lower.data() + in_.runs()[run].first;
+  }
+  float height_limit() const { return heights_.limit(); }
+
+  /// Packs of turning sweeps: they are the last run.
+  bool has_packs() const {
+    return !in_.runs().empty() && type(in_.runs().size() - 1).form == SweepClass::Form::turn;
+  }
+  const TurnTree::Packs& packs() const { return scratch_.packs; }
+  const TurnTree::Nearest& nearest_pack() const { return scratch_.turned; }
+
+ private:
+  // What the loops tell of each slot of a list, in rows.
+  class Rows {
+   public:
+    void resize(std::size_t slots);
+    CandidateRows at(std::size_t slot) {
+      float* p = data_.data() + slot;
+      return {p,
+              p + stride_,
+              p + 2 * stride_,
+              p + 3 * stride_,
+              p + 4 * stride_,
+              p + 5 * stride_,
+              p + 6 * stride_};
+    }
+
+   private:
+    std::vector<float> data_;
+    std::size_t stride_ = 0;
+  };
+  struct Scratch {
+    Rows rows;
+    std::vector<LeastDistance> least;  ///< by run
+    std::vector<float> lower;          ///< bounds of heights by slot
+    std::vector<double> distance;
+    std::vector<std::uint32_t> ids;
+    TurnTree::Packs packs;
+    TurnTree::Nearest turned;
+  };
+  static Scratch& scratch();
+
+  bool is_other(std::size_t run) const {
+    return type(run).form == SweepClass::Form::other ||
+           (type(run).form == SweepClass::Form::piece && !by_heights_);
+  }
+  // Its rows tell heights.
+  bool is_measured_level(std::size_t run) const {
+    return !type(run).packs &&
+           (type(run).form == SweepClass::Form::line || type(run).form == SweepClass::Form::arc);
+  }
+  void measure(const SweepTable& table);
+  double measure_others(const SweepTable& table, const CandidateList::Run& run);
+  LeastDistance measure_packs(const CandidateList::Run& run);
+  void probe_run(std::size_t run);
+  void measure_run(std::size_t run);
+  void measure_heights();
+  void drop_high(std::size_t run);
+
+  const SweepColumns& columns_;
+  const CandidateList& in_;
+  Scratch& scratch_ = scratch();
+  const CandidateKernels& kernels_;
+  const PruneRegion& region_;
+  double deep_;  // mm: a region whose distances are below this is of no interest
+  RegionArgs at_;
+  HeightBounds heights_;
+  bool by_heights_ = false;  // the list has pieces, and no more than the band is asked
+  float least_ = std::numeric_limits<float>::infinity();
+  double spread_ = 0;
+};
+
+/// mm: of the distance of a pack, which is known up to its spread; rounded up.
+inline float spread_of(const SweepClass& type) { return static_cast<float>(1.0001 * type.spread); }
+
+/// Single lines of ball mills, whose rows hold their nearest points.
+inline bool is_strip(const SweepClass& type) {
+  return type.form == SweepClass::Form::strip && !type.packs;
+}
+
+/// The slot behind a run.
+inline std::size_t end_of(const CandidateList::Run& run) { return run.first + run.count; }
+
+/// The half width in plan of a region.
+inline float lateral(const RegionArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }
+
+/// mm: what rounding may change in a difference of two distances.
+inline double distance_slack(const SweepTable& table) {
+  return 2 * table.max_error() + kPruneRounding;
+}
+
+}  // namespace mrsim
