@@ -1,5 +1,6 @@
 #include "cli/terminal.h"
 
+#include "cli/report.h"
 #include "cli/stop.h"
 
 #include <algorithm>
@@ -31,6 +32,9 @@ const char* escape_of(Style style) {
   }
   return "";
 }
+
+constexpr double kFirstLook = 1;  // s: of a stage; then its share done tells what is to come
+constexpr double kLong = 10;      // s: work that is announced
 
 int terminal_width() {
   winsize size{};
@@ -68,9 +72,11 @@ std::string printable(std::string_view text) {
 }
 
 ProgressBar::ProgressBar(bool enabled)
-    : enabled_(enabled && ::isatty(STDERR_FILENO) != 0),
-      start_(std::chrono::steady_clock::now()),
-      last_(start_) {}
+    : enabled_(enabled),
+      is_terminal_(::isatty(STDERR_FILENO) != 0),
+      begin_(Clock::now()),
+      stage_begin_(begin_),
+      last_(begin_) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
@@ -83,19 +89,36 @@ void ProgressBar::clear() {
 bool ProgressBar::update(const char* stage, double fraction) {
   using namespace std::chrono_literals;
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto now = std::chrono::steady_clock::now();
-  if (enabled_ && now - start_ > 1s && now - last_ > 100ms) {
-    const int width = std::clamp(terminal_width() - 30, 10, 50);
-    const double share = std::clamp(fraction, 0.0, 1.0);
-    const int filled = static_cast<int>(share * width);
-    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                            std::string(static_cast<std::size_t>(width - filled), '.');
-    fmt::print(stderr, "\r\x1b[K{:<12.12} [{}] {:3.0f} %", stage, bar, 100 * share);
-    std::fflush(stderr);
-    drawn_ = true;
+  if (!enabled_) return stop_code() == 0;
+  const auto now = Clock::now();
+  if (stage_ != stage) stage_ = stage, stage_begin_ = now;
+  const double taken = std::chrono::duration<double>(now - stage_begin_).count();
+  const double share = std::clamp(fraction, 0.0, 1.0);
+  const double left = taken > kFirstLook && share > 0 ? taken * (1 - share) / share : -1;
+  if (!told_ && taken + left > kLong && left > 0) tell_long(stage, taken + left);
+  if (is_terminal_ && now - begin_ > 1s && now - last_ > 100ms) {
+    draw(stage, share, left);
     last_ = now;
   }
   return stop_code() == 0;
+}
+
+void ProgressBar::tell_long(const char* stage, double seconds) {
+  fmt::print(stderr, "{}note: {} will take about {}; Ctrl-C stops the run\n",
+             drawn_ ? "\r\x1b[K" : "", stage, duration(seconds));
+  std::fflush(stderr);
+  drawn_ = false, told_ = true;
+}
+
+void ProgressBar::draw(const char* stage, double share, double left) {
+  const int width = std::clamp(terminal_width() - 45, 10, 50);
+  const int filled = static_cast<int>(share * width);
+  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                          std::string(static_cast<std::size_t>(width - filled), '.');
+  fmt::print(stderr, "\r\x1b[K{:<12.12} [{}] {:3.0f} %{}", stage, bar, 100 * share,
+             left < 1 ? "" : fmt::format("  {} left", duration(left)));
+  std::fflush(stderr);
+  drawn_ = true;
 }
 
 Progress ProgressBar::callback() {

@@ -24,7 +24,8 @@ std::string styled(std::string_view text, Style style, bool colours);
 /// as an escape sequence. Tabs stay.
 std::string printable(std::string_view text);
 
-/// A bar on stderr, drawn only on a terminal and only once the work has taken a second.
+/// What is told on stderr of work that takes long: a note, once, where a stage will take more than
+/// ten seconds, by what it has done in its first one; and on a terminal a bar after one second.
 class ProgressBar {
  public:
   explicit ProgressBar(bool enabled);
@@ -32,16 +33,22 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  /// Draws, and says whether to go on: false once the user has stopped the run.
+  /// Tells, and says whether to go on: false once the user has stopped the run.
   bool update(const char* stage, double fraction);
   void clear();
   Progress callback();
 
  private:
+  using Clock = std::chrono::steady_clock;
+  void tell_long(const char* stage, double seconds);
+  void draw(const char* stage, double share, double left);
+
   std::mutex mutex_;
   bool enabled_;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point start_, last_;
+  bool is_terminal_;
+  bool drawn_ = false, told_ = false;
+  std::string stage_;
+  Clock::time_point begin_, stage_begin_, last_;
 };
 
 }  // namespace mrsim::cli

@@ -38,6 +38,7 @@ constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has m
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
 constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
+constexpr double kSecondsPerByte = 4e-8;   ///< of one core: both go with the cells and their faces
 constexpr double kMostNodes = 2.5e5;       ///< of the octree, where a grid may take its place
 constexpr std::size_t kMostRounds = 24;    ///< of splitting, likewise
 constexpr double kMostFirstNodes = 1.2e5;  ///< before the first round, likewise
@@ -64,6 +65,8 @@ class AdaptiveMesher {
   TriMesh run() {
     report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
     detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
+    timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
+    timer_.step("tree");
     nodes_ = tree_.size();
     if (options_.fallback_voxel > 0 && static_cast<double>(tree_.size()) > kMostFirstNodes)
       throw Error("mesh-unresolved", "it takes too many cells");

@@ -39,6 +39,16 @@ TEST_F(Stop, EndsALongRunWithinASecond) {
   }
 }
 
+// What takes more than ten seconds says so in its first ones.
+TEST_F(Stop, ALongRunIsAnnounced) {
+  for (const char* rest : {" --voxel 0.004", " --tolerance 0.00003"}) {
+    const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl -o part.stl" + std::string(rest),
+                                "timeout --foreground --preserve-status -s INT 8");
+    EXPECT_EQ(outcome.code, 130) << rest;
+    EXPECT_TRUE(contains(outcome.err, "note: meshing will take about ")) << rest << outcome.err;
+  }
+}
+
 TEST_F(Stop, EndsAComparisonWithinASecond) {
   expect_stopped("compare block.stl bar.stl --density 300", "TERM", 143);
 }

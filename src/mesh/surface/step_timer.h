@@ -9,18 +9,23 @@
 
 namespace mrsim::detail {
 
-/// How many rounds there will be is not known: the share done approaches 1.
+/// How many rounds there will be is not known: the share done is told from how long all may take,
+/// and approaches 1.
 class StepTimer {
  public:
   StepTimer(MeshReport& report, Progress progress)
-      : report_(report), progress_(std::move(progress)), start_(Clock::now()) {}
+      : report_(report), progress_(std::move(progress)), begin_(Clock::now()), start_(begin_) {
+    tell();
+  }
+
+  /// Seconds that what comes will take, about.
+  void expect(double seconds) { expected_ = since(begin_) + seconds; }
+
   /// Ends a step. Throws Error "cancelled" when the caller wants no more.
   void step(const char* name) {
-    done_ += kStepShare * (1 - done_);
-    if (progress_ && !progress_("meshing", done_)) throw Error("cancelled", "the run was stopped");
-    const auto now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
+    tell();
+    const double seconds = since(start_);
+    start_ = Clock::now();
     for (auto& [known, sum] : report_.seconds)
       if (known == name) {
         sum += seconds;
@@ -31,11 +36,24 @@ class StepTimer {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double kStepShare = 0.15;
+  static double since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  void tell() const {
+    if (progress_ && !progress_("meshing", share()))
+      throw Error("cancelled", "the run was stopped");
+  }
+  // As time goes up to one half; then slower, as the expectation may be short.
+  double share() const {
+    if (expected_ <= 0) return 0;
+    const double x = since(begin_) / expected_;
+    return x < 0.5 ? x : 1 - 0.25 / x;
+  }
+
   MeshReport& report_;
   Progress progress_;
-  double done_ = 0;
-  Clock::time_point start_;
+  double expected_ = 0;  // seconds from the beginning
+  Clock::time_point begin_, start_;
 };
 
 }  // namespace mrsim::detail

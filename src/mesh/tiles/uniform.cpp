@@ -84,6 +84,7 @@ class UniformContour {
   // The mesh goes on in blocks of as many tiles, whoever has made them.
   void make_all(MeshSink& sink) {
     ++report_.passes;
+    show_progress(0);
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
     TileMerger merger(set_.order);
     std::size_t joined = 0, triangles = 0;
