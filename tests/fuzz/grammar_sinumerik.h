@@ -31,8 +31,9 @@ class Sinumerik : public Grammar {
                     "CYCLE71(", "CYCLE76(", "CYCLE77(", "CYCLE90(", "CYCLE899("}) +
             list(24) + ")");
       case 2:
-        return line(one_of({"CYCLE72(\"KONTUR\",", "CYCLE95(\"KONTUR\",", "CYCLE97("}) + list(18) +
-                    ")");
+        return line(one_of({"CYCLE72(\"KONTUR\",", "CYCLE95(\"KONTUR\",", "CYCLE93(", "CYCLE951(",
+                            "CYCLE97(", "CYCLE98(", "CYCLE99("}) +
+                    list(22) + ")");
       case 3:
         return line(one_of({"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR"}) +
                     words({"X", "Y", "Z"}));

@@ -107,6 +107,9 @@ TEST(MillCycles, SlotsAndLongHoles) {
   expect_cleared("SLOT1(50,0,2,-4,,4,20,14,0,0,10,0,90,200,800,2,3,0.2,0,4)", -4, radial(10, 7),
                  -32, 32);
   expect_cleared("LONGHOLE(50,0,2,,4,4,20,0,0,10,0,0,200,800,2)", -4, radial(10, 5), -32, 32);
+  // Swinging down by at most 15 degrees, STA2.
+  expect_cleared("SLOT1(50,0,2,-4,,4,20,14,0,0,10,0,90,200,800,2,3,0.2,30,4,,,0,15)", -4,
+                 radial(10, 7), -32, 32);
   // One slot about its centre, as GMODE says.
   expect_cleared(
       "SLOT1(50,0,2,4,,1,40,14,0,0,0,90,0,200,800,2,0,0,1,,,,,,,,,,1100,,1)", -4,
@@ -183,6 +186,8 @@ TEST(MillCycles, FaultsAreNamed) {
   EXPECT_EQ(code("POCKET3(50,0,2,6,60,40,8,0,0,0,3,0,0,800,200,0,11)"), "value-range");
   EXPECT_EQ(code("POCKET3(50,0,2,,60,40,8,0,0,0,3,0,0,800,200,0,11)"), "value-missing");
   EXPECT_EQ(code("POCKET3(50,0,2,-6,60,40,8,0,0,0,3,0,0,800,200,0,5)"), "not-supported");
+  EXPECT_EQ(code("POCKET4(50,0,2,6,22,3,4,3,0,0,800,200,0,11,50,9,15,2,1,0,1,2,10100,111,111)"),
+            "not-supported");
   EXPECT_EQ(code("T0 D0\nPOCKET4(50,0,2,-6,22,3,4,3)"), "tool-unknown");
   EXPECT_EQ(code("CYCLE77(50,0,2,-6,,30,0,0,3,0,0,800,200,0,1,900000000)"), "value-range");
   EXPECT_EQ(code("CYCLE60(\"A\",50,0,2,-1)"), "not-supported");

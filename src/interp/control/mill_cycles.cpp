@@ -182,6 +182,10 @@ bool MillCycles::circle() {
   Levels l;
   Vec2 at;
   if (!levels(l) || !reference_place(at)) return false;
+  if (list_->name == "POCKET4" && value(23) >= 100)
+    return fail("not-supported",
+                "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
+                "is not supported yet: write the list up to DP1, with a radius");
   const double reach = std::abs(value(list_->radius)) * scale() - radius_;
   if (reach - l.side < -1e-9)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
@@ -216,8 +220,7 @@ bool MillCycles::slots() {
   if (n == 0 || from > 5) return fail("value-range", "the number of slots is 1 to 10000");
   if (b - l.side < -1e-9 || length < width)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
-  if (list_->name == "SLOT1" && value(23) != 0)
-    return fail("not-supported", "SLOT1: STA2 (slots that are not radial) is not supported yet");
+  if (list_->name == "SLOT1") l.helix = std::abs(value(23));  // STA2: the angle of swinging
   // The centre of the slot: behind its inner end, or as GMODE says.
   static constexpr double kEnd[] = {1, 0, 1, -1, 1, -1};
   const double inset = from == 2 || from == 3 ? width / 2 : 0;

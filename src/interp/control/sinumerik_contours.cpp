@@ -23,17 +23,13 @@ Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
 }  // namespace
 
 bool SinumerikContours::knows(std::string_view name) {
-  return name == "CYCLE62" || name == "CYCLE72" || name == "CYCLE95" || name == "CYCLE97";
+  return name == "CYCLE62" || name == "CYCLE72" || name == "CYCLE95";
 }
 
 bool SinumerikContours::run(const CycleCall& call, const Word& where) {
-  if (out_.captures())
-    return error("not-supported", fmt::format("{} inside the contour of a cycle", call.name),
-                 where);
   call_ = call;
   where_ = where;
   mover_.begin(where);
-  if (call.name == "CYCLE97") return thread();
   if (call.name == "CYCLE62") {  // NAME, its kind, two labels
     named_ = call.text(2).empty() ? call.text(0) : call.text(2) + ":" + call.text(3);
     return !named_.empty() || error("value-missing", "CYCLE62 needs the name of a contour", where);
@@ -148,6 +144,9 @@ bool SinumerikContours::mill_levels(Along& l) {
                  "CYCLE72: the depth does not lie below the reference plane (alarm 61101)", where_);
   const int kind = call_.digit(10, 0);
   if (kind == 5) return error("not-supported", "CYCLE72: chamfering is not supported yet", where_);
+  if (call_.digit(10, 4) != 0)
+    return error("not-supported", "CYCLE72: the contour backwards (VARI) is not supported yet",
+                 where_);
   if (kind == 1) {
     l.allowance = std::abs(call_.get(6)) * unit;
     l.bottom -= down * std::abs(call_.get(7)) * unit;

@@ -1,6 +1,6 @@
 // SINUMERIK cycles along a contour of the program: CYCLE62 names it, CYCLE72 mills along it,
-// CYCLE95 turns down to it; and CYCLE97, which cuts a thread. The contour's blocks are read like
-// any others with their motions kept; then the passes follow from them. Private to src/interp.
+// CYCLE95 turns down to it. The contour's blocks are read like any others with their motions kept;
+// then the passes follow from them. Private to src/interp.
 #pragma once
 
 #include "interp/control/cycle_call.h"
@@ -27,6 +27,8 @@ class SinumerikContours : public ControlPart {
   static bool knows(std::string_view name);
   /// False: an error was reported.
   bool run(const CycleCall& call, const Word& where);
+  /// The blocks now read are the contour of a cycle.
+  bool reads_contour() const { return out_.captures(); }
   /// Goes on with the contour, after the block is done.
   void end_block();
   /// The program ends.
@@ -53,8 +55,6 @@ class SinumerikContours : public ControlPart {
   bool find_contour(const std::string& name, CallRequest& request);
   void begin_contour();
   void end_contour();
-  bool thread();
-  bool thread_depths(std::vector<double>& depths);
   bool mill_along();
   bool mill_levels(Along& out);
   void pass_along(const Along& along, double from, double level);

@@ -39,6 +39,7 @@ double iso_pitch(double thread) {
 
 bool SinumerikCycles::knows(std::string_view name) {
   return is_cycle(name) || MillCycles::knows(name) || SinumerikContours::knows(name) ||
+         TurnCycles::knows(name) ||
          std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
@@ -59,8 +60,12 @@ bool SinumerikCycles::read_call(Call& call) {
 bool SinumerikCycles::run() {
   Call call;
   if (!read_call(call)) return false;
+  if (contours_.reads_contour())
+    return error("not-supported", fmt::format("{} inside the contour of a cycle", call.name),
+                 where());
   if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
   if (SinumerikContours::knows(call.name)) return contours_.run(call, where());
+  if (TurnCycles::knows(call.name)) return turns_.run(call, where());
   return is_cycle(call.name) ? drill(call) : pattern(call);
 }
 

@@ -6,6 +6,7 @@
 #include "interp/control/mill_cycles.h"
 #include "interp/control/sinumerik_contours.h"
 #include "interp/control/statements.h"
+#include "interp/control/turn_cycles.h"
 
 #include <optional>
 #include <vector>
@@ -21,7 +22,8 @@ class SinumerikCycles : public ControlPart {
         statements_(statements),
         holes_(holes),
         mills_(control, tools, moves),
-        contours_(control, reader, statements, tools, moves, out) {}
+        contours_(control, reader, statements, tools, moves, out),
+        turns_(control, tools, moves) {}
 
   /// A name that run() knows.
   static bool knows(std::string_view name);
@@ -59,6 +61,7 @@ class SinumerikCycles : public ControlPart {
   HoleMaker& holes_;
   MillCycles mills_;
   SinumerikContours contours_;
+  TurnCycles turns_;
   std::optional<Call> modal_call_;
 };
 

@@ -1,5 +1,4 @@
-// CYCLE95 turns down to a contour, CYCLE97 cuts a thread.
-#include "core/trig.h"
+// CYCLE95 turns down to a contour.
 #include "interp/control/sinumerik_contours.h"
 
 #include <algorithm>
@@ -164,68 +163,6 @@ void SinumerikContours::level(const Removal& r, double at, double from, double t
   go(p, MotionKind::rapid, 0);
   component(p, r.v) = from;
   go(p, MotionKind::rapid, 0);
-}
-
-// TDEP, FAL, NRC and VARI: equal depths, or equal cross-sections; the finishing cut and NID more.
-bool SinumerikContours::thread_depths(std::vector<double>& depths) {
-  const double unit = scale(), full = std::abs(call_.get(8)) * unit;
-  const double rough = full - std::abs(call_.get(9)) * unit;
-  const double cuts = call_.get(12), spare = call_.get(13), kind = call_.get(14, 1);
-  if (full <= 0 || rough <= 0)
-    return error("value-range", "CYCLE97 needs TDEP, its depth, above FAL", where_);
-  if (kind < 1 || kind > 4 || kind != std::floor(kind))
-    return error("not-supported", fmt::format("CYCLE97: VARI {:g} is not supported yet", kind),
-                 where_);
-  if (cuts < 1 || cuts > 1000 || spare < 0 || spare > 1000)
-    return error("value-range", "CYCLE97: NRC is 1 to 1000 cuts and NID 0 to 1000", where_);
-  const int n = static_cast<int>(cuts);
-  for (int i = 1; i <= n; ++i) {
-    const double share = static_cast<double>(i) / n;
-    depths.push_back(rough * (kind > 2 ? std::sqrt(share) : share));
-  }
-  if (full > rough) depths.push_back(full);
-  depths.insert(depths.end(), static_cast<std::size_t>(spare), full);
-  return true;
-}
-
-// PIT MPIT SPL FPL DM1 DM2 APP ROP TDEP FAL IANG NSP NRC NID VARI NUMT VRT
-bool SinumerikContours::thread() {
-  const double unit = scale(), z0 = call_.get(2) * unit, z1 = call_.get(3) * unit;
-  const double x0 = call_.get(4) * unit / 2, x1 = call_.get(5) * unit / 2;
-  double pitch = std::abs(call_.get(0)) * unit;
-  if (pitch == 0) pitch = iso_pitch(std::abs(call_.get(1)));
-  if (pitch <= 0) return error("thread-lead", "CYCLE97 needs the pitch, PIT or MPIT", where_);
-  if (std::abs(z1 - z0) <= std::abs(x1 - x0))
-    return error("not-supported", "CYCLE97: a thread on a face is not supported yet", where_);
-  std::vector<double> depths;
-  if (!thread_depths(depths)) return false;
-  const bool inside = call_.get(14, 1) == 2 || call_.get(14, 1) == 4;
-  const double along = z1 < z0 ? -1 : 1, in = inside ? 1 : -1;
-  const double slope = (x1 - x0) / (z1 - z0);
-  const double begin = z0 - along * std::abs(call_.get(6)) * unit;
-  const double end = z1 + along * std::abs(call_.get(7)) * unit;
-  const double vrt = call_.get(16) > 0 ? call_.get(16) * unit : 1;
-  const double clear = (inside ? std::min(x0, x1) : std::max(x0, x1)) - in * vrt;
-  const SinCos flank = sincos_deg(call_.get(10));
-  const auto to = [&](double x, double z, MotionKind kind, double lead) {
-    Target target;
-    target.programmed = {x, position_.programmed.y, z};
-    target.named = 5;
-    if (length(target.programmed - position_.programmed) > 1e-9)
-      moves_.step(target, where_, kind, lead, 0);
-  };
-  const int starts = std::clamp(static_cast<int>(call_.get(15, 1)), 1, 100);
-  to(clear, position_.programmed.z, MotionKind::rapid, 0);
-  for (int k = 0; k < starts; ++k)
-    for (const double depth : depths) {
-      const double z = begin + along * depth * flank.sin / flank.cos;
-      to(clear, z, MotionKind::rapid, 0);
-      to(x0 + (z - z0) * slope + in * depth, z, MotionKind::rapid, 0);
-      to(x0 + (end - z0) * slope + in * depth, end, MotionKind::line, pitch);
-      to(clear, end, MotionKind::rapid, 0);
-    }
-  to(clear, begin, MotionKind::rapid, 0);
-  return true;
 }
 
 }  // namespace mrsim

@@ -90,8 +90,9 @@ void MachineSigns::line(const LineScan& s, int n) {
   if (has(c, "LIMS")) note_first(lathe_, "LIMS", n);
   if (c.find("DIAM") != std::string::npos && (has_word(c, "DIAMON") || has(c, "DIAM90")))
     note_first(lathe_, "DIAMON", n);
-  if (has(c, "CYCLE95") || has(c, "CYCLE951") || has(c, "CYCLE93") || has(c, "CYCLE97"))
-    note_first(lathe_, "a turning cycle", n);
+  for (const char* cycle : {"CYCLE93", "CYCLE930", "CYCLE94", "CYCLE940", "CYCLE95", "CYCLE951",
+                            "CYCLE952", "CYCLE96", "CYCLE97", "CYCLE98", "CYCLE99"})
+    if (has(c, cycle)) note_first(lathe_, "a turning cycle", n);
   const bool data = sets_data(c);
   if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
   if (!data && has_axis(c, 'J')) note_first(mill_, "an arc with J", n);

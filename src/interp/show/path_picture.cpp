@@ -16,7 +16,7 @@ namespace mrsim {
 namespace {
 
 // Picture axes: X right and Y up for a mill, Z right and X up for a lathe.
-struct View {
+struct PathView {
   bool lathe = false;
   Vec2 at(const Vec3& p) const { return lathe ? Vec2{p.z, p.x} : Vec2{p.x, p.y}; }
   Vec3 towards() const { return lathe ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
@@ -27,13 +27,13 @@ int arc_steps(const Motion& m) {
   return std::clamp(static_cast<int>(std::ceil(std::abs(m.sweep) / per_step)), 2, 4096);
 }
 
-std::string svg_point(const View& view, const Vec3& p) {
+std::string svg_point(const PathView& view, const Vec3& p) {
   const Vec2 q = view.at(p);
   return fmt::format("{} {}", number_text(q.x), number_text(-q.y));  // SVG's y grows downwards
 }
 
 // An arc seen along its axis is an SVG arc (in halves, so that full circles work); else a polyline.
-std::string svg_arc(const View& view, const Motion& m) {
+std::string svg_arc(const PathView& view, const Motion& m) {
   std::string out;
   const double facing = dot(m.axis, view.towards());
   if (std::abs(facing) < 1 - 1e-9) {
@@ -73,7 +73,7 @@ const char* colour(MotionKind kind) {
 }  // namespace
 
 std::string path_svg(const Program& program) {
-  const View view{program.machine == MachineKind::lathe};
+  const PathView view{program.machine == MachineKind::lathe};
   const Box3 box = bounds(program);
   const Vec2 lo = view.at(box.lo), hi = view.at(box.hi);
   const double size = std::max({hi.x - lo.x, hi.y - lo.y, 1.0}), margin = 0.05 * size;

@@ -38,11 +38,11 @@ constexpr std::string_view kHarmlessCalls[] = {
 
 // Calls whose arguments the interpreter reads.
 constexpr std::string_view kReadCalls[] = {
-    "WORKPIECE", "CYCLE81",  "CYCLE82", "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86",
-    "CYCLE87",   "CYCLE88",  "CYCLE89", "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802",
-    "HOLES1",    "HOLES2",   "POCKET1", "POCKET2",  "POCKET3",  "POCKET4",  "SLOT1",
-    "SLOT2",     "LONGHOLE", "CYCLE61", "CYCLE71",  "CYCLE76",  "CYCLE77",  "CYCLE899",
-    "CYCLE90",   "CYCLE62",  "CYCLE72", "CYCLE95",  "CYCLE97"};
+    "WORKPIECE", "CYCLE81",  "CYCLE82",  "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86",  "CYCLE87",
+    "CYCLE88",   "CYCLE89",  "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802", "HOLES1",   "HOLES2",
+    "POCKET1",   "POCKET2",  "POCKET3",  "POCKET4",  "SLOT1",    "SLOT2",    "LONGHOLE", "CYCLE61",
+    "CYCLE71",   "CYCLE76",  "CYCLE77",  "CYCLE899", "CYCLE90",  "CYCLE62",  "CYCLE72",  "CYCLE93",
+    "CYCLE95",   "CYCLE951", "CYCLE97",  "CYCLE98",  "CYCLE99"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)

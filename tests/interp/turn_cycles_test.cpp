@@ -1,0 +1,152 @@
+// SINUMERIK's grooves, corners and threads, as worked out by hand from the pictures of its manual.
+#include "interp/support.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+/// The ends of the motions as X (radius) and Z, then the codes of what was said.
+std::string lathe_path(const std::string& text, const Tool& tool = {}) {
+  InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
+  if (tool.type != ToolType::endmill) options.table.tools = {tool};
+  const Program p = read_text("F0.2 G0 X70 Z-10\n" + text + "\n", options);
+  std::string out;
+  for (const Motion& m : p.motions)
+    out += fmt::format("{}{:.6g},{:.6g} ", m.kind == MotionKind::rapid ? "r" : "l", m.end.x + 0.0,
+                       m.end.z + 0.0);
+  return out.substr(0, 8) == "r35,-10 " ? out.substr(8) + codes(p) : "other start: " + out;
+}
+
+Tool grooving_tool(double width, int tip) {
+  Tool tool;
+  tool.type = ToolType::grooving;
+  tool.width = width;
+  tool.tip = tip;
+  tool.origin = "test";
+  return tool;
+}
+
+TEST(TurnCycles, CornerRoughed) {
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,4,2,0.5,11,0,0,0,1,0.3,0,2,1110000)"),
+            "r31,1 r26,1 l26,-19.5 r27,-18.5 r27,1 r22,1 l22,-19.5 r23,-18.5 r23,1 r31,1 ");
+  // A face, beyond its centre; and a bore.
+  EXPECT_EQ(lathe_path("CYCLE951(60,2,-2,0,,,1,1,0,0,12,,,,1,0.3)"),
+            "r31,3 r31,1 l-1,1 r0,2 r31,2 r31,0 l-1,0 r0,1 r31,1 r31,3 ");
+  EXPECT_EQ(lathe_path("CYCLE951(20,0,30,-15,,,3,5,0,0,11,,,,1)"),
+            "r9,1 r15,1 l15,-15 r14,-14 r14,1 r9,1 ");
+}
+
+TEST(TurnCycles, CornerFinished) {
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,1,2,0.5,21,0,0,0,1,0.3,0,2,1110000)"),
+            "r31,1 r20,1 l20,-20 l31,-20 r31,1 ");
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,1,0,0,22,0,0,0,1,0.3,0,2,1110000)"),
+            "r31,1 r31,-20 l20,-20 l20,1 r31,1 ");
+}
+
+TEST(TurnCycles, CornersThatAreNotRead) {
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,4,0,0,11,0,0,0,1,0.3,1,2,1110000)"),
+            "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,20,0,0,1,4,0,0,11,0,0,0,1,0.3,0,2,1111000)"),
+            "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,4,0,0,31)"), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,60,-20,0,0,1,4,0,0,11)"), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,,0,0,11)"), "value-missing");
+  EXPECT_EQ(lathe_path("CYCLE951(60)"), "value-missing");
+  Tool round = grooving_tool(4, 3);
+  round.nose_radius = 0.4;
+  const std::string text =
+      lathe_path("T1 D1\nG42 G1 X66 Z-10\nCYCLE951(60,0,40,-20,0,0,1,4,0,0,11)", round);
+  EXPECT_NE(text.find(" cycle-compensation"), std::string::npos) << text;
+}
+
+TEST(TurnCycles, GrooveInEqualPlunges) {
+  // From the left, the point at the left corner of a blade of 4 in a groove of 10.
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,1)", grooving_tool(4, 3)),
+            "r31,-10 r31,-30 l25,-30 r31,-30 r31,-27 l25,-27 r31,-27 r31,-24 l25,-24 r31,-24 ");
+  // The same groove with the point at the right corner, and in the middle of the blade.
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,11)", grooving_tool(4, 4)),
+            "r31,-10 r31,-26 l25,-26 r31,-26 r31,-23 l25,-23 r31,-23 r31,-20 l25,-20 r31,-20 ");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,4,5,,,,,,,,,,,,1)", grooving_tool(4, 8)),
+            "r31,-10 r31,-28 l25,-28 r31,-28 ");
+  // Inside, in radius.
+  EXPECT_EQ(lathe_path("DIAMOF\nCYCLE93(20,-30,4,5,,,,,,,,,,,,3)", grooving_tool(4, 2)),
+            "r19,-10 r19,-30 l25,-30 r19,-30 ");
+}
+
+TEST(TurnCycles, GrooveWithAllowances) {
+  EXPECT_EQ(lathe_path("CYCLE93(60,-20,10,5,0,0,0,0,0,0,0,1,0.5,2,0,5,1)", grooving_tool(4, 3)),
+            "r31,-10 r31,-24.5 l28,-24.5 r29,-24.5 l26,-24.5 r31,-24.5 r31,-27 l28,-27 r29,-27 "
+            "l26,-27 r31,-27 r31,-29.5 l28,-29.5 r29,-29.5 l26,-29.5 r31,-29.5 r31,-24 l25,-24 "
+            "l25,-27 r31,-27 r31,-30 l25,-30 l25,-27 r31,-27 ");
+}
+
+TEST(TurnCycles, GroovesThatAreNotRead) {
+  const Tool tool = grooving_tool(4, 3);
+  // The manual's example: in a cone, with oblique flanks and chamfers.
+  EXPECT_EQ(lathe_path("CYCLE93(35,60,30,25,5,10,20,0,0,-2,-2,1,1,10,1,5,0.2)", tool),
+            "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,10,10,,,,,,,,,1)", tool), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,0,0,1,1,,,,,,,1)", tool), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,2)", tool), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,9)", tool), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,3,5,,,,,,,,,,,,1)", tool), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,1)", grooving_tool(4, 2)), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,1)"), "tool-unknown");
+  EXPECT_EQ(lathe_path("CYCLE930(60,-30)\nCYCLE952(\"\")\nCYCLE94(20,60,\"E\")\nCYCLE96(40)\n"
+                       "CYCLE940(20,60)"),
+            "not-supported not-supported not-supported not-supported not-supported");
+}
+
+TEST(TurnCycles, ChainOfThreads) {
+  // The manual's example: five cuts of equal cross-section and one more, 10 before and behind.
+  const std::string text =
+      lathe_path("S500 M3\nCYCLE98(0,30,-30,30,-60,36,-80,50,10,10,0.92,,,,5,1,1.5,2,2,3,1)");
+  EXPECT_EQ(std::count(text.begin(), text.end(), 'l'), 6 * 3);
+  const std::string last = "r29.5,10 r14.08,10 l14.08,-30 l17.08,-60 l27.58,-90 r29.5,-90 ";
+  EXPECT_EQ(text.substr(text.size() - 2 * last.size() - 9), last + last + "r29.5,10 ");
+  EXPECT_EQ(lathe_path("CYCLE98(0,30,-30,30,-20,36,-80,50,10,10,0.92,,,,5,1,1.5,2,2,3,1)"),
+            "value-range");
+  EXPECT_EQ(lathe_path("CYCLE98(0,30,-30,30,-60,36,-80,50,10,10,0.92,,,,5,1,1.5,2,,3,1)"),
+            "thread-lead");
+  EXPECT_EQ(lathe_path("CYCLE98(0,30,-30,30,-60,36)"), "value-missing");
+}
+
+TEST(TurnCycles, ThreadsOfTheCurrentListAreThoseOfTheOld) {
+  const std::string old =
+      lathe_path("S500 M3\nCYCLE97(1.5,,0,-30,40,40,2,1,0.92,0.05,30,0,5,1,1,1,1)");
+  EXPECT_NE(old, "");
+  EXPECT_EQ(lathe_path("S500 M3\nCYCLE99(0,40,-30,40,2,1,0.92,0.05,30,0,5,1,1.5,1300101,1)"), old);
+  // Without FPD the thread is cylindrical.
+  EXPECT_EQ(
+      lathe_path("S500 M3\nCYCLE99(0,40,-30,,2,1,0.92,0.05,30,0,5,1,1.5,1300101,1,1,0.3,0.46,0,0,1,"
+                 "0,0.53,1,,,,2,0)"),
+      old);
+  // Roughing and finishing apart are the whole.
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), 'l');
+  };
+  EXPECT_EQ(lines(old), 7);
+  EXPECT_EQ(lines(lathe_path("S500 M3\nCYCLE99(0,40,-30,40,2,1,0.92,0.05,30,0,5,1,1.5,1100101,1)")),
+            5);
+  EXPECT_EQ(lines(lathe_path("S500 M3\nCYCLE99(0,40,-30,40,2,1,0.92,0.05,30,0,5,1,1.5,1200101,1)")),
+            2);
+}
+
+TEST(TurnCycles, ThreadsThatAreNotRead) {
+  const auto with = [](const std::string& vari, const std::string& rest) {
+    return lathe_path("S500 M3\nCYCLE99(0,40,-30,40,2,1,0.92,0.05,30,0,5,1,1.5," + vari + ",1,1" +
+                      rest + ")");
+  };
+  EXPECT_EQ(with("1310101", ""), "not-supported");
+  EXPECT_EQ(with("1300101", ",0,0,0.1"), "not-supported");
+  EXPECT_EQ(with("1300101", ",0,0,0,0,0,0,0,2"), "not-supported");
+  EXPECT_EQ(with("1300101", ",0,0,0,0,0,0,0,1,,,,0,1"), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE99(0,40,0,60,2,1,0.92,0.05,30,0,5,1,1.5,1300101,1)"), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE99(0)"), "value-missing");
+}
+
+}  // namespace
+}  // namespace mrsim
