@@ -125,7 +125,7 @@ TEST(Posts, RunAsWorkedOut) {
        2,
        {-0.79375, 0, -66.910111644},
        {27.94, 0, 0.127}},
-      {"sinumerik_shaft.mpf", Dialect::sinumerik, lathe, 65, 33, 2, {10, 0, -40}, {31.5, 0, 0.3}},
+      {"sinumerik_shaft.mpf", Dialect::sinumerik, lathe, 66, 33, 2, {10, 0, -40}, {31.5, 0, 0.3}},
       {"sinumerik_defines.mpf", Dialect::sinumerik, mill, 14, 14, 4, {0, -20, -10}, {65, 30, 20}},
       {"sinumerik_frames.mpf",
        Dialect::sinumerik,

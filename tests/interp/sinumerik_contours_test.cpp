@@ -75,6 +75,12 @@ TEST(SinumerikContours, StockRemoval) {
   EXPECT_EQ(
       turn("F0.2 G0 X50 Z2\nCYCLE95(\"ONE:TWO\",4,0,0,,0.3,0.2,0.1,5,,,1)\n" + std::string(kShaft)),
       "r25,2 r10,1 l10,0 l10,-20 l20,-30 l22,-30 r23,-30 r23,2 r25,2 ");
+  // Both: over the material back to the contour's start.
+  EXPECT_EQ(
+      turn("F0.2 G0 X50 Z2\nCYCLE95(\"ONE:TWO\",12,0,0,,0.3,0.2,0.1,9,,,1)\n" +
+           std::string(kShaft)),
+      "r25,2 r25,1 r10,1 l10,0 l10,-20 l20,-30 l22,-30 r23,-30 r23,1 r10,1 l10,0 l10,-20 l20,-30 "
+      "l22,-30 r23,-30 r23,2 r25,2 ");
   // A relief cut of 1 mm, in levels of its own.
   EXPECT_EQ(turn("F0.2 G0 X50 Z2\nCYCLE95(\"ONE:TWO\",1,0,0,,0.3,0.2,0.1,1,,,1)\nM30\nONE:\nG1 X20 "
                  "Z0\nZ-5\nX16 Z-10\nZ-20\nX20 Z-22\nZ-30\nTWO:\n"),

@@ -61,6 +61,13 @@ bool SinumerikContours::turn_down() {
   if (r.finish) {
     Vec3 start = contour_.front().end;
     component(start, r.v) -= r.run * r.clear;
+    if (r.rough) {  // from the contour's end back over the material, not through it
+      Vec3 over = position_.physical;
+      component(over, r.u) = r.top - r.down * r.clear;
+      go(over, MotionKind::rapid, 0);
+      component(over, r.v) = component(start, r.v);
+      go(over, MotionKind::rapid, 0);
+    }
     go(start, MotionKind::rapid, 0);
     modal_.feed = call_.get(7) > 0 ? call_.get(7) * feed_scale() : modal_before_.feed;
     follow_contour({});
