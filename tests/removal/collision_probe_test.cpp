@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kTouch = 0.01, kVoxel = 0.5;
 
-class Scene {
+class ProbeScene {
  public:
-  explicit Scene(std::vector<Motion> motions, ToolType type = ToolType::endmill)
+  explicit ProbeScene(std::vector<Motion> motions, ToolType type = ToolType::endmill)
       : motions_(std::move(motions)) {
     tools_[0].id = "1";
     tools_[0].type = type;
@@ -74,7 +74,7 @@ std::vector<Motion> path(const std::vector<std::pair<MotionKind, Vec3>>& moves, 
 
 TEST(CollisionProbe, FindsRapidsThroughMaterial) {
   using enum MotionKind;
-  const Scene scene(
+  const ProbeScene scene(
       path({{rapid, {30, 20, -3}}, {line, {50, 20, -3}}, {rapid, {50, 30, -3}}}, {30, 20, 10}));
   const std::vector<CollisionHit> hits = scene.probe();
   ASSERT_EQ(hits.size(), 2u);
@@ -92,7 +92,7 @@ TEST(CollisionProbe, FindsStepsBetweenRows) {
     moves.push_back({rapid, {from, y, -8}});
     moves.push_back({line, {60 - from, y, -8}});
   }
-  const Scene scene(path(moves, {0, 10, 10}), ToolType::ballmill);
+  const ProbeScene scene(path(moves, {0, 10, 10}), ToolType::ballmill);
   EXPECT_EQ(scene.movers().motions.size(), 40u);
   EXPECT_GE(scene.probe().size(), 38u);
 }
@@ -106,7 +106,7 @@ TEST(CollisionProbe, TellsTheTruthWithAnyThreads) {
   std::vector<std::pair<MotionKind, Vec3>> moves;
   for (int i = 0; i < 400; ++i)
     moves.push_back({i % 3 == 0 ? rapid : line, {pick(0, 60), pick(0, 40), pick(-10, 3)}});
-  const Scene scene(path(moves, {30, 20, 10}));
+  const ProbeScene scene(path(moves, {30, 20, 10}));
   const std::vector<CollisionHit> hits = scene.probe();
   EXPECT_GE(hits.size(), 20u);
   for (std::size_t i = 0; i < hits.size(); ++i) {

@@ -27,7 +27,7 @@ using namespace testing;
 constexpr double kSurface = 1e-6;  // mm: nearer places may be on either side
 constexpr std::int32_t kInStock = -1;
 
-struct Scene {
+struct UntilScene {
   StockShape stock;
   std::vector<Tool> tools;
   std::vector<Motion> motions;
@@ -39,7 +39,7 @@ struct Scene {
   }
 };
 
-openvdb::Int32Grid::Ptr written_cut(const Scene& scene, double voxel) {
+openvdb::Int32Grid::Ptr written_cut(const UntilScene& scene, double voxel) {
   openvdb::initialize();
   StockRecipe recipe{scene.stock, voxel};
   recipe.shape.history = {{"a.MPF"}, scene.tools, scene.motions};
@@ -53,7 +53,7 @@ openvdb::Int32Grid::Ptr written_cut(const Scene& scene, double voxel) {
   return openvdb::gridPtrCast<openvdb::Int32Grid>((*archive.getGrids())[2]);
 }
 
-void expect_air_until_any_motion(Random& r, const Scene& scene, double voxel) {
+void expect_air_until_any_motion(Random& r, const UntilScene& scene, double voxel) {
   const openvdb::Int32Grid::Ptr cut = written_cut(scene, voxel);
   ASSERT_TRUE(cut);
   openvdb::CoordBBox box = cut->evalActiveVoxelBoundingBox();
@@ -81,7 +81,7 @@ void expect_air_until_any_motion(Random& r, const Scene& scene, double voxel) {
 TEST(CutUntil, IsTheAirOfMilledParts) {
   Random r(23);
   for (unsigned round = 0; round < rounds(2); ++round) {
-    Scene scene{
+    UntilScene scene{
         box_stock({0, 0, -6}, {9, 8, 0}),
         {endmill(3), ballmill(3), endmill(4, 1), endmill(3, 0.5, 4), mill(ToolType::drill, 3)},
         {}};
@@ -102,7 +102,7 @@ TEST(CutUntil, IsTheAirOfMilledParts) {
 TEST(CutUntil, IsTheAirOfTurnedParts) {
   Random r(29);
   for (unsigned round = 0; round < rounds(2); ++round) {
-    const Scene scene{round_stock(6, 0, 0, 10), inserts(), turning_moves(r, 60, 6, 10)};
+    const UntilScene scene{round_stock(6, 0, 0, 10), inserts(), turning_moves(r, 60, 6, 10)};
     expect_air_until_any_motion(r, scene, 0.35);
   }
 }

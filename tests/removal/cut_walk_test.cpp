@@ -22,7 +22,7 @@ namespace {
 
 using namespace testing;
 
-constexpr double kSurface = 1e-6;  // mm: nearer places may be on either side
+constexpr double kBesideSurface = 1e-6;  // mm: nearer places may be on either side
 
 struct Collected final : CutSink {
   void tile(const CutCell& cell, std::int32_t cut) override {
@@ -49,7 +49,7 @@ struct Collected final : CutSink {
   std::vector<std::pair<std::array<std::int32_t, 3>, std::int32_t>> voxels;  // of the stock, mostly
 };
 
-struct Scene {
+struct WalkScene {
   StockShape stock = box_stock({0, 0, -6}, {9, 8, 0});
   std::vector<Tool> tools;
   std::vector<Motion> motions;
@@ -60,8 +60,8 @@ struct Scene {
 };
 
 // Lines, level and slanted, plunges and arcs on a lattice of half millimetres.
-Scene random_scene(Random& r, const Tool& tool, int count) {
-  Scene scene{.tools = {tool}};
+WalkScene random_scene(Random& r, const Tool& tool, int count) {
+  WalkScene scene{.tools = {tool}};
   const auto place = [&] {
     return Vec3{std::round(2 * r(0, 9)) / 2, std::round(2 * r(0, 8)) / 2,
                 std::round(2 * r(-5, 1)) / 2};
@@ -95,7 +95,7 @@ Collected walk(const PartField& field, double voxel, bool by_columns) {
 }
 
 // {cut <= i} is the air of the part after motion i at every voxel away from surfaces.
-void expect_history(const Scene& scene, const Collected& found, double voxel) {
+void expect_history(const WalkScene& scene, const Collected& found, double voxel) {
   const PartField whole = scene.field(scene.motions.size());
   const SweepTable& sweeps = whole.sweeps();
   const CutLattice lattice{voxel, false};
@@ -111,7 +111,7 @@ void expect_history(const Scene& scene, const Collected& found, double voxel) {
       sharp = std::min(sharp, std::abs(d)), least = std::min(least, d);
       if (d <= 0) expected = sweeps.motion(i);
     }
-    if (sharp < kSurface) continue;
+    if (sharp < kBesideSurface) continue;
     wrong += cut != expected;
     cut_voxels += cut >= 0;
   }
@@ -124,7 +124,7 @@ TEST(CutWalk, IsTheFirstMotionThatHoldsThePlace) {
   for (unsigned round = 0; round < rounds(3); ++round)
     for (const Tool& tool :
          {endmill(3), ballmill(3), endmill(4, 1), endmill(3, 0.5, 4), mill(ToolType::drill, 3)}) {
-      const Scene scene = random_scene(r, tool, 16);
+      const WalkScene scene = random_scene(r, tool, 16);
       const PartField field = scene.field(scene.motions.size());
       expect_history(scene, walk(field, 0.3, true), 0.3);
       expect_history(scene, walk(field, 0.45, false), 0.45);
@@ -137,7 +137,7 @@ TEST(CutWalk, StaircasesAreTheFirstMotionsThatHoldThePlace) {
     for (const Tool& tool : {endmill(3), ballmill(3), endmill(4, 1), mill(ToolType::drill, 3)})
       for (const StockShape& stock :
            {box_stock({0, 0, -6}, {9, 8, 0}), round_stock(4.2, 0.5, -6, 0)}) {
-        Scene scene = random_scene(r, tool, 30);
+        WalkScene scene = random_scene(r, tool, 30);
         scene.stock = stock;
         const PartField field = scene.field(scene.motions.size());
         ASSERT_TRUE(has_height_history(field));
@@ -152,7 +152,7 @@ TEST(CutWalk, StaircasesAreTheFirstMotionsThatHoldThePlace) {
 TEST(CutWalk, AirUntilAMotionIsWhatIsCutUpToIt) {
   Random r(11);
   const double voxel = 0.25;
-  const Scene scene = random_scene(r, ballmill(3), 30);
+  const WalkScene scene = random_scene(r, ballmill(3), 30);
   const Collected found = walk(scene.field(30), voxel, true);
   for (const int until : {1, 8, 17, 30}) {
     const PartField part = scene.field(static_cast<std::size_t>(until));
@@ -160,7 +160,7 @@ TEST(CutWalk, AirUntilAMotionIsWhatIsCutUpToIt) {
     std::size_t wrong = 0;
     for (const auto& [at, cut] : found.voxels) {
       const FieldSample d = part.sample(CutLattice{voxel, false}.position(at), all);
-      if (std::abs(d.distance) < kSurface) continue;
+      if (std::abs(d.distance) < kBesideSurface) continue;
       const bool air = cut == kNeverThere || (cut >= 0 && cut < until);
       wrong += air != (d.distance > 0);
     }
@@ -171,7 +171,7 @@ TEST(CutWalk, AirUntilAMotionIsWhatIsCutUpToIt) {
 TEST(CutWalk, ColumnsAndCellsRemoveTheSame) {
   Random r(5);
   for (const Tool& tool : {endmill(3), ballmill(3), endmill(4, 1)}) {
-    const Scene scene = random_scene(r, tool, 40);
+    const WalkScene scene = random_scene(r, tool, 40);
     const PartField field = scene.field(40);
     const double voxel = 0.25;
     const BlockIndex index(field, voxel, voxel, std::size_t(1) << 30);

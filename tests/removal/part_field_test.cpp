@@ -14,7 +14,7 @@ namespace {
 
 using testing::line;
 
-Motion arc(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double rise) {
+Motion arc_about(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double rise) {
   Motion m;
   m.kind = MotionKind::arc;
   m.start = a;
@@ -98,10 +98,10 @@ TEST(PartField, FacesOfMillingSweeps) {
     tool.diameter = 6;
     tool.type = type;
     const std::vector<Motion> motions{
-        line({-5, 10, 12}, {45, 14, 12}),                               // level
-        line({5, 30, 18}, {35, 32, 8}),                                 // slanted
-        arc({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, 8, kPi, 0),          // level arc
-        arc({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, 4, -2 * kTwoPi, -6),  // helix
+        line({-5, 10, 12}, {45, 14, 12}),                                     // level
+        line({5, 30, 18}, {35, 32, 8}),                                       // slanted
+        arc_about({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, 8, kPi, 0),          // level arc
+        arc_about({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, 4, -2 * kTwoPi, -6),  // helix
     };
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
@@ -120,8 +120,10 @@ TEST(PartField, FacesOfTurningSweeps) {
   for (const double nose : {0.0, 0.4}) {
     tool.nose_radius = nose;
     const std::vector<Motion> motions{
-        line({-1, 0, 50}, {10, 0, 50}), arc({10, 0, 50}, {10, 0, 45}, {0, 1, 0}, 5, kPi / 2, 0),
-        line({15, 0, 45}, {15, 0, 31}), arc({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, 6, -kPi / 2, 0),
+        line({-1, 0, 50}, {10, 0, 50}),
+        arc_about({10, 0, 50}, {10, 0, 45}, {0, 1, 0}, 5, kPi / 2, 0),
+        line({15, 0, 45}, {15, 0, 31}),
+        arc_about({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, 6, -kPi / 2, 0),
         line({21, 0, 25}, {26, 0, 25})};
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
@@ -198,9 +200,9 @@ TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
     tool.nose_radius = nose;
     const std::vector<Motion> motions{
         line({4, 0, 21}, {4.68, 0, 19.5}),
-        arc({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, 2, kPi / 2, 0),
-        arc({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, 3, kPi / 2, 0),
-        arc({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, 3, -kPi / 2, 0)};
+        arc_about({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, 2, kPi / 2, 0),
+        arc_about({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, 3, kPi / 2, 0),
+        arc_about({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, 3, -kPi / 2, 0)};
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
 }
@@ -216,7 +218,7 @@ TEST(PartField, ListsHoldInTheWholeBox) {
       };
       motions.push_back(line(at(k), at(k + 1)));
     }
-  motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
+  motions.push_back(arc_about({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
   Tool ball;
   ball.type = ToolType::ballmill;
   ball.diameter = 6;
@@ -298,7 +300,8 @@ TEST(PartField, FlutesThatReachAboveTheStockReachUp) {
   StockShape block;
   block.box = {{0, 0, -10}, {30, 20, 0}};
   std::vector<Motion> motions{line({5, 10, -8}, {25, 12, -3}), line({5, 10, -8}, {5, 10, -1})};
-  motions.push_back(arc({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 3, 2 * kTwoPi, -4 / (2 * kTwoPi)));
+  motions.push_back(
+      arc_about({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 3, 2 * kTwoPi, -4 / (2 * kTwoPi)));
   for (Motion& m : motions) m.tool = 0;
   const auto part = [&](double flutes) {
     Tool mill;

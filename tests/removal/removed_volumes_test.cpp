@@ -18,7 +18,7 @@ namespace {
 
 using namespace testing;
 
-struct Scene {
+struct VolumeScene {
   StockShape stock;
   Tool tool;
   std::vector<Motion> motions;
@@ -31,7 +31,7 @@ struct Scene {
 
 // Relative errors at the default voxel and at half of it. They fall with the voxel on the whole, so
 // that of half the voxel may be that of the default less a margin for chance.
-void expect_closed_form(const Scene& scene, double exact, double voxel) {
+void expect_closed_form(const VolumeScene& scene, double exact, double voxel) {
   const auto error = [&](double h) { return std::abs(scene.removed(h)[0] / exact - 1); };
   EXPECT_LT(error(voxel), 0.02);
   EXPECT_LT(error(voxel / 2), 0.01);
@@ -41,32 +41,32 @@ void expect_closed_form(const Scene& scene, double exact, double voxel) {
 const StockShape kBlock = box_stock({0, 0, -20}, {100, 60, 0});
 
 TEST(RemovedVolumes, SlotWithRoundEnd) {
-  const Scene scene{kBlock, endmill(10), {line({-10, 30, -5}, {50, 30, -5})}};
+  const VolumeScene scene{kBlock, endmill(10), {line({-10, 30, -5}, {50, 30, -5})}};
   expect_closed_form(scene, 5 * (10 * 50 + kPi * 25 / 2), 0.25);
 }
 TEST(RemovedVolumes, HalfImmersionSideCut) {
-  const Scene scene{kBlock, endmill(10), {line({-10, 0, -5}, {110, 0, -5})}};
+  const VolumeScene scene{kBlock, endmill(10), {line({-10, 0, -5}, {110, 0, -5})}};
   expect_closed_form(scene, 5 * 5 * 100.0, 0.25);
 }
 TEST(RemovedVolumes, FullPlunge) {
-  const Scene scene{kBlock, endmill(10), {line({50, 30, 5}, {50, 30, -8})}};
+  const VolumeScene scene{kBlock, endmill(10), {line({50, 30, 5}, {50, 30, -8})}};
   expect_closed_form(scene, kPi * 25 * 8, 0.25);
 }
 TEST(RemovedVolumes, BallSlot) {
-  const Scene scene{kBlock, ballmill(6), {line({-10, 30, -3}, {110, 30, -3})}};
+  const VolumeScene scene{kBlock, ballmill(6), {line({-10, 30, -3}, {110, 30, -3})}};
   expect_closed_form(scene, kPi * 9 / 2 * 100, 0.25);
 }
 TEST(RemovedVolumes, TurningPass) {
   Tool tool = mill(ToolType::turning, 0);
   tool.insert = "R", tool.nose_radius = 0, tool.diameter = 4;
-  const Scene scene{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
+  const VolumeScene scene{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
   const double exact = kPi * (30 * 30 - 27 * 27) * 80;
   expect_closed_form(scene, exact, 0.2);
 }
 
 // A spiral of overlapping slots: later ones remove what is left.
-Scene pocket() {
-  Scene scene{kBlock, endmill(8), {}};
+VolumeScene pocket() {
+  VolumeScene scene{kBlock, endmill(8), {}};
   Vec3 from{30, 30, -4};
   for (int i = 0; i < 24; ++i) {
     const double side = 3 * (1 + i / 2);
@@ -81,7 +81,7 @@ Scene pocket() {
 }
 
 TEST(RemovedVolumes, SecondPassOnTheSamePathRemovesNothing) {
-  const Scene scene{
+  const VolumeScene scene{
       kBlock, endmill(10), {line({-10, 30, -5}, {50, 30, -5}), line({50, 30, -5}, {0, 30, -5})}};
   const std::vector<double> removed = scene.removed(0.5);
   EXPECT_GT(removed[0], 2000);
@@ -89,11 +89,11 @@ TEST(RemovedVolumes, SecondPassOnTheSamePathRemovesNothing) {
 }
 
 TEST(RemovedVolumes, SumIsThatOfTheVoxelsGone) {
-  const Scene scene = pocket();
+  const VolumeScene scene = pocket();
   const std::vector<double> removed = scene.removed(0.25);
   for (const double volume : removed) EXPECT_GT(volume, 0);
   // The order of the moves does not change what they remove together.
-  Scene reversed = scene;
+  VolumeScene reversed = scene;
   std::reverse(reversed.motions.begin(), reversed.motions.end());
   const std::vector<double> other = reversed.removed(0.25);
   const double sum = std::accumulate(removed.begin(), removed.end(), 0.0);
@@ -102,7 +102,7 @@ TEST(RemovedVolumes, SumIsThatOfTheVoxelsGone) {
 }
 
 TEST(RemovedVolumes, SameOnAnyNumberOfThreads) {
-  const Scene scene = pocket();
+  const VolumeScene scene = pocket();
   const std::vector<double> one = scene.removed(0.3, 1);
   for (const int threads : {2, 3, 7}) EXPECT_EQ(one, scene.removed(0.3, threads));
 }
@@ -111,7 +111,7 @@ TEST(RemovedVolumes, SameOnAnyNumberOfThreads) {
 TEST(RemovedVolumes, GrooveOfAVTool) {
   Tool tool = mill(ToolType::chamfer, 6);
   tool.tip_angle = radians(60);
-  const Scene scene{kBlock, tool, {line({20, 30, -0.4}, {80, 30, -0.4})}};
+  const VolumeScene scene{kBlock, tool, {line({20, 30, -0.4}, {80, 30, -0.4})}};
   const double half = 0.4 * std::tan(radians(30));
   const double exact = 60 * 0.4 * half + kPi * half * half * 0.4 / 3;
   for (const double voxel : {0.3, 0.15}) EXPECT_NEAR(scene.removed(voxel)[0], exact, 1e-3 * exact);
@@ -119,7 +119,7 @@ TEST(RemovedVolumes, GrooveOfAVTool) {
 
 // Slots as wide as a few columns: columns are halved at their walls.
 TEST(RemovedVolumes, NarrowSlots) {
-  Scene scene{kBlock, endmill(1), {}};
+  VolumeScene scene{kBlock, endmill(1), {}};
   for (int i = 0; i < 20; ++i)
     scene.motions.push_back(line({10, 3 + 2.7 * i, -2}, {90, 3.4 + 2.7 * i, -2}, i));
   const std::vector<double> removed = scene.removed(0.4);
@@ -131,7 +131,7 @@ TEST(RemovedVolumes, NarrowSlots) {
 // A slanted pass over another one, in a round stock: both by the definition, column by column.
 TEST(RemovedVolumes, RecordLowsOfEachColumn) {
   for (const Tool& tool : {endmill(6), endmill(6, 1), ballmill(6)}) {
-    Scene scene{round_stock(10, 0, -12, 0), tool, {}};
+    VolumeScene scene{round_stock(10, 0, -12, 0), tool, {}};
     scene.motions = {line({-15, 3, -1}, {15, -4, -6}), line({2, -15, -5}, {-3, 15, -2}, 1),
                      arc({6, 0, -4}, {0, 0, -4}, {0, 0, 1}, 2 * kPi),
                      line({5, 5, 2}, {5, 5, -7}, 3)};
@@ -161,11 +161,12 @@ TEST(RemovedVolumes, RecordLowsOfEachColumn) {
 
 // Asked with the share that is done, which grows; and stops for good where the answer is no.
 TEST(RemovedVolumes, AskWhetherToGoOn) {
-  const Scene heights = pocket(), space{kBlock, ballmill(6), {line({-10, 30, 9}, {50, 30, -9})}};
+  const VolumeScene heights = pocket(),
+                    space{kBlock, ballmill(6), {line({-10, 30, 9}, {50, 30, -9})}};
   Tool tool = mill(ToolType::turning, 0);
   tool.insert = "R", tool.diameter = 4;
-  const Scene turned{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
-  for (const Scene* scene : {&heights, &space, &turned}) {
+  const VolumeScene turned{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
+  for (const VolumeScene* scene : {&heights, &space, &turned}) {
     const PartField field(StockSolid(scene->stock),
                           SweepTable(scene->motions, std::span(&scene->tool, 1)));
     double share = 0;

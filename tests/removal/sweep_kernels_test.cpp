@@ -18,13 +18,13 @@ using namespace testing;
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-struct Scene {
+struct KernelScene {
   std::vector<Tool> tools;
   std::vector<Motion> motions;
 };
 
-Scene mixed_scene(Random& r, int n) {
-  Scene s;
+KernelScene mixed_scene(Random& r, int n) {
+  KernelScene s;
   s.tools = {ballmill(6), endmill(10), endmill(8, 1.5), endmill(4, 1, 7)};
   s.tools.push_back(endmill(5));
   s.tools.back().type = ToolType::drill;
@@ -73,7 +73,7 @@ class Lists : public ::testing::TestWithParam<int> {};  // tool of all moves, -1
 
 TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
   Random r(11);
-  Scene scene = mixed_scene(r, 300);
+  KernelScene scene = mixed_scene(r, 300);
   if (GetParam() >= 0) {
     std::erase_if(scene.motions, [](const Motion& m) { return m.kind == MotionKind::arc; });
     for (Motion& m : scene.motions) m.tool = GetParam(), m.end.z = m.start.z;
