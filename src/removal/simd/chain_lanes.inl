@@ -48,13 +48,18 @@ MRSIM_LANE FlankPlace flank_place(const ChainTool& tool, const ChainLine& line, 
   return x;
 }
 
-/// No position of the tool is nearer: the tool lies within its flanks, continued, and its ball's
-/// tangent planes.
-MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
+/// No position of the tool is nearer: it ends within its radius of the move's ends, and between its
+/// lowest and its highest place.
+MRSIM_LANE V ends_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const double low = line.rise < 0 ? tool.bottom + line.rise : tool.bottom;
   const double high = line.rise > 0 ? tool.top + line.rise : tool.top;
-  V bound = vmax(vmax(-at.u, at.u - splat(line.plan)) - splat(tool.radius),
-                 vmax(splat(low) - at.w, at.w - splat(high)));
+  return vmax(vmax(-at.u, at.u - splat(line.plan)) - splat(tool.radius),
+              vmax(splat(low) - at.w, at.w - splat(high)));
+}
+
+/// The same, closer: the tool lies within its flanks, continued, and its ball's tangent planes.
+MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
+  V bound = ends_bound(tool, line, at);
   for (std::size_t i = 0; i < tool.flank_count; ++i)
     bound = vmax(flank_place(tool, line, at, i).f, bound);
   return tool.pointed ? vmax(bound, tip_bound(tool, line, at)) : bound;

@@ -55,8 +55,13 @@ ChainLine chain_line(const ChainTool& tool, const ToolPath& path) {
   return line;
 }
 
-double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p) {
-  return lane::chain_bound(tool, line, lane::chain_view(line, p.x, p.y, p.z));
+double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p, double limit) {
+  const lane::ChainView at = lane::chain_view(line, p.x, p.y, p.z);
+  double bound = lane::ends_bound(tool, line, at);
+  if (bound <= limit && tool.pointed) bound = std::max(bound, lane::tip_bound(tool, line, at));
+  for (std::size_t i = 0; i < tool.flank_count && bound <= limit; ++i)
+    bound = std::max(bound, lane::flank_place(tool, line, at, i).f);
+  return bound;
 }
 
 PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,

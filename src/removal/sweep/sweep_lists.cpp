@@ -114,30 +114,37 @@ class BoundedLines {
   BoundedLines(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
   /// The nearest of the list's lines; what is left of the list, valid until the thread's next call.
-  /// The one with the least bound comes first: few others can then be nearer.
+  /// The one that was the nearest to the thread's last point, and then the one with the least
+  /// bound, come first: few others can be nearer.
   std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list,
                                          TurnTree::Nearest& best) {
     Memory& memory = thread_memory();
     memory.others.clear(), memory.lines.clear();
+    const std::uint32_t last = memory.last;
+    const bool has_last = std::ranges::find(list, last) != list.end() && is_bounded(last);
+    if (has_last) take_nearer(distance(last, best.distance), last, best);
     for (const std::uint32_t id : list)
-      if (!add(id, memory)) memory.others.push_back(id);
+      if (!(has_last && id == last) && !add(id, best.distance + kBoundError, memory))
+        memory.others.push_back(id);
     auto& lines = memory.lines;
     if (!lines.empty()) std::swap(lines.front(), *std::min_element(lines.begin(), lines.end()));
     for (const auto& [bound, id] : lines) {
       const double limit = best.distance + kBoundError;
       if (bound <= limit) take_nearer(distance(id, limit), id, best);
     }
+    if (std::isfinite(best.distance)) memory.last = best.sweep;
     return memory.others;
   }
 
-  /// Of a line with a bound: not above its distance but for rounding. False for other sweeps.
-  bool bound(std::uint32_t id, double& least) const {
+  /// Of a line with a bound: not above its distance but for rounding; where it is above `limit`,
+  /// any that is. False for other sweeps.
+  bool bound(std::uint32_t id, double limit, double& least) const {
     const SweepRef& ref = c_.refs[id];
     if (ref.frame != 0) return false;
     if (c_.is_slant_line(ref))
       least = slant_bound(c_.slant_lines[ref.row], p_);
     else if (c_.is_chain(ref))
-      least = chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_);
+      least = chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit);
     else
       return false;
     return true;
@@ -148,16 +155,22 @@ class BoundedLines {
   struct Memory {
     std::vector<std::uint32_t> others;
     std::vector<Line> lines;
+    std::uint32_t last = 0;  // the nearest of the last list, if still a line of this table
   };
   static Memory& thread_memory() {
     static thread_local Memory memory;
     return memory;
   }
 
-  bool add(std::uint32_t id, Memory& memory) const {
+  bool is_bounded(std::uint32_t id) const {
+    const SweepRef& ref = c_.refs[id];
+    return ref.frame == 0 && (c_.is_slant_line(ref) || c_.is_chain(ref));
+  }
+
+  bool add(std::uint32_t id, double limit, Memory& memory) const {
     double least;
-    if (!bound(id, least)) return false;
-    memory.lines.emplace_back(least, id);
+    if (!bound(id, limit, least)) return false;
+    if (least <= limit) memory.lines.emplace_back(least, id);
     return true;
   }
 
@@ -182,7 +195,7 @@ void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
   double least = std::numeric_limits<double>::infinity(), bound = 0;
   std::uint32_t best = 0;
   for (const std::uint32_t id : ids)
-    if (lines.bound(id, bound) && bound < least) least = bound, best = id;
+    if (lines.bound(id, least, bound) && bound < least) least = bound, best = id;
   if (std::isfinite(least)) least_of(c, best, points);
 }
 
