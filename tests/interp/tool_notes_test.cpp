@@ -99,6 +99,7 @@ TEST(ToolNotes, StationsOfLathes) {
     const Program p = read_text(program, options);
     std::string out;
     for (const Tool& tool : p.tools) out += fmt::format("{}:{:g} ", tool.id, tool.diameter);
+    if (codes(p, Severity::note).find("tool-station") != std::string::npos) out += "tool-station";
     return out;
   };
   const std::string cut = "\nG0 X0 Z5\nG1 Z-1 F.1\n";
@@ -106,6 +107,8 @@ TEST(ToolNotes, StationsOfLathes) {
   EXPECT_EQ(tools("T001001 (DRILL 8MM)" + cut + "T012012 (DRILL 9MM)" + cut), "1:8 12:9 ");
   EXPECT_EQ(tools("(T003003 DRILL 8MM)\nT003003" + cut), "3:8 ");
   EXPECT_EQ(tools("T00020002 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T002000 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";
 }
 
 // Of a thread mill a comment gives the cylinder alone: a warning says so.

@@ -31,13 +31,21 @@ const Tool* ToolChanger::given(const std::string& id) const {
   return at == given_.end() ? nullptr : &options_.table.tools[at->second];
 }
 
-std::string ToolChanger::id_of(const Word& word) const {
+std::string ToolChanger::id_of(const Word& word) {
   if (word.string) return to_utf8(word.text.substr(0, 80));
   const long number = static_cast<long>(word.value);
   if (!lathe() || !is(Dialect::fanuc)) return fmt::format("{}", number);
   const std::string text = text_of(word);
   const bool plain = text.find_first_of("#[") == text.npos;
-  return fmt::format("{}", turret_station(number, plain ? digits_of(text) : 0));
+  const std::size_t digits = plain ? digits_of(text) : 0;
+  const long station = turret_station(number, digits);
+  const long offset = number - station * (digits == 8 ? 10000 : 1000);
+  if ((digits == 6 || digits == 8) && offset != 0 && offset != station)
+    note_once("tool-station",
+              fmt::format("{} is read as tool {} with offset {}: half of the digits for each", text,
+                          station, offset),
+              word, text);
+  return fmt::format("{}", station);
 }
 
 void ToolChanger::use(Tool tool) {

@@ -39,7 +39,7 @@ class ToolChanger : public ControlPart {
   bool select(const Word& word);
   void change();
   void take_commented(const Word& where);
-  std::string id_of(const Word& word) const;
+  std::string id_of(const Word& word);
   bool of_unknown_unit(const ToolHint& hint) const;
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
