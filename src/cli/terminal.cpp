@@ -33,8 +33,11 @@ const char* escape_of(Style style) {
   return "";
 }
 
-constexpr double kFirstLook = 1;  // s: of a stage; then its share done tells what is to come
-constexpr double kLong = 10;      // s: work that is announced
+// s: of a stage; then its share done tells what is to come, but for the first ones of a very long
+// one.
+constexpr double kFirstLook = 1, kSecondLook = 5;
+constexpr double kLittle = 0.002;  // share done
+constexpr double kLong = 10;       // s: work that is announced
 
 int terminal_width() {
   winsize size{};
@@ -94,7 +97,8 @@ bool ProgressBar::update(const char* stage, double fraction) {
   if (stage_ != stage) stage_ = stage, stage_begin_ = now;
   const double taken = std::chrono::duration<double>(now - stage_begin_).count();
   const double share = std::clamp(fraction, 0.0, 1.0);
-  const double left = taken > kFirstLook && share > 0 ? taken * (1 - share) / share : -1;
+  const bool is_known = share > 0 && taken > (share > kLittle ? kFirstLook : kSecondLook);
+  const double left = is_known ? taken * (1 - share) / share : -1;
   if (!told_ && taken + left > kLong && left > 0) tell_long(stage, taken + left);
   if (is_terminal_ && now - begin_ > 1s && now - last_ > 100ms) {
     draw(stage, share, left);
