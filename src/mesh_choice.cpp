@@ -22,7 +22,7 @@ namespace {
 constexpr double kToleranceShare = 1.7e-4;
 
 // Sweeps that tell how large the surface of many more is, where nothing else is asked.
-constexpr std::size_t kEnoughSweeps = 3000;
+constexpr std::size_t kEnoughSweeps = 10000;
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max() / 2;
 
 // Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
