@@ -23,7 +23,6 @@ constexpr double kToleranceShare = 1.7e-4;
 
 // Sweeps that tell how large the surface of many more is, where nothing else is asked.
 constexpr std::size_t kEnoughSweeps = 10000;
-constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max() / 2;
 
 // Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
 // tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
@@ -130,14 +129,16 @@ void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
   choice.measure = true;
 }
 
-double finest_grid(const ExactField& field, const MeshChoice& choice) {
-  return std::max(choice.voxel,
-                  round_down_voxel(wished_cell(choice, longest_side(field.bounds()))));
+// Every so many of a long list.
+Candidates some_of(const Candidates& all) {
+  const std::size_t step = std::max<std::size_t>(all.size() / kEnoughSweeps, 1);
+  Candidates some;
+  for (std::size_t k = 0; k < all.size(); k += step) some.push_back(all[k]);
+  return some;
 }
 
-void fit_voxel(const ExactField& field, const detail::SurfaceSurvey& survey, MeshChoice& choice) {
-  const double cell = wished_cell(choice, longest_side(field.bounds()));
-  choice.fallback_voxel = finest_grid(field, choice);
+// `cell`: the one that is wished for, mm.
+void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& choice) {
   double& grid = choice.fallback_voxel;
   while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
     grid = finer_voxel(grid);
@@ -193,13 +194,12 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (!choice.fits_voxel && choice.tolerance > 0) return;
-  if (field.is_turned(field.all())) {  // meshed by its section
-    if (choice.fits_voxel) choice.fallback_voxel = finest_grid(field, choice);
-    return;
-  }
-  const detail::SurfaceSurvey survey =
-      detail::survey_surface(field, choice.fits_voxel ? kAll : kEnoughSweeps, threads);
-  if (choice.fits_voxel) fit_voxel(field, survey, choice);
+  const double cell = wished_cell(choice, longest_side(field.bounds()));
+  if (choice.fits_voxel) choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
+  if (field.is_turned(field.all())) return;  // meshed by its section
+  const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
+  const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
+  if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.cells(choice.voxel);
 }
 

@@ -24,8 +24,8 @@ std::string styled(std::string_view text, Style style, bool colours);
 /// as an escape sequence. Tabs stay.
 std::string printable(std::string_view text);
 
-/// What is told on stderr of work that takes long: a note, once, where a stage will take more than
-/// ten seconds, by what it has done in its first one; and on a terminal a bar after one second.
+/// What stderr is told of long work: a note, once, as soon as a stage's first seconds show that it
+/// will take more than ten; and on a terminal a bar after one second.
 class ProgressBar {
  public:
   explicit ProgressBar(bool enabled);

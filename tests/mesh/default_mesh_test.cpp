@@ -31,10 +31,10 @@ PartField slot(const Tool& tool) {
 TEST(DefaultMesh, SurveyTellsTheCutSurfaceWithinAFactorOfTwo) {
   const PartField field = slot(endmill(4));
   const double cells = 200 / 0.01;
-  const detail::SurfaceSurvey survey = detail::survey_surface(field, 1000, 2);
+  const detail::SurfaceSurvey survey = detail::survey_surface(field, field.all(), 2);
   EXPECT_GT(survey.cells(0.1), cells / 2);
   EXPECT_LT(survey.cells(0.1), cells * 2);
-  EXPECT_EQ(detail::survey_surface(field, 1000, 1).blocks, survey.blocks);
+  EXPECT_EQ(detail::survey_surface(field, field.all(), 1).blocks, survey.blocks);
 }
 
 TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {

@@ -14,7 +14,7 @@ namespace mrsim::detail {
 class StepTimer {
  public:
   StepTimer(MeshReport& report, Progress progress)
-      : report_(report), progress_(std::move(progress)), begin_(Clock::now()), start_(begin_) {
+      : report_(report), progress_(std::move(progress)), begin_(Clock::now()), step_begin_(begin_) {
     tell();
   }
 
@@ -24,8 +24,8 @@ class StepTimer {
   /// Ends a step. Throws Error "cancelled" when the caller wants no more.
   void step(const char* name) {
     tell();
-    const double seconds = since(start_);
-    start_ = Clock::now();
+    const double seconds = since(step_begin_);
+    step_begin_ = Clock::now();
     for (auto& [known, sum] : report_.seconds)
       if (known == name) {
         sum += seconds;
@@ -53,7 +53,7 @@ class StepTimer {
   MeshReport& report_;
   Progress progress_;
   double expected_ = 0;  // seconds from the beginning
-  Clock::time_point begin_, start_;
+  Clock::time_point begin_, step_begin_;
 };
 
 }  // namespace mrsim::detail

@@ -48,24 +48,16 @@ void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t level
   for (int k = 0; k < 8; ++k) find_parts(descent, octant(box, k), level + 1, depth - 1, out);
 }
 
-// Evenly chosen, `most` of them or somewhat more.
-Candidates some_of(const Candidates& all, std::size_t most) {
-  if (all.size() < 2 * most) return all;
-  Candidates some;
-  for (std::size_t k = 0; k < all.size(); k += all.size() / most) some.push_back(all[k]);
-  return some;
-}
-
 }  // namespace
 
 double SurfaceSurvey::cells(double voxel) const {
   return static_cast<double>(blocks) * (block / voxel) * (block / voxel);
 }
 
-SurfaceSurvey survey_surface(const ExactField& field, std::size_t most, int threads) {
+SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads) {
   const Box3 cube = cube_about(field.bounds());
   std::vector<Part> parts;
-  const auto whole = field.descent(0.5 * (cube.lo + cube.hi), some_of(field.all(), most));
+  const auto whole = field.descent(0.5 * (cube.lo + cube.hi), list);
   find_parts(*whole, cube, 1, kApart, parts);
   SurfaceSurvey survey;
   for (int depth = kFirstDepth; depth <= kLastDepth && survey.blocks < kEnough; ++depth) {

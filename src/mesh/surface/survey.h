@@ -20,9 +20,9 @@ struct SurfaceSurvey {
 };
 
 /// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest
-/// side. Of more than twice `most` sweeps (or packs) `most` stand for all: they tell the area, not
-/// how many matter. The same for any number of threads. Cost: some hundredths of a second; of all
-/// sweeps of a long program some microseconds each.
-SurfaceSurvey survey_surface(const ExactField& field, std::size_t most, int threads);
+/// side. `list`: field.all(), or an even choice of them, which tells the area well,
+/// not how many matter. The same for any number of threads. Cost: some hundredths of a second, and
+/// some microseconds a sweep.
+SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads);
 
 }  // namespace mrsim::detail
