@@ -176,5 +176,18 @@ TEST(Cycles, TapsOfLinuxCncFeedUpToTheEnd) {
   EXPECT_EQ(path("G18 G84 Y-5 R1\n"), "r0,0,5 | not-supported");
 }
 
+// Across the spindle both ways are down: R lies on the side that the tool comes from.
+TEST(Cycles, HolesTowardPlusInG18AndG19) {
+  const auto run = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(run("G18\nG0 Y-10.\nG81 X1. Y5. Z1. R-2. F100\nG80\n"),
+            "r0,-10,0 r1,-10,1 r1,-2,1 l1,5,1 r1,-10,1");
+  EXPECT_EQ(run("G19\nG99 G83 X3. R-2. Q2. F100\n"),
+            "r-2,0,0 l0,0,0 r-2,0,0 r-0.254,0,0 l2,0,0 r-2,0,0 r1.746,0,0 l3,0,0 r-2,0,0");
+  EXPECT_EQ(codes(read_text("G0 Z-9.\nG81 Z5. R-2. F100\n", at_origin(Dialect::fanuc))),
+            "cycle-upwards");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -87,5 +87,15 @@ TEST(FagorLanguage, FaultsHaveTheirPlaceAndValues) {
   EXPECT_EQ(codes(read_text("G1 F100 X1\nN10 (GOTO N10)\n", options)), "program-endless");
 }
 
+// Pockets, not holes with a rotary axis.
+TEST(Fagor, PocketCyclesAreRefusedByName) {
+  for (const char* cycle :
+       {"G87 X10 Y10 Z-2 I-10 J20 K8 B5 C3 D2\n", "G88 X10 Y10 Z-2 I-10 J20 B5 C3 D2\n"}) {
+    const Program p = read_text(std::string("F100\nG0 Z5\n") + cycle, at_origin(Dialect::iso));
+    ASSERT_EQ(codes(p), "not-supported") << listing(p);
+    EXPECT_NE(listing(p).find("pocket"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -130,5 +130,21 @@ TEST(LinuxCncWords, AxesBesideG80AreRefused) {
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 G0 X2\nG80 G92 X0\nG1 X1\nM2\n"), "l1,0,0 r2,0,0 l3,0,0");
 }
 
+// Its interpreter keeps the numbers of R and Z, not the levels: in G91 they are increments.
+TEST(LinuxCncWords, KeptWordsOfACycleAreReadAnewInG91) {
+  EXPECT_EQ(path_of_words("F50\nG0 Z10\nG81 X1 Z-5 R2\nG91 X1\nG90 X5\nM2\n"),
+            "r0,0,10 r1,0,10 r1,0,2 l1,0,-5 r1,0,10 r1,0,12 r2,0,12 l2,0,7 r2,0,12 r5,0,12 r5,0,2 "
+            "l5,0,-5 r5,0,10");
+  EXPECT_EQ(path_of_words("F50\nG0 Z10\nG91 G81 X1 Z-5 R-2\nG90 X5 Z-3 R1\nM2\n"),
+            "r0,0,10 r1,0,10 r1,0,8 l1,0,3 r1,0,10 r5,0,10 r5,0,1 l5,0,-3 r5,0,10");
+}
+
+TEST(LinuxCncWords, NumbersHaveNoExponents) {
+  const Program p = read_text("#1=[1e9]\nM2\n", at_origin(Dialect::ngc));
+  ASSERT_FALSE(p.diagnostics.empty());
+  EXPECT_EQ(p.diagnostics[0].code, "number-malformed");
+  EXPECT_NE(p.diagnostics[0].text.find("exponent"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mrsim

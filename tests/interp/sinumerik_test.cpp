@@ -38,7 +38,8 @@ TEST(Sinumerik, EnvelopeOfPosts) {
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
                 "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
             "1,0,0 ");
-  EXPECT_EQ(run("TRANSMIT\nF100 G1 X1\n"), "1,0,0 not-supported");
+  EXPECT_EQ(run("TRANSMIT\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported")
+      << "one cause, one error";
   EXPECT_EQ(run("TRACYL(50)\n"), "not-supported");
 }
 

@@ -148,5 +148,18 @@ TEST(TurnCycles, ThreadsThatAreNotRead) {
   EXPECT_EQ(lathe_path("CYCLE99(0)"), "value-missing");
 }
 
+// Controls stop at such a contour (alarm 064); G70 and G73 run it as it stands.
+TEST(TurnCycles, AContourThatEndsWithARapidHomeIsRefusedWithItsReason) {
+  const std::string contour = " P1 Q3 U0 W0 F.2\nN1 G0 X20.\nG1 Z-20.\nX40.\nN3 G0 X100. Z5.\n";
+  const auto run = [&](const std::string& cycle) {
+    return read_text("G0 X100. Z5.\n" + cycle + contour,
+                     at_origin(Dialect::fanuc, MachineKind::lathe));
+  };
+  const Program p = run("G71 U2. R1.\nG71");
+  ASSERT_EQ(codes(p), "not-supported");
+  EXPECT_NE(p.diagnostics[0].text.find("alarm 064"), std::string::npos);
+  EXPECT_EQ(codes(run("G73 U2. W1. R2\nG73")), "");
+}
+
 }  // namespace
 }  // namespace mrsim

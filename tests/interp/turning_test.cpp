@@ -201,5 +201,25 @@ TEST(Turning, ACycleWithAContourDoesNotEndTheProgram) {
               "call-not-alone");
 }
 
+// A thread's way is the spindle's: the F in force says nothing of it.
+TEST(Turning, ATraceShowsTheLeadOfAThread) {
+  const Program p = read_text("G98\nG0 X20. Z5.\nG1 X18. F100.\nG32 Z-10. F1.5\n",
+                              at_origin(Dialect::fanuc, MachineKind::lathe));
+  const std::string line = motion_text(p, p.motions.back());
+  EXPECT_NE(line.find("lead 1.5 mm"), std::string::npos) << line;
+  EXPECT_EQ(line.find("F 100"), std::string::npos);
+}
+
+// C beside one axis is a chamfer with the sign of its direction, as I and K are.
+TEST(Turning, ChamfersOfCHaveASign) {
+  const auto run = [](const std::string& chamfer) {
+    return path_text(read_text("G0 X16. Z2.\nG1 Z0 F.2\nX20. " + chamfer + "\nZ-20.\nX30.\n",
+                               at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(run("C-1.5"), run("K-1.5"));
+  EXPECT_EQ(run("C-1.5"), run(",C1.5"));
+  EXPECT_NE(run("C-1.5"), run(""));
+}
+
 }  // namespace
 }  // namespace mrsim

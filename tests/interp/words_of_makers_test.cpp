@@ -25,11 +25,38 @@ TEST(WordsOfMakers, M25OfCentroidTakesZToItsReferencePoint) {
   for (const Motion& m : p.motions) assumed += m.assumed_start ? '?' : '.';
   EXPECT_EQ(assumed, "??..??.") << path_text(p);
   const Program other = read_text("G49\nG1 X5 F100\nM25\nX10\n", at_origin(Dialect::fanuc));
-  EXPECT_EQ(codes(other, Severity::note).find("m-unknown") == std::string::npos, false)
-      << "on other controls M25 is a word of the builder's";
-  EXPECT_FALSE(other.motions.back().assumed_start);
+  EXPECT_FALSE(other.motions.back().assumed_start) << "a cut goes on: M25 was something else";
 }
 
+// Hurco's posts write M25 alone, before tools change.
+TEST(WordsOfMakers, M25LeavesZUnknownUntilItIsGiven) {
+  const Program p = read_text("G0 X5\nZ-1\nG1 X9 F100\nM25\nG0 X50 Y50\nZ2\nG1 X60\nZ-1\n",
+                              at_origin(Dialect::fanuc));
+  std::string assumed;
+  for (const Motion& m : p.motions) assumed += m.assumed_start ? '?' : '.';
+  EXPECT_EQ(assumed, "...??..") << path_text(p);
+  EXPECT_EQ(codes(p, Severity::note), "reference-point");
+  const Program lathe =
+      read_text("G0 X5.\nM25\nX9.\n", at_origin(Dialect::fanuc, MachineKind::lathe));
+  EXPECT_FALSE(lathe.motions.back().assumed_start);
+}
+
+// OSP: G116 T changes the tool, G71 Z is the level that cycles return to under M53, M54 returns to
+// R.
+TEST(WordsOfMakers, OkumaChangesToolsAndReturnsFromHoles) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  const Program p = read_text(
+      "G15 H1\nG116 T3\nG0 X0 Y0 Z9\nG71 Z50\nG81 X1 Z-5 R2 F100 M53\nX3\nX4 M54\nG80\n", options);
+  EXPECT_EQ(path_text(p),
+            "r0,0,9 r1,0,9 r1,0,2 l1,0,-5 r1,0,50 r3,0,50 r3,0,2 l3,0,-5 r3,0,50 r4,0,50 r4,0,2 "
+            "l4,0,-5 r4,0,2");
+  ASSERT_FALSE(p.tools.empty());
+  EXPECT_EQ(p.tools.back().id, "3");
+  EXPECT_EQ(codes(p, Severity::note).find("m-unknown"), std::string::npos);
+  EXPECT_EQ(codes(read_text("G116\nG1 X1 F9\n", options), Severity::note), "work-offset-unset")
+      << "of Haas: a work offset";
+  EXPECT_EQ(path_text(read_text("G71\nG1 Z50 F9\n", options)), "l0,0,50");
+}
 // PathPilot's and Mach's posts begin so; what G15, G50 and G69 end does not exist in LinuxCNC.
 TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
   const auto run = [](const std::string& text) {

@@ -10,7 +10,7 @@ void BlockWords::begin() {
   motion = Code::unknown;
   turn_cycle = 0;
   suppress_frames = comp_selected = comp_moved = length_changed = false;
-  tool_change = stop_after = return_after = loops = false;
+  tool_change = stop_after = return_after = loops = home_guessed = false;
 }
 
 void BlockWords::forget_words() {

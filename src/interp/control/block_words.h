@@ -89,6 +89,7 @@ class BlockWords : public Block {
   const Word* m98 = nullptr;
   const Word* set_tool = nullptr;  ///< Q of M61 (LinuxCNC): the tool in the spindle
   const Word* home = nullptr;      ///< M25 of Centroid: Z goes to its reference point
+  bool home_guessed = false;       ///< ... unless M25 is another control's
 
  private:
   // Epochs make clearing free.

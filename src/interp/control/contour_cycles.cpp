@@ -208,9 +208,13 @@ bool ContourCycles::rough() {
   const RoughContour shape(std::move(pieces), -r.down, r.run);
   if (const int bad = shape.runs_back(); bad >= 0) {
     const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
+    const bool home =
+        m.kind == MotionKind::rapid && static_cast<std::size_t>(bad) + 2 == contour_.size();
     reporter_.add_at(Severity::error, "not-supported",
-                     "the contour of the cycle runs back here (an undercut), which is not "
-                     "supported yet",
+                     home ? "the last block of the contour goes back with a rapid, where controls "
+                            "stop (alarm 064): let Q name the block before it"
+                          : "the contour of the cycle runs back here (an undercut), which is not "
+                            "supported yet",
                      m);
     return false;
   }

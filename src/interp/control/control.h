@@ -26,6 +26,7 @@ struct PendingTool {
 struct ToolState {
   PendingTool pending;
   std::string current;  ///< id in the spindle
+  double written = -1;  ///< the last T; below 0 = none, or a name
   Motion place;         ///< of its T word
   int index = -1;       ///< into Program::tools, -1 = not used yet
   bool chosen = false;
@@ -61,6 +62,7 @@ struct Control {
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
   int register_changes = 0;                  ///< how often the program has set one
+  int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
   /// G54.1 P1.

@@ -180,9 +180,13 @@ bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where) {
   return true;
 }
 
-// The levels: in G91 R counts from the level before the first cycle, Z from R.
+// The levels: in G91 R counts from the level before the first cycle, Z from R. LinuxCNC keeps the
+// numbers of both, and reads them anew in each block as G90 and G91 say there.
 bool DrillWords::fill(Hole& hole, bool haas_words) {
   const DrillCycle& cycle = modal_.drill;
+  const auto relative = [&](const CycleLevel& level) {
+    return is(Dialect::ngc) ? modal_.incremental : level.incremental;
+  };
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (!cycle.bottom.given)
     return error("value-missing", fmt::format("G{} needs the depth of the hole", cycle.number),
@@ -190,19 +194,20 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   if (!cycle.safe.given && is(Dialect::ngc))
     return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
   const bool from_initial =
-      cycle.safe.incremental || cycle.plane == 2 || (cycle.plane == 0 && cycle.safe.value <= 0);
-  if (cycle.plane == 0 && cycle.safe.value > 0 && !cycle.safe.incremental)
+      relative(cycle.safe) || cycle.plane == 2 || (cycle.plane == 0 && cycle.safe.value <= 0);
+  if (cycle.plane == 0 && cycle.safe.value > 0 && !relative(cycle.safe))
     note_once("cycle-level",
               "R above 0 is read as a level, as Haas does; others count it from the start", where,
               "R");
   hole.safe = !cycle.safe.given ? cycle.initial
               : from_initial    ? cycle.initial + cycle.safe.value
                                 : cycle.safe.value;
-  hole.bottom = cycle.bottom.incremental ? hole.safe + cycle.bottom.value : cycle.bottom.value;
-  hole.end = modal_.return_to_r ? hole.safe : std::max(cycle.initial, hole.safe);
-  if (hole.bottom > hole.safe && is(Dialect::ngc))
+  hole.bottom = relative(cycle.bottom) ? hole.safe + cycle.bottom.value : cycle.bottom.value;
+  const bool up = hole.bottom > hole.safe;
+  hole.end = end_level(hole.safe, up);
+  if (up && is(Dialect::ngc))
     return error("value-range", "R lies below the bottom of the hole", where);
-  if (hole.bottom > hole.safe)
+  if (up && modal_.plane == 0 && !lathe())  // across the spindle either way is down
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
   const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
@@ -216,8 +221,22 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   return fill_pecks(hole, haas_words);
 }
 
+// Where the tool ends, with the hole below R or (`up`) above it: never nearer to it than R.
+double DrillWords::end_level(double safe, bool up) const {
+  const double initial = modal_.drill.initial;
+  switch (modal_.hole_return) {
+    case HoleReturn::safe:
+      return safe;
+    case HoleReturn::level:
+      return *modal_.return_level;
+    default:
+      return up ? std::min(initial, safe) : std::max(initial, safe);
+  }
+}
+
 bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
-  const double depth = hole.safe - hole.bottom;
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
   if (haas_words && !modal_.drill.fagor && peek('I')) read_haas_strokes();
   if (modal_.drill.first != 0) return haas_pecks(hole);
   const double q = modal_.drill.peck;
@@ -233,7 +252,7 @@ bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
     return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
                  where);
   for (std::size_t i = 1; static_cast<double>(i) * q < depth - 1e-9; ++i)
-    hole.strokes.push_back(hole.safe - static_cast<double>(i) * q);
+    hole.strokes.push_back(hole.safe + along * static_cast<double>(i) * q);
   return true;
 }
 
@@ -253,12 +272,14 @@ void DrillWords::read_haas_strokes() {
 bool DrillWords::haas_pecks(Hole& hole) {
   const DrillCycle& cycle = modal_.drill;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
   double stroke = cycle.first;
   if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
-      (hole.safe - hole.bottom) / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
+      depth / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
     return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
-  for (double at = hole.safe - stroke; at > hole.bottom + 1e-9; at -= stroke) {
-    hole.strokes.push_back(at);
+  for (double at = stroke; at < depth - 1e-9; at += stroke) {
+    hole.strokes.push_back(hole.safe + along * at);
     stroke = std::max(stroke - cycle.less, cycle.least);
   }
   return true;

@@ -28,6 +28,7 @@ class DrillWords : public ControlPart {
   bool peck(const Word& q);
   bool repeats(long& count);
   bool fill(Hole& hole, bool haas_words = true);
+  double end_level(double safe, bool up) const;
   bool fill_pecks(Hole& hole, bool haas_words);
   void read_haas_strokes();
   bool haas_pecks(Hole& hole);

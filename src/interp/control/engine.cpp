@@ -110,6 +110,10 @@ void Engine::execute() {
 
 // A move, or holes at its end.
 bool Engine::run_move() {
+  if (control_.unread_end != 0) {
+    UnreadModes(control_).pass_over();
+    return true;
+  }
   if (haas_.wants_block()) return haas_.run();
   if (drilling_.wants_block()) return drilling_.run();
   if (control_.block.turn_cycle != 0) return run_turning();
@@ -137,7 +141,10 @@ bool Engine::interpret_block() {
   if (!flow_.begin_block()) return false;
   if (reader_.finished()) return true;
   if (!flow_.m_words()) return false;
-  if (block.home) moves_.to_place(&options_.places.reference, 4, *block.home);
+  if (block.home && block.home_guessed)
+    moves_.guess_retract(*block.home);
+  else if (block.home)
+    moves_.to_place(&options_.places.reference, 4, *block.home);
   const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
   if (!dwells && !values_.apply()) return false;
   if (block.oneshot && !oneshots_.run()) return false;

@@ -100,7 +100,8 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
                word);
 }
 
-// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G93 I J sets the polar origin.
+// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G93 I J sets the polar origin, G87
+// and G88 with J or B mill pockets.
 bool IsoWords::refuse_pattern(const Word& word, int code) {
   const char* what = "";
   if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
@@ -109,6 +110,8 @@ bool IsoWords::refuse_pattern(const Word& word, int code) {
     what = "a scale of one axis";
   else if (code == 93 && has_any("IJK"))
     what = "the origin of polar coordinates";
+  else if ((code == 87 || code == 88) && has_any("JB"))
+    what = code == 87 ? "a rectangular pocket" : "a circular pocket";
   if (*what == '\0') return true;
   return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);

@@ -14,6 +14,7 @@ bool ModalWords::apply() {
   block_.comp_before = modal_.comp;
   for (const Word& word : block_.words) {
     if (word.address != letter('G') && word.address != Address::function) continue;
+    if (unread_.begins_or_ends(word)) continue;
     const CodeEntry entry = lookup(word);
     if (!claim_group(word, entry) || !apply_code(word, entry)) ok = false;
   }
@@ -63,11 +64,7 @@ bool ModalWords::select_turning(const Word& word, int number) {
   if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
   const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
   if (!axes && number == 94) return apply_feed_mode(Code::per_minute, word);
-  if (!axes && number == 92) {
-    block_.oneshot = &word;
-    block_.oneshot_code = Code::set_position;
-    return true;
-  }
+  if (!axes && number == 92) return for_oneshot(word, Code::set_position);
   if (modal_.turn.number != number) modal_.turn = {};
   modal_.turn.number = number;
   modal_.drill.number = 0;
@@ -80,6 +77,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
                  fmt::format("{} with N (a call or a jump of Fagor's 8025) is not supported yet",
                              text_of(word)),
                  word);
+  if (const std::optional<bool> read = makers_.read(word, entry.code)) return *read;
   switch (entry.code) {
     case Code::dwell:
       if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
@@ -96,40 +94,25 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::turn_cycle:
       if (units_of_mach(word)) return true;
       block_.turn_cycle = entry.number;
-      block_.oneshot = &word;
-      block_.oneshot_code = entry.code;
-      return true;
+      return for_oneshot(word, entry.code);
     case Code::statement:
     case Code::unsupported:
-      return brother_change(word) || refuse(word);
+      return refuse(word);
     case Code::fagor_mirror:
     case Code::fagor_scale:
     case Code::fagor_turn:
       return frame_words_.fagor(entry.code, word);
-    case Code::suppress_frames:
-      if (!modal_.okuma) return apply_modal_code(word, entry);
-      modal_.length = Code::length_off;
-      block_.length_changed = true;
-      return true;
     case Code::circle_pocket:
-      block_.oneshot = &word;
-      block_.oneshot_code = entry.code;
-      return true;
+      return for_oneshot(word, entry.code);
     case Code::hole_pattern:
       if (word.value != 72 && !peek('I') && !peek('L'))
         return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
-      block_.oneshot = &word;
-      block_.oneshot_code = entry.code;
-      return true;
+      return for_oneshot(word, entry.code);
     case Code::ignored:
       if (word.value == 64 && !is(Dialect::sinumerik))  // G64 P0.01 Q0.01 of Mach and LinuxCNC
         for (const char c : {'P', 'Q'}) take(c);
       return !is(Dialect::ngc) || !peek('R') || word.value != 61 ||
              error("word-unexpected", "R with no word that uses it", *peek('R'));
-    case Code::polar_on:
-    case Code::polar_off:
-      if (peek('H')) return okuma_offset(word);
-      return apply_modal_code(word, entry);
     case Code::ignored_words:
       if (is(Dialect::ngc) && word.value == 64 && peek('R') && orients_spindle())
         return error("word-unexpected", "R is G64's or M19's: write them on two lines", *peek('R'));
@@ -149,7 +132,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::return_initial:
     case Code::return_r:
-      modal_.return_to_r = entry.code == Code::return_r;
+      modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
       return true;
     case Code::probe:
       if (!peek('X') && !peek('Y') && !peek('Z'))
@@ -184,20 +167,16 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   }
 }
 
-// G15 H2 of Okuma's OSP selects a work offset; G16 H does for one block.
-bool ModalWords::okuma_offset(const Word& word) {
-  if (word.value == 15) return frame_words_.select_numbered(*take('H'));
-  return error(
-      "not-supported",
-      fmt::format("{} H (a work offset of Okuma's OSP for one block) is not supported: write G15 H",
-                  text_of(word)),
-      word);
-}
-
 bool ModalWords::orients_spindle() const {
   return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
     return word.address == letter('M') && word.value == 19;
   });
+}
+
+bool ModalWords::for_oneshot(const Word& word, Code code) {
+  block_.oneshot = &word;
+  block_.oneshot_code = code;
+  return true;
 }
 
 // A motion of this block alone; then that before it holds again.
@@ -211,15 +190,6 @@ bool ModalWords::for_one_block(const Word& word, Code code) {
 bool ModalWords::units_of_mach(const Word& word) {
   if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
   return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
-}
-
-// G100 T1 X Y Z G43 H1 of Brother: the tool changes above, then it goes to the place.
-bool ModalWords::brother_change(const Word& word) {
-  if (!is(Dialect::fanuc) || lathe() || word.value != 100 || !peek('T')) return false;
-  for (const char c : {'L', 'R'}) take(c);  // the next tool, and where the door stands
-  block_.tool_change = true;
-  block_.home = &word;
-  return for_one_block(word, Code::rapid);
 }
 
 bool ModalWords::refuse(const Word& word) {
@@ -300,9 +270,7 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
     case Code::set_position:
     case Code::position_jump:
     case Code::decoder_length:
-      block_.oneshot = &word;
-      block_.oneshot_code = entry.code;
-      return true;
+      return for_oneshot(word, entry.code);
     default:
       block_.frame_code = &word;
       block_.frame_op = entry.code;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "interp/control/compensation_words.h"
-#include "interp/control/frame_words.h"
+#include "interp/control/maker_words.h"
+#include "interp/control/unread_modes.h"
 
 namespace mrsim {
 
@@ -12,7 +13,9 @@ class ModalWords : public ControlPart {
       : ControlPart(control),
         codes_(code_table(control.dialect, control.program.machine)),
         frame_words_(frames),
-        compensation_(compensation) {}
+        compensation_(compensation),
+        makers_(control, frames),
+        unread_(control) {}
 
   /// All function words of the block, in order. False: errors were reported.
   bool apply();
@@ -23,10 +26,9 @@ class ModalWords : public ControlPart {
   bool apply_code(const Word& word, const CodeEntry& entry);
   bool units_of_mach(const Word& word);
   bool refuse(const Word& word);
+  bool for_oneshot(const Word& word, Code code);
   bool for_one_block(const Word& word, Code code);
   bool orients_spindle() const;
-  bool okuma_offset(const Word& word);
-  bool brother_change(const Word& word);
   bool high_speed(const Word& word);
   void select_cycle(int number);
   bool select_turning(const Word& word, int number);
@@ -41,6 +43,8 @@ class ModalWords : public ControlPart {
   const CodeTable& codes_;
   FrameWords& frame_words_;
   CompensationWords& compensation_;
+  MakerWords makers_;
+  UnreadModes unread_;
 };
 
 }  // namespace mrsim

@@ -105,7 +105,18 @@ void Moves::to_place(const Vec3* place, unsigned axes, const Word& where) {
   if (axes != 0) step(to, where, MotionKind::rapid);
 }
 
+void Moves::guess_retract(const Word& where) {
+  retract_guessed_ = (position_.known & 4U) != 0;
+  position_.known &= ~4U;
+  note_once("reference-point",
+            fmt::format("{} is read as a retract of Z, as on Centroid and Hurco mills, unless a "
+                        "cut goes on without Z",
+                        text_of(where)),
+            where, "retract");
+}
+
 void Moves::unknown(unsigned axes, const Word& where) {
+  if (axes & 4U) retract_guessed_ = false;
   position_.known &= ~axes;
   if (lathe()) position_.known |= 2U;
   position_.has_tangent = false;
@@ -308,6 +319,10 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where, feed > 0 || lead != 0 || is_thread(current_motion()));
+  if (kind != MotionKind::rapid && retract_guessed_) {  // a cut that goes on in Z as it was
+    if (!peek('Z')) position_.known |= 4U;
+    retract_guessed_ = false;
+  }
   Motion m;
   m.kind = kind;
   m.feed_unit = modal_.feed_unit;

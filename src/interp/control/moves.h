@@ -42,6 +42,8 @@ class Moves : public ControlPart {
   void to_place(const Vec3* place, unsigned axes, const Word& where);
   /// `axes` went to where only the machine knows.
   void unknown(unsigned axes, const Word& where);
+  /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.
+  void guess_retract(const Word& where);
   /// The position becomes `to`, without a path.
   void jump(const Target& to);
   /// A block ANG= waits for the next one.
@@ -81,6 +83,7 @@ class Moves : public ControlPart {
   SplineWords splines_;
   PendingAngle pending_angle_;
   bool feed_warned_ = false;
+  bool retract_guessed_ = false;  ///< by M25, see guess_retract()
 };
 
 }  // namespace mrsim

@@ -110,6 +110,7 @@ bool ProgramFlow::m_word(const Word& word) {
   }
   if (m == 97 || m == 98 || external) return call_word(word, m);
   if (m == 25 && z_home(word)) return true;
+  if (m >= 52 && m <= 54 && okuma_return(m)) return true;
   if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
     note_once("m-unknown",
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,
@@ -126,12 +127,24 @@ bool ProgramFlow::linuxcnc_signal(int m) {
   return quiet;
 }
 
-// M25 of Centroid, which its posts write beside G49 at the start: Z goes to its reference point.
+// M25 of Centroid and Hurco: Z goes to its upper end. Sure where the program has said M25 G49, as
+// Centroid's posts do; elsewhere a cut that goes on without Z shows that it was something else.
 bool ProgramFlow::z_home(const Word& word) {
+  if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
+  for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
+    if (peek(c)) return false;
   const bool named = (block_.groups >> static_cast<unsigned>(Group::length) & 1U) != 0;
   centroid_ = centroid_ || (named && modal_.length == Code::length_off);
-  if (!centroid_ || lathe() || is(Dialect::sinumerik)) return false;
   block_.home = &word;
+  block_.home_guessed = !centroid_;
+  return true;
+}
+
+// M53 of Okuma: drilling cycles end at the level of G71 Z; M54: at R. False: another control's.
+bool ProgramFlow::okuma_return(int m) {
+  if (!is(Dialect::fanuc) || !modal_.return_level) return false;
+  if (m == 52) return false;
+  modal_.hole_return = m == 53 ? HoleReturn::level : HoleReturn::safe;
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "interp/text/codes.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace mrsim {
@@ -52,6 +53,9 @@ struct TurnSettings {
   double least_depth = 0, finish = 0;  ///< G76, mm
 };
 
+/// Where a drilling cycle ends: G98, G99, and M53 of Okuma.
+enum class HoleReturn { initial, safe, level };
+
 /// What G words and modal values say.
 struct Modal {
   Code motion = Code::line;
@@ -82,8 +86,10 @@ struct Modal {
   bool okuma = false;      ///< the program has said G15 H: G53 and G56 are lengths of tools
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
+  double length_number = 0;  ///< the last H
   DrillCycle drill;
-  bool return_to_r = false;  ///< G99: cycles end at R
+  HoleReturn hole_return = HoleReturn::initial;
+  std::optional<double> return_level;  ///< G71 Z of Okuma, mm
   TurnCycle turn;
   TurnSettings turn_settings;
 };

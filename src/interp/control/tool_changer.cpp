@@ -90,6 +90,7 @@ bool ToolChanger::apply() {
 bool ToolChanger::select(const Word& word) {
   if (!word.string && (word.value < 0 || word.value != std::floor(word.value) || word.value > 1e8))
     return error("value-range", "T is a whole number or a name", word);
+  tool_.written = word.string ? -1 : word.value;
   tool_.pending.active = true;
   tool_.pending.id = id_of(word);
   tool_.pending.at.file = block_.file;

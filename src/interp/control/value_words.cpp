@@ -21,7 +21,7 @@ bool ValueWords::turned_line(char c) {
   const Word* word = peek(c);
   if (!word || c == 'B') return false;
   const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
-  if (c == 'C' && (x == z || word->value <= 0 || axis_c_)) return false;
+  if (c == 'C' && (x == z || word->value == 0 || axis_c_)) return false;
   note_once("lathe-corner",
             fmt::format("{} is read as {} (on a machine with an axis {} write ,{})", text_of(*word),
                         c == 'A' ? "the angle of the line" : "a chamfer", c, c),
@@ -31,10 +31,11 @@ bool ValueWords::turned_line(char c) {
 
 bool ValueWords::rotary_axes() {
   for (const char c : {'A', 'B', 'C'}) {
-    if (turned_line(c)) continue;
-    const Word* word = take(c);
+    if (control_.unread_end == 0 && turned_line(c)) continue;
+    const Word* word = block_.open(letter(c)) ? take(c) : nullptr;
     if (!word) continue;
     axis_c_ = axis_c_ || c == 'C';
+    if (control_.unread_end != 0) continue;
     if (word->value != 0)
       return error("not-supported",
                    fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
@@ -161,6 +162,7 @@ bool ValueWords::length_register() {
     return true;
   }
   if (!word) return true;
+  modal_.length_number = word->value;
   const std::string name = fmt::format("H{:g}", word->value);
   const OffsetRegister* reg = tools_.find_register(name);
   if (!reg && word->value != 0)

@@ -38,6 +38,10 @@ bool Evaluator::number(Value& out) {
   while (p_ > from && (line_[p_ - 1] == ' ' || line_[p_ - 1] == '\t')) --p_;
   const bool exponent =
       spelled(Spelling::names) && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X';
+  const bool foreign = upper(at(p_)) == 'E' && (is_digit(at(p_ + 1)) || at(p_ + 1) == '-');
+  if (spelled(Spelling::hash) && foreign)
+    return fail("number-malformed", "numbers of this control have no exponent: write them out",
+                from, p_ + 2);
   if (digits > 0 && digits <= 15 && !exponent) {
     out = Value::of(static_cast<double>(mantissa) / kPowersOfTen[fraction]);
     return at(p_) != '.' || fail("number-malformed", "a second point in the number", from, p_ + 1);

@@ -127,7 +127,9 @@ std::string motion_text(const Program& program, const Motion& motion) {
     out += "  rise " + number_text(motion.rise);
   if (motion.tool >= 0 && !tool_of(program, motion).empty())
     out += "  T" + tool_of(program, motion);
-  if (motion.kind != MotionKind::rapid && motion.feed > 0)
+  if (motion.lead != 0)  // no feed: the spindle gives it
+    out += fmt::format("  lead {} mm", number_text(motion.lead));
+  else if (motion.kind != MotionKind::rapid && motion.feed > 0)
     out += fmt::format("  F {} {}", number_text(motion.feed), unit_name(motion.feed_unit));
   if (motion.assumed_start) out += "  (start assumed)";
   if (motion.call >= 0) {

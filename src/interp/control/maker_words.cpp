@@ -1,0 +1,63 @@
+#include "interp/control/maker_words.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+std::optional<bool> MakerWords::read(const Word& word, Code code) {
+  if ((code == Code::polar_on || code == Code::polar_off) && peek('H')) return okuma_offset(word);
+  if (code == Code::suppress_frames && modal_.okuma) {
+    modal_.length = Code::length_off;
+    block_.length_changed = true;
+    return true;
+  }
+  if (!is(Dialect::fanuc) || lathe()) return std::nullopt;
+  const bool changes = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) {
+    return w.address == letter('M') && w.value == 6;
+  });
+  if (word.value == 116 && peek('T') && !changes) {  // Okuma's change of the tool
+    block_.tool_change = true;
+    return true;
+  }
+  if (word.value == 100 && peek('T')) return brother_change(word);
+  if (word.value == 71 && stands_for_level(word)) return okuma_level();
+  return std::nullopt;
+}
+
+// G15 H2 of Okuma's OSP selects a work offset; G16 H does for one block.
+bool MakerWords::okuma_offset(const Word& word) {
+  if (word.value == 15) return frame_words_.select_numbered(*take('H'));
+  return error(
+      "not-supported",
+      fmt::format("{} H (a work offset of Okuma's OSP for one block) is not supported: write G15 H",
+                  text_of(word)),
+      word);
+}
+
+// G71 Z: Z alone, and no other G word. Elsewhere G71 is a pattern of holes or the unit.
+bool MakerWords::stands_for_level(const Word& word) const {
+  return peek('Z') && std::all_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
+           return &w == &word || w.address == letter('Z') || w.address == letter('M');
+         });
+}
+
+// The level that drilling cycles return to under M53.
+bool MakerWords::okuma_level() {
+  const Word& z = *take('Z');
+  modal_.return_level = z.value * length_unit(z);
+  return true;
+}
+
+// G100 T1 X Y Z G43 H1 of Brother: the tool changes above, then it goes to the place.
+bool MakerWords::brother_change(const Word& word) {
+  for (const char c : {'L', 'R'}) take(c);  // the next tool, and where the door stands
+  block_.tool_change = true;
+  block_.home = &word;
+  block_.motion_code = &word;
+  block_.motion = Code::rapid;
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,27 @@
+// G words that machine makers read in their own way on a control of FANUC's kind: Okuma's OSP,
+// Brother. Each is told from FANUC's by the words beside it. Private to src/interp.
+#pragma once
+
+#include "interp/control/frame_words.h"
+
+#include <optional>
+
+namespace mrsim {
+
+class MakerWords : public ControlPart {
+ public:
+  MakerWords(Control& control, FrameWords& frames) : ControlPart(control), frame_words_(frames) {}
+
+  /// Reads the word. Nothing: it is none of them. False: an error was reported.
+  std::optional<bool> read(const Word& word, Code code);
+
+ private:
+  bool okuma_offset(const Word& word);
+  bool okuma_level();
+  bool brother_change(const Word& word);
+  bool stands_for_level(const Word& word) const;
+
+  FrameWords& frame_words_;
+};
+
+}  // namespace mrsim

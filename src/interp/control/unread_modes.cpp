@@ -1,0 +1,77 @@
+#include "interp/control/unread_modes.h"
+
+#include "interp/text/characters.h"
+
+#include <string_view>
+
+namespace mrsim {
+namespace {
+
+/// G numbers * 10. A mode that its own word ends says so with C0 or P0.
+struct ModeWords {
+  int begin, end;
+};
+
+constexpr ModeWords kFanuc[] = {{71, 71},    {121, 131},  {434, 490},  {435, 490},   {542, 542},
+                                {682, 690},  {683, 690},  {684, 690},  {1070, 1070}, {1120, 1130},
+                                {1430, 490}, {2340, 490}, {2540, 2550}};
+constexpr int kLeast = 71;        // of the numbers above
+constexpr int kTiltedMove = 531;  // belongs to the tilted planes
+constexpr std::string_view kSinumerik[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
+constexpr int kTrafoof = 1;  // ends those
+
+int number_by_10(const Word& word) {
+  return word.address == letter('G') && word.value >= 0 && word.value < 1e4
+             ? static_cast<int>(word.value * 10 + 0.5)
+             : -1;
+}
+
+}  // namespace
+
+// The word that ends the mode in force, or one that says that there is none.
+bool UnreadModes::ends(int g) {
+  for (const ModeWords& mode : kFanuc) {
+    if (mode.end != g) continue;
+    if (mode.begin != g) return control_.unread_end == g;
+    for (const char c : {'C', 'P'})
+      if (const Word* value = peek(c); value && value->value == 0) return take(c) != nullptr;
+  }
+  return false;
+}
+
+bool UnreadModes::begins_or_ends(const Word& word) {
+  if (is(Dialect::ngc) || is(Dialect::codesys)) return false;
+  if (is(Dialect::sinumerik)) {
+    note_name(word);
+    return false;
+  }
+  const int g = number_by_10(word);
+  if (g < kLeast) return false;
+  if (control_.unread_end != 0 && g == kTiltedMove) return true;
+  const bool ended = ends(g);
+  if (ended) control_.unread_end = 0;
+  for (const ModeWords& mode : kFanuc) {
+    if (mode.begin != g) continue;
+    if (!ended) control_.unread_end = mode.end;
+    return ended;
+  }
+  return false;
+}
+
+void UnreadModes::note_name(const Word& word) {
+  if (word.address != Address::function) return;
+  const std::string name = upper_case(word.text);
+  if (name == "TRAFOOF") control_.unread_end = 0;
+  for (const std::string_view one : kSinumerik)
+    if (name == one) control_.unread_end = kTrafoof;
+}
+
+void UnreadModes::pass_over() {
+  for (const Word& word : block_.words) {
+    take(word.address);
+    const auto c = static_cast<char>(word.address);
+    if ((c >= 'U' && c <= 'W') || (c >= 'X' && c <= 'Z')) position_.known &= lathe() ? 2U : 0U;
+  }
+}
+
+}  // namespace mrsim

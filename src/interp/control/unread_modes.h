@@ -1,0 +1,24 @@
+// Modes that are refused by name, such as polar interpolation or tool centre point control. What
+// stands in them has the meaning that the mode gives it, so until the word that ends the mode no
+// move is run and nothing else is told of: one cause, one error. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class UnreadModes : public ControlPart {
+ public:
+  explicit UnreadModes(Control& control) : ControlPart(control) {}
+
+  /// Looks at a G word or a name before it is read. True: there is nothing more to do about it.
+  bool begins_or_ends(const Word& word);
+  /// A block in such a mode: its words are passed over, and the axes that it names are unknown.
+  void pass_over();
+
+ private:
+  bool ends(int g);
+  void note_name(const Word& word);
+};
+
+}  // namespace mrsim
