@@ -189,5 +189,26 @@ TEST(ControlsDiffer, FagorsCyclesHaveTheirDepthInI) {
   EXPECT_EQ(mill("N1 G21 G1 X5 F9\nN2 G20\n", Dialect::iso), "l5,0,0");
 }
 
+// What stands in a mode that is not read has the meaning of that mode: no second error, no move.
+TEST(ControlsDiffer, ARefusedModeIsToldOnce) {
+  EXPECT_EQ(mill("G12.1\nG1 X20. C20. F9\nC30.\nG13.1\nG1 X5.\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(lathe("G12.1\nG1 X20. C20. F9\nG13.1\nG1 X6.\n"), "l3,0,0 | not-supported");
+  EXPECT_EQ(lathe("G107 C20.\nG1 Z-10. C30. F9\nG107 C0\nG1 X6.\n"), "l3,0,0 | not-supported");
+  EXPECT_EQ(mill("G68.2 X0 Y0 Z0 I0 J30. K0\nG53.1\nG1 X9. B30. F9\nG69\nG1 X5.\n"),
+            "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G43.4 H1 Z5.\nG1 X20. A3. F9\nG49\nG1 X5.\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G1 X20. C20. F9\n"), " | not-supported");
+}
+
+// Cuts whose start is unknown are not simulated: that is told.
+TEST(ControlsDiffer, CutsFromAnUnknownPlaceAreAWarning) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.start.reset();
+  const auto run = [&](const char* text) { return codes(read_text(text, options)); };
+  EXPECT_EQ(run("G0 X0 Y0\nG1 X1 F9\nX2\n"), "start-unknown");
+  EXPECT_EQ(run("G1 X0 Y0 F9\nG1 Z5\nX5\n"), "");
+  EXPECT_EQ(run("G0 X0 Y0 Z5\nG28 Z9\nG1 X5 F9\nX9\n"), "start-unknown");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -51,6 +51,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     ++cuts_;
     motion.tool = control_.tool.index;
     if (lathe()) refuse_live_tool(motion);
+    if (position_.known != 7U) warn_unknown_start(motion);
   }
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;
@@ -73,6 +74,20 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   path.block = block_.number;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
+}
+
+// Cuts from an unknown place are not swept. One alone is the way to the first point.
+void MotionEmitter::warn_unknown_start(const Motion& motion) {
+  if (++unknown_starts_ != 2 || reporter_.errors() > 0) return;
+  std::string axes;
+  for (int i = 0; i < 3; ++i)
+    if ((position_.known >> i & 1U) == 0)
+      axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "XYZ"[i]);
+  reporter_.once_at(Severity::warning, "start-unknown",
+                    fmt::format("cuts are left out here, because where {} {} was never given: say "
+                                "--start X,Y,Z",
+                                axes, axes.size() > 1 ? "are" : "is"),
+                    motion, "start");
 }
 
 // A cutter that turns by itself leaves a body of revolution on the axis only.

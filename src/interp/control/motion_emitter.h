@@ -30,6 +30,7 @@ class MotionEmitter : public ControlPart {
 
  private:
   void refuse_live_tool(const Motion& motion);
+  void warn_unknown_start(const Motion& motion);
   void turned_corner(const Word*& round, const Word*& leg);
 
   CompensationWords& words_;
@@ -41,6 +42,7 @@ class MotionEmitter : public ControlPart {
   bool idle_ = true;
   double last_length_ = 0;
   std::size_t cuts_ = 0;
+  int unknown_starts_ = 0;  ///< cuts that end where an axis is still unknown
 };
 
 }  // namespace mrsim
