@@ -86,5 +86,19 @@ TEST(CodesysLanguage, FaultsHaveTheirPlaceAndValues) {
   EXPECT_EQ(codes(read_text("N1 G1 F100 X1\nN2 G20 L2\n", options)), "program-endless");
 }
 
+TEST(CodesysLanguage, LocalVariablesBeginWithAValue) {
+  EXPECT_EQ(codesys("LET #A : LREAL := 10\nLET #B : LREAL := #A + sqrt{16} (* 14 *)\n"
+                    "LET #C : BOOL := #A > 3\nN1 G1 X#B Y#A Z#C F100\nN2 X sqrt{16}\n"),
+            "l14,10,1 l4,10,1");
+  EXPECT_EQ(codesys("LET #A : LREAL := 'x'\n"), " | variable-unset");
+  for (const char* other : {"LET #A=10\n", "LET #A : LREAL\nN1 #A=10\n"}) {
+    const Program p = read_text(other, at_origin(Dialect::codesys));
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics[0].text.find(other[4] == '#' && other[6] == '=' ? ":=" : "G36 O#A"),
+              std::string::npos)
+        << p.diagnostics[0].text;
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -87,6 +87,13 @@ bool CodesysStatements::starts_function(std::string_view line, std::size_t p) co
   return false;
 }
 
+bool CodesysStatements::assignment(std::string_view line, std::size_t& p) {
+  const std::size_t from = p++;
+  const std::string name = name_at(line, p);
+  return fail("assignment", fmt::format("a variable is set by a word: G36 O#{} D10", name), from,
+              p);
+}
+
 bool CodesysStatements::statement(std::size_t from) {
   const int code = g_word(block_.line, from);
   if (code < 0) {
@@ -217,15 +224,22 @@ bool CodesysStatements::change(std::string_view target, bool adds, const Value& 
   return store(target, {}, sum, from, to);
 }
 
-// LET #WIDTH : LREAL
+// LET #WIDTH : LREAL := 40
 bool CodesysStatements::define(std::size_t p) {
   const std::size_t from = p;
   std::string name, why;
   VariableType type{};
   if (!declaration(block_.line, p, name, type))
-    return fail("statement", "#NAME : BOOL, LREAL or STRING is expected here", from, p + 1);
+    return fail("statement",
+                "LET #NAME : LREAL is expected here (or BOOL or STRING), with := and "
+                "a value if it has one",
+                from, p + 1);
   if (!variables_.define(name, type, {}, false, why)) return fail("variable-defined", why, from, p);
-  return end_statement(p);
+  if (at(p) != ':' || at(p + 1) != '=') return end_statement(p);
+  p += 2;
+  Value first;
+  if (!evaluator_.expression(block_.line, p, first)) return report(evaluator_.fault());
+  return store(name, {}, first, from, p) && end_statement(p);
 }
 
 // NAME{1, #A*2}; DYNCALL{'NAME', 1} computes the name.

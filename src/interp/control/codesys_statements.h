@@ -15,6 +15,7 @@ class CodesysStatements : public Statements {
   CodesysStatements(Control& control, BlockReader& reader);
 
   bool starts_statement(std::string_view line, std::size_t p) override;
+  bool assignment(std::string_view line, std::size_t& p) override;
   bool starts_function(std::string_view line, std::size_t p) const override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 

@@ -13,35 +13,22 @@
 namespace mrsim {
 namespace {
 
-double motion_number(Code motion) {
-  switch (motion) {
-    case Code::rapid:
-      return 0;
-    case Code::arc_cw:
-      return 2;
-    case Code::arc_ccw:
-      return 3;
-    case Code::thread:
-      return 33;
-    default:
-      return 1;
-  }
-}
-
-double comp_number(Code comp) {
-  return comp == Code::comp_left ? 41 : comp == Code::comp_right ? 42 : 40;
-}
-
-double feed_number(FeedUnit unit) {
-  return unit == FeedUnit::inverse_time ? 93 : unit == FeedUnit::mm_per_min ? 94 : 95;
-}
-
 constexpr int kWorkOffsets = 9;
 
 // G54 to G59, then G59.1 to G59.3.
 std::string work_name(int n) {
   return n <= 6 ? fmt::format("G{}", 53 + n) : fmt::format("G59.{}", n - 6);
 }
+
+/// Numbers of work offsets, 20 for each; of FANUC unless `basic`.
+struct WorkNumbers {
+  int first, count;
+  const char* name;  ///< of all; null: G54 to G59
+  bool basic = false;
+};
+
+constexpr WorkNumbers kWorkNumbers[] = {
+    {5201, 1, "EXT"}, {5221, 6, nullptr, true}, {7001, 48, "G54.1P"}, {14001, 300, "G54.1P"}};
 
 constexpr std::string_view kFrameParts[] = {"TR", "FI", "RT", "SC", "MI"};
 
@@ -53,13 +40,11 @@ int SystemValues::axis_named(std::string_view name) {
 }
 
 double SystemValues::work_position(int axis) const {
-  const double mm = component(position_.programmed, axis);
-  const bool diameter = axis == 0 && modal_.diameter == Code::diameter_on;
-  return (diameter ? 2 * mm : mm) / scale();
+  return shown(axis, component(position_.programmed, axis));
 }
 
 double SystemValues::machine_position(int axis) const {
-  return component(position_.physical - control_.machine_shift, axis) / scale();
+  return shown(axis, component(position_.physical - control_.machine_shift, axis));
 }
 
 // 54 of "G54", 0 where none is in force.
@@ -68,18 +53,34 @@ double SystemValues::work_number() const {
   return name.size() > 1 ? parse_number(std::string_view(name).substr(1)).value_or(0) : 0;
 }
 
-// #5221 and the numbers behind it: 20 for each of G54 to G59 (LinuxCNC: to G59.3).
+// #5221 and the numbers behind it (LinuxCNC: to G59.3), the external offset, G54.1 P.
 bool SystemValues::work_cell(int number, std::string& name, int& axis) const {
-  const int n = (number - 5221) / 20 + 1;
-  axis = (number - 5221) % 20;
-  if (number < 5221 || n > (is(Dialect::ngc) ? kWorkOffsets : 6) || axis > 2) return false;
-  name = work_name(n);
-  return true;
+  const bool ngc = is(Dialect::ngc);
+  for (const WorkNumbers& row : kWorkNumbers) {
+    const int count = ngc ? kWorkOffsets : row.count;
+    if ((ngc && !row.basic) || number < row.first || number >= row.first + 20 * count) continue;
+    const int n = (number - row.first) / 20 + 1;
+    axis = axis_numbered((number - row.first) % 20);
+    name = row.basic ? work_name(n) : row.count == 1 ? row.name : fmt::format("{}{}", row.name, n);
+    return axis >= 0;
+  }
+  return false;
+}
+
+// X Y Z; of FANUC's lathes X Z, and Z again for those that count a Y between them (Haas).
+int SystemValues::axis_numbered(int number) const {
+  if (number < 0 || number > 2) return -1;
+  return number > 0 && lathe() && is(Dialect::fanuc) ? 2 : number;
+}
+
+// Numbers of X are diameters where its words are.
+double SystemValues::shown(int axis, double mm) const {
+  return (axis == 0 && modal_.diameter == Code::diameter_on ? 2 * mm : mm) / scale();
 }
 
 Vec3 SystemValues::work_shift(const std::string& name) const {
   for (const WorkOffset& work : control_.work)
-    if (work.name == name) return work.shift - control_.machine_shift;
+    if (work.name == name) return name == "EXT" ? work.shift : work.shift - control_.machine_shift;
   return {};
 }
 
@@ -87,68 +88,12 @@ void SystemValues::set_work(const std::string& name, const Vec3& shift) {
   auto at = std::find_if(control_.work.begin(), control_.work.end(),
                          [&](const WorkOffset& work) { return work.name == name; });
   if (at == control_.work.end()) at = control_.work.insert(at, WorkOffset{name, {}});
-  at->shift = shift + control_.machine_shift;
+  at->shift = name == "EXT" ? shift : shift + control_.machine_shift;
   FrameWords(control_).renew_work();
 }
 
 double SystemValues::tool_radius() const {
   return tools_ ? tools_->radius(is(Dialect::sinumerik) ? modal_.edge : -1) : 0;
-}
-
-// FANUC #4001 to #4130: the modal code of a group, and the last value of an address.
-bool SystemValues::read_modal(int number, double& out) const {
-  if (number > 4200) number -= 200;  // of the block before: the same here
-  switch (number) {
-    case 4001:
-      out = motion_number(modal_.motion);
-      return true;
-    case 4002:
-      out = 17 + std::min(modal_.plane, 2);
-      return true;
-    case 4003:
-      out = modal_.incremental ? 91 : 90;
-      return true;
-    case 4005:
-      out = feed_number(modal_.feed_unit);
-      return true;
-    case 4006:
-      out = modal_.inch ? 20 : 21;
-      return true;
-    case 4007:
-      out = comp_number(modal_.comp);
-      return true;
-    case 4014:
-      out = work_number();
-      return true;
-    case 4107:
-      out = modal_.edge;
-      return true;
-    case 4109:
-      out = modal_.feed / feed_scale();
-      return true;
-    case 4119:
-      out = modal_.speed;
-      return true;
-    case 4120: {
-      const auto id = parse_number(control_.tool.current);
-      out = id.value_or(0);
-      return id.has_value();
-    }
-    default:
-      return false;
-  }
-}
-
-bool SystemValues::read_fanuc(int number, double& out) const {
-  if (number >= 4000 && number < 4400) return read_modal(number, out);
-  const int axis = number % 20 - 1;
-  if (number > 5000 && number < 5100 && axis >= 0 && axis < 3) {
-    const int kind = (number - 5000) / 20;  // 0 end of the block before, 1 machine, 2 actual
-    if (kind > 2) return false;
-    out = kind == 1 ? machine_position(axis) : work_position(axis);
-    return true;
-  }
-  return false;
 }
 
 bool SystemValues::read_linuxcnc(int number, double& out) const {
@@ -187,10 +132,11 @@ bool SystemValues::read(double number, Value& out, std::string& why) {
   std::string name;
   int axis = 0;
   if (work_cell(n, name, axis)) {
-    out = Value::of(component(work_shift(name), axis) / scale());
+    out = Value::of(shown(axis, component(work_shift(name), axis)));
     return true;
   }
-  if (is(Dialect::ngc) ? read_linuxcnc(n, value) : read_fanuc(n, value)) {
+  if (is(Dialect::fanuc)) return read_fanuc(n, out, why);
+  if (read_linuxcnc(n, value)) {
     out = Value::of(value);
     return true;
   }
@@ -206,20 +152,15 @@ bool SystemValues::read(double number, Value& out, std::string& why) {
 }
 
 bool SystemValues::write(double number, const Value& value, std::string& why) {
-  if (is(Dialect::fanuc) && number == 3000) {
-    why = fmt::format("the program stops with its own alarm #3000 = {:g}", value.number);
-    return false;
-  }
-  if (is(Dialect::fanuc) && number >= 3001 && number <= 3007)
-    return true;  // clock, stops, messages
   std::string name;
   int axis = 0;
-  if (number < 6000 && value.is_number() && work_cell(static_cast<int>(number), name, axis)) {
+  if (number < 1e6 && value.is_number() && work_cell(static_cast<int>(number), name, axis)) {
     Vec3 shift = work_shift(name);
-    component(shift, axis) = value.number * scale();
+    component(shift, axis) = value.number / shown(axis, 1);
     set_work(name, shift);
     return true;
   }
+  if (is(Dialect::fanuc)) return write_fanuc(number, value, why);
   if (number < 6000 && value.is_number() && from_outside(static_cast<int>(number))) {
     outside_[static_cast<int>(number)] = value.number;
     return true;

@@ -15,6 +15,11 @@ namespace mrsim {
 
 class ToolChanger;
 
+/// G numbers of the modes in force.
+double motion_number(Code motion);
+double comp_number(Code comp);
+double feed_number(FeedUnit unit);
+
 class SystemValues : public ControlPart, public SystemVariables {
  public:
   explicit SystemValues(Control& control) : ControlPart(control) {}
@@ -37,8 +42,14 @@ class SystemValues : public ControlPart, public SystemVariables {
   void set_call_level(std::size_t level) { call_level_ = level; }
 
  private:
-  bool read_fanuc(int number, double& out) const;
-  bool read_modal(int number, double& out) const;
+  bool read_fanuc(int number, Value& out, std::string& why) const;
+  bool write_fanuc(double number, const Value& value, std::string& why);
+  bool fanuc_position(int number, double& out, std::string& why) const;
+  bool fanuc_register(int number, double& out, std::string& why) const;
+  bool fanuc_modal(int number, double& out) const;
+  bool fanuc_address(int number, double& out) const;
+  bool mill_group(int group, double& out) const;
+  bool lathe_group(int group, double& out) const;
   bool read_linuxcnc(int number, double& out) const;
   bool named_linuxcnc(std::string_view name, double& out) const;
   bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
@@ -49,6 +60,8 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool write_work_frame(std::span<const Value> indices, const Value& value);
   /// 0 to 2 of "X" to "Z", else -1.
   static int axis_named(std::string_view name);
+  int axis_numbered(int number) const;
+  double shown(int axis, double mm) const;
   double work_position(int axis) const;
   double machine_position(int axis) const;
   double tool_radius() const;

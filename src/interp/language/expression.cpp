@@ -40,9 +40,15 @@ bool Evaluator::expression(std::string_view line, std::size_t& p, Value& out) {
   return finish(p, ok);
 }
 
+// A sign in front of a vacant variable belongs to the address: "X-#1" counts as not written.
 bool Evaluator::operand(std::string_view line, std::size_t& p, Value& out) {
   start(line, p);
+  skip_blanks();
+  const std::size_t behind = at(p_) == '-' ? line.find_first_not_of(" \t", p_ + 1) : line.npos;
+  const bool negative = rules_.vacant_is_zero && behind != line.npos && line[behind] == '#';
+  if (negative) p_ = behind;
   bool ok = unary(out);
+  if (negative) out.number = -out.number;
   if (ok && out.never_set) ok = usable(out, started_at_);
   return finish(p, ok);
 }
