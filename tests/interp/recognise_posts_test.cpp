@@ -51,6 +51,11 @@ TEST(RecogniseDialect, Posts) {
       {"#100=5\nIF [#100 EQ 5] GOTO 10\nG1 X1 Y1\nN10 M30\n", Dialect::fanuc},
       {"N5 G0 X100 Y100 Z-1\nN10 G1 X100 Y100 F100\nN15 G98\nN20 G2 X200 Y100 I150 J100\n",
        Dialect::codesys},
+      {"N10 G0 X0 Y0\nN20 G52 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
+      {"N10 G0 X0 Y0\nN20 G51 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
+      {"N10 G0 X0 Y0\nN20 G41 D3.5\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
+      {"N0 G36 D5\nN20 G1 X2 Y1 F100\nN30 G37 D-1\nN40 G20 L20\n", Dialect::codesys},
+      {"G21 G90\nG52 X5 Y5\nG1 X1 Y1 F9\nG52 X0 Y0\n", Dialect::fanuc},
       {"N10 G54 G90 G94\nN20 IF R1==2 GOTOF END\nN30 G1 X1 Y1\nN40 ENDIF\n", Dialect::sinumerik}};
   for (const Row& row : rows) {
     const Recognition r = recognised(row.text);
@@ -135,6 +140,17 @@ TEST(RecogniseForeign, MillsAndLathesAreNot) {
   told.machine = MachineKind::mill;
   const Scratch scratch;
   EXPECT_NO_THROW(recognise(scratch.write("a.nc", "M4 S0\nG1 X1 Y1 S5\nG1 X2 S6\nM5\n"), told));
+}
+
+// The ending is that of many controls: it stands back where the text speaks of tools.
+TEST(RecogniseDialect, TheEndingCncAloneDecidesOnlyWithoutTools) {
+  const auto dialect = [](const char* text) {
+    return static_cast<int>(recognised(text, "a.cnc").dialect);
+  };
+  EXPECT_EQ(dialect("N5 G0 X1 Y1 Z-1\nN10 G1 X9 F100\n"), static_cast<int>(Dialect::codesys));
+  EXPECT_EQ(dialect("T1 M6\nG0 X0 Y0\nG1 Z-1 F100\n"), static_cast<int>(Dialect::iso));
+  EXPECT_EQ(dialect("G0 X0 Y0 S1000 M3\nG1 Z-1 F100\n"), static_cast<int>(Dialect::iso));
+  EXPECT_EQ(dialect("N1 M6\nN2 G36 D5\nN3 G1 X1 F9\n"), static_cast<int>(Dialect::codesys));
 }
 
 }  // namespace

@@ -66,6 +66,32 @@ bool has_bracket_value(std::string_view c) {
   return false;
 }
 
+bool has_any_axis(std::string_view c, std::string_view axes) {
+  return std::any_of(axes.begin(), axes.end(), [&](char axis) { return has_axis(c, axis); });
+}
+
+// "D3.5", a length: registers have whole numbers.
+bool has_broken_d(std::string_view c) {
+  for (std::size_t i = c.find('D'); i != c.npos; i = c.find('D', i + 1)) {
+    const std::size_t end = c.find_first_not_of("0123456789", i + 1);
+    if ((i == 0 || !is_letter(c[i - 1])) && end != c.npos && end > i + 1 && c[end] == '.')
+      return end + 1 < c.size() && is_digit(c[end + 1]);
+  }
+  return false;
+}
+
+// "G20 L20 K$A$": a jump, no unit.
+bool is_codesys_jump(std::string_view c) {
+  return has_word(c, "G20") && c.find('L') != c.npos && !has_any_axis(c, "XYZFST");
+}
+
+// Tools, the spindle, lengths, drilling cycles, feeds: what a PLC's decoder has no words for.
+bool speaks_of_tools(std::string_view c, bool center) {
+  if (has_any_word(c, {"M6", "M06", "G43", "G49", "G80", "G28", "G94", "G95"})) return true;
+  if (has_axis(c, 'S') && has_any_word(c, {"M3", "M03", "M4", "M04"})) return true;
+  return has_axis(c, 'T') && !center;
+}
+
 // A whole word of a comment.
 bool names(std::string_view comment, std::string_view word) {
   for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
@@ -96,6 +122,13 @@ Dialect DialectSigns::best() const {
   return winner;
 }
 
+// ".CNC" is a name of many controls: it decides nothing where the text speaks of tools.
+int DialectSigns::points(Dialect d) const {
+  const Entry& entry = entries_[slot(d)];
+  const bool name_alone = entry.signs.size() == 1 && cnc_name_;
+  return d == Dialect::codesys && name_alone && tools_ ? 0 : entry.points;
+}
+
 bool DialectSigns::certain() const {
   const Dialect d = best();
   for (const Dialect o :
@@ -110,7 +143,8 @@ void DialectSigns::name(const std::string& path) {
   const std::string extension = upper_case(path.substr(dot));
   const auto sign = fmt::format("the file name ends in {}", extension);
   if (extension == ".MPF" || extension == ".SPF") add(Dialect::sinumerik, 12, sign, 0);
-  if (extension == ".CNC") add(Dialect::codesys, 2, sign, 0);
+  cnc_name_ = extension == ".CNC";
+  if (cnc_name_) add(Dialect::codesys, 2, sign, 0);
   if (extension == ".NGC") add(Dialect::ngc, 12, sign, 0);
   if (extension == ".TAP" || extension == ".GCODE") add(Dialect::ngc, 3, sign, 0);
   if (extension == ".PIM" || extension == ".PIT") add(Dialect::iso, 8, sign, 0);  // Fagor
@@ -165,10 +199,11 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   for (const std::string_view g : {"G43", "G49", "G28"})
     if (has_word(c, g)) add(d, 3, g, line);
   for (const std::string_view g :
-       {"G54.1", "G68", "G69", "G51.1", "G50.1", "G52", "G187", "G154", "G43.4", "G68.2"})
+       {"G54.1", "G68", "G69", "G51.1", "G50.1", "G187", "G154", "G43.4", "G68.2"})
     if (has_word(c, g)) add(d, 6, g, line);
+  if (has_word(c, "G52") && has_any_axis(c, "XYZ")) add(d, 6, "G52", line);
   if (has_any_word(c, {"M97", "G65", "M198"}) && has_axis(c, 'P')) add(d, 8, "a call with P", line);
-  if (has_any_word(c, {"G20", "G21"})) {
+  if (has_any_word(c, {"G20", "G21"}) && !is_codesys_jump(c)) {
     add(d, 3, "G20/G21", line);
     add(Dialect::iso, 3, "G20/G21", line);
     add(Dialect::sinumerik, -6, "G20/G21", line);
@@ -202,6 +237,7 @@ void DialectSigns::weigh_codesys(const LineScan& s, int line) {
   if (named_arc) arcs_ = true;
   if (has_any_word(c, {"G1", "G0", "G01", "G00"}) && count_numbers(c) < 2) arcs_ = false;
   const bool center = has_axis(c, 'I') || has_axis(c, 'J') || has_axis(c, 'K');
+  tools_ = tools_ || speaks_of_tools(c, center);
   if (arcs_ && center && has_axis(c, 'T')) add(d, 12, "T as an opening angle", line);
   if (count_numbers(c) > 1) add(d, 6, "several N words in a line", line);
   if (has(c, "SUBPROGRAM") || has(c, "END_SUBPROGRAM")) add(d, 15, "SUBPROGRAM", line);
@@ -226,6 +262,12 @@ void DialectSigns::weigh_codesys(const LineScan& s, int line) {
   if (second != std::string::npos && second + 2 < c.size() && starts_number(c[second + 2]))
     add(d, 8, "E twice", line);
   if (c.size() > 2 && c[0] == '%' && c[1] == ' ') add(d, 4, "a header with %", line);
+  if (is_codesys_jump(c)) add(d, 10, "G20 L, a jump", line);
+  const bool places = has_any_axis(c, "XYZIJKPR");
+  if (has_any_word(c, {"G36", "G37"}) && has_axis(c, 'D') && !places)
+    add(d, 10, "G36/G37 D, an assignment", line);
+  if (has_any_word(c, {"G51", "G52"}) && !places) add(d, 8, "G51/G52 without axes", line);
+  if (has_any_word(c, {"G41", "G42"}) && has_broken_d(c)) add(d, 5, "D as a radius", line);
 }
 
 void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) {
@@ -250,7 +292,7 @@ void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) 
   if (has_any_word(c, {"M62", "M63", "M64", "M65", "M66", "M67", "M68"}) &&
       (has_axis(c, 'P') || has_axis(c, 'E')))
     add(d, 4, "digital outputs", line);
-  if (has_any_word(c, {"G20", "G21"})) add(d, 2, "G20/G21", line);
+  if (has_any_word(c, {"G20", "G21"}) && !is_codesys_jump(c)) add(d, 2, "G20/G21", line);
   for (const std::string_view g : {"G43", "G49", "G28"})
     if (has_word(c, g)) add(d, 2, g, line);
   if (raw.size() == 1 && raw[0] == '%') add(d, 2, "% alone", line);

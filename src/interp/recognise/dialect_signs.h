@@ -37,7 +37,7 @@ class DialectSigns {
   };
 
   static std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
-  int points(Dialect d) const { return entries_[slot(d)].points; }
+  int points(Dialect d) const;
   /// Each sign counts once: a thousand comments say no more than one.
   void add(Dialect dialect, int points, std::string_view sign, int line);
   void weigh_sinumerik(const LineScan& s, int line);
@@ -49,9 +49,11 @@ class DialectSigns {
   void weigh_comment(const LineScan& s, int line);
 
   std::array<Entry, 6> entries_;
-  bool arcs_ = false;    ///< G2 or G3 is in force
-  int center_mode_ = 0;  ///< the line above, if it is G98 or G99 alone
-  bool o_word_ = false;  ///< the line is an O word of LinuxCNC
+  bool cnc_name_ = false;  ///< the file's name ends in .CNC
+  bool tools_ = false;     ///< words that CODESYS does not have
+  bool arcs_ = false;      ///< G2 or G3 is in force
+  int center_mode_ = 0;    ///< the line above, if it is G98 or G99 alone
+  bool o_word_ = false;    ///< the line is an O word of LinuxCNC
 };
 
 }  // namespace mrsim
