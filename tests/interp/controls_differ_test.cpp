@@ -206,7 +206,7 @@ TEST(ControlsDiffer, CutsFromAnUnknownPlaceAreAWarning) {
   options.start.reset();
   const auto run = [&](const char* text) { return codes(read_text(text, options)); };
   EXPECT_EQ(run("G0 X0 Y0\nG1 X1 F9\nX2\n"), "start-unknown");
-  EXPECT_EQ(run("G1 X0 Y0 F9\nG1 Z5\nX5\n"), "");
+  EXPECT_EQ(run("G1 X0 Y0 F9\nG1 Z5\nX5\nG28 Z9\nG1 X0 Y0\nZ5\nX3\n"), "");
   EXPECT_EQ(run("G0 X0 Y0 Z5\nG28 Z9\nG1 X5 F9\nX9\n"), "start-unknown");
 }
 

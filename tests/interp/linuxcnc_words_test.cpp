@@ -146,5 +146,14 @@ TEST(LinuxCncWords, NumbersHaveNoExponents) {
   EXPECT_NE(p.diagnostics[0].text.find("exponent"), std::string::npos);
 }
 
+// D of G41.1 is a diameter each time, whatever register was in force before.
+TEST(LinuxCncWords, G411TakesItsOwnDiameterBehindG41) {
+  const std::string first = "G41 D1 G1 X-20 F100\nX-40\nG40 X-60\n";
+  EXPECT_EQ(path_of_words(first + "G41.1 D4 X-80\nX-90\nM2\n"),
+            "l-20,-5,0 l-40,-5,0 l-60,0,0 l-80,-2,0 l-90,-2,0");
+  EXPECT_EQ(path_of_words("G41.1 D4 G1 X-20 F100\nX-40\nG40 X-60\nG41 D1 X-80\nX-90\nM2\n"),
+            "l-20,-2,0 l-40,-2,0 l-60,0,0 l-80,-5,0 l-90,-5,0");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -47,6 +47,12 @@ void CompensationWords::end_block(bool move_waits) {
 
 // The tool radius in force, from the register or the tool.
 void CompensationWords::set_radius() {
+  if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size itself
+    radius_ = options_.comp == CompRadius::off ? 0 : modal_.edge_radius;
+    tip_ = {};
+    key_.clear();
+    return;
+  }
   const std::string edge = fmt::format("D{}", modal_.edge);
   const std::string key = fmt::format("T{}.{}", control_.tool.current, edge);
   if (key_ == key && tool_ == control_.tool.index && changes_ == control_.register_changes) return;
@@ -55,11 +61,6 @@ void CompensationWords::set_radius() {
   tool_ = control_.tool.index;
   tip_ = {};
   const Tool* tool = tools_.current();
-  if (is(Dialect::codesys) || modal_.comp_diameter) {
-    radius_ = options_.comp == CompRadius::off ? 0 : modal_.edge_radius;
-    key_.clear();
-    return;
-  }
   if (modal_.edge == 0) {
     radius_ = 0;
     return;

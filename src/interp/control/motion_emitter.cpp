@@ -51,7 +51,10 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     ++cuts_;
     motion.tool = control_.tool.index;
     if (lathe()) refuse_live_tool(motion);
-    if (position_.known != 7U) warn_unknown_start(motion);
+    if (position_.known == 7U)
+      unknown_starts_ = 0;
+    else
+      warn_unknown_start(motion);
   }
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;

@@ -42,7 +42,7 @@ class MotionEmitter : public ControlPart {
   bool idle_ = true;
   double last_length_ = 0;
   std::size_t cuts_ = 0;
-  int unknown_starts_ = 0;  ///< cuts that end where an axis is still unknown
+  int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };
 
 }  // namespace mrsim
