@@ -51,6 +51,7 @@ TEST(RecogniseDialect, Posts) {
       {"#100=5\nIF [#100 EQ 5] GOTO 10\nG1 X1 Y1\nN10 M30\n", Dialect::fanuc},
       {"N5 G0 X100 Y100 Z-1\nN10 G1 X100 Y100 F100\nN15 G98\nN20 G2 X200 Y100 I150 J100\n",
        Dialect::codesys},
+      {"%\nN1O1(FADAL)\nN2 G0 G17 G40 G90\nN3 G1 X1 Y1 F9\nN4 M30\n", Dialect::fanuc},
       {"N10 G0 X0 Y0\nN20 G52 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
       {"N10 G0 X0 Y0\nN20 G51 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
       {"N10 G0 X0 Y0\nN20 G41 D3.5\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
@@ -117,6 +118,10 @@ TEST(RecogniseForeign, NamedAndRefused) {
             std::string::npos);
   EXPECT_NE(refusal("N50 G1 X5 Y0 F100\nN60 G77 N10 N50\nM2\n").find("NUM"), std::string::npos);
   EXPECT_EQ(refusal("%\nO10\nN10 G0 G52 X0 Y0\nG1 X5 Y0 F100\nM30\n"), "");
+  EXPECT_NE(refusal("#1 = 0\nwhile [#1 lt 3]\nG1 X#1 Y1 F9\nendwhile\n").find("Eding"),
+            std::string::npos);
+  EXPECT_EQ(refusal("O1\n#1=0\nWHILE[#1LT3]DO1\nG1X#1Y1F9\n#1=#1+1\nEND1\nM30\n"), "");
+  EXPECT_NE(refusal("% @MACRO\n@1:=10;\n").find("Syntec"), std::string::npos);
   EXPECT_NE(refusal("M140 S60\nM104 S210\nG28\nG1 X10 Y10 E0.5 F1200\n").find("3-D printer"),
             std::string::npos);
   EXPECT_NE(

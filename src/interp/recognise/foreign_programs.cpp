@@ -56,6 +56,9 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (text.starts_with("NLAP") || text.starts_with("NAP") || code.starts_with("NAP") ||
       any_of(code, {"G85 N", "G86 N", "G87 N"}))
     return "an Okuma lathe's program with LAP cycles";
+  if (begins_any(text, {"WHILE [", "WHILE["}) && !any_of(code, {"DO"}))
+    return "a program of Eding CNC (WHILE without DO)";
+  if (any_of(raw, {"@MACRO"})) return "a Syntec macro";
   if (any_of(code, {"CALL O"})) return "a program of Okuma's OSP (CALL O)";
   if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
     return "an APT cutter location file";
