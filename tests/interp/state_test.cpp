@@ -168,5 +168,14 @@ TEST(Compensation, StartsWithEveryStraightLine) {
   EXPECT_EQ(codes(read_text("F1\nG41 ANG=0\nG1 X20 Y10 ANG=90\nG40 X40\n", s)), "");
 }
 
+// A table without lengths is told of once, a length that is missing among others each time.
+TEST(Tools, MissingLengthsAreToldOnce) {
+  const std::string text = "G43 H1 Z5\nG1 X1 F9\nG43 H2 Z5\nG1 X2\n";
+  InterpOptions options = at_origin(Dialect::fanuc);
+  EXPECT_EQ(codes(read_text(text, options), Severity::note), "register-missing");
+  options.table.offsets = {{"H3", 0, 0, 5}};
+  EXPECT_EQ(codes(read_text(text, options), Severity::note), "register-missing register-missing");
+}
+
 }  // namespace
 }  // namespace mrsim

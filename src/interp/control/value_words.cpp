@@ -1,6 +1,8 @@
 #include "interp/control/value_words.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -165,8 +167,13 @@ bool ValueWords::length_register() {
   modal_.length_number = word->value;
   const std::string name = fmt::format("H{:g}", word->value);
   const OffsetRegister* reg = tools_.find_register(name);
-  if (!reg && word->value != 0)
-    note_once("register-missing", name + " is not in the tool table: 0 is used", *word, name);
+  if (!reg && word->value != 0) {  // told once where the table has no lengths at all
+    const std::vector<OffsetRegister>& all = control_.registers;
+    const bool lengths = std::any_of(all.begin(), all.end(),
+                                     [](const auto& one) { return one.name.starts_with('H'); });
+    note_once("register-missing", name + " is not in the tool table: 0 is used", *word,
+              lengths ? name : "H");
+  }
   const double sign = modal_.length == Code::length_minus ? -1 : 1;
   modal_.length_offset = reg ? sign * (reg->length + reg->wear) : 0;
   return true;
