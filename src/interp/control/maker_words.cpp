@@ -13,17 +13,19 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
     block_.length_changed = true;
     return true;
   }
-  if (!is(Dialect::fanuc) || lathe()) return std::nullopt;
-  const bool changes = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) {
-    return w.address == letter('M') && w.value == 6;
-  });
-  if (word.value == 116 && peek('T') && !changes) {  // Okuma's change of the tool
+  if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
+  if (word.value == 116 && !has_m6()) {  // Okuma's change of the tool
     block_.tool_change = true;
     return true;
   }
-  if (word.value == 100 && peek('T')) return brother_change(word);
+  if (word.value == 100) return brother_change(word);
   if (word.value == 71 && stands_for_level(word)) return okuma_level();
   return std::nullopt;
+}
+
+bool MakerWords::has_m6() const {
+  return std::any_of(block_.words.begin(), block_.words.end(),
+                     [](const Word& w) { return w.address == letter('M') && w.value == 6; });
 }
 
 // G15 H2 of Okuma's OSP selects a work offset; G16 H does for one block.
@@ -38,9 +40,9 @@ bool MakerWords::okuma_offset(const Word& word) {
 
 // G71 Z: Z alone, and no other G word. Elsewhere G71 is a pattern of holes or the unit.
 bool MakerWords::stands_for_level(const Word& word) const {
-  return peek('Z') && std::all_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
-           return &w == &word || w.address == letter('Z') || w.address == letter('M');
-         });
+  return std::all_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
+    return &w == &word || w.address == letter('Z') || w.address == letter('M');
+  });
 }
 
 // The level that drilling cycles return to under M53.

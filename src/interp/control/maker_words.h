@@ -19,6 +19,7 @@ class MakerWords : public ControlPart {
   bool okuma_offset(const Word& word);
   bool okuma_level();
   bool brother_change(const Word& word);
+  bool has_m6() const;
   bool stands_for_level(const Word& word) const;
 
   FrameWords& frame_words_;
