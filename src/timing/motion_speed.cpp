@@ -43,14 +43,15 @@ Vec3 arc_tangent(const Motion& m, double angle) {
 // Every axis takes part in an arc sooner or later, so the weakest one limits it.
 double arc_acceleration(const Vec3& limits) { return std::min({limits.x, limits.y, limits.z}); }
 
-// Seconds of a move of `length` mm between two radii under constant surface speed at a feed per
-// revolution: dt = 60 ds / (feed n(r)), with n = 1000 S / (2 pi r), but not above the limit.
-double surface_speed_seconds(const Motion& m, double length, const MachineData& machine) {
+// Seconds of a move of `length` mm between two radii under constant surface speed at a feed of
+// `per_turn` mm: dt = 60 ds / (per_turn n(r)), with n = 1000 S / (2 pi r), but not above the limit.
+double surface_speed_seconds(const Motion& m, double length, double per_turn,
+                             const MachineData& machine) {
   const double r0 = std::fabs(m.start.x), r1 = std::fabs(m.end.x);
   const double low = std::min(r0, r1), high = std::max(r0, r1);
   const double limit = machine.max_spindle;
   const double capped_at = 1000 * m.speed / (2 * kPi * limit);  // radius below which n = limit
-  const double per_mm = kSecondsPerMinute / m.feed;             // times 1 / n
+  const double per_mm = kSecondsPerMinute / per_turn;           // times 1 / n
   const double split = std::clamp(capped_at, low, high);
   const double share = high > low ? (split - low) / (high - low) : (capped_at > low ? 1.0 : 0.0);
   const double capped = share * length / limit;
@@ -58,14 +59,28 @@ double surface_speed_seconds(const Motion& m, double length, const MachineData& 
   return per_mm * (capped + free);
 }
 
+// Of the axis that travels farthest, mm: a thread's lead is measured along it.
+double longest_travel(const Motion& m) {
+  const Vec3 d = m.end - m.start;
+  return std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+}
+
+// mm of path in one revolution of the spindle; 0 where the feed does not depend on it.
+double feed_per_turn(const Motion& m, double length) {
+  const double travel = longest_travel(m);
+  if (m.lead != 0) return travel > 0 ? std::fabs(m.lead) * length / travel : 0;
+  return m.feed_unit == FeedUnit::mm_per_rev ? m.feed : 0;
+}
+
 // mm/s, 0 where no feed is known.
 double feed_speed(const Motion& m, double length, const MachineData& machine) {
-  if (!(m.feed > 0)) return 0;
+  const double per_turn = feed_per_turn(m, length);
+  if (per_turn > 0 && m.speed > 0 && m.constant_surface_speed)
+    return length / surface_speed_seconds(m, length, per_turn, machine);
+  if (per_turn > 0) return per_turn * std::min(m.speed, machine.max_spindle) / kSecondsPerMinute;
+  if (m.lead != 0 || !(m.feed > 0)) return 0;
   if (m.feed_unit == FeedUnit::mm_per_min) return m.feed / kSecondsPerMinute;
-  if (m.feed_unit == FeedUnit::inverse_time) return length * m.feed / kSecondsPerMinute;
-  if (!(m.speed > 0)) return 0;
-  if (m.constant_surface_speed) return length / surface_speed_seconds(m, length, machine);
-  return m.feed * std::min(m.speed, machine.max_spindle) / kSecondsPerMinute;
+  return m.feed_unit == FeedUnit::inverse_time ? length * m.feed / kSecondsPerMinute : 0;
 }
 
 }  // namespace

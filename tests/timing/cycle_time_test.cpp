@@ -111,6 +111,21 @@ TEST(CycleTime, InverseTime) {
   EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, 5, 1e-6);
 }
 
+// Whatever the feed of the cuts before was.
+TEST(CycleTime, ThreadsRunAtTheirLead) {
+  Motion m = line({10, 0, 4}, {10, 0, -12}, 0.05);
+  m.feed_unit = FeedUnit::mm_per_rev, m.speed = 500, m.lead = 1.5;
+  const double v = 500 * 1.5 / 60;
+  EXPECT_NEAR(cycle_time(program_of({m}), machine()).cutting, 16 / v + v / 500, 1e-9);
+  m.lead = -1.5;  // left-hand
+  EXPECT_NEAR(cycle_time(program_of({m}), machine()).cutting, 16 / v + v / 500, 1e-9);
+  m.end = {12, 0, -12};  // on a cone the lead counts along Z
+  m.lead = 1.5;
+  EXPECT_NEAR(cycle_time(program_of({m}), machine()).cutting, 16 / v, 0.05);
+  m.feed = 0;
+  EXPECT_EQ(cycle_time(program_of({m}), machine()).without_feed, 0u);
+}
+
 TEST(CycleTime, ArcIsLimitedByItsRadius) {
   Motion m = line({1, 0, 0}, {1, 0, 0}, 60000);
   m.kind = MotionKind::arc, m.center = {0, 0, 0}, m.radius = 1, m.sweep = 200 * std::numbers::pi;
