@@ -12,10 +12,17 @@ class Path {
  public:
   Path& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
   Path& cut(Vec3 to) { return add(MotionKind::line, to); }
-  double top() const {
+  Box3 box() const {
     Tool tool;
     tool.diameter = 4;
-    return default_stock(motions_, std::vector<Tool>{tool}, false).box.hi.z;
+    return default_stock(motions_, std::vector<Tool>{tool}, false).box;
+  }
+  double top() const { return box().hi.z; }
+  StockShape bar(ToolType type = ToolType::turning) const {
+    Tool tool;
+    tool.type = type;
+    tool.diameter = 12;
+    return default_stock(motions_, std::vector<Tool>{tool}, true);
   }
 
  private:
@@ -32,7 +39,7 @@ class Path {
   std::vector<Motion> motions_;
 };
 
-TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlunge) {
+TEST(DefaultStock, EndsAtTheProgramsZeroAboveItsCuts) {
   EXPECT_EQ(Path()
                 .rapid({0, 0, 5})
                 .cut({0, 0, -1})
@@ -40,15 +47,137 @@ TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlunge) {
                 .cut({50, 0, -3})
                 .cut({0, 0, -3})
                 .top(),
-            -1);
+            0);
   // A ramp from the approach down: its upper end is in the air.
-  EXPECT_EQ(Path().rapid({0, 0, 5}).cut({9, 0, -1}).cut({50, 0, -1}).cut({50, 9, -4}).top(), -1);
-  // Rapids down to each level: the first cut is one.
-  EXPECT_EQ(Path().rapid({0, 0, -1}).cut({50, 0, -1}).rapid({0, 0, -3}).cut({50, 0, -3}).top(), -1);
+  EXPECT_EQ(Path().rapid({0, 0, 5}).cut({9, 0, -1}).cut({50, 0, -1}).cut({50, 9, -4}).top(), 0);
+  // One level, and a rapid close above.
+  EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -4}).cut({50, 0, -4}).rapid({50, 0, 2}).top(), 0);
+  // A hole that is drilled from above the contour's only level.
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 2})
+                .cut({0, 0, -5})
+                .cut({50, 0, -5})
+                .rapid({20, 20, 2})
+                .cut({20, 20, -12})
+                .top(),
+            0);
+  // Faced at zero: the levels below say that there is more.
+  EXPECT_EQ(Path().rapid({0, 0, 5}).cut({0, 0, 0}).cut({50, 0, 0}).cut({50, 0, -2}).top(), 0);
 }
 
-TEST(DefaultStock, HolesAloneEndWhereTheFeedBegins) {
-  EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), 2);
+TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlungeWhereZeroIsElsewhere) {
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 30})
+                .cut({0, 0, 20})
+                .cut({50, 0, 20})
+                .cut({50, 0, 15})
+                .cut({0, 0, 15})
+                .top(),
+            20);
+  // One level: something is cut, and no rapid meets it.
+  EXPECT_EQ(Path().rapid({0, 0, 30}).cut({0, 0, 20}).cut({50, 0, 20}).top(), 23);
+  EXPECT_EQ(Path().rapid({0, 0, 22}).cut({0, 0, 20}).cut({50, 0, 20}).top(), 22);
+  EXPECT_EQ(Path().rapid({0, 0, 5}).cut({0, 0, 0}).cut({50, 0, 0}).top(), 3);
+}
+
+TEST(DefaultStock, HolesEndAtZeroOrWhereTheFeedBegins) {
+  EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), 0);
+  EXPECT_EQ(Path().rapid({0, 0, 22}).cut({0, 0, 8}).rapid({0, 0, 22}).top(), 22);
+  EXPECT_EQ(Path().rapid({0, 0, -3}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), -3);
+}
+
+// A contour that a rapid goes down for beside the part: that place is not inside the stock.
+TEST(DefaultStock, LeavesOutWhereARapidGoesDownBeside) {
+  const Box3 box = Path()
+                       .rapid({-20, 30, 5})
+                       .rapid({-20, 30, -6})
+                       .cut({0, 0, -6})
+                       .cut({80, 0, -6})
+                       .cut({80, 60, -6})
+                       .cut({0, 60, -6})
+                       .cut({0, 0, -6})
+                       .rapid({0, 0, 5})
+                       .rapid({-20, 30, 5})
+                       .rapid({-20, 30, -9})
+                       .cut({80, 0, -9})
+                       .box();
+  EXPECT_EQ(box.hi.z, 0);
+  EXPECT_NEAR(box.lo.x, -17.9, 1e-9);
+  EXPECT_EQ(box.lo.y, -8);
+  EXPECT_EQ(box.hi.x, 88);
+}
+
+// A rapid back into a pocket changes nothing.
+TEST(DefaultStock, KeepsThePlacesThatHaveBeenCut) {
+  const Box3 box = Path()
+                       .rapid({0, 0, 5})
+                       .cut({0, 0, -6})
+                       .cut({80, 0, -6})
+                       .rapid({80, 0, 5})
+                       .rapid({0, 0, 5})
+                       .rapid({0, 0, -5})
+                       .cut({0, 0, -9})
+                       .cut({80, 0, -9})
+                       .box();
+  EXPECT_EQ(box.hi.z, 0);
+  EXPECT_EQ(box.lo.x, -7);
+}
+
+// In the middle there is no side to draw in: the top is where the first cut is.
+TEST(DefaultStock, ARapidIntoTheMiddleSaysWhereTheTopIs) {
+  const Box3 box = Path()
+                       .rapid({40, 40, -1})
+                       .cut({0, 0, -1})
+                       .cut({80, 0, -1})
+                       .cut({80, 80, -1})
+                       .cut({0, 80, -3})
+                       .box();
+  EXPECT_EQ(box.hi.z, -1);
+  EXPECT_EQ(box.lo.x, -7);
+}
+
+// Faced at zero, turned in two passes, parted off from outside the bar.
+TEST(DefaultStock, ABarEndsWhereRapidsGo) {
+  const StockShape bar = Path()
+                             .rapid({27, 0, 5})
+                             .rapid({27, 0, 0})
+                             .cut({-0.8, 0, 0})
+                             .rapid({-0.8, 0, 2})
+                             .rapid({26, 0, 2})
+                             .rapid({24, 0, 2})
+                             .cut({24, 0, -50})
+                             .cut({26, 0, -50})
+                             .rapid({26, 0, 2})
+                             .rapid({22, 0, 2})
+                             .cut({22, 0, -30})
+                             .cut({28, 0, -30})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 26);
+  EXPECT_EQ(bar.box.hi.z, 1);
+  EXPECT_EQ(bar.box.lo.z, -53);
+}
+
+TEST(DefaultStock, ABarOfAContourEndsAtZero) {
+  const StockShape bar = Path()
+                             .rapid({8, 0, 2})
+                             .cut({8, 0, 0})
+                             .cut({10, 0, -2})
+                             .cut({10, 0, -20})
+                             .cut({15, 0, -30})
+                             .cut({18, 0, -30})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 18);
+  EXPECT_EQ(bar.box.hi.z, 0);
+}
+
+TEST(DefaultStock, ABarHasAWallAroundWhatIsBored) {
+  Path path;
+  path.rapid({15, 0, 2}).cut({15, 0, -30}).cut({14, 0, -30}).rapid({14, 0, 2});
+  EXPECT_EQ(path.bar(ToolType::boring).outer_radius, 17);
+  EXPECT_EQ(path.bar(ToolType::boring).box.hi.z, 0);
+  const StockShape drilled = Path().rapid({0, 0, 2}).cut({0, 0, -30}).bar(ToolType::drill);
+  EXPECT_EQ(drilled.outer_radius, 8);
+  EXPECT_EQ(drilled.box.hi.z, 0);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "removal/part/default_stock.h"
 
 #include "removal/sweep/sweep_table.h"
+#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,8 @@ namespace {
 
 constexpr double kMargin = 0.05;
 constexpr double kLeastMargin = 1;  // mm
+constexpr double kLevel = 1e-6;     // mm: heights nearer than this are one
+constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 
 void include(Box3& box, const Vec3& p) {
   box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
@@ -28,13 +32,164 @@ double margin_of(const Box3& box) {
 double down(double v) { return std::floor(v * 10) / 10; }
 double up(double v) { return std::ceil(v * 10) / 10; }
 
-StockShape box_round(const Box3& cuts) {
+// The heights of a program's cuts, infinite where there is none of a kind.
+struct Heights {
+  double first = kNoHeight;       // where the first cut begins
+  double lateral = kNoHeight;     // highest end of a cut aside, below the approach
+  double lowest = -kNoHeight;     // and the lowest
+  double hole_mouth = kNoHeight;  // highest beginning of a plunge
+  double hole_end = kNoHeight;    // highest end of one
+  double deepest = -kNoHeight;    // lowest end of any cut
+
+  // Whether no cut lies above z and one below.
+  bool reach_below(double z) const {
+    return (lateral != kNoHeight ? lateral : hole_end) < z + kLevel && deepest < z - kLevel;
+  }
+};
+
+Heights heights_of(std::span<const Motion> motions) {
+  Heights h;
+  double approach = kNoHeight;
+  for (const Motion& motion : motions) {
+    if (!is_cut(motion)) continue;
+    if (h.first == kNoHeight) {
+      h.first = motion.start.z;
+      approach = motion.end.z < motion.start.z ? motion.start.z : -kNoHeight;
+    }
+    h.deepest = std::min(h.deepest, motion.end.z);
+    const bool aside = motion.kind == MotionKind::arc || motion.start.x != motion.end.x ||
+                       motion.start.y != motion.end.y;
+    if (!aside) {
+      h.hole_mouth = std::max(h.hole_mouth, motion.start.z);
+      h.hole_end = std::max(h.hole_end, motion.end.z);
+      continue;
+    }
+    for (const double z : {motion.start.z, motion.end.z})
+      if (z < approach) h.lateral = std::max(h.lateral, z), h.lowest = std::min(h.lowest, z);
+  }
+  return h;
+}
+
+// The lowest height above `z` that a rapid reaches or a plunge begins at: the stock ends below.
+double clearance_above(std::span<const Motion> motions, double z) {
+  double least = -kNoHeight;
+  for (const Motion& motion : motions) {
+    const bool is_rapid = motion.kind == MotionKind::rapid && !motion.assumed_start;
+    const double height = is_rapid ? motion.end.z : motion.start.z;
+    if ((is_rapid || is_cut(motion)) && height > z + kLevel) least = std::min(least, height);
+  }
+  return least;
+}
+
+// Height of the top where it is not the program's zero.
+double top_of_cuts(std::span<const Motion> motions, const Heights& h, double margin) {
+  if (h.lateral == kNoHeight) return h.hole_mouth;
+  if (h.lateral - h.lowest > kLevel) return h.lateral;
+  return std::min(h.lateral + margin, clearance_above(motions, h.lateral));  // cut into something
+}
+
+// Distance in plan of a motion's chord from a place.
+double distance_in_plan(const Motion& m, const Vec3& p) {
+  const double dx = m.end.x - m.start.x, dy = m.end.y - m.start.y;
+  const double length2 = dx * dx + dy * dy;
+  double t = length2 > 0 ? ((p.x - m.start.x) * dx + (p.y - m.start.y) * dy) / length2 : 0;
+  t = std::clamp(t, 0.0, 1.0);
+  return std::hypot(m.start.x + t * dx - p.x, m.start.y + t * dy - p.y);
+}
+
+// A place where a rapid goes down below the stock's top before anything is cut there: beside it.
+struct WayDown {
+  Vec3 place;
+  double radius = 0;
+};
+
+// Radius of each tool that cuts, 0 of the others.
+std::vector<double> radii_of(std::span<const Motion> motions, std::span<const Tool> tools) {
+  std::vector<double> radii(tools.size(), 0);
+  for (const Motion& m : motions) {
+    if (!is_cut(m) || m.tool < 0) continue;
+    double& radius = radii[static_cast<std::size_t>(m.tool)];
+    if (radius == 0) radius = make_tool_shape(tools[static_cast<std::size_t>(m.tool)]).radius;
+  }
+  return radii;
+}
+
+bool is_cut_before(std::span<const Motion> motions, std::size_t index, double radius) {
+  const Vec3& place = motions[index].end;
+  for (std::size_t i = index; i-- > 0;)  // most often the last move
+    if (is_cut(motions[i]) && distance_in_plan(motions[i], place) < radius) return true;
+  return false;
+}
+
+std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const double> radii,
+                               double top) {
+  constexpr std::size_t kMost = 16;
+  std::vector<WayDown> ways;
+  for (std::size_t i = 0; i < motions.size() && ways.size() < kMost; ++i) {
+    const Motion& m = motions[i];
+    if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 || m.end.z >= m.start.z ||
+        m.end.z > top - kLevel)
+      continue;
+    const double radius = radii[static_cast<std::size_t>(m.tool)];
+    const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
+      return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) < radius;
+    });
+    if (radius > 0 && !known && !is_cut_before(motions, i, radius)) ways.push_back({m.end, radius});
+  }
+  return ways;
+}
+
+// Draws in the side that is nearest to the place, so that a tool beside the stock goes down there.
+// False where it would take more than a third of the box: the place is inside.
+bool keep_beside(Box3& box, const WayDown& way) {
+  constexpr double kGap = 0.1, kMostOfSide = 1.0 / 3;
+  const double reach = way.radius + kGap;
+  const Vec3& p = way.place;
+  const double cut_off[] = {p.x + reach - box.lo.x, box.hi.x - p.x + reach, p.y + reach - box.lo.y,
+                            box.hi.y - p.y + reach};
+  const auto* least = std::min_element(std::begin(cut_off), std::end(cut_off));
+  if (*least <= 0) return true;  // outside already
+  const long side = least - std::begin(cut_off);
+  const double length = side < 2 ? box.hi.x - box.lo.x : box.hi.y - box.lo.y;
+  if (*least > kMostOfSide * length) return false;
+  if (side == 0) box.lo.x = up(p.x + reach);
+  if (side == 1) box.hi.x = down(p.x - reach);
+  if (side == 2) box.lo.y = up(p.y + reach);
+  if (side == 3) box.hi.y = down(p.y - reach);
+  return true;
+}
+
+bool keep_beside(Box3& box, std::span<const WayDown> ways) {
+  bool all = true;
+  for (const WayDown& way : ways) all = keep_beside(box, way) && all;
+  return all;
+}
+
+// Most programs have their zero on the stock's top; those whose cuts or first move down say
+// otherwise end at the highest cut.
+void set_top(Box3& box, std::span<const Motion> motions, std::span<const double> radii,
+             double margin) {
+  const Heights heights = heights_of(motions);
+  if (heights.reach_below(0)) {
+    Box3 narrowed = box;
+    if (keep_beside(narrowed, ways_down(motions, radii, 0)) || heights.first > -kLevel) {
+      box = narrowed;
+      box.hi.z = 0;
+      return;
+    }
+  }
+  box.hi.z = std::min(top_of_cuts(motions, heights, margin), box.hi.z + margin);
+  keep_beside(box, ways_down(motions, radii, box.hi.z));
+}
+
+StockShape box_round(const Box3& cuts, std::span<const Motion> motions,
+                     std::span<const Tool> tools) {
   const double margin = margin_of(cuts);
   StockShape shape;
   shape.kind = StockShape::Kind::box;
   shape.box.lo = {down(cuts.lo.x - margin), down(cuts.lo.y - margin), down(cuts.lo.z - margin)};
   shape.box.hi = {up(cuts.hi.x + margin), up(cuts.hi.y + margin), cuts.hi.z};
-  if (cuts.hi.z - cuts.lo.z < 1e-3) shape.box.hi.z += margin;  // one level only: cut into something
+  set_top(shape.box, motions, radii_of(motions, tools), margin);
   const Box3& b = shape.box;
   shape.description =
       fmt::format("around the program's cuts: box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
@@ -42,14 +197,87 @@ StockShape box_round(const Box3& cuts) {
   return shape;
 }
 
-StockShape cylinder_round(const Box3& points) {
-  const double margin = margin_of(points);
+// What the cuts of a lathe tell of its bar, in radius and Z.
+struct TurnedCuts {
+  double along = 0;         // largest radius at which a tool cuts towards the chuck
+  double inside = 0;        // largest radius of a bore or a drill
+  double widest = 0;        // of all points
+  double face = kNoHeight;  // highest Z at which a tool cuts across
+  double lowest = -kNoHeight, highest = kNoHeight;
+};
+
+TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
+  const std::vector<double> radii = radii_of(motions, tools);
+  TurnedCuts cuts;
+  for (const Motion& m : motions) {
+    if (!is_cut(m)) continue;
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
+    const bool inwards = m.end.z < m.start.z - kLevel;
+    cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
+    cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
+    const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
+    const ToolType type = m.tool >= 0 ? tools[tool].type : ToolType::turning;
+    if (type == ToolType::boring) {
+      if (inwards) cuts.inside = std::max(cuts.inside, wide);
+      continue;
+    }
+    if (!is_turning(type) && wide < kLevel) {  // a drill
+      cuts.inside = std::max(cuts.inside, radii[tool]);
+      continue;
+    }
+    cuts.widest = std::max(cuts.widest, wide);
+    if (inwards) cuts.along = std::max(cuts.along, wide);
+    if (m.lead == 0 && std::fabs(from - to) > kLevel)
+      cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
+  }
+  return cuts;
+}
+
+// The least radius beyond what is cut towards the chuck that a rapid leads to: the bar is thinner.
+double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
+  double least = -kNoHeight;
+  for (const Motion& m : motions) {
+    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
+    for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
+      if (r > cuts.along + kLevel) least = std::min(least, r);
+  }
+  return least;
+}
+
+// The least Z before the face that a rapid leads to within the bar's radius: the bar is shorter.
+double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, double radius) {
+  double least = -kNoHeight;
+  for (const Motion& m : motions) {
+    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
+    for (const Vec3& p : {m.start, m.end})
+      if (std::fabs(p.x) < radius && p.z > cuts.face + kLevel) least = std::min(least, p.z);
+  }
+  return least;
+}
+
+// Most programs have their zero on the finished face; what they face is there to be cut.
+double front_of(const TurnedCuts& cuts, double clearance) {
+  if (cuts.face == kNoHeight) return cuts.lowest < 0 ? std::min(cuts.highest, 0.0) : cuts.highest;
+  if (cuts.face < -kLevel && clearance >= 0) return 0;
+  if (clearance < -kNoHeight)
+    return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
+  return std::min(cuts.highest, clearance);
+}
+
+StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool> tools) {
+  const TurnedCuts cuts = turned_cuts(motions, tools);
+  const double wide = std::max(cuts.widest, cuts.inside);
+  const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
+  const double clear = clear_radius(motions, cuts);
+  const double outer = clear < cuts.widest ? down(clear) : up(cuts.widest);
+  const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
+  const double radius = std::max({outer, bored, 0.1});
+  const double front = front_of(cuts, clear_front(motions, cuts, radius));
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
-  const double radius = up(std::max({std::fabs(points.lo.x), std::fabs(points.hi.x), 0.1}));
   shape.outer_radius = radius;
-  shape.box.lo = {-radius, -radius, down(points.lo.z - margin)};
-  shape.box.hi = {radius, radius, std::max(points.hi.z, shape.box.lo.z + margin)};
+  shape.box.lo = {-radius, -radius, down(cuts.lowest - margin)};
+  shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
   shape.description = fmt::format("around the program's cuts: cylinder:{:.6g},{:.6g},{:.6g}",
                                   2 * radius, shape.box.lo.z, shape.box.hi.z);
   return shape;
@@ -57,37 +285,14 @@ StockShape cylinder_round(const Box3& points) {
 
 }  // namespace
 
-// Height of the stock's top: the highest point of a cut that lies below the start of the first
-// plunge. A plunge counts with its lower end, where cuts aside follow it. Where nothing but plunges
-// is cut, they are holes: the top is where their feed begins.
-double top_of(std::span<const Motion> motions, double highest) {
-  constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
-  double approach = kNoHeight, lateral = kNoHeight, plunge = kNoHeight;
-  for (const Motion& motion : motions) {
-    if (!is_cut(motion)) continue;
-    if (approach == kNoHeight)
-      approach = motion.end.z < motion.start.z ? motion.start.z : -kNoHeight;
-    const bool aside = motion.kind == MotionKind::arc || motion.start.x != motion.end.x ||
-                       motion.start.y != motion.end.y;
-    if (!aside) {
-      plunge = std::max(plunge, motion.start.z);
-      continue;
-    }
-    for (const double z : {motion.start.z, motion.end.z})
-      if (z < approach) lateral = std::max(lateral, z);
-  }
-  if (lateral != kNoHeight) return std::min(lateral, highest);
-  return plunge != kNoHeight ? std::min(plunge, highest) : highest;
-}
-
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe) {
+  if (lathe) return cylinder_round(motions, tools);
   Box3 points;
   for (const Motion& motion : motions)
     if (is_cut(motion)) {
       include(points, motion.start);
       include(points, motion.end);
     }
-  if (lathe) return cylinder_round(points);
   const SweepTable sweeps(motions, tools);
   Box3 cuts = points;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
@@ -95,8 +300,8 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
     include(cuts, {box.lo.x, box.lo.y, box.lo.z});
     include(cuts, {box.hi.x, box.hi.y, cuts.hi.z});
   }
-  cuts.hi.z = top_of(motions, points.hi.z);
-  return box_round(cuts);
+  cuts.hi.z = points.hi.z;
+  return box_round(cuts, motions, tools);
 }
 
 }  // namespace mrsim

@@ -8,9 +8,14 @@
 namespace mrsim {
 
 /// Mill: a box round the swept volume, with a margin of 5 % of its longest side (at least 1 mm) at
-/// the sides and below; its top is the highest cut below the start of the first plunge. Lathe: a
-/// cylinder about Z up to the largest radius of a programmed point, with that margin towards the
-/// chuck. Throws what SweepTable throws. Requires: at least one cutting motion.
+/// the sides and below. Its top is the program's zero, where all cuts below the start of the first
+/// plunge lie below it; else the highest of those cuts (one margin above, where all are at one
+/// height, but below the lowest rapid). A side is drawn in where a rapid goes down beside the part
+/// into what nothing has cut. Lathe: a cylinder about Z up to the largest radius of a cut, or of
+/// the nearest rapid beyond those towards the chuck; round bores with a margin. Its front is at
+/// zero or up to 1 mm before the highest cut across, behind the nearest rapid. Throws what
+/// SweepTable throws. Requires: at least one cutting motion. Cost: motions; rapids down into the
+/// stock look back for the cut that made way.
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe);
 
 /// Whether removal cuts with this motion: a line or an arc, not of assumed start.
