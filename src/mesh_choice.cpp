@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,6 +35,10 @@ constexpr double kMostScanned = 1e5;
 // Sweeps of a block, on average: where more cross, creases lie in creases, and cells are halved
 // until there are too many.
 constexpr double kMostSweepsOfABlock = 12;
+// Nodes of the octree after which the grid takes its place: a part of holes and pockets, where few
+// sweeps meet, takes no more than it begins with.
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 600'000;
+constexpr double kPlainSweeps = 1.5;  // of a block, on average
 // A helix costs a search for each of its points: fewer sweeps of blocks.
 constexpr double kMostHelixSweeps = 6e4;
 
@@ -129,6 +135,48 @@ void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
   choice.measure = true;
 }
 
+bool is_plunge(const Motion& m) {
+  return is_cut(m) && m.tool >= 0 && m.kind == MotionKind::line && m.lead == 0 &&
+         m.start.x == m.end.x && m.start.y == m.end.y && m.start.z != m.end.z &&
+         m.tool_axis == Vec3{0, 0, 1};
+}
+
+// Owners of the plunges beside a deeper one of the same tool at the same place: the pecks of a hole
+// leave one wall, without creases.
+std::vector<std::int32_t> shallow_pecks(std::span<const Motion> motions) {
+  std::vector<std::int32_t> plunges;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (is_plunge(motions[i])) plunges.push_back(static_cast<std::int32_t>(i));
+  const auto place = [&](std::int32_t i) {
+    const Motion& m = motions[static_cast<std::size_t>(i)];
+    return std::tuple(m.tool, m.end.x, m.end.y);
+  };
+  const auto depth = [&](std::int32_t i) {
+    const Motion& m = motions[static_cast<std::size_t>(i)];
+    return std::min(m.start.z, m.end.z);
+  };
+  std::sort(plunges.begin(), plunges.end(), [&](std::int32_t a, std::int32_t b) {
+    return std::tuple(place(a), depth(a), a) < std::tuple(place(b), depth(b), b);
+  });
+  std::vector<std::int32_t> shallow;
+  for (std::size_t k = 1; k < plunges.size(); ++k)
+    if (place(plunges[k]) == place(plunges[k - 1])) shallow.push_back(plunges[k]);
+  return shallow;
+}
+
+// All sweeps but the shallow pecks.
+Candidates surveyed(const ExactField& field, const CutList& cuts) {
+  std::vector<std::uint32_t> dropped;
+  for (const std::int32_t owner : shallow_pecks(cuts.motions()))
+    dropped.push_back(field.candidate(owner));
+  std::sort(dropped.begin(), dropped.end());
+  const Candidates all = field.all();
+  Candidates left;
+  std::set_difference(all.begin(), all.end(), dropped.begin(), dropped.end(),
+                      std::back_inserter(left));
+  return left;
+}
+
 // Every so many of a long list.
 Candidates some_of(const Candidates& all) {
   const std::size_t step = std::max<std::size_t>(all.size() / kEnoughSweeps, 1);
@@ -192,13 +240,14 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   return choice;
 }
 
-void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
+void fit_mesh(const ExactField& field, const CutList& cuts, int threads, MeshChoice& choice) {
   if (!choice.fits_voxel && choice.tolerance > 0) return;
   const double cell = wished_cell(choice, longest_side(field.bounds()));
   if (choice.fits_voxel) choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
   if (field.is_turned(field.all())) return;  // meshed by its section
-  const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
+  const Candidates sweeps = choice.fits_voxel ? surveyed(field, cuts) : some_of(field.all());
   const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
+  choice.fallback_cells = survey.sweeps <= kPlainSweeps ? kMostPlainNodes : kMostNodes;
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.cells(choice.voxel);
 }

@@ -17,13 +17,14 @@ struct MeshChoice {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
-  double radius = 0;          ///< mm: the smallest with which a tool cuts, 0 = none has one
-  bool has_helix = false;     ///< a cut is one
-  bool fits_voxel = false;    ///< it was not given: fit_mesh() may change it
-  bool is_default = false;    ///< nor was the tolerance: likewise
-  bool measure = false;       ///< MeshOptions::measure
-  double fallback_voxel = 0;  ///< MeshOptions::fallback_voxel
-  double cut_cells = 0;       ///< CarveOptions::cut_cells
+  double radius = 0;               ///< mm: the smallest with which a tool cuts, 0 = none has one
+  bool has_helix = false;          ///< a cut is one
+  bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
+  bool is_default = false;         ///< nor was the tolerance: likewise
+  bool measure = false;            ///< MeshOptions::measure
+  double fallback_voxel = 0;       ///< MeshOptions::fallback_voxel
+  std::size_t fallback_cells = 0;  ///< MeshOptions::fallback_cells
+  double cut_cells = 0;            ///< CarveOptions::cut_cells
 };
 
 /// What was given; else what the size of stock and cutters suggests.
@@ -31,7 +32,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 
 /// Looks how large the cut surface is. Voxel and tolerance that were not given get coarser where it
 /// is so large that the run would take long.
-void fit_mesh(const ExactField& field, int threads, MeshChoice& choice);
+void fit_mesh(const ExactField& field, const CutList& cuts, int threads, MeshChoice& choice);
 
 /// The mesh within the tolerance was given up for the grid of choice.fallback_voxel.
 void give_up_tolerance(MeshChoice& choice, const std::string& why);

@@ -39,9 +39,7 @@ constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before 
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
 constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
 constexpr double kSecondsPerByte = 3e-8;   ///< of one core: both go with the cells and their faces
-constexpr double kMostNodes = 2.5e5;       ///< of the octree, where a grid may take its place
-constexpr std::size_t kMostRounds = 24;    ///< of splitting, likewise
-constexpr double kMostFirstNodes = 1.2e5;  ///< before the first round, likewise
+constexpr std::size_t kMostRounds = 24;    ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
@@ -53,7 +51,8 @@ class AdaptiveMesher {
         options_(options),
         report_(report),
         timer_(report, options.progress),
-        tree_(field, lattice, options.tolerance, options.threads, tree_memory(options)),
+        tree_(field, lattice, options.tolerance, options.threads,
+              {options.max_memory, most_nodes(options)}),
         surface_(std::in_place, field, tree_,
                  DualSurface::Options{.shallow = options.tolerance / 8,
                                       .sharpen = true,
@@ -68,8 +67,7 @@ class AdaptiveMesher {
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     nodes_ = tree_.size();
-    if (options_.fallback_voxel > 0 && static_cast<double>(tree_.size()) > kMostFirstNodes)
-      throw Error("mesh-unresolved", "it takes too many cells");
+    detail::require_cells(nodes_, most_nodes(options_) / 2);  // before the first round
     find_topology();
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
@@ -97,11 +95,8 @@ class AdaptiveMesher {
   }
 
  private:
-  // Where a grid may take its place, the tree has a fixed budget.
-  static std::size_t tree_memory(const MeshOptions& options) {
-    if (!(options.fallback_voxel > 0)) return options.max_memory;
-    constexpr auto kMost = static_cast<std::size_t>(kMostNodes * detail::kNodeMemory);
-    return options.max_memory > 0 ? std::min(options.max_memory, kMost) : kMost;
+  static std::size_t most_nodes(const MeshOptions& options) {
+    return options.fallback_voxel > 0 ? options.fallback_cells : 0;
   }
 
   // Splits cells until the crossings on every face can be joined, then joins them.

@@ -39,5 +39,32 @@ TEST_F(Defaults, ToleranceThatIsGivenIsKept) {
   EXPECT_EQ(j["tolerance"]["value"], 0.004);
 }
 
+// Twenty pecks leave one wall: they are no reason for a grid.
+TEST_F(Defaults, PeckedHolesAreMeshedWithinATolerance) {
+  write(
+      "holes.nc",
+      "%\nO1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X0 Y0\nG43 H1 Z20.\nG83 X0. Y0. Z-40. R2. Q2. F200\n"
+      "X20.\nY20.\nX0.\nG80\nG0 Z20.\nM30\n%\n");
+  const Outcome o = run(
+      "holes.nc --stock box:-10,-10,-45,30,30,0 --tool 1=drill:d=6 -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_GT(j["tolerance"]["value"], 0);
+  EXPECT_LT(j["mesh"]["triangles"], 20000);
+}
+
+// A contour at one depth and holes, no stock: all of it is in the part, and no rapid meets it.
+TEST_F(Defaults, StockEndsAtZeroAboveAContourAndHoles) {
+  write("part.nc",
+        "G21 G90\nT1 M6\nS3000 M3\nG0 X-60. Y0.\nG0 Z2.\nG1 Z-5. "
+        "F200\nX-40.\nY30.\nX40.\nY-30.\nX-40.\n"
+        "Y0.\nG0 Z2.\nX0. Y0.\nG1 Z-20.\nG0 Z25.\nM30\n");
+  const Outcome o = run("part.nc --tool 1=endmill:d=10 -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_GT(j["volume"]["removed"], 10000);
+  EXPECT_TRUE(j["collisions"]["lines"].empty()) << j["collisions"];
+}
+
 }  // namespace
 }  // namespace mrsim

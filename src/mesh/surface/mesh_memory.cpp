@@ -92,6 +92,10 @@ void require_memory(double needed, std::size_t available, double tolerance) {
                           tolerance, needed / 1e9, static_cast<double>(available) / 1e9));
 }
 
+void require_cells(std::size_t nodes, std::size_t most) {
+  if (most > 0 && nodes > most) throw Error("mesh-unresolved", "it takes too many cells");
+}
+
 void require_room(double bytes) {
   mrsim::require_memory(bytes, "a mesh within a tolerance",
                         "a larger --tolerance takes less, and with --voxel and no --tolerance the "

@@ -25,7 +25,11 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
 void require_memory(double needed, std::size_t available, double tolerance);
 
-/// The same for what splitting cells takes beyond the estimate, where the thread has a limit.
+/// Throws Error "mesh-unresolved" where the octree has more nodes than `most`; 0 = any number.
+void require_cells(std::size_t nodes, std::size_t most);
+
+/// As require_memory for what splitting cells takes beyond the estimate, where the thread has a
+/// limit.
 void require_room(double bytes);
 
 }  // namespace mrsim::detail

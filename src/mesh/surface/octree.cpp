@@ -21,12 +21,12 @@ constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 }  // namespace
 
 CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, double tolerance,
-                       int threads, std::size_t max_memory)
+                       int threads, const OctreeLimits& limits)
     : SurfaceCells(lattice),
       field_(field),
       tolerance_(tolerance),
       threads_(threads),
-      max_memory_(max_memory) {
+      limits_(limits) {
   part_.size = static_cast<std::int32_t>(lattice.size());
   part_.complete[1] = part_.owned[1] = part_.size;
   OctreeNode root;
@@ -106,7 +106,8 @@ std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
 void CellOctree::refine(std::vector<std::int32_t> pending) {
   new_leaves_.clear();
   while (!pending.empty()) {
-    require_memory(kNodeMemory * static_cast<double>(size()), max_memory_, tolerance_);
+    require_memory(kNodeMemory * static_cast<double>(size()), limits_.memory, tolerance_);
+    require_cells(size(), limits_.nodes);
     find_regions(pending);
     std::vector<std::int32_t> mixed, next;
     for (const std::int32_t n : pending)

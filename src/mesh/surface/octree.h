@@ -36,13 +36,18 @@ struct OctreePart {
   const CommonLists* common = nullptr;  ///< of cells that do not take the part's, null = none
 };
 
+/// What the nodes of an octree may take: bytes, and how many they may be; 0 = any amount.
+struct OctreeLimits {
+  std::size_t memory = 0, nodes = 0;
+};
+
 class CellOctree final : public SurfaceCells {
  public:
   /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
-  /// cells that the surface may pass are voxels. Throws Error "memory", when it is split as well,
-  /// once its nodes take more than `max_memory` bytes; 0 = any amount.
+  /// cells that the surface may pass are voxels. Throws Error "memory" or "mesh-unresolved", when
+  /// it is split as well, once its nodes go beyond the limits.
   CellOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads,
-             std::size_t max_memory = 0);
+             const OctreeLimits& limits = {});
   /// One part of it, without a tolerance.
   CellOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
 
@@ -109,7 +114,7 @@ class CellOctree final : public SurfaceCells {
   OctreePart part_;
   double tolerance_;
   int threads_;
-  std::size_t max_memory_ = 0;
+  OctreeLimits limits_;
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
