@@ -170,6 +170,36 @@ TEST(DefaultStock, ABarOfAContourEndsAtZero) {
   EXPECT_EQ(bar.box.hi.z, 0);
 }
 
+// Rapids back within the part, and a feed move to the first pass in the air, tell nothing.
+TEST(DefaultStock, ABarEndsAtZeroWhateverIsInside) {
+  const StockShape bar = Path()
+                             .rapid({32, 0, 2})
+                             .cut({20, 0, 2})
+                             .cut({20, 0, -30})
+                             .cut({25, 0, -35})
+                             .cut({30, 0, -35})
+                             .rapid({29.5, 0, -34.5})
+                             .rapid({32, 0, 2})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 0);
+  const StockShape groove = Path().rapid({12, 0, 4}).rapid({16, 0, -25}).cut({12, 0, -25}).bar();
+  EXPECT_EQ(groove.box.hi.z, 0);
+  EXPECT_EQ(groove.outer_radius, 16);  // not 12: nothing would be cut
+}
+
+// Zero in the chuck.
+TEST(DefaultStock, ABarEndsBeforeTheFaceThatIsCut) {
+  const StockShape bar = Path()
+                             .rapid({30, 0, 85})
+                             .rapid({27, 0, 80})
+                             .cut({0, 0, 80})
+                             .rapid({0, 0, 82})
+                             .rapid({24, 0, 82})
+                             .cut({24, 0, 30})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 81);
+}
+
 TEST(DefaultStock, ABarHasAWallAroundWhatIsBored) {
   Path path;
   path.rapid({15, 0, 2}).cut({15, 0, -30}).cut({14, 0, -30}).rapid({14, 0, 2});

@@ -199,17 +199,25 @@ StockShape box_round(const Box3& cuts, std::span<const Motion> motions,
 
 // What the cuts of a lathe tell of its bar, in radius and Z.
 struct TurnedCuts {
-  double along = 0;         // largest radius at which a tool cuts towards the chuck
-  double inside = 0;        // largest radius of a bore or a drill
-  double widest = 0;        // of all points
-  double face = kNoHeight;  // highest Z at which a tool cuts across
+  double along = 0;               // largest radius at which a tool cuts towards the chuck
+  double inside = 0;              // largest radius of a bore or a drill
+  double widest = 0;              // of all points
+  double narrowest = -kNoHeight;  // smallest radius that one ends at
+  double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
   double lowest = -kNoHeight, highest = kNoHeight;
 };
+
+// Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
+bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
+  return motions[i].start.z == motions[i].end.z && i + 1 < motions.size() &&
+         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kLevel;
+}
 
 TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
   const std::vector<double> radii = radii_of(motions, tools);
   TurnedCuts cuts;
-  for (const Motion& m : motions) {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& m = motions[i];
     if (!is_cut(m)) continue;
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
     const bool inwards = m.end.z < m.start.z - kLevel;
@@ -226,8 +234,10 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
       continue;
     }
     cuts.widest = std::max(cuts.widest, wide);
+    if (m.lead != 0) continue;
+    cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
-    if (m.lead == 0 && std::fabs(from - to) > kLevel)
+    if (to < from - kLevel && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
   }
   return cuts;
@@ -257,11 +267,9 @@ double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, doub
 
 // Most programs have their zero on the finished face; what they face is there to be cut.
 double front_of(const TurnedCuts& cuts, double clearance) {
-  if (cuts.face == kNoHeight) return cuts.lowest < 0 ? std::min(cuts.highest, 0.0) : cuts.highest;
-  if (cuts.face < -kLevel && clearance >= 0) return 0;
-  if (clearance < -kNoHeight)
-    return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
-  return std::min(cuts.highest, clearance);
+  if (cuts.face < -kLevel && cuts.lowest < -kLevel) return 0;
+  if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
+  return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
 }
 
 StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool> tools) {
@@ -269,7 +277,8 @@ StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool>
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
-  const double outer = clear < cuts.widest ? down(clear) : up(cuts.widest);
+  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kLevel;
+  const double outer = is_thinner ? down(clear) : up(cuts.widest);
   const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
   const double radius = std::max({outer, bored, 0.1});
   const double front = front_of(cuts, clear_front(motions, cuts, radius));
