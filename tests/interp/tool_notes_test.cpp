@@ -148,6 +148,27 @@ TEST(ToolNotes, SmallSizesNeedAUnit) {
   EXPECT_EQ(diameters("(T3 0.5MM ENDMILL)\n" + change + kCut), "3:0.5");
 }
 
+// "#7 DRILL" beside T7 may number the tool.
+TEST(ToolNotes, ANumberDrillOrTheToolsNumber) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("G20\nT5 M6 (#7 DRILL)\n" + cut), "5:5.1054");
+  EXPECT_EQ(diameters("G20\nT7 M6 (#7 DRILL)\n" + cut), "7:0 tool-unknown");
+  EXPECT_EQ(diameters("G20\nT7 M6 (TOOL #7 .201 DRILL)\n" + cut), "7:5.1054");
+}
+
+// An angle that the kind implies stays when another comment tells the diameter, and is noted.
+TEST(ToolNotes, AnAssumedAngleIsNoted) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::mill;
+  const Program p = read_text(
+      "(TOOL NUMBER: 3)\n(TOOL TYPE: SPOT DRILL)\n(TOOL DIAMETER: 10)\nT3 M6\n" + std::string(kCut),
+      options);
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_NEAR(p.tools[0].tip_angle, 1.5707963, 1e-6);
+  EXPECT_NE(listing(p).find("taken to have 90 degrees"), std::string::npos) << listing(p);
+}
+
 // A register of a tool that is not known is no second fault.
 TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
   InterpOptions options;

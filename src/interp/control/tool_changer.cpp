@@ -123,11 +123,15 @@ bool ToolChanger::of_unknown_unit(const ToolHint& hint) const {
 // no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
 bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
   if (const ToolHint* hint = notes_.find(id)) {
-    if (hint->plain_teeth) said = Severity::warning;
+    if (hint->plain_teeth()) said = Severity::warning;
     if (fill_tool(*hint, scale(), lathe(), out, why)) {
-      if (!of_unknown_unit(*hint)) return true;
-      why = fmt::format("gives the diameter {:g} without a unit, in a program without G20 and G21",
-                        hint->diameter);
+      const bool number = !id.empty() && hint->gauge == id;  // "#7 DRILL" beside T7
+      if (!number && !of_unknown_unit(*hint)) return true;
+      why = number ? fmt::format("names drill {0}, or tool {0}", id)
+                   : fmt::format(
+                         "gives the diameter {:g} without a unit, in a program without G20 "
+                         "and G21",
+                         hint->diameter);
     }
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
     return false;
@@ -137,7 +141,7 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
   const ToolHint hint = read_tool_comment(name);
   std::string ignored;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
-  if (hint.plain_teeth) said = Severity::warning;
+  if (hint.plain_teeth()) said = Severity::warning;
   out.origin.replace(0, out.origin.find(' '), "its name");
   return true;
 }
@@ -227,7 +231,9 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
     return;
   }
   std::string example = lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
-  if (read.type == ToolType::taper && read.diameter > 0)
+  if (read.type == ToolType::tslot && read.diameter > 0)
+    example = fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
+  if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
     example = fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
                           read.corner_radius, degrees(read.taper_angle));
   Tool unknown;  // so that traces can name it; the error stops everything else

@@ -46,17 +46,26 @@ Token number_token(std::string_view text, std::size_t& at) {
   return token;
 }
 
+bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return token.is(w); });
+}
+
 Tokens raw_tokens(std::string_view text) {
   Tokens out;
   bool blank = true;
   for (std::size_t i = 0; i < text.size() && out.size() < kMostTokens;) {
-    if (text[i] == ' ' || text[i] == '\t') {
+    if (text[i] == ' ' || text[i] == '\t' || text[i] == '_') {
       blank = true;
       ++i;
       continue;
     }
     Token token;
     const std::size_t from = i;
+    if (text[i] == '.' && !blank && !out.empty() && is_one_of(out.back(), {"NO", "NR", "NUM"})) {
+      out.back().dotted = true;  // "NO.21"
+      ++i;
+      continue;
+    }
     if (starts_value(text, i)) {
       token = number_token(text, i);
     } else if (is_letter(text[i]) || text[i] == '~') {
@@ -65,14 +74,28 @@ Tokens raw_tokens(std::string_view text) {
       token.text = text.substr(from, i - from);
     } else {
       token.text = text.substr(i++, 1);
-      if (token.text == "." && !out.empty() && out.back().kind == Token::Kind::word && !blank)
-        continue;  // "DIA."
+      if (token.text == "." && !out.empty() && out.back().kind == Token::Kind::word && !blank) {
+        out.back().dotted = true;
+        continue;
+      }
     }
     token.glued = !blank;
     blank = false;
     out.push_back(token);
   }
   return out;
+}
+
+// "TOOL 1 1/2 ENDMILL": the 1 belongs to the word before it; "FACE MILL 1 1/2" is one number.
+bool numbers_a_tool(const Token& token) {
+  return is_one_of(token, {"T", "TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "OUTIL", "UTENSILE",
+                           "ORODJE", "NARZEDZIE", "NO", "NR", "NUMBER", "NUMMER", "OP", "H", "D"});
+}
+
+bool is_inch_part(double denominator) {
+  for (const double part : {2, 4, 8, 16, 32, 64, 128})
+    if (denominator == part) return true;
+  return false;
 }
 
 // "1/4", "1-1/2", "1 1/2": one number in place of its pieces.
@@ -85,11 +108,12 @@ void join_fractions(Tokens& tokens) {
     if (!tokens[i].glued || !tokens[i + 1].glued) continue;
     Token fraction = tokens[i - 1];
     if (fraction.value >= tokens[i + 1].value) continue;  // "16/9" is no size of a tool
+    if (!is_inch_part(tokens[i + 1].value)) continue;     // "10/90" is a size and an angle
     fraction.value /= tokens[i + 1].value;
     fraction.fraction = true;
     std::size_t first = i - 1;
     const bool apart = first >= 1 && whole(first - 1) && tokens[first - 1].value < 10 &&
-                       !(first >= 2 && tokens[first - 2].kind == Token::Kind::word);
+                       !(first >= 2 && numbers_a_tool(tokens[first - 2]));
     const bool dash = first >= 2 && tokens[first - 1].is("-") && whole(first - 2) &&
                       tokens[first - 1].glued && fraction.glued && tokens[first - 2].value < 10;
     if (apart || dash) {
@@ -104,8 +128,10 @@ void join_fractions(Tokens& tokens) {
   }
 }
 
-bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return token.is(w); });
+// "80* TURNING TOOL": programs without a degree sign; "5*10" is a product.
+bool is_degree_star(const Tokens& tokens, std::size_t i, const Token& number) {
+  return tokens[i].is("*") && tokens[i].glued && number.value < 180 &&
+         !(i + 1 < tokens.size() && tokens[i + 1].is_number());
 }
 
 // How many tokens from `i` on are the unit of `number`; sets it.
@@ -117,14 +143,18 @@ std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
     return 1;
   }
   // "5 IN PLATE" is a preposition, ".25 IN" and "5IN" are not.
-  const bool inch = is_one_of(next, {"INCH", "INCHES", "ZOLL", "PULGADAS", "PULG", "\""}) ||
-                    (next.is("IN") && (next.glued || number.fraction || number.decimals));
+  const bool inch =
+      is_one_of(next, {"INCH", "INCHES", "ZOLL", "PULGADAS", "PULG", "POUCE", "POUCES", "\""}) ||
+      (next.is("IN") && (next.glued || next.dotted || number.fraction || number.decimals));
   const bool marks = next.is("'") && i + 1 < tokens.size() && tokens[i + 1].is("'");
   if (inch || marks) {
     number.unit = kMmPerInch;
     return marks ? 2 : 1;
   }
-  if (is_one_of(next, {"DEG", "DEGREE", "DEGREES", "GRAD", "^"})) {
+  if (is_one_of(next, {"DEG", "DEGREE", "DEGREES", "GRAD", "GRADOS", "GRADI", "DEGRES", "DEGR~S",
+                       "STOPINJ", "STOPNI", "^"}) ||
+      (next.is("ST") && number.value >= 30 && !number.decimals) ||
+      is_degree_star(tokens, i, number)) {
     number.angle = true;
     return 1;
   }
@@ -133,9 +163,12 @@ std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
 
 void join_units(Tokens& tokens) {
   Tokens out;
+  bool quoted = false;  // T="CUTTER_10" is not in inches
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     out.push_back(tokens[i]);
-    if (tokens[i].is_number()) i += read_unit(tokens, i + 1, out.back());
+    if (tokens[i].is("\"")) quoted = !quoted;
+    const bool closes = quoted && i + 1 < tokens.size() && tokens[i + 1].is("\"");
+    if (tokens[i].is_number() && !closes) i += read_unit(tokens, i + 1, out.back());
   }
   tokens = std::move(out);
 }
@@ -152,7 +185,9 @@ std::string fold_comment(std::string_view utf8) {
     const bool degree = rest.starts_with("\xC2\xB0") || rest.starts_with("\xC2\xBA");
     const bool inch = rest.starts_with("\xE2\x80\x9C") || rest.starts_with("\xE2\x80\x9D") ||
                       rest.starts_with("\xE2\x80\xB3");
-    out += degree ? '^' : inch ? '"' : '~';
+    const bool times = rest.starts_with("\xC3\x97");
+    const bool preposition = rest.starts_with("\xC3\x80") || rest.starts_with("\xC3\xA0");
+    out += degree ? '^' : inch ? '"' : times ? 'X' : preposition ? 'A' : '~';
   }
   return out;
 }

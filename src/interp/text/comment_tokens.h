@@ -18,13 +18,14 @@ struct CommentToken {
   bool decimals = false;  ///< a point or a decimal comma was written
   bool angle = false;     ///< "90 DEG", "118°"
   bool glued = false;     ///< no blank before it
+  bool dotted = false;    ///< a word that ends in a point: "IN.", "DIA."
 
   bool is(std::string_view what) const { return kind != Kind::number && text == what; }
   bool is_number() const { return kind == Kind::number; }
 };
 
-/// Upper case; one '~' for each character outside of ASCII, but '"' for inch marks and '^' for a
-/// degree sign.
+/// Upper case; one '~' for each character outside of ASCII, but '"' for inch marks, '^' for a
+/// degree sign, 'X' for a times sign and 'A' for the French preposition.
 std::string fold_comment(std::string_view utf8);
 
 /// The tokens of a folded comment, at most 200 of them. They refer to its text.

@@ -6,6 +6,7 @@
 // units of the program: fill_tool() is given them.
 #pragma once
 
+#include "interp/text/tool_kind.h"
 #include <mrsim/types.h>
 
 #include <optional>
@@ -18,8 +19,9 @@ namespace mrsim {
 /// A length as it was written.
 struct ToolLength {
   double value = 0;
-  double unit = 0;        ///< mm per unit where the comment says so, 0 = the program's units
-  bool fraction = false;  ///< "1/4": inches, unless something else is said
+  double unit = 0;            ///< mm per unit where the comment says so, 0 = the program's units
+  bool fraction = false;      ///< "1/4": inches, unless something else is said
+  bool letter_point = false;  ///< "D.10": 0.10, or D. 10
   explicit operator bool() const { return value > 0; }
 };
 
@@ -28,21 +30,26 @@ struct ToolHint {
   std::size_t id_digits = 0;  ///< with which that was written
   bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
   std::optional<ToolType> type;
+  std::optional<ToolTrade> trade;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
   double diameter = 0;                ///< value of the first reading, 0 = none
   ToolLength corner, nose, width;
+  ToolLength tip;                             ///< diameter of a V tool's tip
+  ToolLength flute_length;                    ///< "LOC 1.0"
   double corner_radius = 0, nose_radius = 0;  ///< their values
   double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
   bool assumed_angle = false;                 ///< the angle follows from the kind alone
+  std::string gauge;                          ///< "7" of a number drill, "Q" of a letter drill
   std::string insert;                         ///< "CNMG"
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
   bool left_hand = false;
-  bool plain_teeth = false;  ///< a thread mill, of which nothing but a cylinder is known
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
+  /// A thread mill, of which nothing but a cylinder is known.
+  bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
   /// It adds a corner radius to what other comments say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
 };

@@ -12,7 +12,10 @@ namespace mrsim {
 namespace {
 
 constexpr double kSame = 0.02;               // mm: two readings of one size differ by rounding only
+constexpr double kRounded = 0.05;            // mm: a radius in inches with three decimals
+constexpr double kLeastVee = 1;              // mm: of a V-bit; a smaller size is rather its tip's
 constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
+constexpr double kLargestMetric = 500;       // mm: a larger one is rather a name, "endmill1000"
 
 // mm in a program of this unit. A fraction is a size in inches wherever it stands.
 double in_mm(const ToolLength& length, double unit) {
@@ -42,12 +45,22 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   }
   if (first.unit == 0 && !confirmed) {
     const bool metric_fraction = first.fraction && unit == 1;
-    const bool huge = unit > 1 && diameter > kLargestWithoutUnit;
+    const bool huge = diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
+    if (first.letter_point && unit == 1) {
+      why = fmt::format("can be read as diameter {0} or as D. and a number without a point",
+                        as_written(first));
+      return 0;
+    }
     if (metric_fraction || huge) {
       why = fmt::format("gives the diameter {} without a unit, in a program in {}",
                         as_written(first), unit > 1 ? "inches" : "mm");
       return 0;
     }
+  }
+  if (!hint.gauge.empty() && unit == 1 && !confirmed) {
+    why = fmt::format("can be read as the drill {} of {}, in a program in mm", hint.gauge,
+                      as_written(first));
+    return 0;
   }
   return diameter;
 }
@@ -59,16 +72,10 @@ double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
   return radius.value * (first.unit > 0 ? first.unit : first.fraction ? kMmPerInch : unit);
 }
 
-bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
-  if (hint.diameters.empty()) {
-    why = "gives no diameter";
-    return false;
-  }
-  out.diameter = agreed_diameter(hint, unit, why);
-  if (!(out.diameter > 0)) return false;
-  out.taper_angle = hint.taper_angle;
-  out.tip_angle = hint.tip_angle;
-  out.corner_radius = hint.corner ? beside(hint.corner, hint, unit) : 0;
+// A corner radius that the tool can have. A bull-nose mill of half its diameter is a ball mill.
+bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  out.corner_radius =
+      hint.corner && hint.trade != ToolTrade::tap ? beside(hint.corner, hint, unit) : 0;
   if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
   const double radius = out.diameter / 2;
   // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.
@@ -82,14 +89,56 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
     why = "gives no corner radius";
     return false;
   }
-  if (out.type == ToolType::taper) {
-    why = "gives no flute length";
+  const bool ball = out.type == ToolType::ballmill || out.type == ToolType::lollipop;
+  if (ball && out.corner_radius > 0 && out.corner_radius < radius - kRounded) {
+    why =
+        fmt::format("names a ball mill, but its radius of {:.6g} mm is less than half the diameter",
+                    out.corner_radius);
     return false;
   }
   const bool whole = out.corner_radius > radius - 1e-3;
   if (out.type == ToolType::bullmill && whole) out.type = ToolType::ballmill;
-  if (out.type == ToolType::ballmill || out.type == ToolType::drill) out.corner_radius = 0;
+  if (out.type == ToolType::ballmill || ball || out.type == ToolType::drill) out.corner_radius = 0;
   return true;
+}
+
+// What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
+bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (out.type == ToolType::taper) {
+    if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
+    if (!(out.taper_angle > 0))
+      why = "gives no taper angle";
+    else if (!(out.flute_length > 0))
+      why = "gives no flute length";
+  } else if (out.type == ToolType::tslot) {
+    if (hint.width) out.width = beside(hint.width, hint, unit);
+    if (!(out.width > 0)) why = "gives no width of the head";
+  } else if (out.type == ToolType::chamfer) {
+    if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
+    if (hint.trade == ToolTrade::vee && !hint.tip && out.diameter < kLeastVee)
+      why =
+          fmt::format("can be read as diameter {0:.4g} mm or as a tip of {0:.4g} mm", out.diameter);
+    if (out.tip_diameter >= out.diameter) why = "gives a tip that is not smaller than the diameter";
+    if (hint.trade == ToolTrade::countersink && hint.assumed_angle && unit > 1)
+      why = "gives no angle, and countersinks of inch sizes have 82 or 90 degrees";
+  } else if (out.type == ToolType::barrel) {
+    why = "gives no radius of the flank";
+  }
+  return why.empty();
+}
+
+bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (hint.diameters.empty()) {
+    why = "gives no diameter";
+    return false;
+  }
+  out.diameter = agreed_diameter(hint, unit, why);
+  if (!(out.diameter > 0)) return false;
+  out.taper_angle = hint.taper_angle;
+  out.tip_angle = hint.tip_angle;
+  if (hint.assumed_angle)
+    out.origin += fmt::format(", taken to have {:.4g} degrees", degrees(out.tip_angle));
+  return fill_corner(hint, unit, out, why) && fill_shape(hint, unit, out, why);
 }
 
 // No code of an insert and no angle: what cuts is the blade.
@@ -140,14 +189,20 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (!into.corner) into.corner = more.corner;
   if (!into.nose) into.nose = more.nose;
   if (!into.width) into.width = more.width;
+  if (!into.tip) into.tip = more.tip;
+  if (!into.flute_length) into.flute_length = more.flute_length;
   if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
-  if (into.tip_angle == 0 || into.assumed_angle) into.tip_angle = more.tip_angle;
+  if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
+    into.tip_angle = more.tip_angle;
+    into.assumed_angle = more.assumed_angle;
+  }
   if (into.insert.empty()) into.insert = more.insert;
   if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
   if (into.edge_length == 0) into.edge_length = more.edge_length;
   into.left_hand |= more.left_hand;
-  into.plain_teeth |= more.plain_teeth;
+  if (!into.trade) into.trade = more.trade;
+  if (into.gauge.empty()) into.gauge = more.gauge;
   if (into.doubt.empty()) into.doubt = more.doubt;
   if (into.text.size() < 400) into.text += "\", \"" + more.text;
 }
@@ -162,7 +217,8 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   out.type = hint.type.value_or(ToolType::endmill);
   out.origin = fmt::format("comment \"{}\"", hint.text);
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
-  if (hint.plain_teeth) out.origin += ", its thread as a plain cylinder";
+  if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
+    out.origin += ", its thread as a plain cylinder";
   if (!hint.type) out.origin += ", taken to be an end mill";
   if (out.type == ToolType::threading && !lathe) {
     why = "names a threading tool of a lathe";

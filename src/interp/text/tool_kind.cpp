@@ -1,218 +1,238 @@
 #include "interp/text/tool_kind.h"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace mrsim {
 namespace {
 
-enum Form : std::uint8_t { firm, soft, no_shape, pointed, toothed };
-
-struct Phrase {
-  std::string_view words;  // apart by blanks; '*' at the end of a word stands for any ending
+struct Names {
   ToolType type;
-  Form form = firm;
-  double tip_angle = 0;
+  ToolTrade trade;
+  bool firm;
+  double tip_angle;
+  std::string_view phrases;  // apart by '|'
 };
 
-// '~' stands for any character outside of ASCII. The first phrase that is found counts, so the
-// particular stands before the general.
+// '*' at the end of a word stands for any ending, '~' for a character outside of ASCII, '?' for one
+// or two characters (FR?SER: FRÄSER, FRASER, FRAESER). The particular stands before the general.
+namespace tool_names {
 using enum ToolType;
-constexpr Phrase kPhrases[] = {
-    {"THREAD MILL*", endmill, toothed},
-    {"THREADMILL*", endmill, toothed},
-    {"GEWINDEFR*", endmill, toothed},
-    {"DOVETAIL", form, no_shape},
-    {"SCHWALBENSCHWANZ*", form, no_shape},
-    {"FORM MILL", form, no_shape},
-    {"FORM TOOL", form, no_shape},
-    {"FORMFR*", form, no_shape},
-    {"RADIUS MILL", form, no_shape},
-    {"CORNER ROUNDING", form, no_shape},
-    {"ROUNDOVER", form, no_shape},
-    {"ROUND OVER", form, no_shape},
-    {"TAPERED BALL", form, no_shape},
-    {"SLITTING SAW", form, no_shape},
-    {"PROBE", form, no_shape},
-    {"BORING BAR", boring},
-    {"BORING HEAD", endmill},
-    {"AUSSPINDEL*", endmill},
-    {"BOHRSTANGE", boring},
-    {"TURNING BORING", boring},
-    {"GROOVING TOOL", grooving},
-    {"GROOVING INSERT", grooving},
-    {"GROOVE TOOL", grooving},
-    {"TURNING GROOVING", grooving},
-    {"PARTING TOOL", grooving},
-    {"PARTING BLADE", grooving},
-    {"PART OFF TOOL", grooving},
-    {"CUTOFF TOOL", grooving},
-    {"CUT OFF TOOL", grooving},
-    {"STECHSTAHL", grooving},
-    {"RANURAR", grooving},
-    {"THREADING TOOL", threading},
-    {"THREADING INSERT", threading},
-    {"TURNING THREADING", threading},
-    {"GEWINDEDREH*", threading},
-    {"TURNING TOOL", turning},
-    {"TURNING INSERT", turning},
-    {"GENERAL TURNING", turning},
-    {"TURNING GENERAL", turning},
-    {"TURN TOOL", turning},
-    {"LATHE TOOL", turning},
-    {"DREHMEI*", turning},
-    {"DREHSTAHL", turning},
-    {"SCHLICHTSTAHL", turning},
-    {"SCHRUPPSTAHL", turning},
-    {"STRU~*", turning},
-    {"STRUZ*", turning},
-    {"CUCHILLA", turning},
-    {"NO~", turning},
-    {"NOZ", turning},
-    {"LOLLIPOP", lollipop},
-    {"BARREL", barrel, soft},
-    {"T SLOT", tslot},
-    {"TSLOT", tslot},
-    {"T NUTENFR*", tslot},
-    {"SLOT DRILL", endmill},
-    {"SPOT DRILL*", drill, firm, 90},
-    {"SPOTDRILL*", drill, firm, 90},
-    {"SPOTTING DRILL", drill, firm, 90},
-    {"NC ANBOHRER", drill, firm, 90},
-    {"ANBOHRER", drill, firm, 90},
-    {"CENTER DRILL*", drill, firm, 60},
-    {"CENTRE DRILL*", drill, firm, 60},
-    {"CENTERDRILL*", drill, firm, 60},
-    {"ZENTRIERBOHRER", drill, firm, 60},
-    {"GEWINDEBOHRER", endmill},
-    {"TAP", endmill, soft},
-    {"TAPPING", endmill, soft},
-    {"REAMER", endmill},
-    {"REIBAHLE", endmill},
-    {"COUNTER BORE", endmill, soft},
-    {"COUNTERBORE", endmill, soft},
-    {"COUNTERSINK", chamfer, soft, 90},
-    {"COUNTER SINK", chamfer, soft, 90},
-    {"KEGELSENKER", chamfer, firm, 90},
-    {"V BIT*", chamfer, pointed},
-    {"VBIT*", chamfer, pointed},
-    {"VCARVE BIT", chamfer, pointed},
-    {"V GROOVE*", chamfer, pointed},
-    {"ENGRAV*", chamfer, pointed},
-    {"GRAVIER*", chamfer, pointed},
-    {"CHAMFER MILL", chamfer, firm, 90},
-    {"CHAMFER TOOL", chamfer, firm, 90},
-    {"CHAMFER CUTTER", chamfer, firm, 90},
-    {"CHAMFER", chamfer, soft, 90},
-    {"FASENFR*", chamfer, firm, 90},
-    {"TAPERED MILL", taper, pointed},
-    {"TAPER MILL", taper, pointed},
-    {"TAPERED ENDMILL", taper, pointed},
-    {"TAPERED END MILL", taper, pointed},
-    {"BALLNOSE*", ballmill},
-    {"BALL NOSE*", ballmill},
-    {"BALLMILL", ballmill},
-    {"BALL", ballmill, soft},
-    {"KUGEL", ballmill, soft},
-    {"KUGELFR*", ballmill},
-    {"KROGL*", ballmill},
-    {"KROGEL*", ballmill},
-    {"ESFERICA", ballmill, soft},
-    {"FRESA DE BOLA", ballmill},
-    {"SFERICA", ballmill, soft},
-    {"HEMISPHERIQUE", ballmill, soft},
-    {"BULLNOSE*", bullmill},
-    {"BULL NOSE*", bullmill},
-    {"BULL", bullmill, soft},
-    {"TORUS", bullmill, soft},
-    {"TORUSFR*", bullmill},
-    {"TORICA", bullmill, soft},
-    {"END MILL", endmill},
-    {"ENDMILL", endmill},
-    {"FLAT END*", endmill},
-    {"FLAT MILL", endmill},
-    {"FACE MILL", endmill},
-    {"FACEMILL", endmill},
-    {"SHELL MILL", endmill},
-    {"SQUARE MILL", endmill},
-    {"SLOT MILL", endmill},
-    {"SLOTMILL", endmill},
-    {"FLY CUTTER", endmill},
-    {"ROUTER BIT", endmill},
-    {"STRAIGHT BIT", endmill},
-    {"FREZALO", endmill},
-    {"STEBLAST*", endmill},
-    {"SCHAFTFR*", endmill},
-    {"SCHRUPPFR*", endmill},
-    {"SCHLICHTFR*", endmill},
-    {"PLANFR*", endmill},
-    {"LANGLOCHFR*", endmill},
-    {"BOHRNUTENFR*", endmill},
-    {"FRAESER", endmill},
-    {"FR~SER", endmill},
-    {"FRESA", endmill},
-    {"FRAISE", endmill},
-    {"DRILL", drill, soft},
-    {"BOHRER", drill},
-    {"SPIRALBOHRER", drill},
-    {"SVEDER", drill},
-    {"BROCA", drill},
-    {"FORET", drill},
-    {"UPCUT", endmill, soft},
-    {"DOWNCUT", endmill, soft},
-    {"FLAT", endmill, soft},
-    {"MILL", endmill, soft},
-    {"EM", endmill, soft},
-    {"TURNING", turning, soft},
-    {"GROOVING", grooving, soft},
-    {"PARTING", grooving, soft},
-    {"CUTOFF", grooving, soft},
-    {"THREADING", threading, soft},
-    {"GROOVE", grooving, soft},
-    {"PART OFF", grooving, soft},
-    {"PARTOFF", grooving, soft},
-    {"CUT OFF", grooving, soft},
-    {"THREAD", threading, soft},
+using enum ToolTrade;
+constexpr Names kNames[] = {
+    {endmill, thread_mill, true, 0,
+     "THREAD MILL*|THREADMILL*|GEWINDEFR*|FRAISE A FILETER|FRESA DE ROSCAR|FRESA A FILETTARE|"
+     "FRESA PER FILETTARE|FREZ DO GWINT*|FREZALO ZA NAVOJ*|NAVOJNO FREZALO"},
+    {form, shaped, true, 0,
+     "DOVETAIL|SCHWALBENSCHWANZ*|QUEUE D ARONDE|COLA DE MILANO|CODA DI RONDINE|JASK*|LASTOV*"},
+    {form, shaped, true, 0,
+     "FORM MILL|FORM TOOL|FORM CUTTER|FORMFR*|PROFILFR*|RADIUS MILL|RADIUS CUTTER|CORNER ROUND*|"
+     "ROUNDOVER|ROUND OVER|RADIUSFR*|VIERTELKREIS*|TAPERED BALL|TAPER BALL|TAPER REAMER|"
+     "TAPERED REAMER|TAPER PIN*|PROBE|MESSTASTER|STEP DRILL|STUFENBOHRER|FORET ETAGE|"
+     "BROCA ESCALONADA|BACK CHAMFER*|BACK COUNTERSINK|BACK SPOT*|BACK COUNTERBORE|BACK BORE|"
+     "BACKBORE|DOUBLE ANGLE"},
+    {boring, lathe, true, 0,
+     "BORING BAR|BOHRSTANGE|TURNING BORING|INNENDREH*|AUSDREH*|BARRE D ALESAGE|BARRA DE MANDRINAR|"
+     "WYTACZAK|WYTACZAD?O"},
+    {endmill, hole, true, 0, "BORING HEAD|AUSSPINDEL*|AUSDREHKOPF"},
+    {grooving, lathe, true, 0,
+     "GROOVING TOOL|GROOVING INSERT|GROOVE TOOL|TURNING GROOVING|PARTING TOOL|PARTING BLADE|"
+     "PART OFF TOOL|CUTOFF TOOL|CUT OFF TOOL|STECHSTAHL|ABSTECHSTAHL|EINSTECHSTAHL|STECHPLATTE|"
+     "RANURAR|OUTIL A GORGE|OUTIL A TRONCONNER"},
+    {threading, lathe, true, 0,
+     "THREADING TOOL|THREADING INSERT|TURNING THREADING|GEWINDEDREH*|GEWINDESTAHL"},
+    {turning, lathe, true, 0,
+     "TURNING TOOL|TURNING INSERT|GENERAL TURNING|TURNING GENERAL|TURN TOOL|LATHE TOOL|DREHMEI*|"
+     "DREHSTAHL|SCHLICHTSTAHL|SCHRUPPSTAHL|STRU~*|STRUZ*|CUCHILLA|NO~|NOZ|OUTIL A CHARIOTER|"
+     "OUTIL A DRESSER"},
+    {lollipop, mill, true, 0, "LOLLIPOP*"},
+    {barrel, mill, false, 0, "BARREL"},
+    {tslot, disc, true, 0,
+     "T SLOT|T SLOTTER|TSLOT|T NUTEN*|TNUTEN*|KEYSEAT|KEYSEATER|KEY SEAT|KEY "
+     "CUTTER|KEYCUTTER|WOODRUFF*|"
+     "SCHEIBENFR*|SLITTING SAW|SLOTTING SAW|SLITTING CUTTER|SIDE CUTTER|SIDE AND FACE*|FRAISE T|"
+     "FRAISE EN T|FRESA T|FRESA EN T|FRESA A T|FREZ T|FREZ TARCZOWY|T UTOR*|KOLUTNO FREZALO"},
+    {endmill, mill, true, 0, "SLOT DRILL|SLOTDRILL"},
+    {endmill, hole, true, 0, "FLAT BOTTOM* DRILL|FLAT DRILL"},
+    {endmill, hole, false, 0, "SPOT FACE*|SPOTFACE*"},
+    {drill, twist_drill, false, 0, "TAP DRILL*|TAPPING DRILL*|CORE DRILL*|KERNLOCH*"},
+    {chamfer, vee, true, 0, "DRILL MILL|DRILLMILL|MILL DRILL"},
+    {drill, spot_drill, true, 90,
+     "SPOT DRILL*|SPOTDRILL*|SPOTTING DRILL|SPOTTER|NC ANBOHRER|ANBOHRER|NC SPOT*|NC DRILL|"
+     "FORET A POINTER|BROCA DE PUNTEAR"},
+    {drill, spot_drill, false, 90, "SPOT|SPOTTING"},
+    {drill, center_drill, true, 60,
+     "CENTER DRILL*|CENTRE DRILL*|CENTERDRILL*|CENTREDRILL*|CTR DRILL|C DRILL|ZENTRIERBOHRER|"
+     "ZENTRIERER|FORET A CENTRER|BROCA DE CENTR*|PUNTA DA CENTR*|PUNTA A CENTRARE|NAWIERTAK|"
+     "CENTRIRNI SVEDER|SREDI?NI SVEDER"},
+    {endmill, tap, true, 0,
+     "GEWINDEBOHRER|GEWINDEFORMER|GEWINDEFURCHER|TARAUD|MACHO|MACHUELO|MASCHIO|GWINTOWNIK|"
+     "NAVOJNI SVEDER|NAVOJNIK|SVEDER ZA NAVOJ*|TAPRH|TAPLH|FORM TAP|ROLL TAP|THREAD FORMER"},
+    {endmill, tap, false, 0, "TAP|TAPPING"},
+    {endmill, hole, true, 0,
+     "REAMER|REAMERS|REIBAHLE*|AL?SOIR|ESCARIADOR|ALESATORE|ROZWIERTAK|POVRTALO|FLACHSENKER|"
+     "ZAPFENSENKER|FRAISE A LAMER"},
+    {endmill, hole, false, 0, "REAM|REAMING|COUNTER BORE*|COUNTERBORE*|CBORE|C BORE"},
+    {chamfer, countersink, true, 90,
+     "KEGELSENKER|FRAISE A FRAISURER|AVELLANADOR|SVASATORE|STO?CASTO GREZILO"},
+    {chamfer, countersink, false, 90,
+     "COUNTERSINK*|COUNTER SINK*|CSINK|C SINK|CSK|SENKER|GREZILO|POG??BIACZ|POGLEBIACZ"},
+    {chamfer, vee, true, 0,
+     "V BIT*|VBIT*|V CUTTER|V TOOL|VCARVE BIT|V GROOVE*|ENGRAVING TOOL|ENGRAVING CUTTER|"
+     "ENGRAVING BIT|ENGRAVE TOOL|ENGRAVER|ENGRAVE MILL|GRAVIERSTICHEL|GRAVIERFR*|FRAISE A GRAVER"},
+    {chamfer, vee, false, 0, "ENGRAV*|GRAVIER*"},
+    {chamfer, chamfer_mill, true, 90,
+     "CHAMFER MILL|CHAMFER TOOL|CHAMFER CUTTER|CHAMFER ENDMILL|CHAMFER END MILL|CHAMFER EM|"
+     "CHAMFER BIT|CHAMFER DRILL|CHAMFERMILL|CHAMFERING TOOL|CHAMFERING CUTTER|CHAMFERING MILL|CHAM "
+     "MILL|"
+     "FASENFR*|ENTGRATER|ENTGRATFR*|FRAISE A CHANFREIN*|FRESA DE CHAFLAN*|FRESA PER SMUSS*|"
+     "FAZOWNIK|FREZ DO FAZ*"},
+    {chamfer, chamfer_mill, false, 90, "CHAMFER|CHAMFERING|CHAM|CHANFREIN"},
+    {taper, cone_mill, true, 0,
+     "TAPERED MILL|TAPER MILL|TAPERED ENDMILL|TAPERED END MILL|TAPER ENDMILL|TAPER END MILL|"
+     "TAPERED EM|TAPER EM|KONISCHER FR*|FRAISE CONIQUE|FRESA CONICA|FREZ STO?KOWY|"
+     "KONI?NO FREZALO"},
+    {ballmill, mill, true, 0,
+     "BALLNOSE*|BALL NOSE*|BALLMILL|BALL MILL|BALLENDMILL|BALL END*|BALL EM|BEM|BNEM|KUGELFR*|"
+     "VOLLRADIUSFR*|KROGL*|KROGEL*|FRAISE BOULE|FRESA DE BOLA|FRESA BOLA|FRESA TONDA|FREZ KUL*"},
+    {ballmill, mill, false, 0,
+     "BALL|KUGEL|BOULE|ESF?RICA|SF?RICA|SEMISFERICA|H?MISPH?RIQUE|SPH?RIQUE|KULISTY|"
+     "PUNTA TONDA|PUNTA SFERICA"},
+    {bullmill, mill, true, 0,
+     "BULLNOSE*|BULL NOSE*|TORUSFR*|RADIUS END MILL|RADIUS ENDMILL|HIGH FEED MILL|"
+     "HIGH FEED CUTTER|HIGH FEED END*|HIGH FEED FACE*|HOCHVORSCHUBFR*|FEED MILL|FEEDMILL"},
+    {bullmill, mill, false, 0, "BULL|TORUS|TORUSNO|TORICA|TORIQUE|TOROID*"},
+    {endmill, face_mill, true, 0,
+     "FACE MILL|FACEMILL|FACING MILL|SHELL MILL|SHELLMILL|FLY CUTTER|FLYCUTTER|PLANFR*|"
+     "MESSERKOPF|PLANMESSERKOPF|ECKFR*|FRAISE A SURFACER|FRESA DE PLANEAR|PLATO DE PLANEAR|FRESA A "
+     "SPIANARE|"
+     "FRESA PER SPIANARE|G?OWICA|FREZ CZO?OWY|SURFACING BIT|SPOILBOARD*"},
+    {endmill, mill, true, 0,
+     "END MILL|ENDMILL|END MILLS|ENDMILLS|E MILL|EMILL|FLAT END*|FLAT MILL|SQUARE MILL|SLOT "
+     "MILL|SLOTMILL|ROUGHER|"
+     "RUFFER|HOG MILL|HOGMILL|ROUTER BIT|STRAIGHT BIT|COMPRESSION BIT|UPCUT BIT|DOWNCUT BIT|"
+     "SPIRAL BIT|END CUTTER|FREZALO|STEBLAST*|SCHAFTFR*|SCHRUPPFR*|SCHLICHTFR*|LANGLOCHFR*|"
+     "BOHRNUTENFR*|NUTENFR*|FINGERFR*|EINSCHNEIDER|FR?SER|FRESA|FRAISE|FREZ"},
+    {drill, twist_drill, true, 0,
+     "DRILL BIT|TWIST DRILL|JOBBER DRILL|GUN DRILL|INSERT DRILL|SPADE DRILL|U DRILL|BOHRER|"
+     "SPIRALBOHRER|VOLLBOHRER|WENDEPLATTENBOHRER|TIEFLOCHBOHRER|SVEDER|BROCA|FORET|WIERT?O|PUNTA "
+     "ELICOIDALE"},
+    {drill, twist_drill, false, 0, "DRILL|DRL|PUNTA"},
+    {endmill, mill, false, 0, "UPCUT|DOWNCUT|FLAT|MILL|EM|E M"},
+    {turning, lathe, false, 0, "TURNING|DIAMOND"},
+    {grooving, lathe, false, 0, "GROOVING|PARTING|CUTOFF|GROOVE|PART OFF|PARTOFF|CUT OFF"},
+    {threading, lathe, false, 0, "THREADING|THREAD"},
 };
+}  // namespace tool_names
 
-bool matches(std::string_view pattern, const CommentToken& token) {
-  if (token.kind != CommentToken::Kind::word) return false;
-  if (pattern.back() == '*') return token.text.starts_with(pattern.substr(0, pattern.size() - 1));
-  return token.text == pattern;
+bool fits(std::string_view pattern, std::string_view text) {
+  if (pattern.empty()) return text.empty();
+  if (pattern == "*") return true;
+  if (pattern.front() != '?')
+    return !text.empty() && text.front() == pattern.front() &&
+           fits(pattern.substr(1), text.substr(1));
+  return (!text.empty() && fits(pattern.substr(1), text.substr(1))) ||
+         (text.size() > 1 && fits(pattern.substr(1), text.substr(2)));
 }
 
-// The token behind the phrase that begins at `at`, or 0. "T-SLOT" has a dash between its words.
+// "T-SLOT", "C'SINK", "D'ARONDE": a sign between the words of a phrase.
+bool joins_words(const CommentToken& token) {
+  return token.glued && (token.is("-") || token.is("'") || token.is("/"));
+}
+
+// The token behind the phrase that begins at `at`, or 0.
 std::size_t match_phrase(std::string_view words, const std::vector<CommentToken>& tokens,
                          std::size_t at) {
   for (bool first = true; !words.empty(); first = false) {
     const std::size_t blank = words.find(' ');
-    if (!first && at < tokens.size() && tokens[at].is("-") && tokens[at].glued) ++at;
-    if (at >= tokens.size() || !matches(words.substr(0, blank), tokens[at])) return 0;
+    if (!first && at < tokens.size() && joins_words(tokens[at])) ++at;
+    if (at >= tokens.size() || tokens[at].kind != CommentToken::Kind::word ||
+        !fits(words.substr(0, blank), tokens[at].text))
+      return 0;
     ++at;
     words = blank == words.npos ? std::string_view() : words.substr(blank + 1);
   }
   return at;
 }
 
+struct Phrase {
+  std::string_view words;
+  const Names* names;
+};
+
+// The phrases by their first letter, in the order of the table.
+const std::vector<Phrase>& phrases_with(char letter) {
+  static const auto kIndex = [] {
+    std::array<std::vector<Phrase>, 256> index;
+    for (const Names& names : tool_names::kNames)
+      for (std::string_view rest = names.phrases; !rest.empty();) {
+        const std::size_t bar = rest.find('|');
+        const std::string_view words = rest.substr(0, bar);
+        index[static_cast<unsigned char>(words.front())].push_back({words, &names});
+        rest = bar == rest.npos ? std::string_view() : rest.substr(bar + 1);
+      }
+    return index;
+  }();
+  return kIndex[static_cast<unsigned char>(letter)];
+}
+
+struct Match {
+  ToolKind kind;
+  const Names* names;
+};
+
+bool overlap(const ToolKind& a, const ToolKind& b) { return a.first < b.end && b.first < a.end; }
+
 }  // namespace
 
-std::optional<ToolKind> find_tool_kind(const std::vector<CommentToken>& tokens) {
-  for (const Phrase& phrase : kPhrases) {
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
+std::vector<ToolKind> find_tool_kinds(const std::vector<CommentToken>& tokens) {
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != CommentToken::Kind::word) continue;
+    for (const Phrase& phrase : phrases_with(tokens[i].text.front())) {
       const std::size_t end = match_phrase(phrase.words, tokens, i);
-      if (end == 0) continue;
-      ToolKind kind;
-      kind.type = phrase.type;
-      kind.firm = phrase.form != soft;
-      kind.indescribable = phrase.form == no_shape;
-      kind.plain_teeth = phrase.form == toothed;
-      kind.needs_angle = phrase.form == pointed;
-      kind.tip_angle = phrase.tip_angle;
-      kind.first = i;
-      kind.end = end;
-      return kind;
+      const Names& n = *phrase.names;
+      if (end > 0) matches.push_back({{n.type, n.trade, n.firm, n.tip_angle, i, end}, &n});
     }
   }
-  return std::nullopt;
+  // The words of a firm phrase are not those of a soft one too: "SPOT DRILL" is no "DRILL".
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const Match& a, const Match& b) { return a.names < b.names; });
+  std::vector<ToolKind> kinds;
+  for (const Match& match : matches)
+    if (std::none_of(kinds.begin(), kinds.end(),
+                     [&](const ToolKind& k) { return overlap(k, match.kind); }))
+      kinds.push_back(match.kind);
+  const auto firm =
+      std::find_if(kinds.begin(), kinds.end(), [](const ToolKind& k) { return k.firm; });
+  if (firm == kinds.end() || firm == kinds.begin()) return kinds;
+  // "CHAMFER WITH A 6MM ENDMILL": the tool is the end mill. "BALL ... ENDMILL" is a ball mill.
+  const ToolKind certain = *firm;
+  std::stable_partition(kinds.begin(), kinds.end(),
+                        [&](const ToolKind& k) { return same_trade(k, certain); });
+  kinds.front().firm = true;
+  return kinds;
+}
+
+bool same_trade(const ToolKind& a, const ToolKind& b) {
+  using enum ToolTrade;
+  const auto family = [](const ToolKind& kind) {
+    switch (kind.trade) {
+      case face_mill:
+      case cone_mill:
+        return mill;
+      case center_drill:
+        return twist_drill;
+      case spot_drill:
+      case countersink:
+      case vee:
+        return chamfer_mill;
+      default:
+        return kind.trade;
+    }
+  };
+  return family(a) == family(b);
 }
 
 }  // namespace mrsim

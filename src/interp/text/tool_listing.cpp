@@ -46,8 +46,8 @@ bool read_key_values(std::string_view text, ToolHint& hint) {
     if (key == "NUMBER" || key == "ID") {
       hint.id = std::string(value);
     } else if (key == "TYPE") {
-      const auto kind = find_tool_kind(comment_tokens(value));
-      if (kind) hint.type = kind->type;
+      const std::vector<ToolKind> kinds = find_tool_kinds(comment_tokens(value));
+      if (!kinds.empty()) hint.type = kinds.front().type;
     } else if (key == "DIAMETER" || key == "DIA" || key == "D") {
       set_diameter(hint, length_of(value));
     } else if (key.find("CORNER") != key.npos) {

@@ -1,0 +1,38 @@
+// What the words beside the numbers of a tool's comment say of them: "DIA", "LOC", "FLUTE".
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace mrsim {
+
+enum class WordRole : std::uint8_t {
+  none,
+  adjective,  ///< may stand between a size and the kind of tool: "10 MM CARBIDE LONG ENDMILL"
+  flutes,
+  diameter,
+  register_of,  ///< "OFF": makes a register of the diameter before it
+  radius,
+  radius_letter,  ///< "R": its number is glued to it
+  corner,         ///< "CORNER": names a radius beside "RADIUS" alone
+  nose,
+  width,
+  length,  ///< of the flutes; "LENGTH" alone is that of the tool
+  angle,
+  taper,
+  tip,
+  count,  ///< "4 HOLES"
+  other   ///< a number of no interest: depth, speed, shank, register
+};
+
+/// Where the number of a word stands.
+enum class NumberSide : std::uint8_t { either, before, behind };
+
+struct CommentWord {
+  WordRole role = WordRole::none;
+  NumberSide side = NumberSide::either;
+};
+
+CommentWord comment_word(std::string_view word);
+
+}  // namespace mrsim

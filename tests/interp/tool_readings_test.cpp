@@ -1,0 +1,365 @@
+// What mrsim makes of tool comments as shops and posts write them: sizes, threads, angles, radii.
+#include "core/units.h"
+#include "interp/text/tool_comment.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+// "drill 6.35, point 118": what a program in this unit makes of the comment; "? ..." why it asks;
+// "-": the comment is not about a tool.
+std::string told(const std::string& comment, double unit, bool lathe) {
+  static constexpr const char* kNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
+                                           "drill",   "tslot",    "lollipop", "barrel",   "form",
+                                           "turning", "grooving", "boring",   "threading"};
+  const ToolHint hint = read_tool_comment(comment);
+  if (!hint && hint.id.empty()) return "-";
+  Tool tool;
+  std::string why;
+  if (!fill_tool(hint, unit, lathe, tool, why)) return "? " + why;
+  std::string out = kNames[static_cast<std::size_t>(tool.type)];
+  const auto add = [&](const char* name, double value) {
+    if (value > 0) out += fmt::format("{}{:.5g}", name, value);
+  };
+  add(" ", tool.diameter);
+  add(", corner ", tool.corner_radius);
+  add(", point ", degrees(tool.tip_angle));
+  add(", side ", degrees(tool.taper_angle));
+  add(", tip ", tool.tip_diameter);
+  add(", width ", tool.width);
+  add(", flutes ", tool.flute_length);
+  if (!is_turning(tool.type) || tool.type == ToolType::grooving) return out;
+  add(", insert ", degrees(tool.insert_angle));
+  add(", nose ", tool.nose_radius);
+  return out;
+}
+
+enum In : std::uint8_t { mm, inch, lathe_mm, lathe_inch };
+
+struct Reading {
+  In program;
+  const char *comment, *tool;
+};
+
+void expect_readings(const std::vector<Reading>& rows) {
+  for (const Reading& row : rows) {
+    const bool inches = row.program == inch || row.program == lathe_inch;
+    EXPECT_EQ(told(row.comment, inches ? kMmPerInch : 1, row.program >= lathe_mm), row.tool)
+        << row.comment;
+  }
+}
+
+TEST(ToolCommentReadings, Threads) {
+  expect_readings({
+      {mm, "M8 X 1.25 TAP", "endmill 8"},
+      {mm, "M6X1 TAP", "endmill 6"},
+      {mm, "T10 | M8-1.25 TAP RH | H10", "endmill 8"},
+      {mm, "T10 | 8.-1.25 TAP | H10", "endmill 8"},
+      {mm, "T10 | 10.0 X 1.50 TAP RH | H10", "endmill 10"},
+      {mm, "TAP M5X.8", "endmill 5"},
+      {mm, "M3X0,5 GEWINDEBOHRER", "endmill 3"},
+      {mm, "M6 TAP 1.0 PITCH", "endmill 6"},
+      {mm, "M12 GEWINDEBOHRER TIEFE 20", "endmill 12"},
+      {mm, "T6 D=6. CR=0. - ZMIN=-9. - right hand tap", "endmill 6"},
+      {inch, "T4 | 1/4-20 TAPRH | H4", "endmill 6.35"},
+      {inch, "1/4 - 20 TAP", "endmill 6.35"},
+      {inch, ".250-20 TAP", "endmill 6.35"},
+      {inch, "TAP 1/4-20 UNC", "endmill 6.35"},
+      {inch, "T6 - 1/2-13 UNC-2B TAP", "endmill 12.7"},
+      {inch, "10-32 TAP", "endmill 4.826"},
+      {inch, "#10-24 TAP", "endmill 4.826"},
+      {inch, "8-32 TAP", "endmill 4.1656"},
+      {inch, "4-40 SPIRAL POINT TAP", "endmill 2.8448"},
+      {inch, "1-8 TAP", "endmill 25.4"},
+      {inch, "T6 1/4-20 TAP .75 DEEP", "endmill 6.35"},
+      {inch, "1/8 NPT TAP", "? names a pipe thread, whose size is not its diameter"},
+      {inch, "1/4-20 STI TAP", "? names a thread for wire inserts, whose tap is larger"},
+      {inch, "1/4-20 THREAD MILL", "? gives no diameter"},
+      {inch, "THREADMILL .370 DIA 1/2-13", "endmill 9.398"},
+      {mm, "GEWINDEFRAESER M8", "? gives no diameter"},
+      {inch, "1/4-20 TAP DRILL", "-"},
+      {mm, "TAP DRILL M8 6.8MM", "drill 6.8"},
+      {mm, "BOHRER 6.8 FUER M8", "drill 6.8"},
+      {mm, "M6 CLEARANCE DRILL 6.6", "drill 6.6"},
+  });
+}
+
+TEST(ToolCommentReadings, NumberAndLetterDrills) {
+  expect_readings({
+      {inch, "#7 DRILL", "drill 5.1054"},
+      {inch, "NO. 7 DRILL", "drill 5.1054"},
+      {inch, "NO.21 DRILL", "drill 4.0386"},
+      {inch, "T5 | NO. 7 DRILL | H5 | TOOL DIA. - .201", "drill 5.1054"},
+      {inch, "DRILL #29", "drill 3.4544"},
+      {inch, ".136 (#29) DRILL", "drill 3.4544"},
+      {inch, "1/4-20 TAP DRILL #7", "drill 5.1054"},
+      {inch, "#7 DRILL FOR 1/4-20 TAP", "drill 5.1054"},
+      {inch, "F DRILL", "drill 6.5278"},
+      {inch, "T3 F DRILL", "drill 6.5278"},
+      {inch, "\"F\" DRILL", "drill 6.5278"},
+      {inch, "F DRILL (.257)", "drill 6.5278"},
+      {inch, "LETTER Q DRILL", "drill 8.4328"},
+      {inch, "DRILL LETTER F", "drill 6.5278"},
+      {inch, "#7 8.5MM DRILL", "? can be read as diameter 0.201 inch or 8.5 mm"},
+      {inch, "#2 CENTER DRILL", "? gives no diameter"},
+      {inch, "C-DRILL #3", "? gives no diameter"},
+      {inch, "#8 SCREW CLEARANCE DRILL", "-"},
+      {inch, "A DRILL", "-"},
+      {inch, "2F DRILL .25", "drill 6.35"},
+      {inch, "3/8 U-DRILL", "drill 9.525"},
+      {mm, "#7 DRILL", "? can be read as the drill 7 of 0.201 inch, in a program in mm"},
+      {mm, "F DRILL", "? can be read as the drill F of 0.257 inch, in a program in mm"},
+  });
+}
+
+TEST(ToolCommentReadings, SizesJoinedByX) {
+  expect_readings({
+      {inch, "MAFORD .25 X .75 X 2.5 ENDMILL", "endmill 6.35"},
+      {mm, "12X26 EM", "endmill 12"},
+      {mm, "4 X 11 X 50 Z2 FREZ", "endmill 4"},
+      {inch, "1/2 X 1-1/4 X 3 4FL EM", "endmill 12.7"},
+      {inch, "3/8 X 3/8 X 1 X 2-1/2 EM", "endmill 9.525"},
+      {inch, "TOOL #4 .375 DIA X 1.0 LOC BALL EM", "ballmill 9.525"},
+      {mm, "ENDMILL 6MM X 50MM", "endmill 6"},
+      {mm, "DRILL 8.5 X 117", "drill 8.5"},
+      {mm, "BALL R3 X 50", "ballmill 6"},
+      {mm, "12 X R1 ENDMILL", "bullmill 12, corner 1"},
+      {mm, "BULL NOSE 20 X 2", "bullmill 20, corner 2"},
+      {mm, "FACE MILL 63 X 5", "endmill 63"},
+      {mm, "END MILL 20 X 2", "? can be read as diameter 20 or 2"},
+      {inch, "1/2 EM X .06", "? can be read as diameter 0.5 or 0.06"},
+      {mm, "10MM X 3MM X 72MM EM", "? can be read as diameter 10 mm or 3 mm"},
+      {inch, ".500 1.25 EM", "? can be read as diameter 1.25 or 0.5"},
+      {mm, "ENDMILL 12 × 26", "endmill 12"},
+  });
+}
+
+TEST(ToolCommentReadings, NumbersWithNames) {
+  expect_readings({
+      {inch, "EM 0.375 LOC 1.0", "endmill 9.525"},
+      {inch, "3/8 BEM 1.0 LOC 2.5 OAL", "ballmill 9.525"},
+      {inch, "1/2 DIA 4 FLUTE ENDMILL", "endmill 12.7"},
+      {inch, "TOOL 1 = .5 DIA. 4 FLUTE END MILL", "endmill 12.7"},
+      {inch, ".500 4 FLT E.M.", "endmill 12.7"},
+      {inch, "1/4 LONG REACH EM", "endmill 6.35"},
+      {inch, ".3125 5XD DRILL", "drill 7.9375"},
+      {inch, "T2 | 3/8 FLAT ENDMILL | H2 | XY STOCK TO LEAVE - .02", "endmill 9.525"},
+      {mm, "ENDMILL DOC 2MM D6", "endmill 6"},
+      {mm, "6MM ENDMILL S3000 F500", "endmill 6"},
+      {mm, "ALESOIR D10H7", "endmill 10"},
+      {mm, "6H7 REAMER", "endmill 6"},
+      {inch, "1/4 DRILL (4 HOLES)", "drill 6.35"},
+      {inch, "DRILL (4) 1/4 HOLES", "? can be read as diameter 4 or 0.25"},
+      {inch, "DRILL 1/2 DEEP", "-"},
+      {mm, "T3 ENDMILL LEAVE 0.5MM", "? gives no diameter"},
+      {mm, "FRESA D.50", "? can be read as diameter 0.5 or as D. and a number without a point"},
+  });
+}
+
+TEST(ToolCommentReadings, SizesBesideTheKind) {
+  expect_readings({
+      {inch, "3 IN FACE MILL", "endmill 76.2"},
+      {inch, "4 IN DIA FACE MILL", "endmill 101.6"},
+      {inch, "1.5 IN. SHELL MILL", "endmill 38.1"},
+      {inch, "FACE MILL 1 1/2", "endmill 38.1"},
+      {inch, ".375 GARR EM", "endmill 9.525"},
+      {inch, "1. 1/2 ENDMILL", "endmill 12.7"},
+      {mm, "TOOL=10MM_ENDMILL_4FL", "endmill 10"},
+      {mm, "EM10 Z4 L75", "endmill 10"},
+      {mm, "TC: 5mm Endmill001", "endmill 5"},
+      {mm, "TC: Endmill001", "? gives no diameter"},
+      {mm, "TOOL 1 : endmill1000:reg",
+       "? gives the diameter 1000 without a unit, in a program in mm"},
+      {inch, "T11 | 3.0 FACE MILL | H11", "endmill 76.2"},
+  });
+}
+
+TEST(ToolCommentReadings, WhatWouldBeLost) {
+  expect_readings({
+      {inch, ".1875 +.0005 REAMER", "? gives no diameter"},
+      {inch, "1/8 BALL 5 DEG TAPER", "? names a tapered mill, whose shape it does not tell"},
+      {mm, "T12 D=3. CR=0. TAPER=2deg - flat end mill",
+       "? names a tapered mill, whose shape it does not tell"},
+      {inch, "1/4 SHCS COUNTERBORE", "-"},
+      {inch, "3/8 SHCS CBORE .594", "endmill 15.088"},
+      {inch, "1/2 CHAMFER 45", "chamfer 12.7, side 45"},
+      {mm, "FRAISE DIA 12 R 1", "bullmill 12, corner 1"},
+      {mm, "FRESA TONDA R3", "ballmill 6"},
+      {mm, "DRILL 8.5 X 120", "drill 8.5"},
+      {inch, "REAMER .251/.250", "? can be read as diameter 0.251 or 0.25"},
+  });
+}
+
+TEST(ToolCommentReadings, Quotes) {
+  expect_readings({
+      {mm, "T=\"CUTTER_10\" D=10 endmill", "endmill 10"},
+      {inch, "1/2\" EM 3\" OAL", "endmill 12.7"},
+  });
+}
+
+TEST(ToolCommentReadings, Radii) {
+  expect_readings({
+      {inch, ".375 BEM", "ballmill 9.525"},
+      {mm, "R3 BALL", "ballmill 6"},
+      {mm, "BALL NOSE 3 R", "ballmill 6"},
+      {inch, "BALL NOSE 1/8 R", "ballmill 6.35"},
+      {inch, "R1/8 BALL", "ballmill 6.35"},
+      {mm, "10MM BALL R5 2FL", "ballmill 10"},
+      {mm, "BALL D10 R2",
+       "? names a ball mill, but its radius of 2 mm is less than half the diameter"},
+      {mm, "KUGELFRAESER R4", "ballmill 8"},
+      {inch, "1/2 RUFFER .06 CR", "bullmill 12.7, corner 1.524"},
+      {inch, ".5 DIA .03 RAD 4FL EM", "bullmill 12.7, corner 0.762"},
+      {inch, "1/2 EM W/ .030 RAD", "bullmill 12.7, corner 0.762"},
+      {mm, "END MILL 10MM CORNER R 0.5MM", "bullmill 10, corner 0.5"},
+      {mm, "BULL NOSE END MILL 10 R 2", "bullmill 10, corner 2"},
+      {inch, "T8 | 1/2 BULL ENDMILL .03 RAD | H8", "bullmill 12.7, corner 0.762"},
+      {mm, "D12R2", "bullmill 12, corner 2"},
+      {mm, "D6R3", "ballmill 6"},
+      {mm, "D10R0", "endmill 10"},
+      {mm, "T1 D12R2", "bullmill 12, corner 2"},
+      {mm, "T3 D20R1 L100 Z2", "bullmill 20, corner 1"},
+      {mm, "TOOL : MILL_D10_R0.5", "bullmill 10, corner 0.5"},
+      {mm, "T7 D=63. CR=0.8 - face mill", "bullmill 63, corner 0.8"},
+  });
+}
+
+TEST(ToolCommentReadings, Angles) {
+  expect_readings({
+      {inch, ".250 X 45 CHAMFER", "chamfer 6.35, side 45"},
+      {inch, "CHAMFER MILL 1/2 X 45", "chamfer 12.7, side 45"},
+      {inch, "1/2 X 90 SPOT", "drill 12.7, point 90"},
+      {inch, "1/2-90 DEG SPOT DRILL", "drill 12.7, point 90"},
+      {inch, "1/2 90 SPOT DRILL", "drill 12.7, point 90"},
+      {inch, "1/2 120 DEG SPOT DRILL", "drill 12.7, point 120"},
+      {inch, "1/4 135 DRILL", "drill 6.35, point 135"},
+      {inch, "C-SINK 82 DEG 1/2", "chamfer 12.7, point 82"},
+      {inch, "3/4 82 DEG C'SINK", "chamfer 19.05, point 82"},
+      {inch, "1/2\" X 82 C-SINK", "chamfer 12.7, point 82"},
+      {inch, "3/4 COUNTERSINK",
+       "? gives no angle, and countersinks of inch sizes have 82 or 90 degrees"},
+      {inch, "1/4 CHAMFER TOOL 60 INCLUDED", "chamfer 6.35, point 60"},
+      {inch, "1/4 60 DEG CHAMFER MILL", "? gives 60 degrees, of its side or of the whole"},
+      {inch, "1/4 CHAMFER 30 DEG PER SIDE", "chamfer 6.35, side 30"},
+      {mm, "90 CHAMFER MILL", "? can be read as diameter 90 or as 90 degrees"},
+      {mm, "ANBOHRER D10/120", "drill 10, point 120"},
+      {mm, "ENGRAVING CUTTER 30 DEG 0.2MM TIP", "? gives no diameter"},
+      {mm, "20 DEG V BIT DIA 6 TIP 0.2", "chamfer 6, point 20, tip 0.2"},
+      {mm, "30 DEG 0.1MM ENGRAVING BIT", "? can be read as diameter 0.1 mm or as a tip of 0.1 mm"},
+      {inch, "1/2 DRILL/MILL", "? gives no angle"},
+      {inch, "1/2 DRILL MILL 90 DEG", "chamfer 12.7, point 90"},
+      {inch, "T12 | 1/4 TAPER ENDMILL 3 DEG | H12", "? gives no flute length"},
+      {inch, "1/8 X 3 DEG TAPER EM LOC 1.0", "taper 3.175, side 3, flutes 25.4"},
+  });
+}
+
+TEST(ToolCommentReadings, HeadsAndBlades) {
+  expect_readings({
+      {mm, "T-SLOT CUTTER 20MM X 4MM", "tslot 20, width 4"},
+      {mm, "T-SLOT 25 X 11 NECK 12", "tslot 25, width 11"},
+      {inch, "KEYSEAT CUTTER 3/4 X 1/8 WIDE", "tslot 19.05, width 3.175"},
+      {inch, "WOODRUFF 1/2 X 1/8", "tslot 12.7, width 3.175"},
+      {inch, "SLITTING SAW 3.0 X .062", "tslot 76.2, width 1.5748"},
+      {mm, "SCHEIBENFRAESER D50 B4", "tslot 50, width 4"},
+      {mm, "T-NUTENFRAESER 20X6", "tslot 20, width 6"},
+      {inch, "1/2 T-SLOT CUTTER", "? gives no width of the head"},
+      {mm, "T-SLOT 6 X 20", "? gives no width of the head"},
+  });
+}
+
+TEST(ToolCommentReadings, OneToolOrTwo) {
+  expect_readings({
+      {mm, "6MM DRILL - CHAMFER EDGES", "? names more than one kind of tool"},
+      {mm, "10MM ENDMILL CHAMFER EDGES", "endmill 10"},
+      {mm, "10MM ENDMILL CHAMFER 45 DEG", "? names more than one kind of tool"},
+      {inch, "T1 1/2 EM CHAMFER EDGES", "? names more than one kind of tool"},
+      {inch, "DRILL AND TAP 1/4-20", "? names more than one kind of tool"},
+      {inch, "3/8 FLAT BOTTOM DRILL", "endmill 9.525"},
+      {mm, "TOOL -9- CHAMFER DRILL DIA 10.0 R0. MM", "chamfer 10, point 90"},
+      {mm, "CHAMFER 0.5", "-"},
+      {inch, "CHAMFER EDGES .03 X 45", "-"},
+      {mm, "T5 CHAMFER 10", "chamfer 10, point 90"},
+      {mm, "ENGRAVE LOGO", "-"},
+      {mm, "FACE MILLING", "-"},
+      {inch, "STOCK 2 X 3 X 1", "-"},
+      {inch, "TAP 4 CORNERS", "-"},
+      {mm, "STEP DRILL 6/10", "? names a kind of tool that needs more data"},
+      {mm, "T10 D=10. CR=0. - dovetail mill", "? names a kind of tool that needs more data"},
+  });
+}
+
+TEST(ToolCommentReadings, Tongues) {
+  expect_readings({
+      {mm, "FRÄSER Ø 20", "endmill 20"},
+      {mm, "HPC-FRAESER 12 Z4", "endmill 12"},
+      {mm, "SCHAFTFR. D16 ECKENRADIUS 1", "bullmill 16, corner 1"},
+      {mm, "NC-ANBOHRER 10 90GRAD", "drill 10, point 90"},
+      {mm, "ZENTRIERBOHRER 3.15", "drill 3.15, point 60"},
+      {mm, "SENKER DIN 335 90GRAD D16.5", "chamfer 16.5, point 90"},
+      {mm, "SENKER 90/16", "chamfer 16, point 90"},
+      {mm, "FLACHSENKER D11", "endmill 11"},
+      {mm, "KERNLOCHBOHRER 6.8 M8", "drill 6.8"},
+      {mm, "WENDEPLATTENBOHRER D25", "drill 25"},
+      {mm, "FRAISE BOULE D6", "ballmill 6"},
+      {mm, "FRAISE 2 TAILLES D12", "endmill 12"},
+      {mm, "FRAISE TORIQUE D10 R2", "bullmill 10, corner 2"},
+      {mm, "FRAISE A CHANFREINER D10 90°", "chamfer 10, point 90"},
+      {mm, "FORET À CENTRER D3", "drill 3, point 60"},
+      {mm, "TARAUD M8", "endmill 8"},
+      {mm, "FRAISE T D20 EP 5", "tslot 20, width 5"},
+      {mm, "FRAISE DE 10", "endmill 10"},
+      {mm, "FRESA DE BOLA 6", "ballmill 6"},
+      {mm, "FRESA PLANA 12", "endmill 12"},
+      {mm, "BROCA DE 8,5", "drill 8.5"},
+      {mm, "BROCA DE CENTRAR 3", "drill 3, point 60"},
+      {mm, "MACHO DE ROSCAR M10X1.5", "endmill 10"},
+      {mm, "AVELLANADOR 90 GRADOS 12", "chamfer 12, point 90"},
+      {mm, "FRESA SFERICA D8", "ballmill 8"},
+      {mm, "PUNTA D8.5", "drill 8.5"},
+      {mm, "MASCHIO M8", "endmill 8"},
+      {mm, "ALESATORE 10", "endmill 10"},
+      {mm, "FREZ 10", "endmill 10"},
+      {mm, "FREZ FI12 Z4", "endmill 12"},
+      {mm, "FREZ KULISTY R5", "ballmill 10"},
+      {mm, "FREZ TRZPIENIOWY 8", "endmill 8"},
+      {mm, "WIERTLO 5", "drill 5"},
+      {mm, "WIERTŁO 8.5", "drill 8.5"},
+      {mm, "NAWIERTAK 90 ST FI 10", "drill 10, point 90"},
+      {mm, "GWINTOWNIK M8", "endmill 8"},
+      {mm, "ROZWIERTAK 10H7", "endmill 10"},
+      {mm, "POGŁĘBIACZ 90 FI 16", "chamfer 16, point 90"},
+      {mm, "STEBLASTO FREZALO FI 10", "endmill 10"},
+      {mm, "KROGLIČNO FREZALO R4", "ballmill 8"},
+      {mm, "SVEDER 8.5", "drill 8.5"},
+      {mm, "NAVOJNI SVEDER M8", "endmill 8"},
+      {mm, "POVRTALO 10H7", "endmill 10"},
+      {mm, "GREZILO 90 FI 16", "chamfer 16, point 90"},
+      {mm, "VRTANJE FI 5", "-"},
+  });
+}
+
+TEST(ToolCommentReadings, Lathes) {
+  expect_readings({
+      {lathe_mm, "80* ROUGH TURNING TOOL", "turning, insert 80"},
+      {lathe_mm, "T0101 DREHMEISSEL 80* R0.8", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "80 DEG ROUGH TURNING TOOL .031 R", "turning, insert 80, nose 0.031"},
+      {lathe_inch, "80 DEG DIAMOND .031R", "turning, insert 80, nose 0.7874"},
+      {lathe_inch, "OD TURN TOOL 55 DEG .0156 RAD", "turning, insert 55, nose 0.39624"},
+      {lathe_inch, ".125 GROOVE TOOL .008R", "grooving, width 3.175"},
+      {lathe_mm, "GROOVING TOOL 3", "grooving, width 3"},
+      {lathe_inch, "PARTING TOOL .118", "grooving, width 2.9972"},
+      {lathe_mm, "STECHSTAHL B3", "grooving, width 3"},
+      {lathe_mm, "T0303 GROOVE 3MM", "grooving, width 3"},
+      {lathe_inch, "T0606 .125 CUTOFF", "grooving, width 3.175"},
+      {lathe_inch, "1.0 U-DRILL", "drill 25.4"},
+      {lathe_mm, "T0707 M10 TAP", "endmill 10"},
+  });
+}
+
+}  // namespace
+}  // namespace mrsim
