@@ -87,6 +87,34 @@ bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code)
   return read_size(std::string({text[0], text[1], text[4]}), shape, code);
 }
 
+bool is_any_of(char c, std::string_view letters) { return letters.find(c) != letters.npos; }
+
+// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand.
+std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& tokens) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const std::string_view text = tokens[i].text;
+    const std::size_t number = i + (tokens[i + 1].is("-") ? 2 : 1);
+    if (tokens[i].kind != CommentToken::Kind::word || text.size() != 5 || number >= tokens.size() ||
+        !tokens[number].is_number())
+      continue;
+    if (!is_any_of(text[0], "CDMPSW") || !is_any_of(text[2], "BCDFGHJKLMNPRSTVWY") ||
+        !is_any_of(text[3], "ABCDEFGNOP") || !is_any_of(text[4], "RLN"))
+      continue;  // no style has the E of "STEEL 1018"
+    for (const Shape& shape : kShapes)
+      if (shape.letter == text[1]) {
+        InsertCode code;
+        code.shape = std::string(1, shape.letter);
+        code.angle = shape.angle;
+        code.lead_angle = shape.lead;
+        code.left_hand = text[4] == 'L';
+        code.first = i;
+        code.end = number + 1;
+        return code;
+      }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& tokens) {
@@ -115,7 +143,7 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
         std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
     if (code.has_size || usual) return code;
   }
-  return std::nullopt;
+  return find_holder_code(tokens);
 }
 
 }  // namespace mrsim

@@ -244,7 +244,7 @@ void Settler::settle_turning() {
   settle_nose();
   if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
     hint_.width = hint_.diameters.front();
-  hint_.left_hand = facts_.left_hand;
+  hint_.left_hand = facts_.left_hand || (facts_.insert && facts_.insert->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
 }
 
