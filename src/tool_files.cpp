@@ -29,6 +29,18 @@ double table_unit(const std::vector<LibraryTool>& tools, bool& told) {
   return inches > millimetres ? kMmPerInch : 1;
 }
 
+// A mill of the table's diameter: that tells the unit of a remark as "1/4 V-bit 60 deg", too.
+bool tells_mill(const ToolHint& hint, double unit, double diameter, Tool& said) {
+  for (const double other : {unit, unit > 1 ? 1 : kMmPerInch}) {
+    said = {};
+    std::string why;
+    if (fill_tool(hint, other, false, said, why) && !is_turning(said.type) &&
+        std::abs(said.diameter - diameter) < 0.1)
+      return true;
+  }
+  return false;
+}
+
 void complete_linuxcnc(LibraryTool& entry, double unit) {
   Tool& tool = entry.tool;
   tool.diameter *= unit;
@@ -36,11 +48,10 @@ void complete_linuxcnc(LibraryTool& entry, double unit) {
   tool.origin += unit > 1 ? ", in inches" : ", in mm";
   const ToolHint hint = read_tool_comment(entry.remark);
   Tool said;
-  std::string why;
-  const bool told = fill_tool(hint, unit, false, said, why);
   if (is_turning(tool.type)) {
     const double nose = tool.nose_radius;
-    if (told && is_turning(said.type)) {
+    std::string why;
+    if (fill_tool(hint, unit, false, said, why) && is_turning(said.type)) {
       said.id = tool.id;
       said.tip = tool.tip;
       said.tip_is_nose_centre = tool.tip_is_nose_centre;
@@ -51,12 +62,14 @@ void complete_linuxcnc(LibraryTool& entry, double unit) {
     complete_turning_tool(tool);
     return;
   }
-  const bool same = told && !is_turning(said.type) && std::abs(said.diameter - tool.diameter) < 0.1;
-  if (same) {
+  if (tells_mill(hint, unit, tool.diameter, said)) {
     tool.type = said.type;
     tool.corner_radius = said.corner_radius;
     tool.tip_angle = said.tip_angle;
     tool.taper_angle = said.taper_angle;
+    tool.tip_diameter = said.tip_diameter;
+    tool.width = said.width;
+    if (said.flute_length > 0) tool.flute_length = said.flute_length;
     return;
   }
   const bool simple = hint.type == ToolType::drill || hint.type == ToolType::ballmill;

@@ -44,6 +44,21 @@ TEST_F(CheckCli, TraceIsQuietAndNeedsNoTools) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "path.svg"));
 }
 
+// The diameter of the table confirms what a remark says without a unit.
+TEST_F(CheckCli, RemarksOfLinuxcncTables) {
+  write("t.tbl",
+        "T1 P1 D20 ;T-SLOT CUTTER 20MM X 4MM\nT2 P2 D6.35 ;1/4 V-BIT 60 DEG\n"
+        "T3 P3 D5.105 ;#7 DRILL\nT4 P4 D3.175 ;1/8 X 3 DEG TAPER EM LOC 1.0\n"
+        "T5 P5 D5.5 ;M6 CLEARANCE DRILL 6.6\n");
+  const Outcome tools = run("tools t.tbl");
+  EXPECT_EQ(tools.code, 0) << tools.err;
+  for (const char* tool : {"T1      T-slot mill Ø20", "T2      chamfer mill Ø6.35",
+                           "T3      drill Ø5.105", "T4      taper mill Ø3.175"})
+    EXPECT_TRUE(contains(tools.out, tool)) << tool << "\n" << tools.out;
+  EXPECT_TRUE(contains(tools.out, "T5      end mill Ø5.5")) << tools.out;
+  EXPECT_TRUE(contains(tools.out, "taken to be an end mill")) << tools.out;
+}
+
 TEST_F(CheckCli, CamoticsProjectsRun) {
   write("a.nc", "T1 M6\nG21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX20\nM30\n");
   write(

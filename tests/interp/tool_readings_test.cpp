@@ -109,6 +109,7 @@ TEST(ToolCommentReadings, NumberAndLetterDrills) {
       {inch, "#2 CENTER DRILL", "? gives no diameter"},
       {inch, "C-DRILL #3", "? gives no diameter"},
       {inch, "#8 SCREW CLEARANCE DRILL", "-"},
+      {inch, "HOLE #1 - DRILL", "-"},
       {inch, "A DRILL", "-"},
       {inch, "2F DRILL .25", "drill 6.35"},
       {inch, "3/8 U-DRILL", "drill 9.525"},
@@ -157,6 +158,9 @@ TEST(ToolCommentReadings, NumbersWithNames) {
       {inch, "DRILL (4) 1/4 HOLES", "? can be read as diameter 4 or 0.25"},
       {inch, "DRILL 1/2 DEEP", "-"},
       {mm, "T3 ENDMILL LEAVE 0.5MM", "? gives no diameter"},
+      {inch, "ROUGH 1.5 POCKET WITH ENDMILL", "? gives no diameter"},
+      {mm, "20MM POCKET, ENDMILL", "? gives no diameter"},
+      {mm, "POCKET 20MM DEEP WITH 6MM ENDMILL", "endmill 6"},
       {mm, "FRESA D.50", "? can be read as diameter 0.5 or as D. and a number without a point"},
   });
 }

@@ -287,6 +287,11 @@ std::string tool_summary(const Tool& tool) {
   std::string text = kNames[static_cast<std::size_t>(tool.type)];
   if (tool.diameter > 0) text += fmt::format(" {:g} mm", tool.diameter);
   if (tool.corner_radius > 0) text += fmt::format(", corner radius {:g} mm", tool.corner_radius);
+  if (tool.tip_angle > 0) text += fmt::format(", point {:.4g} degrees", degrees(tool.tip_angle));
+  if (tool.taper_angle > 0)
+    text += fmt::format(", {:.4g} degrees a side", degrees(tool.taper_angle));
+  if (tool.tip_diameter > 0) text += fmt::format(", tip {:.4g} mm", tool.tip_diameter);
+  if (tool.type == ToolType::tslot) text += fmt::format(", head {:.4g} mm", tool.width);
   return text;
 }
 

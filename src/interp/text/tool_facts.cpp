@@ -298,9 +298,13 @@ void FactReader::read_loose() {
 bool FactReader::in_field_of_kind(const Group& group) const {
   const ToolKind* k = kind();
   if (!k || group.end > k->first) return false;
-  for (std::size_t i = group.end; i < k->first; ++i)
-    if (!view_.word(i) && !view_.taken(i)) return false;
-  return true;
+  std::size_t strangers = 0;  // "1.5 WIDE PART WITH ENDMILL" has too many
+  for (std::size_t i = group.end; i < k->first; ++i) {
+    if (passable(i)) continue;
+    if (!view_.word(i) || view_.is_one(i, {"WITH", "AND", "TO", "BY", "AT", "ON"})) return false;
+    ++strangers;
+  }
+  return strangers < 2;
 }
 
 // "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
