@@ -19,6 +19,7 @@ bool OffsetWords::run() {
   const Word& where = *block_.oneshot;
   const Word* l = take('L');
   const Word* p = take('P');
+  if (!l && p && lathe() && is(Dialect::fanuc)) return turned_offset(where);
   if (!l) return error("value-missing", "G10 needs L, which says what is set", where);
   const double number = p ? p->value : 0;
   if (number < 0 || number > 9999 || number != std::floor(number))
@@ -28,6 +29,22 @@ bool OffsetWords::run() {
   if (kind == 1 || (kind >= 10 && kind <= 13))
     return tool_register(kind, static_cast<int>(number), where);
   return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
+}
+
+// G10 P X Z of a lathe: where the tool's tip is, which positions have anyway; R and Q would be its
+// shape.
+bool OffsetWords::turned_offset(const Word& where) {
+  for (const char c : {'R', 'Q'})
+    if (const Word* shape = take(c); shape && shape->value != 0)
+      return error("not-supported",
+                   fmt::format("{} of G10 P (the nose of a tool) is not supported yet: write it "
+                               "into the tool table",
+                               text_of(*shape)),
+                   *shape);
+  for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C'}) take(c);
+  note_once("tool-length", "positions are read as those of the tool's tip, whatever its offset",
+            where, "length");
+  return true;
 }
 
 // The offset that P means. P0: of LinuxCNC the one in force, of FANUC the external one that is part
