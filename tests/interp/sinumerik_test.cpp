@@ -81,5 +81,20 @@ TEST(Sinumerik, DefinitionsFromFiles) {
   EXPECT_EQ(codes(read_text("F100 G1 X1\n", options)), "statement");
 }
 
+// Measuring cycles cut nothing; CYCLE978 is none of turning.
+TEST(Sinumerik, MeasuringCyclesAreANote) {
+  const std::string text =
+      "G0 X0 Y0 Z5\nCYCLE978(0,1,,1,20,,30,,1)\nG0 X5 Y5\nZ2\nG1 Z-1 F100\nX9\n"
+      "CYCLE996(1)\nG1 X20\nM30\n";
+  const Program p = read_text(text, at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p, Severity::note), "probe");
+  std::string assumed;
+  for (const Motion& m : p.motions) assumed += m.assumed_start ? '?' : '.';
+  EXPECT_EQ(assumed, ".??..?");
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.machine = MachineKind::automatic;
+  EXPECT_EQ(read_text(text, options).machine, MachineKind::mill);
+}
+
 }  // namespace
 }  // namespace mrsim

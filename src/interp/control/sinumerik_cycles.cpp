@@ -19,10 +19,17 @@ constexpr std::array<std::string_view, 10> kCycles = {"CYCLE81", "CYCLE82", "CYC
                                                       "CYCLE89", "CYCLE840"};
 constexpr std::array<std::string_view, 5> kPatterns = {"HOLES1", "HOLES2", "CYCLE800", "CYCLE801",
                                                        "CYCLE802"};
+constexpr std::array<std::string_view, 13> kMeasuring = {
+    "CYCLE971", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
+    "CYCLE982", "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 constexpr double kMostHoles = 10'000;
 
 bool is_cycle(std::string_view name) {
   return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
+}
+
+bool measures(std::string_view name) {
+  return std::find(kMeasuring.begin(), kMeasuring.end(), name) != kMeasuring.end();
 }
 
 }  // namespace
@@ -39,7 +46,7 @@ double iso_pitch(double thread) {
 
 bool SinumerikCycles::knows(std::string_view name) {
   return is_cycle(name) || MillCycles::knows(name) || SinumerikContours::knows(name) ||
-         TurnCycles::knows(name) ||
+         TurnCycles::knows(name) || measures(name) ||
          std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
@@ -57,7 +64,19 @@ bool SinumerikCycles::read_call(Call& call) {
   return statements_ && statements_->call_values(block_.argument, call.values);
 }
 
+// It cuts nothing, and what it finds only the machine knows: offsets stay as they are.
+bool SinumerikCycles::measure() {
+  position_.known = lathe() ? 2 : 0;
+  note_once("probe",
+            fmt::format("{} measures with a probe: it is not run, and the axes' position is "
+                        "unknown until they are given again",
+                        block_.function_name),
+            where(), "measuring");
+  return true;
+}
+
 bool SinumerikCycles::run() {
+  if (measures(block_.function_name)) return measure();
   Call call;
   if (!read_call(call)) return false;
   if (contours_.reads_contour())

@@ -40,6 +40,7 @@ class SinumerikCycles : public ControlPart {
  private:
   using Call = CycleCall;
 
+  bool measure();
   bool read_call(Call& call);
   bool hole(const Call& call, Hole& out);
   bool depth(const Call& call, std::size_t mode, double reference, double down, double& bottom);

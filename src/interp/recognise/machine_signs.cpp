@@ -92,7 +92,7 @@ void MachineSigns::line(const LineScan& s, int n) {
     note_first(lathe_, "DIAMON", n);
   for (const char* cycle : {"CYCLE93", "CYCLE930", "CYCLE94", "CYCLE940", "CYCLE95", "CYCLE951",
                             "CYCLE952", "CYCLE96", "CYCLE97", "CYCLE98", "CYCLE99"})
-    if (has(c, cycle)) note_first(lathe_, "a turning cycle", n);
+    if (has_word(c, cycle)) note_first(lathe_, "a turning cycle", n);
   const bool data = sets_data(c);
   if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
   if (!data && has_axis(c, 'J')) note_first(mill_, "an arc with J", n);

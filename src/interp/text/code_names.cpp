@@ -129,6 +129,16 @@ constexpr NamedRow kFunctions[] = {
     {"REPOSL", C::unsupported, G::motion},
 };
 
+// The last ones measure.
+constexpr std::string_view kReadCalls[] = {
+    "WORKPIECE", "CYCLE81",  "CYCLE82",  "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86",  "CYCLE87",
+    "CYCLE88",   "CYCLE89",  "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802", "HOLES1",   "HOLES2",
+    "POCKET1",   "POCKET2",  "POCKET3",  "POCKET4",  "SLOT1",    "SLOT2",    "LONGHOLE", "CYCLE61",
+    "CYCLE71",   "CYCLE76",  "CYCLE77",  "CYCLE899", "CYCLE90",  "CYCLE62",  "CYCLE72",  "CYCLE93",
+    "CYCLE95",   "CYCLE951", "CYCLE97",  "CYCLE98",  "CYCLE99",  "CYCLE971", "CYCLE973", "CYCLE974",
+    "CYCLE976",  "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE982", "CYCLE994", "CYCLE995", "CYCLE996",
+    "CYCLE997",  "CYCLE998"};
+
 struct UnsupportedName {
   std::string_view prefix;
   bool whole;  // the name itself; else the name and a number
@@ -178,6 +188,8 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"ISOCALL", true, "a call in ISO mode"}};
 
 }  // namespace
+
+std::span<const std::string_view> read_calls() { return kReadCalls; }
 
 CodeEntry find_function(std::string_view name) {
   for (const NamedRow& row : kFunctions)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -196,6 +197,9 @@ CodeEntry find_function(std::string_view name);
 
 /// All names that find_function() knows.
 std::vector<std::pair<std::string_view, CodeEntry>> function_names();
+
+/// SINUMERIK calls whose arguments the interpreter reads, upper case.
+std::span<const std::string_view> read_calls();
 
 /// What an upper-case name (WHEN, CYCLE60) announces that this reader does not do yet; or empty.
 std::string_view unsupported_name(std::string_view name);

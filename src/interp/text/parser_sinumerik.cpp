@@ -36,14 +36,6 @@ constexpr std::string_view kHarmlessCalls[] = {
     "MSG",   "SETMS",  "FGROUP", "CYCLE832", "WAITM",    "WAITP",       "WAITS",    "INIT",
     "START", "CLRINT", "SPCON",  "SPCOF",    "COMPLETE", "GROUP_BEGIN", "GROUP_END"};
 
-// Calls whose arguments the interpreter reads.
-constexpr std::string_view kReadCalls[] = {
-    "WORKPIECE", "CYCLE81",  "CYCLE82",  "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86",  "CYCLE87",
-    "CYCLE88",   "CYCLE89",  "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802", "HOLES1",   "HOLES2",
-    "POCKET1",   "POCKET2",  "POCKET3",  "POCKET4",  "SLOT1",    "SLOT2",    "LONGHOLE", "CYCLE61",
-    "CYCLE71",   "CYCLE76",  "CYCLE77",  "CYCLE899", "CYCLE90",  "CYCLE62",  "CYCLE72",  "CYCLE93",
-    "CYCLE95",   "CYCLE951", "CYCLE97",  "CYCLE98",  "CYCLE99"};
-
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)
     if (known == name) return address;
@@ -369,7 +361,7 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
   const std::string name = upper_case(run.substr(0, 33));
   for (const std::string_view harmless : kHarmlessCalls)
     if (name == harmless) return;
-  for (const std::string_view read : kReadCalls) {
+  for (const std::string_view read : read_calls()) {
     if (name != read) continue;
     block.function_name = read;
     block.argument = argument;
