@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,16 +33,21 @@ constexpr double kMostScanned = 1e5;
 // Sweeps of a block, on average: where more cross, creases lie in creases, and cells are halved
 // until there are too many.
 constexpr double kMostSweepsOfABlock = 12;
-// Nodes of the octree after which the grid takes its place: a part of holes and pockets, where few
-// sweeps meet, takes no more than it begins with.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 600'000;
-constexpr double kPlainSweeps = 1.5;  // of a block, on average
+// Up to as many sweeps of a block that leave creases, on average, a part is plain: walls and floors
+// of pockets and holes. However many sweeps share them, as pecks and turns of a helix do, cells are
+// hardly split.
+constexpr double kPlainSweeps = 1.5;
+// Sweeps that are asked in all blocks of such a part, and its cells.
+constexpr double kMostPlainSweeps = 4e5, kMostPlainCells = 2e5;
+// Nodes of the octree after which the grid takes its place.
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 1'000'000;
 // A helix costs a search for each of its points: fewer sweeps of blocks.
 constexpr double kMostHelixSweeps = 6e4;
 
 // What a cell of a mesh within a tolerance takes: bytes within a factor of three, seconds at least.
-// Where creases lie close together a cell is halved again and again, and takes five times as long.
-constexpr double kCellBytes = 7e3, kCellSeconds = 2e-4;
+// Where creases lie close together a cell is halved again and again, and takes five times as long;
+// plain parts take a third.
+constexpr double kCellBytes = 7e3, kCellSeconds = 2e-4, kPlainShare = 0.3;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
@@ -106,24 +109,34 @@ std::string count_text(double count) {
                      : fmt::format("{:.1f} million", count / 1e6);
 }
 
-std::string needs_text(const MeshChoice& choice, double cells) {
-  return fmt::format(
-      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and at least {:.0f} s of one core: "
-      "--tolerance {:.4g}",
-      choice.tolerance, choice.tolerance_reason, count_text(cells), cells * kCellBytes / 1e9,
-      std::ceil(cells * kCellSeconds), choice.tolerance);
-}
-
 // Of all blocks together.
 double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
 }
 
+bool is_plain(const detail::SurfaceSurvey& survey) {
+  return survey.creasing <= kPlainSweeps && sweeps_met(survey) <= kMostPlainSweeps;
+}
+
 bool suits_tolerance(const detail::SurfaceSurvey& survey, double cells, bool has_helix) {
+  if (is_plain(survey)) return cells <= kMostPlainCells;
   if (has_helix && sweeps_met(survey) > kMostHelixSweeps) return false;
   if (survey.sweeps > kMostSweepsOfABlock) return false;
   const double creases = static_cast<double>(survey.blocks) * std::max(0.0, survey.sweeps - 1);
   return cells <= kMostCells && creases <= kMostCreases;
+}
+
+// What the tolerance would take. Each sweep of a block leaves a crease beside its neighbours, and
+// each crease has cells.
+std::string needs_text(const MeshChoice& choice, const detail::SurfaceSurvey& survey, double cell) {
+  const double share = is_plain(survey) ? kPlainShare : 1;
+  const double area = survey.cells(cell);
+  const double cells = is_plain(survey) ? area : std::max(area, sweeps_met(survey));
+  return fmt::format(
+      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and at least {:.0f} s of one core: "
+      "--tolerance {:.4g}",
+      choice.tolerance, choice.tolerance_reason, count_text(cells),
+      cells * share * kCellBytes / 1e9, std::ceil(cells * share * kCellSeconds), choice.tolerance);
 }
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
@@ -133,48 +146,6 @@ void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
   choice.tolerance = 0;
   choice.tolerance_reason = tolerance_reason;
   choice.measure = true;
-}
-
-bool is_plunge(const Motion& m) {
-  return is_cut(m) && m.tool >= 0 && m.kind == MotionKind::line && m.lead == 0 &&
-         m.start.x == m.end.x && m.start.y == m.end.y && m.start.z != m.end.z &&
-         m.tool_axis == Vec3{0, 0, 1};
-}
-
-// Owners of the plunges beside a deeper one of the same tool at the same place: the pecks of a hole
-// leave one wall, without creases.
-std::vector<std::int32_t> shallow_pecks(std::span<const Motion> motions) {
-  std::vector<std::int32_t> plunges;
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    if (is_plunge(motions[i])) plunges.push_back(static_cast<std::int32_t>(i));
-  const auto place = [&](std::int32_t i) {
-    const Motion& m = motions[static_cast<std::size_t>(i)];
-    return std::tuple(m.tool, m.end.x, m.end.y);
-  };
-  const auto depth = [&](std::int32_t i) {
-    const Motion& m = motions[static_cast<std::size_t>(i)];
-    return std::min(m.start.z, m.end.z);
-  };
-  std::sort(plunges.begin(), plunges.end(), [&](std::int32_t a, std::int32_t b) {
-    return std::tuple(place(a), depth(a), a) < std::tuple(place(b), depth(b), b);
-  });
-  std::vector<std::int32_t> shallow;
-  for (std::size_t k = 1; k < plunges.size(); ++k)
-    if (place(plunges[k]) == place(plunges[k - 1])) shallow.push_back(plunges[k]);
-  return shallow;
-}
-
-// All sweeps but the shallow pecks.
-Candidates surveyed(const ExactField& field, const CutList& cuts) {
-  std::vector<std::uint32_t> dropped;
-  for (const std::int32_t owner : shallow_pecks(cuts.motions()))
-    dropped.push_back(field.candidate(owner));
-  std::sort(dropped.begin(), dropped.end());
-  const Candidates all = field.all();
-  Candidates left;
-  std::set_difference(all.begin(), all.end(), dropped.begin(), dropped.end(),
-                      std::back_inserter(left));
-  return left;
 }
 
 // Every so many of a long list.
@@ -202,8 +173,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
                                         given, choice.voxel_reason);
     return;
   }
-  // Each sweep of a block leaves a crease beside its neighbours, and each crease has cells.
-  take_grid(choice, needs_text(choice, std::max(survey.cells(cell), sweeps_met(survey))));
+  take_grid(choice, needs_text(choice, survey, cell));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
@@ -240,14 +210,14 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   return choice;
 }
 
-void fit_mesh(const ExactField& field, const CutList& cuts, int threads, MeshChoice& choice) {
+void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (!choice.fits_voxel && choice.tolerance > 0) return;
   const double cell = wished_cell(choice, longest_side(field.bounds()));
   if (choice.fits_voxel) choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
   if (field.is_turned(field.all())) return;  // meshed by its section
-  const Candidates sweeps = choice.fits_voxel ? surveyed(field, cuts) : some_of(field.all());
+  const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
   const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
-  choice.fallback_cells = survey.sweeps <= kPlainSweeps ? kMostPlainNodes : kMostNodes;
+  choice.fallback_cells = is_plain(survey) ? kMostPlainNodes : kMostNodes;
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.cells(choice.voxel);
 }

@@ -32,7 +32,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 
 /// Looks how large the cut surface is. Voxel and tolerance that were not given get coarser where it
 /// is so large that the run would take long.
-void fit_mesh(const ExactField& field, const CutList& cuts, int threads, MeshChoice& choice);
+void fit_mesh(const ExactField& field, int threads, MeshChoice& choice);
 
 /// The mesh within the tolerance was given up for the grid of choice.fallback_voxel.
 void give_up_tolerance(MeshChoice& choice, const std::string& why);

@@ -164,7 +164,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
   options.keep_grid = writes_vdb(job);  // nothing else reads the samples
   return carve(shape, cuts.motions(), cuts.tools(), options,
                [&](const ExactField& field, CarveOptions& chosen) {
-                 fit_mesh(field, cuts, job.mesh.threads, choice);
+                 fit_mesh(field, job.mesh.threads, choice);
                  chosen.voxel = choice.voxel;
                  chosen.grid_mesh = choice.tolerance == 0;
                  chosen.cut_cells = choice.cut_cells;

@@ -53,6 +53,20 @@ TEST_F(Defaults, PeckedHolesAreMeshedWithinATolerance) {
   EXPECT_LT(j["mesh"]["triangles"], 20000);
 }
 
+// Nor are the turns of a helix, by which a bore is milled.
+TEST_F(Defaults, HelicalBoresAreMeshedWithinATolerance) {
+  std::string program =
+      "%\nO1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X10. Y0.\nG43 H1 Z2.\nG1 Z0. F200\n";
+  for (int k = 1; k <= 20; ++k) program += "G3 Z" + std::to_string(-k) + ". I-10. J0.\n";
+  write("bore.nc", program + "G3 I-10. J0.\nG0 Z20.\nM30\n%\n");
+  const Outcome o = run(
+      "bore.nc --stock box:-30,-30,-25,30,30,0 --tool 1=endmill:d=12 -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_GT(j["tolerance"]["value"], 0);
+  EXPECT_LT(j["mesh"]["triangles"], 20000);
+}
+
 // A contour at one depth and holes, no stock: all of it is in the part, and no rapid meets it.
 TEST_F(Defaults, StockEndsAtZeroAboveAContourAndHoles) {
   write("part.nc",

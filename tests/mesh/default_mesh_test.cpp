@@ -10,6 +10,8 @@
 #include "support/moves.h"
 #include "support/tools.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace mrsim {
@@ -35,6 +37,26 @@ TEST(DefaultMesh, SurveyTellsTheCutSurfaceWithinAFactorOfTwo) {
   EXPECT_GT(survey.cells(0.1), cells / 2);
   EXPECT_LT(survey.cells(0.1), cells * 2);
   EXPECT_EQ(detail::survey_surface(field, field.all(), 1).blocks, survey.blocks);
+}
+
+// Twenty pecks share a wall; twenty passes of a ball beside one another leave creases everywhere.
+TEST(DefaultMesh, SurveyTellsSweepsThatLeaveCreases) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 20, 20}};
+  std::vector<Motion> pecks, passes;
+  for (int k = 0; k < 20; ++k) {
+    pecks.push_back(line({10, 10, 22.0 - k}, {10, 10, 19.0 - k}));
+    passes.push_back(line({-5, 1.0 * k, 17}, {25, 1.0 * k, 17}));
+  }
+  const auto survey = [&](const std::vector<Motion>& motions, const Tool& tool) {
+    const PartField field{StockSolid(shape), SweepTable(motions, std::span(&tool, 1))};
+    return detail::survey_surface(field, field.all(), 2);
+  };
+  const detail::SurfaceSurvey hole = survey(pecks, endmill(8)),
+                              raster = survey(passes, ballmill(4));
+  EXPECT_GT(hole.sweeps, 6);
+  EXPECT_LT(hole.creasing, 1.5);
+  EXPECT_GT(raster.creasing, 0.5 * raster.sweeps);
 }
 
 TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {

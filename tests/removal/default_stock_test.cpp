@@ -50,6 +50,19 @@ TEST(DefaultStock, EndsAtTheProgramsZeroAboveItsCuts) {
             0);
   // A ramp from the approach down: its upper end is in the air.
   EXPECT_EQ(Path().rapid({0, 0, 5}).cut({9, 0, -1}).cut({50, 0, -1}).cut({50, 9, -4}).top(), 0);
+  // A ramp of several moves that begins in the air, by a later tool.
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 5})
+                .cut({0, 0, -1})
+                .cut({50, 0, -1})
+                .rapid({0, 0, 2})
+                .cut({0, 0, 1})
+                .cut({9, 0, 0.5})
+                .cut({0, 0, -0.5})
+                .cut({9, 0, -4})
+                .cut({50, 9, -4})
+                .top(),
+            0);
   // One level, and a rapid close above.
   EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -4}).cut({50, 0, -4}).rapid({50, 0, 2}).top(), 0);
   // A hole that is drilled from above the contour's only level.

@@ -5,6 +5,9 @@
 #include "mesh/surface/cells.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace mrsim::detail {
@@ -16,20 +19,48 @@ constexpr std::size_t kEnough = 12000;          ///< blocks that tell the area w
 
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
+  std::size_t tried = 0, creasing = 0;  ///< of some blocks, and the sweeps that leave creases there
 };
 
+// One in sixteen, evenly spread, whatever the order.
+bool is_tried(const Box3& box, double block) {
+  const auto cell = [&](double lo) { return static_cast<std::int64_t>(std::floor(lo / block)); };
+  return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & 15) == 0;
+}
+
+// Whether faces of different directions meet in the box: the normals of eight points differ. Many
+// sweeps may share one face, as the turns of a helix do.
+bool has_crease(const ExactField& field, const Box3& box, const Candidates& sweeps) {
+  constexpr double kLeastCosine = 0.94;  // 20 degrees
+  std::array<Vec3, 8> points, normals;
+  std::array<FieldSample, 8> samples;
+  for (int k = 0; k < 8; ++k) {
+    const Box3 part = octant(box, k);
+    points[static_cast<std::size_t>(k)] = 0.5 * (part.lo + part.hi);
+  }
+  field.samples(points, sweeps, samples.data());
+  for (std::size_t k = 0; k < 8; ++k) normals[k] = field.gradient(points[k], samples[k]);
+  for (std::size_t k = 0; k < 8; ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (dot(normals[j], normals[k]) < kLeastCosine) return true;
+  return false;
+}
+
 // Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
-void count_blocks(ExactField::Descent& descent, const Box3& box, std::size_t level, int depth,
-                  Candidates& left, Count& count) {
+void count_blocks(const ExactField& field, ExactField::Descent& descent, const Box3& box,
+                  std::size_t level, int depth, Candidates& left, Count& count) {
   if (descent.enter(level, box, kSurfaceBand, depth == 0) != ExactField::Region::mixed) return;
   if (depth == 0) {
     descent.candidates(level, left);
     count.blocks += !left.empty();
     count.sweeps += left.size();
+    if (left.empty() || !is_tried(box, box.hi.x - box.lo.x)) return;
+    ++count.tried;
+    count.creasing += has_crease(field, box, left) ? left.size() : 1;
     return;
   }
   for (int k = 0; k < 8; ++k)
-    count_blocks(descent, octant(box, k), level + 1, depth - 1, left, count);
+    count_blocks(field, descent, octant(box, k), level + 1, depth - 1, left, count);
 }
 
 struct Part {
@@ -66,13 +97,18 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
       const Part& part = parts[k];
       Candidates left;
       const auto own = field.descent(0.5 * (part.box.lo + part.box.hi), part.candidates);
-      count_blocks(*own, part.box, 1, depth - kApart, left, counts[k]);
+      count_blocks(field, *own, part.box, 1, depth - kApart, left, counts[k]);
     });
-    survey = {(cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth), 0, 0};
-    std::size_t sweeps = 0;
-    for (const Count& count : counts) survey.blocks += count.blocks, sweeps += count.sweeps;
+    survey = {(cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth), 0, 0, 0};
+    std::size_t sweeps = 0, tried = 0, creasing = 0;
+    for (const Count& count : counts) {
+      survey.blocks += count.blocks, sweeps += count.sweeps;
+      tried += count.tried, creasing += count.creasing;
+    }
     survey.sweeps =
         static_cast<double>(sweeps) / static_cast<double>(std::max<std::size_t>(survey.blocks, 1));
+    survey.creasing =
+        tried > 0 ? static_cast<double>(creasing) / static_cast<double>(tried) : survey.sweeps;
   }
   return survey;
 }

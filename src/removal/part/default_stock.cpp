@@ -37,38 +37,63 @@ struct Heights {
   double first = kNoHeight;       // where the first cut begins
   double lateral = kNoHeight;     // highest end of a cut aside, below the approach
   double lowest = -kNoHeight;     // and the lowest
+  double entered = kNoHeight;     // highest of them but for ramps and helices into the material
   double hole_mouth = kNoHeight;  // highest beginning of a plunge
   double hole_end = kNoHeight;    // highest end of one
   double deepest = -kNoHeight;    // lowest end of any cut
 
   // Whether no cut lies above z and one below.
   bool reach_below(double z) const {
-    return (lateral != kNoHeight ? lateral : hole_end) < z + kLevel && deepest < z - kLevel;
+    return (lateral != kNoHeight ? entered : hole_end) < z + kLevel && deepest < z - kLevel;
   }
 };
 
-Heights heights_of(std::span<const Motion> motions) {
-  Heights h;
-  double approach = kNoHeight;
-  for (const Motion& motion : motions) {
-    if (!is_cut(motion)) continue;
-    if (h.first == kNoHeight) {
-      h.first = motion.start.z;
-      approach = motion.end.z < motion.start.z ? motion.start.z : -kNoHeight;
+class HeightsReader {
+ public:
+  Heights read(std::span<const Motion> motions) {
+    for (const Motion& motion : motions) {
+      if (is_cut(motion))
+        add_cut(motion);
+      else
+        end_entry();
     }
-    h.deepest = std::min(h.deepest, motion.end.z);
-    const bool aside = motion.kind == MotionKind::arc || motion.start.x != motion.end.x ||
-                       motion.start.y != motion.end.y;
-    if (!aside) {
-      h.hole_mouth = std::max(h.hole_mouth, motion.start.z);
-      h.hole_end = std::max(h.hole_end, motion.end.z);
-      continue;
-    }
-    for (const double z : {motion.start.z, motion.end.z})
-      if (z < approach) h.lateral = std::max(h.lateral, z), h.lowest = std::min(h.lowest, z);
+    end_entry();
+    return heights_;
   }
-  return h;
-}
+
+ private:
+  void add_cut(const Motion& m) {
+    if (heights_.first == kNoHeight) {
+      heights_.first = m.start.z;
+      approach_ = m.end.z < m.start.z ? m.start.z : -kNoHeight;
+    }
+    heights_.deepest = std::min(heights_.deepest, m.end.z);
+    if (m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y) {
+      heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
+      heights_.hole_end = std::max(heights_.hole_end, m.end.z);
+      return;
+    }
+    is_entry_ = is_entry_ && m.end.z < m.start.z - kLevel;
+    if (is_entry_) entry_end_ = m.end.z;
+    for (const double z : {m.start.z, m.end.z}) {
+      if (z >= approach_) continue;
+      heights_.lateral = std::max(heights_.lateral, z);
+      heights_.lowest = std::min(heights_.lowest, z);
+      if (!is_entry_) heights_.entered = std::max(heights_.entered, z);
+    }
+  }
+
+  // A ramp that nothing follows has cut to its end.
+  void end_entry() {
+    if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
+    is_entry_ = true;
+    entry_end_ = kNoHeight;
+  }
+
+  Heights heights_;
+  double approach_ = kNoHeight, entry_end_ = kNoHeight;
+  bool is_entry_ = true;
+};
 
 // The lowest height above `z` that a rapid reaches or a plunge begins at: the stock ends below.
 double clearance_above(std::span<const Motion> motions, double z) {
@@ -169,7 +194,7 @@ bool keep_beside(Box3& box, std::span<const WayDown> ways) {
 // otherwise end at the highest cut.
 void set_top(Box3& box, std::span<const Motion> motions, std::span<const double> radii,
              double margin) {
-  const Heights heights = heights_of(motions);
+  const Heights heights = HeightsReader().read(motions);
   if (heights.reach_below(0)) {
     Box3 narrowed = box;
     if (keep_beside(narrowed, ways_down(motions, radii, 0)) || heights.first > -kLevel) {
