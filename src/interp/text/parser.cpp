@@ -15,7 +15,6 @@ namespace {
 // Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
 constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-constexpr double kLargest = 1e9;
 constexpr std::size_t kLongestBlock = 512;  // characters, SINUMERIK
 
 }  // namespace
@@ -190,44 +189,6 @@ void Parser::bare_number(Block& block) {
       from, p_);
 }
 
-void Parser::strange_character(Block& block) {
-  const std::size_t from = p_;
-  const char c = line_[p_];
-  const auto byte = static_cast<unsigned char>(c);
-  if (c == '$') {
-    while (p_ < line_.size() && (is_name(line_[p_]) || line_[p_] == '$')) ++p_;
-    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
-  }
-  if (c == '#' && dialect_ != Dialect::sinumerik) {
-    ++p_;
-    while (is_digit(at(p_))) ++p_;
-    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
-  }
-  if (c == '[') return unsupported(block, "[", "an expression", from);
-  if (const std::size_t close = line_.find('>', p_); c == '<' && close != line_.npos) {
-    p_ = close + 1;
-    return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
-                       "the name of a program", from);
-  }
-  if (c == ',' && corner_word(block)) return;
-  if (c == ',' && is_letter(at(p_ + 1)))
-    return unsupported(block, line_.substr(from, 2), "a corner word", from);
-  if (c == '(' && dialect_ == Dialect::sinumerik) {
-    p_ = std::min(line_.find(')', p_), line_.size() - 1) + 1;
-    return fault(block, "character", "( has no meaning here; a comment begins with ;", from, p_);
-  }
-  ++p_;
-  if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
-  if (byte >= 0x80) {
-    while (p_ < line_.size() && static_cast<unsigned char>(line_[p_]) >= 0x80) ++p_;
-    return fault(block, "character", "a character outside of ASCII, allowed only in comments", from,
-                 p_);
-  }
-  if (byte < 0x20 || byte == 0x7F)
-    return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
-  fault(block, "character", fmt::format("{} has no meaning here", c), from, p_);
-}
-
 // A number of at most 15 digits that ends where its digits do, as nearly all are. False, and p_
 // where it was, for any other.
 bool Parser::plain_number(Word& word, bool exponent) {
@@ -255,7 +216,7 @@ bool Parser::plain_number(Word& word, bool exponent) {
   if (p < end && (starts_number(*p) || (exponent && upper(*p) == 'E'))) return false;
   while (glued_blanks_ && blank(p[-1])) --p;
   const double value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
-  if (value > kLargest) return false;
+  if (value > kLargestNumber) return false;
   word.value = negative ? -value : value;
   word.point = point;
   p_ += static_cast<std::size_t>(p - begin);
@@ -293,54 +254,9 @@ bool Parser::number(Block& block, Word& word, bool exponent) {
                                     : static_cast<double>(mantissa);
   word.value = negative ? -value : value;
   word.point = fraction >= 0;
-  if (value <= kLargest && (fraction != 0 || p_ - from > 1 + (negative ? 1U : 0U))) return true;
-  return number_slow(block, word, from, exponent);
-}
-
-bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
-  p_ = from;
-  std::string text;
-  while (p_ < line_.size() && (starts_number(line_[p_]) || (glued_blanks_ && blank(line_[p_])))) {
-    if (!blank(line_[p_])) text += line_[p_];
-    ++p_;
-  }
-  if (exponent && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X') {
-    text += 'e';
-    p_ += 2;
-    while (p_ < line_.size() && (is_digit(line_[p_]) || line_[p_] == '-' || line_[p_] == '+'))
-      text += line_[p_++];
-  }
-  word.point = text.find('.') != std::string::npos;
-  const std::optional<double> value = parse_number(text, exponent);
-  if (value && *value <= kLargest && *value >= -kLargest) {
-    word.value = *value;
+  if (value <= kLargestNumber && (fraction != 0 || p_ - from > 1 + (negative ? 1U : 0U)))
     return true;
-  }
-  const std::string shown = text.substr(0, 40);
-  const bool plain = text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
-                     text.find_first_of("0123456789") != std::string::npos;
-  const bool large = plain && text.find_last_of("+-") != 0 ? text.size() > 9 : text.size() > 9;
-  if (large && text.find('.') == text.rfind('.') && text.rfind('-') + 1 <= 1)
-    fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
-  else
-    fault(block, "number-malformed",
-          fmt::format(
-              "\"{}\" is not a number{}", shown,
-              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
-          from, p_);
-  return false;
-}
-
-// FANUC reads "G1 95" as G195; whoever wrote it meant something else.
-void Parser::check_inner_blanks(const Block&, std::size_t from) {
-  const std::string_view run = line_.substr(from, p_ - from);
-  if (run.find_first_of(" \t") == std::string_view::npos) return;
-  reporter_.add(
-      Severity::warning, "blank-in-number",
-      fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
-                  "letter?",
-                  run.substr(0, 40)),
-      static_cast<int>(from), static_cast<int>(run.size()));
+  return number_slow(block, word, from, exponent);
 }
 
 void Parser::letter_word(Block& block) {
@@ -384,20 +300,6 @@ void Parser::letter_word(Block& block) {
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block)) return;
   unknown_word(block, from);
-}
-
-void Parser::unknown_word(Block& block, std::size_t from) {
-  p_ = from + 1;  // also behind "@" and "^", which are no names
-  while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
-  const std::string_view run = line_.substr(from, p_ - from);
-  const bool assigned = run.find('=') != std::string_view::npos;
-  if (assigned || run.size() > 2)
-    return fault(block, "word-unknown",
-                 fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
-                             assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
-                 from, p_);
-  fault(block, "address-without-number",
-        fmt::format("no number after {}{}", upper(line_[from]), alarm("005")), from, p_);
 }
 
 }  // namespace mrsim

@@ -26,6 +26,7 @@ class Parser {
   bool next(Block& block, std::size_t& position);
 
  private:
+  static constexpr double kLargestNumber = 1e9;
   enum class Step { more, end_of_block };
 
   Step step(Block& block);

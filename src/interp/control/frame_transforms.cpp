@@ -1,0 +1,145 @@
+// Frames that a program turns, scales and mirrors by G words: FANUC's and Fagor's.
+#include "interp/control/frame_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+// G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
+bool FrameWords::fanuc(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  Vec3 values = position_.programmed;
+  unsigned named = 0;
+  const bool cancels =
+      block_.frame_op == Code::rotation_off || block_.frame_op == Code::scaling_off;
+  if (!cancels) arguments(values, named, true);
+  switch (block_.frame_op) {
+    case Code::rotation_on: {
+      const Word* r = take('R');
+      if (!r) return error("value-missing", "G68 needs the angle R", word);
+      turn_about(r->value, kNormal[modal_.plane], values, word);
+      break;
+    }
+    case Code::rotation_off:
+      frames_.rotation = Frame{};
+      frames_.rotation_angle = 0;
+      break;
+    case Code::scaling_on:
+      if (!fanuc_scaling(word, values)) return false;
+      break;
+    case Code::scaling_off:
+      frames_.scaling = Frame{};
+      break;
+    case Code::local_shift:
+      shift_locally(values, named, word);
+      break;
+    case Code::mirror_on:
+    case Code::mirror_off:
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(frames_.mirror_at, i) = component(values, i);
+      if (block_.frame_op == Code::mirror_on)
+        frames_.mirrored |= named;
+      else
+        frames_.mirrored &= named ? ~named : 0U;
+      set_mirror();
+      break;
+    default:
+      break;
+  }
+  rebuild();
+  return true;
+}
+
+// The manuals forbid G52 between G68 and G69; what machines make of it differs.
+void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
+  const Vec3 before = frames_.local;
+  for (int i = 0; i < 3; ++i)
+    if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+  if (frames_.rotation_angle != 0 && distance(before, frames_.local) > 1e-9)
+    warning("rotation-shift",
+            "G52 while G68 is in force, which controls forbid: read as a shift along the axes that "
+            "are not turned; write G52 before G68",
+            word);
+}
+
+// In G91 the angle adds to the rotation in force, where there is one.
+void FrameWords::turn_about(double angle, int axis, const Vec3& center, const Word& word) {
+  if (modal_.incremental && frames_.rotation_angle != 0) {
+    angle += frames_.rotation_angle;
+    note_once("rotation-adds", "G68 in G91 adds its angle to the rotation in force", word, "G68");
+  }
+  frames_.rotation_angle = angle;
+  frames_.rotation = about(rotation_frame(axis, angle), center);
+}
+
+// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths, and so
+// does a computed one from 10 on (P[1500+500]).
+bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
+  Vec3 factors{1, 1, 1};
+  const auto factor = [&](const Word& w) {
+    const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
+    const bool counts = computed ? std::abs(w.value) >= 10 : !w.point;
+    if (computed && counts)
+      note_once("number-without-point",
+                fmt::format("{} = {:g} is read as thousandths", text_of(w), w.value), w, "factor");
+    return counts ? w.value / 1000 : w.value;
+  };
+  if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
+  for (int i = 0; i < 3; ++i)
+    if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
+  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+    return error("value-range", "a scale factor must not be 0", word);
+  frames_.scaling = about(scale_frame(factors), center);
+  return true;
+}
+
+void FrameWords::set_mirror() {
+  frames_.mirror = Frame{};
+  if (!frames_.mirrored) return;
+  Vec3 factors{1, 1, 1};
+  for (int i = 0; i < 3; ++i)
+    if (frames_.mirrored >> i & 1U) component(factors, i) = -1;
+  frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
+}
+
+// G11 to G13 mirror X, Y or Z about the zero, one beside the other, G10 ends that; G72 S scales.
+bool FrameWords::fagor(Code code, const Word& word) {
+  save();
+  if (code == Code::fagor_mirror) {
+    const int g = static_cast<int>(word.value);
+    frames_.mirrored = g == 10 ? 0U : frames_.mirrored | 1U << (g - 11);
+    frames_.mirror_at = {};
+    set_mirror();
+  } else if (code == Code::fagor_scale) {
+    const double factor = take('S')->value;
+    if (!(factor > 1e-6 && factor < 1e6))
+      return error("value-range", "S of G72 is the scale, above 0", word);
+    frames_.scaling = scale_frame({factor, factor, factor});
+  } else if (!fagor_turn(word)) {
+    return false;
+  }
+  rebuild();
+  return true;
+}
+
+// G73 Q turns the plane further, about I J or the zero; alone it ends the rotation.
+bool FrameWords::fagor_turn(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  const Word* q = take('Q');
+  const Basis b = basis();
+  Vec3 center;
+  if (const Word* i = take('I')) center = center + i->value * length_unit(*i) * b.u;
+  if (const Word* j = take('J')) center = center + j->value * length_unit(*j) * b.v;
+  if (q && frames_.rotation_angle != 0 && distance(center, frames_.rotation_at) > 1e-9)
+    return error("not-supported",
+                 "G73 about another centre while a rotation is in force: write G73 alone before it",
+                 word);
+  frames_.rotation_angle = q ? frames_.rotation_angle + q->value : 0;
+  frames_.rotation_at = center;
+  frames_.rotation = about(rotation_frame(kNormal[modal_.plane], frames_.rotation_angle), center);
+  return true;
+}
+
+}  // namespace mrsim

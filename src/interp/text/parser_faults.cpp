@@ -1,0 +1,111 @@
+// What is no word: characters without a meaning, numbers that are none, and numbers that few write.
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+#include "interp/text/parser.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+void Parser::strange_character(Block& block) {
+  const std::size_t from = p_;
+  const char c = line_[p_];
+  const auto byte = static_cast<unsigned char>(c);
+  if (c == '$') {
+    while (p_ < line_.size() && (is_name(line_[p_]) || line_[p_] == '$')) ++p_;
+    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+  }
+  if (c == '#' && dialect_ != Dialect::sinumerik) {
+    ++p_;
+    while (is_digit(at(p_))) ++p_;
+    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+  }
+  if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (const std::size_t close = line_.find('>', p_); c == '<' && close != line_.npos) {
+    p_ = close + 1;
+    return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
+                       "the name of a program", from);
+  }
+  if (c == ',' && corner_word(block)) return;
+  if (c == ',' && is_letter(at(p_ + 1)))
+    return unsupported(block, line_.substr(from, 2), "a corner word", from);
+  if (c == '(' && dialect_ == Dialect::sinumerik) {
+    p_ = std::min(line_.find(')', p_), line_.size() - 1) + 1;
+    return fault(block, "character", "( has no meaning here; a comment begins with ;", from, p_);
+  }
+  ++p_;
+  if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
+  if (byte >= 0x80) {
+    while (p_ < line_.size() && static_cast<unsigned char>(line_[p_]) >= 0x80) ++p_;
+    return fault(block, "character", "a character outside of ASCII, allowed only in comments", from,
+                 p_);
+  }
+  if (byte < 0x20 || byte == 0x7F)
+    return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
+  fault(block, "character", fmt::format("{} has no meaning here", c), from, p_);
+}
+
+bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
+  p_ = from;
+  std::string text;
+  while (p_ < line_.size() && (starts_number(line_[p_]) || (glued_blanks_ && blank(line_[p_])))) {
+    if (!blank(line_[p_])) text += line_[p_];
+    ++p_;
+  }
+  if (exponent && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X') {
+    text += 'e';
+    p_ += 2;
+    while (p_ < line_.size() && (is_digit(line_[p_]) || line_[p_] == '-' || line_[p_] == '+'))
+      text += line_[p_++];
+  }
+  word.point = text.find('.') != std::string::npos;
+  const std::optional<double> value = parse_number(text, exponent);
+  if (value && *value <= kLargestNumber && *value >= -kLargestNumber) {
+    word.value = *value;
+    return true;
+  }
+  const std::string shown = text.substr(0, 40);
+  const bool plain = text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
+                     text.find_first_of("0123456789") != std::string::npos;
+  const bool large = plain && text.find_last_of("+-") != 0 ? text.size() > 9 : text.size() > 9;
+  if (large && text.find('.') == text.rfind('.') && text.rfind('-') + 1 <= 1)
+    fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
+  else
+    fault(block, "number-malformed",
+          fmt::format(
+              "\"{}\" is not a number{}", shown,
+              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
+          from, p_);
+  return false;
+}
+
+// FANUC reads "G1 95" as G195; whoever wrote it meant something else.
+void Parser::check_inner_blanks(const Block&, std::size_t from) {
+  const std::string_view run = line_.substr(from, p_ - from);
+  if (run.find_first_of(" \t") == std::string_view::npos) return;
+  reporter_.add(
+      Severity::warning, "blank-in-number",
+      fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
+                  "letter?",
+                  run.substr(0, 40)),
+      static_cast<int>(from), static_cast<int>(run.size()));
+}
+
+void Parser::unknown_word(Block& block, std::size_t from) {
+  p_ = from + 1;  // also behind "@" and "^", which are no names
+  while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
+  const std::string_view run = line_.substr(from, p_ - from);
+  const bool assigned = run.find('=') != std::string_view::npos;
+  if (assigned || run.size() > 2)
+    return fault(block, "word-unknown",
+                 fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
+                             assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
+                 from, p_);
+  fault(block, "address-without-number",
+        fmt::format("no number after {}{}", upper(line_[from]), alarm("005")), from, p_);
+}
+
+}  // namespace mrsim
