@@ -95,6 +95,7 @@ TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlungeWhereZeroIsElsewhere) {
 
 TEST(DefaultStock, HolesEndAtZeroOrWhereTheFeedBegins) {
   EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), 0);
+  EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).cut({0, 0, 2}).top(), 0);  // tapped
   EXPECT_EQ(Path().rapid({0, 0, 22}).cut({0, 0, 8}).rapid({0, 0, 22}).top(), 22);
   EXPECT_EQ(Path().rapid({0, 0, -3}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), -3);
 }

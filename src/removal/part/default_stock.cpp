@@ -69,6 +69,7 @@ class HeightsReader {
     }
     heights_.deepest = std::min(heights_.deepest, m.end.z);
     if (m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y) {
+      if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
       heights_.hole_end = std::max(heights_.hole_end, m.end.z);
       return;
