@@ -68,10 +68,9 @@ bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool expone
     return true;
   }
   const std::string shown = text.substr(0, 40);
-  const bool plain = text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
-                     text.find_first_of("0123456789") != std::string::npos;
-  const bool large = plain && text.find_last_of("+-") != 0 ? text.size() > 9 : text.size() > 9;
-  if (large && text.find('.') == text.rfind('.') && text.rfind('-') + 1 <= 1)
+  const bool is_one = text.find('.') == text.rfind('.') &&
+                      text.find_last_of("+-") + 1 <= 1;  // no sign but the first
+  if (is_one && text.size() > 9 && text.find_first_of("0123456789") != std::string::npos)
     fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
   else
     fault(block, "number-malformed",
