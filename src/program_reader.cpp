@@ -33,8 +33,15 @@ class Collector : public MotionSink {
                      fmt::format("a program of more than {} motions", motions.size()));
     motions.push_back(motion);
   }
+  void dwell(double seconds, int tool) override {
+    if (!dwells.empty() && dwells.back().after == motions.size() && dwells.back().tool == tool)
+      dwells.back().seconds += seconds;
+    else
+      dwells.push_back({motions.size(), seconds, tool});
+  }
   void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
   std::vector<Motion> motions;
+  std::vector<Dwell> dwells;
   std::vector<Diagnostic> diagnostics;
 
  private:
@@ -73,6 +80,7 @@ Program interpret(const std::string& path, const InterpOptions& options) {
   Collector collector(path);
   Program program = interpret(path, options, collector);
   program.motions = std::move(collector.motions);
+  program.dwells = std::move(collector.dwells);
   program.diagnostics = std::move(collector.diagnostics);
   return program;
 }

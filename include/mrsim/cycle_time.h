@@ -1,9 +1,9 @@
 /// mrsim: how long a program takes on a machine.
 ///
 /// Feeds in all modes (mm/min, mm/rev, inverse time, constant surface speed), rapids by axis,
-/// acceleration with look-ahead over corners, tool changes. The path is not changed: a corner is
-/// passed at the speed at which the control may round it by MachineData::corner_tolerance.
-/// Standard library types only.
+/// acceleration with look-ahead over corners, dwells, tool changes. The path is not changed: a
+/// corner is passed at the speed at which the control may round it by
+/// MachineData::corner_tolerance. Standard library types only.
 #pragma once
 
 #include <mrsim/types.h>
@@ -30,13 +30,14 @@ struct MachineData {
 /// Seconds that one tool works.
 struct ToolTime {
   int tool = -1;  ///< index into Program::tools, -1 = before the first tool
-  double cutting = 0, rapid = 0;
+  double cutting = 0, rapid = 0, dwell = 0;
 };
 
 struct CycleTime {
   double total = 0;        ///< s, all of the following together
   double cutting = 0;      ///< s of lines and arcs
   double rapid = 0;        ///< s of rapids
+  double dwell = 0;        ///< s in which the tool stays where it is: G4, holes
   double tool_change = 0;  ///< s
   double spindle = 0;      ///< s in which the spindle runs up or changes its speed
   std::size_t tool_changes = 0;

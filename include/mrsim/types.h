@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -123,6 +124,13 @@ struct Motion {
   int line = 0;     ///< 1-based
   int column = 0;   ///< 1-based, bytes: the word that made it a motion
   int call = -1;    ///< index into Program::calls, -1 = in the main program
+};
+
+/// The tool stays where it is: G4, or the bottom of a hole.
+struct Dwell {
+  std::size_t after = 0;  ///< how many of Program::motions lie before it
+  double seconds = 0;     ///< above 0
+  int tool = -1;          ///< index into Program::tools, -1 = none chosen yet
 };
 
 /// Where a subprogram was called from; `outer` leads to the caller's own call, -1 ends the chain.
@@ -299,6 +307,7 @@ struct Program {
   std::vector<CallSite> calls;
   std::vector<Tool> tools;  ///< those the program uses, with inferred data filled in
   std::vector<Motion> motions;
+  std::vector<Dwell> dwells;  ///< ascending by `after`
   std::vector<Diagnostic> diagnostics;
   std::optional<StockShape> workpiece;  ///< stock stated by the program itself (WORKPIECE)
   std::vector<std::pair<std::string, std::string>>

@@ -123,6 +123,7 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
 void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const CycleTime& t = result.cycle;
   std::string parts = fmt::format("cutting {}, rapids {}", duration(t.cutting), duration(t.rapid));
+  if (t.dwell > 0) parts += fmt::format(", dwells {}", duration(t.dwell));
   if (t.tool_changes > 0)
     parts += fmt::format(", {} {}", plural(t.tool_changes, "tool change"), duration(t.tool_change));
   if (t.spindle > 0) parts += fmt::format(", spindle {}", duration(t.spindle));
@@ -135,7 +136,7 @@ void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result
     if (tool.tool >= 0)
       sheet.row("",
                 fmt::format("T{}  {}", result.program.tools[static_cast<std::size_t>(tool.tool)].id,
-                            duration(tool.cutting + tool.rapid)));
+                            duration(tool.cutting + tool.rapid + tool.dwell)));
 }
 
 void add_history(Sheet& sheet, const JobResult& result) {

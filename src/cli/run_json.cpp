@@ -55,7 +55,8 @@ Json program_json(const RunRecord& record) {
             {"line", r.line_motions},
             {"arc", r.arc_motions},
             {"cutting", r.cutting_motions}}},
-          {"machine_seconds", number(r.cycle.total)}};
+          {"machine_seconds", number(r.cycle.total)},
+          {"dwell_seconds", number(r.cycle.dwell)}};
 }
 
 Json tools_json(const Program& program) {

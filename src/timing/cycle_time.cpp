@@ -34,14 +34,17 @@ bool stops_between(const Motion& before, const Motion& after) {
 }
 
 // begin[i]: the speed at which motion i begins; one more for the end of the last.
-std::vector<double> begin_speeds(const std::vector<Motion>& motions,
-                                 const std::vector<MotionSpeed>& speeds, double tolerance) {
+std::vector<double> begin_speeds(const Program& program, const std::vector<MotionSpeed>& speeds,
+                                 double tolerance) {
+  const std::vector<Motion>& motions = program.motions;
   const std::size_t n = motions.size();
   std::vector<double> begin(n + 1, 0.0);
   for (std::size_t i = 1; i < n; ++i)
     if (speeds[i - 1].speed > 0 && speeds[i].speed > 0 &&
         !stops_between(motions[i - 1], motions[i]))
       begin[i] = corner_speed(speeds[i - 1], speeds[i], tolerance);
+  for (const Dwell& dwell : program.dwells)
+    if (dwell.after < n) begin[dwell.after] = 0;
   const auto reachable = [&](double from, std::size_t i) {
     return std::sqrt(from * from + 2 * speeds[i].acceleration * speeds[i].length);
   };
@@ -61,17 +64,34 @@ class Sums {
     ToolTime& tool = of(m.tool);
     (rapid ? tool.rapid : tool.cutting) += seconds;
   }
+  void add_dwell(double seconds, int tool) {
+    time_.dwell += seconds;
+    of(tool).dwell += seconds;
+  }
 
  private:
   ToolTime& of(int tool) {
     if (last_ < time_.tools.size() && time_.tools[last_].tool == tool) return time_.tools[last_];
     for (last_ = 0; last_ < time_.tools.size(); ++last_)
       if (time_.tools[last_].tool == tool) return time_.tools[last_];
-    return time_.tools.emplace_back(ToolTime{tool, 0, 0});
+    return time_.tools.emplace_back(ToolTime{tool, 0, 0, 0});
   }
   CycleTime& time_;
   std::size_t last_ = 0;
 };
+
+// A dwell between a tool change and the first cut is that of the tool that cuts next.
+void add_dwells(const Program& program, Sums& sums) {
+  int next = -1;
+  std::size_t left = program.dwells.size();
+  for (std::size_t i = program.motions.size() + 1; i-- > 0;) {
+    for (; left > 0 && program.dwells[left - 1].after >= i; --left) {
+      const Dwell& dwell = program.dwells[left - 1];
+      sums.add_dwell(dwell.seconds, dwell.tool >= 0 ? dwell.tool : next);
+    }
+    if (i > 0 && program.motions[i - 1].tool >= 0) next = program.motions[i - 1].tool;
+  }
+}
 
 // The spindle starts after each tool change, and runs at another speed where S says so.
 void add_changes(const std::vector<Motion>& motions, const MachineData& machine, CycleTime& time) {
@@ -98,7 +118,7 @@ CycleTime cycle_time(const Program& program, const MachineData& machine) {
   std::vector<MotionSpeed> speeds(motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i)
     if (!motions[i].assumed_start) speeds[i] = motion_speed(motions[i], machine);
-  const std::vector<double> begin = begin_speeds(motions, speeds, machine.corner_tolerance);
+  const std::vector<double> begin = begin_speeds(program, speeds, machine.corner_tolerance);
   time.seconds.resize(motions.size());
   Sums sums(time);
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -109,8 +129,9 @@ CycleTime cycle_time(const Program& program, const MachineData& machine) {
       ++time.without_feed;
     sums.add(motions[i], time.seconds[i]);
   }
+  add_dwells(program, sums);
   add_changes(motions, machine, time);
-  time.total = time.cutting + time.rapid + time.tool_change + time.spindle;
+  time.total = time.cutting + time.rapid + time.dwell + time.tool_change + time.spindle;
   return time;
 }
 

@@ -197,5 +197,17 @@ TEST_F(Until, CycleTimeIsToldAndFollowsTheMachine) {
       << fast.out;
 }
 
+TEST_F(Until, DwellsAreToldInTheTimeOfTheProgram) {
+  write("dwell.nc",
+        "G21 G90 G17 G54 T1 M6\nS1000 M3\nG0 X0 Y0 Z5.\nG1 Z-1. F200\nG4 P7500\nG1 X5.\nG0 Z5.\n"
+        "M30\n");
+  const Outcome told = run(
+      "dwell.nc --dialect fanuc --machine mill --tool 1=endmill:d=4 --stock block.stl -o part.stl "
+      "--json out.json");
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, ", dwells 7.5 s")) << told.out;
+  EXPECT_TRUE(contains(read("out.json"), "\"dwell_seconds\": 7.5")) << read("out.json");
+}
+
 }  // namespace
 }  // namespace mrsim

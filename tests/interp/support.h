@@ -20,8 +20,12 @@ namespace mrsim {
 class CollectingSink : public MotionSink {
  public:
   void motion(const Motion& m) override { motions.push_back(m); }
+  void dwell(double seconds, int tool) override {
+    dwells.push_back({motions.size(), seconds, tool});
+  }
   void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
   std::vector<Motion> motions;
+  std::vector<Dwell> dwells;
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -49,6 +53,7 @@ inline Program read_program(const std::string& path, const InterpOptions& option
   CollectingSink sink;
   Program program = interpret(path, options, sink);
   program.motions = std::move(sink.motions);
+  program.dwells = std::move(sink.dwells);
   program.diagnostics = std::move(sink.diagnostics);
   return program;
 }

@@ -145,6 +145,31 @@ TEST(CycleTime, ToolsAreSummedAndChanged) {
   EXPECT_NEAR(t.total, t.cutting + 12, 1e-12);
 }
 
+// A line in two halves, with a stop between them: each half has ramps of its own.
+TEST(CycleTime, DwellsCountAndStopTheTool) {
+  Program program =
+      program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {100, 0, 0}, 3000)});
+  program.dwells = {{1, 2.5, 0}, {2, 0.5, 0}};
+  const CycleTime t = cycle_time(program, machine());
+  EXPECT_NEAR(t.cutting, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
+  EXPECT_EQ(t.dwell, 3);
+  EXPECT_NEAR(t.total, t.cutting + 3, 1e-12);
+  ASSERT_EQ(t.tools.size(), 1u);
+  EXPECT_EQ(t.tools[0].dwell, 3);
+  EXPECT_EQ(t.seconds.size(), 2u);
+}
+
+TEST(CycleTime, DwellsBehindAToolChangeAreThoseOfTheNextTool) {
+  Motion a = line({0, 0, 0}, {50, 0, 0}, 3000), way = rapid({50, 0, 0}, {50, 0, 9}), b = a;
+  way.tool = -1, b.tool = 1;
+  Program program = program_of({a, way, b});
+  program.dwells = {{0, 1, -1}, {1, 2, 0}, {1, 4, -1}, {2, 8, -1}, {3, 16, -1}};
+  const CycleTime t = cycle_time(program, machine());
+  EXPECT_EQ(t.dwell, 31);
+  for (const ToolTime& tool : t.tools)
+    EXPECT_EQ(tool.dwell, tool.tool == 0 ? 3 : tool.tool == 1 ? 12 : 16) << tool.tool;
+}
+
 TEST(CycleTime, CutsWithoutAFeedAreCounted) {
   const CycleTime t = cycle_time(program_of({line({0, 0, 0}, {1, 0, 0}, 0)}), machine());
   EXPECT_EQ(t.without_feed, 1u);

@@ -70,6 +70,7 @@ class BlockWords : public Block {
   const Word* motion_code = nullptr;
   const Word* oneshot = nullptr;
   const Word* frame_code = nullptr;
+  const Word* pause = nullptr;       ///< P of G4, where the block may move as well (LinuxCNC)
   const Word* ends_cycle = nullptr;  ///< G80
   Code motion{};                     ///< motion of this block alone, else Code::unknown
   Code oneshot_code{};               ///< counts when `oneshot` is set

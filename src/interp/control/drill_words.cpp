@@ -37,7 +37,8 @@ bool DrillWords::read_fagor(const Basis& b) {
   cycle.fagor = true;
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) != 0) read_level(take("XYZ"[i]), cycle.safe);
-  for (const char c : {'K', 'R'}) take(c);
+  take('R');
+  if (const Word* k = take('K')) cycle.dwell = dwell_.of_cycle(*k);
   const Word* depth = take('I');
   const Word* strokes = take('J');
   if (depth && cycle.number == 83) {
@@ -66,7 +67,7 @@ bool DrillWords::read_words(const Basis& b) {
     const Word* relative = take("UVW"[i]);
     if (relative) cycle.bottom = {axis_value(i, *relative, true), true, true};
   }
-  cycle.dwells = take('P') || cycle.dwells;
+  if (const Word* p = take('P')) cycle.dwells = true, cycle.dwell = dwell_.of_cycle(*p);
   const int g = cycle.number;
   if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
     return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
@@ -216,9 +217,19 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   if (g == 76)
     note_once("cycle-shift", "G76: the shift by Q at the bottom is not run, its side is not known",
               where, "G76");
+  fill_dwells(g, hole);
   if (g != 73 && g != 83) return true;
   hole.chips_out = g == 83;
   return fill_pecks(hole, haas_words);
+}
+
+// Which cycles know P; FANUC taps wait at R, too.
+void DrillWords::fill_dwells(int g, Hole& hole) const {
+  const bool taps = g == 74 || g == 84, pecks = g == 73 || g == 83;
+  const bool bores = g == 76 || g == 82 || g == 86 || g == 88 || g == 89 || (g == 85 && lathe());
+  if (!bores && !taps && (!pecks || is(Dialect::ngc))) return;
+  hole.dwell = modal_.drill.dwell;
+  if (taps && is(Dialect::fanuc)) hole.dwell_out = hole.dwell;
 }
 
 // Where the tool ends, with the hole below R or (`up`) above it: never nearer to it than R.

@@ -3,6 +3,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/control/dwell_time.h"
 #include "interp/control/hole_maker.h"
 
 namespace mrsim {
@@ -10,7 +11,7 @@ namespace mrsim {
 class DrillWords : public ControlPart {
  public:
   DrillWords(Control& control, AxisWords& axes, HoleMaker& holes)
-      : ControlPart(control), axes_(axes), holes_(holes) {}
+      : ControlPart(control), axes_(axes), holes_(holes), dwell_(control) {}
 
   /// A cycle is in force, and the block has words for it.
   bool wants_block() const;
@@ -28,6 +29,7 @@ class DrillWords : public ControlPart {
   bool peck(const Word& q);
   bool repeats(long& count);
   bool fill(Hole& hole, bool haas_words = true);
+  void fill_dwells(int g, Hole& hole) const;
   double end_level(double safe, bool up) const;
   bool fill_pecks(Hole& hole, bool haas_words);
   void read_haas_strokes();
@@ -36,6 +38,7 @@ class DrillWords : public ControlPart {
 
   AxisWords& axes_;
   HoleMaker& holes_;
+  DwellTime dwell_;
 };
 
 }  // namespace mrsim

@@ -32,6 +32,27 @@ void HoleMaker::rise(double level, const Word& where) {
   to_level(level, MotionKind::rapid, 0, 0);
 }
 
+// The strokes before the last. The level of the deepest.
+double HoleMaker::strokes(const Hole& hole, double down) {
+  constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
+  for (const double stroke : hole.strokes) {
+    to_level(stroke, kLine, hole.lead, hole.feed);
+    moves_.dwell(hole.dwell_stroke);
+    if (hole.lead != 0) {
+      to_level(hole.safe, kLine, hole.lead, hole.feed);
+    } else if (hole.chips_out) {
+      to_level(hole.safe, kRapid, 0, 0);
+      moves_.dwell(hole.dwell_safe);
+      const double back = stroke - down * hole.clearance;
+      if ((back - hole.safe) * down > 0) to_level(back, kRapid, 0, 0);
+    } else {
+      to_level(stroke - down * std::min(hole.clearance, std::abs(stroke - hole.safe)), kRapid, 0,
+               0);
+    }
+  }
+  return hole.strokes.empty() ? hole.safe : hole.strokes.back();
+}
+
 void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& where) {
   const int line = block_.line_number, file = block_.file, call = block_.call;
   const bool elsewhere = place.line != line || place.file != file;
@@ -43,31 +64,19 @@ void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& whe
   }
   constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
   to_level(hole.safe, kRapid, 0, 0);
-  double reached = hole.safe;
-  const double down = hole.bottom < hole.safe ? -1 : 1;
-  for (const double stroke : hole.strokes) {
-    to_level(stroke, kLine, hole.lead, hole.feed);
-    if (hole.lead != 0) {
-      to_level(hole.safe, kLine, hole.lead, hole.feed);
-    } else if (hole.chips_out) {
-      to_level(hole.safe, kRapid, 0, 0);
-      const double back = stroke - down * hole.clearance;
-      if ((back - hole.safe) * down > 0) to_level(back, kRapid, 0, 0);
-    } else {
-      to_level(stroke - down * std::min(hole.clearance, std::abs(stroke - hole.safe)), kRapid, 0,
-               0);
-    }
-    reached = stroke;
-  }
+  const double reached = strokes(hole, hole.bottom < hole.safe ? -1 : 1);
   if (hole.bottom != reached) to_level(hole.bottom, kLine, hole.lead, hole.feed);
+  moves_.dwell(hole.dwell);
   if (length(hole.lift) > 0) {
     Target to;
     to.programmed = position_.programmed + hole.lift;
     to.named = 7;
     moves_.step(to, where, kRapid);
   }
-  if (hole.feed_out)
+  if (hole.feed_out) {
     to_level(hole.feed_to_end ? hole.end : hole.safe, kLine, hole.lead, hole.feed_back);
+    moves_.dwell(hole.dwell_out);
+  }
   to_level(hole.end, kRapid, 0, 0);
   if (length(hole.lift) > 0) {
     const Basis b = basis();

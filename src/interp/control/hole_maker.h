@@ -25,6 +25,10 @@ struct Hole {
   double clearance = kPeckClearance;
   bool feed_out = false;           ///< back to `safe` with the feed
   bool feed_to_end = false;        ///< ... and on to `end`
+  double dwell = 0;                ///< at the bottom, s
+  double dwell_stroke = 0;         ///< at the end of a stroke before the last, s
+  double dwell_safe = 0;           ///< where the chips of a stroke come out, s
+  double dwell_out = 0;            ///< at the end of the way back with the feed, s
   double lead = 0;                 ///< of a tap, mm per revolution
   double feed = 0, feed_back = 0;  ///< 0 = that of the program
   Vec3 lift;                       ///< before the way out, the edge leaves the wall
@@ -49,6 +53,7 @@ class HoleMaker : public ControlPart {
   double level() const;
 
  private:
+  double strokes(const Hole& hole, double down);
   void to_level(double level, MotionKind kind, double lead, double feed);
 
   BlockReader& reader_;

@@ -81,7 +81,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   switch (entry.code) {
     case Code::dwell:
       if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
-      return take('P') || error("value-missing", "G4 needs P, its seconds", word);
+      return (block_.pause = take('P')) || error("value-missing", "G4 needs P, its seconds", word);
     case Code::unknown:
       return error("g-unknown",
                    fmt::format("G{:g} is not known to this control{}", word.value,
@@ -221,7 +221,7 @@ void ModalWords::select_cycle(int number) {
   if (cycle.number == 0) cycle = {};
   if (is(Dialect::ngc) && cycle.number != number) {  // only R is kept for another cycle
     cycle.bottom.given = cycle.dwells = false;
-    cycle.peck = 0;
+    cycle.peck = cycle.dwell = 0;
   }
   cycle.number = number;
   cycle.first = 0;

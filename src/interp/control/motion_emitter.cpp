@@ -10,6 +10,7 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kAllBlocks = static_cast<std::size_t>(-1);
 constexpr double kOnAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
 
 }  // namespace
@@ -19,7 +20,7 @@ MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, 
       words_(compensation),
       sink_(sink),
       corners_(control.reporter, [this](const PathMove& m) { compensation_.push(m); }),
-      compensation_(control.reporter, [this](const PathMove& m) { sink_.motion(m.motion); }),
+      compensation_(control.reporter, [this](const PathMove& m) { give(m); }),
       captured_corners_(control.reporter,
                         [this](const PathMove& m) { captured_->push_back(m.motion); }) {}
 
@@ -31,6 +32,27 @@ void MotionEmitter::capture(std::vector<Motion>* contour) {
 void MotionEmitter::flush() {
   corners_.flush();
   compensation_.flush();
+  give_dwells(kAllBlocks);
+}
+
+void MotionEmitter::dwell(double seconds) {
+  if (captured_ || !(seconds > 0) || !std::isfinite(seconds)) return;
+  const int tool = control_.tool.index;
+  if (idle_) return sink_.dwell(seconds, tool);
+  dwells_.push_back({block_.number, seconds, tool});
+}
+
+// A dwell comes before the motions of the blocks behind it.
+void MotionEmitter::give(const PathMove& move) {
+  if (!dwells_.empty()) give_dwells(move.block);
+  sink_.motion(move.motion);
+}
+
+void MotionEmitter::give_dwells(std::size_t block) {
+  std::size_t given = 0;
+  for (; given < dwells_.size() && dwells_[given].block < block; ++given)
+    sink_.dwell(dwells_[given].seconds, dwells_[given].tool);
+  dwells_.erase(dwells_.begin(), dwells_.begin() + static_cast<std::ptrdiff_t>(given));
 }
 
 void MotionEmitter::emit(const Motion& motion) {
@@ -77,6 +99,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   path.block = block_.number;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
+  if (idle_) give_dwells(kAllBlocks);
 }
 
 // Cuts from an unknown place are not swept. One alone is the way to the first point.

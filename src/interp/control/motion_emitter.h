@@ -6,6 +6,8 @@
 #include "interp/motion_sink.h"
 #include "interp/path/compensation.h"
 
+#include <vector>
+
 namespace mrsim {
 
 class MotionEmitter : public ControlPart {
@@ -15,6 +17,8 @@ class MotionEmitter : public ControlPart {
   /// Gives a move on, with the corner words of its block.
   void emit(const Motion& motion);
   void emit(Motion motion, const CornerSpec& corner);
+  /// The tool stays behind the motions so far, those of contours excepted.
+  void dwell(double seconds);
   /// RND CHF CHR of the block, else RNDM.
   CornerSpec corner_spec();
   /// What is held back goes out: the program ends.
@@ -31,6 +35,8 @@ class MotionEmitter : public ControlPart {
  private:
   void refuse_live_tool(const Motion& motion);
   void warn_unknown_start(const Motion& motion);
+  void give(const PathMove& move);
+  void give_dwells(std::size_t block);
   void turned_corner(const Word*& round, const Word*& leg);
 
   CompensationWords& words_;
@@ -39,6 +45,13 @@ class MotionEmitter : public ControlPart {
   CompensationStage compensation_;
   std::vector<Motion>* captured_ = nullptr;
   CornerStage captured_corners_;
+  /// A dwell behind motions that are held back.
+  struct HeldDwell {
+    std::size_t block = 0;
+    double seconds = 0;
+    int tool = -1;
+  };
+  std::vector<HeldDwell> dwells_;
   bool idle_ = true;
   double last_length_ = 0;
   std::size_t cuts_ = 0;

@@ -44,6 +44,8 @@ class Moves : public ControlPart {
   void unknown(unsigned axes, const Word& where);
   /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.
   void guess_retract(const Word& where);
+  /// The tool stays where it is; no time where `seconds` is not above 0.
+  void dwell(double seconds) { out_.dwell(seconds); }
   /// The position becomes `to`, without a path.
   void jump(const Target& to);
   /// A block ANG= waits for the next one.

@@ -52,9 +52,7 @@ bool OneShotWords::dwell() {
       if (const Word* axis = peek(c))
         return error("call-not-alone", "G4 stands alone in its block, without axes", *axis);
   }
-  for (const char c : {'X', 'U', 'P', 'F', 'S', 'T', 'E'})
-    if (c != 'T' || is(Dialect::codesys)) take(c);
-  take(Address::data);
+  moves_.dwell(dwell_.of_block());
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Functions of one block: dwell, reference points, setting the position. Private to src/interp.
 #pragma once
 
+#include "interp/control/dwell_time.h"
 #include "interp/control/moves.h"
 #include "interp/control/offset_words.h"
 
@@ -13,7 +14,8 @@ class OneShotWords : public ControlPart {
         axes_(axes),
         frame_words_(frames),
         moves_(moves),
-        offsets_(control, frames) {}
+        offsets_(control, frames),
+        dwell_(control) {}
   /// The one-shot word of the block. False: an error was reported.
   bool run();
 
@@ -30,6 +32,7 @@ class OneShotWords : public ControlPart {
   FrameWords& frame_words_;
   Moves& moves_;
   OffsetWords offsets_;
+  DwellTime dwell_;
 };
 
 }  // namespace mrsim

@@ -24,6 +24,12 @@ constexpr std::array<std::string_view, 13> kMeasuring = {
     "CYCLE982", "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 constexpr double kMostHoles = 10'000;
 
+// Where the call has its mode (AMODE): how depth and dwell are written.
+std::size_t mode_of(std::string_view cycle) {
+  if (cycle == "CYCLE81" || cycle == "CYCLE82") return 8;
+  return cycle == "CYCLE83" ? 19 : 99;
+}
+
 bool is_cycle(std::string_view name) {
   return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
 }
@@ -143,11 +149,8 @@ bool SinumerikCycles::hole(const Call& call, Hole& out) {
   const double down = rtp < rfp ? 1 : -1;
   out.safe = rfp - down * std::abs(call.get(2)) * unit;
   out.end = rtp;
-  const std::size_t mode = call.name == "CYCLE81"   ? 8
-                           : call.name == "CYCLE82" ? 8
-                           : call.name == "CYCLE83" ? 19
-                                                    : 99;
-  if (!depth(call, mode, rfp, down, out.bottom)) return false;
+  dwells(call, out);
+  if (!depth(call, mode_of(call.name), rfp, down, out.bottom)) return false;
   if (call.name == "CYCLE83") return strokes(call, rfp, out);
   if (call.name == "CYCLE84" || call.name == "CYCLE840") tapping(call, out);
   if (call.name == "CYCLE85") {
@@ -208,6 +211,30 @@ bool SinumerikCycles::strokes(const Call& call, double reference, Hole& hole) {
     if (dam > 0 && rest > stroke && rest < 2 * stroke && stroke <= smallest) stroke = rest / 2;
   }
   return true;
+}
+
+// s of a dwell: below 0 it is in turns, unless a digit of the mode says 1 (seconds) or 2 (turns).
+double SinumerikCycles::pause(const Call& call, std::size_t value, int mode_digit) {
+  const double time = call.get(value);
+  const int unit = mode_digit > 0 ? call.digit(mode_of(call.name), mode_digit) : 0;
+  const bool turns = unit == 2 || (unit == 0 && time < 0);
+  return turns ? dwell_.of_turns(std::abs(time), where()) : std::abs(time);
+}
+
+// DTB: at the bottom; CYCLE83: behind each stroke, DTD behind the last one, DTS where the chips are
+// out.
+void SinumerikCycles::dwells(const Call& call, Hole& hole) {
+  if (call.name == "CYCLE87") return;
+  if (call.name != "CYCLE83") {
+    hole.dwell = pause(call, 5, 1);
+    return;
+  }
+  const int other_units = call.digit(19, 2) + call.digit(19, 3);
+  if (other_units != 0 && (call.get(9) > 0 || call.get(15) > 0))
+    note_once("dwell-unit", "CYCLE83: DTS and DTD above 0 are read as seconds", where(), "CYCLE83");
+  hole.dwell = hole.dwell_stroke = pause(call, 8, 1);
+  hole.dwell_safe = pause(call, 9, 0);
+  if (call.get(15) != 0) hole.dwell = pause(call, 15, 0);
 }
 
 // MPIT (size of the thread) or PIT (its pitch); the sign is the hand.

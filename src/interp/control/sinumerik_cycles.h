@@ -3,6 +3,7 @@
 // the plane. Private to src/interp.
 #pragma once
 
+#include "interp/control/dwell_time.h"
 #include "interp/control/mill_cycles.h"
 #include "interp/control/sinumerik_contours.h"
 #include "interp/control/statements.h"
@@ -21,6 +22,7 @@ class SinumerikCycles : public ControlPart {
         reader_(reader),
         statements_(statements),
         holes_(holes),
+        dwell_(control),
         mills_(control, tools, moves),
         contours_(control, reader, statements, tools, moves, out),
         turns_(control, tools, moves) {}
@@ -45,6 +47,8 @@ class SinumerikCycles : public ControlPart {
   bool hole(const Call& call, Hole& out);
   bool depth(const Call& call, std::size_t mode, double reference, double down, double& bottom);
   bool strokes(const Call& call, double reference, Hole& hole);
+  double pause(const Call& call, std::size_t value, int mode_digit);
+  void dwells(const Call& call, Hole& hole);
   void tapping(const Call& call, Hole& hole);
   bool pattern(const Call& call);
   bool swivel(const Call& call);
@@ -60,6 +64,7 @@ class SinumerikCycles : public ControlPart {
   BlockReader& reader_;
   Statements* statements_;
   HoleMaker& holes_;
+  DwellTime dwell_;
   MillCycles mills_;
   SinumerikContours contours_;
   TurnCycles turns_;

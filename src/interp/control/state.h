@@ -27,6 +27,7 @@ struct DrillCycle {
   double initial = 0;                     ///< level along the plane's normal before the first cycle
   bool begun = false;                     ///< `initial` counts
   bool dwells = false;                    ///< P was given
+  double dwell = 0;                       ///< what it said, s
   bool fagor = false;                     ///< its first block has the depth in I
   int plane = -1;                         ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
   int file = 0, line = 0, call = -1;      ///< of the block that chose the cycle

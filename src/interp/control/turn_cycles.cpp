@@ -158,6 +158,7 @@ bool TurnCycles::groove_values(Groove& g) {
   g.base_allowance = std::abs(call_.get(11)) * unit;
   g.flank_allowance = std::abs(call_.get(12)) * unit;
   g.infeed = std::abs(call_.get(13)) * unit;
+  g.dwell = call_.get(14);
   const double width = std::abs(call_.get(2)) * unit, at = call_.get(1) * unit;
   if (depth <= g.base_allowance || g.bottom < 0)
     return fail("value-range", "CYCLE93: DIAG is the depth, above FAL1 and not beyond the axis");
@@ -202,6 +203,7 @@ void TurnCycles::plunge(const Groove& g, double z, double bottom) {
     to(at, z, MotionKind::line);
     if (i < n) to(at - in * g.retract, z, MotionKind::rapid);
   }
+  moves_.dwell(g.dwell);
   to(g.clear, z, MotionKind::rapid);
 }
 

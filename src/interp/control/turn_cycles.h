@@ -45,6 +45,7 @@ class TurnCycles : public ControlPart {
     double top = 0, bottom = 0, clear = 0;
     double base_allowance = 0, flank_allowance = 0;
     double infeed = 0, retract = 1, step = 0;
+    double dwell = 0;  ///< at the bottom of each plunge, s
   };
 
   bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
