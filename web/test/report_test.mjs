@@ -108,7 +108,7 @@ const cases = {
     assert.equal(await selectedLine(page), 31);
     await page.click("#tab-program");
     await page.click("#code .row[data-line='45']");
-    assert.match(await page.textContent("#picked"), /Collision 2/);
+    await page.waitForFunction(() => /Collision 2/.test(document.querySelector("#picked").textContent));
   },
   async "nothing of the program is run"(page) {
     assert.equal(await page.evaluate(() => window.evil), undefined);
