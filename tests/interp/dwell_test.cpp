@@ -124,6 +124,16 @@ TEST(Dwell, StaysBetweenItsBlocksUnderCompensation) {
   EXPECT_EQ(p.motions[p.dwells[0].after - 1].line, 3);
 }
 
+TEST(Dwell, ThoseInARowAreOneUnderCompensationToo) {
+  const Program p =
+      read_text("S100 M3 F60\nG41 D1 G1 X10 Y10\nX20\nG4 F2\nG4 F3\nX30\nG4 F1\nG40 X40 Y40\nM30\n",
+                at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.dwells.size(), 2u) << listing(p);
+  EXPECT_EQ(p.dwells[0].seconds, 5);
+  EXPECT_EQ(p.motions[p.dwells[0].after].line, 6);
+  EXPECT_EQ(p.dwells[1].seconds, 1);
+}
+
 TEST(Dwell, AtTheEndOfAHeldBackContourIsNotLost) {
   EXPECT_EQ(dwells("S100 M3 F60\nG1 X10 Y10 RND=1\nG4 F2\nM30\n", Dialect::sinumerik), "1:2");
 }

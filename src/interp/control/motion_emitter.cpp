@@ -39,7 +39,12 @@ void MotionEmitter::dwell(double seconds) {
   if (captured_ || !(seconds > 0) || !std::isfinite(seconds)) return;
   const int tool = control_.tool.index;
   if (idle_) return sink_.dwell(seconds, tool);
+  if (!dwells_.empty() && !moved_ && dwells_.back().tool == tool) {
+    dwells_.back().seconds += seconds;  // a loop of them takes no memory
+    return;
+  }
   dwells_.push_back({block_.number, seconds, tool});
+  moved_ = false;
 }
 
 // A dwell comes before the motions of the blocks behind it.
@@ -97,6 +102,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   path.corner = corner;
   path.comp = words_.for_move();
   path.block = block_.number;
+  moved_ = true;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
   if (idle_) give_dwells(kAllBlocks);

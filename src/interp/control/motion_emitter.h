@@ -52,6 +52,7 @@ class MotionEmitter : public ControlPart {
     int tool = -1;
   };
   std::vector<HeldDwell> dwells_;
+  bool moved_ = false;  ///< since the last of them
   bool idle_ = true;
   double last_length_ = 0;
   std::size_t cuts_ = 0;
