@@ -242,6 +242,12 @@ TEST(ToolCommentReadings, Angles) {
       {inch, "1/2 90 SPOT DRILL", "drill 12.7, point 90"},
       {inch, "1/2 120 DEG SPOT DRILL", "drill 12.7, point 120"},
       {inch, "1/4 135 DRILL", "drill 6.35, point 135"},
+      {inch, ".25 STUB DRILL 135 SPLIT PT", "drill 6.35, point 135"},
+      {mm, "T4 D6.8 DRILL 140 POINT", "drill 6.8, point 140"},
+      {mm, "50MM 90 DEG FACE MILL", "endmill 50"},
+      {mm, "50MM 45 DEG FACE MILL",
+       "? names a face mill of 45 degrees: an endmill cuts upright walls, a taper has its angle to "
+       "the axis"},
       {inch, "C-SINK 82 DEG 1/2", "chamfer 12.7, point 82"},
       {inch, "3/4 82 DEG C'SINK", "chamfer 19.05, point 82"},
       {inch, "1/2\" X 82 C-SINK", "chamfer 12.7, point 82"},

@@ -134,6 +134,15 @@ bool is_degree_star(const Tokens& tokens, std::size_t i, const Token& number) {
          !(i + 1 < tokens.size() && tokens[i + 1].is_number());
 }
 
+// "135 SPLIT POINT", "118 PT": how many tokens from `i` on say that `number` is the angle of a
+// point.
+std::size_t point_words(const Tokens& tokens, std::size_t i, const Token& number) {
+  if (number.decimals || number.fraction || number.value < 60 || number.value >= 180) return 0;
+  const std::size_t point = tokens[i].is("SPLIT") ? i + 1 : i;
+  if (point >= tokens.size() || !is_one_of(tokens[point], {"POINT", "PT"})) return 0;
+  return point + 1 - i;
+}
+
 // How many tokens from `i` on are the unit of `number`; sets it.
 std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
   if (i >= tokens.size()) return 0;
@@ -158,7 +167,9 @@ std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
     number.angle = true;
     return 1;
   }
-  return 0;
+  const std::size_t words = point_words(tokens, i, number);
+  number.angle = words > 0;
+  return words;
 }
 
 void join_units(Tokens& tokens) {

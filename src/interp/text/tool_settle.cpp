@@ -266,6 +266,12 @@ void Settler::settle_nose() {
 void Settler::settle_mill() {
   if (facts_.tapered && (trade_is(ToolTrade::mill) || trade_is(ToolTrade::face_mill)))
     doubt("names a tapered mill, whose shape it does not tell");
+  constexpr double kUpright = 85;  // degrees
+  if (trade_is(ToolTrade::face_mill) && !angles_.empty() && angles_.front() < kUpright)
+    doubt(
+        fmt::format("names a face mill of {:g} degrees: an endmill cuts upright walls, a taper "
+                    "has its angle to the axis",
+                    angles_.front()));
   const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop;
   if (ball && hint_.corner && hint_.diameters.empty()) {
     add(hint_.corner);
