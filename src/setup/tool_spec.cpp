@@ -47,6 +47,17 @@ void set_word(Tool& tool, std::string_view key, std::string_view value, const st
   }
 }
 
+// "d or diameter", "tip_angle", ...
+std::vector<std::string> keys_of(ToolType type) {
+  std::vector<std::string> keys;
+  for (const std::string_view name : key_names(type)) {
+    const std::string_view small = find_tool_key(name, type)->short_name;
+    const bool is_short = !small.empty() && find_tool_key(small, type)->name == name;
+    keys.push_back(is_short ? fmt::format("{} or {}", small, name) : std::string(name));
+  }
+  return keys;
+}
+
 void set_key(Tool& tool, std::string_view assignment, const std::string& spec) {
   std::string_view value = assignment;
   const std::string_view key = next_part(value, '=');
@@ -56,9 +67,10 @@ void set_key(Tool& tool, std::string_view assignment, const std::string& spec) {
   if (is_turning(tool.type) && (key == "insert" || key == "hand" || key == "tip"))
     return set_word(tool, key, value, spec);
   const ToolKey* known = find_tool_key(key, tool.type);
-  const std::vector<std::string_view> names = key_names(tool.type);
   if (known == nullptr)
-    fail(spec, fmt::format("unknown key \"{}\"{}", key, suggestion(key, names)));
+    fail(spec, fmt::format("unknown key \"{}\"{} (a tool of type {} has: {})", key,
+                           suggestion(key, key_names(tool.type)), tool_type_name(tool.type),
+                           fmt::join(keys_of(tool.type), ", ")));
   const std::optional<double> number = parse_number(value, true);
   if (!number) fail(spec, fmt::format("{} = \"{}\" is not a number", key, value));
   const std::string wrong = set_number(tool, *known, *number, 1.0);

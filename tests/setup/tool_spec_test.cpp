@@ -64,6 +64,10 @@ TEST(ToolSpec, SaysWhatIsWrong) {
   EXPECT_NE(fault("4=endmil:d=5").find("did you mean \"endmill\""), std::string::npos);
   EXPECT_NE(fault("4=endmill").find("needs a diameter"), std::string::npos);
   EXPECT_NE(fault("4=endmill:diametre=5").find("did you mean \"diameter\""), std::string::npos);
+  EXPECT_NE(fault("4=chamfer:d=3,tip=0.1")
+                .find("(a tool of type chamfer has: d or diameter, r or corner_radius, "
+                      "l or flute_length, taper_angle, a or tip_angle, t or tip_diameter)"),
+            std::string::npos);
   EXPECT_NE(fault("4=endmill:d=five").find("not a number"), std::string::npos);
   EXPECT_NE(fault("4=endmill:d=nan").find("not a number"), std::string::npos);
   EXPECT_NE(fault("4=endmill:d=-5").find("must be between"), std::string::npos);
