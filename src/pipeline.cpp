@@ -124,8 +124,8 @@ StockShape choose_stock(const Job& job, JobResult& result) {
     return given;
   }
   if (program.workpiece) return *program.workpiece;
-  StockShape shape =
-      default_stock(program.motions, program.tools, program.machine == MachineKind::lathe);
+  StockShape shape = default_stock(program.motions, program.tools,
+                                   program.machine == MachineKind::lathe, program.zero_height);
   report(result, Severity::note, "stock-assumed", "no --stock given: a stock " + shape.description);
   return shape;
 }

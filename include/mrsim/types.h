@@ -308,6 +308,7 @@ struct Program {
   std::vector<Tool> tools;  ///< those the program uses, with inferred data filled in
   std::vector<Motion> motions;
   std::vector<Dwell> dwells;  ///< ascending by `after`
+  double zero_height = 0;     ///< Z of the highest work zero (G54 .., G92) that cuts count from
   std::vector<Diagnostic> diagnostics;
   std::optional<StockShape> workpiece;  ///< stock stated by the program itself (WORKPIECE)
   std::vector<std::pair<std::string, std::string>>

@@ -121,6 +121,12 @@ TEST(PostWords, G10SetsOffsetsAndRadii) {
   EXPECT_EQ(codes(p), "");
   expect_near(p.motions[0].end, {101, 51, 0});
   EXPECT_NEAR(p.motions[2].end.x, -1, 1e-9);
+  EXPECT_EQ(p.zero_height, 0);
+  const auto height = [](const char* text) {
+    return read_text(text, at_origin(Dialect::fanuc)).zero_height;
+  };
+  EXPECT_EQ(height("G10 L2 P1 Z-420.5\nG54\nG0 Z5\nG1 Z-3 F1\nX9\n"), -420.5);
+  EXPECT_EQ(height("G10 L2 P1 Z-40\nG10 L2 P2 Z-30\nG54\nG1 X9 F1\nG55\nG52 Z50\nX8\n"), -30);
   const Program here = read_text("G1 X10 F1\nG10 L20 P1 X0\nG1 X5\n", at_origin(Dialect::ngc));
   EXPECT_EQ(here.motions.back().end.x, 15);
 }

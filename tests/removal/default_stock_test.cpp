@@ -12,17 +12,17 @@ class Path {
  public:
   Path& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
   Path& cut(Vec3 to) { return add(MotionKind::line, to); }
-  Box3 box() const {
+  Box3 box(double zero = 0) const {
     Tool tool;
     tool.diameter = 4;
-    return default_stock(motions_, std::vector<Tool>{tool}, false).box;
+    return default_stock(motions_, std::vector<Tool>{tool}, false, zero).box;
   }
-  double top() const { return box().hi.z; }
-  StockShape bar(ToolType type = ToolType::turning) const {
+  double top(double zero = 0) const { return box(zero).hi.z; }
+  StockShape bar(ToolType type = ToolType::turning, double zero = 0) const {
     Tool tool;
     tool.type = type;
     tool.diameter = 12;
-    return default_stock(motions_, std::vector<Tool>{tool}, true);
+    return default_stock(motions_, std::vector<Tool>{tool}, true, zero);
   }
 
  private:
@@ -76,6 +76,22 @@ TEST(DefaultStock, EndsAtTheProgramsZeroAboveItsCuts) {
             0);
   // Faced at zero: the levels below say that there is more.
   EXPECT_EQ(Path().rapid({0, 0, 5}).cut({0, 0, 0}).cut({50, 0, 0}).cut({50, 0, -2}).top(), 0);
+}
+
+// A work offset that the program sets by G10 in the coordinates of the machine.
+TEST(DefaultStock, TakesTheZeroOfTheWorkOffset) {
+  const auto path = [](double zero) {
+    return Path()
+        .rapid({0, 0, zero + 5})
+        .cut({0, 0, zero - 3})
+        .cut({50, 0, zero - 3})
+        .rapid({50, 0, zero + 5});
+  };
+  EXPECT_EQ(path(-420.5).top(-420.5), -420.5);
+  EXPECT_EQ(path(100).top(100), 100);
+  EXPECT_EQ(
+      Path().rapid({9, 0, 70}).cut({9, 0, 69}).cut({0, 0, 69}).bar(ToolType::turning, 70).box.hi.z,
+      70);
 }
 
 TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlungeWhereZeroIsElsewhere) {

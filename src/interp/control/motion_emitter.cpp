@@ -75,7 +75,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     return captured_corners_.push(path);
   }
   if (motion.kind != MotionKind::rapid) {
-    ++cuts_;
+    note_zero();
     motion.tool = control_.tool.index;
     if (lathe()) refuse_live_tool(motion);
     if (position_.known == 7U)
@@ -106,6 +106,12 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
   if (idle_) give_dwells(kAllBlocks);
+}
+
+void MotionEmitter::note_zero() {
+  const double height = frames_.work.z + frames_.position_shift.z;
+  program_.zero_height = cuts_ == 0 ? height : std::max(program_.zero_height, height);
+  ++cuts_;
 }
 
 // Cuts from an unknown place are not swept. One alone is the way to the first point.

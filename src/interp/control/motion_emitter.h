@@ -33,6 +33,7 @@ class MotionEmitter : public ControlPart {
   std::size_t cuts() const { return cuts_; }
 
  private:
+  void note_zero();
   void refuse_live_tool(const Motion& motion);
   void warn_unknown_start(const Motion& motion);
   void give(const PathMove& move);

@@ -194,13 +194,13 @@ bool keep_beside(Box3& box, std::span<const WayDown> ways) {
 // Most programs have their zero on the stock's top; those whose cuts or first move down say
 // otherwise end at the highest cut.
 void set_top(Box3& box, std::span<const Motion> motions, std::span<const double> radii,
-             double margin) {
+             double margin, double zero) {
   const Heights heights = HeightsReader().read(motions);
-  if (heights.reach_below(0)) {
+  if (heights.reach_below(zero)) {
     Box3 narrowed = box;
-    if (keep_beside(narrowed, ways_down(motions, radii, 0)) || heights.first > -kLevel) {
+    if (keep_beside(narrowed, ways_down(motions, radii, zero)) || heights.first > zero - kLevel) {
       box = narrowed;
-      box.hi.z = 0;
+      box.hi.z = zero;
       return;
     }
   }
@@ -208,14 +208,14 @@ void set_top(Box3& box, std::span<const Motion> motions, std::span<const double>
   keep_beside(box, ways_down(motions, radii, box.hi.z));
 }
 
-StockShape box_round(const Box3& cuts, std::span<const Motion> motions,
-                     std::span<const Tool> tools) {
+StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::span<const Tool> tools,
+                     double zero) {
   const double margin = margin_of(cuts);
   StockShape shape;
   shape.kind = StockShape::Kind::box;
   shape.box.lo = {down(cuts.lo.x - margin), down(cuts.lo.y - margin), down(cuts.lo.z - margin)};
   shape.box.hi = {up(cuts.hi.x + margin), up(cuts.hi.y + margin), cuts.hi.z};
-  set_top(shape.box, motions, radii_of(motions, tools), margin);
+  set_top(shape.box, motions, radii_of(motions, tools), margin, zero);
   const Box3& b = shape.box;
   shape.description =
       fmt::format("around the program's cuts: box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
@@ -292,13 +292,14 @@ double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, doub
 }
 
 // Most programs have their zero on the finished face; what they face is there to be cut.
-double front_of(const TurnedCuts& cuts, double clearance) {
-  if (cuts.face < -kLevel && cuts.lowest < -kLevel) return 0;
+double front_of(const TurnedCuts& cuts, double clearance, double zero) {
+  if (cuts.face < zero - kLevel && cuts.lowest < zero - kLevel) return zero;
   if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
   return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
 }
 
-StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool> tools) {
+StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool> tools,
+                          double zero) {
   const TurnedCuts cuts = turned_cuts(motions, tools);
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
@@ -307,7 +308,7 @@ StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool>
   const double outer = is_thinner ? down(clear) : up(cuts.widest);
   const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
   const double radius = std::max({outer, bored, 0.1});
-  const double front = front_of(cuts, clear_front(motions, cuts, radius));
+  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = radius;
@@ -320,8 +321,9 @@ StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool>
 
 }  // namespace
 
-StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe) {
-  if (lathe) return cylinder_round(motions, tools);
+StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
+                         double zero) {
+  if (lathe) return cylinder_round(motions, tools, zero);
   Box3 points;
   for (const Motion& motion : motions)
     if (is_cut(motion)) {
@@ -336,7 +338,7 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
     include(cuts, {box.hi.x, box.hi.y, cuts.hi.z});
   }
   cuts.hi.z = points.hi.z;
-  return box_round(cuts, motions, tools);
+  return box_round(cuts, motions, tools, zero);
 }
 
 }  // namespace mrsim
