@@ -149,5 +149,36 @@ TEST(Tolerance, IsProvenOnLinesAndArcs) {
     EXPECT_EQ(expect_bound_holds(motions, tool, 0.01, "lines and arcs").sampled, 0u);
 }
 
+// Small circles side by side leave cusps lower than the tolerance: what is taken off there may not
+// turn the triangles of an upright wall out of the upright.
+TEST(Tolerance, TrianglesLieAlongTheirFaces) {
+  const Tool tool = mill(ToolType::endmill, 8);
+  std::vector<Motion> motions;
+  Vec3 at{60, 40, -12};
+  for (int k = 0; k < 72; ++k) {
+    const double t = kTwoPi * k / 24, r = 30.4 + k / 24 * 1.2 + 0.05 * (k % 24), x = std::cos(t),
+                 y = std::sin(t);
+    const Vec3 to{60 + r * x, 40 + 0.9 * r * y, -12};
+    motions.push_back(line(at, to));
+    motions.push_back(arc(to - 0.5 * Vec3{x, y, 0}, 0.5, t, -kPi));
+    at = to - Vec3{x, y, 0};
+  }
+  StockShape shape;
+  shape.box = {{0, 0, -20}, {120, 80, 0}};
+  const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
+  MeshOptions options;
+  options.tolerance = 0.0204;
+  const TriMesh mesh = mesh_part(field, 0.5, options);
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](int k) {
+      const auto& v = mesh.vertices[t[static_cast<std::size_t>(k)]];
+      return Vec3{v[0], v[1], v[2]};
+    };
+    const Vec3 n = cross(corner(1) - corner(0), corner(2) - corner(0));
+    const double lean = std::abs(n.z) / length(n);
+    EXPECT_TRUE(lean < 0.2 || lean > 0.98) << lean << " at " << corner(0).x << ' ' << corner(0).y;
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -15,10 +15,10 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kGrowth = 1.6;           ///< of the length of new edges, from pass to pass
-constexpr double kLeastAltitude = 2e-5;   ///< mm: of a new triangle
-constexpr double kLeastCosine = 0.3;      ///< between a new triangle and the exact surface
-constexpr std::size_t kBlocks = 8;        ///< parts of the mesh that are worked on at once
+constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
+constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
+constexpr double kLeastCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
+constexpr std::size_t kBlocks = 8;     ///< parts of the mesh that are worked on at once
 constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
