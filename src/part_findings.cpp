@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "mesh/solid/pieces.h"
+#include "removal/part/default_stock.h"
 #include "thread_passes.h"
 
 #include <algorithm>
@@ -95,6 +96,28 @@ void warn_of_threads(JobResult& result) {
   for (const Motion& m : result.program.motions) threads.add(result.program, m);
   for (Diagnostic& d : threads.warnings(result.program))
     result.program.diagnostics.push_back(std::move(d));
+}
+
+void warn_of_idle_tools(JobResult& result) {
+  constexpr double kSeen = 3;  // columns of the history in a tool's diameter
+  Program& program = result.program;
+  for (const auto& [tool, removal] : result.history.tools) {
+    if (removal.removed > 0 || result.history.total.removed == 0) continue;
+    const auto first = std::find_if(
+        program.motions.begin(), program.motions.end(),
+        [&, of = tool](const Motion& m) { return m.tool == of && is_cut(m) && m.lead == 0; });
+    if (tool < 0 || first == program.motions.end()) continue;  // threads are not cut
+    const Tool& data = program.tools[static_cast<std::size_t>(tool)];
+    if (!is_turning(data.type) && data.diameter < kSeen * result.history.voxel) continue;
+    Diagnostic& d = program.diagnostics.emplace_back();
+    d.severity = Severity::warning;
+    d.code = "tool-cuts-air";
+    d.text = fmt::format(
+        "tool {} removes nothing: all that it cuts here is air, or has been cut before; check its "
+        "data, its length offset and the stock",
+        data.id);
+    d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
+  }
 }
 
 void tell_choice(JobResult& result, const MeshChoice& choice) {

@@ -20,6 +20,10 @@ void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& resul
 /// Warns, once for each tool, of threads that turning tools cut: the part has none of them.
 void warn_of_threads(JobResult& result);
 
+/// Warns, once for each tool, of tools whose cuts all lie in the air while others cut. Tools that
+/// the columns of the history may miss are left out.
+void warn_of_idle_tools(JobResult& result);
+
 void tell_choice(JobResult& result, const MeshChoice& choice);
 void report_mesh(JobResult& result, const MeshReport& found);
 void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock);

@@ -56,6 +56,20 @@ TEST_F(HistoryOfRun, FilesTellMotionsLinesToolsAndTheProgram) {
   EXPECT_NEAR(program["removed"], lines, 1e-6);
 }
 
+// The second tool is told from a program whose length offset is wrong.
+TEST_F(HistoryOfRun, ToolsThatRemoveNothingAreWarnedOf) {
+  write_slots();
+  EXPECT_FALSE(contains(run(kRun).err, "tool-cuts-air"));
+  std::string text = read("slots.nc");
+  text.replace(text.find("Z-2"), 3, "Z2");
+  write("slots.nc", text);
+  const Outcome outcome = run(kRun);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.err, "slots.nc:10:1: warning: tool 2 removes nothing"))
+      << outcome.err;
+  EXPECT_FALSE(contains(run(std::string(kRun) + "--until 11").err, "tool-cuts-air"));
+}
+
 // A column below a falling arc of any but a flat mill takes a search: larger ones are summed, and
 // the volume is that of the mesh all the same.
 TEST_F(HistoryOfRun, HelicesTakeNoLongerThanOtherCuts) {
