@@ -1,6 +1,9 @@
 // The stock of a run that gives none.
 #include "removal/part/default_stock.h"
 
+#include "core/units.h"
+#include "core/vec.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -12,6 +15,16 @@ class Path {
  public:
   Path& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
   Path& cut(Vec3 to) { return add(MotionKind::line, to); }
+  // Half a turn about the Y axis, upwards or down, or a quarter up.
+  Path& arc(Vec3 to, Vec3 center, double turns) {
+    add(MotionKind::arc, to);
+    Motion& m = motions_.back();
+    m.center = center;
+    m.axis = {0, 1, 0};
+    m.radius = length(m.start - center);
+    m.sweep = turns * kTwoPi;
+    return *this;
+  }
   Box3 box(double zero = 0) const {
     Tool tool;
     tool.diameter = 4;
@@ -116,6 +129,30 @@ TEST(DefaultStock, HolesEndAtZeroOrWhereTheFeedBegins) {
   EXPECT_EQ(Path().rapid({0, 0, -3}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), -3);
 }
 
+// What an upright arc cuts lies between its ends, not at them.
+TEST(DefaultStock, KnowsHowFarUprightArcsReach) {
+  const Box3 trough = Path()
+                          .rapid({-25, 0, 5})
+                          .rapid({-25, 0, 0})
+                          .cut({-20, 0, 0})
+                          .arc({20, 0, 0}, {0, 0, 0}, -0.5)
+                          .box();
+  EXPECT_EQ(trough.hi.z, 0);
+  EXPECT_EQ(trough.lo.x, -30);
+  EXPECT_EQ(trough.lo.z, -23);
+  EXPECT_EQ(Path().rapid({-25, 0, 5}).cut({-20, 0, 0}).arc({20, 0, 0}, {0, 0, 0}, 0.5).box().hi.z,
+            20);
+  // A way out on a quarter of a circle ends in the air, as a way in begins there.
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 5})
+                .cut({0, 0, -1})
+                .cut({50, 0, -1})
+                .arc({53, 0, 2}, {50, 0, 2}, -0.25)
+                .rapid({53, 0, 5})
+                .top(),
+            0);
+}
+
 // A contour that a rapid goes down for beside the part: that place is not inside the stock.
 TEST(DefaultStock, LeavesOutWhereARapidGoesDownBeside) {
   const Box3 box = Path()
@@ -135,6 +172,35 @@ TEST(DefaultStock, LeavesOutWhereARapidGoesDownBeside) {
   EXPECT_NEAR(box.lo.x, -17.9, 1e-9);
   EXPECT_EQ(box.lo.y, -8);
   EXPECT_EQ(box.hi.x, 88);
+}
+
+// Near a corner the side counts along which the cut goes on, not the nearest: a face mill has been
+// far beside the part before, then an edge is milled along X.
+TEST(DefaultStock, KeepsTheEdgeThatIsMilled) {
+  const Box3 box = Path()
+                       .rapid({-60, 20, 5})
+                       .rapid({-60, 20, 0})
+                       .cut({160, 20, 0})
+                       .rapid({160, 20, 5})
+                       .rapid({-12, -1, 5})
+                       .rapid({-12, -1, -6})
+                       .cut({112, -1, -6})
+                       .rapid({112, -1, 5})
+                       .box();
+  EXPECT_EQ(box.hi.z, 0);
+  EXPECT_NEAR(box.lo.x, -9.9, 1e-9);
+  EXPECT_EQ(box.lo.y, -15);
+}
+
+// A hole on a step is begun below the top: the holes beside it stay in the stock.
+TEST(DefaultStock, KeepsHolesBesideOneThatIsBegunBelowTheTop) {
+  Path path;
+  for (const double y : {0, 20, 40, 60, 80}) path.rapid({0, y, 2}).cut({0, y, -9}).rapid({0, y, 2});
+  path.rapid({0, 100, 2}).rapid({0, 100, -3}).cut({0, 100, -9}).rapid({0, 100, 2});
+  path.rapid({70, 0, 2}).cut({70, 0, -9}).rapid({70, 0, 2});
+  const Box3 box = path.box();
+  EXPECT_LT(box.lo.x, -2);
+  EXPECT_EQ(box.hi.z, 0);
 }
 
 // A rapid back into a pocket changes nothing.

@@ -1,11 +1,13 @@
 #include "removal/part/default_stock.h"
 
+#include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,8 +16,8 @@ namespace mrsim {
 namespace {
 
 constexpr double kMargin = 0.05;
-constexpr double kLeastMargin = 1;  // mm
-constexpr double kLevel = 1e-6;     // mm: heights nearer than this are one
+constexpr double kLeastMargin = 1;   // mm
+constexpr double kSameLevel = 1e-6;  // mm: heights nearer than this are one
 constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 
 void include(Box3& box, const Vec3& p) {
@@ -44,7 +46,7 @@ struct Heights {
 
   // Whether no cut lies above z and one below.
   bool reach_below(double z) const {
-    return (lateral != kNoHeight ? entered : hole_end) < z + kLevel && deepest < z - kLevel;
+    return (lateral != kNoHeight ? entered : hole_end) < z + kSameLevel && deepest < z - kSameLevel;
   }
 };
 
@@ -67,32 +69,44 @@ class HeightsReader {
       heights_.first = m.start.z;
       approach_ = m.end.z < m.start.z ? m.start.z : -kNoHeight;
     }
-    heights_.deepest = std::min(heights_.deepest, m.end.z);
+    const Box3 path = path_bounds(localized(m, nullptr));
+    heights_.deepest = std::min(heights_.deepest, path.lo.z);
     if (m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y) {
       if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
       heights_.hole_end = std::max(heights_.hole_end, m.end.z);
       return;
     }
-    is_entry_ = is_entry_ && m.end.z < m.start.z - kLevel;
+    is_entry_ = is_entry_ && m.end.z < m.start.z - kSameLevel;
     if (is_entry_) entry_end_ = m.end.z;
-    for (const double z : {m.start.z, m.end.z}) {
-      if (z >= approach_) continue;
-      heights_.lateral = std::max(heights_.lateral, z);
-      heights_.lowest = std::min(heights_.lowest, z);
-      if (!is_entry_) heights_.entered = std::max(heights_.entered, z);
-    }
+    heights_.entered = std::max(heights_.entered, way_out_);
+    way_out_ = kNoHeight;
+    const bool leaves = m.kind == MotionKind::arc && m.axis.z == 0 && m.end.z > m.start.z;
+    add_height(path.lo.z, heights_.entered);
+    add_height(m.start.z, heights_.entered);
+    add_height(m.end.z, leaves ? way_out_ : heights_.entered);
+    if (path.hi.z <= std::max(m.start.z, m.end.z) + kSameLevel) return;
+    heights_.lateral = std::max(heights_.lateral, path.hi.z);  // over the top of an arch
+    heights_.entered = std::max(heights_.entered, path.hi.z);
+  }
+
+  void add_height(double z, double& entered) {
+    if (z >= approach_) return;
+    heights_.lateral = std::max(heights_.lateral, z);
+    heights_.lowest = std::min(heights_.lowest, z);
+    if (!is_entry_) entered = std::max(entered, z);
   }
 
   // A ramp that nothing follows has cut to its end.
   void end_entry() {
     if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
     is_entry_ = true;
-    entry_end_ = kNoHeight;
+    entry_end_ = way_out_ = kNoHeight;
   }
 
   Heights heights_;
   double approach_ = kNoHeight, entry_end_ = kNoHeight;
+  double way_out_ = kNoHeight;  // end of an upright arc, if a rapid follows it
   bool is_entry_ = true;
 };
 
@@ -102,7 +116,7 @@ double clearance_above(std::span<const Motion> motions, double z) {
   for (const Motion& motion : motions) {
     const bool is_rapid = motion.kind == MotionKind::rapid && !motion.assumed_start;
     const double height = is_rapid ? motion.end.z : motion.start.z;
-    if ((is_rapid || is_cut(motion)) && height > z + kLevel) least = std::min(least, height);
+    if ((is_rapid || is_cut(motion)) && height > z + kSameLevel) least = std::min(least, height);
   }
   return least;
 }
@@ -110,7 +124,7 @@ double clearance_above(std::span<const Motion> motions, double z) {
 // Height of the top where it is not the program's zero.
 double top_of_cuts(std::span<const Motion> motions, const Heights& h, double margin) {
   if (h.lateral == kNoHeight) return h.hole_mouth;
-  if (h.lateral - h.lowest > kLevel) return h.lateral;
+  if (h.lateral - h.lowest > kSameLevel) return h.lateral;
   return std::min(h.lateral + margin, clearance_above(motions, h.lateral));  // cut into something
 }
 
@@ -154,7 +168,7 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
   for (std::size_t i = 0; i < motions.size() && ways.size() < kMost; ++i) {
     const Motion& m = motions[i];
     if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 || m.end.z >= m.start.z ||
-        m.end.z > top - kLevel)
+        m.end.z > top - kSameLevel)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
@@ -165,31 +179,70 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
   return ways;
 }
 
-// Draws in the side that is nearest to the place, so that a tool beside the stock goes down there.
-// False where it would take more than a third of the box: the place is inside.
-bool keep_beside(Box3& box, const WayDown& way) {
-  constexpr double kGap = 0.1, kMostOfSide = 1.0 / 3;
-  const double reach = way.radius + kGap;
-  const Vec3& p = way.place;
-  const double cut_off[] = {p.x + reach - box.lo.x, box.hi.x - p.x + reach, p.y + reach - box.lo.y,
-                            box.hi.y - p.y + reach};
-  const auto* least = std::min_element(std::begin(cut_off), std::end(cut_off));
-  if (*least <= 0) return true;  // outside already
-  const long side = least - std::begin(cut_off);
-  const double length = side < 2 ? box.hi.x - box.lo.x : box.hi.y - box.lo.y;
-  if (*least > kMostOfSide * length) return false;
-  if (side == 0) box.lo.x = up(p.x + reach);
-  if (side == 1) box.hi.x = down(p.x - reach);
-  if (side == 2) box.lo.y = up(p.y + reach);
-  if (side == 3) box.hi.y = down(p.y - reach);
-  return true;
-}
+// Draws in sides of a stock with this top, so that a tool beside it goes down there.
+class SideKeeper {
+ public:
+  SideKeeper(std::span<const Motion> motions, std::span<const double> radii, double top)
+      : motions_(motions), radii_(radii), top_(top) {}
 
-bool keep_beside(Box3& box, std::span<const WayDown> ways) {
-  bool all = true;
-  for (const WayDown& way : ways) all = keep_beside(box, way) && all;
-  return all;
-}
+  /// False: for some place a side would take more than a third of the box, or a tenth of what is
+  /// cut: the place is inside.
+  bool keep_beside(Box3& box) const {
+    constexpr double kMostOfCuts = 0.1, kEverywhere = std::numeric_limits<double>::infinity();
+    const std::vector<WayDown> ways = ways_down(motions_, radii_, top_);
+    const double most = ways.empty() ? 0 : kMostOfCuts * cut_beyond(0, kEverywhere);
+    bool all = true;
+    for (const WayDown& way : ways) all = keep_beside(box, way, most) && all;
+    return all;
+  }
+
+ private:
+  // The side beyond which the least is cut, `most` mm at most, the nearest of several.
+  bool keep_beside(Box3& box, const WayDown& way, double most) const {
+    constexpr double kGap = 0.1, kMostOfSide = 1.0 / 3;
+    const double reach = way.radius + kGap;
+    const double places[] = {up(way.place.x + reach), down(way.place.x - reach),
+                             up(way.place.y + reach), down(way.place.y - reach)};
+    double* const sides[] = {&box.lo.x, &box.hi.x, &box.lo.y, &box.hi.y};
+    int best = -1;
+    std::pair<double, double> least;
+    for (int side = 0; side < 4; ++side) {
+      const double drawn = (side % 2 == 0 ? 1 : -1) * (places[side] - *sides[side]);
+      if (drawn <= 0) return true;  // outside already
+      const double length = side < 2 ? box.hi.x - box.lo.x : box.hi.y - box.lo.y;
+      if (drawn > kMostOfSide * length) continue;
+      const double lost = cut_beyond(side, places[side]);
+      const std::pair<double, double> costs(std::floor(lost / way.radius), drawn);
+      if (lost > most || (best >= 0 && costs >= least)) continue;
+      best = side;
+      least = costs;
+    }
+    if (best >= 0) *sides[best] = places[best];
+    return best >= 0;
+  }
+
+  // How much of the way below the top tools would go beside a stock that ends at `at`.
+  double cut_beyond(int side, double at) const {
+    const double sign = side % 2 == 0 ? 1 : -1;
+    const auto along = [&](const Vec3& p) { return sign * (side < 2 ? p.x : p.y); };
+    double lost = 0;
+    for (const Motion& m : motions_) {
+      if (!is_cut(m) || m.tool < 0 || std::min(m.start.z, m.end.z) > top_ - kSameLevel) continue;
+      const bool arc = m.kind == MotionKind::arc;
+      const double way = arc ? std::fabs(m.sweep) * m.radius : length(m.end - m.start);
+      const double from = arc ? along(m.center) - m.radius : along(m.start);
+      const double to = arc ? along(m.center) + m.radius : along(m.end);
+      const double end = sign * at - radii_[static_cast<std::size_t>(m.tool)];
+      const double low = std::min(from, to), span = std::fabs(to - from);
+      lost += way * std::clamp((end - low) / std::max(span, kSameLevel), 0.0, 1.0);
+    }
+    return lost;
+  }
+
+  std::span<const Motion> motions_;
+  std::span<const double> radii_;
+  double top_;
+};
 
 // Most programs have their zero on the stock's top; those whose cuts or first move down say
 // otherwise end at the highest cut.
@@ -198,14 +251,15 @@ void set_top(Box3& box, std::span<const Motion> motions, std::span<const double>
   const Heights heights = HeightsReader().read(motions);
   if (heights.reach_below(zero)) {
     Box3 narrowed = box;
-    if (keep_beside(narrowed, ways_down(motions, radii, zero)) || heights.first > zero - kLevel) {
+    if (SideKeeper(motions, radii, zero).keep_beside(narrowed) ||
+        heights.first > zero - kSameLevel) {
       box = narrowed;
       box.hi.z = zero;
       return;
     }
   }
   box.hi.z = std::min(top_of_cuts(motions, heights, margin), box.hi.z + margin);
-  keep_beside(box, ways_down(motions, radii, box.hi.z));
+  SideKeeper(motions, radii, box.hi.z).keep_beside(box);
 }
 
 StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::span<const Tool> tools,
@@ -236,7 +290,7 @@ struct TurnedCuts {
 // Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
 bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
   return motions[i].start.z == motions[i].end.z && i + 1 < motions.size() &&
-         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kLevel;
+         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameLevel;
 }
 
 TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
@@ -246,7 +300,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     const Motion& m = motions[i];
     if (!is_cut(m)) continue;
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
-    const bool inwards = m.end.z < m.start.z - kLevel;
+    const bool inwards = m.end.z < m.start.z - kSameLevel;
     cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
     cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
     const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
@@ -255,7 +309,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
       if (inwards) cuts.inside = std::max(cuts.inside, wide);
       continue;
     }
-    if (!is_turning(type) && wide < kLevel) {  // a drill
+    if (!is_turning(type) && wide < kSameLevel) {  // a drill
       cuts.inside = std::max(cuts.inside, radii[tool]);
       continue;
     }
@@ -263,7 +317,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
-    if (to < from - kLevel && !goes_on_inwards(motions, i))
+    if (to < from - kSameLevel && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
   }
   return cuts;
@@ -275,7 +329,7 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
   for (const Motion& m : motions) {
     if (m.kind != MotionKind::rapid || m.assumed_start) continue;
     for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
-      if (r > cuts.along + kLevel) least = std::min(least, r);
+      if (r > cuts.along + kSameLevel) least = std::min(least, r);
   }
   return least;
 }
@@ -286,14 +340,14 @@ double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, doub
   for (const Motion& m : motions) {
     if (m.kind != MotionKind::rapid || m.assumed_start) continue;
     for (const Vec3& p : {m.start, m.end})
-      if (std::fabs(p.x) < radius && p.z > cuts.face + kLevel) least = std::min(least, p.z);
+      if (std::fabs(p.x) < radius && p.z > cuts.face + kSameLevel) least = std::min(least, p.z);
   }
   return least;
 }
 
 // Most programs have their zero on the finished face; what they face is there to be cut.
 double front_of(const TurnedCuts& cuts, double clearance, double zero) {
-  if (cuts.face < zero - kLevel && cuts.lowest < zero - kLevel) return zero;
+  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel) return zero;
   if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
   return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
 }
@@ -304,7 +358,7 @@ StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool>
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
-  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kLevel;
+  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameLevel;
   const double outer = is_thinner ? down(clear) : up(cuts.widest);
   const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
   const double radius = std::max({outer, bored, 0.1});
@@ -327,8 +381,9 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
   Box3 points;
   for (const Motion& motion : motions)
     if (is_cut(motion)) {
-      include(points, motion.start);
-      include(points, motion.end);
+      const Box3 path = path_bounds(localized(motion, nullptr));
+      include(points, path.lo);
+      include(points, path.hi);
     }
   const SweepTable sweeps(motions, tools);
   Box3 cuts = points;

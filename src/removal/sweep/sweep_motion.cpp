@@ -32,6 +32,8 @@ void arc_extent(double c, double u, double v, double rise, double sweep, double&
   if (t <= sweep) add(c - swing);
 }
 
+}  // namespace
+
 Box3 path_bounds(const LocalMotion& l) {
   Box3 b;
   extend(b, l.start);
@@ -48,8 +50,6 @@ Box3 path_bounds(const LocalMotion& l) {
   }
   return b;
 }
-
-}  // namespace
 
 LocalMotion localized(const Motion& m, const Frame* frame) {
   const auto in = [frame](const Vec3& p) { return frame != nullptr ? frame->in(p) : p; };

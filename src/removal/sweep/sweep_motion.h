@@ -17,6 +17,8 @@ struct LocalMotion {
 
 LocalMotion localized(const Motion& m, const Frame* frame);
 
+/// A box around the positions of the tip, in the frame of the tool.
+Box3 path_bounds(const LocalMotion& l);
 /// No position of the tip is lower, in the frame of the tool; mm.
 double lowest_tip(const LocalMotion& l);
 
