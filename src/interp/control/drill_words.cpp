@@ -1,5 +1,7 @@
 #include "interp/control/drill_words.h"
 
+#include "core/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,10 +71,32 @@ bool DrillWords::read_words(const Basis& b) {
   }
   if (const Word* p = take('P')) cycle.dwells = true, cycle.dwell = dwell_.of_cycle(*p);
   const int g = cycle.number;
+  if ((g == 74 || g == 84) && !is(Dialect::ngc) && !read_tap()) return false;
   if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
     return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
   const Word* q = take('Q');
   return !q || peck(*q);
+}
+
+// Brother's G77 and G78: I or J, and L, the speed on the way back. J of Haas is how many times as
+// fast the way back is, ,R of Mitsubishi whether the tap is rigid: neither moves anything else.
+bool DrillWords::read_tap() {
+  DrillCycle& cycle = modal_.drill;
+  take(Address::rnd);
+  if (!cycle.pitched) return take('J'), true;
+  take('L');
+  const Word* lead = take('I');
+  const Word* threads = take('J');
+  for (const Word* word : {lead, threads})
+    if (word && !(word->value > 0))
+      return error("thread-lead", "the lead of a tap must be above 0", *word);
+  if (lead) cycle.lead = lead->value * length_unit(*lead);
+  if (threads) cycle.lead = kMmPerInch / threads->value;
+  if (peek('Q'))
+    return error("not-supported", "a tap in strokes (Q) is not supported yet", *peek('Q'));
+  return cycle.lead > 0 ||
+         error("value-missing", "the tap needs I, its lead, or J, threads per inch",
+               block_.words.front());
 }
 
 // Q; without a point it counts least increments where it is long.
@@ -91,8 +115,9 @@ bool DrillWords::peck(const Word& q) {
 
 // K (FANUC) or L: how often the block is run.
 bool DrillWords::repeats(long& count) {
-  const Word* word = take('L');
-  if (!is(Dialect::ngc) && !peek('I') && !modal_.drill.fagor)
+  const bool pitched = modal_.drill.pitched;  // their I is the lead, L a speed
+  const Word* word = pitched ? nullptr : take('L');
+  if (!is(Dialect::ngc) && (!peek('I') || pitched) && !modal_.drill.fagor)
     if (const Word* k = take('K')) word = k;
   if (!word) return true;
   const double least = is(Dialect::ngc) ? 1 : 0;
@@ -297,6 +322,7 @@ bool DrillWords::haas_pecks(Hole& hole) {
 }
 
 double DrillWords::tapping_lead() const {
+  if (modal_.drill.lead > 0) return modal_.drill.lead;
   if (modal_.feed_unit == FeedUnit::mm_per_rev) return modal_.feed;
   return modal_.speed > 0 ? modal_.feed / modal_.speed : 0;
 }

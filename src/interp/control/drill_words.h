@@ -27,6 +27,7 @@ class DrillWords : public ControlPart {
   bool read_fagor(const Basis& b);
   bool read_words(const Basis& b);
   bool peck(const Word& q);
+  bool read_tap();
   bool repeats(long& count);
   bool fill(Hole& hole, bool haas_words = true);
   void fill_dwells(int g, Hole& hole) const;

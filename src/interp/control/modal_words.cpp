@@ -122,7 +122,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::high_speed:
       return high_speed(word);
     case Code::drill_cycle:
-      select_cycle(entry.number);
+      select_cycle(word, entry.number);
       return true;
     case Code::cycle_off:
     case Code::motion_off:
@@ -215,7 +215,7 @@ bool ModalWords::high_speed(const Word& word) {
 }
 
 // A cycle behind another keeps its values (LinuxCNC: R), and the level before the first of them.
-void ModalWords::select_cycle(int number) {
+void ModalWords::select_cycle(const Word& word, int number) {
   modal_.turn.number = 0;
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
@@ -224,7 +224,8 @@ void ModalWords::select_cycle(int number) {
     cycle.peck = cycle.dwell = 0;
   }
   cycle.number = number;
-  cycle.first = 0;
+  cycle.first = cycle.lead = 0;
+  cycle.pitched = word.value == 77 || word.value == 78;
   // FANUC lathes drill along Z, or along X from the side, whatever the plane.
   const bool turned = lathe() && is(Dialect::fanuc);
   cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? 2 : 0;

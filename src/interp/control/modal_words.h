@@ -30,7 +30,7 @@ class ModalWords : public ControlPart {
   bool for_one_block(const Word& word, Code code);
   bool orients_spindle() const;
   bool high_speed(const Word& word);
-  void select_cycle(int number);
+  void select_cycle(const Word& word, int number);
   bool select_turning(const Word& word, int number);
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_mode(Code code, const Word& word);

@@ -29,6 +29,8 @@ struct DrillCycle {
   bool dwells = false;                    ///< P was given
   double dwell = 0;                       ///< what it said, s
   bool fagor = false;                     ///< its first block has the depth in I
+  bool pitched = false;                   ///< Brother's taps: I is the lead, J threads per inch
+  double lead = 0;                        ///< mm; 0: of a tap, feed and speed say it
   int plane = -1;                         ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
   int file = 0, line = 0, call = -1;      ///< of the block that chose the cycle
 };

@@ -70,6 +70,14 @@ CodeEntry find_range(Dialect dialect, int number) {
   return {};
 }
 
+// The cycle that a word means: rigid taps are G84 and G74, as G84.2 and G84.3, and G77 and G78 of
+// Brother.
+int cycle_of(int number_by_10) {
+  if (number_by_10 == 770 || number_by_10 == 842) return 84;
+  if (number_by_10 == 780 || number_by_10 == 843) return 74;
+  return number_by_10 / 10;
+}
+
 std::span<const Row> own_rows(Dialect dialect) {
   switch (dialect) {
     case Dialect::sinumerik:
@@ -98,6 +106,7 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
     row = find_row(fanuc_mill_codes(), number_by_10);
   if (!row && dialect == Dialect::iso) row = find_row(fanuc_codes(), number_by_10);
   if (!row) row = find_row(shared_codes(), number_by_10);
+  if (row && row->code == C::drill_cycle) return {row->code, row->group, cycle_of(number_by_10)};
   if (row) return {row->code, row->group, number_by_10 / 10};
   return find_range(dialect, number_by_10);
 }

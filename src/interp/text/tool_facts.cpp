@@ -99,6 +99,7 @@ void FactReader::read_id() {
     if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);
     if (view_.is_one(i, {"TC", "TOOL", "WERKZEUG", "HERRAMIENTA", "ORODJE"}))
       facts_.names_tool = true;
+    if (i == 0 && view_.is(0, "CUTTER") && view_.is(1, ":")) facts_.names_tool = true;
     if (!begins_id(i)) continue;
     std::size_t at = i + 1;
     while (view_.is_one(at, {"NO", "NR", "NUMBER", "NUMMER", "#", "-", ":", "=", "T"})) ++at;
