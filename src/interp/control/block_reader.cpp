@@ -181,7 +181,10 @@ int BlockReader::call_site(int line) {
 
 std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, const Word& word) {
   std::optional<SubprogramPlace> place = subprograms_.find(name);
-  if (place) return place;
+  if (place) {
+    if (name.number >= 0) called_.insert(name.number);
+    return place;
+  }
   const std::string text =
       name.text.empty() ? fmt::format("O{:04}", name.number) : to_utf8(name.text.substr(0, 80));
   error("subprogram-missing",
@@ -248,7 +251,7 @@ void BlockReader::end_activation(bool loops) {
     if (loops)
       reporter_.add(Severity::note, "program-loops",
                     "M99 in the main program starts it again: simulated once", 0, 1);
-    return stop();
+    return end_program();
   }
   if (top.on_end) top.on_end();
   if (top.repeats > 0) {
@@ -262,6 +265,30 @@ void BlockReader::end_activation(bool loops) {
     return;
   }
   pop();
+}
+
+// Programs behind the end of the first one, as two jobs in one file, that nothing has called.
+void BlockReader::tell_of_others() {
+  LineSource& source = *stack_.front().source;
+  std::string_view line;
+  int others = 0;
+  std::string first;
+  while (source.next(line)) {
+    const std::string name = section_name(line, control_.dialect);
+    if (name.empty() || called_.contains(std::stol(name.substr(1)))) continue;
+    if (others++ == 0) first = fmt::format("{} in line {}", name, source.line_number());
+  }
+  if (others == 0) return;
+  reporter_.forget_text();
+  reporter_.add(Severity::note, "program-not-run",
+                fmt::format("the program ends here: {}{} is not called, and not run", first,
+                            others == 1 ? "" : fmt::format(" (and {} more)", others - 1)),
+                0, 1);
+}
+
+void BlockReader::end_program() {
+  if (is(Dialect::fanuc)) tell_of_others();
+  stop();
 }
 
 void BlockReader::stop() {

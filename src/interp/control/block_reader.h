@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace mrsim {
@@ -71,6 +72,8 @@ class BlockReader : public ControlPart {
   void end_of_text();
   /// The end of what is being read: the next run of a subprogram, or its caller. `loops`: by M99.
   void end_activation(bool loops);
+  /// The main program has come to its end.
+  void end_program();
   void stop();
 
  private:
@@ -98,12 +101,14 @@ class BlockReader : public ControlPart {
   int file_index(const std::string& file);
   void missing_return();
   void end_of_tape();
+  void tell_of_others();
 
   Parser parser_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
   std::size_t levels_ = 0;   ///< calls under way
   std::uint64_t steps_ = 0;  ///< jumps, calls and repeats
+  std::set<long> called_;    ///< numbers of programs
   std::map<std::string, std::vector<std::unique_ptr<LineSource>>> idle_;  ///< to be used again
 };
 

@@ -219,7 +219,7 @@ bool ProgramFlow::named_call(const Word& word) {
 
 void ProgramFlow::end_block() {
   if (block_.stop_after) {
-    reader_.stop();
+    reader_.end_program();
   } else if (block_.m98) {
     block_.m98->value == 97 ? local_call(*block_.m98) : fanuc_call(*block_.m98);
   } else if (block_.call_word) {

@@ -1,6 +1,7 @@
 #include "interp/control/subprogram.h"
 
 #include "interp/text/characters.h"
+#include "interp/text/line_scan.h"
 #include "interp/text/source.h"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ std::string section_name(std::string_view line, Dialect dialect) {
   line = trimmed(line);
   if (dialect == Dialect::codesys) return codesys_section(line);
   if (dialect == Dialect::sinumerik) return sinumerik_section(line);
-  if (line.size() < 2 || (upper(line[0]) != 'O' && line[0] != ':')) return {};
+  if (line.size() < 2 || (upper(line[0]) != 'O' && !(line[0] == ':' && names_program(line, 0))))
+    return {};
   const std::string_view rest = trimmed(line.substr(1));
   std::size_t n = 0;
   while (n < rest.size() && is_digit(rest[n])) ++n;

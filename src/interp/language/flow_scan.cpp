@@ -1,6 +1,7 @@
 #include "interp/language/flow_scan.h"
 
 #include "interp/text/characters.h"
+#include "interp/text/line_scan.h"
 
 #include <utility>
 
@@ -177,7 +178,7 @@ void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
     const char c = upper(at(line, p));
     FoundWord found;
     found.at = p;
-    if (c == 'O' || c == ':') {
+    if (c == 'O' || (c == ':' && names_program(line, p))) {
       ++p;
       found.name = digits_at(line, p);
       if (!found.name.empty()) found.word = FlowWord::section;

@@ -190,7 +190,8 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   const std::string& c = s.code;
   const std::size_t head = c.empty() || c[0] != 'N' ? 0 : c.find_first_not_of("0123456789 ", 1);
   const bool number = head < c.size() && head + 1 < c.size() && is_digit(c[head + 1]);
-  if (number && (c[head] == 'O' || c[0] == ':') && !o_word_) add(d, 10, "a program number", line);
+  const bool header = number && (c[head] == 'O' || (c[0] == ':' && names_program(c, 0)));
+  if (header && !o_word_) add(d, 10, "a program number", line);
   if (raw.size() == 1 && raw[0] == '%') add(d, 3, "% alone", line);
   if (c.size() > 3 && c[0] == '$' && c.back() == '%') add(d, 10, "a program name of Okuma", line);
   if (s.ends_block) add(d, 3, "; as end of block", line);

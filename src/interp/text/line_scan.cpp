@@ -70,6 +70,14 @@ void scan_line(std::string_view line, LineScan& out) {
   }
 }
 
+bool names_program(std::string_view line, std::size_t at) {
+  std::size_t i = at + 1;
+  while (i < line.size() && is_digit(line[i])) ++i;
+  if (i == at + 1) return false;
+  i = line.find_first_not_of(" \t\r", i);
+  return i == std::string_view::npos || line[i] == '(' || line[i] == ';';
+}
+
 bool read_plain(std::string_view line, PlainLine& out) {
   out = {};
   for (std::size_t i = 0; i < line.size();) {

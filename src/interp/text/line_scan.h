@@ -6,6 +6,10 @@
 
 namespace mrsim {
 
+/// Whether the ":" at `at` names a program, as an O does: ":1234 (NAME)". Before words it is the
+/// number of a block: ":30 T1 M6".
+bool names_program(std::string_view line, std::size_t at);
+
 /// What one line says, comments taken out.
 struct LineScan {
   std::string code;  ///< upper case

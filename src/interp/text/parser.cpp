@@ -3,6 +3,7 @@
 #include "core/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
+#include "interp/text/line_scan.h"
 
 #include <array>
 #include <string>
@@ -148,9 +149,10 @@ bool Parser::head_of_block(Block& block) {
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
     if ((skip_ >> block.skip_level & 1U) != 0) p_ = line_.size();
   } else if (c == ':' && is_digit(at(p_ + 1))) {
+    const bool program = dialect_ != Dialect::sinumerik && names_program(line_, p_);
     ++p_;
     word.address = letter('O');
-    if (number(block, word, false) && dialect_ != Dialect::sinumerik) push(block, word, from);
+    if (number(block, word, false) && program) push(block, word, from);
   } else if (c == '$' && dialect_ == Dialect::fanuc && p_ + 2 < line_.size() &&
              line_.find_last_not_of(" \t\r") == line_.rfind('%')) {
     p_ = line_.size();  // Okuma: $NAME.MIN%
