@@ -63,6 +63,39 @@ const PathOfPost kPaths[] = {
      "l26,0,-21.5 r0,0,5 r0,0,2 l0,0,0 r0,0,2 r0,0,0.254 l0,0,-2 r0,0,2 "
      "r0,0,-1.746 l0,0,-4 r0,0,2 r0,0,-3.746 l0,0,-6 r0,0,2 r0,0,-5.746 l0,0,-8 "
      "r0,0,2 r0,0,-7.746 l0,0,-10 r0,0,5"},
+    // ":0030 T01 M06" is a block; the second tool comes behind another.
+    {"nx_alignment.ptp", Dialect::fanuc, kMill, "1:10 2:6",
+     "r-20,-5,0 r-20,-5,30 r-20,-5,3 l-20,-5,-5 l-5,-5,-5 l-5,30,-5 a0,35,-5 l50,35,-5 "
+     "r50,35,30 r10,10,30 r10,10,2 l10,10,-12 r10,10,30"},
+    // Two holes, two taps with the lead in I; L is no count.
+    {"brother_taps.nc", Dialect::fanuc, kMill, "2:5 9:6",
+     "r20,15,15 r20,15,5 r20,15,3 l20,15,-12 r20,15,5 r40,15,5 r40,15,3 l40,15,-12 r40,15,5 "
+     "r40,15,15 r20,15,15 r20,15,5 r20,15,3 l20,15,-10 l20,15,3 r20,15,5 r40,15,5 r40,15,3 "
+     "l40,15,-10 l40,15,3 r40,15,5 r40,15,15"},
+    // The second program is not run.
+    {"face_and_edge.nc", Dialect::fanuc, kMill, "1:50 2:16",
+     "r-30,20,0 r-30,20,10 r-30,20,0 l130,20,0 r130,20,10 r-30,55,10 r-30,55,0 l130,55,0 "
+     "r130,55,100 r-12,-2,100 r-12,-2,10 r-12,-2,-4 l112,-2,-4 l112,-2,-8 l-12,-2,-8 "
+     "r-12,-2,100"},
+    // D1 behind the tool's name is an edge.
+    {"hypermill_840d.mpf", Dialect::sinumerik, kMill, "BALL_8_R4:8",
+     "r0,0,20 r0,0,2 l0,0,-1 l40,0,-2 l40,1,-2 l0,1,-1 r0,1,20"},
+    // Down into the troughs: G2 towards X+ in G18, G3 towards Y+ in G19.
+    {"troughs_in_g18_g19.nc", Dialect::fanuc, kMill, "7:10",
+     "r-25,0,0 r-25,0,20 r-25,0,0 l-20,0,0 a20,0,0 l20,2,0 a-20,2,0 r-20,2,40 r30,-15,40 "
+     "r30,-15,5 l30,-15,0 a30,15,0 a30,-15,0 r30,-15,40"},
+    // L0 drills nowhere; R-2 holds for one hole; K2 in G91; Q7. and Q11000 are depths.
+    {"drill_patterns_in_g91.nc", Dialect::fanuc, kMill, "5:6",
+     "r0,0,30 r10,10,30 r10,10,3 l10,10,-10 r10,10,30 r20,10,30 r20,10,3 l20,10,-10 r20,10,30 "
+     "r20,20,30 r20,20,3 l20,20,-10 r20,20,3 r10,20,3 l10,20,-5 r10,20,3 r0,20,3 r0,20,-2 "
+     "l0,20,-12 r0,20,30 r0,30,30 r0,30,3 l0,30,-4 r0,30,3 r0,30,-3.746 l0,30,-10 r0,30,3 "
+     "r0,40,3 l0,40,-4 r0,40,3 r0,40,-3.746 l0,40,-10 r0,40,3 r0,40,30 r50,0,30 r50,0,2 "
+     "l50,0,-9 r50,0,-8.746 l50,0,-20 r50,0,2 r60,0,2 l60,0,-9 r60,0,-8.746 l60,0,-20 r60,0,2 "
+     "r60,0,30 r0,0,30 r0,5,30"},
+    // Rings of 7, 14, 21 mm and the last of (60 - 12) / 2.
+    {"spiral_pocket_macro.nc", Dialect::fanuc, kMill, "4:12",
+     "r0,0,25 r0,0,2 l0,0,-6 l7,0,-6 a7,0,-6 l14,0,-6 a14,0,-6 l21,0,-6 a21,0,-6 l24,0,-6 "
+     "a24,0,-6 l23,0,-6 r23,0,25"},
     // A byte order mark, CR LF, tabs, blank lines, a text end (0x1A).
     {"bom_crlf.nc", Dialect::fanuc, kMill, "1:6", "r0,0,5 l0,0,-1 l10,0,-1 r10,0,5"},
 };

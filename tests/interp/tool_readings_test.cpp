@@ -202,6 +202,8 @@ TEST(ToolCommentReadings, WhatWouldBeLost) {
 TEST(ToolCommentReadings, Quotes) {
   expect_readings({
       {mm, "T=\"CUTTER_10\" D=10 endmill", "endmill 10"},
+      {mm, "TOOL : T=\"BALL_8_R4\" D1 BALL D=8", "ballmill 8"},
+      {inch, "END MILL 1/2\" D.5", "endmill 12.7"},
       {inch, "1/2\" EM 3\" OAL", "endmill 12.7"},
   });
 }

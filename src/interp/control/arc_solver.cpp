@@ -239,7 +239,7 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   const auto radii = [&] {
     return fmt::format(
         "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
-        re, differ, 100 * differ / rs, sign_hint(arc, c));
+        re, differ, 100 * differ / rs, sign_hint(arc, c, differ));
   };
   if (is(Dialect::ngc)) {
     const double least = modal_.inch ? kSpiralApartInch : kSpiralApart;
@@ -274,16 +274,27 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   return true;
 }
 
-// "I12.5 puts the centre at X25; I-12.5 would close on X0": a sign that makes the radii agree.
-std::string ArcSolver::sign_hint(const ArcBlock& arc, Vec2 c) const {
+// "I12.5 puts the centre at X25; I-12.5 would close on X0": what makes the radii agree, which
+// differ by `apart`: a sign, or the centre as a place.
+std::string ArcSolver::sign_hint(const ArcBlock& arc, Vec2 c, double apart) const {
   const Vec2 d = c - arc.start;
+  const int first = modal_.plane == 0 ? 0 : modal_.plane == 1 ? 2 : 1;
+  const int second = (first + 1) % 3;
+  const auto radii = [&](Vec2 center) {
+    return std::pair(length(arc.start - center), length(arc.end - center));
+  };
+  const auto [place_start, place_end] = radii(d);
+  if (!is(Dialect::sinumerik) && !modal_.center_absolute &&
+      std::abs(place_start - place_end) <= kRadiiApart)
+    return fmt::format(
+        "; about {}{:.6g} {}{:.6g} both would be {:.6g}: do {} and {} say where the centre is "
+        "({})?",
+        "XYZ"[first], d.x, "XYZ"[second], d.y, place_start, "IJK"[first], "IJK"[second],
+        is(Dialect::codesys) ? "G98" : "G90.1");
   for (const Vec2 flip : {Vec2{-1, 1}, Vec2{1, -1}, Vec2{-1, -1}}) {
     const Vec2 other = arc.start + Vec2{flip.x * d.x, flip.y * d.y};
-    if (other == c) continue;
-    const double rs = length(arc.start - other), re = length(arc.end - other);
-    if (std::abs(rs - re) > 0.02 * rs) continue;
-    const int first = modal_.plane == 0 ? 0 : modal_.plane == 1 ? 2 : 1;
-    const int second = (first + 1) % 3;
+    const auto [rs, re] = radii(other);
+    if (std::abs(rs - re) > std::min(0.02 * rs, apart / 4)) continue;
     std::string words;
     if (flip.x < 0 && d.x != 0) words += fmt::format("{}{:.6g}", "IJK"[first], -d.x);
     if (flip.y < 0 && d.y != 0)

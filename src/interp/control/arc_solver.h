@@ -25,7 +25,7 @@ class ArcSolver : public ControlPart {
   bool center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out);
   void hint_sign(const ArcBlock& arc, Vec2 center);
   bool check_center(ArcBlock& arc, Vec2 c, SolvedArc& out);
-  std::string sign_hint(const ArcBlock& arc, Vec2 center) const;
+  std::string sign_hint(const ArcBlock& arc, Vec2 center, double apart) const;
   bool angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center, SolvedArc& out);
   bool turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out);
   bool codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center, SolvedArc& out);

@@ -181,6 +181,10 @@ bool MacroStatements::probing(long number, const Word& code) {
   return true;
 }
 
+bool MacroStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
+  return probing(name.number, word) || Statements::call_program(name, repeats, word);
+}
+
 // G65 P9010 L2 A1 B2; G66 and G66.1 the same, later.
 bool MacroStatements::macro_call(const Word& code) {
   const Word* p = nullptr;

@@ -15,6 +15,7 @@ class MacroStatements : public Statements {
   bool starts_statement(std::string_view line, std::size_t p) override;
   bool take_block() override;
   void end_block(bool moved) override;
+  bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 
  protected:
   bool statement(std::size_t p) override;

@@ -82,7 +82,20 @@ bool OffsetWords::work(int l, int p) {
     shift = value + (more ? shift : zero);
   }
   frame_words_.renew_work();
+  if (name != "EXT" && !modal_.incremental && !control_.machine_known) tell_of_machine(offset);
   return true;
+}
+
+// G10 L2 counts from the machine's zero: only a zero in [machine] ties that to the stock.
+void OffsetWords::tell_of_machine(const WorkOffset& offset) {
+  const Vec3& at = offset.shift;
+  if (at.x == 0 && at.y == 0 && at.z == 0) return;
+  note_once("work-offset-set",
+            fmt::format("the zero of {0} is read as a place of the stock: X{1:g} Y{2:g} Z{3:g}. "
+                        "Where it is one of the machine, and the stock's own zero, say "
+                        "zero.{0} = [{1:g}, {2:g}, {3:g}] in [machine]",
+                        offset.name, at.x, at.y, at.z),
+            *block_.oneshot, "work-set");
 }
 
 // G10 L20: the offset in which the position of now has the coordinates of the block.

@@ -31,9 +31,13 @@ bool WordIndex::refuse_address(const Word& word) {
                  "R is a variable of SINUMERIK, which is not supported yet; "
                  "for a radius write CR=",
                  word);
-  return error("address-unknown",
-               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
-               word);
+  const char* hint = c == 'E' && is(Dialect::fanuc) && !lathe()
+                         ? ": Fadal and Centroid choose a work offset by it; write G54 to G59"
+                         : "";
+  return error(
+      "address-unknown",
+      fmt::format("unknown address {}{}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : "", hint),
+      word);
 }
 
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.

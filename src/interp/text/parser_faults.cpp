@@ -45,7 +45,11 @@ void Parser::strange_character(Block& block) {
   }
   if (byte < 0x20 || byte == 0x7F)
     return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
-  fault(block, "character", fmt::format("{} has no meaning here", c), from, p_);
+  const bool nested = c == ')' && line_.rfind('(', from) != std::string_view::npos;
+  fault(block, "character",
+        fmt::format("{} has no meaning here{}", c,
+                    nested ? ": a comment ends at its first ), one in another too" : ""),
+        from, p_);
 }
 
 bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {

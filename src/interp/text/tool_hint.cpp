@@ -219,7 +219,7 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
   if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
     out.origin += ", its thread as a plain cylinder";
-  if (!hint.type) out.origin += ", taken to be an end mill";
+  if (!hint.type) out.origin += hint.corner ? ", taken to be a mill" : ", taken to be an end mill";
   if (out.type == ToolType::threading && !lathe) {
     why = "names a threading tool of a lathe";
     return false;

@@ -242,7 +242,8 @@ void LabelReader::read_signs() {
   }
 }
 
-// "END MILL D5", "D10R1"; beside an H it is the number of a register.
+// "END MILL D5", "D10R1"; beside an H it is the number of a register, behind a name in quotation
+// marks (T="CUTTER 10" D1) that of an edge.
 void LabelReader::read_letter_d() {
   bool length_register = false;
   for (std::size_t i = 0; i + 1 < view_.size(); ++i)
@@ -252,7 +253,8 @@ void LabelReader::read_letter_d() {
     if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
     view_.take(i, i + 2);
-    if (length_register || !(value.value > 0)) continue;
+    const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
+    if (length_register || edge || !(value.value > 0)) continue;
     if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"
     if (!facts_.letter_d) facts_.letter_d = view_.length(i + 1);
     const bool radius = view_.is(i + 2, "R") && view_.glued(i + 2) && view_.glued(i + 3);

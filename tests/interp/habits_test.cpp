@@ -1,0 +1,115 @@
+// What posts and hands write beside the words that move: numbers behind a colon, several programs
+// in one file, taps by many names, offsets of the machine.
+#include "interp/recognise/recognise.h"
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+const InterpOptions kFanuc = at_origin(Dialect::fanuc);
+
+std::string mill(const std::string& text) { return path_text(read_text(text, kFanuc)); }
+
+std::string notes(const std::string& text) {
+  return codes(read_text(text, kFanuc), Severity::note);
+}
+
+// ":30 T1 M6" of NX is a block that can be started from; ":7" alone is a program.
+TEST(Habits, AColonBeforeWordsNumbersABlock) {
+  EXPECT_EQ(mill("%\nN10 G1 X1. F1\n:0020 T1 M6\nN30 X2.\n:40 T1 M6\nX3.\nM30\n"),
+            "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(mill(":1(PART)\nG1 X1. F1\nM98 P7\nM30\n:7 (SUB)\nX5.\nM99\n"), "l1,0,0 l5,0,0");
+  EXPECT_EQ(mill(":1;\nG1 X1. F1;\nM98 P7;\nM30;\n:0007; X5.;\nM99;\n"), "l1,0,0 l5,0,0");
+  EXPECT_EQ(mill("G1 X1. F1\n#1=0\nWHILE[#1LT2]DO1\n:50 T1 M6\nX[#1+2]\n#1=#1+1\nEND1\nM30\n"),
+            "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(
+      recognise(Scratch().write("a.nc", ":10 T1 M6 ; main block\nG1 X1 Y1 ; cut\n"), {}).dialect,
+      Dialect::sinumerik);
+}
+
+TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
+  const auto told = [](const std::string& text) {
+    for (const Diagnostic& d : read_text(text, kFanuc).diagnostics)
+      if (d.code == "program-not-run") return d.text;
+    return std::string();
+  };
+  const std::string two = "O1\nG1 X1. F1\nM98 P2\nM30\nO0002\nX2.\nM99\n";
+  EXPECT_EQ(told(two), "");
+  EXPECT_EQ(told(two + "O1003\nX9.\nM30\n"),
+            "the program ends here: O1003 in line 8 is not called, and not run");
+  EXPECT_EQ(told(two + "%\n%\nO1003\nX9.\nM30\n%\nO4\nM99\n"),
+            "the program ends here: O1003 in line 10 (and 1 more) is not called, and not run");
+  EXPECT_EQ(notes("O1\nG1 X1. F1\nM99\nO2\nM99\n"), "program-loops program-not-run");
+  EXPECT_EQ(notes("O1\nG1 X1. F1\nG65 P2\nM30\nO2\nM99\n"), "");
+}
+
+// Only a zero in [machine] ties places of the machine to the stock.
+TEST(Habits, OffsetsOfTheMachineAreToldOf) {
+  const Program p = read_text("G10 L2 P1 X-350. Y-200. Z-400.\nG1 X5. F100.\n", kFanuc);
+  EXPECT_EQ(path_text(p), "l-345,0,0");
+  ASSERT_EQ(codes(p, Severity::note), "work-offset-set");
+  EXPECT_NE(p.diagnostics[0].text.find("zero.G54 = [-350, -200, -400]"), std::string::npos);
+  EXPECT_EQ(notes("G10 L2 P1 X0 Y0 Z0\nG91 G10 L2 P1 X5.\nG10 L2 P0 X5.\nG1 X5. F1\n"), "");
+  InterpOptions options = kFanuc;
+  options.places.zero = {{"G54", {-350, -200, -400}}};
+  EXPECT_EQ(path_text(read_text("G10 L2 P1 X-350. Y-200. Z-400.\nG1 X5. F100.\n", options)),
+            "l5,0,0");
+}
+
+TEST(Habits, ProbesAreCalledByM98Too) {
+  EXPECT_EQ(notes("G1 X1. F1\nM98 P9832\nG0 X5.\n"), "probe");
+  EXPECT_EQ(notes("G1 X1. F1\nM98 P9023\nM98 P9832\n"), "probe");
+  EXPECT_EQ(notes("G1 X1. F1\nM98 P9832\nM30\nO9832\nG0 Z9.\nM99\n"), "") << "it is at hand";
+  EXPECT_EQ(notes("G1 X1. F1\nM98 P9732\n"), "subprogram-missing");
+}
+
+TEST(Habits, RigidTapsHaveManyNames) {
+  const auto lead = [](const std::string& text) {
+    const Program p = read_text("G0 Z9.\nS500 M3\n" + text, kFanuc);
+    std::string out = codes(p);
+    for (const Motion& m : p.motions)
+      if (m.lead != 0) out += fmt::format(" {:g}@{:g}", m.lead, m.end.z);
+    return out;
+  };
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F625.\n"), " 1.25@-8 1.25@2");
+  EXPECT_EQ(lead("G84.2 X5. Z-8. R2. F625.\n"), " 1.25@-8 1.25@2");
+  EXPECT_EQ(lead("G84.3 X5. Z-8. R2. F625.\n"), " -1.25@-8 -1.25@2");
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. ,R1\n"), " 1.25@-8 1.25@2");
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. J2\n"), " 1.25@-8 1.25@2");
+  // Brother: the lead, or threads per inch; L is the speed of the way back, not a count.
+  EXPECT_EQ(lead("G77 X5. Z-8. R2. I0.8 S1000 L3000\nX9.\n"), " 0.8@-8 0.8@2 0.8@-8 0.8@2");
+  EXPECT_EQ(lead("G78 X5. Z-8. R2. I1.\n"), " -1@-8 -1@2");
+  EXPECT_EQ(lead("G20\nG77 X1. Z-.5 R.1 J20\n"), " 1.27@-12.7 1.27@2.54");
+  EXPECT_EQ(lead("G77 X5. Z-8. R2. I.8\nG80\nG84 X9. Z-8. R2. F500.\n"), " 0.8@-8 0.8@2 1@-8 1@2");
+  EXPECT_EQ(lead("G77 X5. Z-8. R2.\n"), "value-missing");
+  EXPECT_EQ(lead("G77 X5. Z-8. R2. I0\n"), "thread-lead");
+  EXPECT_EQ(lead("G77 X5. Z-8. R2. I.8 Q3.\n"), "not-supported");
+}
+
+TEST(Habits, MessagesSayWhatToDo) {
+  const auto told = [](const std::string& text) {
+    return read_text(text, kFanuc).diagnostics.at(0).text;
+  };
+  EXPECT_NE(told("E1\nG1 X1. F1\n").find("write G54"), std::string::npos);
+  EXPECT_EQ(told("(PART (A))\nG1 X1. F1\n"),
+            ") has no meaning here: a comment ends at its first ), one in another too");
+  EXPECT_EQ(told("G1 X1.) F1\n"), ") has no meaning here");
+}
+
+// The remedy that is named makes the radii agree.
+TEST(Habits, RadiiThatDifferSayWhatWouldDo) {
+  const auto told = [](const std::string& text) {
+    const Program p = read_text(text, kFanuc);
+    return p.diagnostics.empty() ? std::string() : p.diagnostics[0].text;
+  };
+  EXPECT_NE(
+      told("G1 X24. Y-.25 F100.\nG3 X24.25 Y0 I24. J0\n")
+          .find("about X24 Y0 both would be 0.25: do I and J say where the centre is (G90.1)?"),
+      std::string::npos);
+  EXPECT_NE(told("G1 X10. F100.\nG2 X0. Y10. I10. J0\n").find("I-10 would give 10 and 10"),
+            std::string::npos);
+  EXPECT_EQ(told("G1 X24. Y-.25 F100.\nG3 X24.25 Y0 I24. J3.\n").find("would"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrsim
