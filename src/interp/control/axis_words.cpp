@@ -14,6 +14,7 @@ namespace {
 
 // A coordinate without a point from which on its author may have meant least increments.
 constexpr double kLongWithoutPoint = 500;
+constexpr double kFarWithoutPoint = 10'000;  // mm: no machine travels so far
 
 }  // namespace
 
@@ -39,6 +40,20 @@ bool AxisWords::has_move() const {
               Address::i1, Address::j1, Address::k1, Address::turn});
 }
 
+// X50000 is 50 m where 50 mm may be meant; sheets of 2.5 m are cut by numbers without points.
+void AxisWords::tell_of_point(const Word& word) {
+  const double size = std::abs(word.value);
+  if (word.point || !is(Dialect::fanuc) || options_.least_increments || size < kLongWithoutPoint)
+    return;
+  const bool far = modal_.inch || size >= kFarWithoutPoint;
+  reporter_.once(
+      far ? Severity::warning : Severity::note, "number-without-point",
+      fmt::format("{} without a decimal point is read as {:g} {}; on a control that counts "
+                  "least increments say --least-increments",
+                  text_of(word), word.value, modal_.inch ? "inch" : "mm"),
+      word, far ? "point far" : "point");
+}
+
 bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
   bool incremental = modal_.incremental || incremental_word;
   if (word.form == Form::ac || word.form == Form::dac || word.form == Form::rac)
@@ -55,13 +70,7 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
     if (word.value != 0)
       return error("not-supported", "a Y axis on a lathe is not supported yet", word);
   }
-  if (!word.point && is(Dialect::fanuc) && !options_.least_increments &&
-      std::abs(word.value) >= kLongWithoutPoint)
-    note_once("number-without-point",
-              fmt::format("{} without a decimal point is read as {:g} {}; on a control that counts "
-                          "least increments say --least-increments",
-                          text_of(word), word.value, modal_.inch ? "inch" : "mm"),
-              word, "point");
+  tell_of_point(word);
   const double value = axis_value(axis, word, incremental);
   double base = 0;
   if (incremental) {
