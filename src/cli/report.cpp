@@ -120,6 +120,11 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
   }
 }
 
+std::string tool_name(const JobResult& result, int tool) {
+  const std::string& id = result.program.tools[static_cast<std::size_t>(tool)].id;
+  return id.empty() ? "the tool" : "T" + id;
+}
+
 void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const CycleTime& t = result.cycle;
   std::string parts = fmt::format("cutting {}, rapids {}", duration(t.cutting), duration(t.rapid));
@@ -134,9 +139,8 @@ void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result
   if (t.tools.size() < 2 && !arguments.verbose) return;
   for (const ToolTime& tool : t.tools)
     if (tool.tool >= 0)
-      sheet.row("",
-                fmt::format("T{}  {}", result.program.tools[static_cast<std::size_t>(tool.tool)].id,
-                            duration(tool.cutting + tool.rapid + tool.dwell)));
+      sheet.row("", fmt::format("{}  {}", tool_name(result, tool.tool),
+                                duration(tool.cutting + tool.rapid + tool.dwell)));
 }
 
 void add_history(Sheet& sheet, const JobResult& result) {
@@ -151,9 +155,7 @@ void add_history(Sheet& sheet, const JobResult& result) {
   if (history.tools.size() < 2) return;
   for (const ToolRemoval& tool : history.tools)
     if (tool.tool >= 0)
-      sheet.row("",
-                fmt::format("T{}  {}", result.program.tools[static_cast<std::size_t>(tool.tool)].id,
-                            text(tool.removal)));
+      sheet.row("", fmt::format("{}  {}", tool_name(result, tool.tool), text(tool.removal)));
 }
 
 void add_time(Sheet& sheet, const JobResult& result) {

@@ -96,6 +96,33 @@ TEST(Habits, MessagesSayWhatToDo) {
   EXPECT_EQ(told("G1 X1.) F1\n"), ") has no meaning here");
 }
 
+TEST(Habits, ACommentThatIsNotUnderstoodIsQuoted) {
+  const auto told = [](const std::string& text) {
+    InterpOptions options;
+    options.machine = MachineKind::mill;
+    options.dialect = Dialect::fanuc;
+    for (const Diagnostic& d : read_text(text + "G21\nG0 Z5.\nG1 Z-1. F9\n", options).diagnostics)
+      if (d.code == "tool-unknown") return d.text;
+    return std::string();
+  };
+  EXPECT_NE(told("(T04: GIZMO 10X90)\nT4 M6\n").find("in its comment \"T04: GIZMO 10X90\":"),
+            std::string::npos);
+  EXPECT_NE(told("T4 M6 (GIZMO)\n").find("in its comment \"GIZMO\":"), std::string::npos);
+  EXPECT_NE(told("(GIZMO)\nT4 M6\n").find("there are no data for it"), std::string::npos);
+  EXPECT_EQ(told("(T4: GIZMO)\nT4 M6 (8MM END MILL)\n"), "");
+}
+
+// A part of 40 m is one of 40 mm in least increments.
+TEST(Habits, PlacesTooFarForAnyMachineAreWarnings) {
+  const auto told = [](const std::string& text) {
+    return codes(read_text(text, kFanuc), Severity::warning);
+  };
+  EXPECT_EQ(told("G1 X2440 F1000\n"), "");
+  EXPECT_EQ(told("G1 X2440 F1000\nX-40000\n"), "number-without-point");
+  EXPECT_EQ(told("G1 X40000. F1000\n"), "");
+  EXPECT_EQ(told("G20\nG1 X1500 F10\n"), "number-without-point");
+}
+
 // The remedy that is named makes the radii agree.
 TEST(Habits, RadiiThatDifferSayWhatWouldDo) {
   const auto told = [](const std::string& text) {

@@ -240,11 +240,14 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
   unknown.id = tool_.current;
   unknown.origin = "no data";
   use(std::move(unknown));
-  reporter_.add_at(
-      Severity::error, "tool-unknown",
-      fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml", tool_.current,
-                  why.empty() ? "there are no data for it" : why, tool_.current, example),
-      tool_.place);
+  const std::string comment = notes_.not_understood(tool_.current);
+  const std::string none = comment.empty()
+                               ? "there are no data for it"
+                               : fmt::format("no tool is known in its comment \"{}\"", comment);
+  reporter_.add_at(Severity::error, "tool-unknown",
+                   fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml",
+                               tool_.current, why.empty() ? none : why, tool_.current, example),
+                   tool_.place);
 }
 
 const OffsetRegister* ToolChanger::find_register(const std::string& name) const {

@@ -34,6 +34,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (turret_ && hint.id_digits > 2)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
   if (!hint.id.empty() && hint) return add(hint.id, hint);
+  if (const std::string& id = hint.id.empty() ? called : hint.id; !id.empty() && !hint)
+    not_understood_.try_emplace(id, hint.text);
   if (!called.empty()) {
     if (turret_ && !hint && hint.operation) name_by_operation(hint);
     if (hint) add(called, hint);
@@ -101,6 +103,11 @@ void ToolNotes::change(const std::string& id) {
 void ToolNotes::end_block() {
   interrupted_ = true;
   if (blocks_since_change_ < 1) ++blocks_since_change_;
+}
+
+std::string ToolNotes::not_understood(const std::string& id) const {
+  const auto at = not_understood_.find(id);
+  return at == not_understood_.end() ? std::string() : at->second;
 }
 
 const ToolHint* ToolNotes::find(const std::string& id) const {

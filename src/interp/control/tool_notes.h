@@ -37,6 +37,9 @@ class ToolNotes {
 
   /// What is known of the tool; null: nothing.
   const ToolHint* find(const std::string& id) const;
+  /// The comment that names the tool, or stands in the block of its T word, and says nothing of it
+  /// that is understood; else empty.
+  std::string not_understood(const std::string& id) const;
   /// Where no comment has named a tool by its id: those above the first cut that describe one are
   /// about the tool without id. False: there are none.
   bool adopt_nameless();
@@ -51,6 +54,7 @@ class ToolNotes {
 
   bool turret_;
   std::map<std::string, ToolHint> hints_;
+  std::map<std::string, std::string> not_understood_;
   ToolHint group_;      ///< the comments that wait for their tool
   ToolHint nameless_;   ///< above the first cut
   bool lists_ = false;  ///< a comment has headed a list of tools
