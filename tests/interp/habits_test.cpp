@@ -94,6 +94,7 @@ TEST(Habits, MessagesSayWhatToDo) {
   EXPECT_EQ(told("(PART (A))\nG1 X1. F1\n"),
             ") has no meaning here: a comment ends at its first ), one in another too");
   EXPECT_EQ(told("G1 X1.) F1\n"), ") has no meaning here");
+  EXPECT_EQ(told("G1 Z-1,5 F1\n"), ", has no meaning here: a decimal point is written .");
 }
 
 TEST(Habits, ACommentThatIsNotUnderstoodIsQuoted) {

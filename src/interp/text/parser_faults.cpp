@@ -45,6 +45,11 @@ void Parser::strange_character(Block& block) {
   }
   if (byte < 0x20 || byte == 0x7F)
     return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
+  if (c == ',' && from > 0 && is_digit(line_[from - 1]) && is_digit(at(p_))) {
+    while (is_digit(at(p_))) ++p_;
+    return fault(block, "character", ", has no meaning here: a decimal point is written .", from,
+                 p_);
+  }
   const bool nested = c == ')' && line_.rfind('(', from) != std::string_view::npos;
   fault(block, "character",
         fmt::format("{} has no meaning here{}", c,
