@@ -122,6 +122,15 @@ TEST(DefaultStock, EndsAtTheHighestCutBelowTheFirstPlungeWhereZeroIsElsewhere) {
   EXPECT_EQ(Path().rapid({0, 0, 5}).cut({0, 0, 0}).cut({50, 0, 0}).top(), 3);
 }
 
+// Strokes of a hole begin in the hole.
+TEST(DefaultStock, StrokesOfAHoleAreNoClearance) {
+  Path path;
+  path.rapid({0, 0, 30}).cut({0, 0, 10}).cut({80, 0, 10}).rapid({80, 0, 30});
+  path.rapid({20, 20, 22}).cut({20, 20, 17}).rapid({20, 20, 22}).rapid({20, 20, 17.25});
+  path.cut({20, 20, 9}).rapid({20, 20, 10.25}).cut({20, 20, 2}).rapid({20, 20, 22});
+  EXPECT_EQ(path.top(), 15);  // a margin above the contour
+}
+
 TEST(DefaultStock, HolesEndAtZeroOrWhereTheFeedBegins) {
   EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), 0);
   EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -12}).cut({0, 0, 2}).top(), 0);  // tapped

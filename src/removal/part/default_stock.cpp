@@ -20,11 +20,6 @@ constexpr double kLeastMargin = 1;   // mm
 constexpr double kSameLevel = 1e-6;  // mm: heights nearer than this are one
 constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 
-void include(Box3& box, const Vec3& p) {
-  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
-  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
-}
-
 double margin_of(const Box3& box) {
   const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
   return std::ceil(std::max(kLeastMargin, kMargin * longest));
@@ -39,7 +34,7 @@ struct Heights {
   double first = kNoHeight;       // where the first cut begins
   double lateral = kNoHeight;     // highest end of a cut aside, below the approach
   double lowest = -kNoHeight;     // and the lowest
-  double entered = kNoHeight;     // highest of them but for ramps and helices into the material
+  double entered = kNoHeight;     // highest of them but for ways into the material and out
   double hole_mouth = kNoHeight;  // highest beginning of a plunge
   double hole_end = kNoHeight;    // highest end of one
   double deepest = -kNoHeight;    // lowest end of any cut
@@ -111,12 +106,17 @@ class HeightsReader {
 };
 
 // The lowest height above `z` that a rapid reaches or a plunge begins at: the stock ends below.
+// Strokes after the first of a hole, and rapids between them, say nothing.
 double clearance_above(std::span<const Motion> motions, double z) {
   double least = -kNoHeight;
-  for (const Motion& motion : motions) {
-    const bool is_rapid = motion.kind == MotionKind::rapid && !motion.assumed_start;
-    const double height = is_rapid ? motion.end.z : motion.start.z;
-    if ((is_rapid || is_cut(motion)) && height > z + kSameLevel) least = std::min(least, height);
+  bool in_hole = false;
+  for (const Motion& m : motions) {
+    const bool is_rapid = m.kind == MotionKind::rapid && !m.assumed_start;
+    const bool upright = m.start.x == m.end.x && m.start.y == m.end.y;
+    const bool again = std::exchange(in_hole, upright && (in_hole || is_cut(m))) && upright;
+    const double height = is_rapid ? m.end.z : m.start.z;
+    if ((is_rapid || is_cut(m)) && !again && height > z + kSameLevel)
+      least = std::min(least, height);
   }
   return least;
 }
@@ -380,18 +380,10 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
   if (lathe) return cylinder_round(motions, tools, zero);
   Box3 points;
   for (const Motion& motion : motions)
-    if (is_cut(motion)) {
-      const Box3 path = path_bounds(localized(motion, nullptr));
-      include(points, path.lo);
-      include(points, path.hi);
-    }
+    if (is_cut(motion)) extend(points, path_bounds(localized(motion, nullptr)));
   const SweepTable sweeps(motions, tools);
   Box3 cuts = points;
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    const Box3 box = sweeps.bounds(i);
-    include(cuts, {box.lo.x, box.lo.y, box.lo.z});
-    include(cuts, {box.hi.x, box.hi.y, cuts.hi.z});
-  }
+  for (std::size_t i = 0; i < sweeps.size(); ++i) extend(cuts, sweeps.bounds(i));
   cuts.hi.z = points.hi.z;
   return box_round(cuts, motions, tools, zero);
 }
