@@ -200,6 +200,11 @@ const char* machine_name(MachineKind kind) {
 
 std::string tool_text(const Tool& tool) {
   std::string text = tool_name(tool.type);
+  if (tool.type == ToolType::grooving) {
+    if (tool.width > 0) text += fmt::format(" {:.6g} mm wide", tool.width);
+    if (tool.nose_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.nose_radius);
+    return text;
+  }
   if (is_turning(tool.type)) {
     if (!tool.insert.empty()) text += " " + tool.insert;
     if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));

@@ -57,6 +57,42 @@ TEST(ToolNotes, FourDigitsAreStationAndOffsetOnLathes) {
   EXPECT_EQ(p.tools[2].diameter, 12);
 }
 
+// "T4 D1 ; PARTING 3MM": beside the T word the work names the tool, on every lathe.
+TEST(ToolNotes, WorkNamesTheToolOfALathe) {
+  InterpOptions options;
+  options.dialect = Dialect::sinumerik;
+  options.machine = MachineKind::lathe;
+  const Program p = read_text(
+      "G18 G95\nT1 D1 ; PARTING 3MM\nG0 X50 Z-20\nG1 X-1 F0.1\nG0 X50\nT2 D1 ; THREAD\nG0 X30 Z2\n"
+      "G33 Z-10 K2\nT=\"PLUNGE_CUTTER_2\" D1\nG0 X50 Z-5\nG1 X40 F0.1\n"
+      "T=\"STECHER_4\" D1\nG0 X50\nG1 X40\nT=\"ROUGHING_T80_A\" D1\nG0 X50\nG1 X48\n",
+      options);
+  ASSERT_EQ(p.tools.size(), 5U) << listing(p);
+  EXPECT_EQ(p.tools[0].type, ToolType::grooving);
+  EXPECT_EQ(p.tools[0].width, 3);
+  EXPECT_EQ(p.tools[1].type, ToolType::threading);
+  EXPECT_EQ(p.tools[2].width, 2);
+  EXPECT_EQ(p.tools[3].width, 4);
+  EXPECT_EQ(p.tools[4].type, ToolType::turning);
+}
+
+TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const std::string cut = "G0 X30. Z2.\nG1 Z-5. F.1\n";
+  const Program p = read_text("T0101 (ID GROOVE 3MM)\n" + cut + "T0202 (ID THREAD)\n" + cut +
+                                  "T0303 (GROOVE 3MM)\n" + cut + "T0505 (FINISH BORE)\n" + cut,
+                              options);
+  ASSERT_EQ(p.tools.size(), 4U) << listing(p);
+  EXPECT_EQ(p.tools[0].tip, 2);
+  EXPECT_EQ(p.tools[1].tip, 6);
+  EXPECT_EQ(p.tools[2].tip, 0);
+  EXPECT_EQ(p.tools[3].type, ToolType::boring);
+  EXPECT_EQ(codes(read_text("T0404 (FACE GROOVE 3MM)\n" + cut, options), Severity::error),
+            "tool-unknown");
+}
+
 TEST(ToolNotes, BelowTheCall) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("T1 M6\n(6MM FLAT ENDMILL)\nT2\n" + cut + "T2 M6\n(10MM DRILL)\n" + cut),
@@ -88,6 +124,8 @@ TEST(ToolNotes, UnitsOfTheProgram) {
 TEST(ToolNotes, ByName) {
   EXPECT_EQ(diameters("T=\"ENDMILL_D10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
             "ENDMILL_D10:10");
+  EXPECT_EQ(diameters("T=\"CUTTER 10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
+            "CUTTER 10:10");
 }
 
 // T words of lathes with six and eight digits have half of them for the offset.
@@ -107,6 +145,7 @@ TEST(ToolNotes, StationsOfLathes) {
   EXPECT_EQ(tools("T001001 (DRILL 8MM)" + cut + "T012012 (DRILL 9MM)" + cut), "1:8 12:9 ");
   EXPECT_EQ(tools("(T003003 DRILL 8MM)\nT003003" + cut), "3:8 ");
   EXPECT_EQ(tools("T00020002 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T020202 (DRILL 8MM)" + cut), "2:8 ") << "Okuma: nose, tool and offset";
   EXPECT_EQ(tools("T002000 (DRILL 8MM)" + cut), "2:8 ");
   EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";
 }

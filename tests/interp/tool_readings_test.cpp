@@ -33,6 +33,7 @@ std::string told(const std::string& comment, double unit, bool lathe) {
   add(", tip ", tool.tip_diameter);
   add(", width ", tool.width);
   add(", flutes ", tool.flute_length);
+  add(", orientation ", tool.tip);
   if (!is_turning(tool.type) || tool.type == ToolType::grooving) return out;
   add(", insert ", degrees(tool.insert_angle));
   add(", nose ", tool.nose_radius);
@@ -374,6 +375,30 @@ TEST(ToolCommentReadings, Lathes) {
       {lathe_inch, "T0606 .125 CUTOFF", "grooving, width 3.175"},
       {lathe_inch, "1.0 U-DRILL", "drill 25.4"},
       {lathe_mm, "T0707 M10 TAP", "endmill 10"},
+      {lathe_mm, "ABSTECHER 3MM", "grooving, width 3"},
+      {lathe_mm, "STECHMEISSEL 2.5", "grooving, width 2.5"},
+      {lathe_mm, "GEWINDEPLATTE", "threading, insert 60"},
+  });
+}
+
+// Words for the inside of the work turn the point outwards.
+TEST(ToolCommentReadings, InsideOnLathes) {
+  expect_readings({
+      {lathe_mm, "ID ROUGH CNMG 120408", "boring, insert 80, nose 0.8"},
+      {lathe_mm, "BORE BAR", "boring, insert 35"},
+      {lathe_mm, "BORING CCMT 09T304", "boring, insert 80, nose 0.4"},
+      {lathe_mm, "FINISH BORE CCMT 060204", "boring, insert 80, nose 0.4"},
+      {lathe_mm, "FACE AND BORE OD CNMG 120408", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "TURN AND BORE CNMG 120408", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "ID TURN CCMT 060204", "boring, insert 80, nose 0.4"},
+      {lathe_mm, "T8 ID GROOVE 3MM", "grooving, width 3, orientation 2"},
+      {lathe_mm, "T9 INTERNAL THREADING TOOL", "threading, orientation 6, insert 60"},
+      {lathe_mm, "T9 INNENGEWINDE", "threading, orientation 6, insert 60"},
+      {lathe_mm, "T9 OD THREAD", "threading, insert 60"},
+      {lathe_mm, "FACE GROOVING TOOL 4MM",
+       "? names a face groove, and does not say which corner of the blade is programmed"},
+      {lathe_mm, "AXIALSTECHER 4MM",
+       "? names a face groove, and does not say which corner of the blade is programmed"},
   });
 }
 

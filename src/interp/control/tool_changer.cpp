@@ -21,7 +21,7 @@ std::size_t digits_of(std::string_view text) {
 }  // namespace
 
 ToolChanger::ToolChanger(Control& control)
-    : ControlPart(control), tool_(control.tool), notes_(lathe() && is(Dialect::fanuc)) {
+    : ControlPart(control), tool_(control.tool), notes_(lathe(), lathe() && is(Dialect::fanuc)) {
   const std::vector<Tool>& tools = options_.table.tools;
   for (std::size_t i = 0; i < tools.size(); ++i) given_.emplace(tools[i].id, i);
 }
@@ -40,7 +40,8 @@ std::string ToolChanger::id_of(const Word& word) {
   const std::size_t digits = plain ? digits_of(text) : 0;
   const long station = turret_station(number, digits);
   const long offset = number - station * (digits == 8 ? 10000 : 1000);
-  if ((digits == 6 || digits == 8) && offset != 0 && offset != station)
+  const bool thrice = digits == 6 && number == station * 10101;
+  if ((digits == 6 || digits == 8) && offset != 0 && offset != station && !thrice)
     note_once("tool-station",
               fmt::format("{} is read as tool {} with offset {}: half of the digits for each", text,
                           station, offset),
@@ -136,8 +137,10 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
     return false;
   }
-  std::string name = id;  // "ENDMILL_D10"
+  std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
+  if (lathe()) name.insert(0, "TOOL ");
+  if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
   const ToolHint hint = read_tool_comment(name);
   std::string ignored;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
@@ -231,6 +234,8 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
     return;
   }
   std::string example = lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
+  if (read.type == ToolType::grooving)
+    example = "grooving:w=3 (with tip=7 the blade stands along Z, its middle the point)";
   if (read.type == ToolType::tslot && read.diameter > 0)
     example = fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
   if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
@@ -244,9 +249,11 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
   const std::string none = comment.empty()
                                ? "there are no data for it"
                                : fmt::format("no tool is known in its comment \"{}\"", comment);
+  std::string spec = fmt::format("{}={}", tool_.current, example);
+  if (tool_.current.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
   reporter_.add_at(Severity::error, "tool-unknown",
-                   fmt::format("tool {} cuts, but {}: give --tool {}={} or --tools tools.toml",
-                               tool_.current, why.empty() ? none : why, tool_.current, example),
+                   fmt::format("tool {} cuts, but {}: give --tool {} or --tools tools.toml",
+                               tool_.current, why.empty() ? none : why, spec),
                    tool_.place);
 }
 

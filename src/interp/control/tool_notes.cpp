@@ -19,6 +19,8 @@ bool heads_list(const std::string& comment) {
 }  // namespace
 
 long turret_station(long number, std::size_t digits) {
+  const long pair = number % 100;
+  if (digits == 6 && number == pair * 10101) return pair;
   if (digits == 6 || digits == 8) return number / (digits == 6 ? 1000 : 10000);
   return number > 99 ? number / 100 : number;
 }
@@ -37,7 +39,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (const std::string& id = hint.id.empty() ? called : hint.id; !id.empty() && !hint)
     not_understood_.try_emplace(id, hint.text);
   if (!called.empty()) {
-    if (turret_ && !hint && hint.operation) name_by_operation(hint);
+    if (lathe_ && !hint) name_by_operation(hint);
     if (hint) add(called, hint);
     return;
   }
@@ -60,10 +62,12 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     merge_hint(group_, hint);
 }
 
-// "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)": on a lathe the tool of the block does that.
+// "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)": on a lathe the tool of the
+// block does that.
 void ToolNotes::name_by_operation(ToolHint& hint) {
   const bool grooves = hint.operation == ToolType::grooving && hint.width;
   if (grooves || hint.operation == ToolType::threading) hint.type = hint.operation;
+  if (!hint.operation && hint.inside) hint.type = ToolType::boring;
 }
 
 // It counts beside other comments about the tool only.

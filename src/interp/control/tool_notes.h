@@ -12,13 +12,14 @@
 namespace mrsim {
 
 /// The station of a T word of a lathe, written with `digits` digits: T2, T0202; T002002 of Mazak
-/// and T00020002 have half of them for each.
+/// and T00020002 have half of them for each; T020202 of Okuma is nose, tool and offset.
 long turret_station(long number, std::size_t digits);
 
 class ToolNotes {
  public:
-  /// `turret`: numbers are station and offset, as T0202 of FANUC lathes.
-  explicit ToolNotes(bool turret) : turret_(turret) {}
+  /// `lathe`: a comment beside the T word may name the tool by its work; `turret`: numbers are
+  /// station and offset, as T0202 of FANUC lathes.
+  ToolNotes(bool lathe, bool turret) : lathe_(lathe), turret_(turret) {}
 
   /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
   /// nothing else stands in the block.
@@ -52,7 +53,7 @@ class ToolNotes {
   void add_corner(const ToolHint& hint);
   void add_nameless(const ToolHint& hint);
 
-  bool turret_;
+  bool lathe_, turret_;
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
   ToolHint group_;      ///< the comments that wait for their tool

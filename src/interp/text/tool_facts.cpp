@@ -63,6 +63,7 @@ class FactReader {
   bool in_field_of_kind(const Group& group) const;
   void read_rest();
   bool is_corner_line() const;
+  void read_side();
   const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
 
   CommentView view_;
@@ -316,7 +317,26 @@ bool FactReader::is_corner_line() const {
   return view_.has(i) && view_[i].is_number() && i + 1 == view_.size();
 }
 
+// "ID GROOVE", "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
+void FactReader::read_side() {
+  bool outside = false, bores = false, turns = false;
+  for (std::size_t i = 0; i < view_.size(); ++i) {
+    outside |= view_.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN"});
+    bores |= view_.is_one(i, {"BORE", "BORING"});
+    turns |= view_.is_one(i, {"TURN", "TURNING", "FACE", "FACING"});
+    facts_.inside |= view_.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
+                                      "INTERIEUR", "INTERNO", "INTERNA"}) &&
+                     !view_.is_one(i + 1, {":", "="});
+    facts_.inside |= view_.word(i) && view_[i].text.starts_with("INNEN");
+    facts_.face_groove |= view_.word(i) && view_[i].text.starts_with("AXIALSTECH");
+    facts_.face_groove |=
+        view_.is(i, "FACE") && view_.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
+  }
+  facts_.inside = (facts_.inside || (bores && !turns)) && !outside;
+}
+
 void FactReader::read_rest() {
+  read_side();
   facts_.corner_line = is_corner_line();
   facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
   facts_.tapered = facts_.taper > 0;

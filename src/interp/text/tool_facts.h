@@ -47,6 +47,8 @@ struct ToolFacts {
   bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
   bool included = false, per_side = false;
   bool left_hand = false;
+  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
   bool holes = false;        ///< "4 DRILL HOLES"
 };

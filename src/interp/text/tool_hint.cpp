@@ -150,6 +150,8 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.lead_angle = hint.lead_angle;
   out.edge_length = hint.edge_length;
   out.left_hand = hint.left_hand;
+  if (hint.inside && out.type == ToolType::threading) out.tip = 6;
+  if (hint.inside && out.type == ToolType::grooving) out.tip = 2;
   out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
   out.width = hint.width ? in_mm(hint.width, unit) : 0;
   complete_turning_tool(out);
@@ -158,6 +160,7 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
           ? fmt::format("{:.4g} degree {}insert", degrees(out.insert_angle),
                         hint.insert_angle > 0 ? "" : "finishing ")
           : fmt::format("insert {} of {:.4g} degrees", out.insert, degrees(out.insert_angle));
+  if (out.tip > 0) out.origin += ": for the inside";
   if (out.type == ToolType::grooving && insert_is_blade(hint)) {
     out.origin += fmt::format(": blade {:.4g} mm wide", out.width);
     return;
@@ -201,6 +204,8 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
   if (into.edge_length == 0) into.edge_length = more.edge_length;
   into.left_hand |= more.left_hand;
+  into.inside |= more.inside;
+  into.face_groove |= more.face_groove;
   if (!into.trade) into.trade = more.trade;
   if (into.gauge.empty()) into.gauge = more.gauge;
   if (into.doubt.empty()) into.doubt = more.doubt;
@@ -208,13 +213,13 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
 }
 
 bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why) {
+  out.type = hint.type.value_or(ToolType::endmill);
   why = hint.doubt;
   if (!why.empty()) return false;
   if (!hint.type && (lathe || !hint.names_tool)) {
     why = "names no kind of tool";
     return false;
   }
-  out.type = hint.type.value_or(ToolType::endmill);
   out.origin = fmt::format("comment \"{}\"", hint.text);
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
   if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
@@ -226,6 +231,10 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   }
   if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
   fill_turning(hint, unit, out);
+  if (out.type == ToolType::grooving && hint.face_groove) {
+    why = "names a face groove, and does not say which corner of the blade is programmed";
+    return false;
+  }
   if (out.type == ToolType::grooving && !(out.width > 0)) {
     why = "gives no width of the blade";
     return false;

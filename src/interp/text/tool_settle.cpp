@@ -24,6 +24,8 @@ class Settler {
     hint_.width = facts_.width;
     hint_.tip = facts_.tip;
     hint_.flute_length = facts_.flute_length;
+    hint_.inside = facts_.inside;
+    hint_.face_groove = facts_.face_groove;
     if (facts_.several_ids) doubt("names several tools");
     settle_sizes();
     settle_type();
@@ -244,6 +246,7 @@ void Settler::settle_turning() {
   settle_nose();
   if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
     hint_.width = hint_.diameters.front();
+  if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
   hint_.left_hand = facts_.left_hand || (facts_.insert && facts_.insert->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
 }
