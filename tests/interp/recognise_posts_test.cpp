@@ -90,6 +90,10 @@ TEST(RecogniseMachine, CommentsDecideNothing) {
       {"O1\n(T0101 END MILL D10)\nG17\nT0101\nG0 X30. Z5.\nG1 Z-1. F100\nM30\n", MachineKind::mill},
       {"G18 G21 (CNMG 120408)\nG0 X50 Z2\nG1 Z-2 F.1\nM2\n", MachineKind::lathe},
       {"O100 sub\nG0 X1 Z5\nO100 endsub\nM2\n", MachineKind::mill},
+      {"G17 G54 G90\nT=\"CUTTER\"\nM6\nPOCKET3(50,0,2,-5,30,20,5,25,20,0,2.5)\nM30\n",
+       MachineKind::mill},
+      {"N10 G90 G96 S200\nN20 G86 X30 Z0 Q30 R-20 I-1.3 B0.3 D1 L0.05 C2 J2 A30\n",
+       MachineKind::lathe},
       {"G7\nG0 X50 Z2\nG76 P1 Z-10 I-1 J0.1 K0.5 R1 Q30 H2 E0 L0\nM2\n", MachineKind::lathe}};
   for (const Row& row : rows) {
     const Recognition r = recognised(row.text);
@@ -124,6 +128,16 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("#1 = 0\nwhile [#1 lt 3]\nG1 X#1 Y1 F9\nendwhile\n").find("Eding"),
             std::string::npos);
   EXPECT_EQ(refusal("O1\n#1=0\nWHILE[#1LT3]DO1\nG1X#1Y1F9\n#1=#1+1\nEND1\nM30\n"), "");
+  EXPECT_NE(refusal("O1 (CITIZEN L20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
+            std::string::npos);
+  EXPECT_NE(refusal("O1\n$1\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("several paths"),
+            std::string::npos);
+  EXPECT_NE(refusal("N10 G95 G96 S200\nN20 G68 X20 Z0 C2 D1 L0.3 M0.1 F0.2 H0.1 S100 E120\n")
+                .find("Fagor lathe"),
+            std::string::npos);
+  EXPECT_NE(refusal("N10 G0 X62 Z2\nN20 G81 X40 Z0 Q60 R-30 C2 D1\n").find("Fagor lathe"),
+            std::string::npos);
+  EXPECT_EQ(refusal("O1\nG68 X0 Y0 R30.\nG1 X5 Y5 F100\nG69\nG81 X1 Y1 Z-5. R2. C90.\n"), "");
   EXPECT_NE(refusal("% @MACRO\n@1:=10;\n").find("Syntec"), std::string::npos);
   EXPECT_NE(refusal("M140 S60\nM104 S210\nG28\nG1 X10 Y10 E0.5 F1200\n").find("3-D printer"),
             std::string::npos);

@@ -13,6 +13,7 @@ namespace mrsim {
 namespace {
 
 constexpr int kHeadLines = 400;  // conversational programs say what they are early
+constexpr int kTitleLines = 30;  // where comments name the machine
 
 bool ends_with(const std::string& path, std::initializer_list<std::string_view> extensions) {
   const std::size_t dot = path.find_last_of('.');
@@ -45,6 +46,16 @@ bool sets_common_variable(std::string_view code) {
   return i != code.npos && code[i] == '=';
 }
 
+// Cycles of the 8055 T: G66, G68 and G69 X Z C S E along blocks S to E; G81 and G82 X Z Q R C.
+bool fagor_turning(std::string_view code) {
+  const std::string line(code);
+  const auto all = [&](std::string_view letters) {
+    return std::all_of(letters.begin(), letters.end(), [&](char c) { return has_axis(line, c); });
+  };
+  if (has_word(line, "G66") || has_word(line, "G68") || has_word(line, "G69")) return all("XZCSE");
+  return (has_word(line, "G81") || has_word(line, "G82")) && all("XZQRC");
+}
+
 // What the line alone proves, or nullptr.
 const char* named_control(const std::string& path, std::string_view code, std::string_view raw) {
   const std::string_view text = body(code);
@@ -65,6 +76,9 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (text.starts_with("NLAP") || text.starts_with("NAP") || code.starts_with("NAP") ||
       any_of(code, {"G85 N", "G86 N", "G87 N"}))
     return "an Okuma lathe's program with LAP cycles";
+  if (fagor_turning(code)) return "a Fagor lathe's program with turning cycles";
+  if (whole.size() == 2 && whole[0] == '$' && is_digit(whole[1]))
+    return "a program of several paths ($1, $2), as of Swiss-type lathes (Citizen, Star)";
   if (begins_any(text, {"WHILE [", "WHILE["}) && !any_of(code, {"DO"}))
     return "a program of Eding CNC (WHILE without DO)";
   if (any_of(raw, {"@MACRO"})) return "a Syntec macro";
@@ -140,9 +154,18 @@ void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   if (power && !starts && (has_axis(c, 'X') || has_axis(c, 'Y'))) ++powered_moves_;
 }
 
+// Z of a sliding headstock is the bar's, which moves towards the tools: plus cuts deeper.
+void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::string_view raw) {
+  const std::string comment = upper_case(s.comment);
+  if (any_of(comment, {"CINCOM", "CITIZEN", "SWISS LATHE", "SWISS-TYPE", "SWISS TYPE"}))
+    refuse("a Swiss-type lathe's program (its headstock moves, so Z runs the other way)", number,
+           raw);
+}
+
 void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
   if (number <= kHeadLines)
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
+  if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);
   if (!scan.code.empty() && number <= kHeadLines) weigh_num(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);
   if (!settled()) weigh_laser(scan, number);

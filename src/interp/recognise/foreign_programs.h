@@ -29,6 +29,7 @@ class ForeignPrograms {
   [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
   void weigh_printer(const std::string& code, int number, std::string_view raw);
   void weigh_num(const std::string& code, int number, std::string_view raw);
+  void weigh_sliding_head(const LineScan& scan, int number, std::string_view raw);
   void weigh_laser(const LineScan& scan, int number);
 
   const std::string& path_;

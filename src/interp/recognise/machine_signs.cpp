@@ -52,6 +52,21 @@ bool turret_word(const std::string& c) {
   return false;
 }
 
+// SINUMERIK's cycles of mills; a lathe's live tools run them too, beside turning words.
+bool milling_cycle(const std::string& c) {
+  for (const char* cycle :
+       {"POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1",   "SLOT2",    "LONGHOLE",
+        "CYCLE60", "CYCLE61", "CYCLE63", "CYCLE64", "CYCLE70", "CYCLE71",  "CYCLE72",
+        "CYCLE76", "CYCLE77", "CYCLE78", "CYCLE79", "CYCLE90", "CYCLE899", "CYCLE832"})
+    if (has_word(c, cycle)) return true;
+  return false;
+}
+
+// G86, G87 of Fagor's lathes: J is the number of the thread's starts.
+bool threads(const std::string& c) {
+  return (has_word(c, "G86") || has_word(c, "G87")) && has_axis(c, 'Q') && has_axis(c, 'B');
+}
+
 // Words with Y or J that are no motion: frames, data, threads of LinuxCNC.
 bool sets_data(const std::string& c) {
   for (const std::string_view word : {"TRANS", "ROT ", "SCALE", "MIRROR", "WORKPIECE", "MSG("})
@@ -93,9 +108,10 @@ void MachineSigns::line(const LineScan& s, int n) {
   for (const char* cycle : {"CYCLE93", "CYCLE930", "CYCLE94", "CYCLE940", "CYCLE95", "CYCLE951",
                             "CYCLE952", "CYCLE96", "CYCLE97", "CYCLE98", "CYCLE99"})
     if (has_word(c, cycle)) note_first(lathe_, "a turning cycle", n);
+  if (milling_cycle(c)) note_first(milling_cycle_, "a milling cycle", n);
   const bool data = sets_data(c);
   if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
-  if (!data && has_axis(c, 'J')) note_first(mill_, "an arc with J", n);
+  if (!data && has_axis(c, 'J') && !threads(c)) note_first(mill_, "an arc with J", n);
   if (s.comment.empty()) return;
   const ToolHint hint = read_tool_comment(s.comment);
   if (!hint.type) return;
@@ -106,6 +122,7 @@ void MachineSigns::line(const LineScan& s, int n) {
 // Why it is a mill although nothing moves in Y; empty: it is not known to be one.
 std::string MachineSigns::weak_mill(bool tool_in_table, bool commented) const {
   if (tool_in_table) return "a milling tool in the tool table";
+  if (!milling_cycle_.empty()) return milling_cycle_;
   const std::string& own = !length_.empty() ? length_ : !change_.empty() ? change_ : plane_;
   if (own.empty()) return "";
   if (commented) return fmt::format("milling tool {}, and {}", milling_tool_, own);

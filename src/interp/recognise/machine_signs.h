@@ -31,6 +31,7 @@ class MachineSigns {
   std::string turret_;                       ///< T0101, if nothing is changed by M6
   std::string rotary_;                       ///< an axis C
   std::string per_revolution_;               ///< G95; supports a comment about a turning tool
+  std::string milling_cycle_;                ///< POCKET3 and its kin, beside no turning word
   std::string change_, length_, plane_;      ///< M6, G43, G17: two of them make a mill
   std::string turning_tool_, milling_tool_;  ///< comments
 };
