@@ -262,6 +262,32 @@ TEST(DefaultStock, ABarEndsWhereRapidsGo) {
   EXPECT_EQ(bar.box.lo.z, -53);
 }
 
+// Faced in levels from X 62.25 inwards: the rapids between them pass beside the bar.
+TEST(DefaultStock, ABarEndsBelowWhereLevelsBegin) {
+  EXPECT_NEAR(Path()
+                  .rapid({62.25, 0, -2})
+                  .cut({35, 0, -2})
+                  .rapid({62.25, 0, -2})
+                  .rapid({62.25, 0, -4})
+                  .cut({35, 0, -4})
+                  .bar()
+                  .outer_radius,
+              62.2, 1e-9);
+}
+
+// Zero in the chuck: what is turned lies above it, whatever is parted off below.
+TEST(DefaultStock, ABarEndsWhereCutsBeginWithZeroInTheChuck) {
+  const StockShape bar = Path()
+                             .rapid({31, 0, 51})
+                             .cut({15, 0, 51})
+                             .cut({20, 0, 45})
+                             .cut({20, 0, 10})
+                             .rapid({45, 0, -40})
+                             .cut({-0.5, 0, -40})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 51);
+}
+
 TEST(DefaultStock, ABarOfAContourEndsAtZero) {
   const StockShape bar = Path()
                              .rapid({8, 0, 2})

@@ -284,7 +284,7 @@ struct TurnedCuts {
   double widest = 0;              // of all points
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
-  double lowest = -kNoHeight, highest = kNoHeight;
+  double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
 };
 
 // Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
@@ -317,6 +317,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
+    if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
     if (to < from - kSameLevel && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
   }
@@ -334,6 +335,12 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
   return least;
 }
 
+bool rapids_reach(std::span<const Motion> motions, double radius) {
+  return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
+    return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameLevel;
+  });
+}
+
 // The least Z before the face that a rapid leads to within the bar's radius: the bar is shorter.
 double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, double radius) {
   double least = -kNoHeight;
@@ -347,7 +354,8 @@ double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, doub
 
 // Most programs have their zero on the finished face; what they face is there to be cut.
 double front_of(const TurnedCuts& cuts, double clearance, double zero) {
-  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel) return zero;
+  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel)
+    return cuts.turned > zero + 5 * kLeastMargin ? cuts.highest : zero;  // zero in the chuck
   if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
   return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
 }
@@ -359,14 +367,15 @@ StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool>
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
   const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameLevel;
-  const double outer = is_thinner ? down(clear) : up(cuts.widest);
+  const double edge = is_thinner ? clear : cuts.widest;
+  const double outer = is_thinner || rapids_reach(motions, edge) ? down(edge) : up(edge);
   const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
   const double radius = std::max({outer, bored, 0.1});
-  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = radius;
   shape.box.lo = {-radius, -radius, down(cuts.lowest - margin)};
+  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
   shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
   shape.description = fmt::format("around the program's cuts: cylinder:{:.6g},{:.6g},{:.6g}",
                                   2 * radius, shape.box.lo.z, shape.box.hi.z);
