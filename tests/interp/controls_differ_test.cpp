@@ -110,6 +110,7 @@ TEST(ControlsDiffer, ARegisterMaySetItsRadiusAgain) {
 // A settable frame that turns about Z: whole, or its part RT.
 TEST(ControlsDiffer, SettableFramesTurn) {
   const auto s = Dialect::sinumerik;
+  EXPECT_EQ(mill("TRANS X9\n$P_PFRAME=CTRANS()\nG1 X5 Y0 F10\n", s), "l5,0,0");
   EXPECT_EQ(mill("$P_UIFR[1]=CTRANS(X,10,Y,5):CROT(Z,90)\nG54\nG1 X5 Y0 F10\n", s), "l10,10,0");
   EXPECT_EQ(mill("$P_UIFR[1,Z,RT]=90\n$P_UIFR[1,X,TR]=1\nG54\nG1 X5 Y0 F10\n"
                  "X=$P_UIFR[1,Z,RT]\nG500\nX=$P_IFRAME[X,TR]\n",

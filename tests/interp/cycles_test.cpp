@@ -1,4 +1,5 @@
 // Drilling, tapping and boring cycles against the pictures of the controls' manuals.
+#include "core/vec.h"
 #include "interp/support.h"
 
 namespace mrsim {
@@ -149,6 +150,30 @@ TEST(Cycles, SinumerikDeepHoles) {
   // Chip breaking: 1 mm back.
   EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-8,,,5,0,0,0,1,0)\n"),
             "r0,0,5 r0,0,1 l0,0,-5 r0,0,-4 l0,0,-8 r0,0,5");
+}
+
+// AXN names the axis within the plane, DMODE the plane; a lathe has no Y to drill along in G18.
+TEST(Cycles, SinumerikChoosesTheDrillsAxis) {
+  InterpOptions lathe = at_origin(Dialect::sinumerik);
+  lathe.machine = MachineKind::lathe;
+  const auto end = [](const std::string& text, const InterpOptions& options) {
+    const Program p = read_text("T1 ; DRILL D6\nG95 F0.1\n" + text, options);
+    Vec3 low;
+    for (const Motion& m : p.motions)
+      for (int i = 0; i < 3; ++i)
+        component(low, i) = std::min(component(low, i), component(m.end, i));
+    return fmt::format("{:g} {:g} {:g} {}", low.x, low.y, low.z, codes(p, Severity::error));
+  };
+  EXPECT_EQ(end("G18\nG0 X0 Z5\nCYCLE82(5,0,1,-12)\n", lathe), "0 0 0 cycle-plane");
+  EXPECT_EQ(end("G17\nG0 X0 Z5\nCYCLE82(5,0,1,-12)\nG18\n", lathe), "0 0 -12 ");
+  EXPECT_EQ(end("G18\nG0 X0 Z5\nCYCLE82(5,0,1,-12,,0,0,1,0)\n", lathe), "0 0 -12 ");
+  EXPECT_EQ(end("G18\nG0 X0 Z5\nCYCLE83(5,0,1,-12,,-4,,0,0,0,1,0,1)\n", lathe), "0 0 -12 ");
+  EXPECT_EQ(end("G17\nG0 X5 Y0 Z-3\nCYCLE84(5,0,1,-12,,0,3,6,,,300,300,1)\n",
+                at_origin(Dialect::sinumerik)),
+            "-12 0 -3 ");
+  EXPECT_EQ(
+      end("G17\nG0 X5 Y0 Z5\nCYCLE83(5,0,1,-12,,-4,,0,0,0,1,0,3)\n", at_origin(Dialect::sinumerik)),
+      "0 0 -12 ");
 }
 
 TEST(Cycles, SinumerikTappingAndBoring) {

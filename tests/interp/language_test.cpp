@@ -309,6 +309,18 @@ TEST(Sinumerik, ProceduresWithParameters) {
             "1,0,0 2,0,0 2,0,-1 2,0,0 3,0,0 3,0,-1 3,0,0 4,0,0 ");
 }
 
+// A main program's parameters have the values that PROC gives them, or those from outside.
+TEST(Sinumerik, ParametersOfTheMainProgram) {
+  const std::string text = "PROC PART(REAL LONG=40, INT TIMES=2) SAVE\nG1 X=LONG F9\nY=TIMES\n";
+  EXPECT_EQ(path_text(read_text(text, at_origin(Dialect::sinumerik))), "l40,0,0 l40,2,0");
+  InterpOptions told = at_origin(Dialect::sinumerik);
+  told.variables = {{"LONG", "7"}};
+  EXPECT_EQ(path_text(read_text(text, told)), "l7,0,0 l7,2,0");
+  EXPECT_EQ(
+      path_text(read_text("PROC PART(REAL LONG)\nG1 X=LONG F9\n", at_origin(Dialect::sinumerik))),
+      " | variable-unset");
+}
+
 TEST(Language, SystemVariablesOfGeometry) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3 Y4\nX[#5001+10] Y#5002\nG#4001 X1\n"),
             "3,4,0 13,4,0 1,4,0 ");

@@ -120,6 +120,14 @@ TEST(LinuxCncTurning, TheMotionInForceIsThatOfTheLastMove) {
             "r20,0,2 r8,0,2 l8,0,-10 l14,0,-10 l14,0,-20 l20,0,-20 l25,0,-20");
 }
 
+TEST(LinuxCncTurning, G76OfMach3IsNotThatOfLinuxCnc) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.machine = MachineKind::lathe;
+  EXPECT_EQ(codes(read_text("G18 G0 X24 Z4\nG76 X20.16 Z-15 Q1 P1.5 J0.1 L0 H0.3 I29.5 C1 B0 T0\n",
+                            options)),
+            "not-supported");
+}
+
 TEST(LinuxCncTurning, WhatCanNotBeCutIsRefused) {
   const auto refused = [](const std::string& text) {
     return codes(run_profile("F100\n" + text + "\nM2\n"), Severity::error);

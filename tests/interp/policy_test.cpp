@@ -225,6 +225,7 @@ TEST(Policy, Labels) {
   EXPECT_EQ(run(std::string(32, 'A')), "");
   EXPECT_EQ(run(std::string(33, 'A')), "label-length");
   EXPECT_EQ(run("A"), "label-length");
+  for (const char* label : {"L1", "A3", "N10"}) EXPECT_EQ(run(label), "label-length") << label;
 }
 
 // Statements in brackets are told from comments, which stand in brackets too.

@@ -96,6 +96,12 @@ const PathOfPost kPaths[] = {
     {"spiral_pocket_macro.nc", Dialect::fanuc, kMill, "4:12",
      "r0,0,25 r0,0,2 l0,0,-6 l7,0,-6 a7,0,-6 l14,0,-6 a14,0,-6 l21,0,-6 a21,0,-6 l24,0,-6 "
      "a24,0,-6 l23,0,-6 r23,0,25"},
+    // PROC, FOR, IF, REPEAT by condition and of a part, CASE; frames and a pole. The tool by its
+    // name.
+    {"sin_flow.mpf", Dialect::sinumerik, kMill, "CUTTER 6:6",
+     "r0,0,2 l0,0,-1 l10,5,-1 l20,10,-1 l20,10,-2 l30,5,-2 l40,10,-2 l40,10,-3 "
+     "l50,5,-3 l60,10,-3 r60,10,5 r0,10,5 l3,1,5 l10.2,-2,-3 r10.2,-2,5 "
+     "l30.2,-2,5 l50.2,-2,5 l70.2,-2,5 r50,10,5 r10,30,5 r70,50,5 a50,70,5"},
     // A byte order mark, CR LF, tabs, blank lines, a text end (0x1A).
     {"bom_crlf.nc", Dialect::fanuc, kMill, "1:6", "r0,0,5 l0,0,-1 l10,0,-1 r10,0,5"},
 };

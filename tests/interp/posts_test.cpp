@@ -172,6 +172,30 @@ TEST(Posts, RunAsWorkedOut) {
       {"ngc_steps.ngc", Dialect::ngc, mill, 4, 6, 6, {10, 10, -5}, {30, 10, -2}},
       // Turns of 1.5 mm down to 4.5, then to 5, then a flat one.
       {"helical_bore_macro.nc", Dialect::fanuc, mill, 1, 3, 5, {0, 0, -5}, {14, 0, 0}},
+      // Nine passes of G71 below radius 31.2 with a corner of 1 and one of 3; G70; G75 in three
+      // strokes;
+      // G76 in ten depths and twice more at the last; parted off.
+      {"fanuc_shaft_cycles.nc", Dialect::fanuc, lathe, 81, 43, 4, {-0.8, 0, -74}, {31.2, 0, 0.1}},
+      // One-line G72 in nine levels of D2000, G70, seven strokes of 8 back by 1, a bore of nine
+      // passes
+      // outwards, four passes of G92 in it.
+      {"fanuc_0t_flange.nc", Dialect::fanuc, lathe, 74, 49, 2, {0, 0, -45}, {59.25, 0, 2.2}},
+      // Code system B: G77, G79 and G78, G90 and G91.
+      {"fanuc_code_b.nc", Dialect::fanuc, lathe, 27, 20, 0, {0, 0, -30}, {26, 0, 2}},
+      // Chamfers, fillets and a line at 150 degrees without its Z.
+      {"fanuc_direct_drawing.nc", Dialect::fanuc, lathe, 5, 8, 3, {0, 0, -62}, {32, 0, 0}},
+      // CYCLE95 along blocks between labels, CYCLE93 with a blade of 4, CYCLE99, parted off.
+      {"lathe_808d.mpf", Dialect::sinumerik, lathe, 84, 45, 2, {-0.5, 0, -50}, {25.2, 0, 2.1}},
+      // A groove from Z-15 to Z-21 in three plunges of three strokes; holes in G17, by DMODE and by
+      // AXN; an inner thread in one pass.
+      {"sin_lathe_drilling.mpf",
+       Dialect::sinumerik,
+       lathe,
+       36,
+       18,
+       0,
+       {-0.5, 0, -30},
+       {18.333333333, 0, 2}},
       {"tool_change_sub.nc", Dialect::fanuc, mill, 6, 4, 0, {0, 0, -10}, {30, 10, -2}},
   };
   for (const Post& post : posts) {

@@ -65,6 +65,13 @@ TEST(Turning, G92CutsThreads) {
 // A shoulder: 20 diameter to Z-10, a face to 30, then to Z-20. Depth 3, escape 1, allowances 0.5 in
 // radius and 0.2: the contour moves to radius 10.5 and 15.5, faces at -9.8; levels at 20.5 - 3 n
 // (from the start moved by the allowances): 17.5, 14.5, 11.5.
+// Q is the angle that the spindle has at the start: of threads with several starts.
+TEST(Turning, ThreadsHaveAStartingAngle) {
+  EXPECT_EQ(turned(lathe("G0 X20 Z5\nG32 Z-10 F4 Q180000\nG0 X30\n")), "r10,5 t10,-10 r15,-10");
+  EXPECT_EQ(turned(lathe("G0 X30 Z5\nG92 X19 Z-10 F4 Q180000\n")),
+            "r15,5 r9.5,5 t9.5,-10 r15,-10 r15,5");
+}
+
 TEST(Turning, G71RoughsToTheContour) {
   const std::string contour = "N10 G0 X20\nG1 Z-10 F.1\nX30\nZ-20\nN20 X40\nG0 X100\n";
   const std::string expected =

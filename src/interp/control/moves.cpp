@@ -288,6 +288,7 @@ bool Moves::thread_values(const Target& to, const Vec3& from) {
   }
   if (!is(Dialect::sinumerik)) {
     const Word* f = take('F');
+    if (is(Dialect::fanuc)) take('Q');  // the spindle's angle at the start
     if (const Word* k = take('K')) f = f ? f : k;
     if (f) modal_.lead = f->value * feed_scale();
   } else {

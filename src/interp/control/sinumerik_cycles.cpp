@@ -130,10 +130,29 @@ bool SinumerikCycles::mill(const Call& call) {
 
 bool SinumerikCycles::drill(const Call& call) {
   if (MillCycles::knows(call.name)) return mill(call);
+  const int plane = modal_.plane;
   Hole made;
-  if (!hole(call, made)) return false;
-  holes_.drill(made, call.place, where());
-  return true;
+  const bool ok = choose_plane(call) && hole(call, made);
+  if (ok) holes_.drill(made, call.place, where());
+  modal_.plane = plane;
+  return ok;
+}
+
+// AXN: along the plane's first or second axis; the unit of DMODE: in G17, G18 or G19. Otherwise
+// along the normal of the plane in force, which is Y in G18.
+bool SinumerikCycles::choose_plane(const Call& call) {
+  constexpr int kNormalTo[3][2] = {{2, 1}, {0, 2}, {1, 0}};
+  const std::size_t axn = call.name == "CYCLE83" || call.name == "CYCLE84" ? 12 : 11;
+  const int axis = axn == 12 || call.name == "CYCLE840" ? static_cast<int>(call.get(axn)) : 0;
+  const int plane = call.digit(mode_of(call.name) - 1, 0);
+  if (plane >= 1 && plane <= 3) modal_.plane = plane - 1;
+  if (axis == 1 || axis == 2) modal_.plane = kNormalTo[modal_.plane][axis - 1];
+  if (!lathe() || modal_.plane != 1) return true;
+  return error("cycle-plane",
+               fmt::format("{} drills along the normal of the plane, which is Y in G18: say G17 "
+                           "before it, for a hole along Z, and G18 behind it",
+                           call.name),
+               where());
 }
 
 // RTP RFP SDIS DP DPR: retraction, reference, safety clearance, depth absolute or from RFP.

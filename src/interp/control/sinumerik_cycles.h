@@ -58,6 +58,7 @@ class SinumerikCycles : public ControlPart {
   bool points(const Call& call);
   bool at_points(const std::vector<Vec2>& points);
   bool drill(const Call& call);
+  bool choose_plane(const Call& call);
   bool mill(const Call& call);
   Word where() const;
 

@@ -71,6 +71,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
     if (name == "SETAL")
       note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
+    if (name == "PROC" && reader_.depth() == 1) take_initial_values(p);
     reader_.set_position(block_.line.size());
     return true;
   }

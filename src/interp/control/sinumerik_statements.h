@@ -64,6 +64,8 @@ class SinumerikStatements : public Statements {
             const Word& word);
   bool bind(const Procedure& procedure, const std::vector<Argument>& arguments, const Word& word,
             CallRequest& request);
+  std::vector<Parameter> read_parameters(std::string_view line, std::size_t& p);
+  void take_initial_values(std::size_t p);
   Procedure read_procedure(const SubprogramPlace& place);
   std::string name_at(std::size_t& p) const;
   bool end_statement(std::size_t p);

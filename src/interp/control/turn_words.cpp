@@ -66,6 +66,7 @@ bool TurnWords::pass() {
   if (!axis_end(to)) return false;
   for (const char c : {'R', cycle.number == 94 ? 'K' : 'I'})
     if (const Word* word = take(c)) cycle.taper = word->value * length_unit(*word);
+  if (cycle.number == 92) take('Q');  // the spindle's angle at the start
   if (const Word* f = take('F'); f && cycle.number == 92) cycle.lead = f->value * feed_scale();
   const Vec3 from = position_.programmed;
   if (cycle.number == 94) {
@@ -254,6 +255,11 @@ void TurnWords::thread_passes(const Thread& t, const Vec3& from, const Vec3& end
 // first depth, K the full one (the three as diameters in G7), R degression, Q the angle of the
 // slide, H spring passes, E and L the tapers at the ends.
 bool TurnWords::drive_line(DriveLine& out, double& springs) {
+  if (const Word* x = peek('X'))
+    return error("not-supported",
+                 "G76 with X is that of Mach3, whose other words mean something else than "
+                 "LinuxCNC's P Z I J K: write it with these",
+                 *x);
   for (const char c : {'P', 'Z', 'I', 'J', 'K'})
     if (!peek(c)) return error("value-missing", fmt::format("G76 needs {}", c), where());
   const auto value = [&](char c, double otherwise) {

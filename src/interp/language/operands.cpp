@@ -342,6 +342,12 @@ bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out)
   Frame frame;
   Vec3 factors{1, 1, 1}, shift;
   const bool mirror = row.function == Function::frame_mirror;
+  const std::size_t first = line_.find_first_not_of(" \t", p_ + 1);
+  if (first != line_.npos && line_[first] == ')') {  // CTRANS(): no shift
+    p_ = first + 1;
+    out = Value::of_frame(frame);
+    return true;
+  }
   do {
     ++p_;
     skip_blanks();

@@ -57,6 +57,17 @@ void Parser::strange_character(Block& block) {
         from, p_);
 }
 
+// "L1:", "N10:": read as words, so they name no place.
+void Parser::short_label(Block& block, std::size_t from) {
+  ++p_;
+  const std::string_view name = line_.substr(from, p_ - from - 1);
+  const char* advice = upper(name.front()) == 'N'
+                           ? "a block number is the target of a jump without a colon"
+                           : "a label begins with two letters or underscores, such as LB1:";
+  fault(block, "label-length", fmt::format("{} is a word with a number: {}", name, advice), from,
+        p_);
+}
+
 bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
   p_ = from;
   std::string text;

@@ -76,6 +76,7 @@ void Parser::sinumerik_word(Block& block) {
   if (!starts_number(n))
     return fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
   if (!number(block, word, true)) return;
+  if (at(p_) == ':' && block.words.empty()) return short_label(block, from);
   if (at(p_) == '=') {  // a numbered address: I1= X1= S2= M2= R5=
     const int index = static_cast<int>(word.value);
     ++p_;

@@ -1,0 +1,22 @@
+// Words in the text of SINUMERIK's definitions. Private to src/interp.
+#pragma once
+
+#include "interp/language/variables.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+/// The type that DEF or PROC names: REAL, INT, AXIS.
+std::optional<VariableType> type_named(const std::string& name);
+
+/// Behind the blanks at `p`.
+std::size_t blanks(std::string_view line, std::size_t p);
+
+/// The name at `p`, which ends behind it, in upper case.
+std::string word_at(std::string_view line, std::size_t& p);
+
+}  // namespace mrsim
