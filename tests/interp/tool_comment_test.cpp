@@ -145,10 +145,9 @@ TEST(ToolComment, AnglesOfPointedTools) {
 
 TEST(ToolComment, DoubtIsSaid) {
   for (const char* text :
-       {"T1 D=10 - FLAT END MILL DIA 8", "T1 10MM ENDMILL 8MM DIA", "1/4 FLAT ENDMILL",
-        "T1 6MM ENDMILL T2 3MM DRILL", "T1 12. BULL ENDMILL", "T1 D=6 - DOVETAIL MILL",
-        "T1 D=6 CR=4 - BULLNOSE END MILL", "T1 END MILL", "T5 D5 ENDMILL", "#7 DRILL",
-        "NO. 7 DRILL", "T3 D=8. - FORM MILL"}) {
+       {"T1 D=10 - FLAT END MILL DIA 8", "T1 10MM ENDMILL 8MM DIA", "T1 6MM ENDMILL T2 3MM DRILL",
+        "T1 12. BULL ENDMILL", "T1 D=6 - DOVETAIL MILL", "T1 D=6 CR=4 - BULLNOSE END MILL",
+        "T1 END MILL", "T5 D5 ENDMILL", "#7 DRILL", "NO. 7 DRILL", "T3 D=8. - FORM MILL"}) {
     const Made m = made(text);
     EXPECT_FALSE(m.ok) << text << ": " << m.tool.diameter;
     EXPECT_FALSE(m.why.empty()) << text;

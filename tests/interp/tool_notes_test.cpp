@@ -178,6 +178,18 @@ TEST(ToolNotes, ATaperedMillNeedsItsFlutes) {
       << listing(p);
 }
 
+// The error gives words for --tool that fit the kind.
+TEST(ToolNotes, RefusalsNameTheKind) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::mill;
+  const auto told = [&](const std::string& comment) {
+    return listing(read_text("(" + comment + ")\nT1 M6\n" + kCut, options));
+  };
+  EXPECT_NE(told("T1 DOVETAIL D=14 60 DEG").find("give its profile"), std::string::npos);
+  EXPECT_NE(told("T1 V-BIT 60 DEG").find("--tool 1=chamfer:d=6,tip_angle=60"), std::string::npos);
+}
+
 // A size below 1 in a program that names no unit may be inches: the run asks.
 TEST(ToolNotes, SmallSizesNeedAUnit) {
   const std::string head = "(TOOL 3 .250 BALL EM)\n", change = "T3 M6\n";

@@ -1,59 +1,8 @@
 // What mrsim makes of tool comments as shops and posts write them: sizes, threads, angles, radii.
-#include "core/units.h"
-#include "interp/text/tool_comment.h"
-
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include "interp/tool_readings.h"
 
 namespace mrsim {
 namespace {
-
-// "drill 6.35, point 118": what a program in this unit makes of the comment; "? ..." why it asks;
-// "-": the comment is not about a tool.
-std::string told(const std::string& comment, double unit, bool lathe) {
-  static constexpr const char* kNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
-                                           "drill",   "tslot",    "lollipop", "barrel",   "form",
-                                           "turning", "grooving", "boring",   "threading"};
-  const ToolHint hint = read_tool_comment(comment);
-  if (!hint && hint.id.empty()) return "-";
-  Tool tool;
-  std::string why;
-  if (!fill_tool(hint, unit, lathe, tool, why)) return "? " + why;
-  std::string out = kNames[static_cast<std::size_t>(tool.type)];
-  const auto add = [&](const char* name, double value) {
-    if (value > 0) out += fmt::format("{}{:.5g}", name, value);
-  };
-  add(" ", tool.diameter);
-  add(", corner ", tool.corner_radius);
-  add(", point ", degrees(tool.tip_angle));
-  add(", side ", degrees(tool.taper_angle));
-  add(", tip ", tool.tip_diameter);
-  add(", width ", tool.width);
-  add(", flutes ", tool.flute_length);
-  add(", orientation ", tool.tip);
-  if (!is_turning(tool.type) || tool.type == ToolType::grooving) return out;
-  add(", insert ", degrees(tool.insert_angle));
-  add(", nose ", tool.nose_radius);
-  return out;
-}
-
-enum In : std::uint8_t { mm, inch, lathe_mm, lathe_inch };
-
-struct Reading {
-  In program;
-  const char *comment, *tool;
-};
-
-void expect_readings(const std::vector<Reading>& rows) {
-  for (const Reading& row : rows) {
-    const bool inches = row.program == inch || row.program == lathe_inch;
-    EXPECT_EQ(told(row.comment, inches ? kMmPerInch : 1, row.program >= lathe_mm), row.tool)
-        << row.comment;
-  }
-}
 
 TEST(ToolCommentReadings, Threads) {
   expect_readings({
@@ -268,20 +217,6 @@ TEST(ToolCommentReadings, Angles) {
       {inch, "1/2 DRILL MILL 90 DEG", "chamfer 12.7, point 90"},
       {inch, "T12 | 1/4 TAPER ENDMILL 3 DEG | H12", "? gives no flute length"},
       {inch, "1/8 X 3 DEG TAPER EM LOC 1.0", "taper 3.175, side 3, flutes 25.4"},
-  });
-}
-
-TEST(ToolCommentReadings, HeadsAndBlades) {
-  expect_readings({
-      {mm, "T-SLOT CUTTER 20MM X 4MM", "tslot 20, width 4"},
-      {mm, "T-SLOT 25 X 11 NECK 12", "tslot 25, width 11"},
-      {inch, "KEYSEAT CUTTER 3/4 X 1/8 WIDE", "tslot 19.05, width 3.175"},
-      {inch, "WOODRUFF 1/2 X 1/8", "tslot 12.7, width 3.175"},
-      {inch, "SLITTING SAW 3.0 X .062", "tslot 76.2, width 1.5748"},
-      {mm, "SCHEIBENFRAESER D50 B4", "tslot 50, width 4"},
-      {mm, "T-NUTENFRAESER 20X6", "tslot 20, width 6"},
-      {inch, "1/2 T-SLOT CUTTER", "? gives no width of the head"},
-      {mm, "T-SLOT 6 X 20", "? gives no width of the head"},
   });
 }
 

@@ -18,6 +18,19 @@ std::size_t digits_of(std::string_view text) {
   return std::size_t(std::count_if(text.begin(), text.end(), is_digit));
 }
 
+// Words for --tool with what is known of the tool already.
+std::string example_of(const Tool& read, bool lathe) {
+  if (read.type == ToolType::grooving && lathe)
+    return "grooving:w=3 (with tip=7 the blade stands along Z, its middle the point)";
+  if (read.type == ToolType::tslot && read.diameter > 0)
+    return fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
+  if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
+    return fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
+                       read.corner_radius, degrees(read.taper_angle));
+  if (read.type == ToolType::chamfer) return "chamfer:d=6,tip_angle=60,t=0.2 (t: its tip)";
+  return lathe ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
+}
+
 }  // namespace
 
 ToolChanger::ToolChanger(Control& control)
@@ -233,14 +246,6 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
                   where.column, where.length);
     return;
   }
-  std::string example = lathe() ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
-  if (read.type == ToolType::grooving)
-    example = "grooving:w=3 (with tip=7 the blade stands along Z, its middle the point)";
-  if (read.type == ToolType::tslot && read.diameter > 0)
-    example = fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
-  if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
-    example = fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
-                          read.corner_radius, degrees(read.taper_angle));
   Tool unknown;  // so that traces can name it; the error stops everything else
   unknown.id = tool_.current;
   unknown.origin = "no data";
@@ -249,12 +254,15 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
   const std::string none = comment.empty()
                                ? "there are no data for it"
                                : fmt::format("no tool is known in its comment \"{}\"", comment);
-  std::string spec = fmt::format("{}={}", tool_.current, example);
+  std::string spec = fmt::format("{}={}", tool_.current, example_of(read, lathe()));
   if (tool_.current.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
-  reporter_.add_at(Severity::error, "tool-unknown",
-                   fmt::format("tool {} cuts, but {}: give --tool {} or --tools tools.toml",
-                               tool_.current, why.empty() ? none : why, spec),
-                   tool_.place);
+  const std::string remedy = read.type == ToolType::form
+                                 ? "give its profile (type = \"form\") with --tools tools.toml"
+                                 : fmt::format("give --tool {} or --tools tools.toml", spec);
+  reporter_.add_at(
+      Severity::error, "tool-unknown",
+      fmt::format("tool {} cuts, but {}: {}", tool_.current, why.empty() ? none : why, remedy),
+      tool_.place);
 }
 
 const OffsetRegister* ToolChanger::find_register(const std::string& name) const {

@@ -88,4 +88,23 @@ std::optional<DrillGauge> find_drill_gauge(const CommentView& view, std::size_t 
   return read_bare_letter(view, kind_first);
 }
 
+std::optional<KeyNumber> find_key_number(const CommentView& view, std::size_t kind_first,
+                                         std::size_t kind_end) {
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (!view.number(i) || !view.whole(i) || view.glued(i + 1)) continue;
+    const std::size_t digits = view[i].text.size();
+    if (digits < 3 || digits > 4) continue;
+    const bool signed_off = i > 0 && view.is_one(i - 1, {"#", "NO", "NUMBER"});
+    const std::size_t first = signed_off ? i - 1 : i;
+    const bool before = i + 1 <= kind_first && joined_by_signs(view, i + 1, kind_first);
+    const bool behind = first >= kind_end && joined_by_signs(view, kind_end, first);
+    const int number = static_cast<int>(view[i].value);
+    const int eighths = number % 100, thirty_seconds = number / 100;
+    const bool fits = eighths >= 2 && eighths <= 28 && thirty_seconds >= 2 && thirty_seconds <= 24;
+    if (fits && (before || behind))
+      return KeyNumber{eighths / 8.0, thirty_seconds / 32.0, first, i + 1};
+  }
+  return std::nullopt;
+}
+
 }  // namespace mrsim

@@ -21,6 +21,7 @@ class FactReader {
 
   void read() {
     facts_.kinds = find_tool_kinds(view_.tokens());
+    read_end();
     read_id();
     take_kinds();
     read_inch_word();
@@ -48,6 +49,8 @@ class FactReader {
   void read_inch_word();
   void read_thread();
   void read_gauge();
+  void read_key_number(const ToolKind& kind);
+  void read_end();
   bool numbers_it(std::size_t i) const;
   void read_groups();
   bool passable(std::size_t i) const;
@@ -168,12 +171,30 @@ void FactReader::read_thread() {
 void FactReader::read_gauge() {
   using enum ToolTrade;
   const ToolKind* k = kind();
+  if (k && k->trade == disc) return read_key_number(*k);
   if (!k || !(k->trade == twist_drill || (k->trade == hole && k->firm))) return;
   const auto gauge = find_drill_gauge(view_, k->first, k->end);
   if (!gauge) return;
   facts_.gauge = ToolLength{gauge->inches, kMmPerInch, false};
   facts_.gauge_name = gauge->name;
   view_.take(gauge->first, gauge->end);
+}
+
+void FactReader::read_key_number(const ToolKind& kind) {
+  const std::string_view name = view_[kind.first].text;
+  if (!name.starts_with("KEY") && !name.starts_with("WOODRUFF")) return;
+  const auto key = find_key_number(view_, kind.first, kind.end);
+  if (!key) return;
+  facts_.named.push_back({key->inches, kMmPerInch, false});
+  facts_.width = ToolLength{key->width, kMmPerInch, false};
+  view_.take(key->first, key->end);
+}
+
+// "end 1/4" of Kiri:Moto.
+void FactReader::read_end() {
+  for (std::size_t i = 0; facts_.kinds.empty() && i < view_.size(); ++i)
+    if (view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction)
+      facts_.kinds.push_back({ToolType::endmill, ToolTrade::mill, true, 0, i, i + 1});
 }
 
 // "ENDMILL001", "DRILL2": numbered names; "EM10" and "BALL6" have sizes.

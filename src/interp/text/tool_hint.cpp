@@ -44,7 +44,7 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
     if (!other.fraction || other.unit > 0) confirmed = true;
   }
   if (first.unit == 0 && !confirmed) {
-    const bool metric_fraction = first.fraction && unit == 1;
+    const bool metric_fraction = first.fraction && unit == 1 && !hint.type;
     const bool huge = diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
     if (first.letter_point && unit == 1) {
       why = fmt::format("can be read as diameter {0} or as D. and a number without a point",
@@ -102,14 +102,24 @@ bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why)
   return true;
 }
 
+// The flank ends at the flute length, or at the diameter where the tip's is told.
+void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
+  const bool ball = hint.trade == ToolTrade::cone_ball;
+  const double tip = ball ? 2 * out.corner_radius : hint.tip ? beside(hint.tip, hint, unit) : 0;
+  if (tip > 0 && tip < out.diameter - kSame) out.tip_diameter = tip;
+  if (!(out.taper_angle > 0))
+    why = "gives no taper angle";
+  else if (ball && !(out.corner_radius > 0))
+    why = "gives no radius of the tip";
+  else if (!(out.flute_length > 0) && !(out.tip_diameter > 0))
+    why = "gives no flute length";
+}
+
 // What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
 bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (out.type == ToolType::taper) {
-    if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
-    if (!(out.taper_angle > 0))
-      why = "gives no taper angle";
-    else if (!(out.flute_length > 0))
-      why = "gives no flute length";
+    fill_cone(hint, unit, out, why);
   } else if (out.type == ToolType::tslot) {
     if (hint.width) out.width = beside(hint.width, hint, unit);
     if (!(out.width > 0)) why = "gives no width of the head";
@@ -225,8 +235,10 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
     out.origin += ", its thread as a plain cylinder";
   if (!hint.type) out.origin += hint.corner ? ", taken to be a mill" : ", taken to be an end mill";
-  if (out.type == ToolType::threading && !lathe) {
-    why = "names a threading tool of a lathe";
+  if (is_turning(out.type) && !lathe) {
+    why = fmt::format("names a {} tool of a lathe", out.type == ToolType::threading  ? "threading"
+                                                    : out.type == ToolType::grooving ? "grooving"
+                                                                                     : "turning");
     return false;
   }
   if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);

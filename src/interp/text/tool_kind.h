@@ -17,7 +17,8 @@ enum class ToolTrade : std::uint8_t {
   face_mill,
   disc,  ///< T-slot and keyseat cutters, saws: diameter and width
   cone_mill,
-  hole,  ///< reamers, counterbores, boring heads: cylinders
+  cone_ball,  ///< with a ball at the tip
+  hole,       ///< reamers, counterbores, boring heads: cylinders
   twist_drill,
   spot_drill,
   center_drill,

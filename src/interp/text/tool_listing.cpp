@@ -79,7 +79,13 @@ bool read_apt(std::string_view text, ToolHint& hint) {
   }
   hint.type = value(2) > 0 ? ToolType::bullmill : ToolType::endmill;
   hint.corner = {std::max(value(2), 0.0), 0, false};
-  if (value(4) != 0) hint.doubt = "names a tapered tool, whose tip it does not tell";
+  if (value(4) > 0 && value(4) < 90) {
+    hint.type = ToolType::taper;
+    hint.taper_angle = radians(value(4));
+    hint.flute_length = {std::max(value(3), 0.0), 0, false};
+  } else if (value(4) != 0) {
+    hint.doubt = "names a taper that is no angle of a mill";
+  }
   return true;
 }
 

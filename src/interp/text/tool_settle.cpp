@@ -153,6 +153,10 @@ void Settler::add_group(const SizeGroup& group) {
     if (!hint_.diameters.empty()) add_further(hint_.diameters.front(), sizes.front());
     return;
   }
+  // "WOODRUFF 1/8 X 1/2": keys are named by their width.
+  const bool key = sizes.size() > 1 && trade_is(ToolTrade::disc) && sizes[0].fraction &&
+                   sizes[1].fraction && sizes[0].value < sizes[1].value;
+  if (key) std::swap(sizes[0], sizes[1]);
   add(sizes.front());
   if (sizes.size() > 1) add_further(sizes[0], sizes[1]);
 }
@@ -184,7 +188,8 @@ void Settler::settle_type() {
   const bool data =
       !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner || threaded;
   const ToolKind* k = kind();
-  if (k && (k->firm || hint_.names_tool || (data && !is_turning(k->type)))) {
+  const bool by_data = data && k && !is_turning(k->type) && k->trade != ToolTrade::disc;
+  if (k && (k->firm || hint_.names_tool || by_data)) {
     hint_.type = k->type;
     hint_.trade = k->trade;
     if (k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
@@ -275,7 +280,8 @@ void Settler::settle_mill() {
         fmt::format("names a face mill of {:g} degrees: an endmill cuts upright walls, a taper "
                     "has its angle to the axis",
                     angles_.front()));
-  const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop;
+  const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop ||
+                    trade_is(ToolTrade::cone_ball);
   if (ball && hint_.corner && hint_.diameters.empty()) {
     add(hint_.corner);
     hint_.diameters.front().value *= 2;
@@ -287,8 +293,9 @@ void Settler::settle_mill() {
 void Settler::settle_angle() {
   using enum ToolTrade;
   const double angle = angles_.empty() ? 0 : angles_.front();
-  if (trade_is(cone_mill)) {
-    hint_.taper_angle = radians(facts_.taper > 0 ? facts_.taper : angle);
+  if (trade_is(cone_mill) || trade_is(cone_ball)) {
+    const double side = facts_.included && !facts_.per_side ? 0.5 : 1;
+    hint_.taper_angle = radians(facts_.taper > 0 ? facts_.taper : side * angle);
     return;
   }
   if (!pointed()) return;

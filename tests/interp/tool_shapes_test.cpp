@@ -1,0 +1,91 @@
+// Comments about tools other than plain mills and drills: router bits, discs, tapers, and shapes
+// that a comment can not give.
+#include "interp/tool_readings.h"
+
+namespace mrsim {
+namespace {
+
+TEST(ToolShapes, RouterBits) {
+  expect_readings({
+      {mm, "T1 6MM O-FLUTE", "endmill 6"},
+      {mm, "1/8\" SINGLE FLUTE ENDMILL", "endmill 3.175"},
+      {mm, "COMPRESSION BIT 1/4\"", "endmill 6.35"},
+      {mm, "T2 6MM COMPRESSION", "endmill 6"},
+      {inch, ".25 DOWN CUT", "endmill 6.35"},
+      {mm, "CORE BOX 12MM", "ballmill 12"},
+      {mm, "1/2\" CORE BOX BIT", "ballmill 12.7"},
+      {mm, "T3 ROUND NOSE BIT R6", "ballmill 12"},
+      {mm, "BULL CUTTER 12 R2", "bullmill 12, corner 2"},
+      {mm, "T4 CORN CUTTER 3.175", "endmill 3.175"},
+      {mm, "ENDMILL 1/4", "endmill 6.35"},
+      {mm, "T1 1/4 FLAT ENDMILL", "endmill 6.35"},
+      {mm, "change tool to 'end 1/4'", "endmill 6.35"},
+      {mm, "TOOL 1 SIDE 1/2", "? gives the diameter 0.5 without a unit, in a program in mm"},
+      {mm, "END OF PART 1/2", "-"},
+  });
+}
+
+TEST(ToolShapes, Chamfers) {
+  expect_readings({
+      {mm, "T5 CHAMF. 10MM", "chamfer 10, point 90"},
+      {mm, "CHAMF. MILL 10MM 90 DEG", "chamfer 10, point 90"},
+      {mm, "D10 CHAMF 45 DEG", "chamfer 10, side 45"},
+      {inch, "T6 1/2 CHMFR X 45", "chamfer 12.7, side 45"},
+  });
+}
+
+TEST(ToolShapes, Tapers) {
+  expect_readings({
+      {mm, "TAPERED BALL NOSE R0.5 D=6 5 DEG", "taper 6, corner 0.5, side 5, tip 1"},
+      {mm, "TAPERED BALL R0.25 5.4 DEG", "? gives no flute length"},
+      {mm, "TAPERED BALL 1/4\" 5 DEG", "? gives no radius of the tip"},
+      {mm, "TAPERED BALL R0.25 5 DEG LOC 12", "taper 0.5, corner 0.25, side 5, flutes 12"},
+      {mm, "TAPER MILL D6 5 DEG TIP 1", "taper 6, side 5, tip 1"},
+      {mm, "TAPER MILL D6 10 DEG INCLUDED TIP 1", "taper 6, side 5, tip 1"},
+      {mm, "TOOL/MILL,0.03, 0.00, 10.00, 45.00", "taper 0.03, side 45, flutes 10"},
+      {mm, "TOOL/MILL,0.5, 0.25, 0.00, 5.00", "? gives no flute length"},
+      {mm, "TOOL/MILL,3.17, 0.00, 9.52, 180.00", "? names a taper that is no angle of a mill"},
+  });
+}
+
+TEST(ToolShapes, WhatACommentCanNotGive) {
+  const char* const more = "? names a kind of tool that needs more data";
+  expect_readings({
+      {mm, "WINKELFRAESER D16 60GRAD", more},
+      {mm, "PRISMENFRAESER D16", more},
+      {mm, "T1 ANGLE CUTTER D16 60 DEG", more},
+      {mm, "T2 DIAMOND DRAG 0.2MM", more},
+      {mm, "DRAG KNIFE", more},
+      {mm, "T3 BEADING BIT 1/4\"", more},
+      {mm, "T3 ROMAN OGEE 1/2\"", more},
+      {mm, "T4 UNDERCUT ENDMILL 6MM", more},
+      {mm, "T5 DIAMOND 6MM", "? names a turning tool of a lathe"},
+      {mm, "T6 GROOVING TOOL 3MM", "? names a grooving tool of a lathe"},
+  });
+}
+
+TEST(ToolShapes, HeadsAndBlades) {
+  expect_readings({
+      {mm, "T-SLOT CUTTER 20MM X 4MM", "tslot 20, width 4"},
+      {mm, "T-SLOT 25 X 11 NECK 12", "tslot 25, width 11"},
+      {inch, "KEYSEAT CUTTER 3/4 X 1/8 WIDE", "tslot 19.05, width 3.175"},
+      {inch, "WOODRUFF 1/2 X 1/8", "tslot 12.7, width 3.175"},
+      {inch, "SLITTING SAW 3.0 X .062", "tslot 76.2, width 1.5748"},
+      {mm, "SCHEIBENFRAESER D50 B4", "tslot 50, width 4"},
+      {mm, "T-NUTENFRAESER 20X6", "tslot 20, width 6"},
+      {inch, "1/2 T-SLOT CUTTER", "? gives no width of the head"},
+      {mm, "WOODRUFF 1/8 X 1/2", "tslot 12.7, width 3.175"},
+      {inch, "WOODRUFF CUTTER #404", "tslot 12.7, width 3.175"},
+      {mm, "KEYSEAT CUTTER NO. 606", "tslot 19.05, width 4.7625"},
+      {mm, "T4 KEYSEAT 1008 CUTTER", "tslot 25.4, width 7.9375"},
+      {mm, "SLOT CUTTER D50 W3", "tslot 50, width 3"},
+      {mm, "SLOT CUTTER D50", "? gives no width of the head"},
+      {mm, "T3 SAW 63 X 2", "tslot 63, width 2"},
+      {mm, "SAW CUT 50MM LONG", "-"},
+      {mm, "SAEGEBLATT D63 B2", "tslot 63, width 2"},
+      {mm, "T-SLOT 6 X 20", "? gives no width of the head"},
+  });
+}
+
+}  // namespace
+}  // namespace mrsim
