@@ -22,6 +22,7 @@
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
 #include "removal/part/stock_file.h"
+#include "removal/part/stock_reach.h"
 #include "removal/stock/stock_shape.h"
 #include "setup/camotics_project.h"
 #include "setup/job_file.h"
@@ -107,6 +108,19 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   return shape;
 }
 
+// A stock that the program states, and cuts elsewhere.
+void check_reach(const StockShape& stock, JobResult& result) {
+  constexpr double kFew = 0.05;
+  const Program& program = result.program;
+  if (program.machine == MachineKind::lathe) return;
+  const double share = share_beside(program.motions, program.tools, stock.box);
+  if (share <= kFew) return;
+  report(result, Severity::warning, "stock-elsewhere",
+         fmt::format("{:.0f} % of the cuts pass by the stock that the program states ({}): give "
+                     "--stock, or the work offset with --tools",
+                     100 * share, stock.description));
+}
+
 // The stock that was given, else the one the program states, else one round its cuts.
 StockShape choose_stock(const Job& job, JobResult& result) {
   const Program& program = result.program;
@@ -123,7 +137,10 @@ StockShape choose_stock(const Job& job, JobResult& result) {
       report(result, Severity::warning, "stock-of-voxels", found.accuracy);
     return given;
   }
-  if (program.workpiece) return *program.workpiece;
+  if (program.workpiece) {
+    check_reach(*program.workpiece, result);
+    return *program.workpiece;
+  }
   StockShape shape = default_stock(program.motions, program.tools,
                                    program.machine == MachineKind::lathe, program.zero_height);
   report(result, Severity::note, "stock-assumed", "no --stock given: a stock " + shape.description);

@@ -1,7 +1,6 @@
 #include "interp/control/engine.h"
 
 #include "interp/control/start_modes.h"
-#include "interp/control/workpiece.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +30,8 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_),
-      profiles_(control_, reader_, statements_.get(), axes_, moves_) {
+      profiles_(control_, reader_, statements_.get(), axes_, moves_),
+      stock_(control_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
   control_.place_machine();
@@ -84,7 +84,10 @@ void Engine::execute() {
   if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;
   if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
   if (!index_.run()) block.bad = true;
-  if (!block.comments.empty()) tools_.read_comments();
+  if (!block.comments.empty()) {
+    tools_.read_comments();
+    stock_.read_comments();
+  }
   if (block.bad) return;
   if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
   ++block.number;
@@ -100,6 +103,7 @@ void Engine::execute() {
     if (control_.saved_tool) control_.tool = *control_.saved_tool;
     return;
   }
+  if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();
   tools_.end_block();
   flow_.end_block();
   contours_.end_block();

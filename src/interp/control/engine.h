@@ -14,6 +14,7 @@
 #include "interp/control/turn_words.h"
 #include "interp/control/value_words.h"
 #include "interp/control/word_index.h"
+#include "interp/control/workpiece.h"
 
 namespace mrsim {
 
@@ -53,6 +54,7 @@ class Engine {
   TurnWords turning_;
   ContourCycles contours_;
   LinuxCncTurning profiles_;
+  CommentedStock stock_;
   std::size_t executed_ = 0;
   bool moved_ = false;  ///< the block had a motion
 };

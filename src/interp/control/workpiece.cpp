@@ -76,4 +76,24 @@ bool WorkpieceWords::set(const std::string& type, const std::array<double, 12>& 
   return true;
 }
 
+void CommentedStock::read_comments() {
+  if (settled_ || lathe()) return;
+  for (const std::string_view comment : block_.comments)
+    comments_.read(comment, block_.line_number);
+}
+
+void CommentedStock::settle() {
+  settled_ = true;
+  const std::optional<Box3> box = comments_.box(scale());
+  if (!box || program_.workpiece) return;
+  StockShape stock;
+  const Vec3 zero = frames_.work + frames_.position_shift;
+  stock.box = {box->lo + zero, box->hi + zero};
+  const Vec3 &lo = stock.box.lo, &hi = stock.box.hi;
+  stock.description =
+      fmt::format("of the comment in line {}: box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
+                  comments_.line(), lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  program_.workpiece = stock;
+}
+
 }  // namespace mrsim

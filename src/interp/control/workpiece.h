@@ -1,7 +1,9 @@
-// WORKPIECE(...) of SINUMERIK, which states the stock. Private to src/interp.
+// What states the stock: WORKPIECE(...) of SINUMERIK, and comments of CAM programs. Private to
+// src/interp.
 #pragma once
 
 #include "interp/control/control.h"
+#include "interp/text/stock_comment.h"
 
 #include <array>
 
@@ -15,6 +17,19 @@ class WorkpieceWords : public ControlPart {
 
  private:
   bool set(const std::string& type, const std::array<double, 12>& v, const Word& where);
+};
+
+class CommentedStock : public ControlPart {
+ public:
+  explicit CommentedStock(Control& control) : ControlPart(control) {}
+  void read_comments();
+  /// Behind the first cut, whose zero and unit count: sets Program::workpiece.
+  void settle();
+  bool is_settled() const { return settled_; }
+
+ private:
+  StockComments comments_;
+  bool settled_ = false;
 };
 
 }  // namespace mrsim
