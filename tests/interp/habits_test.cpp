@@ -76,6 +76,7 @@ TEST(Habits, RigidTapsHaveManyNames) {
   EXPECT_EQ(lead("G84.3 X5. Z-8. R2. F625.\n"), " -1.25@-8 -1.25@2");
   EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. ,R1\n"), " 1.25@-8 1.25@2");
   EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. J2\n"), " 1.25@-8 1.25@2");
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. ,R1 ,S2000 ,I.05 ,J.1\n"), " 1.25@-8 1.25@2");
   // Brother: the lead, or threads per inch; L is the speed of the way back, not a count.
   EXPECT_EQ(lead("G77 X5. Z-8. R2. I0.8 S1000 L3000\nX9.\n"), " 0.8@-8 0.8@2 0.8@-8 0.8@2");
   EXPECT_EQ(lead("G78 X5. Z-8. R2. I1.\n"), " -1@-8 -1@2");
@@ -84,6 +85,35 @@ TEST(Habits, RigidTapsHaveManyNames) {
   EXPECT_EQ(lead("G77 X5. Z-8. R2.\n"), "value-missing");
   EXPECT_EQ(lead("G77 X5. Z-8. R2. I0\n"), "thread-lead");
   EXPECT_EQ(lead("G77 X5. Z-8. R2. I.8 Q3.\n"), "not-supported");
+}
+
+// G10 L3 to G11: its T words change no tool.
+TEST(Habits, ToolLifeIsNoGeometry) {
+  const Program p = read_text(
+      "T7 M6\nG10 L3\nP1 L30 Q1\nT1 H1 D1\nT2 H2 D2\nG11\nG0 X0 Y0 Z0\nG1 X9. F100.\n", kFanuc);
+  EXPECT_EQ(codes(p, Severity::note), "tool-life tool-inferred");
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_EQ(p.tools[0].id, "7");
+  EXPECT_EQ(p.motions.back().end.x, 9);
+}
+
+// Haas: an axis for each word, about the zero; arcs turn round.
+TEST(Habits, MirrorImagesOfHaas) {
+  const auto path = [](const std::string& text) {
+    const Program p = read_text("G0 X0 Y0 Z0\n" + text, kFanuc);
+    std::string out = codes(p);
+    for (const Motion& m : p.motions)
+      if (m.kind != MotionKind::rapid)
+        out += fmt::format(" {:.6g},{:.6g}{}", m.end.x, m.end.y,
+                           m.kind == MotionKind::arc ? m.sweep > 0 ? "+" : "-" : "");
+    return out;
+  };
+  EXPECT_EQ(path("G101 X0\nG1 X10. Y5. F100.\nG2 X20. Y-5. I0 J-10.\nG100 X0\nG1 X1. Y1.\n"),
+            path("G51.1 X0\nG1 X10. Y5. F100.\nG2 X20. Y-5. I0 J-10.\nG50.1 X0\nG1 X1. Y1.\n"));
+  EXPECT_EQ(path("G101 X0 Y0.\nG1 X10. Y5. F100.\nG100 Y0\nG1 X20. Y5.\n"), " -10,-5 -20,5");
+  EXPECT_EQ(path("G101 X10.\nG1 X10. F100.\n"), "not-supported 10,0");
+  EXPECT_EQ(path("G101\nG1 X10. F100.\n"), "not-supported 10,0");
 }
 
 TEST(Habits, MessagesSayWhatToDo) {

@@ -96,5 +96,19 @@ TEST(Sinumerik, MeasuringCyclesAreANote) {
   EXPECT_EQ(read_text(text, options).machine, MachineKind::mill);
 }
 
+// MEAS and MEAW beside a move: it ends where the probe touches.
+TEST(Sinumerik, MovesOfAProbe) {
+  for (const char* word : {"MEAS=1", "MEAS=-1", "MEAW=2"}) {
+    const Program p =
+        read_text(std::string("G0 X0 Y0 Z0\n") + word + " G1 X30 F300\nG0 X5\nG1 Y9\n",
+                  at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(p), "") << listing(p);
+    EXPECT_EQ(codes(p, Severity::note), "probe");
+    ASSERT_EQ(p.motions.back().kind, MotionKind::line);
+    EXPECT_EQ(p.motions.back().start.x, 5);
+    EXPECT_EQ(p.motions.back().end.y, 9);
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

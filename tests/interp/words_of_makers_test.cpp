@@ -264,8 +264,8 @@ TEST(WordsOfMakers, AToolWithoutANumber) {
   EXPECT_EQ(tool("(pocket 30mm)\n"), "tool-unknown");
 }
 
-TEST(WordsOfMakers, MirrorOfHaasIsRefusedByName) {
-  const Program p = read_text("G1 X1 F100\nG101 X0\nX5\n", at_origin(Dialect::fanuc));
+TEST(WordsOfMakers, MirrorOfHaasAboutAnotherPlaceIsRefusedByName) {
+  const Program p = read_text("G1 X1 F100\nG101 X3\nX5\n", at_origin(Dialect::fanuc));
   ASSERT_EQ(codes(p), "not-supported");
   EXPECT_NE(p.diagnostics.back().text.find("mirror"), std::string::npos);
 }

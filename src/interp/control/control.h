@@ -62,6 +62,7 @@ struct Control {
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
   int register_changes = 0;                  ///< how often the program has set one
+  bool tool_life = false;                    ///< blocks up to G11 are data of tools' lives
   int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are

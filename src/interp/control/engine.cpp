@@ -83,6 +83,7 @@ void Engine::execute() {
   if (statements_ && statements_->take_block()) return;
   if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;
   if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
+  if (control_.tool_life && !ends_tool_life()) return;
   if (!index_.run()) block.bad = true;
   if (!block.comments.empty()) {
     tools_.read_comments();
@@ -110,6 +111,12 @@ void Engine::execute() {
   profiles_.end_block();
   cycles_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
+}
+
+bool Engine::ends_tool_life() {
+  for (const Word& word : control_.block.words)
+    if (word.address == letter('G') && word.value == 11) control_.tool_life = false;
+  return !control_.tool_life;
 }
 
 // A move, or holes at its end.

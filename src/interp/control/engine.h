@@ -29,6 +29,7 @@ class Engine {
   bool interpret_block();
   bool run_move();
   bool run_turning();
+  bool ends_tool_life();
 
   const InterpOptions& options_;
   Reporter reporter_;

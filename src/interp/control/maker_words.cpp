@@ -13,6 +13,8 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
     block_.length_changed = true;
     return true;
   }
+  const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
+  if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
   if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
   if (word.value == 116 && !has_m6()) {  // Okuma's change of the tool
     block_.tool_change = true;
@@ -26,6 +28,24 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
 bool MakerWords::has_m6() const {
   return std::any_of(block_.words.begin(), block_.words.end(),
                      [](const Word& w) { return w.address == letter('M') && w.value == 6; });
+}
+
+// X0 Y0 beside the G word, and nothing else.
+bool MakerWords::names_zero_places() const {
+  bool named = false;
+  for (const Word& w : block_.words) {
+    const bool axis = w.address >= letter('X') && w.address <= letter('Z') && w.value == 0;
+    if (!axis && w.address != letter('G') && w.address != letter('N')) return false;
+    named |= axis;
+  }
+  return named;
+}
+
+// G101 X0 of Haas mirrors X about the zero, G100 X0 ends that.
+bool MakerWords::haas_mirror(const Word& word) {
+  block_.frame_code = &word;
+  block_.frame_op = word.value == 101 ? Code::mirror_on : Code::mirror_off;
+  return true;
 }
 
 // G15 H2 of Okuma's OSP selects a work offset; G16 H does for one block.

@@ -1,5 +1,5 @@
 // G words that machine makers read in their own way on a control of FANUC's kind: Okuma's OSP,
-// Brother. Each is told from FANUC's by the words beside it. Private to src/interp.
+// Brother, Haas. Each is told from FANUC's by the words beside it. Private to src/interp.
 #pragma once
 
 #include "interp/control/frame_words.h"
@@ -19,6 +19,8 @@ class MakerWords : public ControlPart {
   bool okuma_offset(const Word& word);
   bool okuma_level();
   bool brother_change(const Word& word);
+  bool haas_mirror(const Word& word);
+  bool names_zero_places() const;
   bool has_m6() const;
   bool stands_for_level(const Word& word) const;
 

@@ -28,7 +28,15 @@ bool OffsetWords::run() {
   if (kind == 2 || kind == 20) return work(kind, static_cast<int>(number));
   if (kind == 1 || (kind >= 10 && kind <= 13))
     return tool_register(kind, static_cast<int>(number), where);
+  if (kind == 3 && is(Dialect::fanuc)) return tool_life(where);
   return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
+}
+
+// G10 L3 to G11: groups of tools and how long each of them lasts.
+bool OffsetWords::tool_life(const Word& where) {
+  control_.tool_life = true;
+  note_once("tool-life", "G10 L3: how long tools last is not read, up to G11", where, "life");
+  return true;
 }
 
 // G10 P X Z of a lathe: where the tool's tip is, which positions have anyway; R and Q would be its

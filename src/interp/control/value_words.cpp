@@ -70,6 +70,10 @@ bool ValueWords::sinumerik() {
     if (word->value < 0) return error("value-range", "RNDM must not be negative", *word);
     modal_.rndm = word->value * scale();
   }
+  if (const Word* word = take(Address::meas)) {
+    block_.motion_code = word;
+    block_.motion = Code::probe;
+  }
   if (const Word* word = take(Address::offn)) modal_.offn = word->value * scale();
   if (const Word* word = take(Address::frcm)) modal_.frcm = word->value * feed_scale();
   if (const Word* word = take(Address::disc)) {

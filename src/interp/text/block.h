@@ -35,7 +35,8 @@ enum class Address : std::uint8_t {
   sf,
   disc,
   offn,
-  fz,  ///< feed per tooth
+  fz,    ///< feed per tooth
+  meas,  ///< MEAS=1: the move is a probe's
   ff,
   ef,
   data,  ///< accepted, without geometry (SPOS=, ADIS=, S2=)

@@ -155,18 +155,22 @@ bool Parser::macro_word(Block& block) {
 }
 
 // FANUC: ,R rounds the corner to the next block, ,C cuts it off, ,A is the angle of a line.
+// Mitsubishi: ,S is the speed of a tap on its way back, ,I and ,J how exactly a place is met.
 bool Parser::corner_word(Block& block) {
   const std::size_t from = p_;
   std::size_t value = p_ + 1;
   while (value < line_.size() && blank(line_[value])) ++value;
   const char c = upper(at(value));
   if ((dialect_ != Dialect::fanuc && dialect_ != Dialect::iso) ||
-      (c != 'R' && c != 'C' && c != 'A'))
+      std::string_view("RCASIJ").find(c) == std::string_view::npos)
     return false;
   ++value;
   while (value < line_.size() && blank(line_[value])) ++value;
   Word word;
-  word.address = c == 'R' ? Address::rnd : c == 'C' ? Address::chr : Address::ang;
+  word.address = c == 'R'   ? Address::rnd
+                 : c == 'C' ? Address::chr
+                 : c == 'A' ? Address::ang
+                            : Address::data;
   if (expression_follows(value)) {
     p_ = value;
     if (expression(block, word, false)) push(block, word, from);

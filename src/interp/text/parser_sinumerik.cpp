@@ -16,15 +16,16 @@ namespace {
 constexpr std::size_t kLongestName = 32;
 
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
-    {"CR", Address::cr},        {"AR", Address::ar},      {"AP", Address::ap},
-    {"RP", Address::rp},        {"TURN", Address::turn},  {"RND", Address::rnd},
-    {"RNDM", Address::rndm},    {"CHF", Address::chf},    {"CHR", Address::chr},
-    {"FZ", Address::fz},        {"ANG", Address::ang},    {"FRC", Address::frc},
-    {"FRCM", Address::frcm},    {"RPL", Address::rpl},    {"LIMS", Address::lims},
-    {"SF", Address::sf},        {"DISC", Address::disc},  {"OFFN", Address::offn},
-    {"SPOS", Address::data},    {"SPOSA", Address::data}, {"ADIS", Address::data},
-    {"ADISPOS", Address::data}, {"OVR", Address::data},   {"OVRRAP", Address::data},
-    {"FP", Address::data},      {"CTOL", Address::data},  {"OTOL", Address::data}};
+    {"CR", Address::cr},     {"AR", Address::ar},       {"AP", Address::ap},
+    {"RP", Address::rp},     {"TURN", Address::turn},   {"RND", Address::rnd},
+    {"RNDM", Address::rndm}, {"CHF", Address::chf},     {"CHR", Address::chr},
+    {"FZ", Address::fz},     {"ANG", Address::ang},     {"FRC", Address::frc},
+    {"FRCM", Address::frcm}, {"RPL", Address::rpl},     {"LIMS", Address::lims},
+    {"SF", Address::sf},     {"DISC", Address::disc},   {"OFFN", Address::offn},
+    {"SPOS", Address::data}, {"SPOSA", Address::data},  {"ADIS", Address::data},
+    {"MEAS", Address::meas}, {"MEAW", Address::meas},   {"ADISPOS", Address::data},
+    {"OVR", Address::data},  {"OVRRAP", Address::data}, {"FP", Address::data},
+    {"CTOL", Address::data}, {"OTOL", Address::data}};
 
 constexpr std::pair<std::string_view, Form> kForms[] = {
     {"AC", Form::ac},   {"IC", Form::ic},   {"DAC", Form::dac},
