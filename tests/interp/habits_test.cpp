@@ -116,6 +116,12 @@ TEST(Habits, MirrorImagesOfHaas) {
   EXPECT_EQ(path("G101\nG1 X10. F100.\n"), "not-supported 10,0");
 }
 
+TEST(Habits, CyclesOfManualGuideAreOneError) {
+  const Program p = read_text("G1 X1. F1\nG1040T1.L20.V100.E100.W1.\nG1 X2.\n", kFanuc);
+  EXPECT_EQ(codes(p), "not-supported");
+  EXPECT_NE(listing(p).find("MANUAL GUIDE"), std::string::npos);
+}
+
 TEST(Habits, MessagesSayWhatToDo) {
   const auto told = [](const std::string& text) {
     return read_text(text, kFanuc).diagnostics.at(0).text;

@@ -178,6 +178,15 @@ TEST(ToolNotes, ATaperedMillNeedsItsFlutes) {
       << listing(p);
 }
 
+// Vectric lists tools by their numbers.
+TEST(ToolNotes, AListOfNumberedTools) {
+  const std::string cut = kCut;
+  const std::string head =
+      "(Tools used in this file: )\n(1 = End Mill {0.25\"})\n"
+      "(2 = Ball Nose {0.125\"})\nG20\n";
+  EXPECT_EQ(diameters(head + "T1 M6\n" + cut + "T2 M6\n" + cut), "1:6.35 2:3.175");
+}
+
 // The error gives words for --tool that fit the kind.
 TEST(ToolNotes, RefusalsNameTheKind) {
   InterpOptions options;

@@ -22,6 +22,9 @@ TEST(ToolShapes, RouterBits) {
       {mm, "change tool to 'end 1/4'", "endmill 6.35"},
       {mm, "TOOL 1 SIDE 1/2", "? gives the diameter 0.5 without a unit, in a program in mm"},
       {mm, "END OF PART 1/2", "-"},
+      {mm, "35MM HINGE DRILL", "endmill 35"},
+      {mm, "5MM BRAD POINT DRILL", "endmill 5"},
+      {inch, "2 = Ball Nose {0.25\"}", "ballmill 6.35"},
   });
 }
 

@@ -40,8 +40,22 @@ bool WordIndex::refuse_address(const Word& word) {
       word);
 }
 
+// G1040T1.L20.: four digits begin a cycle of FANUC's dialogue, whose addresses are its own.
+const Word* WordIndex::dialogue_cycle() const {
+  if (!is(Dialect::fanuc)) return nullptr;
+  for (const Word& word : block_.words)
+    if (word.address == letter('G') && word.value >= 1000 && word.value < 3000) return &word;
+  return nullptr;
+}
+
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
 bool WordIndex::run() {
+  if (const Word* cycle = dialogue_cycle())
+    return error("not-supported",
+                 fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
+                             "control convert the program (NC CNV)",
+                             text_of(*cycle)),
+                 *cycle);
   bool ok = true;
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
     const Word& word = block_.words[i];

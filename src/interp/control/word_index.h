@@ -15,6 +15,7 @@ class WordIndex : public ControlPart {
   void report_unused();
 
  private:
+  const Word* dialogue_cycle() const;
   bool refuse_address(const Word& word);
 
   std::array<bool, static_cast<std::size_t>(Address::count)> legal_{};  ///< by address

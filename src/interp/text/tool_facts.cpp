@@ -96,8 +96,10 @@ bool FactReader::begins_id(std::size_t i) const {
   return i == 0 && view_.is_one(i, {"NO", "NR"}) && view_.is(i + 2, ":");
 }
 
-// "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:".
+// "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:"; "1 = End Mill {6 mm}" of
+// Vectric.
 void FactReader::read_id() {
+  if (kind() && view_.number(0) && view_.is(1, "=")) set_id(0);
   for (std::size_t i = 0; i < view_.size(); ++i) {
     const bool inside = i > 0 && view_.glued(i) && view_[i - 1].is_number();  // "CCMT 09T304"
     if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);

@@ -64,7 +64,9 @@ constexpr Names kNames[] = {
      "FRESA A DISCO|FREZ T|FREZ TARCZOWY|T UTOR*|KOLUTNO FREZALO"},
     {tslot, disc, false, 0, "SAW"},
     {endmill, mill, true, 0, "SLOT DRILL|SLOTDRILL"},
-    {endmill, hole, true, 0, "FLAT BOTTOM* DRILL|FLAT DRILL"},
+    {endmill, hole, true, 0,
+     "FLAT BOTTOM* DRILL|FLAT DRILL|HINGE DRILL|HINGE BIT|HINGE BORING BIT|BRAD POINT DRILL|"
+     "BRAD POINT BIT|BRAD POINT"},
     {endmill, hole, false, 0, "SPOT FACE*|SPOTFACE*"},
     {drill, twist_drill, false, 0, "TAP DRILL*|TAPPING DRILL*|CORE DRILL*|KERNLOCH*"},
     {chamfer, vee, true, 0, "DRILL MILL|DRILLMILL|MILL DRILL"},
