@@ -187,6 +187,17 @@ TEST(ToolNotes, AListOfNumberedTools) {
   EXPECT_EQ(diameters(head + "T1 M6\n" + cut + "T2 M6\n" + cut), "1:6.35 2:3.175");
 }
 
+// A comment between the change and the first cut, if it names a tool and its size.
+TEST(ToolNotes, AToolNamedBeforeItsFirstCut) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("M06 T01\nG0 X0 Y0 Z25. S1200 M3\n(12MM SLOT DRILL)\n" + cut), "1:12");
+  EXPECT_EQ(diameters("M06 T01\nG0 X0 Y0 Z25.\n(DRILL 12MM HOLES)\n" + cut), "1:0 tool-unknown");
+  EXPECT_EQ(diameters("T20 M6\nG31 Z-5. F100\nG0 Z5.\n(12MM SLOT DRILL)\nT2 M6\n" + cut), "2:12")
+      << "a probe cuts nothing";
+  EXPECT_EQ(diameters("T1 M6\n" + cut + "(12MM SLOT DRILL)\nT2 M6\n" + cut),
+            "1:0 2:12 tool-unknown");
+}
+
 // The error gives words for --tool that fit the kind.
 TEST(ToolNotes, RefusalsNameTheKind) {
   InterpOptions options;

@@ -23,6 +23,8 @@ TEST(ToolShapes, RouterBits) {
       {mm, "TOOL 1 SIDE 1/2", "? gives the diameter 0.5 without a unit, in a program in mm"},
       {mm, "END OF PART 1/2", "-"},
       {mm, "35MM HINGE DRILL", "endmill 35"},
+      {mm, "CUTTER DIAM. 8.000 RAD 4.000", "ballmill 8"},
+      {mm, "CUTTER DIA 12 R 1.5", "bullmill 12, corner 1.5"},
       {mm, "5MM BRAD POINT DRILL", "endmill 5"},
       {inch, "2 = Ball Nose {0.25\"}", "ballmill 6.35"},
   });

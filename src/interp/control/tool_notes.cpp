@@ -49,8 +49,11 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (!(hint || !hint.id.empty())) return;
   if (hint.id.empty() && (hint.names_tool || (hint.type && lists_)) && hint.diameter > 0)
     add_nameless(hint);
-  if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
-    return add(current_, hint);
+  if (hint.id.empty() && find(current_) == nullptr) {
+    if (blocks_since_change_ == 0) return add(current_, hint);
+    const bool names_it = hint.firm && hint.diameter > 0;  // or the next tool: this one may be none
+    if (names_it && !current_.empty() && !cuts_since_change_) add(current_, hint);
+  }
   if (!hint.id.empty() || interrupted_) {  // "TOOL 3" begins what is said of it
     if (!group_.id.empty() && group_) add(group_.id, group_);
     group_ = {};
@@ -101,6 +104,7 @@ void ToolNotes::call(const std::string& id) {
 
 void ToolNotes::change(const std::string& id) {
   current_ = id;
+  cuts_since_change_ = false;
   blocks_since_change_ = -1;  // the block of the change is still to end
 }
 

@@ -33,7 +33,7 @@ class ToolNotes {
   /// A cut: comments above it are not about the next tool.
   void cut() {
     if (!group_.text.empty()) group_ = {};  // asked at every cut
-    cuts_ = true;
+    cuts_ = cuts_since_change_ = true;
   }
 
   /// What is known of the tool; null: nothing.
@@ -59,7 +59,7 @@ class ToolNotes {
   ToolHint group_;      ///< the comments that wait for their tool
   ToolHint nameless_;   ///< above the first cut
   bool lists_ = false;  ///< a comment has headed a list of tools
-  bool cuts_ = false;
+  bool cuts_ = false, cuts_since_change_ = false;
   bool interrupted_ = false;  ///< a block stands between the group and the next comment
   std::string current_;
   int blocks_since_change_ = 1;

@@ -48,6 +48,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {1500, "a pocket"},
     {2340, "tool centre point control"},
     {2540, "a dynamic work offset"},
+    {2910, "ISO dialect mode: run what follows with --dialect fanuc"},
 };
 
 const Row* find_row(std::span<const Row> rows, int number) {

@@ -29,6 +29,7 @@ struct ToolHint {
   std::string id;             ///< when the comment names the tool's number itself
   std::size_t id_digits = 0;  ///< with which that was written
   bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
+  bool firm = false;          ///< its kind names a tool and nothing else: "END MILL"
   std::optional<ToolType> type;
   std::optional<ToolTrade> trade;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool

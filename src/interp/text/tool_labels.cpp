@@ -163,10 +163,10 @@ bool LabelReader::has_flat_tip() const {
   return trade == vee || trade == chamfer_mill || trade == countersink || trade == cone_mill;
 }
 
-// "DIA 12 R 1" of a mill or an insert; "DRILL R 5" is a height.
+// "DIA 12 R 1" of a mill, an insert or a cutter; "DRILL R 5" is a height.
 bool LabelReader::has_corner() const {
   using enum ToolTrade;
-  if (facts_.kinds.empty()) return false;
+  if (facts_.kinds.empty()) return facts_.names_tool && !facts_.named.empty();
   const ToolTrade trade = facts_.kinds.front().trade;
   return trade == mill || trade == face_mill || trade == lathe;
 }
@@ -211,7 +211,7 @@ void LabelReader::keep(WordRole role, std::size_t number) {
 // "DIA. - 10.", ".5 DIA". Where numbers stand on both sides both are readings.
 void LabelReader::read_diameter(const Label& label) {
   const std::size_t i = label.first;
-  facts_.names_tool |= i > 0 && view_.is(i - 1, "TOOL");
+  facts_.names_tool |= i > 0 && view_.is_one(i - 1, {"TOOL", "CUTTER"});
   if (!facts_.kinds.empty()) {
     const ToolKind& kind = facts_.kinds.front();
     facts_.names_tool |= i > 0 && kind.firm && kind.first == 0 && kind.end == i;

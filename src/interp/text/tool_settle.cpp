@@ -192,6 +192,7 @@ void Settler::settle_type() {
   if (k && (k->firm || hint_.names_tool || by_data)) {
     hint_.type = k->type;
     hint_.trade = k->trade;
+    hint_.firm = k->firm;
     if (k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
     if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
     if (threaded && facts_.enlarged_thread)
