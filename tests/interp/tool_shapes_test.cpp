@@ -30,11 +30,26 @@ TEST(ToolShapes, RouterBits) {
   });
 }
 
+TEST(ToolShapes, ShanksBeforeTheSize) {
+  expect_readings({
+      {mm, "1/8 SHANK 0.8MM DRILL", "drill 0.8"},
+      {mm, "T1 3.175MM SHANK 0.5MM ENDMILL", "endmill 0.5"},
+      {mm, "0.5MM ENDMILL 1/8 SHANK", "endmill 0.5"},
+      {mm, "ENDMILL 6 SHANK 8", "endmill 6"},
+      {inch, "SHANK .25 .125 2FL ENDMILL", "endmill 3.175"},
+      {mm, "TOOL=1 NAME=EM10 DIA=10.0 CRAD=0.5", "bullmill 10, corner 0.5"},
+      {mm, "T1 EM D10.0 RC0.5 FL22", "bullmill 10, corner 0.5"},
+  });
+}
+
 TEST(ToolShapes, Chamfers) {
   expect_readings({
       {mm, "T5 CHAMF. 10MM", "chamfer 10, point 90"},
       {mm, "CHAMF. MILL 10MM 90 DEG", "chamfer 10, point 90"},
       {mm, "D10 CHAMF 45 DEG", "chamfer 10, side 45"},
+      {mm, "T1 V90 D12", "chamfer 12, point 90"},
+      {mm, "60V 1/2\"", "chamfer 12.7, point 60"},
+      {mm, "T1 V-60", "? gives no diameter"},
       {inch, "T6 1/2 CHMFR X 45", "chamfer 12.7, side 45"},
   });
 }
@@ -64,6 +79,12 @@ TEST(ToolShapes, WhatACommentCanNotGive) {
       {mm, "T3 BEADING BIT 1/4\"", more},
       {mm, "T3 ROMAN OGEE 1/2\"", more},
       {mm, "T4 UNDERCUT ENDMILL 6MM", more},
+      {mm, "FACEMILL 50MM KAPR45",
+       "? names a face mill of 45 degrees: an endmill cuts upright walls, a taper has its angle to "
+       "the axis"},
+      {mm, "T1 WIRE BRUSH 50MM", "? names no cutter"},
+      {mm, "T1 STOP PIN 10MM", "? names no cutter"},
+      {mm, "T1 PROBE 6MM", "? names no cutter"},
       {mm, "T5 DIAMOND 6MM", "? names a turning tool of a lathe"},
       {mm, "T6 GROOVING TOOL 3MM", "? names a grooving tool of a lathe"},
   });

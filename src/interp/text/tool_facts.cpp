@@ -21,7 +21,7 @@ class FactReader {
 
   void read() {
     facts_.kinds = find_tool_kinds(view_.tokens());
-    read_end();
+    read_short_kind();
     read_id();
     take_kinds();
     read_inch_word();
@@ -50,7 +50,7 @@ class FactReader {
   void read_thread();
   void read_gauge();
   void read_key_number(const ToolKind& kind);
-  void read_end();
+  void read_short_kind();
   bool numbers_it(std::size_t i) const;
   void read_groups();
   bool passable(std::size_t i) const;
@@ -192,11 +192,23 @@ void FactReader::read_key_number(const ToolKind& kind) {
   view_.take(key->first, key->end);
 }
 
-// "end 1/4" of Kiri:Moto.
-void FactReader::read_end() {
-  for (std::size_t i = 0; facts_.kinds.empty() && i < view_.size(); ++i)
+// "end 1/4" of Kiri:Moto; "V90 D12", "60V".
+void FactReader::read_short_kind() {
+  using enum ToolTrade;
+  const auto angle = [&](std::size_t i) {
+    return view_.number(i) && view_.whole(i) && view_[i].value >= 15 && view_[i].value <= 150;
+  };
+  for (std::size_t i = 0; facts_.kinds.empty() && i < view_.size(); ++i) {
     if (view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction)
-      facts_.kinds.push_back({ToolType::endmill, ToolTrade::mill, true, 0, i, i + 1});
+      facts_.kinds.push_back({ToolType::endmill, mill, true, 0, i, i + 1});
+    if (!view_.is(i, "V")) continue;
+    const bool before = i > 0 && view_.glued(i) && angle(i - 1);
+    const bool behind = view_.glued(i + 1) && angle(i + 1) && !view_.glued(i + 2);
+    if (!before && !behind) continue;
+    facts_.kinds.push_back({ToolType::chamfer, vee, true, 0, i, i + 1});
+    facts_.angles.push_back(view_[before ? i - 1 : i + 1].value);
+    view_.take(before ? i - 1 : i + 1);
+  }
 }
 
 // "ENDMILL001", "DRILL2": numbered names; "EM10" and "BALL6" have sizes.

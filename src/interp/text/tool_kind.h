@@ -26,8 +26,9 @@ enum class ToolTrade : std::uint8_t {
   thread_mill,
   chamfer_mill,
   countersink,
-  vee,     ///< V-bits and engravers: nothing is known without the angle
-  shaped,  ///< "DOVETAIL": a comment can not give its shape
+  vee,        ///< V-bits and engravers: nothing is known without the angle
+  shaped,     ///< "DOVETAIL": a comment can not give its shape
+  no_cutter,  ///< probes, brushes
   lathe
 };
 

@@ -55,6 +55,7 @@ class LabelReader {
   Label label_at(std::size_t i) const;
   void read_flutes();
   bool claimed(std::size_t number) const;
+  bool is_of_kind(std::size_t number) const;
   std::size_t number_behind(const Label& label) const;
   std::size_t number_before(const Label& label) const;
   bool has_flat_tip() const;
@@ -116,6 +117,17 @@ bool LabelReader::claimed(std::size_t number) const {
   return !view_.number(behind);
 }
 
+// "1/8 SHANK 0.8MM DRILL": the 0.8 is the drill's.
+bool LabelReader::is_of_kind(std::size_t number) const {
+  if (facts_.kinds.empty()) return false;
+  std::size_t i = number + 1;
+  while (view_.taken(i) || role(i) == WordRole::adjective) {
+    if (i == facts_.kinds.front().first) return true;
+    ++i;
+  }
+  return false;
+}
+
 std::size_t LabelReader::number_behind(const Label& label) const {
   if (label.side == NumberSide::before) return kNone;
   const bool letter = label.end == label.first + 1 && view_[label.first].text.size() == 1;
@@ -125,7 +137,9 @@ std::size_t LabelReader::number_behind(const Label& label) const {
   const bool angle = label.role == WordRole::angle || label.role == WordRole::taper;
   if (!view_.number(number) || (view_[number].angle && !angle)) return kNone;
   const bool sign = number > label.end && !view_.is(label.end, "-");
-  return sign || view_.glued(number) || !claimed(number) ? number : kNone;
+  if (sign || view_.glued(number)) return number;
+  const bool other = label.role == WordRole::other && number_before(label) != kNone;
+  return claimed(number) || (other && is_of_kind(number)) ? kNone : number;
 }
 
 std::size_t LabelReader::number_before(const Label& label) const {

@@ -194,6 +194,7 @@ void Settler::settle_type() {
     hint_.trade = k->trade;
     hint_.firm = k->firm;
     if (k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
+    if (k->trade == ToolTrade::no_cutter) doubt("names no cutter");
     if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
     if (threaded && facts_.enlarged_thread)
       doubt("names a thread for wire inserts, whose tap is larger");
