@@ -49,4 +49,10 @@ std::size_t CommentView::value_behind(std::size_t i) const {
   return number(at) && !tokens_[at].angle ? at : kNone;
 }
 
+bool CommentView::may_be_angle(std::size_t i) const {
+  if (!number(i) || !whole(i) || !is_size(i)) return false;
+  constexpr double kUsual[] = {45, 60, 82, 90, 118, 120, 135, 140};
+  return std::find(std::begin(kUsual), std::end(kUsual), tokens_[i].value) != std::end(kUsual);
+}
+
 }  // namespace mrsim

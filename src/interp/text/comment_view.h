@@ -39,6 +39,8 @@ class CommentView {
   bool whole(std::size_t i) const;
   /// A number that may be a size: not behind a letter, a "#", an "=" or a sign of its own.
   bool is_size(std::size_t i) const;
+  /// A bare number that nothing has explained, as angles of tools are: "90", "118".
+  bool may_be_angle(std::size_t i) const;
   /// Behind a name, over "=", ":", "-": "DIA. - 10.", "D=6".
   std::size_t behind(std::size_t i) const;
   /// The number there; kNone: there is none, or it is an angle.

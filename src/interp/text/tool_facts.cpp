@@ -378,6 +378,8 @@ void FactReader::read_rest() {
   for (std::size_t i = 0; i < view_.size(); ++i) {
     facts_.tapered |= view_.is_one(i, {"TAPER", "TAPERED"}) && !view_.taken(i);
     if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
+    facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
+    facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
     facts_.left_hand |= view_.is_one(i, {"LEFT", "LH", "LINKS"});
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
     facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});

@@ -46,6 +46,8 @@ struct ToolFacts {
   double taper = 0;            ///< degrees, of TAPER=
   bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
   bool included = false, per_side = false;
+  bool helix = false;       ///< the angle may be that of the flutes
+  bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
   bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z

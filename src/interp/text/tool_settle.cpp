@@ -202,6 +202,8 @@ void Settler::settle_type() {
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
+  if (!k && !facts_.insert && (!facts_.angles.empty() || facts_.bare_angle))
+    doubt("names an angle, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
 }
@@ -277,11 +279,13 @@ void Settler::settle_mill() {
   if (facts_.tapered && (trade_is(ToolTrade::mill) || trade_is(ToolTrade::face_mill)))
     doubt("names a tapered mill, whose shape it does not tell");
   constexpr double kUpright = 85;  // degrees
-  if (trade_is(ToolTrade::face_mill) && !angles_.empty() && angles_.front() < kUpright)
+  const bool upright = trade_is(ToolTrade::face_mill) ||
+                       (trade_is(ToolTrade::mill) && hint_.type == ToolType::endmill);
+  if (upright && !facts_.helix && !angles_.empty() && angles_.front() < kUpright)
     doubt(
-        fmt::format("names a face mill of {:g} degrees: an endmill cuts upright walls, a taper "
-                    "has its angle to the axis",
-                    angles_.front()));
+        fmt::format("names a {} of {:g} degrees: an endmill cuts upright walls, a taper has its "
+                    "angle to the axis",
+                    trade_is(ToolTrade::face_mill) ? "face mill" : "mill", angles_.front()));
   const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop ||
                     trade_is(ToolTrade::cone_ball);
   if (ball && hint_.corner && hint_.diameters.empty()) {
