@@ -77,6 +77,9 @@ TEST(Habits, RigidTapsHaveManyNames) {
   EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. ,R1\n"), " 1.25@-8 1.25@2");
   EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. J2\n"), " 1.25@-8 1.25@2");
   EXPECT_EQ(lead("G84 X5. Z-8. R2. F625. ,R1 ,S2000 ,I.05 ,J.1\n"), " 1.25@-8 1.25@2");
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F1.25 ,R1\n"), " 1.25@-8 1.25@2") << "F is the lead";
+  EXPECT_EQ(lead("G84 X5. Z-8. R2. F1.25\n"), "tap-lead 0.0025@-8 0.0025@2");
+  EXPECT_EQ(lead("G95\nG84 X5. Z-8. R2. F1.25\n"), " 1.25@-8 1.25@2");
   // Brother: the lead, or threads per inch; L is the speed of the way back, not a count.
   EXPECT_EQ(lead("G77 X5. Z-8. R2. I0.8 S1000 L3000\nX9.\n"), " 0.8@-8 0.8@2 0.8@-8 0.8@2");
   EXPECT_EQ(lead("G78 X5. Z-8. R2. I1.\n"), " -1@-8 -1@2");

@@ -197,6 +197,20 @@ TEST(Posts, RunAsWorkedOut) {
        {-0.5, 0, -30},
        {18.333333333, 0, 2}},
       {"tool_change_sub.nc", Dialect::fanuc, mill, 6, 4, 0, {0, 0, -10}, {30, 10, -2}},
+      // The same cuts left and right of X0.
+      {"haas_mirror.nc", Dialect::fanuc, mill, 6, 6, 2, {-63.5, 0, -2.54}, {63.5, 38.1, -2.54}},
+      // G10 L3 to G11 changes no tool; four taps of F1.25 under ,R1.
+      {"mitsubishi_taps.nc", Dialect::fanuc, mill, 11, 8, 0, {10, 10, -12}, {50, 40, 3}},
+      // A V tool as a taper of 45 degrees a side.
+      {"carbide_create_vee.nc", Dialect::ngc, mill, 2, 8, 0, {-60, -20, -3}, {60, 20, 0}},
+      // Inches; tools by their numbers in the list.
+      {"vectric_avid.tap", Dialect::ngc, mill, 4, 4, 2, {12.7, 12.7, -3.175}, {139.7, 50.8, -2.54}},
+      // In and out by quarter circles in G18, down by half turns.
+      {"fusion_mach3_adaptive.tap", Dialect::ngc, mill, 2, 3, 8, {30, 18.8, -3}, {42, 21.2, 1}},
+      {"kiri_moto.nc", Dialect::ngc, mill, 1, 10, 0, {5, 5, 6}, {45, 25, 8}},
+      // The tool is named three blocks below its M06; R-12 runs 247 degrees.
+      {"dolphin.nc", Dialect::fanuc, mill, 3, 3, 2, {-10, 30, -3}, {80, 50, -3}},
+      {"worknc.nc", Dialect::fanuc, mill, 2, 4, 0, {5, 5, -2.2}, {45, 5.4, -2}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);

@@ -11,7 +11,8 @@ namespace mrsim {
 namespace {
 
 constexpr long kMostRepeats = 99'999;
-constexpr double kLongPeck = 50;  // Q5000 counts thousandths
+constexpr double kLeastLead = 0.1;  // mm: of a tap
+constexpr double kLongPeck = 50;    // Q5000 counts thousandths
 
 }  // namespace
 
@@ -79,11 +80,15 @@ bool DrillWords::read_words(const Basis& b) {
 }
 
 // Brother's G77 and G78: I or J, and L, the speed on the way back. J of Haas is how many times as
-// fast the way back is, ,R of Mitsubishi whether the tap is rigid: neither moves anything else.
+// fast the way back is. Under ,R1 of Mitsubishi, a rigid tap, F may be the lead.
 bool DrillWords::read_tap() {
   DrillCycle& cycle = modal_.drill;
-  take(Address::rnd);
-  if (!cycle.pitched) return take('J'), true;
+  const Word* rigid = take(Address::rnd);
+  if (!cycle.pitched) {
+    if (rigid && rigid->value == 1 && is_no_lead(tapping_lead())) cycle.lead = modal_.feed;
+    take('J');
+    return true;
+  }
   take('L');
   const Word* lead = take('I');
   const Word* threads = take('J');
@@ -238,7 +243,16 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
   hole.feed_to_end = (g == 74 || g == 84) && is(Dialect::ngc);
-  if (g == 74 || g == 84) hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
+  if (g == 74 || g == 84) {
+    hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
+    if (is(Dialect::fanuc) && is_no_lead(tapping_lead()))
+      reporter_.once(
+          Severity::warning, "tap-lead",
+          fmt::format("feed and speed make a lead of {:.2g} mm: where F is the lead, G95 "
+                      "stands before it",
+                      tapping_lead()),
+          where, "tap-lead");
+  }
   if (g == 76)
     note_once("cycle-shift", "G76: the shift by Q at the bottom is not run, its side is not known",
               where, "G76");
@@ -320,6 +334,8 @@ bool DrillWords::haas_pecks(Hole& hole) {
   }
   return true;
 }
+
+bool DrillWords::is_no_lead(double lead) { return lead > 0 && lead < kLeastLead; }
 
 double DrillWords::tapping_lead() const {
   if (modal_.drill.lead > 0) return modal_.drill.lead;

@@ -36,6 +36,7 @@ class DrillWords : public ControlPart {
   void read_haas_strokes();
   bool haas_pecks(Hole& hole);
   double tapping_lead() const;
+  static bool is_no_lead(double lead);
 
   AxisWords& axes_;
   HoleMaker& holes_;

@@ -89,7 +89,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   last_length_ = modal_.length_offset;
   if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
     for (const Address a : {Address::rnd, Address::chr, Address::chf})
-      if (const Word* word = find(a))
+      if (const Word* word = find(a); word && corner.kind != CornerSpec::Kind::none)
         warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
                 *word);
     return;

@@ -1,0 +1,37 @@
+(Design File: sign.c2d)
+(stockMin:-100.00mm, -50.00mm, -19.05mm)
+(stockMax:100.00mm, 50.00mm, 0.00mm)
+(STOCK/BLOCK,200.00, 100.00, 19.05,100.00, 50.00, 19.05)
+G90
+G21
+(Move to safe Z to avoid workholding)
+G53G0Z-5.000
+(Pocket Toolpath 1)
+M05
+(TOOL/MILL,6.35, 0.00, 25.40, 0.00)
+M6T201
+M03S18000
+(PREPOSITION FOR RAPID PLUNGE)
+G0X-40.000Y-20.000
+Z0.762
+G1Z-2.000F304.8
+X40.000F1524.0
+Y-15.000
+X-40.000
+Y-20.000
+G0Z5.000
+(V Carve Toolpath 2)
+M05
+(Move to safe Z to avoid workholding)
+G53G0Z-5.000
+(TOOL/MILL,0.10, 0.05, 6.35, 45.00)
+M6T301
+M03S18000
+G0X-60.000Y20.000
+Z0.762
+G1Z-3.000F304.8
+X60.000F1016.0
+Z0.000
+G0Z5.000
+M05
+M02
