@@ -198,6 +198,27 @@ TEST(ToolNotes, AToolNamedBeforeItsFirstCut) {
             "1:0 2:12 tool-unknown");
 }
 
+// pcb2gcode: the message between T and M6 is about that tool, whatever the one before is.
+TEST(ToolNotes, AMessageBetweenTheCallAndTheChange) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("T0\nM5 (Spindle stop.)\n(MSG, Change tool bit to mill diameter 0.15000mm)\n"
+                      "M6\n" +
+                          cut + "T1\nM5\n(MSG, Change tool bit to drill size 0.8mm)\nM6\n" + cut,
+                      Dialect::ngc),
+            "0:0.15 1:0.8");
+  // The next tool made ready: the operation is that of the tool in the spindle.
+  EXPECT_EQ(diameters("T1 M6 (8MM ENDMILL)\nT2\n(ROUGH WITH 10MM ENDMILL)\n" + cut + "M6\n" + cut),
+            "1:8 2:0 tool-unknown");
+}
+
+// Without T words comments may change the tool, too.
+TEST(ToolNotes, AnotherToolWithoutAWordForIt) {
+  const std::string cut = "G1 X5 Y0 Z0 F100\nX9\nY5\n";
+  EXPECT_EQ(diameters("(Tool diameter: 2.0)\n" + cut + "(Tool diameter: 2.0)\n" + cut), ":2");
+  EXPECT_EQ(diameters("(Tool diameter: 2.0)\n" + cut + "(Tool diameter: 5.0)\n" + cut),
+            ":2 tool-unknown");
+}
+
 // The error gives words for --tool that fit the kind.
 TEST(ToolNotes, RefusalsNameTheKind) {
   InterpOptions options;

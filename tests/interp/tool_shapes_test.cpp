@@ -71,6 +71,8 @@ TEST(ToolShapes, Tapers) {
       {mm, "TAPER MILL D6 5 DEG TIP 1", "taper 6, side 5, tip 1"},
       {mm, "TAPER MILL D6 10 DEG INCLUDED TIP 1", "taper 6, side 5, tip 1"},
       {mm, "TOOL/MILL,0.03, 0.00, 10.00, 45.00", "taper 0.03, side 45, flutes 10"},
+      {mm, "TOOL/CHAMFER,12,90,20,6", "chamfer 12, point 90"},
+      {mm, "TOOL/CHAMFER,12,45,20,6", "? gives 45 degrees, of its side or of the whole"},
       {mm, "TOOL/MILL,0.5, 0.25, 0.00, 5.00", "? gives no flute length"},
       {mm, "TOOL/MILL,3.17, 0.00, 9.52, 180.00", "? names a taper that is no angle of a mill"},
   });

@@ -77,6 +77,12 @@ void ToolChanger::read_comments() {
     called = tool_.pending.id;
   for (const std::string_view comment : block_.comments)
     notes_.comment(comment, called, block_.words.empty());
+  if (const std::string other = notes_.other_nameless(); !other.empty())
+    reporter_.add(Severity::error, "tool-unknown",
+                  fmt::format("the comment \"{}\" names another tool than the first, and no T word "
+                              "says that it comes: write one, with M6, or split the program",
+                              other),
+                  0, 1);
 }
 
 bool ToolChanger::apply() {

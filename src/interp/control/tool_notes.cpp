@@ -49,11 +49,9 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (!(hint || !hint.id.empty())) return;
   if (hint.id.empty() && (hint.names_tool || (hint.type && lists_)) && hint.diameter > 0)
     add_nameless(hint);
-  if (hint.id.empty() && find(current_) == nullptr) {
-    if (blocks_since_change_ == 0) return add(current_, hint);
-    const bool names_it = hint.firm && hint.diameter > 0;  // or the next tool: this one may be none
-    if (names_it && !current_.empty() && !cuts_since_change_) add(current_, hint);
-  }
+  if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
+    return add(current_, hint);
+  if (hint.id.empty()) add_unnumbered(hint);
   if (!hint.id.empty() || interrupted_) {  // "TOOL 3" begins what is said of it
     if (!group_.id.empty() && group_) add(group_.id, group_);
     group_ = {};
@@ -63,6 +61,16 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     group_ = hint;
   else
     merge_hint(group_, hint);
+}
+
+// A tool with its size: one that a T word has named and no M6 brought yet (pcb2gcode), or the one
+// in the spindle before its first cut; or the next, as that may be none.
+void ToolNotes::add_unnumbered(const ToolHint& hint) {
+  if (!(hint.firm || hint.names_tool) || !(hint.diameter > 0)) return;
+  const bool is_ready = !called_.empty() && (current_.empty() || cuts_since_change_);
+  if (is_ready && find(called_) == nullptr) return add(called_, hint);
+  if (hint.firm && !current_.empty() && !cuts_since_change_ && find(current_) == nullptr)
+    add(current_, hint);
 }
 
 // "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)": on a lathe the tool of the
@@ -83,7 +91,13 @@ void ToolNotes::add_corner(const ToolHint& hint) {
 
 // "(Endmill 3mm)" in a program without T words.
 void ToolNotes::add_nameless(const ToolHint& hint) {
-  if (cuts_) return;
+  if (cuts_) {
+    const bool same = !nameless_.diameters.empty() &&
+                      nameless_.diameters.front().value == hint.diameters.front().value &&
+                      nameless_.diameters.front().unit == hint.diameters.front().unit;
+    if (adopted_ && !same) other_ = hint.text;
+    return;
+  }
   if (nameless_.text.empty())
     nameless_ = hint;
   else if (nameless_.text.find(hint.text) == std::string::npos)
@@ -93,6 +107,7 @@ void ToolNotes::add_nameless(const ToolHint& hint) {
 bool ToolNotes::adopt_nameless() {
   if (!hints_.empty() || nameless_.text.empty()) return false;
   hints_.try_emplace("", nameless_);
+  adopted_ = true;
   return true;
 }
 
@@ -100,10 +115,12 @@ void ToolNotes::call(const std::string& id) {
   const bool other = !group_.id.empty() && group_.id != id;
   if (group_ && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
   group_ = {};
+  called_ = id;
 }
 
 void ToolNotes::change(const std::string& id) {
   current_ = id;
+  called_.clear();
   cuts_since_change_ = false;
   blocks_since_change_ = -1;  // the block of the change is still to end
 }

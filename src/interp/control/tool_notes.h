@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace mrsim {
 
@@ -34,6 +35,7 @@ class ToolNotes {
   void cut() {
     if (!group_.text.empty()) group_ = {};  // asked at every cut
     cuts_ = cuts_since_change_ = true;
+    called_.clear();
   }
 
   /// What is known of the tool; null: nothing.
@@ -46,12 +48,16 @@ class ToolNotes {
   bool adopt_nameless();
   /// The id of the tool that comments have named, where they have named one alone; else empty.
   std::string only() const { return hints_.size() == 1 ? hints_.begin()->first : std::string(); }
+  /// A comment behind the first cut that names another tool than the one of adopt_nameless(); asked
+  /// once.
+  std::string other_nameless() { return std::exchange(other_, {}); }
 
  private:
   void add(const std::string& id, const ToolHint& hint);
   static void name_by_operation(ToolHint& hint);
   void add_corner(const ToolHint& hint);
   void add_nameless(const ToolHint& hint);
+  void add_unnumbered(const ToolHint& hint);
 
   bool lathe_, turret_;
   std::map<std::string, ToolHint> hints_;
@@ -61,7 +67,9 @@ class ToolNotes {
   bool lists_ = false;  ///< a comment has headed a list of tools
   bool cuts_ = false, cuts_since_change_ = false;
   bool interrupted_ = false;  ///< a block stands between the group and the next comment
-  std::string current_;
+  bool adopted_ = false;      ///< nameless_ is the tool
+  std::string other_, current_;
+  std::string called_;  ///< the tool that a T word has named, before the next cut and change
   int blocks_since_change_ = 1;
 };
 

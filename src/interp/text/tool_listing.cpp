@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -75,6 +77,8 @@ bool read_apt(std::string_view text, ToolHint& hint) {
   if (!mill) {
     hint.type = fields[0] == "DRILL" ? ToolType::drill : ToolType::chamfer;
     if (value(2) > 0 && value(2) < 180) hint.tip_angle = radians(value(2));
+    if (hint.type == ToolType::chamfer && value(2) > 0 && value(2) <= 60)
+      hint.doubt = fmt::format("gives {:g} degrees, of its side or of the whole", value(2));
     return true;
   }
   hint.type = value(2) > 0 ? ToolType::bullmill : ToolType::endmill;
