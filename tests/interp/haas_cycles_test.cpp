@@ -27,6 +27,26 @@ TEST(HaasCycles, HolesOnACircleAnArcAndALine) {
   EXPECT_EQ(haas_path("G0 Z10.\nG70 I10. L4\n"), "r0,0,10 | value-missing") << "no cycle";
 }
 
+TEST(HaasCycles, PatternsOfMitsubishi) {
+  const std::string start = "G0 X50. Y10. Z10.\nG82 G98 Z-5. R2. F100. L0\n", at = "r50,10,10";
+  EXPECT_EQ(haas_path(start + "G34 X0 Y0 I10. J90. K4\nG80\n"),
+            at + hole("0,10") + hole("-10,0") + hole("0,-10") + hole("10,0"));
+  EXPECT_EQ(haas_path(start + "G34 X0 Y0 I10. J90. K-4\nG80\n"),
+            at + hole("0,10") + hole("10,0") + hole("0,-10") + hole("-10,0"));
+  EXPECT_EQ(haas_path(start + "G35 X20. Y0 I5. J90. K3\nG80\n"),
+            at + hole("20,0") + hole("20,5") + hole("20,10"));
+  EXPECT_EQ(haas_path(start + "G36 X0 Y0 I10. J0 P90. K2\nG80\n"),
+            at + hole("10,0") + hole("0,10"));
+  EXPECT_EQ(haas_path(start + "G37.1 X0 Y0 I10. P2 J20. K2\nG80\n"),
+            at + hole("0,0") + hole("10,0") + hole("10,20") + hole("0,20"));
+  EXPECT_EQ(haas_path(start + "G36 X0 Y0 I10. J0 K2\nG80\n"), at + " | value-missing");
+  EXPECT_EQ(haas_path(start + "G34 X0 Y0 I10. J0 K0\nG80\n"), at + " | value-range");
+  EXPECT_EQ(haas_path("G0 Z10.\nG34 I10. J0 K4\n"), "r0,0,10 | value-missing") << "no cycle";
+  const Program p =
+      read_text(start + "G36 X0 Y0 I10. J0 P90. K2\nG80\n", at_origin(Dialect::fanuc));
+  EXPECT_TRUE(p.dwells.empty()) << "P is the pattern's";
+}
+
 TEST(HaasCycles, AloneG70AndG71AreTheUnits) {
   EXPECT_EQ(haas_path("G40 G17 G90 G70\nG1 X1. F10.\nG71\nX1.\n"), "l25.4,0,0 l1,0,0");
 }

@@ -195,7 +195,7 @@ bool DrillWords::drill() {
   return true;
 }
 
-bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where) {
+bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, bool own_p) {
   DrillCycle& cycle = modal_.drill;
   const Basis b = basis();
   if (cycle.number == 0 || cycle.number == 87)
@@ -203,7 +203,13 @@ bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where) {
   if (!cycle.begun) cycle.initial = holes_.level();
   cycle.begun = true;
   Hole hole;
-  if (!read_words(b) || !fill(hole, false)) return false;
+  const DrillCycle before = cycle;
+  if (!read_words(b)) return false;
+  if (own_p) {
+    cycle.dwells = before.dwells;
+    cycle.dwell = before.dwell;
+  }
+  if (!fill(hole, false)) return false;
   for (const Vec3& point : points) {
     holes_.approach(point + (holes_.level() - dot(point, b.w)) * b.w, 3, where);
     holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);

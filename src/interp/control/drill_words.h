@@ -18,7 +18,7 @@ class DrillWords : public ControlPart {
   /// Holes at the points of the block. False: an error was reported.
   bool run();
   /// Holes of the cycle in force at `points`; they have the level of now. False: as above.
-  bool at_points(const std::vector<Vec3>& points, const Word& where);
+  bool at_points(const std::vector<Vec3>& points, const Word& where, bool own_p = false);
 
  private:
   bool drill();

@@ -22,13 +22,14 @@ bool HaasCycles::wants_block() const {
 bool HaasCycles::run() { return block_.oneshot_code == Code::circle_pocket ? pocket() : holes(); }
 
 // A whole number of at least 1; without the word `out` stays.
-bool HaasCycles::count(char letter, double most, long& out) {
+bool HaasCycles::count(char letter, double most, long& out, bool negative) {
   const Word* word = take(letter);
   if (!word) return true;
-  if (word->value < 1 || word->value > most || word->value != std::floor(word->value))
+  const double value = negative ? -word->value : word->value;
+  if (value < 1 || value > most || value != std::floor(value))
     return error("value-range", fmt::format("{} is a whole number from 1 to {:g}", letter, most),
                  *word);
-  out = static_cast<long>(word->value);
+  out = static_cast<long>(value);
   return true;
 }
 
@@ -37,32 +38,89 @@ double HaasCycles::length_of(char letter) {
   return word ? word->value * length_unit(*word) : 0;
 }
 
+double HaasCycles::value_of(char letter) {
+  const Word* word = take(letter);
+  return word ? word->value : 0;
+}
+
+bool HaasCycles::holes() {
+  const Word& where = *block_.oneshot;
+  if (modal_.plane != 0)
+    return error("value-range", fmt::format("{} needs the plane G17", text_of(where)), where);
+  Target first;
+  std::vector<Vec3> points;
+  const bool haas = where.value >= 70;
+  if (!(haas ? haas_holes(points) : mitsubishi_holes(points)) ||
+      !axes_.target(first, position_.programmed))
+    return false;
+  for (Vec3& point : points) point += first.programmed;
+  return drilling_.at_points(points, where, !haas);
+}
+
+bool HaasCycles::needs(std::string_view letters) {
+  for (const char c : letters)
+    if (!peek(c))
+      return error("value-missing", fmt::format("{} needs {}", text_of(*block_.oneshot), c),
+                   *block_.oneshot);
+  return true;
+}
+
 // G70 I radius, J first angle, L holes; G71 also K, from hole to hole; G72 I from hole to hole,
 // J angle of the line.
-bool HaasCycles::holes() {
-  const int g = static_cast<int>(block_.oneshot->value);
-  for (const char c : {'I', 'L'})
-    if (!peek(c)) return error("value-missing", fmt::format("G{} needs {}", g, c), *block_.oneshot);
-  if (modal_.plane != 0)
-    return error("value-range", fmt::format("G{} needs the plane G17", g), *block_.oneshot);
+bool HaasCycles::haas_holes(std::vector<Vec3>& points) {
+  const double g = block_.oneshot->value;
   long number = 1;
-  if (!count('L', kMostHoles, number)) return false;
+  if (!needs(g == 71 ? "ILK" : "IL") || !count('L', kMostHoles, number)) return false;
   const double size = length_of('I');
-  const Word* first = take('J');
-  const Word* between = g == 71 ? take('K') : nullptr;
-  if (g == 71 && !between) return error("value-missing", "G71 needs K", *block_.oneshot);
-  const double angle = first ? first->value : 0;
-  const double step = between ? between->value : 360.0 / static_cast<double>(number);
-  Target center;
-  if (!axes_.target(center, position_.programmed)) return false;
-  std::vector<Vec3> points;
-  for (long i = 0; i < number; ++i) {
-    const double turn = static_cast<double>(i);
-    const SinCos sc = sincos_deg(g == 72 ? angle : angle + turn * step);
-    const double far = g == 72 ? turn * size : size;
-    points.push_back(center.programmed + Vec3{far * sc.cos, far * sc.sin, 0});
+  const double angle = value_of('J');
+  if (g == 72)
+    add_line(points, size, angle, number);
+  else
+    add_arc(points, size, angle, g == 71 ? value_of('K') : 360.0 / double(number), number);
+  return true;
+}
+
+// Mitsubishi: G34 a circle, I radius, J first angle, K holes, below 0 clockwise; G35 a line, I from
+// hole to hole, J its angle; G36 an arc as G34, P from hole to hole; G37.1 a grid of P by K holes,
+// I and J apart.
+bool HaasCycles::mitsubishi_holes(std::vector<Vec3>& points) {
+  const double g = block_.oneshot->value;
+  if (!needs(g >= 36 ? "IJKP" : "IJK")) return false;
+  long number = 1, across = 1;
+  const bool clockwise = g == 34 && peek('K')->value < 0;
+  if (!count('K', kMostHoles, number, clockwise) || (g > 37 && !count('P', kMostHoles, across)))
+    return false;
+  const double size = length_of('I');
+  if (g > 37) {
+    if (double(number) * double(across) > kMostHoles)
+      return error("value-range", "too many holes in the grid", *block_.oneshot);
+    const double row = length_of('J');
+    for (long k = 0; k < number; ++k)
+      for (long i = 0; i < across; ++i)
+        points.push_back({double(k % 2 == 0 ? i : across - 1 - i) * size, double(k) * row, 0});
+  } else if (g == 35) {
+    add_line(points, size, value_of('J'), number);
+  } else {
+    const double step = g == 36 ? value_of('P') : (clockwise ? -360.0 : 360.0) / double(number);
+    add_arc(points, size, value_of('J'), step, number);
   }
-  return drilling_.at_points(points, *block_.oneshot);
+  return true;
+}
+
+void HaasCycles::add_line(std::vector<Vec3>& points, double step, double angle, long number) {
+  const SinCos sc = sincos_deg(angle);
+  for (long i = 0; i < number; ++i) {
+    const double far = double(i) * step;
+    points.push_back({far * sc.cos, far * sc.sin, 0});
+  }
+}
+
+void HaasCycles::add_arc(std::vector<Vec3>& points, double radius, double angle, double step,
+                         long number) {
+  for (long i = 0; i < number; ++i) {
+    const SinCos sc = sincos_deg(angle + double(i) * step);
+    points.push_back({radius * sc.cos, radius * sc.sin, 0});
+  }
 }
 
 // I is the first radius, or the only one; K the last, in steps of Q. D is the tool's radius.

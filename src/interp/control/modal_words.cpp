@@ -105,7 +105,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::circle_pocket:
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:
-      if (word.value != 72 && !peek('I') && !peek('L'))
+      if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
         return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
       return for_oneshot(word, entry.code);
     case Code::ignored:
