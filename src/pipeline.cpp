@@ -1,6 +1,7 @@
 // The facade: calls the stages in order.
 
 #include "collision_findings.h"
+#include "cone_height.h"
 #include "core/error.h"
 #include "core/heap.h"
 #include "core/memory_limit.h"
@@ -291,7 +292,10 @@ void simulate(const Job& job, JobResult& result) {
   if (is_faulty(result, job.strict)) return;
   require_cuts(job, result);
 
+  const bool assumes = job.stock.empty() && !result.program.workpiece;
+  if (assumes) complete_cones(result, std::nullopt);
   result.stock = choose_stock(job, result);
+  if (!assumes) complete_cones(result, result.stock.box.hi.z);
   if (!job.until.empty()) end_program(job, result);
   warn_of_threads(result);
   result.cycle = cycle_time(result.program, job.machine);

@@ -1,4 +1,5 @@
 // Whether a run would take a program: its findings, and the sweeps that can not be made.
+#include "cone_height.h"
 #include "core/error.h"
 #include "interp/interpreter.h"
 #include "removal/part/default_stock.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace mrsim {
 namespace {
@@ -52,7 +54,13 @@ void CheckSink::try_sweep(const Motion& m) {
   const Tool& tool = program_->tools[static_cast<std::size_t>(m.tool)];
   if (tool.origin == "no data") return;  // its error has been told
   try {
-    SweepTable({&m, 1}, program_->tools);
+    if (is_open_cone(tool)) {
+      std::vector<Tool> tools = program_->tools;
+      close_cone(tools[static_cast<std::size_t>(m.tool)], 0);
+      SweepTable({&m, 1}, tools);
+    } else {
+      SweepTable({&m, 1}, program_->tools);
+    }
   } catch (const Error& error) {
     if (!told_.insert({m.tool, error.code()}).second) return;
     Diagnostic diagnostic;

@@ -34,6 +34,34 @@ TEST_F(Defaults, GrooveOfAVBitHasItsVolume) {
   EXPECT_NEAR(j["volume"]["removed"], 0.04 * length + pi * 0.008 / 3, 5e-4);
 }
 
+// A comment tells its angle alone: the cone reaches up to the stock's top.
+TEST_F(Defaults, AVBitWithoutDiameterHasTheSameGroove) {
+  write("vee.nc",
+        "%\nO1\nG21 G90\nT1 M6 (V-BIT 90 DEG)\nS9000 M3\nG0 X10 Y10 Z2\nG1 Z-.2 F100\nX30 Y17 "
+        "F400\nG0 Z2\nM30\n%\n");
+  for (const char* stock : {"--stock box:0,0,-10,40,30,0", ""}) {
+    const Outcome o = run(std::string("vee.nc -o part.stl --json r.json ") + stock);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_NE(o.err.find("cone-assumed"), std::string::npos) << o.err;
+    const double length = 21.1896201, pi = 3.14159265;
+    EXPECT_NEAR(Json::parse(read("r.json"))["volume"]["removed"], 0.04 * length + pi * 0.008 / 3,
+                5e-4);
+  }
+  EXPECT_EQ(run("check vee.nc").code, 0);
+}
+
+// The stock that comments state is that of the run.
+TEST_F(Defaults, StockOfComments) {
+  const std::string cut =
+      "G21 G90\nT1 M6 (6MM ENDMILL)\nS9000 M3\nG0 X10 Y10 Z2\nG1 Z-2 F100\nX30\nG0 Z2\nM30\n%\n";
+  write("a.nc", "%\nO1\n(STOCK/BLOCK, 40, 30, 10, 0, 0, 10)\n" + cut);
+  const Outcome o = run("a.nc -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(Json::parse(read("r.json"))["stock"]["volume"], 12000);
+  write("b.nc", "%\nO1\n(STOCK/BLOCK, 40, 30, 10, 0, 60, 10)\n" + cut);
+  EXPECT_NE(run("b.nc -o part.stl").err.find("stock-elsewhere"), std::string::npos);
+}
+
 TEST_F(Defaults, ToleranceThatIsGivenIsKept) {
   const Json j = groove("chamfer:d=6,a=90", "--tolerance 0.004");
   EXPECT_EQ(j["tolerance"]["value"], 0.004);

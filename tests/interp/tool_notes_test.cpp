@@ -164,18 +164,19 @@ TEST(ToolNotes, AThreadMillIsACylinderWithAWarning) {
   EXPECT_EQ(codes(read_text("T1 M6 (8MM ENDMILL)\n" + cut, options)), "");
 }
 
-// Fusion's D of a tapered ball mill lies within the ball; how long the taper is stands nowhere.
-TEST(ToolNotes, ATaperedMillNeedsItsFlutes) {
+// Fusion's D of a tapered ball mill lies within the ball; how long the taper is stands nowhere: the
+// run takes it to be as long as it cuts.
+TEST(ToolNotes, ATaperedMillWithoutFlutes) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::mill;
   const Program p = read_text(
       "(T12 D=1.872 CR=1. TAPER=3.8deg - tapered mill)\nT12 M6\n" + std::string(kCut), options);
-  EXPECT_EQ(codes(p), "tool-unknown");
-  EXPECT_NE(listing(p).find("gives no flute length: give --tool "
-                            "12=taper:d=1.872,r=1,a=3.8,l=20 (l: its flutes)"),
-            std::string::npos)
-      << listing(p);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_EQ(p.tools[0].type, ToolType::taper);
+  EXPECT_EQ(p.tools[0].diameter, 1.872);
+  EXPECT_EQ(p.tools[0].flute_length, 0);
 }
 
 // Vectric lists tools by their numbers.
@@ -228,7 +229,7 @@ TEST(ToolNotes, RefusalsNameTheKind) {
     return listing(read_text("(" + comment + ")\nT1 M6\n" + kCut, options));
   };
   EXPECT_NE(told("T1 DOVETAIL D=14 60 DEG").find("give its profile"), std::string::npos);
-  EXPECT_NE(told("T1 V-BIT 60 DEG").find("--tool 1=chamfer:d=6,tip_angle=60"), std::string::npos);
+  EXPECT_NE(told("T1 V-BIT 6 MM").find("--tool 1=chamfer:d=6,tip_angle=60"), std::string::npos);
 }
 
 // A size below 1 in a program that names no unit may be inches: the run asks.

@@ -210,12 +210,14 @@ TEST(ToolCommentReadings, Angles) {
       {inch, "1/4 CHAMFER 30 DEG PER SIDE", "chamfer 6.35, side 30"},
       {mm, "90 CHAMFER MILL", "? can be read as diameter 90 or as 90 degrees"},
       {mm, "ANBOHRER D10/120", "drill 10, point 120"},
-      {mm, "ENGRAVING CUTTER 30 DEG 0.2MM TIP", "? gives no diameter"},
+      {mm, "ENGRAVING CUTTER 30 DEG 0.2MM TIP", "chamfer, point 30, tip 0.2"},
+      {mm, "V-BIT 60 DEG", "chamfer, point 60"},
+      {mm, "CHAMFER MILL 90 DEG", "? gives no diameter"},
       {mm, "20 DEG V BIT DIA 6 TIP 0.2", "chamfer 6, point 20, tip 0.2"},
       {mm, "30 DEG 0.1MM ENGRAVING BIT", "? can be read as diameter 0.1 mm or as a tip of 0.1 mm"},
       {inch, "1/2 DRILL/MILL", "? gives no angle"},
       {inch, "1/2 DRILL MILL 90 DEG", "chamfer 12.7, point 90"},
-      {inch, "T12 | 1/4 TAPER ENDMILL 3 DEG | H12", "? gives no flute length"},
+      {inch, "T12 | 1/4 TAPER ENDMILL 3 DEG | H12", "taper 6.35, side 3"},
       {inch, "1/8 X 3 DEG TAPER EM LOC 1.0", "taper 3.175, side 3, flutes 25.4"},
   });
 }

@@ -65,7 +65,7 @@ TEST(ToolShapes, Chamfers) {
 TEST(ToolShapes, Tapers) {
   expect_readings({
       {mm, "TAPERED BALL NOSE R0.5 D=6 5 DEG", "taper 6, corner 0.5, side 5, tip 1"},
-      {mm, "TAPERED BALL R0.25 5.4 DEG", "? gives no flute length"},
+      {mm, "TAPERED BALL R0.25 5.4 DEG", "taper 0.5, corner 0.25, side 5.4"},
       {mm, "TAPERED BALL 1/4\" 5 DEG", "? gives no radius of the tip"},
       {mm, "TAPERED BALL R0.25 5 DEG LOC 12", "taper 0.5, corner 0.25, side 5, flutes 12"},
       {mm, "TAPER MILL D6 5 DEG TIP 1", "taper 6, side 5, tip 1"},
@@ -73,7 +73,7 @@ TEST(ToolShapes, Tapers) {
       {mm, "TOOL/MILL,0.03, 0.00, 10.00, 45.00", "taper 0.03, side 45, flutes 10"},
       {mm, "TOOL/CHAMFER,12,90,20,6", "chamfer 12, point 90"},
       {mm, "TOOL/CHAMFER,12,45,20,6", "? gives 45 degrees, of its side or of the whole"},
-      {mm, "TOOL/MILL,0.5, 0.25, 0.00, 5.00", "? gives no flute length"},
+      {mm, "TOOL/MILL,0.5, 0.25, 0.00, 5.00", "taper 0.5, corner 0.25, side 5"},
       {mm, "TOOL/MILL,3.17, 0.00, 9.52, 180.00", "? names a taper that is no angle of a mill"},
   });
 }

@@ -102,7 +102,8 @@ bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why)
   return true;
 }
 
-// The flank ends at the flute length, or at the diameter where the tip's is told.
+// The flank ends at the flute length, or at the diameter where the tip's is told, or where the
+// program's cuts do.
 void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
   const bool ball = hint.trade == ToolTrade::cone_ball;
@@ -112,8 +113,6 @@ void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
     why = "gives no taper angle";
   else if (ball && !(out.corner_radius > 0))
     why = "gives no radius of the tip";
-  else if (!(out.flute_length > 0) && !(out.tip_diameter > 0))
-    why = "gives no flute length";
 }
 
 // What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
@@ -125,10 +124,11 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
     if (!(out.width > 0)) why = "gives no width of the head";
   } else if (out.type == ToolType::chamfer) {
     if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
-    if (hint.trade == ToolTrade::vee && !hint.tip && out.diameter < kLeastVee)
+    if (hint.trade == ToolTrade::vee && !hint.tip && out.diameter > 0 && out.diameter < kLeastVee)
       why =
           fmt::format("can be read as diameter {0:.4g} mm or as a tip of {0:.4g} mm", out.diameter);
-    if (out.tip_diameter >= out.diameter) why = "gives a tip that is not smaller than the diameter";
+    if (out.diameter > 0 && out.tip_diameter >= out.diameter)
+      why = "gives a tip that is not smaller than the diameter";
     if (hint.trade == ToolTrade::countersink && hint.assumed_angle && unit > 1)
       why = "gives no angle, and countersinks of inch sizes have 82 or 90 degrees";
   } else if (out.type == ToolType::barrel) {
@@ -138,12 +138,13 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
 }
 
 bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
-  if (hint.diameters.empty()) {
+  const bool open_cone = hint.trade == ToolTrade::vee && hint.diameters.empty();
+  if (hint.diameters.empty() && !open_cone) {
     why = "gives no diameter";
     return false;
   }
-  out.diameter = agreed_diameter(hint, unit, why);
-  if (!(out.diameter > 0)) return false;
+  if (!open_cone) out.diameter = agreed_diameter(hint, unit, why);
+  if (!open_cone && !(out.diameter > 0)) return false;
   out.taper_angle = hint.taper_angle;
   out.tip_angle = hint.tip_angle;
   if (hint.assumed_angle)
