@@ -40,6 +40,10 @@ TEST(ToolShapes, ShanksBeforeTheSize) {
       {mm, "ENDMILL 6 SHANK 8", "endmill 6"},
       {inch, "SHANK .25 .125 2FL ENDMILL", "endmill 3.175"},
       {mm, "TOOL=1 NAME=EM10 DIA=10.0 CRAD=0.5", "bullmill 10, corner 0.5"},
+      {mm, "T1 | D10 ENDMILL | LENGTH 75 | FLUTES 4 | CORNER 0.5", "bullmill 10, corner 0.5"},
+      {mm, "T1 D10 CORNER 0.5 ENDMILL", "bullmill 10, corner 0.5"},
+      {mm, "10MM ENDMILL CORNER 1", "endmill 10"},
+      {mm, "270 DEG BALL 8MM", "lollipop 8"},
       {mm, "T1 EM D10.0 RC0.5 FL22", "bullmill 10, corner 0.5"},
   });
 }
@@ -89,6 +93,8 @@ TEST(ToolShapes, WhatACommentCanNotGive) {
       {mm, "T3 BEADING BIT 1/4\"", more},
       {mm, "T3 ROMAN OGEE 1/2\"", more},
       {mm, "T4 UNDERCUT ENDMILL 6MM", more},
+      {mm, "HOLE SAW 30MM", more},
+      {mm, "T9 TREPAN 30MM", more},
       {mm, "FACEMILL 50MM KAPR45",
        "? names a face mill of 45 degrees: an endmill cuts upright walls, a taper has its angle to "
        "the axis"},

@@ -63,6 +63,7 @@ class LabelReader {
   bool has_corner() const;
   void read_label(const Label& label);
   void read_diameter(const Label& label);
+  void read_corner(const Label& label);
   void keep(WordRole role, std::size_t number);
   void read_signs();
   void read_letter_d();
@@ -153,7 +154,8 @@ std::size_t LabelReader::number_before(const Label& label) const {
 }
 
 void LabelReader::read_label(const Label& label) {
-  if (label.role == WordRole::flutes || label.role == WordRole::corner) return;
+  if (label.role == WordRole::flutes) return;
+  if (label.role == WordRole::corner) return read_corner(label);
   if (label.role == WordRole::register_of) return;
   if (label.role == WordRole::diameter) return read_diameter(label);
   std::size_t number = number_behind(label);
@@ -167,6 +169,14 @@ void LabelReader::read_label(const Label& label) {
   if (label.role != WordRole::other) return;
   for (std::size_t i = number + 1; view_.is(i, "X") && view_.number(i + 1); i += 2)
     view_.take(i, i + 2);  // "STOCK 100 X 50"
+}
+
+// "D10 ENDMILL CORNER 0.5"; "CORNER 1" is a place.
+void LabelReader::read_corner(const Label& label) {
+  const std::size_t number = number_behind(label);
+  if (number == kNone || !view_[number].decimals || !has_corner()) return;
+  keep(WordRole::radius, number);
+  take(label, number);
 }
 
 // Of others the tip is no size: "CARBIDE TIP 10MM DRILL".

@@ -286,6 +286,8 @@ void Settler::settle_mill() {
         fmt::format("names a {} of {:g} degrees: an endmill cuts upright walls, a taper has its "
                     "angle to the axis",
                     trade_is(ToolTrade::face_mill) ? "face mill" : "mill", angles_.front()));
+  if (hint_.type == ToolType::ballmill && !angles_.empty() && angles_.front() > 180)
+    hint_.type = ToolType::lollipop;  // "270 DEG BALL"
   const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop ||
                     trade_is(ToolTrade::cone_ball);
   if (ball && hint_.corner && hint_.diameters.empty()) {
