@@ -232,6 +232,7 @@ TEST(Corners, WhatCannotBeInsertedIsReported) {
   for (const char* text : {"G1 X30 RND=2\nX29\nY5\n", "G1 X10 Y20\nY20 CHF=50\nX50\n",
                            "G1 X20 RND=-2\nY20\n", "G1 X20 CHR=-2\nY20\n"})
     EXPECT_EQ(codes(read_text(std::string("F1\n") + text, s)), "corner-void") << text;
+  EXPECT_EQ(codes(read_text("G1 AP=0 RP=2 F1\nRP=IC(-3)\n", s)), "polar-radius");
   EXPECT_EQ(codes(read_text("G112 X1 Y1 AP=3\nG1 X1 F1\n", s)), "polar-mixed");
 }
 

@@ -151,9 +151,11 @@ bool AxisWords::polar_target(Target& out) {
                    where);
   }
   if (rp) {
-    if (rp->value < 0) return error("polar-radius", "RP must not be negative (alarm 14200)", *rp);
-    position_.polar_radius = rp->value * scale();
+    const double base = rp->form == Form::ic ? last_polar_radius(b) : 0;  // G91 does not matter
+    position_.polar_radius = base + rp->value * scale();
     position_.has_polar_radius = true;
+    if (position_.polar_radius < 0)
+      return error("polar-radius", "RP must not be negative (alarm 14200)", *rp);
   }
   if (ap) {
     const bool relative = ap->form == Form::ic || (modal_.incremental && ap->form == Form::plain);
@@ -163,7 +165,7 @@ bool AxisWords::polar_target(Target& out) {
     position_.has_polar_angle = true;
   }
   if (!position_.has_polar_radius) {  // G2 and G3 may leave it out: the pole is the centre
-    position_.polar_radius = length(in_plane(b, position_.programmed - position_.pole));
+    position_.polar_radius = last_polar_radius(b);
     position_.has_polar_radius = true;
   }
   if (!position_.has_polar_angle)
@@ -185,6 +187,11 @@ double AxisWords::last_polar_angle(const Basis& b) const {
   if (position_.has_polar_angle) return position_.polar_angle;
   const Vec2 d = in_plane(b, position_.programmed - position_.pole);
   return degrees(mrsim::atan2(d.y, d.x));
+}
+
+double AxisWords::last_polar_radius(const Basis& b) const {
+  if (position_.has_polar_radius) return position_.polar_radius;
+  return length(in_plane(b, position_.programmed - position_.pole));
 }
 
 // G16: the plane's first axis is the radius, the second the angle. G91 counts from the position.

@@ -37,6 +37,7 @@ class AxisWords : public ControlPart {
   bool ngc_polar_target(Target& out, const Vec3& from);
   bool fanuc_polar_target(Target& out, const Vec3& from);
   double last_polar_angle(const Basis& b) const;
+  double last_polar_radius(const Basis& b) const;
 };
 
 }  // namespace mrsim
