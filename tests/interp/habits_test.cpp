@@ -99,6 +99,8 @@ TEST(Habits, ToolLifeIsNoGeometry) {
   ASSERT_EQ(p.tools.size(), 1U);
   EXPECT_EQ(p.tools[0].id, "7");
   EXPECT_EQ(p.motions.back().end.x, 9);
+  EXPECT_EQ(codes(read_text("G1 X1. F100.\nG10 L3\nP1 L30\nG1 X9.\n", kFanuc)), "not-supported")
+      << "without G11";
 }
 
 // Haas: an axis for each word, about the zero; arcs turn round.

@@ -60,6 +60,8 @@ TEST(ToolShapes, Chamfers) {
       {mm, "T1 ABC D10 90", "? names an angle, and no kind of tool"},
       {mm, "T1 D10 90 DEG", "? names an angle, and no kind of tool"},
       {mm, "T1 V90 D12", "chamfer 12, point 90"},
+      {mm, "T1 V90", "chamfer, point 90"},
+      {mm, "POST V20", "-"},
       {mm, "60V 1/2\"", "chamfer 12.7, point 60"},
       {mm, "T1 V-60", "? gives no diameter"},
       {inch, "T6 1/2 CHMFR X 45", "chamfer 12.7, side 45"},

@@ -68,6 +68,9 @@ void Engine::run() {
   cycles_.end_program();
   out_.flush();
   moves_.finish();
+  if (control_.tool_life)
+    reporter_.add_general(Severity::error, "not-supported",
+                          "G10 L3 has no G11: nothing behind it has been read");
   if (out_.cuts() == 0 && reporter_.errors() == 0)
     reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
                           "program-without-cuts",

@@ -205,7 +205,7 @@ void FactReader::read_short_kind() {
     const bool before = i > 0 && view_.glued(i) && angle(i - 1);
     const bool behind = view_.glued(i + 1) && angle(i + 1) && !view_.glued(i + 2);
     if (!before && !behind) continue;
-    facts_.kinds.push_back({ToolType::chamfer, vee, true, 0, i, i + 1});
+    facts_.kinds.push_back({ToolType::chamfer, vee, false, 0, i, i + 1});
     facts_.angles.push_back(view_[before ? i - 1 : i + 1].value);
     view_.take(before ? i - 1 : i + 1);
   }
