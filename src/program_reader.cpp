@@ -33,11 +33,14 @@ class Collector : public MotionSink {
                      fmt::format("a program of more than {} motions", motions.size()));
     motions.push_back(motion);
   }
-  void dwell(double seconds, int tool) override {
-    if (!dwells.empty() && dwells.back().after == motions.size() && dwells.back().tool == tool)
-      dwells.back().seconds += seconds;
-    else
-      dwells.push_back({motions.size(), seconds, tool});
+  void dwell(const Dwell& dwell) override {
+    if (!dwells.empty() && dwells.back().after == motions.size() &&
+        dwells.back().tool == dwell.tool) {
+      dwells.back().seconds += dwell.seconds;
+      return;
+    }
+    dwells.push_back(dwell);
+    dwells.back().after = motions.size();
   }
   void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
   std::vector<Motion> motions;
@@ -56,6 +59,9 @@ class TraceSinkAdapter : public MotionSink {
     if (sink_.motion) sink_.motion(motion);
     if (sink_.line)
       sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
+  }
+  void dwell(const Dwell& dwell) override {
+    if (sink_.line) sink_.line(json_ ? dwell_json(*program_, dwell) : dwell_text(*program_, dwell));
   }
   void diagnostic(const Diagnostic& diagnostic) override {
     if (sink_.diagnostic) sink_.diagnostic(diagnostic);

@@ -131,6 +131,9 @@ struct Dwell {
   std::size_t after = 0;  ///< how many of Program::motions lie before it
   double seconds = 0;     ///< above 0
   int tool = -1;          ///< index into Program::tools, -1 = none chosen yet
+  int file = 0;           ///< index into Program::files
+  int line = 0;           ///< 1-based
+  int call = -1;          ///< index into Program::calls, -1 = in the main program
 };
 
 /// Where a subprogram was called from; `outer` leads to the caller's own call, -1 ends the chain.

@@ -13,8 +13,8 @@ class MotionSink {
   /// and tools grow before the motions that name them come.
   virtual void begin(const Program& program) { (void)program; }
   virtual void motion(const Motion& motion) = 0;
-  /// The tool stays for `seconds` behind the motions so far; an index of Program::tools.
-  virtual void dwell(double seconds, int tool) { (void)seconds, (void)tool; }
+  /// The tool stays behind the motions so far; `after` is left to who counts them.
+  virtual void dwell(const Dwell& dwell) { (void)dwell; }
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
   /// A variable got a value (InterpOptions::trace_variables): its name as written, and the value.
   virtual void assignment(const SourcePlace& place, const std::string& name,

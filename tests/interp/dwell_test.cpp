@@ -134,6 +134,14 @@ TEST(Dwell, ThoseInARowAreOneUnderCompensationToo) {
   EXPECT_EQ(p.dwells[1].seconds, 1);
 }
 
+TEST(Dwell, HasALineOfTheTrace) {
+  const Program p = read_text("S100 M3 F60\nG1 X10\nG4 F2.5\nX20 RND=1\nG4 F1\nX30\nM30\n",
+                              at_origin(Dialect::sinumerik));
+  ASSERT_EQ(p.dwells.size(), 2u);
+  EXPECT_EQ(dwell_text(p, p.dwells[0]), "    3     dwell  2.5 s");
+  EXPECT_EQ(dwell_json(p, p.dwells[1]), R"({"line":5,"kind":"dwell","seconds":1,"tool":""})");
+}
+
 TEST(Dwell, AtTheEndOfAHeldBackContourIsNotLost) {
   EXPECT_EQ(dwells("S100 M3 F60\nG1 X10 Y10 RND=1\nG4 F2\nM30\n", Dialect::sinumerik), "1:2");
 }

@@ -20,8 +20,9 @@ namespace mrsim {
 class CollectingSink : public MotionSink {
  public:
   void motion(const Motion& m) override { motions.push_back(m); }
-  void dwell(double seconds, int tool) override {
-    dwells.push_back({motions.size(), seconds, tool});
+  void dwell(const Dwell& d) override {
+    dwells.push_back(d);
+    dwells.back().after = motions.size();
   }
   void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
   std::vector<Motion> motions;

@@ -37,13 +37,13 @@ void MotionEmitter::flush() {
 
 void MotionEmitter::dwell(double seconds) {
   if (captured_ || !(seconds > 0) || !std::isfinite(seconds)) return;
-  const int tool = control_.tool.index;
-  if (idle_) return sink_.dwell(seconds, tool);
-  if (!dwells_.empty() && !moved_ && dwells_.back().tool == tool) {
-    dwells_.back().seconds += seconds;  // a loop of them takes no memory
+  const Dwell dwell{0, seconds, control_.tool.index, block_.file, block_.line_number, block_.call};
+  if (idle_) return sink_.dwell(dwell);
+  if (!dwells_.empty() && !moved_ && dwells_.back().dwell.tool == dwell.tool) {
+    dwells_.back().dwell.seconds += seconds;  // a loop of them takes no memory
     return;
   }
-  dwells_.push_back({block_.number, seconds, tool});
+  dwells_.push_back({block_.number, dwell});
   moved_ = false;
 }
 
@@ -56,7 +56,7 @@ void MotionEmitter::give(const PathMove& move) {
 void MotionEmitter::give_dwells(std::size_t block) {
   std::size_t given = 0;
   for (; given < dwells_.size() && dwells_[given].block < block; ++given)
-    sink_.dwell(dwells_[given].seconds, dwells_[given].tool);
+    sink_.dwell(dwells_[given].dwell);
   dwells_.erase(dwells_.begin(), dwells_.begin() + static_cast<std::ptrdiff_t>(given));
 }
 

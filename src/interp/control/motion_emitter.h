@@ -49,8 +49,7 @@ class MotionEmitter : public ControlPart {
   /// A dwell behind motions that are held back.
   struct HeldDwell {
     std::size_t block = 0;
-    double seconds = 0;
-    int tool = -1;
+    Dwell dwell;
   };
   std::vector<HeldDwell> dwells_;
   bool moved_ = false;  ///< since the last of them

@@ -34,9 +34,24 @@ std::string calls_text(const Program& program, int call) {
   return out + "]";
 }
 
-std::string tool_of(const Program& program, const Motion& motion) {
-  if (motion.tool < 0) return {};
-  return program.tools[static_cast<std::size_t>(motion.tool)].id;
+std::string tool_of(const Program& program, int tool) {
+  return tool < 0 ? "" : program.tools[static_cast<std::size_t>(tool)].id;
+}
+
+// Of a motion or a dwell in a subprogram; else nothing.
+std::string called_json(const Program& program, int file, int call) {
+  if (call < 0) return "";
+  return fmt::format(",\"file\":{},\"called_from\":{}",
+                     json_string(program.files[static_cast<std::size_t>(file)]),
+                     calls_text(program, call));
+}
+
+std::string called_text(const Program& program, int file, int call) {
+  if (call < 0) return "";
+  std::string out = "  in " + program.files[static_cast<std::size_t>(file)];
+  for (int i = call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer)
+    out += fmt::format(", called from line {}", program.calls[static_cast<std::size_t>(i)].line);
+  return out;
 }
 
 }  // namespace
@@ -84,7 +99,7 @@ std::string motion_json(const Program& program, const Motion& motion) {
                        vector_text(motion.center), vector_text(motion.axis),
                        number_text(motion.radius), number_text(degrees(motion.sweep)),
                        number_text(motion.rise));
-  if (motion.tool >= 0) out += ",\"tool\":" + json_string(tool_of(program, motion));
+  if (motion.tool >= 0) out += ",\"tool\":" + json_string(tool_of(program, motion.tool));
   if (motion.kind != MotionKind::rapid)
     out += fmt::format(",\"feed\":{},\"feed_unit\":\"{}\"", number_text(motion.feed),
                        unit_name(motion.feed_unit));
@@ -92,11 +107,7 @@ std::string motion_json(const Program& program, const Motion& motion) {
   out += fmt::format(",\"{}\":{}", motion.constant_surface_speed ? "surface_speed" : "spindle",
                      number_text(motion.speed));
   if (motion.assumed_start) out += ",\"assumed_start\":true";
-  if (motion.call >= 0)
-    out += fmt::format(",\"file\":{},\"called_from\":{}",
-                       json_string(program.files[static_cast<std::size_t>(motion.file)]),
-                       calls_text(program, motion.call));
-  return out + "}";
+  return out + called_json(program, motion.file, motion.call) + "}";
 }
 
 std::string diagnostic_json(const Diagnostic& diagnostic) {
@@ -125,19 +136,26 @@ std::string motion_text(const Program& program, const Motion& motion) {
                        number_text(motion.radius), number_text(degrees(motion.sweep)));
   if (motion.kind == MotionKind::arc && motion.rise != 0)
     out += "  rise " + number_text(motion.rise);
-  if (motion.tool >= 0 && !tool_of(program, motion).empty())
-    out += "  T" + tool_of(program, motion);
+  if (const std::string tool = tool_of(program, motion.tool); !tool.empty()) out += "  T" + tool;
   if (motion.lead != 0)  // no feed: the spindle gives it
     out += fmt::format("  lead {} mm", number_text(motion.lead));
   else if (motion.kind != MotionKind::rapid && motion.feed > 0)
     out += fmt::format("  F {} {}", number_text(motion.feed), unit_name(motion.feed_unit));
   if (motion.assumed_start) out += "  (start assumed)";
-  if (motion.call >= 0) {
-    out += "  in " + program.files[static_cast<std::size_t>(motion.file)];
-    for (int i = motion.call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer)
-      out += fmt::format(", called from line {}", program.calls[static_cast<std::size_t>(i)].line);
-  }
-  return out;
+  return out + called_text(program, motion.file, motion.call);
+}
+
+std::string dwell_json(const Program& program, const Dwell& dwell) {
+  std::string out = fmt::format("{{\"line\":{},\"kind\":\"dwell\",\"seconds\":{}", dwell.line,
+                                number_text(dwell.seconds));
+  if (dwell.tool >= 0) out += ",\"tool\":" + json_string(tool_of(program, dwell.tool));
+  return out + called_json(program, dwell.file, dwell.call) + "}";
+}
+
+std::string dwell_text(const Program& program, const Dwell& dwell) {
+  std::string out = fmt::format("{:>5}     dwell  {} s", dwell.line, number_text(dwell.seconds));
+  if (const std::string tool = tool_of(program, dwell.tool); !tool.empty()) out += "  T" + tool;
+  return out + called_text(program, dwell.file, dwell.call);
 }
 
 }  // namespace mrsim

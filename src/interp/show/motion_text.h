@@ -12,6 +12,10 @@ namespace mrsim {
 /// never -0.
 std::string number_text(double value);
 
+/// A dwell as a line of the trace, as JSON and for people.
+std::string dwell_json(const Program& program, const Dwell& dwell);
+std::string dwell_text(const Program& program, const Dwell& dwell);
+
 /// "[x,y,z]"
 std::string vector_text(const Vec3& v);
 
