@@ -343,5 +343,20 @@ TEST(ArcForms, HalfCirclesByRadiusAreExact) {
   EXPECT_NEAR(degrees(p.motions[1].sweep), 180, 1e-12);
 }
 
+// Centres as places, without G90.1: the tool comes from the place that I and J name.
+TEST(ArcForms, CirclesAboutThePlaceTheToolComesFromAreInDoubt) {
+  const auto told = [](const std::string& text, Dialect dialect) {
+    return codes(read_text("G1 F100 X20 Y10\n" + text, at_origin(dialect)));
+  };
+  const std::string place = "G1 Z-1\nG1 X22.5\nG2 I20 J10\n";
+  for (const Dialect d : {Dialect::fanuc, Dialect::iso, Dialect::ngc})
+    EXPECT_EQ(told(place, d), "arc-center-place") << static_cast<int>(d);
+  EXPECT_EQ(told("G1 X22.5\nG2 I-2.5 J0\n", Dialect::fanuc), "");
+  EXPECT_EQ(told("G1 X0 Y0\nG2 I20 J10\n", Dialect::fanuc), "") << "about where it came from";
+  EXPECT_EQ(told("G1 X-20 Y-10\nG2 I20 J10\n", Dialect::fanuc), "") << "across the circle";
+  EXPECT_EQ(told("G91.1\n" + place, Dialect::ngc), "") << "said";
+  EXPECT_EQ(told("G90.1\n" + place, Dialect::ngc), "");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -206,26 +206,9 @@ bool ArcSolver::center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out) {
     return error("arc-center-is-start", "the centre is the start point", *arc.where);
   }
   if (length(arc.end - arc.start) > kSamePoint) return check_center(arc, center, out);
-  hint_sign(arc, center);
+  hints_.full_circle(arc, center);
   set_plane_arc(arc, arc_about(arc.start, arc.end, center, arc.ccw), out);
   return true;
-}
-
-// A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
-// centre at X25; I-12.5 would close on X0".
-void ArcSolver::hint_sign(const ArcBlock& arc, Vec2 center) {
-  static constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};
-  if (modal_.plane > 2 || modal_.center_absolute) return;
-  const Vec2 d = center - arc.start, zero = arc.start - d;
-  const double far = length(center);
-  if (length(zero) > kSamePoint || far <= kSamePoint) return;
-  const bool first = std::abs(d.x) >= std::abs(d.y);
-  const int axis = first ? kFirst[modal_.plane] : kSecond[modal_.plane];
-  const double word = first ? d.x : d.y, at = first ? center.x : center.y;
-  note_once("arc-center-sign",
-            fmt::format("{0}{1:.6g} puts the centre at {2}{3:.6g}; {0}{4:.6g} would close on {2}0",
-                        "IJK"[axis], word, "XYZ"[axis], at, -word),
-            *arc.where, fmt::format("{}:{}", block_.file, block_.line_number));
 }
 
 // Both radii must agree; how far the control bends, and to what, is in docs/interp.md.
@@ -239,7 +222,7 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   const auto radii = [&] {
     return fmt::format(
         "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
-        re, differ, 100 * differ / rs, sign_hint(arc, c, differ));
+        re, differ, 100 * differ / rs, hints_.for_radii(arc, c, differ));
   };
   if (is(Dialect::ngc)) {
     const double least = modal_.inch ? kSpiralApartInch : kSpiralApart;
@@ -272,36 +255,6 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   }
   set_plane_arc(arc, arc_about(s, e, moved, arc.ccw), out);
   return true;
-}
-
-// "I12.5 puts the centre at X25; I-12.5 would close on X0": what makes the radii agree, which
-// differ by `apart`: a sign, or the centre as a place.
-std::string ArcSolver::sign_hint(const ArcBlock& arc, Vec2 c, double apart) const {
-  const Vec2 d = c - arc.start;
-  const int first = modal_.plane == 0 ? 0 : modal_.plane == 1 ? 2 : 1;
-  const int second = (first + 1) % 3;
-  const auto radii = [&](Vec2 center) {
-    return std::pair(length(arc.start - center), length(arc.end - center));
-  };
-  const auto [place_start, place_end] = radii(d);
-  if (!is(Dialect::sinumerik) && !modal_.center_absolute &&
-      std::abs(place_start - place_end) <= kRadiiApart)
-    return fmt::format(
-        "; about {}{:.6g} {}{:.6g} both would be {:.6g}: do {} and {} say where the centre is "
-        "({})?",
-        "XYZ"[first], d.x, "XYZ"[second], d.y, place_start, "IJK"[first], "IJK"[second],
-        is(Dialect::codesys) ? "G98" : "G90.1");
-  for (const Vec2 flip : {Vec2{-1, 1}, Vec2{1, -1}, Vec2{-1, -1}}) {
-    const Vec2 other = arc.start + Vec2{flip.x * d.x, flip.y * d.y};
-    const auto [rs, re] = radii(other);
-    if (std::abs(rs - re) > std::min(0.02 * rs, apart / 4)) continue;
-    std::string words;
-    if (flip.x < 0 && d.x != 0) words += fmt::format("{}{:.6g}", "IJK"[first], -d.x);
-    if (flip.y < 0 && d.y != 0)
-      words += fmt::format("{}{}{:.6g}", words.empty() ? "" : " ", "IJK"[second], -d.y);
-    return fmt::format("; {} would give {:.6g} and {:.6g}, is a sign wrong?", words, rs, re);
-  }
-  return {};
 }
 
 // AR=: opening angle with the end point, or with the centre.

@@ -3,6 +3,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/control/center_hints.h"
 #include "interp/control/point_arcs.h"
 
 namespace mrsim {
@@ -10,7 +11,7 @@ namespace mrsim {
 class ArcSolver : public ControlPart {
  public:
   ArcSolver(Control& control, AxisWords& axes)
-      : ControlPart(control), axes_(axes), points_(control) {}
+      : ControlPart(control), axes_(axes), points_(control), hints_(control) {}
 
   /// The arc from `from` on. False: an error was reported.
   bool solve(const Vec3& from, const Frame& frame, SolvedArc& out);
@@ -23,9 +24,7 @@ class ArcSolver : public ControlPart {
   bool same_point_radius(ArcBlock& arc, const Word& word, double radius, SolvedArc& out);
   bool near_half_circle(const PlaneArc& arc, const Word& word);
   bool center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out);
-  void hint_sign(const ArcBlock& arc, Vec2 center);
   bool check_center(ArcBlock& arc, Vec2 c, SolvedArc& out);
-  std::string sign_hint(const ArcBlock& arc, Vec2 center, double apart) const;
   bool angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center, SolvedArc& out);
   bool turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out);
   bool codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center, SolvedArc& out);
@@ -35,6 +34,7 @@ class ArcSolver : public ControlPart {
 
   AxisWords& axes_;
   PointArcs points_;
+  CenterHints hints_;
 };
 
 }  // namespace mrsim

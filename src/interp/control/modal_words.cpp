@@ -291,6 +291,7 @@ bool ModalWords::apply_mode(Code code, const Word& word) {
     m.inch = m.inch_feed = code == Code::inch_feed;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
     m.center_absolute = code == Code::center_absolute;
+    m.center_told = true;
   } else if (code == Code::polar_on || code == Code::polar_off) {
     m.polar = code == Code::polar_on;
   } else if (code == Code::diameter_on || code == Code::diameter_off ||

@@ -363,6 +363,11 @@ void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
     end = apply(frame, to.programmed);
   }
   motion.end = end;
+  const Basis b = basis();
+  if (length(in_plane(b, to.programmed - position_.programmed)) > kSamePoint) {
+    position_.before = position_.programmed;
+    position_.has_before = position_.known == 7U;
+  }
   position_.physical = end;
   position_.programmed = block_.suppress_frames ? apply_inverse(frames_.total, end) : to.programmed;
   position_.known |= to.named;

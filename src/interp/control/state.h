@@ -69,6 +69,7 @@ struct Modal {
   bool inch_feed = false;        ///< feeds
   bool units_given = false;      ///< by a G word of the program
   bool center_absolute = false;  ///< CODESYS G98
+  bool center_told = false;      ///< the program said which
   bool polar = false;            ///< FANUC G16
   Code diameter = Code::diameter_off;
   FeedUnit feed_unit = FeedUnit::mm_per_min;
@@ -106,8 +107,10 @@ struct Position {
   unsigned moved_frame = 0;  ///< axes whose `retained` still counts
   Vec3 tangent;  ///< direction of the last element at its end, in the stock's coordinates
   bool has_tangent = false;
-  Vec2 spline_end;                           ///< from the end of a G5 to its last control point
-  bool after_spline = false;                 ///< the last element was a G5
+  Vec2 spline_end;            ///< from the end of a G5 to its last control point
+  bool after_spline = false;  ///< the last element was a G5
+  Vec3 before;                ///< in the frame in force: where the last move in the plane began
+  bool has_before = false;
   Vec3 pole;                                 ///< in the frame in force
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
   bool has_polar_angle = false, has_polar_radius = false;
