@@ -201,6 +201,16 @@ TEST(ControlsDiffer, ARefusedModeIsToldOnce) {
   EXPECT_EQ(mill("G1 X20. C20. F9\n"), " | not-supported");
 }
 
+TEST(ControlsDiffer, AnAxisThatIsNotReadIsCalledWhatItIs) {
+  const auto told = [](const char* text, MachineKind machine) {
+    const Program p = read_text(text, at_origin(Dialect::fanuc, machine));
+    return p.diagnostics.empty() ? "" : p.diagnostics.front().text;
+  };
+  EXPECT_NE(told("G0 B-300.\n", MachineKind::lathe).find("sub-spindle"), std::string::npos);
+  EXPECT_NE(told("G0 C90.\n", MachineKind::lathe).find("turns the spindle"), std::string::npos);
+  EXPECT_NE(told("G0 B90.\n", MachineKind::mill).find("B is a rotary axis"), std::string::npos);
+}
+
 // Cuts whose start is unknown are not simulated: that is told.
 TEST(ControlsDiffer, CutsFromAnUnknownPlaceAreAWarning) {
   InterpOptions options = at_origin(Dialect::fanuc);

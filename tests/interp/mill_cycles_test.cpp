@@ -194,5 +194,15 @@ TEST(MillCycles, FaultsAreNamed) {
   EXPECT_EQ(code("CYCLE79(50,0,2,-6,,6,10)"), "not-supported");
 }
 
+TEST(MillCycles, AMissingRadiusIsToldOnceForATool) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.table.tools.clear();
+  const std::string pocket = "POCKET3(5,0,2,-4,40,20,4,0,0,0,2,0,0,500,100,0,11,8)\n";
+  const Program p = read_text(
+      "T3 M6\nS900 M3 F100\n" + pocket + "G0 X50\n" + pocket + "T4 M6\n" + pocket + "M30\n",
+      options);
+  EXPECT_EQ(codes(p, Severity::error), "tool-unknown tool-unknown") << listing(p);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -34,11 +34,8 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
   mover_.begin(where);
   if (modal_.comp != Code::comp_off)
     return fail("cycle-compensation", "a milling cycle under radius compensation: G40 before it");
-  radius_ = tools_.radius(modal_.edge);
-  if (radius_ <= 0)
-    return fail("tool-unknown",
-                fmt::format("{} needs the radius of its tool (alarm 61000): give --tool or --tools",
-                            call.name));
+  radius_ = tools_.radius_for(call.name, modal_.edge, where_);
+  if (radius_ <= 0) return false;
   if (call.name == "POCKET1" || call.name == "POCKET3") return rectangle();
   if (call.name == "POCKET2" || call.name == "POCKET4") return circle();
   if (call.name == "SLOT1" || call.name == "LONGHOLE") return slots();

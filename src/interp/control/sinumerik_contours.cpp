@@ -158,9 +158,10 @@ bool SinumerikContours::mill_levels(Along& l) {
   if (rl != 40 && rl != 41 && rl != 42)
     return error("value-range", "CYCLE72: RL is 40, 41 or 42", where_);
   l.side = rl == 41 ? 1 : rl == 42 ? -1 : 0;
-  l.aside = l.side * (tools_.radius(modal_.edge) + l.allowance);
-  if (l.side != 0 && tools_.radius(modal_.edge) <= 0)
-    return error("tool-unknown", "CYCLE72 needs the radius of its tool (alarm 61000)", where_);
+  const double radius =
+      l.side == 0 ? tools_.radius(modal_.edge) : tools_.radius_for("CYCLE72", modal_.edge, where_);
+  if (l.side != 0 && radius <= 0) return false;
+  l.aside = l.side * (radius + l.allowance);
   return true;
 }
 

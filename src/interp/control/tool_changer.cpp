@@ -277,6 +277,17 @@ const OffsetRegister* ToolChanger::find_register(const std::string& name) const 
   return nullptr;
 }
 
+double ToolChanger::radius_for(const std::string& cycle, int edge, const Word& where) {
+  const double found = radius(edge);
+  const bool told = tool_.failed && tool_.chosen;
+  if (found <= 0 && !told)
+    reporter_.once(Severity::error, "tool-unknown",
+                   fmt::format("{} needs the radius of {} (alarm 61000): give --tool or --tools",
+                               cycle, tool_.current.empty() ? "its tool" : "tool " + tool_.current),
+                   where, "cycle-radius:" + tool_.current);
+  return found;
+}
+
 double ToolChanger::radius(int edge) {
   if (edge == 0) return 0;
   Word where;

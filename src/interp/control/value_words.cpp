@@ -31,6 +31,14 @@ bool ValueWords::turned_line(char c) {
   return true;
 }
 
+// What stands behind the letter: on a lathe B and A rarely turn.
+std::string ValueWords::unread_axis(char c) const {
+  if (!lathe()) return fmt::format("{} is a rotary axis", c);
+  if (c == 'C') return "C turns the spindle of the lathe to an angle";
+  return fmt::format(
+      "{} of a lathe is the place of its sub-spindle or tailstock, or the tilt of its tools", c);
+}
+
 bool ValueWords::rotary_axes() {
   for (const char c : {'A', 'B', 'C'}) {
     if (control_.unread_end == 0 && turned_line(c)) continue;
@@ -39,8 +47,7 @@ bool ValueWords::rotary_axes() {
     axis_c_ = axis_c_ || c == 'C';
     if (control_.unread_end != 0) continue;
     if (word->value != 0)
-      return error("not-supported",
-                   fmt::format("{} is a rotary axis, which is not supported yet", c), *word);
+      return error("not-supported", unread_axis(c) + ", which is not supported yet", *word);
     note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
   }
   if (!is(Dialect::ngc)) return true;
