@@ -207,6 +207,10 @@ TEST(ToolComment, Inserts) {
   EXPECT_NEAR(made("RCMT 0803", 1, true).tool.nose_radius, 4, 1e-9);
   EXPECT_FALSE(made("CNMG 120408, 55 DEG", 1, true).ok);
   EXPECT_FALSE(made("CNMG 120408 R0.4", 1, true).ok);
+  EXPECT_NE(made("CNMG 120408 / DNMG 150608", 1, true).why.find("CNMG and DNMG"),
+            std::string::npos);
+  EXPECT_FALSE(made("OD TURN CNMG120408 OR CNMG120404", 1, true).ok);
+  EXPECT_TRUE(made("OD TURN CNMG120408 (WNMG080408)", 1, true).ok) << "the same corner";
   EXPECT_NEAR(made("GROOVING TOOL 3MM", 1, true).tool.width, 3, 1e-9);
   EXPECT_NEAR(made("T0505 3MM GROOVE", 1, true).tool.width, 3, 1e-9);
   EXPECT_NEAR(made("T0404 4MM PART OFF", 1, true).tool.width, 4, 1e-9);

@@ -271,5 +271,27 @@ TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
             "tool-unknown");
 }
 
+// Words for the work above a T word name its tool, but not in a list above the first cut.
+TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
+  const auto tools = [](const std::string& text) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    const Program p = read_text(text, options);
+    std::string out = codes(p);
+    for (const Tool& tool : p.tools) out += fmt::format(" {}", static_cast<int>(tool.type));
+    return out;
+  };
+  const auto type = [](ToolType t) { return fmt::format(" {}", static_cast<int>(t)); };
+  const std::string first = "G97 S500 M3\nT0101\nG0 X50. Z2.\nG1 Z-5. F.2\nX52.\nG0 Z9.\n";
+  const std::string cut = "T0404\nG0 X50. Z2.\nG1 Z-5. F.2\nX52.\nM30\n";
+  const std::string turned = type(ToolType::turning);
+  EXPECT_EQ(tools(first + "N3 (CUT OFF 4MM)\n" + cut), turned + type(ToolType::grooving));
+  EXPECT_EQ(tools(first + "(OD THREAD)\n" + cut), turned + type(ToolType::threading));
+  EXPECT_EQ(tools(first + "(FINISH BORE)\n" + cut), turned + type(ToolType::boring));
+  EXPECT_EQ(tools("(1. FACE)\n(2. CUT OFF)\n" + first + cut), turned + turned);
+  EXPECT_EQ(tools(first + "(GROOVE)\n" + cut).substr(0, 12), "tool-unknown")
+      << "no insert of 35 degrees cuts it";
+}
+
 }  // namespace
 }  // namespace mrsim

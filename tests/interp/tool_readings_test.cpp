@@ -315,6 +315,10 @@ TEST(ToolCommentReadings, Lathes) {
       {lathe_mm, "ABSTECHER 3MM", "grooving, width 3"},
       {lathe_mm, "STECHMEISSEL 2.5", "grooving, width 2.5"},
       {lathe_mm, "GEWINDEPLATTE", "threading, insert 60"},
+      {lathe_mm, "OD ROUGH R0.8 80DEG", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "OD FINISH 35 DEG R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_mm, "THREAD TURNING", "threading, insert 60"},
+      {lathe_mm, "GROOVE TURNING", "? gives no width of the blade"},
   });
 }
 
@@ -323,6 +327,9 @@ TEST(ToolCommentReadings, InsideOnLathes) {
   expect_readings({
       {lathe_mm, "ID ROUGH CNMG 120408", "boring, insert 80, nose 0.8"},
       {lathe_mm, "BORE BAR", "boring, insert 35"},
+      {lathe_mm, "BORING TURNING", "boring, insert 35"},
+      {lathe_mm, "ID FINISH 16. DIA. - 80 DEG.  INSERT - CCMT 09 T3 04",
+       "boring, insert 80, nose 0.4"},
       {lathe_mm, "BORING CCMT 09T304", "boring, insert 80, nose 0.4"},
       {lathe_mm, "FINISH BORE CCMT 060204", "boring, insert 80, nose 0.4"},
       {lathe_mm, "FACE AND BORE OD CNMG 120408", "turning, insert 80, nose 0.8"},

@@ -232,7 +232,7 @@ TEST(WordsOfMakers, WhatATurretToolDoes) {
       options.table.tools.clear();
       return options;
     }());
-    if (p.tools.empty()) return codes(p);
+    if (p.tools.empty() || !codes(p).empty()) return codes(p);
     const Tool& t = p.tools[0];
     return fmt::format("{} {:g} {:g}", static_cast<int>(t.type), t.width, t.nose_radius);
   };
@@ -243,7 +243,7 @@ TEST(WordsOfMakers, WhatATurretToolDoes) {
   EXPECT_EQ(tool("OD GROOVE 2.5MM"), kind(ToolType::grooving, "2.5 0"));
   EXPECT_EQ(tool("PART OFF 3.0 MM"), kind(ToolType::grooving, "3 0"));
   EXPECT_EQ(tool("OD THREAD"), kind(ToolType::threading, "0 0"));
-  EXPECT_EQ(tool("GROOVE AT Z-20"), kind(ToolType::turning, "0 0")) << "no width: the default";
+  EXPECT_EQ(tool("GROOVE AT Z-20"), "tool-unknown") << "no width";
   EXPECT_EQ(tool("CNMG 12 04 08"), kind(ToolType::turning, "0 0.8"));
 }
 

@@ -44,6 +44,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     return;
   }
   if (!alone) return;
+  // Behind the first cut it is no list of what the program does.
+  if (lathe_ && cuts_ && !hint && (hint.operation || hint.bores)) name_by_operation(hint);
   lists_ = lists_ || heads_list(hint.text);
   if (hint.only_corner()) return add_corner(hint);
   if (!(hint || !hint.id.empty())) return;
@@ -74,10 +76,9 @@ void ToolNotes::add_unnumbered(const ToolHint& hint) {
 }
 
 // "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)": on a lathe the tool of the
-// block does that.
+// block does that. No pointed insert cuts a groove: without its width the blade is asked for.
 void ToolNotes::name_by_operation(ToolHint& hint) {
-  const bool grooves = hint.operation == ToolType::grooving && hint.width;
-  if (grooves || hint.operation == ToolType::threading) hint.type = hint.operation;
+  if (hint.operation != ToolType::turning) hint.type = hint.operation;
   if (!hint.operation && hint.inside) hint.type = ToolType::boring;
 }
 

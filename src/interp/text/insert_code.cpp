@@ -59,15 +59,18 @@ bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   return code.has_size;
 }
 
-// "09T304": thickness T3, 3.97 mm. The letter makes three tokens of it.
+// "09T304", "09 T3 04": thickness T3, 3.97 mm. The letter makes tokens of it.
 bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
                  InsertCode& code) {
-  if (i + 2 >= tokens.size() || !tokens[i + 1].is("T") || !tokens[i + 1].glued ||
-      !tokens[i + 2].glued)
-    return false;
-  const std::string_view edge = tokens[i].text, rest = tokens[i + 2].text;
-  if (edge.size() != 2 || rest.size() != 3) return false;
-  return read_size(std::string(edge) + "0" + std::string(rest), shape, code);
+  if (i + 2 >= tokens.size() || !tokens[i + 1].is("T") || !tokens[i + 2].glued) return false;
+  std::string rest(tokens[i + 2].text);
+  code.end = i + 3;
+  if (rest.size() == 1 && i + 3 < tokens.size() && tokens[i + 3].text.size() == 2) {
+    rest += tokens[i + 3].text;
+    code.end = i + 4;
+  }
+  if (tokens[i].text.size() != 2 || rest.size() != 3) return false;
+  return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
 }
 
 // "12 04 08".
@@ -115,35 +118,49 @@ std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& toke
   return std::nullopt;
 }
 
+// The code that begins at token i.
+std::optional<InsertCode> read_code(const std::vector<CommentToken>& tokens, std::size_t i) {
+  const Shape* shape =
+      tokens[i].kind == CommentToken::Kind::word ? find_shape(tokens[i].text) : nullptr;
+  if (shape == nullptr) return std::nullopt;
+  InsertCode code;
+  code.shape = std::string(tokens[i].text);
+  code.angle = shape->angle;
+  code.lead_angle = shape->lead;
+  code.first = i;
+  const bool dash = i + 2 < tokens.size() && tokens[i + 1].is("-");
+  const std::size_t size = i + (dash ? 2 : 1);
+  if (read_spaced_size(tokens, size, *shape, code))
+    code.end = size + 3;
+  else if (size < tokens.size() && tokens[size].is_number() &&
+           (read_size(tokens[size].text, *shape, code) ||
+            read_half_size(tokens[size].text, *shape, code)))
+    code.end = size + 1;
+  else if (size >= tokens.size() || !tokens[size].is_number() ||
+           !read_t_size(tokens, size, *shape, code))
+    code.end = i + 1;
+  const bool usual =
+      std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
+  if (!code.has_size && !usual) return std::nullopt;
+  return code;
+}
+
 }  // namespace
 
 std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& tokens) {
+  std::optional<InsertCode> first;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const Shape* shape =
-        tokens[i].kind == CommentToken::Kind::word ? find_shape(tokens[i].text) : nullptr;
-    if (shape == nullptr) continue;
-    InsertCode code;
-    code.shape = std::string(tokens[i].text);
-    code.angle = shape->angle;
-    code.lead_angle = shape->lead;
-    code.first = i;
-    code.end = i + 1;
-    const bool dash = i + 2 < tokens.size() && tokens[i + 1].is("-");
-    const std::size_t size = i + (dash ? 2 : 1);
-    if (read_spaced_size(tokens, size, *shape, code))
-      code.end = size + 3;
-    else if (size < tokens.size() && tokens[size].is_number() &&
-             (read_size(tokens[size].text, *shape, code) ||
-              read_half_size(tokens[size].text, *shape, code)))
-      code.end = size + 1;
-    else if (size < tokens.size() && tokens[size].is_number() &&
-             read_t_size(tokens, size, *shape, code))
-      code.end = size + 3;
-    const bool usual =
-        std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
-    if (code.has_size || usual) return code;
+    const std::optional<InsertCode> code = read_code(tokens, i);
+    if (!code) continue;
+    if (!first) {
+      first = code;
+      continue;
+    }
+    const bool sizes = code->has_size && first->has_size;
+    if (code->angle != first->angle || (sizes && code->nose_radius != first->nose_radius))
+      first->other = code->shape;
   }
-  return find_holder_code(tokens);
+  return first ? first : find_holder_code(tokens);
 }
 
 }  // namespace mrsim

@@ -14,6 +14,7 @@ struct InsertCode {
   std::string shape;               ///< "CNMG", "C" where a holder tells it
   double edge_length = 0;          ///< mm, of the cutting edge; of a round insert its diameter
   double nose_radius = 0;          ///< mm
+  std::string other;               ///< letters of a second code with another corner or nose
   bool has_size = false;           ///< false: the letters stand alone
   bool left_hand = false;          ///< "PCLNL"
   double angle = 0;                ///< degrees, of the corner; 0 for a round insert

@@ -45,7 +45,7 @@ struct ToolHint {
   std::string insert;                         ///< "CNMG"
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
-  bool left_hand = false, inside = false, face_groove = false;
+  bool left_hand = false, inside = false, bores = false, face_groove = false;
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }

@@ -22,6 +22,7 @@ class FactReader {
   void read() {
     facts_.kinds = find_tool_kinds(view_.tokens());
     read_short_kind();
+    facts_.insert = find_insert_code(view_.tokens());
     read_id();
     take_kinds();
     read_inch_word();
@@ -101,7 +102,7 @@ bool FactReader::begins_id(std::size_t i) const {
 void FactReader::read_id() {
   if (kind() && view_.number(0) && view_.is(1, "=")) set_id(0);
   for (std::size_t i = 0; i < view_.size(); ++i) {
-    const bool inside = i > 0 && view_.glued(i) && view_[i - 1].is_number();  // "CCMT 09T304"
+    const bool inside = facts_.insert && i >= facts_.insert->first && i < facts_.insert->end;
     if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);
     if (view_.is_one(i, {"TC", "TOOL", "WERKZEUG", "HERRAMIENTA", "ORODJE"}))
       facts_.names_tool = true;
@@ -120,7 +121,6 @@ void FactReader::read_id() {
 }
 
 void FactReader::take_kinds() {
-  facts_.insert = find_insert_code(view_.tokens());
   drop_purpose();
   for (const ToolKind& k : facts_.kinds)
     if (same_trade(k, facts_.kinds.front())) view_.take(k.first, k.end);
@@ -367,7 +367,9 @@ void FactReader::read_side() {
     facts_.face_groove |=
         view_.is(i, "FACE") && view_.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
-  facts_.inside = (facts_.inside || (bores && !turns)) && !outside;
+  facts_.turned_side = outside || facts_.inside;
+  facts_.bores = bores && !turns && !outside;
+  facts_.inside = (facts_.inside || facts_.bores) && !outside;
 }
 
 void FactReader::read_rest() {

@@ -210,12 +210,16 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
     into.tip_angle = more.tip_angle;
     into.assumed_angle = more.assumed_angle;
   }
+  const bool inserts = !into.insert.empty() && !more.insert.empty();
+  if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
+    into.doubt = fmt::format("and \"{}\" name different inserts", more.text);
   if (into.insert.empty()) into.insert = more.insert;
   if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
   if (into.edge_length == 0) into.edge_length = more.edge_length;
   into.left_hand |= more.left_hand;
   into.inside |= more.inside;
+  into.bores |= more.bores;
   into.face_groove |= more.face_groove;
   if (!into.trade) into.trade = more.trade;
   if (into.gauge.empty()) into.gauge = more.gauge;

@@ -26,6 +26,7 @@ class Settler {
     hint_.flute_length = facts_.flute_length;
     hint_.inside = facts_.inside;
     hint_.face_groove = facts_.face_groove;
+    hint_.bores = facts_.bores;
     if (facts_.several_ids) doubt("names several tools");
     settle_sizes();
     settle_type();
@@ -58,6 +59,7 @@ class Settler {
   void settle_turning();
   void settle_nose();
   void settle_mill();
+  bool has_usual_corner() const;
   void settle_angle();
   void set_angle(double degrees);
   void drop_unclaimed();
@@ -183,6 +185,13 @@ void Settler::add_further(const ToolLength& first, const ToolLength& next) {
     add(next);  // "ENDMILL 20 X 2": which is the diameter?
 }
 
+// "OD ROUGH R0.8 80 DEG".
+bool Settler::has_usual_corner() const {
+  constexpr double kUsual[] = {35, 55, 80};
+  return !angles_.empty() &&
+         std::find(std::begin(kUsual), std::end(kUsual), angles_.front()) != std::end(kUsual);
+}
+
 void Settler::settle_type() {
   const bool threaded = trade_is(ToolTrade::tap) && facts_.thread;
   const bool data =
@@ -202,7 +211,9 @@ void Settler::settle_type() {
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
-  if (!k && !facts_.insert && (!facts_.angles.empty() || facts_.bare_angle))
+  if (!k && !hint_.type && facts_.turned_side && has_usual_corner())
+    hint_.type = ToolType::turning;
+  else if (!k && !facts_.insert && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
@@ -210,9 +221,7 @@ void Settler::settle_type() {
 
 // "80 DEG DIAMOND" is an insert; "GROOVE 3MM", ".093 GROOVE" name the work, and the blade perhaps.
 void Settler::settle_work(const ToolKind& k) {
-  constexpr double kUsual[] = {35, 55, 80};
-  if (k.type == ToolType::turning && !angles_.empty() &&
-      std::find(std::begin(kUsual), std::end(kUsual), angles_.front()) != std::end(kUsual)) {
+  if (k.type == ToolType::turning && has_usual_corner()) {
     hint_.type = k.type;
     hint_.trade = k.trade;
     return;
@@ -245,6 +254,10 @@ void Settler::settle_turning() {
     hint_.lead_angle = radians(code.lead_angle);
     hint_.edge_length = code.has_size ? code.edge_length : 0;
     if (!hint_.type) hint_.type = ToolType::turning;
+    if (!code.other.empty())
+      doubt(code.shape == code.other
+                ? fmt::format("names two inserts {} of different noses", code.shape)
+                : fmt::format("names two inserts, {} and {}", code.shape, code.other));
     if (code.angle > 0 && !angles_.empty() &&
         std::find(angles_.begin(), angles_.end(), code.angle) == angles_.end())
       doubt(fmt::format("says {:g} degrees, but {} has {:g}", angles_.front(), code.shape,
