@@ -9,6 +9,7 @@
 #include "core/vec.h"
 #include "cuts.h"
 #include "history.h"
+#include "insert_size.h"
 #include "mesh/draw/render.h"
 #include "mesh/extract.h"
 #include "mesh/solid/check.h"
@@ -292,6 +293,7 @@ void simulate(const Job& job, JobResult& result) {
   if (is_faulty(result, job.strict)) return;
   require_cuts(job, result);
 
+  complete_inserts(result.program);
   const bool assumes = job.stock.empty() && !result.program.workpiece;
   if (assumes) complete_cones(result, std::nullopt);
   result.stock = choose_stock(job, result);

@@ -193,7 +193,7 @@ struct Tool {
   double nose_radius = 0;
   double lead_angle = 0;  ///< radians, between feed (-Z) and cutting edge
   double edge_length = 0;
-  double width = 0;  ///< grooving: width of the blade; tslot: height of the head
+  double width = 0;  ///< grooving, threading: width of blade or tooth; tslot: height of the head
   bool left_hand = false;
   int tip = 0;                      ///< tip orientation 1..9 as on the control, 0 = by lead angle
   bool tip_is_nose_centre = false;  ///< the programmed point is the nose centre (orientation 9)

@@ -14,4 +14,10 @@ inline int tip_orientation(const Tool& tool) {
   return tool.left_hand ? 4 : 3;
 }
 
+/// Whether the tool works towards +X, inside of the part.
+inline bool is_inside_tool(const Tool& tool) {
+  const int tip = tip_orientation(tool);
+  return tip == 1 || tip == 2 || tip == 6;
+}
+
 }  // namespace mrsim

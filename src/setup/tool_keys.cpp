@@ -47,7 +47,8 @@ const std::vector<ToolKey> kKeys = {
     {"nose_radius", "r", Quantity::length, &Tool::nose_radius, 0, kLargest, kTurning},
     {"lead_angle", "a", Quantity::angle, &Tool::lead_angle, 1, 179, kTurning},
     {"edge_length", "l", Quantity::length, &Tool::edge_length, 1e-3, kLargest, kTurning},
-    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargest, bits(grooving, tslot)},
+    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargest,
+     bits(grooving, tslot, threading)},
 };
 
 bool has(const ToolKey& key, ToolType type) { return (key.types & bits(type)) != 0; }

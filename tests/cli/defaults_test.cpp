@@ -50,6 +50,26 @@ TEST_F(Defaults, AVBitWithoutDiameterHasTheSameGroove) {
   EXPECT_EQ(run("check vee.nc").code, 0);
 }
 
+// A thread behind a shoulder, and one in a bore: their inserts are as small as they must be.
+TEST_F(Defaults, ThreadingInsertsWithoutDataFitTheirThreads) {
+  write("out.nc",
+        "%\nO1\n(T1 OD ROUGH CNMG 120408)\n(T3 OD THREAD)\nG18 G21 G40 G99\nT0101\nG97 S1000 M3\n"
+        "G0 X44. Z2.\nG71 U1.5 R0.5\nG71 P10 Q20 U0 W0 F0.2\nN10 G0 X20.\nG1 Z-30.\nX40.\nN20 "
+        "Z-50.\nG0 X100. Z100.\nT0303\nG97 S800 M3\nG0 X24. Z3.\nG76 P010060 Q100 R0.05\nG76 "
+        "X18.16 Z-27. P920 Q300 F1.5\nG0 X100. Z100.\nM30\n%\n");
+  write("in.nc",
+        "%\nO1\n(T3 ID THREAD)\n(T4 ID GROOVE 2MM)\nG18 G21 G40 G99\nT0303\nG97 S800 M3\nG0 X9. "
+        "Z3.\nG76 P010060 Q100 R0.05\nG76 X12. Z-15. P920 Q300 F1.5\nG0 Z100.\nT0404\nG97 S800 M3\n"
+        "G0 X9. Z3.\nZ-15.\nG1 X14. F0.05\nG0 X9.\nZ3.\nM30\n%\n");
+  const auto lines = [&](const std::string& arguments) {
+    const Outcome o = run(arguments + " -q -o part.stl --json r.json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    return Json::parse(read("r.json"))["collisions"]["lines"];
+  };
+  EXPECT_TRUE(lines("out.nc").empty()) << lines("out.nc");
+  EXPECT_TRUE(lines("in.nc --stock tube:30,10,-30,0").empty());
+}
+
 // The stock that comments state is that of the run.
 TEST_F(Defaults, StockOfComments) {
   const std::string cut =

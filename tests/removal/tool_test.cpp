@@ -255,6 +255,19 @@ TEST(Insert, LeftHandMirrorsZAndInsideMirrorsX) {
   EXPECT_LT(bore_x, -10);
 }
 
+TEST(Insert, ToothIsAsWideAsItSays) {
+  Tool tool;
+  tool.type = ToolType::threading;
+  tool.width = 1.5;
+  const InsertOutline out = make_insert(tool);
+  double low = 0, high = 0;
+  for (const Vec2& v : out.core) low = std::min(low, v.y), high = std::max(high, v.y);
+  EXPECT_NEAR(low, -0.75, 1e-12);
+  EXPECT_NEAR(high, 0.75, 1e-12);
+  tool.nose_radius = 0.2;
+  EXPECT_EQ(make_insert(tool).core.size(), 5u);
+}
+
 TEST(Insert, BladeIsAsWideAsItSays) {
   for (int tip : {0, 3, 4, 8, 2, 1, 6, 7, 5}) {
     Tool tool = mill(ToolType::grooving, 0);

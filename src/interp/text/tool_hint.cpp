@@ -1,4 +1,5 @@
 // From what comments say to a tool, or to the reason why there is none.
+#include "core/tip_orientation.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/text/tool_comment.h"
@@ -155,6 +156,11 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
 // No code of an insert and no angle: what cuts is the blade.
 bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
 
+// Neutral, and nothing tells its width: its lead does.
+bool is_thread_tooth(const Tool& tool) {
+  return tool.type == ToolType::threading && tool.lead_angle == 0 && tool.edge_length == 0;
+}
+
 void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.insert = hint.insert;
   out.insert_angle = hint.insert_angle;
@@ -176,10 +182,17 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
     out.origin += fmt::format(": blade {:.4g} mm wide", out.width);
     return;
   }
-  out.origin += fmt::format(": {}, lead angle {:.4g} degrees, edge {:.4g} mm, {}", insert,
-                            degrees(out.lead_angle), out.edge_length,
-                            out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)
-                                                : std::string("sharp"));
+  const std::string nose = out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)
+                                               : std::string("sharp");
+  if (is_thread_tooth(out)) {
+    out.origin += fmt::format(": {}, as wide as its lead, {}", insert, nose);
+    return;
+  }
+  const std::string edge = out.edge_length > 0
+                               ? fmt::format("edge {:.4g} mm", out.edge_length)
+                               : std::string("edge as its bore allows, 16 mm at most");
+  out.origin += fmt::format(": {}, lead angle {:.4g} degrees, {}, {}", insert,
+                            degrees(out.lead_angle), edge, nose);
 }
 
 }  // namespace
@@ -264,7 +277,8 @@ void complete_turning_tool(Tool& tool) {
   const bool thread = tool.type == ToolType::threading;  // neutral, 60 degrees
   if (tool.insert.empty() && tool.insert_angle == 0) tool.insert_angle = radians(thread ? 60 : 35);
   if (tool.lead_angle == 0 && !round && !thread) tool.lead_angle = radians(93);
-  if (tool.edge_length == 0) tool.edge_length = 16;
+  // The cuts tell how large a tooth is, and how much room there is inside.
+  if (tool.edge_length == 0 && !thread && !is_inside_tool(tool)) tool.edge_length = 16;
 }
 
 }  // namespace mrsim

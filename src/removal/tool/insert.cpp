@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "removal/tool/tool.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
@@ -127,6 +128,25 @@ std::vector<Vec2> rotated(std::vector<Vec2> p, double angle) {
   return p;
 }
 
+// Direction in which the body of a neutral insert lies.
+double angle_away(const Side& side) {
+  if (side.x != 0) return side.x < 0 ? 0 : kPi;
+  return side.z < 0 ? kPi / 2 : -kPi / 2;
+}
+
+// One tooth of a threading insert, as wide as the tool, its nose centre at the origin.
+std::vector<Vec2> thread_tooth(const Tool& tool, const Side& side, double round, double edge) {
+  const double angle = tool.insert_angle > 0 ? tool.insert_angle : radians(60);
+  const SinCos half = sincos(angle / 2);
+  const double out = tool.width / 2, flank = out * half.cos / half.sin;
+  edge = std::max(edge, 2 * flank);
+  std::vector<Vec2> p =
+      inset(tool, {{0, 0}, {flank, -out}, {edge, -out}, {edge, out}, {flank, out}}, round);
+  const Vec2 nose = p.front();
+  for (Vec2& v : p) v = v - nose;
+  return rotated(p, angle_away(side));
+}
+
 // Points of an insert with its nose centre (or sharp corner) at the origin.
 std::vector<Vec2> oriented_insert(const Tool& tool, const Side& side, double round) {
   const char letter = shape_letter(tool);
@@ -135,14 +155,14 @@ std::vector<Vec2> oriented_insert(const Tool& tool, const Side& side, double rou
                            : corner_angle(tool, letter);
   require(angle > 0 && angle < kPi, tool, "the insert angle is not between 0 and 180°");
   const double edge = tool.edge_length > 0 ? tool.edge_length : kDefaultEdge;
+  if (tool.type == ToolType::threading && tool.width > 0)
+    return thread_tooth(tool, side, round, edge);
   std::vector<Vec2> p = inset(tool, sharp_insert(letter, edge, angle), round);
   const Vec2 nose = p.front();
   for (Vec2& v : p) v = v - nose;
   const bool diagonal = side.x != 0 && side.z != 0;
-  if (!diagonal && tool.lead_angle <= 0) {  // neutral: the body points away from the tip
-    const double away = side.x != 0 ? (side.x < 0 ? 0 : kPi) : (side.z < 0 ? kPi / 2 : -kPi / 2);
-    return rotated(p, away - angle / 2);
-  }
+  if (!diagonal && tool.lead_angle <= 0)  // neutral: the body points away from the tip
+    return rotated(p, angle_away(side) - angle / 2);
   const double fallback = radians(kDefaultLead) + angle < kPi ? radians(kDefaultLead) : kPi / 4;
   const double lead = tool.lead_angle > 0 ? tool.lead_angle : fallback;
   require(lead < kPi, tool, "the lead angle is not below 180°");
