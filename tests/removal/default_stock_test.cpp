@@ -301,6 +301,21 @@ TEST(DefaultStock, ABarOfAContourEndsAtZero) {
   EXPECT_EQ(bar.box.hi.z, 0);
 }
 
+// A parting cut begins in the air: where the grooves' rapids go is none of the bar.
+TEST(DefaultStock, ABarIsNoWiderThanWhereRapidsGoBeforeAnyCut) {
+  const StockShape bar = Path()
+                             .rapid({30, 0, 40})
+                             .rapid({21, 0, -18})
+                             .cut({15, 0, -18})
+                             .rapid({21, 0, -18})
+                             .rapid({40, 0, 80})
+                             .rapid({22, 0, -60})
+                             .cut({-0.5, 0, -60})
+                             .rapid({22, 0, -60})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 21);
+}
+
 // Rapids back within the part, and a feed move to the first pass in the air, tell nothing.
 TEST(DefaultStock, ABarEndsAtZeroWhateverIsInside) {
   const StockShape bar = Path()

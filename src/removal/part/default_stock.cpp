@@ -1,8 +1,9 @@
 #include "removal/part/default_stock.h"
 
+#include "removal/part/default_bar.h"
+#include "removal/part/stock_margin.h"
 #include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/sweep_table.h"
-#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +16,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMargin = 0.05;
-constexpr double kLeastMargin = 1;   // mm
-constexpr double kSameLevel = 1e-6;  // mm: heights nearer than this are one
 constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
-
-double margin_of(const Box3& box) {
-  const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
-  return std::ceil(std::max(kLeastMargin, kMargin * longest));
-}
-
-// Whole tenths of a millimetre, outwards: a stock that can be typed again.
-double down(double v) { return std::floor(v * 10) / 10; }
-double up(double v) { return std::ceil(v * 10) / 10; }
 
 // The heights of a program's cuts, infinite where there is none of a kind.
 struct Heights {
@@ -143,17 +132,6 @@ struct WayDown {
   double radius = 0;
 };
 
-// Radius of each tool that cuts, 0 of the others.
-std::vector<double> radii_of(std::span<const Motion> motions, std::span<const Tool> tools) {
-  std::vector<double> radii(tools.size(), 0);
-  for (const Motion& m : motions) {
-    if (!is_cut(m) || m.tool < 0) continue;
-    double& radius = radii[static_cast<std::size_t>(m.tool)];
-    if (radius == 0) radius = make_tool_shape(tools[static_cast<std::size_t>(m.tool)]).radius;
-  }
-  return radii;
-}
-
 bool is_cut_before(std::span<const Motion> motions, std::size_t index, double radius) {
   const Vec3& place = motions[index].end;
   for (std::size_t i = index; i-- > 0;)  // most often the last move
@@ -201,8 +179,8 @@ class SideKeeper {
   bool keep_beside(Box3& box, const WayDown& way, double most) const {
     constexpr double kGap = 0.1, kMostOfSide = 1.0 / 3;
     const double reach = way.radius + kGap;
-    const double places[] = {up(way.place.x + reach), down(way.place.x - reach),
-                             up(way.place.y + reach), down(way.place.y - reach)};
+    const double places[] = {round_up(way.place.x + reach), round_down(way.place.x - reach),
+                             round_up(way.place.y + reach), round_down(way.place.y - reach)};
     double* const sides[] = {&box.lo.x, &box.hi.x, &box.lo.y, &box.hi.y};
     int best = -1;
     std::pair<double, double> least;
@@ -267,8 +245,9 @@ StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::spa
   const double margin = margin_of(cuts);
   StockShape shape;
   shape.kind = StockShape::Kind::box;
-  shape.box.lo = {down(cuts.lo.x - margin), down(cuts.lo.y - margin), down(cuts.lo.z - margin)};
-  shape.box.hi = {up(cuts.hi.x + margin), up(cuts.hi.y + margin), cuts.hi.z};
+  shape.box.lo = {round_down(cuts.lo.x - margin), round_down(cuts.lo.y - margin),
+                  round_down(cuts.lo.z - margin)};
+  shape.box.hi = {round_up(cuts.hi.x + margin), round_up(cuts.hi.y + margin), cuts.hi.z};
   set_top(shape.box, motions, radii_of(motions, tools), margin, zero);
   const Box3& b = shape.box;
   shape.description =
@@ -277,116 +256,11 @@ StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::spa
   return shape;
 }
 
-// What the cuts of a lathe tell of its bar, in radius and Z.
-struct TurnedCuts {
-  double along = 0;               // largest radius at which a tool cuts towards the chuck
-  double inside = 0;              // largest radius of a bore or a drill
-  double widest = 0;              // of all points
-  double narrowest = -kNoHeight;  // smallest radius that one ends at
-  double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
-  double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
-};
-
-// Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
-bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
-  return motions[i].start.z == motions[i].end.z && i + 1 < motions.size() &&
-         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameLevel;
-}
-
-TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
-  const std::vector<double> radii = radii_of(motions, tools);
-  TurnedCuts cuts;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const Motion& m = motions[i];
-    if (!is_cut(m)) continue;
-    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
-    const bool inwards = m.end.z < m.start.z - kSameLevel;
-    cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
-    cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
-    const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
-    const ToolType type = m.tool >= 0 ? tools[tool].type : ToolType::turning;
-    if (type == ToolType::boring) {
-      if (inwards) cuts.inside = std::max(cuts.inside, wide);
-      continue;
-    }
-    if (!is_turning(type) && wide < kSameLevel) {  // a drill
-      cuts.inside = std::max(cuts.inside, radii[tool]);
-      continue;
-    }
-    cuts.widest = std::max(cuts.widest, wide);
-    if (m.lead != 0) continue;
-    cuts.narrowest = std::min(cuts.narrowest, to);
-    if (inwards) cuts.along = std::max(cuts.along, wide);
-    if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
-    if (to < from - kSameLevel && !goes_on_inwards(motions, i))
-      cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
-  }
-  return cuts;
-}
-
-// The least radius beyond what is cut towards the chuck that a rapid leads to: the bar is thinner.
-double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
-  double least = -kNoHeight;
-  for (const Motion& m : motions) {
-    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
-    for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
-      if (r > cuts.along + kSameLevel) least = std::min(least, r);
-  }
-  return least;
-}
-
-bool rapids_reach(std::span<const Motion> motions, double radius) {
-  return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
-    return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameLevel;
-  });
-}
-
-// The least Z before the face that a rapid leads to within the bar's radius: the bar is shorter.
-double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, double radius) {
-  double least = -kNoHeight;
-  for (const Motion& m : motions) {
-    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
-    for (const Vec3& p : {m.start, m.end})
-      if (std::fabs(p.x) < radius && p.z > cuts.face + kSameLevel) least = std::min(least, p.z);
-  }
-  return least;
-}
-
-// Most programs have their zero on the finished face; what they face is there to be cut.
-double front_of(const TurnedCuts& cuts, double clearance, double zero) {
-  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel)
-    return cuts.turned > zero + 5 * kLeastMargin ? cuts.highest : zero;  // zero in the chuck
-  if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
-  return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
-}
-
-StockShape cylinder_round(std::span<const Motion> motions, std::span<const Tool> tools,
-                          double zero) {
-  const TurnedCuts cuts = turned_cuts(motions, tools);
-  const double wide = std::max(cuts.widest, cuts.inside);
-  const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
-  const double clear = clear_radius(motions, cuts);
-  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameLevel;
-  const double edge = is_thinner ? clear : cuts.widest;
-  const double outer = is_thinner || rapids_reach(motions, edge) ? down(edge) : up(edge);
-  const double bored = cuts.inside > 0 ? up(cuts.inside + margin) : 0;
-  const double radius = std::max({outer, bored, 0.1});
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = radius;
-  shape.box.lo = {-radius, -radius, down(cuts.lowest - margin)};
-  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
-  shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
-  shape.description = fmt::format("around the program's cuts: cylinder:{:.6g},{:.6g},{:.6g}",
-                                  2 * radius, shape.box.lo.z, shape.box.hi.z);
-  return shape;
-}
-
 }  // namespace
 
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
                          double zero) {
-  if (lathe) return cylinder_round(motions, tools, zero);
+  if (lathe) return default_bar(motions, tools, zero);
   Box3 points;
   for (const Motion& motion : motions)
     if (is_cut(motion)) extend(points, path_bounds(localized(motion, nullptr)));

@@ -1,0 +1,176 @@
+#include "removal/part/default_bar.h"
+
+#include "core/tip_orientation.h"
+#include "removal/part/default_stock.h"
+#include "removal/part/stock_margin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
+
+// What the cuts of a lathe tell of its bar, in radius and Z.
+struct TurnedCuts {
+  double along = 0;               // largest radius at which a tool cuts towards the chuck
+  double inside = 0;              // largest radius of a bore or a drill
+  double widest = 0;              // of all points
+  double narrowest = -kNoHeight;  // smallest radius that one ends at
+  double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
+  double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
+};
+
+// Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
+bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
+  return motions[i].start.z == motions[i].end.z && i + 1 < motions.size() &&
+         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameLevel;
+}
+
+TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
+  const std::vector<double> radii = radii_of(motions, tools);
+  TurnedCuts cuts;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& m = motions[i];
+    if (!is_cut(m)) continue;
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
+    const bool inwards = m.end.z < m.start.z - kSameLevel;
+    cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
+    cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
+    const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
+    const ToolType type = m.tool >= 0 ? tools[tool].type : ToolType::turning;
+    if (type == ToolType::boring) {
+      if (inwards) cuts.inside = std::max(cuts.inside, wide);
+      continue;
+    }
+    if (!is_turning(type) && wide < kSameLevel) {  // a drill
+      cuts.inside = std::max(cuts.inside, radii[tool]);
+      continue;
+    }
+    cuts.widest = std::max(cuts.widest, wide);
+    if (m.lead != 0) continue;
+    cuts.narrowest = std::min(cuts.narrowest, to);
+    if (inwards) cuts.along = std::max(cuts.along, wide);
+    if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
+    if (to < from - kSameLevel && !goes_on_inwards(motions, i))
+      cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
+  }
+  return cuts;
+}
+
+// The least radius beyond what is cut towards the chuck that a rapid leads to: the bar is thinner.
+double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
+  double least = -kNoHeight;
+  for (const Motion& m : motions) {
+    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
+    for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
+      if (r > cuts.along + kSameLevel) least = std::min(least, r);
+  }
+  return least;
+}
+
+// Places outside that tools have cut, by their Z and least radius.
+class CutPlaces {
+ public:
+  void add(const Motion& m) {
+    places_.push_back({std::min(m.start.z, m.end.z) - kBeside,
+                       std::max(m.start.z, m.end.z) + kBeside,
+                       std::min(std::fabs(m.start.x), std::fabs(m.end.x))});
+  }
+  bool may_be_cut(const Vec3& p) const {
+    return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+      return p.z > place.low && p.z < place.high && std::fabs(p.x) > place.radius - kSameLevel;
+    });
+  }
+
+ private:
+  static constexpr double kBeside = 16;  // mm: as far as an insert reaches
+  struct Place {
+    double low, high, radius;
+  };
+  std::vector<Place> places_;
+};
+
+bool works_outside(const Motion& m, std::span<const Tool> tools) {
+  if (m.tool < 0) return true;
+  const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
+  return is_turning(tool.type) && !is_inside_tool(tool);
+}
+
+// The least radius behind `front` that a rapid leads to where nothing has been cut: the bar is
+// thinner. Radii at which nothing of a groove or of the part is left say nothing.
+double entered_radius(std::span<const Motion> motions, std::span<const Tool> tools,
+                      const TurnedCuts& cuts, double front) {
+  const double part = std::max(cuts.along, cuts.narrowest) + kSameLevel;
+  double least = -kNoHeight;
+  CutPlaces places;
+  for (const Motion& m : motions) {
+    if (is_cut(m)) {
+      if (m.lead == 0) places.add(m);
+      continue;
+    }
+    const double radius = std::fabs(m.end.x);
+    if (m.kind == MotionKind::rapid && !m.assumed_start && works_outside(m, tools) &&
+        m.end.z < front - kSameLevel && radius > part && radius < least &&
+        !places.may_be_cut(m.end))
+      least = radius;
+  }
+  return least;
+}
+
+bool rapids_reach(std::span<const Motion> motions, double radius) {
+  return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
+    return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameLevel;
+  });
+}
+
+// The least Z before the face that a rapid leads to within the bar's radius: the bar is shorter.
+double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, double radius) {
+  double least = -kNoHeight;
+  for (const Motion& m : motions) {
+    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
+    for (const Vec3& p : {m.start, m.end})
+      if (std::fabs(p.x) < radius && p.z > cuts.face + kSameLevel) least = std::min(least, p.z);
+  }
+  return least;
+}
+
+// Most programs have their zero on the finished face; what they face is there to be cut.
+double front_of(const TurnedCuts& cuts, double clearance, double zero) {
+  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel)
+    return cuts.turned > zero + 5 * kLeastMargin ? cuts.highest : zero;  // zero in the chuck
+  if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
+  return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
+}
+
+}  // namespace
+
+StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
+  const TurnedCuts cuts = turned_cuts(motions, tools);
+  const double wide = std::max(cuts.widest, cuts.inside);
+  const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
+  const double clear = clear_radius(motions, cuts);
+  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameLevel;
+  const double edge =
+      std::min(is_thinner ? clear : cuts.widest, entered_radius(motions, tools, cuts, zero));
+  const double outer =
+      is_thinner || rapids_reach(motions, edge) ? round_down(edge) : round_up(edge);
+  const double bored = cuts.inside > 0 ? round_up(cuts.inside + margin) : 0;
+  const double radius = std::max({outer, bored, 0.1});
+  StockShape shape;
+  shape.kind = StockShape::Kind::cylinder;
+  shape.outer_radius = radius;
+  shape.box.lo = {-radius, -radius, round_down(cuts.lowest - margin)};
+  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
+  shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
+  shape.description = fmt::format("around the program's cuts: cylinder:{:.6g},{:.6g},{:.6g}",
+                                  2 * radius, shape.box.lo.z, shape.box.hi.z);
+  return shape;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,13 @@
+// The bar of a lathe for those who give no stock.
+#pragma once
+
+#include <mrsim/types.h>
+
+#include <span>
+
+namespace mrsim {
+
+/// What default_stock() says of lathes. Requires: at least one cutting motion.
+StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
+
+}  // namespace mrsim
