@@ -318,6 +318,14 @@ TEST(ToolCommentReadings, Lathes) {
       {lathe_mm, "OD ROUGH R0.8 80DEG", "turning, insert 80, nose 0.8"},
       {lathe_mm, "OD FINISH 35 DEG R0.4", "turning, insert 35, nose 0.4"},
       {lathe_mm, "THREAD TURNING", "threading, insert 60"},
+      {lathe_mm, "MGMN 300", "grooving, width 3"},
+      {lathe_mm, "GROOVE MGMN250-G", "grooving, width 2.5"},
+      {lathe_mm, "N123G2-0300-0004-TF", "grooving, width 3"},
+      {lathe_mm, "16ER AG60", "threading, insert 60"},
+      {lathe_mm, "OD THREAD 16ERAG55", "threading, insert 55"},
+      {lathe_mm, "11IR 1.5 ISO", "threading, orientation 6, insert 60"},
+      {lathe_mm, "16 NR 14 W", "-"},
+      {mm, "THREAD MILL 16ER AG60 D20", "endmill 20"},
       {lathe_mm, "GROOVE TURNING", "? gives no width of the blade"},
   });
 }

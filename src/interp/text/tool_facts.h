@@ -3,6 +3,7 @@
 // tool.
 #pragma once
 
+#include "interp/text/blade_code.h"
 #include "interp/text/comment_tokens.h"
 #include "interp/text/insert_code.h"
 #include "interp/text/tool_comment.h"
@@ -28,6 +29,7 @@ struct ToolFacts {
 
   std::vector<ToolKind> kinds;  ///< the one that counts first
   std::optional<InsertCode> insert;
+  std::optional<BladeCode> blade;
 
   std::vector<ToolLength> named;     ///< diameters with a name: "DIA 10", "Ø5", "D=6"
   ToolLength letter_d;               ///< "D10": a diameter, or a register

@@ -286,8 +286,19 @@ void LabelReader::read_letter_d() {
   }
 }
 
+void read_blade(CommentView& view, ToolFacts& facts) {
+  facts.blade = find_blade_code(view.tokens());
+  if (!facts.blade) return;
+  if (facts.blade->width > 0) facts.width = {facts.blade->width, 1, false};
+  facts.inside = facts.blade->inside;
+  view.take(facts.blade->first, facts.blade->end);
+}
+
 }  // namespace
 
-void read_tool_labels(CommentView& view, ToolFacts& facts) { LabelReader(view, facts).read(); }
+void read_tool_labels(CommentView& view, ToolFacts& facts) {
+  read_blade(view, facts);
+  LabelReader(view, facts).read();
+}
 
 }  // namespace mrsim

@@ -211,9 +211,13 @@ void Settler::settle_type() {
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
+  // Its insert is what cuts, whatever the words call the work; mills hold such inserts, too.
+  if (facts_.blade && !facts_.insert && (!hint_.type || is_turning(*hint_.type)) &&
+      !(k && k->firm && !is_turning(k->type)))
+    hint_.type = facts_.blade->type;
   if (!k && !hint_.type && facts_.turned_side && has_usual_corner())
     hint_.type = ToolType::turning;
-  else if (!k && !facts_.insert && (!facts_.angles.empty() || facts_.bare_angle))
+  else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
@@ -262,6 +266,8 @@ void Settler::settle_turning() {
         std::find(angles_.begin(), angles_.end(), code.angle) == angles_.end())
       doubt(fmt::format("says {:g} degrees, but {} has {:g}", angles_.front(), code.shape,
                         code.angle));
+  } else if (facts_.blade && facts_.blade->angle > 0) {
+    hint_.insert_angle = radians(facts_.blade->angle);
   } else if (!angles_.empty() && angles_.front() < 180) {
     hint_.insert_angle = radians(angles_.front());
   }
@@ -269,7 +275,8 @@ void Settler::settle_turning() {
   if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
     hint_.width = hint_.diameters.front();
   if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
-  hint_.left_hand = facts_.left_hand || (facts_.insert && facts_.insert->left_hand);
+  hint_.left_hand = facts_.left_hand || (facts_.insert && facts_.insert->left_hand) ||
+                    (facts_.blade && facts_.blade->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
 }
 

@@ -1,0 +1,86 @@
+#include "interp/text/blade_code.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+namespace mrsim {
+namespace {
+
+using Tokens = std::vector<CommentToken>;
+
+bool one_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+bool is_glued(const Tokens& tokens, std::size_t i) { return i < tokens.size() && tokens[i].glued; }
+
+bool is_whole(const Tokens& tokens, std::size_t i, std::size_t digits) {
+  return i < tokens.size() && tokens[i].is_number() && !tokens[i].decimals && !tokens[i].fraction &&
+         tokens[i].text.size() == digits;
+}
+
+// "MGMN 300", "MGGN-250": hundredths of a mm.
+std::optional<BladeCode> read_mgmn(const Tokens& tokens, std::size_t i) {
+  if (!tokens[i].is("MGMN") && !tokens[i].is("MGGN")) return std::nullopt;
+  const std::size_t size = i + 1 < tokens.size() && tokens[i + 1].is("-") ? i + 2 : i + 1;
+  if (!is_whole(tokens, size, 3)) return std::nullopt;
+  BladeCode code;
+  code.width = tokens[size].value / 100;
+  code.end = size + 1;
+  return code;
+}
+
+// "N123G2-0300": hundredths of a mm.
+std::optional<BladeCode> read_n123(const Tokens& tokens, std::size_t i) {
+  if (!tokens[i].is("N") || !is_whole(tokens, i + 1, 3) || !is_glued(tokens, i + 3) ||
+      tokens[i + 1].text != "123" || tokens[i + 2].text.size() != 1 || i + 5 >= tokens.size() ||
+      !tokens[i + 4].is("-") || !is_whole(tokens, i + 5, 4))
+    return std::nullopt;
+  BladeCode code;
+  code.width = tokens[i + 5].value / 100;
+  code.end = i + 6;
+  return code;
+}
+
+// "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W".
+std::optional<BladeCode> read_thread(const Tokens& tokens, std::size_t i) {
+  if (!tokens[i].is_number() || !one_of(tokens[i].text, {"06", "08", "11", "16", "22", "27"}) ||
+      !is_glued(tokens, i + 1) || tokens[i + 1].text.size() < 2)
+    return std::nullopt;
+  const std::string_view word = tokens[i + 1].text, hand = word.substr(0, 2);
+  const std::string_view profile = word.substr(2);
+  if (!one_of(hand, {"ER", "EL", "IR", "IL", "NR", "NL"}) || !one_of(profile, {"", "A", "G", "AG"}))
+    return std::nullopt;
+  BladeCode code;
+  code.type = ToolType::threading;
+  code.angle = 60;
+  code.inside = hand[0] != 'E';
+  code.left_hand = hand[1] == 'L';
+  std::size_t at = i + 2;
+  if (profile.empty() && at < tokens.size() && one_of(tokens[at].text, {"A", "G", "AG"})) ++at;
+  if (at < tokens.size() && tokens[at].is_number()) {
+    if (tokens[at].value == 55) code.angle = 55;
+    ++at;
+    if (at < tokens.size() && tokens[at].is("W")) code.angle = 55;  // Whitworth
+    if (at < tokens.size() && one_of(tokens[at].text, {"ISO", "UN", "W"})) ++at;
+  }
+  code.end = at;
+  return code;
+}
+
+}  // namespace
+
+std::optional<BladeCode> find_blade_code(const Tokens& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    std::optional<BladeCode> code = read_mgmn(tokens, i);
+    if (!code) code = read_n123(tokens, i);
+    if (!code) code = read_thread(tokens, i);
+    if (!code) continue;
+    code->first = i;
+    return code;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mrsim
