@@ -316,6 +316,8 @@ TEST(ToolCommentReadings, Lathes) {
       {lathe_mm, "STECHMEISSEL 2.5", "grooving, width 2.5"},
       {lathe_mm, "GEWINDEPLATTE", "threading, insert 60"},
       {lathe_mm, "OD ROUGH R0.8 80DEG", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "80 DEG TURN R.8", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "CUTTING OFF TOOL W3", "grooving, width 3"},
       {lathe_mm, "OD FINISH 35 DEG R0.4", "turning, insert 35, nose 0.4"},
       {lathe_mm, "THREAD TURNING", "threading, insert 60"},
       {lathe_mm, "MGMN 300", "grooving, width 3"},

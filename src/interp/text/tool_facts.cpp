@@ -367,7 +367,7 @@ void FactReader::read_side() {
     facts_.face_groove |=
         view_.is(i, "FACE") && view_.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
-  facts_.turned_side = outside || facts_.inside;
+  facts_.turned_side = outside || turns || facts_.inside;
   facts_.bores = bores && !turns && !outside;
   facts_.inside = (facts_.inside || facts_.bores) && !outside;
 }

@@ -52,7 +52,7 @@ struct ToolFacts {
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
   bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool turned_side = false;  ///< "OD", "ID", "EXT": a lathe's words
+  bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
   bool bores = false;        ///< "BORE", "BORING" alone
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
