@@ -58,16 +58,16 @@ TEST(CellScan, FindsTheSurfaceOnTheEdges) {
     EXPECT_NEAR(p.position.z, 10, 1e-9);
     EXPECT_EQ(p.normal.z, 1);
   }
-  EXPECT_EQ(bend_of(flat.part, flat.surface, 2, kTolerance), Bend::even);
+  EXPECT_EQ(bend_of(flat.part, flat.list, flat.surface, 2, kTolerance), Bend::even);
 }
 
 TEST(CellScan, TellsFacesThatBendFromFacesThatMeet) {
   const TopCell ball({ball_line({10, 10}, {10, 10}, 3, 12.5)});
-  EXPECT_EQ(bend_of(ball.part, ball.surface, 2, kTolerance), Bend::face);
-  EXPECT_EQ(bend_of(ball.part, ball.surface, 2, 1.0), Bend::even);
+  EXPECT_EQ(bend_of(ball.part, ball.list, ball.surface, 2, kTolerance), Bend::face);
+  EXPECT_EQ(bend_of(ball.part, ball.list, ball.surface, 2, 1.0), Bend::even);
   // The wall of a wide slot, straight through the cell.
   const TopCell wall({flat_line({4, 0}, {4, 20}, 6.1, 5)});
-  EXPECT_EQ(bend_of(wall.part, wall.surface, 2, kTolerance), Bend::crease);
+  EXPECT_EQ(bend_of(wall.part, wall.list, wall.surface, 2, kTolerance), Bend::crease);
 }
 
 TEST(CellScan, SeesWhatIsDeeperThanTheLimitAlone) {

@@ -100,6 +100,20 @@ TEST(Tolerance, BoundHoldsOnRandomPrograms) {
   }
 }
 
+// The floor of a flat mill turns into the wall within half a micron: a crease, not a face to
+// refine.
+TEST(Tolerance, RampsOfFlatMillsTakeFewCells) {
+  Motion helix = arc({10, 10, 7}, 6, 0, 1.6 * kPi);
+  helix.rise = -2, helix.end.z -= 2;
+  const std::pair<Motion, std::size_t> most[] = {{helix, 8500},
+                                                 {line({3, 6, 7}, {17, 13, 6}), 4500}};
+  for (const auto& [m, cells] : most) {
+    const MeshReport report = expect_bound_holds({m}, mill(ToolType::endmill, 4), 0.01, "ramp");
+    EXPECT_EQ(report.unresolved, 0u);
+    EXPECT_LT(report.cells, cells) << "rise " << m.rise;
+  }
+}
+
 // Arcs of a few degrees, which end within triangles; arcs smaller than the tool, whose torus passes
 // its own axis; cone tips; balls that begin and end in the material.
 TEST(Tolerance, BoundHoldsWhereFacesEndWithinTriangles) {

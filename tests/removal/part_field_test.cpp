@@ -107,6 +107,36 @@ TEST(PartField, FacesOfMillingSweeps) {
   }
 }
 
+// Beyond the foot of the wall the wall is a cylinder about the path in plan, the floor a surface of
+// its own: both continuations are needed where a mesh looks for their crease.
+TEST(PartField, WallAndFloorOfRampsGoOnByThemselves) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  Tool tool;
+  tool.diameter = 6;
+  const std::vector<Motion> motions{line({5, 10, 18}, {35, 10, 15}),
+                                    arc_about({28, 26, 18}, {20, 26, 18}, {0, 0, 1}, 8, 5.0, -4)};
+  for (const Motion& m : motions) {
+    const PartField field(StockSolid(shape), SweepTable(std::span(&m, 1), std::span(&tool, 1)));
+    const bool is_arc = m.kind == MotionKind::arc;
+    const auto to_path = [&](const Vec3& p) {
+      return is_arc ? std::abs(std::hypot(p.x - 20, p.y - 26) - 8) : std::abs(p.y - 10);
+    };
+    const Vec3 middle =
+        is_arc ? Vec3{20 + 8 * std::cos(2.0), 26 + 8 * std::sin(2.0), 16.4} : Vec3{20, 10, 16.5};
+    const Vec3 out = is_arc ? Vec3{std::cos(2.0), std::sin(2.0), 0} : Vec3{0, 1, 0};
+    const FieldSample wall = field.sample(middle + 3.001 * out + Vec3{0, 0, 0.5}, field.all());
+    const FieldSample floor = field.sample(middle + 2.0 * out + Vec3{0, 0, -0.3}, field.all());
+    ASSERT_FALSE(wall.owner == floor.owner && wall.patch == floor.patch);
+    for (double v = -2.9; v < 2.95; v += 0.1) {
+      const Vec3 p = middle + v * out + Vec3{0, 0, -0.2};
+      EXPECT_NEAR(field.patch_distance(p, wall), 3 - to_path(p), 1e-9) << v;
+      EXPECT_NEAR(std::abs(field.gradient(p, wall).z), 0, 1e-12) << v;
+      EXPECT_GT(field.face_plane(p, floor).normal.z, 0.05) << v;
+    }
+  }
+}
+
 TEST(PartField, FacesOfTurningSweeps) {
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;

@@ -1,6 +1,7 @@
 #include "mesh/surface/cell_scan.h"
 
 #include "core/vec.h"
+#include "mesh/surface/surface_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace {
 constexpr std::int32_t kTogether = 3;  ///< points to a side that are sampled together
 constexpr int kSecants = 2;            ///< the second is near enough to see the face that decides
 constexpr double kBendShare = 0.15;    ///< of k s^2, that a cell's triangles leave the surface by
+constexpr double kSharpTurn = 0.5;     ///< sine of an angle between faces
+constexpr double kTurned = 0.9;        ///< cosine between a face that has turned and the other one
 constexpr std::size_t kMost = kTogether * kTogether * kTogether;
 constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed than asked
 
@@ -203,6 +206,25 @@ struct Sides {
   }
 };
 
+// Whether two faces of one owner that join smoothly look like a crease all the same, as the floor
+// and the wall that a flat mill leaves on a ramp: one of them, continued to the other's point, has
+// turned into it, and their planes meet in the cell, near the surface.
+bool turns_at_once(const ExactField& field, List candidates, const CellSurface::Point& p,
+                   const CellSurface::Point& q, double size, double tolerance) {
+  const double cosine = dot(p.normal, q.normal), square = 1 - cosine * cosine;
+  if (p.at.owner != q.at.owner || same_face(p.at, q.at) || !(square > kSharpTurn * kSharpTurn))
+    return false;
+  if (dot(field.gradient(q.position, p.at), q.normal) < kTurned &&
+      dot(field.gradient(p.position, q.at), p.normal) < kTurned)
+    return false;
+  const Vec3 middle = 0.5 * (p.position + q.position);
+  const double f = dot(p.normal, middle - p.position), g = dot(q.normal, middle - q.position);
+  const Vec3 meet =
+      middle - (f - cosine * g) / square * p.normal - (g - cosine * f) / square * q.normal;
+  return distance(meet, middle) <= size &&
+         std::abs(field.sample(meet, candidates).distance) <= tolerance;
+}
+
 }  // namespace
 
 CellSurface surface_of(const ExactField& field, std::span<const std::uint32_t> candidates,
@@ -232,7 +254,8 @@ CellSurface surface_of(const ExactField& field, std::span<const std::uint32_t> c
 // The turn between two points as a curvature k: a chord across the cell leaves the surface by about
 // k s^2 / 4. A face continued beyond its end (the nose of a short turning move) turns where the
 // part does not: what the part shows at the two points must turn as well.
-Bend bend_of(const ExactField& field, const CellSurface& surface, double size, double tolerance) {
+Bend bend_of(const ExactField& field, std::span<const std::uint32_t> candidates,
+             const CellSurface& surface, double size, double tolerance) {
   const double limit = tolerance / (kBendShare * size * size);
   Bend bend = Bend::even;
   for (const CellSurface::Point& p : surface.all())
@@ -244,7 +267,8 @@ Bend bend_of(const ExactField& field, const CellSurface& surface, double size, d
       bend = Bend::crease;
       const Vec3 first = field.gradient(q.position, p.at) - p.normal,
                  last = field.gradient(p.position, q.at) - q.normal;
-      if (std::max(dot(first, first), dot(last, last)) > most * most) return Bend::face;
+      if (std::max(dot(first, first), dot(last, last)) <= most * most) continue;
+      if (!turns_at_once(field, candidates, p, q, size, tolerance)) return Bend::face;
     }
   return bend;
 }

@@ -26,9 +26,10 @@ CellSurface surface_of(const ExactField& field, std::span<const std::uint32_t> c
                        const Box3& cell, const double (&corners)[8]);
 
 /// How the surface turns in a cell of `size` mm: little enough for the tolerance; where faces meet;
-/// by a face.
+/// by a face. `candidates`: what can decide d in the cell.
 enum class Bend : std::uint8_t { even, crease, face };
-Bend bend_of(const ExactField& field, const CellSurface& surface, double size, double tolerance);
+Bend bend_of(const ExactField& field, std::span<const std::uint32_t> candidates,
+             const CellSurface& surface, double size, double tolerance);
 
 /// A cell, and what is known of the part in it from its corners, centre and edges.
 struct CellView {

@@ -200,7 +200,7 @@ bool CellOctree::must_split(std::int32_t n) {
   for (int k = 0; k < 8; ++k) corners[k] = sample(a.corners[k]).distance;
   CellSurface surface;
   if (a.signs_differ) surface = surface_of(field_, list, b, corners);
-  const Bend bend = bend_of(field_, surface, b.hi.x - b.lo.x, tolerance_);
+  const Bend bend = bend_of(field_, list, surface, b.hi.x - b.lo.x, tolerance_);
   if (bend == Bend::face && can_split(n)) return true;
 
   static thread_local Candidates seen;

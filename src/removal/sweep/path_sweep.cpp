@@ -269,11 +269,15 @@ int path_branch(const ToolPath& path, double t) {
   return branch < last ? branch : last;
 }
 
+std::pair<double, double> branch_ends(const ToolPath& path, int branch) {
+  const double end = std::min((branch + 1) * (kPi / 2), path.sweep);
+  return {std::min(branch * (kPi / 2), end), end};
+}
+
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch) {
   if (path.upright) return upright_branch_minimum(tool, path, p, branch);
   if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
-  const double end = std::min((branch + 1) * (kPi / 2), path.sweep);
-  const double begin = std::min(branch * (kPi / 2), end);
+  const auto [begin, end] = branch_ends(path, branch);
   return search(Objective(tool, path, p), tool, path, begin, end);
 }
 

@@ -8,6 +8,7 @@
 #include "removal/tool/tool.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace mrsim {
 
@@ -67,6 +68,7 @@ double path_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 /// Pieces of an arc, counted from its start: quarter turns, or the quarters of an upright circle.
 /// The same least distance over one of them.
 int path_branch(const ToolPath& path, double t);
+std::pair<double, double> branch_ends(const ToolPath& path, int branch);  ///< not of upright arcs
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
 
 }  // namespace mrsim

@@ -1,5 +1,7 @@
 #include "removal/sweep/sweep_faces.h"
 
+#include "core/trig.h"
+#include "core/units.h"
 #include "removal/simd/lane_scalar.h"
 #include "removal/sweep/plan_foot.h"
 
@@ -108,10 +110,42 @@ FacePlane corner_face(const Profile& tool, const Contact& c, int corner) {
   return {normal, dot(normal, c.q - (at.x * radial + Vec3{0, 0, at.y}))};
 }
 
+// The angle in `from` .. `to` at which an arc in the plan is nearest to p.
+double facing_angle(const ToolPath& path, const Vec3& p, double from, double to) {
+  const Vec3 w = p - path.center;
+  double t = mrsim::atan2(dot(w, path.v), dot(w, path.u));
+  while (t < from) t += kTwoPi;
+  if (t <= to) return t;
+  return t - to < from + kTwoPi - t ? to : from;
+}
+
+// The upright wall of a flat mill that reaches up, continued to all heights: the position that is
+// nearest to p in space may touch p with its lower edge, so that its wall would be the floor.
+std::optional<FacePlane> path_wall(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                   std::int32_t patch) {
+  constexpr std::int32_t kWall = 1;  // of a tool with is_rounded() without a fillet
+  const bool has_plan = path.arc ? path.level : path.travel.x != 0 || path.travel.y != 0;
+  if (!has_plan || !tool.is_rounded() || !tool.is_rising() || tool.round() > 0 ||
+      patch % kBranchPatch != kWall)
+    return std::nullopt;
+  double t;
+  if (path.arc) {
+    const auto [from, to] = branch_ends(path, patch / kBranchPatch);
+    t = facing_angle(path, p, from, to);
+  } else {
+    const Vec3 d{path.travel.x, path.travel.y, 0};
+    t = std::clamp(dot(p - path.start, d) / dot(d, d), 0.0, 1.0);
+  }
+  const Vec3 foot = path_point(path, t).position;
+  const double dx = p.x - foot.x, dy = p.y - foot.y, rho = std::sqrt(dx * dx + dy * dy);
+  return FacePlane{revolved(p, foot.x, foot.y, {1, 0}), rho - tool.core()};
+}
+
 FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                     std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
+  if (const auto wall = path_wall(tool, path, p, patch)) return *wall;
   const PathSample at =
       path.arc ? branch_distance(tool, path, p, patch / kBranchPatch) : columns.path_sample(ref, p);
   const Contact c = contact_at(path, at.t, p);
@@ -121,23 +155,26 @@ FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3
           face_distance(tool, c.rho, c.q.z, face)};
 }
 
-// The circle of a corner that moves along a slanted line cuts each level in itself: the surface is
-// a sheared cylinder, and its normal and its distance, to first order, need no search. None where
-// the line is nearly level.
+// The circle of a corner that moves along a slanted line or a helix cuts each level in itself: the
+// surface is a sheared cylinder, and its normal and its distance, to first order, need no search.
+// None where the path is nearly level.
 std::optional<FacePlane> sheared_cylinder(const SweepColumns& columns, const SweepRef& ref,
                                           const Vec3& p, std::int32_t patch) {
   constexpr double kLeastSlope = 1e-4;
   const ToolPath& path = columns.paths[ref.row];
-  if (path.arc || patch < kCornerPatch) return std::nullopt;
-  const Vec3& way = path.travel;
-  if (!(way.z * way.z > kLeastSlope * kLeastSlope * (way.x * way.x + way.y * way.y)))
-    return std::nullopt;
-  const Vec2 corner = columns.cutter(ref).corner_point(patch - kCornerPatch);
-  const double t = (p.z - corner.y - path.start.z) / way.z;
-  const double x = p.x - path.start.x - t * way.x, y = p.y - path.start.y - t * way.y;
+  const std::int32_t face = patch % kBranchPatch;
+  if ((path.arc && !path.level) || face < kCornerPatch) return std::nullopt;
+  const double rise = path.arc ? path.rise.z : path.travel.z;
+  const double plan2 = path.arc ? path.radius * path.radius
+                                : path.travel.x * path.travel.x + path.travel.y * path.travel.y;
+  if (!(rise * rise > kLeastSlope * kLeastSlope * plan2)) return std::nullopt;
+  const Vec2 corner = columns.cutter(ref).corner_point(face - kCornerPatch);
+  const double z = path.arc ? path.center.z : path.start.z;
+  const PathPoint at = path_point(path, (p.z - corner.y - z) / rise);
+  const double x = p.x - at.position.x, y = p.y - at.position.y;
   const double rho = std::sqrt(x * x + y * y);
   if (!(rho > 0)) return std::nullopt;
-  const double lean = -(x * way.x + y * way.y) / (rho * way.z);
+  const double lean = -(x * at.direction.x + y * at.direction.y) / (rho * rise);
   const double scale = 1 / std::sqrt(1 + lean * lean);
   return FacePlane{{scale * x / rho, scale * y / rho, scale * lean}, scale * (rho - corner.x)};
 }
