@@ -17,8 +17,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
-constexpr double kLeastCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
-constexpr std::size_t kBlocks = 8;     ///< parts of the mesh that are worked on at once
+constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
+constexpr double kLeastCosine = 0.3;  ///< the same where the triangles before lie no better
+constexpr double kUnknown = -2;       ///< cosine
+constexpr std::size_t kBlocks = 8;    ///< parts of the mesh that are worked on at once
 constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
@@ -150,9 +152,36 @@ class Simplifier {
     const std::uint32_t to = ring_[k].next;
     if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return false;
     const std::size_t n = ring_.size();
-    for (std::size_t m = 1; m + 1 < n; ++m)
-      if (!good_triangle(ring_[(k + m) % n], mesh_.vertices[to])) return false;
+    double least = kUnknown;
+    for (std::size_t m = 1; m + 1 < n; ++m) {
+      const Spoke& s = ring_[(k + m) % n];
+      const double cosine = cosine_to_face(s, mesh_.vertices[to]);
+      if (!(cosine > kFineCosine)) {
+        if (least == kUnknown) least = std::max(least_cosine(v), kLeastCosine);
+        if (!(cosine >= least)) return false;
+      }
+      if (!good_triangle(s, mesh_.vertices[to])) return false;
+    }
     return true;
+  }
+
+  // Of the triangle that is to take the place of the spoke's, with the exact surface at its middle;
+  // -1 for one that has no area.
+  double cosine_to_face(const Spoke& s, const Vec3& target) const {
+    const Vec3 &a = target, &b = mesh_.vertices[s.next], &c = mesh_.vertices[s.last];
+    const Vec3 n = cross(b - a, c - a);
+    const double area = length(n);
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    if (!(area > kLeastAltitude * longest)) return -1;
+    return dot(n, field_.gradient((1.0 / 3) * (a + b + c), mesh_.faces[mesh_.labels[s.triangle]])) /
+           area;
+  }
+
+  // Of the triangles about v.
+  double least_cosine(std::uint32_t v) const {
+    double least = 1;
+    for (const Spoke& s : ring_) least = std::min(least, cosine_to_face(s, mesh_.vertices[v]));
+    return least;
   }
 
   // Link condition: the ends of the edge have exactly the two opposite vertices as common
@@ -189,13 +218,7 @@ class Simplifier {
 
   bool good_triangle(const Spoke& s, const Vec3& target) const {
     const Vec3 &a = target, &b = mesh_.vertices[s.next], &c = mesh_.vertices[s.last];
-    const Vec3 n = cross(b - a, c - a);
-    const double area = length(n);
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    if (!(area > kLeastAltitude * longest)) return false;
     const FieldSample& face = mesh_.faces[mesh_.labels[s.triangle]];
-    const Vec3 center = (1.0 / 3) * (a + b + c);
-    if (!(dot(n, field_.gradient(center, face)) > kLeastCosine * area)) return false;
     const double off = triangle_bound(field_, face, a, b, c, limits_.tolerance).distance;
     if (off > limits_.tolerance) return false;
     return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance, cell_) <=
