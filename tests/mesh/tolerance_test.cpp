@@ -114,6 +114,22 @@ TEST(Tolerance, RampsOfFlatMillsTakeFewCells) {
   }
 }
 
+// The tip's groove is a crease on a helix and on an arc in an upright plane, too.
+TEST(Tolerance, CurvedGroovesTakeFewCells) {
+  Tool vee = mill(ToolType::chamfer, 6);
+  vee.tip_angle = radians(90);
+  Motion helix = arc({10, 10, 7}, 6, 0, 1.6 * kPi);
+  helix.rise = -2, helix.end.z -= 2;
+  Motion trough = line({4, 10, 7}, {16, 10, 7});
+  trough.kind = MotionKind::arc, trough.axis = {0, 1, 0};
+  trough.center = {10, 10, 15}, trough.radius = 10, trough.sweep = -2 * std::asin(0.6);
+  for (const Motion& m : {helix, trough}) {
+    const MeshReport report = expect_bound_holds({m}, vee, 0.01, "groove");
+    EXPECT_EQ(report.unresolved, 0u);
+    EXPECT_LT(report.cells, 4000u) << "rise " << m.rise;
+  }
+}
+
 // Arcs of a few degrees, which end within triangles; arcs smaller than the tool, whose torus passes
 // its own axis; cone tips; balls that begin and end in the material.
 TEST(Tolerance, BoundHoldsWhereFacesEndWithinTriangles) {

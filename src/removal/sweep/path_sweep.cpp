@@ -3,8 +3,9 @@
 // Convex tool, straight path: F is convex, and the tangents at both ends of a bracket bound it from
 // below, so the search ends when the best value and the bound agree. Convex tool, arc or helix of
 // radius R: |c''| = R and |grad| = 1, so F(t + s) >= F(t) + F'(t) s - R s^2 / 2; branch and bound
-// with that, and with the Lipschitz bound speed * s, needs some tens of values. Other tools: the
-// Lipschitz bound alone.
+// with that, and with the Lipschitz bound speed * s, needs some tens of values. About Z, F is
+// convex wherever the lateral distance of p is (Objective::convex_reach), as it never falls with
+// it: only the rest of a turn is left to branch and bound. Other tools: the Lipschitz bound alone.
 #include "removal/sweep/path_sweep.h"
 
 #include "core/trig.h"
@@ -17,6 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace mrsim {
 namespace {
@@ -39,15 +42,25 @@ class Objective {
     return {s.distance, -(s.gradient.x * towards + s.gradient.y * d.z)};
   }
 
-  /// Lower bound over t +- half for a path about Z: no position is nearer in plan than the circle,
-  /// and heights differ by at most the rise, against which a convex tool's distance is convex. Ends
-  /// the search among the turns of a helix early.
-  double level_bound(double t, double half) const {
+  /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
+  /// `near`, and heights differ by at most the rise, against which a convex tool's distance is
+  /// convex. Ends the search among the turns of a helix early.
+  double level_bound(double t, double half, double near) const {
     const double z = p_.z - path_.center.z - t * path_.rise.z;
     const double rise = (path_.rise.z < 0 ? -path_.rise.z : path_.rise.z) * half;
-    const ProfileSample s = tool_sample(tool_, to_circle(), z);
+    const ProfileSample s = tool_sample(tool_, near, z);
     const double slope = s.gradient.y < 0 ? -s.gradient.y : s.gradient.y;
     return s.distance - (tool_.is_convex() ? slope : 1) * rise;
+  }
+
+  /// On a level path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex up to
+  /// this angle on both sides of the position that looks at p, and then has no minimum before that
+  /// of the next turn.
+  double convex_reach() const {
+    const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
+    const double d = std::sqrt(dx * dx + dy * dy);
+    const double least = std::min(d, path_.radius), most = std::max(d, path_.radius);
+    return mrsim::atan2(std::sqrt(most * most - least * least), least);
   }
 
   double to_circle() const {
@@ -132,7 +145,8 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
   while (depth > 0) {
     const Interval in = stack[--depth];
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    if (path.level && F.level_bound(mid, half) >= best.distance - tolerance) continue;
+    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - tolerance)
+      continue;
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     double bound = m.f - path.speed * half;
@@ -142,6 +156,44 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
     stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
     stack[depth++] = m.slope < 0 ? high : low;
   }
+  const PathSample polished =
+      descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
+  return polished.distance < best.distance ? polished : best;
+}
+
+// A convex tool on an arc or a helix about Z, over [begin, end].
+PathSample search_level(const Objective& F, const ToolPath& path, double begin, double end) {
+  const Value first = F(begin), last = F(end);
+  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
+  const double near = F.to_circle(), reach = F.convex_reach();
+  static thread_local std::vector<Interval> open;
+  open.clear();
+  double from = begin;
+  for (double facing = F.towards() - kTwoPi; from < end; facing += kTwoPi) {
+    const double lo = clamp(facing - reach, from, end), hi = clamp(facing + reach, lo, end);
+    if (lo > from) open.push_back({from, lo});
+    from = hi;
+    const double half = 0.5 * (hi - lo);
+    if (hi <= lo || F.level_bound(lo + half, half, near) >= best.distance) continue;
+    const PathSample least = descend(F, lo, hi);
+    if (least.distance < best.distance) best = least;
+  }
+  double finest = 0;
+  while (!open.empty()) {
+    const Interval in = open.back();
+    open.pop_back();
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
+    if (F.level_bound(mid, half, nearest) >= best.distance - kPathError) continue;
+    const Value m = F(mid);
+    if (m.f < best.distance) best = {m.f, mid}, finest = half;
+    if (parabola_bound(m, half, path.radius) >= best.distance - kPathError) continue;
+    open.push_back({in.lo, mid});
+    open.push_back({mid, in.hi});
+    if (m.slope < 0)
+      std::swap(open.back(), open[open.size() - 2]);  // downhill last: looked at first
+  }
+  if (finest == 0) return best;
   const PathSample polished =
       descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
   return polished.distance < best.distance ? polished : best;
@@ -172,7 +224,13 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
   };
   std::array<Span, 128> stack;
   std::size_t depth = 0;
-  stack[depth++] = {from, to, near};
+  double begin = from;  // of what is not known to be convex
+  if (tool.is_convex()) {
+    begin = clamp((facing > end ? facing - kTwoPi : facing) + F.convex_reach(), from, to);
+    const PathSample least = descend(F, from, begin);
+    if (least.distance < best.distance) best = least;
+  }
+  stack[depth++] = {begin, to, begin > from ? F.lateral(begin) : near};
   double finest = 0;
   while (depth > 0) {
     const Span in = stack[--depth];
@@ -244,6 +302,12 @@ PathPoint path_point(const ToolPath& path, double t) {
           sc.cos * path.v - sc.sin * path.u + path.rise};
 }
 
+bool leaves_groove(const ToolPath& arc) {
+  constexpr double kUpright = 1e-9;
+  const double normal_z = arc.u.x * arc.v.y - arc.u.y * arc.v.x, square = arc.radius * arc.radius;
+  return arc.level || (arc.rise == Vec3{} && std::abs(normal_z) <= kUpright * square);
+}
+
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (is_slant(tool, path)) return slant_minimum(slant_record(tool, path), p);
   const Objective F(tool, path, p);
@@ -251,6 +315,7 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
+  if (path.level && tool.is_convex()) return search_level(F, path, 0, path.sweep);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 
@@ -278,7 +343,9 @@ PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3
   if (path.upright) return upright_branch_minimum(tool, path, p, branch);
   if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   const auto [begin, end] = branch_ends(path, branch);
-  return search(Objective(tool, path, p), tool, path, begin, end);
+  const Objective F(tool, path, p);
+  return path.level && tool.is_convex() ? search_level(F, path, begin, end)
+                                        : search(F, tool, path, begin, end);
 }
 
 }  // namespace mrsim

@@ -46,6 +46,10 @@ struct PathPoint {
 };
 PathPoint path_point(const ToolPath& path, double t);
 
+/// Whether the groove of a sharp tip has one side on each side of an arc in plan: about Z, or in an
+/// upright plane.
+bool leaves_groove(const ToolPath& arc);
+
 /// Where the least distance lies.
 struct PathSample {
   double distance = 0, t = 0;

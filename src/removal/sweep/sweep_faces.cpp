@@ -273,23 +273,27 @@ std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size
 }
 
 GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
-  double x, y, dx, dy;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  const auto beside_line = [&](double x, double y, double dx, double dy) {
+    const double n = std::sqrt(dx * dx + dy * dy);
+    const Vec3 across{-dy / n, dx / n, 0};
+    return GrooveSide{across.x * (p.x - x) + across.y * (p.y - y), across, kEndless};
+  };
+  const auto beside_circle = [&](double x, double y, double radius) {
+    const double rx = p.x - x, ry = p.y - y, r = std::sqrt(rx * rx + ry * ry);
+    if (!(r > 0)) return GrooveSide{-radius, {1, 0, 0}, radius};
+    return GrooveSide{r - radius, {rx / r, ry / r, 0}, radius};
+  };
   if (ref.kind == SweepKind::path) {
     const ToolPath& path = c.paths[ref.row];
-    x = path.start.x, y = path.start.y, dx = path.travel.x, dy = path.travel.y;
-  } else {
-    const ProfileRow& row = c.profiles[ref.row];
-    x = row.c[0], y = row.c[1], dx = row.c[2], dy = row.c[3];
-    if (row.arc) {
-      const double radius = row.c[2], rx = p.x - x, ry = p.y - y, r = std::sqrt(rx * rx + ry * ry);
-      if (!(r > 0)) return {-radius, {1, 0, 0}, radius};
-      return {r - radius, {rx / r, ry / r, 0}, radius};
-    }
+    const Vec3 &at = path.center, normal = cross(path.u, path.v);
+    if (!path.arc) return beside_line(path.start.x, path.start.y, path.travel.x, path.travel.y);
+    if (path.level) return beside_circle(at.x, at.y, path.radius);
+    return beside_line(at.x, at.y, -normal.y, normal.x);
   }
-  const double n = std::sqrt(dx * dx + dy * dy);
-  const Vec3 across{-dy / n, dx / n, 0};
-  return {across.x * (p.x - x) + across.y * (p.y - y), across,
-          std::numeric_limits<double>::infinity()};
+  const ProfileRow& row = c.profiles[ref.row];
+  return row.arc ? beside_circle(row.c[0], row.c[1], row.c[2])
+                 : beside_line(row.c[0], row.c[1], row.c[2], row.c[3]);
 }
 
 SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point) {
