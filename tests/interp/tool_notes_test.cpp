@@ -150,6 +150,27 @@ TEST(ToolNotes, StationsOfLathes) {
   EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";
 }
 
+// Mach has four digits for both on its lathes; tool 101 of LinuxCNC has to be given.
+TEST(ToolNotes, StationsOfMach) {
+  InterpOptions options;
+  options.dialect = Dialect::ngc;
+  options.machine = MachineKind::lathe;
+  const std::string program = "(T0202 DRILL 8MM)\nT0202\nG0 X0 Z5\nG1 Z-1 F100\nM2\n";
+  const auto id = [&](const std::string& text) {
+    const Program p = read_text(text, options);
+    return p.tools.empty() ? listing(p)
+                           : fmt::format("{} {:g}", p.tools[0].id, p.tools[0].diameter);
+  };
+  EXPECT_EQ(id(program), "2 8");
+  EXPECT_NE(codes(read_text(program, options), Severity::note).find("tool-station"),
+            std::string::npos);
+  EXPECT_EQ(id("T2 M6 (DRILL 8MM)\nG0 X0 Z5\nG1 Z-1 F100\nM2\n"), "2 8");
+  Tool drill;
+  drill.id = "202", drill.type = ToolType::drill, drill.diameter = 9;
+  options.table.tools.push_back(drill);
+  EXPECT_EQ(id(program), "202 9");
+}
+
 // Of a thread mill a comment gives the cylinder alone: a warning says so.
 TEST(ToolNotes, AThreadMillIsACylinderWithAWarning) {
   InterpOptions options;

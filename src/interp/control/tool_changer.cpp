@@ -34,7 +34,7 @@ std::string example_of(const Tool& read, bool lathe) {
 }  // namespace
 
 ToolChanger::ToolChanger(Control& control)
-    : ControlPart(control), tool_(control.tool), notes_(lathe(), lathe() && is(Dialect::fanuc)) {
+    : ControlPart(control), tool_(control.tool), notes_(lathe(), turret_digits()) {
   const std::vector<Tool>& tools = options_.table.tools;
   for (std::size_t i = 0; i < tools.size(); ++i) given_.emplace(tools[i].id, i);
 }
@@ -47,10 +47,11 @@ const Tool* ToolChanger::given(const std::string& id) const {
 std::string ToolChanger::id_of(const Word& word) {
   if (word.string) return to_utf8(word.text.substr(0, 80));
   const long number = static_cast<long>(word.value);
-  if (!lathe() || !is(Dialect::fanuc)) return fmt::format("{}", number);
+  if (turret_digits() == 0) return fmt::format("{}", number);
   const std::string text = text_of(word);
   const bool plain = text.find_first_of("#[") == text.npos;
   const std::size_t digits = plain ? digits_of(text) : 0;
+  if (is(Dialect::ngc)) return mach_station(number, digits, text, word);
   const long station = turret_station(number, digits);
   const long offset = number - station * (digits == 8 ? 10000 : 1000);
   const bool thrice = digits == 6 && number == station * 10101;
@@ -60,6 +61,25 @@ std::string ToolChanger::id_of(const Word& word) {
                           station, offset),
               word, text);
   return fmt::format("{}", station);
+}
+
+// Digits from which on a T word names a station and an offset; 0: it never does.
+std::size_t ToolChanger::turret_digits() const {
+  if (!lathe()) return 0;
+  return is(Dialect::fanuc) ? 3 : is(Dialect::ngc) ? 4 : 0;
+}
+
+// T0101 is tool 1 with offset 1 in Mach; LinuxCNC would look for tool 101.
+std::string ToolChanger::mach_station(long number, std::size_t digits, const std::string& text,
+                                      const Word& word) {
+  const std::string whole = fmt::format("{}", number);
+  if (digits != turret_digits() || number < 100 || given(whole) != nullptr) return whole;
+  note_once("tool-station",
+            fmt::format("{} is read as tool {} with offset {}, as Mach does; if it is tool {}, "
+                        "give that with --tool {}=..",
+                        text, number / 100, number % 100, number, number),
+            word, text);
+  return fmt::format("{}", number / 100);
 }
 
 void ToolChanger::use(Tool tool) {

@@ -42,6 +42,9 @@ class ToolChanger : public ControlPart {
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
+  std::size_t turret_digits() const;
+  std::string mach_station(long number, std::size_t digits, const std::string& text,
+                           const Word& word);
   bool of_unknown_unit(const ToolHint& hint) const;
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;

@@ -33,7 +33,7 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone) {
   ToolHint hint = read_tool_comment(bytes);
-  if (turret_ && hint.id_digits > 2)
+  if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
   if (!hint.id.empty() && hint) return add(hint.id, hint);
   if (const std::string& id = hint.id.empty() ? called : hint.id; !id.empty() && !hint)

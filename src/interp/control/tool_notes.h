@@ -18,9 +18,9 @@ long turret_station(long number, std::size_t digits);
 
 class ToolNotes {
  public:
-  /// `lathe`: a comment beside the T word may name the tool by its work; `turret`: numbers are
-  /// station and offset, as T0202 of FANUC lathes.
-  ToolNotes(bool lathe, bool turret) : lathe_(lathe), turret_(turret) {}
+  /// `lathe`: a comment beside the T word may name the tool by its work; `turret_digits`: numbers
+  /// of so many digits or more are station and offset, as T0202 of FANUC lathes; 0: none are.
+  ToolNotes(bool lathe, std::size_t turret_digits) : lathe_(lathe), turret_digits_(turret_digits) {}
 
   /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
   /// nothing else stands in the block.
@@ -59,7 +59,8 @@ class ToolNotes {
   void add_nameless(const ToolHint& hint);
   void add_unnumbered(const ToolHint& hint);
 
-  bool lathe_, turret_;
+  bool lathe_;
+  std::size_t turret_digits_;
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
   ToolHint group_;      ///< the comments that wait for their tool
