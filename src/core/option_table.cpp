@@ -21,9 +21,8 @@ constexpr OptionRow kRows[] = {
      "one that the program states, or one around its cuts",
      "stock", "box: cylinder: tube:",
      "A closed mesh, or box:x0,y0,z0,x1,y1,z1, cylinder:d,z0,z1, tube:d,bore,z0,z1. Without it, "
-     "the "
-     "stock that the program states (WORKPIECE, comments of Carbide Create and Vectric), else one "
-     "around its cuts, which is reported."},
+     "the stock that the program states (WORKPIECE, comments of Carbide Create and Vectric), else "
+     "one around its cuts, which is reported."},
     {"--stock-exact", "", kRuns, stock, V::on_off, "off",
      "off: take a mesh as it is, even where it is a box, a cylinder or a tube", "stock_exact",
      "on off"},

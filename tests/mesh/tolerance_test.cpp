@@ -123,10 +123,11 @@ TEST(Tolerance, CurvedGroovesTakeFewCells) {
   Motion trough = line({4, 10, 7}, {16, 10, 7});
   trough.kind = MotionKind::arc, trough.axis = {0, 1, 0};
   trough.center = {10, 10, 15}, trough.radius = 10, trough.sweep = -2 * std::asin(0.6);
-  for (const Motion& m : {helix, trough}) {
+  const std::pair<Motion, std::size_t> most[] = {{helix, 3600}, {trough, 1300}};
+  for (const auto& [m, cells] : most) {
     const MeshReport report = expect_bound_holds({m}, vee, 0.01, "groove");
     EXPECT_EQ(report.unresolved, 0u);
-    EXPECT_LT(report.cells, 4000u) << "rise " << m.rise;
+    EXPECT_LT(report.cells, cells) << "rise " << m.rise;
   }
 }
 

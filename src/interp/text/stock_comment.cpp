@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
+constexpr auto kAbsent = std::string_view::npos;
 
 // Behind the name and its ":", "=" or ","; nothing: the text does not begin with it.
 std::optional<std::string_view> behind(std::string_view text, std::string_view name) {
@@ -27,7 +27,7 @@ std::size_t StockComments::read_lengths(std::string_view text, Length* out, std:
   std::size_t count = 0, i = 0;
   while (count < most) {
     i = text.find_first_of("0123456789.-", i);
-    if (i == kNone) break;
+    if (i == kAbsent) break;
     const std::size_t end = std::min(text.find_first_not_of("0123456789.", i + 1), text.size());
     const std::optional<double> value = parse_number(text.substr(i, end - i));
     if (!value) break;
@@ -65,13 +65,13 @@ bool StockComments::read_block(std::string_view text) {
 void StockComments::read_size(std::string_view text) {
   const std::size_t x = text.find("X="), y = text.find("Y="), z = text.find("Z=");
   Lengths size;
-  if (x != kNone && x < y && y < z && z != kNone &&
+  if (x != kAbsent && x < y && y < z && z != kAbsent &&
       read_lengths(text.substr(x), size.data(), 3) == 3)
     size_ = size;
 }
 
 void StockComments::read_origin(std::string_view text) {
-  const auto says = [&](std::string_view word) { return text.find(word) != kNone; };
+  const auto says = [&](std::string_view word) { return text.find(word) != kAbsent; };
   if (says("XY ORIGIN POSITION")) {
     Lengths place;
     const std::size_t count = read_lengths(text, place.data(), 2);
@@ -100,7 +100,7 @@ void StockComments::read(std::string_view bytes, int line) {
   if (!limits && !read_block(text)) {
     if (text.starts_with("MATERIAL SIZE") || sized) read_size(text);
     size_follows_ = text.starts_with("MATERIAL SIZE") && !size_;
-    if (text.find("ORIGIN") != kNone) read_origin(text);
+    if (text.find("ORIGIN") != kAbsent) read_origin(text);
   }
   if (limits || (size_ && !had_size && !low_)) line_ = line;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 
 namespace mrsim::detail {
@@ -19,7 +20,6 @@ constexpr double kGrowth = 1.6;          ///< of the length of new edges, from p
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
 constexpr double kLeastCosine = 0.3;  ///< the same where the triangles before lie no better
-constexpr double kUnknown = -2;       ///< cosine
 constexpr std::size_t kBlocks = 8;    ///< parts of the mesh that are worked on at once
 constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
 
@@ -152,13 +152,13 @@ class Simplifier {
     const std::uint32_t to = ring_[k].next;
     if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return false;
     const std::size_t n = ring_.size();
-    double least = kUnknown;
+    std::optional<double> least;  // asked of the triangles before where it matters
     for (std::size_t m = 1; m + 1 < n; ++m) {
       const Spoke& s = ring_[(k + m) % n];
       const double cosine = cosine_to_face(s, mesh_.vertices[to]);
       if (!(cosine > kFineCosine)) {
-        if (least == kUnknown) least = std::max(least_cosine(v), kLeastCosine);
-        if (!(cosine >= least)) return false;
+        if (!least) least = std::max(least_cosine(v), kLeastCosine);
+        if (!(cosine >= *least)) return false;
       }
       if (!good_triangle(s, mesh_.vertices[to])) return false;
     }

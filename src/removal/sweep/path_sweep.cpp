@@ -124,43 +124,6 @@ double parabola_bound(const Value& m, double half, double bend) {
   return m.f - (m.slope < 0 ? -m.slope : m.slope) * half - 0.5 * bend * half * half;
 }
 
-PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
-                  double end) {
-  const double bend = path.arc ? path.radius : 0;
-  const double tolerance = kPathError;
-  const Value first = F(begin), last = F(end);
-  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
-  if (path.level) {
-    const double guess = F.towards();
-    for (double t = guess; t < end; t += kTwoPi) {
-      if (t < begin) continue;
-      const Value v = F(t);
-      if (v.f < best.distance) best = {v.f, t};
-    }
-  }
-  double finest = end - begin;
-  std::array<Interval, 128> stack;
-  std::size_t depth = 0;
-  stack[depth++] = {begin, end};
-  while (depth > 0) {
-    const Interval in = stack[--depth];
-    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - tolerance)
-      continue;
-    const Value m = F(mid);
-    if (m.f < best.distance) best = {m.f, mid}, finest = half;
-    double bound = m.f - path.speed * half;
-    if (tool.is_convex()) bound = std::max(bound, parabola_bound(m, half, bend));
-    if (bound >= best.distance - tolerance || depth + 2 > stack.size()) continue;
-    const Interval low = {in.lo, mid}, high = {mid, in.hi};
-    stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
-    stack[depth++] = m.slope < 0 ? high : low;
-  }
-  const PathSample polished =
-      descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
-  return polished.distance < best.distance ? polished : best;
-}
-
 // A convex tool on an arc or a helix about Z, over [begin, end].
 PathSample search_level(const Objective& F, const ToolPath& path, double begin, double end) {
   const Value first = F(begin), last = F(end);
@@ -194,6 +157,44 @@ PathSample search_level(const Objective& F, const ToolPath& path, double begin, 
       std::swap(open.back(), open[open.size() - 2]);  // downhill last: looked at first
   }
   if (finest == 0) return best;
+  const PathSample polished =
+      descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
+  return polished.distance < best.distance ? polished : best;
+}
+
+PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
+                  double end) {
+  if (path.level && tool.is_convex()) return search_level(F, path, begin, end);
+  const double bend = path.arc ? path.radius : 0;
+  const double tolerance = kPathError;
+  const Value first = F(begin), last = F(end);
+  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
+  if (path.level) {
+    const double guess = F.towards();
+    for (double t = guess; t < end; t += kTwoPi) {
+      if (t < begin) continue;
+      const Value v = F(t);
+      if (v.f < best.distance) best = {v.f, t};
+    }
+  }
+  double finest = end - begin;
+  std::array<Interval, 128> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {begin, end};
+  while (depth > 0) {
+    const Interval in = stack[--depth];
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - tolerance)
+      continue;
+    const Value m = F(mid);
+    if (m.f < best.distance) best = {m.f, mid}, finest = half;
+    double bound = m.f - path.speed * half;
+    if (tool.is_convex()) bound = std::max(bound, parabola_bound(m, half, bend));
+    if (bound >= best.distance - tolerance || depth + 2 > stack.size()) continue;
+    const Interval low = {in.lo, mid}, high = {mid, in.hi};
+    stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
+    stack[depth++] = m.slope < 0 ? high : low;
+  }
   const PathSample polished =
       descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
   return polished.distance < best.distance ? polished : best;
@@ -302,7 +303,7 @@ PathPoint path_point(const ToolPath& path, double t) {
           sc.cos * path.v - sc.sin * path.u + path.rise};
 }
 
-bool leaves_groove(const ToolPath& arc) {
+bool is_two_sided(const ToolPath& arc) {
   constexpr double kUpright = 1e-9;
   const double normal_z = arc.u.x * arc.v.y - arc.u.y * arc.v.x, square = arc.radius * arc.radius;
   return arc.level || (arc.rise == Vec3{} && std::abs(normal_z) <= kUpright * square);
@@ -315,7 +316,6 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
-  if (path.level && tool.is_convex()) return search_level(F, path, 0, path.sweep);
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 
@@ -343,9 +343,7 @@ PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3
   if (path.upright) return upright_branch_minimum(tool, path, p, branch);
   if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   const auto [begin, end] = branch_ends(path, branch);
-  const Objective F(tool, path, p);
-  return path.level && tool.is_convex() ? search_level(F, path, begin, end)
-                                        : search(F, tool, path, begin, end);
+  return search(Objective(tool, path, p), tool, path, begin, end);
 }
 
 }  // namespace mrsim

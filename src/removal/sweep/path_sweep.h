@@ -46,9 +46,9 @@ struct PathPoint {
 };
 PathPoint path_point(const ToolPath& path, double t);
 
-/// Whether the groove of a sharp tip has one side on each side of an arc in plan: about Z, or in an
-/// upright plane.
-bool leaves_groove(const ToolPath& arc);
+/// Whether what an arc leaves has one flank on each side of it in plan: about Z, or in an upright
+/// plane.
+bool is_two_sided(const ToolPath& arc);
 
 /// Where the least distance lies.
 struct PathSample {

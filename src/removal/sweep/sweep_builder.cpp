@@ -118,11 +118,9 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
     add_upright(ref, l, cutter);
   else
     add_path(ref, l, cutter);
-  const bool travels =
-      l.arc ? ref.kind == SweepKind::profile ||
-                  (ref.kind == SweepKind::path && leaves_groove(columns_.paths[ref.row]))
-            : dx * dx + dy * dy >= kLevel * kLevel;
-  ref.grooves = travels && columns_.shapes[shape].cutter.has_sharp_tip();
+  bool two_sided = l.arc ? ref.kind == SweepKind::profile : dx * dx + dy * dy >= kLevel * kLevel;
+  if (l.arc && ref.kind == SweepKind::path) two_sided = is_two_sided(columns_.paths[ref.row]);
+  ref.grooves = two_sided && columns_.shapes[shape].cutter.has_sharp_tip();
   if (ref.kind != SweepKind::ball_line && ref.kind != SweepKind::plane_line)
     columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(
         sweep_bounds(columns_.shapes[shape].cutter, l, local));  // shapes may have moved
