@@ -332,6 +332,24 @@ TEST(ToolCommentReadings, Lathes) {
   });
 }
 
+// How many tools, files or parts there are is no size.
+TEST(ToolCommentReadings, NumbersThatCount) {
+  expect_readings({
+      {mm, "This file uses 2 drill bit sizes.", "-"},
+      {mm, "USES 2 END MILL SIZES", "-"},
+      {mm, "NEEDS 2 END MILLS", "-"},
+      {mm, "3 DRILL OPERATIONS", "-"},
+      {mm, "6 DRILL POSITIONS", "-"},
+      {mm, "DRILL 1 OF 2", "-"},
+      {mm, "FILE 2 DRILL", "-"},
+      {mm, "PART 7 DRILL", "-"},
+      {mm, "PART 7 6MM DRILL", "drill 6"},
+      {mm, "12 DRILL OPERATION", "drill 12"},
+      {mm, "6.8 DRILL OPS", "drill 6.8"},
+      {mm, "6MM END MILLS", "endmill 6"},
+  });
+}
+
 // Words for the inside of the work turn the point outwards.
 TEST(ToolCommentReadings, InsideOnLathes) {
   expect_readings({

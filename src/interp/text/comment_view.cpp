@@ -19,6 +19,11 @@ bool CommentView::whole(std::size_t i) const {
   return !t.decimals && !t.fraction && t.unit == 0 && !t.angle;
 }
 
+bool CommentView::numbers_work(std::size_t i) const {
+  return i > 0 && is_one(i - 1, {"HOLE", "HOLES", "OP", "PART", "STEP", "SIDE", "FIXTURE", "VISE",
+                                 "PASS", "JOB", "POS", "FILE", "SHEET"});
+}
+
 bool CommentView::is_size(std::size_t i) const {
   if (!number(i) || tokens_[i].angle || !(tokens_[i].value > 0)) return false;
   if (glued(i + 1) && is(i + 1, "-") && number(i + 2) && glued(i + 2))
@@ -29,6 +34,7 @@ bool CommentView::is_size(std::size_t i) const {
                      ((tokens_[i - 2].is_number() && taken_[i - 2]) || tokens_[i - 2].is("TOOL"));
   if (named) return true;  // "T1 = 6mm endmill"
   if (is_one(i - 1, {"#", "=", "NO", "NR", "NUMBER"})) return false;
+  if (numbers_work(i) && whole(i)) return false;
   if ((before.is("-") || before.is("+")) && tokens_[i].glued) return false;
   return !(before.kind == CommentToken::Kind::word && tokens_[i].glued);
 }

@@ -37,6 +37,8 @@ class CommentView {
   bool number(std::size_t i) const { return has(i) && tokens_[i].is_number() && !taken_[i]; }
   /// One without a point, a fraction, a unit or a degree sign.
   bool whole(std::size_t i) const;
+  /// Whether the number there is that of a piece of work: "PART 7", "SIDE 2".
+  bool numbers_work(std::size_t i) const;
   /// A number that may be a size: not behind a letter, a "#", an "=" or a sign of its own.
   bool is_size(std::size_t i) const;
   /// A bare number that nothing has explained, as angles of tools are: "90", "118".

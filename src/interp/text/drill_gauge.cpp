@@ -33,9 +33,7 @@ std::optional<DrillGauge> read_number(const CommentView& view, std::size_t i) {
   if (!view.is_one(i, {"#", "NO", "NUMBER", "NUM", "WIRE"}) || !view.number(i + 1) ||
       !view.whole(i + 1))
     return std::nullopt;
-  if (i > 0 && view.is_one(i - 1, {"HOLE", "HOLES", "OP", "PART", "STEP", "SIDE", "FIXTURE", "VISE",
-                                   "PASS", "JOB", "POS"}))
-    return std::nullopt;  // "HOLE #1 - DRILL"
+  if (view.numbers_work(i)) return std::nullopt;  // "HOLE #1 - DRILL"
   const double number = view[i + 1].value;
   const bool goes_on = view.glued(i + 2) && (view.word(i + 2) || view.is(i + 2, "-"));
   if (number < 1 || number > double(std::size(kNumbers)) || goes_on) return std::nullopt;

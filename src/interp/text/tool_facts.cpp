@@ -29,9 +29,11 @@ class FactReader {
     read_thread();
     read_gauge();
     read_tool_labels(view_, facts_);
+    read_side_words(view_, facts_);
     read_groups();
     read_beside();
     read_loose();
+    drop_count();
     read_rest();
   }
 
@@ -66,8 +68,8 @@ class FactReader {
   void read_loose();
   bool in_field_of_kind(const Group& group) const;
   void read_rest();
-  bool is_corner_line() const;
-  void read_side();
+  bool kind_is_counted() const;
+  void drop_count();
   const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
 
   CommentView view_;
@@ -317,8 +319,9 @@ void FactReader::read_behind(const ToolKind& kind) {
   if (view_.is(at, "D") && view_.has(at + 1) && !view_.glued(at + 1)) ++at;  // "D 10"
   Group* group = group_at(at);
   if (group == nullptr) return;
-  facts_.behind_ends = ends(group->end);
   group->used = true;
+  if (view_.is(group->end, "OF") && view_.number(group->end + 1)) return;  // "DRILL 1 OF 2"
+  facts_.behind_ends = ends(group->end);
   facts_.behind_kind = sizes(*group);
 }
 
@@ -344,37 +347,29 @@ bool FactReader::in_field_of_kind(const Group& group) const {
   return strangers < 2;
 }
 
-// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
-bool FactReader::is_corner_line() const {
-  std::size_t i = view_.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
-  if (!view_.is_one(i, {"TIP", "CORNER"}) || !view_.is_one(i + 1, {"RADIUS", "RAD"})) return false;
-  i = view_.behind(i + 1);
-  return view_.has(i) && view_[i].is_number() && i + 1 == view_.size();
+bool FactReader::kind_is_counted() const {
+  if (!kind()) return false;
+  std::size_t at = kind()->end;
+  while (view_.has(at) && passable(at)) ++at;
+  return view_.is_one(kind()->end - 1, {"MILLS", "ENDMILLS", "BITS"}) ||
+         view_.is_one(at, {"SIZES", "TYPES", "OPERATIONS", "OPS", "CYCLES", "SETUPS", "POINTS",
+                           "POSITIONS", "LOCATIONS"});
 }
 
-// "ID GROOVE", "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
-void FactReader::read_side() {
-  bool outside = false, bores = false, turns = false;
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    outside |= view_.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN"});
-    bores |= view_.is_one(i, {"BORE", "BORING"});
-    turns |= view_.is_one(i, {"TURN", "TURNING", "FACE", "FACING"});
-    facts_.inside |= view_.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
-                                      "INTERIEUR", "INTERNO", "INTERNA"}) &&
-                     !view_.is_one(i + 1, {":", "="});
-    facts_.inside |= view_.word(i) && view_[i].text.starts_with("INNEN");
-    facts_.face_groove |= view_.word(i) && view_[i].text.starts_with("AXIALSTECH");
-    facts_.face_groove |=
-        view_.is(i, "FACE") && view_.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
-  }
-  facts_.turned_side = outside || turns || facts_.inside;
-  facts_.bores = bores && !turns && !outside;
-  facts_.inside = (facts_.inside || facts_.bores) && !outside;
+// "2 DRILL BIT SIZES", "3 DRILL OPERATIONS", "NEEDS 2 END MILLS": how many, and of no tool.
+void FactReader::drop_count() {
+  if (!kind_is_counted()) return;
+  const std::size_t counts = std::erase_if(facts_.before_kind, [](const SizeGroup& group) {
+    const CommentToken& t = group.sizes.front();
+    return !t.decimals && !t.fraction && t.unit == 0;
+  });
+  if (counts > 0 && facts_.before_kind.empty() && !facts_.behind_kind && facts_.loose.empty() &&
+      facts_.named.empty())
+    facts_.kinds.clear();
 }
 
 void FactReader::read_rest() {
-  read_side();
-  facts_.corner_line = is_corner_line();
+  facts_.corner_line = is_corner_line(view_);
   facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
   facts_.tapered = facts_.taper > 0;
   for (std::size_t i = 0; i < view_.size(); ++i) {

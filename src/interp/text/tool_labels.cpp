@@ -301,4 +301,32 @@ void read_tool_labels(CommentView& view, ToolFacts& facts) {
   LabelReader(view, facts).read();
 }
 
+// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
+bool is_corner_line(const CommentView& view) {
+  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  if (!view.is_one(i, {"TIP", "CORNER"}) || !view.is_one(i + 1, {"RADIUS", "RAD"})) return false;
+  i = view.behind(i + 1);
+  return view.has(i) && view[i].is_number() && i + 1 == view.size();
+}
+
+// "ID GROOVE", "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
+void read_side_words(const CommentView& view, ToolFacts& facts) {
+  bool outside = false, bores = false, turns = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    outside |= view.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN"});
+    bores |= view.is_one(i, {"BORE", "BORING"});
+    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING"});
+    facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
+                                    "INTERIEUR", "INTERNO", "INTERNA"}) &&
+                    !view.is_one(i + 1, {":", "="});
+    facts.inside |= view.word(i) && view[i].text.starts_with("INNEN");
+    facts.face_groove |= view.word(i) && view[i].text.starts_with("AXIALSTECH");
+    facts.face_groove |=
+        view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
+  }
+  facts.turned_side = outside || turns || facts.inside;
+  facts.bores = bores && !turns && !outside;
+  facts.inside = (facts.inside || facts.bores) && !outside;
+}
+
 }  // namespace mrsim

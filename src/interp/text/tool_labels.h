@@ -9,4 +9,9 @@ namespace mrsim {
 /// Takes the tokens it explains, but not those of the kind or the insert, which are taken before.
 void read_tool_labels(CommentView& view, ToolFacts& facts);
 
+/// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
+bool is_corner_line(const CommentView& view);
+/// The side of the work that lathe words name: "ID GROOVE", "OD TURN", "BORE".
+void read_side_words(const CommentView& view, ToolFacts& facts);
+
 }  // namespace mrsim
