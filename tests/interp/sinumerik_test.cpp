@@ -40,7 +40,9 @@ TEST(Sinumerik, EnvelopeOfPosts) {
             "1,0,0 ");
   EXPECT_EQ(run("TRANSMIT\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported")
       << "one cause, one error";
-  EXPECT_EQ(run("TRACYL(50)\n"), "not-supported");
+  EXPECT_EQ(run("TRACYL(50)\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
+  EXPECT_EQ(run("TRAORI(1)\nF100 G1 X1 A20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
+  EXPECT_EQ(run("SETMS(2)\nF100 G1 X1\nSETMS\nX2\n"), "1,0,0 2,0,0 ");
 }
 
 TEST(Sinumerik, AxesAndCodesByIndex) {

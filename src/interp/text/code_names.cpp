@@ -57,6 +57,7 @@ constexpr NamedRow kFunctions[] = {
     {"DIACYCOFA", C::ignored, G::other},
     {"TRAFOOF", C::ignored, G::other},
     {"STOPRE", C::ignored, G::other},
+    {"SETMS", C::ignored, G::other},
     {"SPCON", C::ignored, G::other},
     {"SPCOF", C::ignored, G::other},
     {"FIFOCTRL", C::ignored, G::other},

@@ -371,6 +371,7 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
   }
   Word word;
   word.address = Address::call;
+  word.text = run;
   const std::size_t first = argument.find_first_not_of(" \t");
   if ((name == "EXTCALL" || name == "CALL") && first != std::string_view::npos &&
       argument[first] == '"' && argument.find('"', first + 1) != std::string_view::npos) {
@@ -378,12 +379,15 @@ void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run
     word.text = argument.substr(first + 1, argument.find('"', first + 1) - first - 1);
     return push(block, word, from);
   }
-  std::string_view what = unsupported_name(name);
-  if (find_function(name).code != Code::unknown) what = "a function with arguments";
-  if (what.empty() && first == std::string_view::npos) {
-    word.text = run;
+  const CodeEntry entry = find_function(name);
+  if (entry.code == Code::unsupported) {  // TRAORI(1) is refused as TRAORI
+    word.address = Address::function;
+    word.code = entry.code;
     return push(block, word, from);
   }
+  std::string_view what = unsupported_name(name);
+  if (entry.code != Code::unknown) what = "a function with arguments";
+  if (what.empty() && first == std::string_view::npos) return push(block, word, from);
   if (what.empty())
     return fault(block, "subprogram-missing",
                  fmt::format("{} is no cycle, and no PROC of this file or of one beside it", name),
