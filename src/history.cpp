@@ -25,8 +25,9 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.5;
 
-// Below falling arcs of all but flat mills each column takes a search, some 0.1 ms.
-constexpr double kSearches = 2500, kSearchesPerCut = 10;
+// Below falling and upright arcs of all but flat mills on helices each column takes a search, some
+// 0.01 ms.
+constexpr double kSearches = 25e3, kSearchesPerCut = 50;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
@@ -44,12 +45,13 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
 }
 
-// How many searches a column below a motion stands for: only falling arcs take one, not those of
-// flat mills, five times as long for cones.
+// How many searches a column below a motion stands for: five for cones.
 double searches_of(const Motion& m, std::span<const Tool> tools) {
-  if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc || m.rise == 0) return 0;
+  if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc) return 0;
+  const bool about_z = std::fabs(m.axis.z) == 1;
+  if (about_z && m.rise == 0) return 0;
   const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
-  if (tool.type == ToolType::endmill && tool.corner_radius == 0) return 0;
+  if (about_z && tool.type == ToolType::endmill && tool.corner_radius == 0) return 0;
   return tool.type == ToolType::endmill || tool.type == ToolType::ballmill ||
                  tool.type == ToolType::bullmill
              ? 1

@@ -1,11 +1,15 @@
 // F(t) = signed distance of the tool at rest from p - c(t); its minimum over t.
 //
 // Convex tool, straight path: F is convex, and the tangents at both ends of a bracket bound it from
-// below, so the search ends when the best value and the bound agree. Convex tool, arc or helix of
-// radius R: |c''| = R and |grad| = 1, so F(t + s) >= F(t) + F'(t) s - R s^2 / 2; branch and bound
-// with that, and with the Lipschitz bound speed * s, needs some tens of values. About Z, F is
-// convex wherever the lateral distance of p is (Objective::convex_reach), as it never falls with
-// it: only the rest of a turn is left to branch and bound. Other tools: the Lipschitz bound alone.
+// below, so the search ends when the best value and the bound agree. Convex tool, arc of radius R:
+// the tangent plane with normal n at the nearest place of the tool bounds the distance from below,
+// so F(t + s) >= F(t) + F'(t) sin s + I (1 - cos s), where I, the dot product of n and c(t) -
+// centre, is at least -R; on helices F(t + s) >= F(t) + F'(t) s - R s^2 / 2. Branch and bound with
+// that, and with the Lipschitz bound speed * s, needs some tens of values. Two kinds of arcs need
+// fewer. About Z, F is convex wherever the lateral distance of p is (Objective::convex_reach), as
+// it never falls with it: only the rest of a turn is left to branch and bound. Where I >= 0 on both
+// sides of a local minimum (the tool is at the bottom of a trough), no place within half a turn is
+// nearer. Other tools: the Lipschitz bound alone.
 #include "removal/sweep/path_sweep.h"
 
 #include "core/trig.h"
@@ -26,20 +30,23 @@ namespace {
 
 struct Value {
   double f = 0, slope = 0;
+  double inward = 0;  ///< I above, -R on helices
 };
 
 class Objective {
  public:
   Objective(const Profile& tool, const ToolPath& path, const Vec3& p)
-      : tool_(tool), path_(path), p_(p) {}
+      : tool_(tool), path_(path), p_(p), is_circle_(path.arc && path.rise == Vec3{}) {}
 
   Value operator()(double t) const {
     const PathPoint at = path_point(path_, t);
     const Vec3 q = p_ - at.position, d = at.direction;
     const double rho = std::sqrt(q.x * q.x + q.y * q.y);
     const ProfileSample s = tool_sample(tool_, rho, q.z);
-    const double towards = rho > 0 ? (q.x * d.x + q.y * d.y) / rho : 0;
-    return {s.distance, -(s.gradient.x * towards + s.gradient.y * d.z)};
+    const double lateral = rho > 0 ? s.gradient.x / rho : 0;
+    const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
+    return {s.distance, -dot(n, d),
+            is_circle_ ? dot(n, at.position - path_.center) : -path_.radius};
   }
 
   /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
@@ -86,16 +93,26 @@ class Objective {
   const Profile& tool_;
   const ToolPath& path_;
   const Vec3 p_;
+  const bool is_circle_;
 };
 
 double clamp(double t, double lo, double hi) { return t < lo ? lo : t > hi ? hi : t; }
 
-// Minimum of a convex F on [lo, hi], or the local one that a bracket F'(lo) < 0 < F'(hi) holds.
-PathSample descend(const Objective& F, double lo, double hi) {
+// Both sides of a local minimum; equal at an end of the range.
+struct Bracket {
+  double lo, hi;
+  Value a, b;  ///< F there
+
+  PathSample least() const { return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi}; }
+  bool in_trough() const { return a.inward >= 0 && b.inward >= 0; }
+};
+
+// About the minimum of a convex F on [lo, hi], or the local one that F'(lo) < 0 < F'(hi) holds.
+Bracket bracket(const Objective& F, double lo, double hi) {
   Value a = F(lo);
-  if (a.slope >= 0) return {a.f, lo};
+  if (a.slope >= 0) return {lo, lo, a, a};
   Value b = F(hi);
-  if (b.slope <= 0) return {b.f, hi};
+  if (b.slope <= 0) return {hi, hi, b, b};
   for (int i = 0; i < 80; ++i) {
     const double gain = b.slope - a.slope;
     const double cut = clamp((a.f - b.f + b.slope * hi - a.slope * lo) / gain, lo, hi);
@@ -112,22 +129,33 @@ PathSample descend(const Objective& F, double lo, double hi) {
       hi = t, b = m;
     if (m.slope == 0) break;
   }
-  return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi};
+  return {lo, hi, a, b};
 }
+
+PathSample descend(const Objective& F, double lo, double hi) { return bracket(F, lo, hi).least(); }
 
 struct Interval {
   double lo, hi;
 };
 
-// Least tangent parabola F + F' s - bend s^2 / 2 over |s| <= half.
-double parabola_bound(const Value& m, double half, double bend) {
-  return m.f - (m.slope < 0 ? -m.slope : m.slope) * half - 0.5 * bend * half * half;
+// Lower bound of F over |s| <= half by the tangent plane at s = 0; 1 - cos s >= s^2 / 2 - s^4 / 24.
+double plane_bound(const Value& m, double half) {
+  const double slope = std::abs(m.slope);
+  const double bend = m.inward > 0 ? m.inward * std::max(0.0, 1 - half * half / 12) : m.inward;
+  const double s = bend * half > slope ? slope / bend : half;
+  return m.f - slope * s + 0.5 * bend * s * s;
+}
+
+PathSample least_of(const PathSample& a, const PathSample& b) {
+  return a.distance <= b.distance ? a : b;
+}
+PathSample ends(const Objective& F, double begin, double end) {
+  return least_of({F(begin).f, begin}, {F(end).f, end});
 }
 
 // A convex tool on an arc or a helix about Z, over [begin, end].
-PathSample search_level(const Objective& F, const ToolPath& path, double begin, double end) {
-  const Value first = F(begin), last = F(end);
-  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
+PathSample search_level(const Objective& F, double begin, double end) {
+  PathSample best = ends(F, begin, end);
   const double near = F.to_circle(), reach = F.convex_reach();
   static thread_local std::vector<Interval> open;
   open.clear();
@@ -150,7 +178,7 @@ PathSample search_level(const Objective& F, const ToolPath& path, double begin, 
     if (F.level_bound(mid, half, nearest) >= best.distance - kPathError) continue;
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
-    if (parabola_bound(m, half, path.radius) >= best.distance - kPathError) continue;
+    if (plane_bound(m, half) >= best.distance - kPathError) continue;
     open.push_back({in.lo, mid});
     open.push_back({mid, in.hi});
     if (m.slope < 0)
@@ -162,13 +190,10 @@ PathSample search_level(const Objective& F, const ToolPath& path, double begin, 
   return polished.distance < best.distance ? polished : best;
 }
 
-PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
-                  double end) {
-  if (path.level && tool.is_convex()) return search_level(F, path, begin, end);
-  const double bend = path.arc ? path.radius : 0;
+// Branch and bound over [begin, end], for something nearer than `best`.
+PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
+                      double end, PathSample best) {
   const double tolerance = kPathError;
-  const Value first = F(begin), last = F(end);
-  PathSample best = first.f <= last.f ? PathSample{first.f, begin} : PathSample{last.f, end};
   if (path.level) {
     const double guess = F.towards();
     for (double t = guess; t < end; t += kTwoPi) {
@@ -177,7 +202,7 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
       if (v.f < best.distance) best = {v.f, t};
     }
   }
-  double finest = end - begin;
+  double finest = 0;
   std::array<Interval, 128> stack;
   std::size_t depth = 0;
   stack[depth++] = {begin, end};
@@ -189,15 +214,35 @@ PathSample search(const Objective& F, const Profile& tool, const ToolPath& path,
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     double bound = m.f - path.speed * half;
-    if (tool.is_convex()) bound = std::max(bound, parabola_bound(m, half, bend));
+    if (tool.is_convex()) bound = std::max(bound, plane_bound(m, half));
     if (bound >= best.distance - tolerance || depth + 2 > stack.size()) continue;
     const Interval low = {in.lo, mid}, high = {mid, in.hi};
     stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
     stack[depth++] = m.slope < 0 ? high : low;
   }
-  const PathSample polished =
-      descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end));
-  return polished.distance < best.distance ? polished : best;
+  if (finest == 0) return best;
+  return least_of(
+      best, descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end)));
+}
+
+// A convex tool on an arc in any plane but a level one, over [begin, end].
+PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
+                        double end) {
+  if (end - begin > kPi) {
+    const double mid = 0.5 * (begin + end);
+    const PathSample a = search_steep(F, tool, path, begin, mid);
+    return least_of(a, search_steep(F, tool, path, mid, end));
+  }
+  const Bracket local = bracket(F, begin, end);
+  if (local.in_trough()) return local.least();
+  return search_all(F, tool, path, begin, end, least_of(local.least(), ends(F, begin, end)));
+}
+
+PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
+                  double end) {
+  if (!path.arc || !tool.is_convex())
+    return search_all(F, tool, path, begin, end, ends(F, begin, end));
+  return path.level ? search_level(F, begin, end) : search_steep(F, tool, path, begin, end);
 }
 
 // The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and
@@ -241,8 +286,7 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
     const Value m = F(mid);
     finest = finest > 0 ? finest : half;
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
-    if (tool.is_convex() && parabola_bound(m, half, path.radius) >= best.distance - kPathError)
-      continue;
+    if (tool.is_convex() && plane_bound(m, half) >= best.distance - kPathError) continue;
     if (depth + 2 > stack.size()) continue;
     const Span low = {in.lo, mid, in.near}, high = {mid, in.hi, F.lateral(mid)};
     stack[depth++] = m.slope < 0 ? low : high;

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "core/vec.h"
 #include "removal/simd/lane_scalar.h"
+#include "removal/sweep/height_pieces.h"
 #include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
@@ -17,8 +18,32 @@ constexpr double kShort = 1e-9;   // mm in plan: an upright move
 constexpr double kFound = 1e-10;  // mm: to which a height is searched
 constexpr int kMostSteps = 80;
 
+constexpr double kSlack = 1e-6;  // mm: above the error of distances
+
 Underside::Slant seen_from(double dx, double dy, double ux, double uy) {
   return {.u = dx * ux + dy * uy, .v = std::fabs(dx * uy - dy * ux)};
+}
+
+Underside::Slant seen_from(double x, double y, const double* piece) {
+  Underside::Slant at = seen_from(x - piece[0], y - piece[1], piece[3], piece[4]);
+  at.length = piece[5], at.slope = piece[6];
+  return at;
+}
+
+// The tip's path.
+ToolPath path_of(const BallArc& arc) {
+  const Curtain& c = arc.whole;
+  const Vec2 from{c.mid_x * c.cos_half + c.mid_y * c.sin_half,
+                  c.mid_y * c.cos_half - c.mid_x * c.sin_half};
+  const auto in_space = [&](double x, double y) {
+    return c.radius * Vec3{x * arc.along_x, x * arc.along_y, y};
+  };
+  ToolPath path;
+  path.arc = true;
+  path.center = arc.center - Vec3{0, 0, arc.ball};
+  path.u = in_space(from.x, from.y), path.v = in_space(-from.y, from.x);
+  path.sweep = 2 * mrsim::atan2(c.sin_half, c.cos_half), path.radius = c.radius;
+  return path;
 }
 
 double wrapped(double angle) {
@@ -41,11 +66,11 @@ SweepUndersides::SweepUndersides(const SweepTable& sweeps) {
 }
 
 void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
-  rows_.clear();
+  rows_.clear(), pieces_.clear();
   for (const std::uint32_t i : sweeps) rows_.push_back(row_of(i));
 }
 
-SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) const {
+SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
   const SweepColumns& c = sweeps_.columns();
   const SweepRef& ref = c.refs[sweep];
   Row row{.sweep = sweep, .tool = &tools_[ref.shape]};
@@ -59,12 +84,17 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) const {
   } else if (ref.kind == SweepKind::plane_arc) {
     const double* r = c.plane_arcs[ref.row].c;
     row.form = Form::level, row.z = r[7] - r[9];
+  } else if (ref.kind == SweepKind::ball_arc) {
+    set_pieces(row, path_of(c.ball_arcs[ref.row]));
   } else if (ref.kind == SweepKind::profile) {
     row.form = Form::level, row.z = c.profiles[ref.row].z;
   } else if (ref.kind == SweepKind::path) {
     const ToolPath& path = c.paths[ref.row];
     if (!path.arc && row.tool->is_convex()) set_slant(row, path.start, path.start + path.travel);
-    if (path.lowest_turn) row.form = Form::helix, row.exact = row.tool->is_flat();
+    if (path.lowest_turn && row.tool->is_flat())
+      row.form = Form::helix;
+    else if (path.arc && row.tool->is_convex())
+      set_pieces(row, path);
   }
   return row;
 }
@@ -77,6 +107,12 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
   if (plan < kShort) return;
   row.ux = dx / plan, row.uy = dy / plan;
   row.length = plan, row.slope = (high.z - low.z) / plan;
+}
+
+void SweepHeights::set_pieces(Row& row, const ToolPath& path) {
+  row.first = pieces_.size();
+  if (append_pieces(path, pieces_)) row.form = Form::pieces;
+  row.count = pieces_.size() - row.first;
 }
 
 // Distance in plan from the path of a level move.
@@ -97,8 +133,9 @@ double SweepHeights::bottom(std::uint32_t place, double x, double y, double belo
     at.length = row.length, at.slope = row.slope;
     return row.z + row.tool->bottom(at, below - row.z);
   }
-  if (row.form == Form::helix && row.exact) return helix_bottom(row, x, y, row.tool->radius());
-  return search(row.sweep, x, y);
+  if (row.form == Form::helix) return helix_bottom(row, x, y, row.tool->radius());
+  const Underside::Bounds within = bounds(place, x, y, 0, below);
+  return within.lower < below ? search(row.sweep, x, y, within) : kInfinity;
 }
 
 Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r,
@@ -116,11 +153,27 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, 
   }
   if (row.form == Form::helix)
     return {helix_bottom(row, x, y, row.tool->radius() + r),
-            helix_bottom(row, x, y, row.tool->radius() - r) + row.tool->lift()};
+            helix_bottom(row, x, y, row.tool->radius() - r)};
+  if (row.form == Form::pieces) return piece_bounds(row, x, y, r, below);
   const Box3 box = sweeps_.bounds(row.sweep);
   const bool meets =
       x + r >= box.lo.x && x - r <= box.hi.x && y + r >= box.lo.y && y - r <= box.hi.y;
   return {meets ? box.lo.z : kInfinity, kInfinity};
+}
+
+// The path is within a piece's eps of the piece.
+Underside::Bounds SweepHeights::piece_bounds(const Row& row, double x, double y, double r,
+                                             double below) const {
+  Underside::Bounds out;
+  for (std::size_t k = row.first; k < row.first + row.count; ++k) {
+    const double* piece = pieces_[k].c;
+    const double z = piece[2], eps = piece[7] + kSlack;
+    const Underside::Bounds found =
+        row.tool->bounds(seen_from(x, y, piece), r + eps, std::min(below, out.upper) + eps - z);
+    out.lower = std::min(out.lower, z + found.lower - eps);
+    out.upper = std::min(out.upper, z + found.upper + eps);
+  }
+  return out;
 }
 
 // Of a cylinder on a helix that falls, at most one turn long: the last position within `radius` of
@@ -143,10 +196,10 @@ double SweepHeights::helix_bottom(const Row& row, double x, double y, double rad
 }
 
 // Distances do not grow upwards.
-double SweepHeights::search(std::uint32_t sweep, double x, double y) const {
-  const Box3 box = sweeps_.bounds(sweep);
-  if (x < box.lo.x || x > box.hi.x || y < box.lo.y || y > box.hi.y) return kInfinity;
-  double low = std::max(low_, box.lo.z) - kFound, high = high_;
+double SweepHeights::search(std::uint32_t sweep, double x, double y,
+                            const Underside::Bounds& within) const {
+  double low = std::max(low_, within.lower) - kFound, high = std::min(high_, within.upper);
+  if (low >= high) return within.lower < high_ ? high : kInfinity;
   double below = sweeps_.distance(sweep, {x, y, low}),
          above = sweeps_.distance(sweep, {x, y, high});
   if (above > 0) return kInfinity;

@@ -1,17 +1,22 @@
 // Sweeps as heights: an upright cutter that reaches above all that is asked and nowhere narrows
 // removes, at each place in plan, all above its bottom. Closed forms for straight and level moves
-// and for helices of flat mills; other moves are asked by their distances.
+// and for helices of flat mills; other arcs lie near their chords and are found between those
+// bounds by their distances.
 #pragma once
 
+#include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/underside.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
 namespace mrsim {
+
+struct ToolPath;
 
 /// Whether sweep i holds, with each place, everything above it.
 bool is_upward(const SweepTable& sweeps, std::uint32_t i);
@@ -49,26 +54,29 @@ class SweepHeights {
                            double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  enum class Form : std::uint8_t { level, slant, helix, other };
+  enum class Form : std::uint8_t { level, slant, helix, pieces, other };
   struct Row {
     Form form = Form::other;
     std::uint32_t sweep = 0;
     const Underside* tool = nullptr;
-    double x = 0, y = 0, z = 0;    // slant: lower end of the tip's path; level: height
-    double ux = 1, uy = 0;         // slant: direction in plan
-    double length = 0, slope = 0;  // slant: in plan, mm
-    bool exact = true;             // bottom() of a helix
+    double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; level: height
+    double ux = 1, uy = 0;             // slant: direction in plan
+    double length = 0, slope = 0;      // slant: in plan, mm
+    std::size_t first = 0, count = 0;  // pieces
   };
-  Row row_of(std::uint32_t sweep) const;
+  Row row_of(std::uint32_t sweep);
   void set_slant(Row& row, const Vec3& start, const Vec3& end) const;
+  void set_pieces(Row& row, const ToolPath& path);
   double rho(const Row& row, double x, double y) const;
+  Underside::Bounds piece_bounds(const Row& row, double x, double y, double r, double below) const;
   double helix_bottom(const Row& row, double x, double y, double radius) const;
-  double search(std::uint32_t sweep, double x, double y) const;
+  double search(std::uint32_t sweep, double x, double y, const Underside::Bounds& within) const;
 
   const SweepTable& sweeps_;
   const SweepUndersides& tools_;
   double low_, high_;
   std::vector<Row> rows_;
+  std::vector<LineRecord> pieces_;  // straight ones of arcs (height_pieces.h)
 };
 
 }  // namespace mrsim

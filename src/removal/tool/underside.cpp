@@ -26,7 +26,6 @@ Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(
       edge.slope = (e.b.y - e.a.y) / (e.b.x - e.a.x);
     }
     edges_.push_back(edge);
-    lift_ = e.b.y;
   }
   ball_ = edges_.size() == 1 && !edges_[0].above && edges_[0].center == 0 &&
           edges_[0].radius == radius_ && edges_[0].z0 == radius_;

@@ -18,8 +18,6 @@ class Underside {
 
   /// Height above the tip at distance rho >= 0 from the axis, mm; infinite beyond the wall.
   double height(double rho) const;
-  /// Height where the tool is widest.
-  double lift() const { return lift_; }
   double radius() const { return radius_; }
   /// The height is a convex function of the distance: bottom() and bounds() may be asked.
   bool is_convex() const { return convex_; }
@@ -68,7 +66,7 @@ class Underside {
   double ball_bottom(const Slant& at) const;
 
   std::vector<Edge> edges_;
-  double radius_ = 0, lift_ = 0;
+  double radius_ = 0;
   bool convex_ = true, ball_ = false;
 };
 
