@@ -29,6 +29,9 @@ TEST(Sinumerik, AxesBesideADwellAreNotDropped) {
 }
 
 TEST(Sinumerik, CallsOfIsoModeAreRefused) {
+  const Program iso = read_text("G291\nG90 G54\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(codes(iso), "not-supported");
+  EXPECT_NE(iso.diagnostics[0].text.find("--dialect fanuc"), std::string::npos);
   EXPECT_EQ(run("F100 G1 X1\nM98 P1\nX2\n"), "1,0,0 2,0,0 not-supported");
   EXPECT_EQ(run("F100 G1 X1\nM99\nX2\n"), "1,0,0 2,0,0 not-supported");
 }

@@ -63,6 +63,7 @@ struct Control {
   std::vector<OffsetRegister> registers;     ///< the same
   int register_changes = 0;                  ///< how often the program has set one
   bool tool_life = false;                    ///< blocks up to G11 are data of tools' lives
+  bool level_plane = false;                  ///< G68.2 without a tilt is in force
   int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are

@@ -17,6 +17,7 @@ bool FrameWords::fanuc(const Word& word) {
   if (!cancels) arguments(values, named, true);
   switch (block_.frame_op) {
     case Code::rotation_on: {
+      if (word.value != 68) return level_plane(values, named, word);
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
       turn_about(r->value, kNormal[modal_.plane], values, word);
@@ -48,6 +49,22 @@ bool FrameWords::fanuc(const Word& word) {
     default:
       break;
   }
+  rebuild();
+  return true;
+}
+
+// G68.2 whose angles tilt nothing: its X Y Z are the zero, its angles turn about Z.
+bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
+  double angle = 0;
+  for (const char c : {'I', 'J', 'K'})
+    if (const Word* w = take(c)) angle += w->value;
+  for (const char c : {'P', 'Q'}) take(c);
+  for (int i = 0; i < 3; ++i)
+    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+  frames_.rotation_angle = angle;
+  frames_.rotation = compose(shift_frame(zero), rotation_frame(2, angle));
+  note_once("plane-level", "G68.2 without a tilt: its zero is shifted by X Y Z and turned about Z",
+            word, "G68.2");
   rebuild();
   return true;
 }

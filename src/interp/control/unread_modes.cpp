@@ -12,10 +12,12 @@ struct ModeWords {
   int begin, end;
 };
 
-constexpr ModeWords kFanuc[] = {{71, 71},    {121, 131},  {434, 490},  {435, 490},   {542, 542},
-                                {682, 690},  {683, 690},  {684, 690},  {1070, 1070}, {1120, 1130},
-                                {1430, 490}, {2340, 490}, {2540, 2550}};
-constexpr int kLeast = 71;        // of the numbers above
+constexpr ModeWords kFanuc[] = {{71, 71},     {121, 131},  {434, 490},  {435, 490},  {542, 542},
+                                {544, 544},   {682, 690},  {683, 690},  {684, 690},  {1070, 1070},
+                                {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
+constexpr int kLeast = 71;  // of the numbers above
+constexpr int kTiltedPlane = 682;
+constexpr int kRotationOff = 690;
 constexpr int kTiltedMove = 531;  // belongs to the tilted planes
 constexpr std::string_view kSinumerik[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
 constexpr int kTrafoof = 1;  // ends those
@@ -39,6 +41,18 @@ bool UnreadModes::ends(int g) {
   return false;
 }
 
+// G68.2 with the angles of Euler (about Z, X, Z) or, behind P1, about X, Y and Z: the second one,
+// or the first two, tilt.
+bool UnreadModes::is_level() const {
+  if (lathe()) return false;
+  const auto zero = [&](char c) {
+    const Word* w = peek(c);
+    return w && w->value == 0;
+  };
+  const Word* p = peek('P');
+  return zero('J') && (!p || p->value == 0 || (p->value == 1 && zero('I')));
+}
+
 bool UnreadModes::begins_or_ends(const Word& word) {
   if (is(Dialect::ngc) || is(Dialect::codesys)) return false;
   if (is(Dialect::sinumerik)) {
@@ -47,7 +61,14 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   }
   const int g = number_by_10(word);
   if (g < kLeast) return false;
-  if (control_.unread_end != 0 && g == kTiltedMove) return true;
+  if (g == kTiltedPlane && is_level()) {
+    control_.level_plane = true;
+    block_.frame_code = &word;
+    block_.frame_op = Code::rotation_on;
+    return true;
+  }
+  if (g == kTiltedMove && (control_.unread_end != 0 || control_.level_plane)) return true;
+  if (g == kRotationOff) control_.level_plane = false;
   const bool ended = ends(g);
   if (ended) control_.unread_end = 0;
   for (const ModeWords& mode : kFanuc) {

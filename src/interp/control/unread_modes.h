@@ -18,6 +18,7 @@ class UnreadModes : public ControlPart {
 
  private:
   bool ends(int g);
+  bool is_level() const;
   void note_name(const Word& word);
 };
 

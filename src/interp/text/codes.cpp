@@ -32,10 +32,11 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {480, "an offset of the tool's position"},
     {531, "a move of the tilted axes"},
     {542, "a dynamic work offset"},
+    {544, "the setting error of a workpiece"},
     {650, "a macro call"},
     {660, "a modal macro call"},
     {680, "a rotation"},
-    {682, "a tilted working plane"},
+    {682, "a tilted working plane, but for J0 on mills"},
     {683, "a tilted working plane"},
     {684, "a tilted working plane"},
     {770, "Brother's synchronised tapping"},
@@ -113,7 +114,7 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
 }
 
 std::string_view unsupported_code(Dialect dialect, int number_by_10) {
-  if (dialect != Dialect::fanuc && dialect != Dialect::iso) return {};
+  if (dialect == Dialect::ngc || dialect == Dialect::codesys) return {};
   for (const auto& [number, name] : kUnsupportedNames)
     if (number == number_by_10) return name;
   return {};
