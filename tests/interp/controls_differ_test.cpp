@@ -107,6 +107,26 @@ TEST(ControlsDiffer, ARegisterMaySetItsRadiusAgain) {
             (std::pair{5.0, 7.0}));
 }
 
+// The radius of D1 is that of the tool: the wear is added to it, and the warning stays.
+TEST(ControlsDiffer, AWearAloneIsAddedToTheToolsRadius) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.comp = CompRadius::automatic;
+  const auto x = [&](const std::string& set, const std::string& expected) {
+    const Program p = read_text(
+        "(T1 10MM END MILL)\nT1 M6\n" + set + "\nG41 D1 G1 X0 Y10. F100\nY20.\nG40 X-20.\n",
+        options);
+    EXPECT_EQ(codes(p), expected) << set;
+    return p.motions.empty() ? 0 : p.motions[0].end.x;
+  };
+  EXPECT_NEAR(x("G10 L13 P1 R0.2", "register-missing"), -5.2, 1e-9);
+  EXPECT_NEAR(x("#12001=0.2\n#12001=#12001+0.1", "register-missing"), -5.3, 1e-9);
+  EXPECT_NEAR(x("G10 L13 P1 R0.2\nG10 L12 P1 R4.", ""), -4.2, 1e-9);
+  EXPECT_NEAR(x("#13001=4.5", ""), -4.5, 1e-9);
+  EXPECT_NEAR(x("#13001=4.5\n#12001=0.1", ""), -4.6, 1e-9);
+  options.comp = CompRadius::wear;
+  EXPECT_NEAR(x("G10 L13 P1 R0.2", ""), -0.2, 1e-9);
+}
+
 // A settable frame that turns about Z: whole, or its part RT.
 TEST(ControlsDiffer, SettableFramesTurn) {
   const auto s = Dialect::sinumerik;

@@ -71,7 +71,8 @@ void CompensationWords::set_radius() {
   const double own = !tool ? 0 : turning ? tool->nose_radius : tool->diameter / 2;
   const CompRadius comp =
       options_.comp == CompRadius::automatic ? tools_.commented_radius() : options_.comp;
-  radius_ = reg ? reg->radius + reg->wear : comp == CompRadius::wear ? 0 : own;
+  radius_ = reg ? reg->radius + reg->wear
+                : (comp == CompRadius::wear ? 0 : own) + control_.bare_wear(edge);
   if (comp == CompRadius::off) radius_ = 0;
   if (!reg && (own > 0 || turning) && modal_.edge_given && comp == CompRadius::automatic)
     reporter_.once(Severity::warning, "register-missing",

@@ -47,7 +47,20 @@ OffsetRegister& Control::change_register(const std::string& name) {
     if (reg.name == name) return reg;
   OffsetRegister fresh;
   fresh.name = name;
+  fresh.wear = bare_wear(name);
   return registers.emplace_back(fresh);
+}
+
+double& Control::change_wear(const std::string& name) {
+  ++register_changes;
+  for (OffsetRegister& reg : registers)
+    if (reg.name == name) return reg.wear;
+  return bare_wears[name];
+}
+
+double Control::bare_wear(const std::string& name) const {
+  const auto at = bare_wears.find(name);
+  return at == bare_wears.end() ? 0 : at->second;
 }
 
 bool is_circular(Code c) {

@@ -61,16 +61,21 @@ struct Control {
   bool machine_known = false;
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
-  int register_changes = 0;                  ///< how often the program has set one
-  bool tool_life = false;                    ///< blocks up to G11 are data of tools' lives
-  bool level_plane = false;                  ///< G68.2 without a tilt is in force
-  int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
+  /// Wears that the program sets where no register tells the radius: the tool's own stands.
+  std::map<std::string, double> bare_wears;
+  int register_changes = 0;  ///< how often the program has set one
+  bool tool_life = false;    ///< blocks up to G11 are data of tools' lives
+  bool level_plane = false;  ///< G68.2 without a tilt is in force
+  int unread_end = 0;        ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
   /// G54.1 P1.
   std::string offset_name(std::string_view written) const;
   /// The register of that name, made where there is none; it counts as changed.
   OffsetRegister& change_register(const std::string& name);
+  /// Its wear, which makes no register of that name.
+  double& change_wear(const std::string& name);
+  double bare_wear(const std::string& name) const;
 
   /// Copies of the state before this block, made by the parts that change it.
   std::optional<Frames> saved_frames;

@@ -153,8 +153,8 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               where, "length");
   if (!radius) return true;
-  OffsetRegister& reg = control_.change_register(fmt::format("D{}", p));
-  double& value = l == 13 ? reg.wear : reg.radius;
+  const std::string name = fmt::format("D{}", p);
+  double& value = l == 13 ? control_.change_wear(name) : control_.change_register(name).radius;
   const double mm = r->value * length_unit(*r);
   value = modal_.incremental && !is(Dialect::ngc) ? value + mm : mm;
   return true;

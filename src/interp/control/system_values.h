@@ -46,6 +46,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool write_fanuc(double number, const Value& value, std::string& why);
   bool fanuc_position(int number, double& out, std::string& why) const;
   bool fanuc_register(int number, double& out, std::string& why) const;
+  bool write_fanuc_register(double number, const Value& value);
   bool fanuc_modal(int number, double& out) const;
   bool fanuc_address(int number, double& out) const;
   bool mill_group(int group, double& out) const;

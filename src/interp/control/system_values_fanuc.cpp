@@ -164,11 +164,25 @@ bool SystemValues::fanuc_register(int number, double& out, std::string& why) con
   if (lathe() || kind < 10 || kind > 13 || number % 1000 == 0 || !tools_) return false;
   const std::string name = fmt::format("{}{}", kind < 12 ? 'H' : 'D', number % 1000);
   const OffsetRegister* reg = tools_->find_register(name);
+  if (!reg && kind == 12 && control_.bare_wears.contains(name)) {
+    out = control_.bare_wear(name) / scale();
+    return true;
+  }
   if (!reg) {
     why = fmt::format("#{}: {} is not in the tool table", number, name);
     return false;
   }
   out = (kind % 2 == 0 ? reg->wear : kind == 11 ? reg->length : reg->radius) / scale();
+  return true;
+}
+
+// Lengths, #10001 and #11001, are those of the real tools.
+bool SystemValues::write_fanuc_register(double number, const Value& value) {
+  const int kind = static_cast<int>(number / 1000), index = static_cast<int>(number) % 1000;
+  if (lathe() || (kind != 12 && kind != 13) || index == 0 || !value.is_number()) return false;
+  const std::string name = fmt::format("D{}", index);
+  double& place = kind == 12 ? control_.change_wear(name) : control_.change_register(name).radius;
+  place = value.number * scale();
   return true;
 }
 
@@ -197,6 +211,7 @@ bool SystemValues::write_fanuc(double number, const Value& value, std::string& w
     return true;
   }
   if (number >= 3001 && number <= 3007) return true;  // clock, stops, messages
+  if (write_fanuc_register(number, value)) return true;
   why = number == 3000
             ? fmt::format("the program stops with its own alarm #3000 = {:g}", value.number)
             : fmt::format("the system variable #{:.0f} cannot be set here", number);

@@ -321,7 +321,8 @@ double ToolChanger::radius(int edge) {
   if (reg) return reg->radius + reg->wear;
   const Tool* tool = current();
   if (!tool) return 0;
-  return is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+  const double own = is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+  return own + control_.bare_wear(fmt::format("D{}", edge));
 }
 
 CompRadius ToolChanger::commented_radius() const {
