@@ -210,6 +210,14 @@ TEST(Posts, RunAsWorkedOut) {
       {"kiri_moto.nc", Dialect::ngc, mill, 1, 10, 0, {5, 5, 6}, {45, 25, 8}},
       // The tool is named three blocks below its M06; R-12 runs 247 degrees.
       {"dolphin.nc", Dialect::fanuc, mill, 3, 3, 2, {-10, 30, -3}, {80, 50, -3}},
+      // Its head counts the drills: T1 is 0.8, T2 1 mm. Three holes and two, all 2 deep.
+      {"pcb2gcode_drill.ngc", Dialect::ngc, mill, 11, 7, 0, {0, 0, -2}, {25, 20, 2}},
+      // G68.2 of zeros and G53.1 leave all as it is.
+      {"tilt_of_zero.nc", Dialect::fanuc, mill, 2, 5, 0, {10, 10, -4}, {50, 30, -4}},
+      // #13001 is 5.5 in the first pass round 40 x 30, 5 in the second.
+      {"wear_in_loop.nc", Dialect::fanuc, mill, 1, 13, 0, {-20, -20, -5}, {45.5, 35.5, -5}},
+      // DIAM90: X of G91 is a radius. Four passes 1 mm deep.
+      {"diam90_setms.mpf", Dialect::sinumerik, lathe, 15, 7, 0, {20, 0, -30}, {26, 0, 2}},
       {"worknc.nc", Dialect::fanuc, mill, 2, 4, 0, {5, 5, -2.2}, {45, 5.4, -2}},
   };
   for (const Post& post : posts) {
