@@ -128,6 +128,12 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("#1 = 0\nwhile [#1 lt 3]\nG1 X#1 Y1 F9\nendwhile\n").find("Eding"),
             std::string::npos);
   EXPECT_EQ(refusal("O1\n#1=0\nWHILE[#1LT3]DO1\nG1X#1Y1F9\n#1=#1+1\nEND1\nM30\n"), "");
+  EXPECT_NE(refusal("O1 (STAR SB-20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("G21\nG92 X0 Y0 Z0\nM300 S30\nG1 X9 Y9 F900\nM300 S50\nG1 X0\n").find("plotter"),
+      std::string::npos);
+  EXPECT_EQ(refusal("G21\nM300 S440 P200\nG1 X9 Y9 F900\nM300 S440 P200\n"), "");
   EXPECT_NE(refusal("O1 (CITIZEN L20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
             std::string::npos);
   EXPECT_NE(refusal("O1\n$1\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("several paths"),

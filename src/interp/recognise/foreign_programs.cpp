@@ -118,6 +118,12 @@ void ForeignPrograms::weigh_printer(const std::string& code, int number, std::st
     refuse("the program of a 3-D printer (it heats and extrudes)", number, raw);
 }
 
+// The pen's servo stands at S; a beep of M300 has a length P.
+void ForeignPrograms::weigh_plotter(const std::string& code, int number, std::string_view raw) {
+  if (!has_word(code, "M300") || !has_axis(code, 'S') || has_axis(code, 'P')) return;
+  if (++pen_moves_ == 2) refuse("a pen plotter's program (M300 S moves its pen)", number, raw);
+}
+
 // NUM: G77 and G79 call and jump to N words; "%12" at the head, and G52 beside a motion, which is a
 // place of the machine there.
 void ForeignPrograms::weigh_num(const std::string& code, int number, std::string_view raw) {
@@ -157,7 +163,9 @@ void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
 // Z of a sliding headstock is the bar's, which moves towards the tools: plus cuts deeper.
 void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::string_view raw) {
   const std::string comment = upper_case(s.comment);
-  if (any_of(comment, {"CINCOM", "CITIZEN", "SWISS LATHE", "SWISS-TYPE", "SWISS TYPE"}))
+  if (any_of(comment,
+             {"CINCOM", "CITIZEN", "SWISS LATHE", "SWISS-TYPE", "SWISS TYPE", "SLIDING HEAD",
+              "STAR SB", "STAR SR", "STAR SV", "STAR SW", "STAR ECAS", "TSUGAMI B", "TSUGAMI SS"}))
     refuse("a Swiss-type lathe's program (its headstock moves, so Z runs the other way)", number,
            raw);
 }
@@ -168,6 +176,7 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
   if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);
   if (!scan.code.empty() && number <= kHeadLines) weigh_num(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);
+  if (!scan.code.empty() && number <= 2000) weigh_plotter(scan.code, number, raw);
   if (!settled()) weigh_laser(scan, number);
 }
 

@@ -28,6 +28,7 @@ class ForeignPrograms {
  private:
   [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
   void weigh_printer(const std::string& code, int number, std::string_view raw);
+  void weigh_plotter(const std::string& code, int number, std::string_view raw);
   void weigh_num(const std::string& code, int number, std::string_view raw);
   void weigh_sliding_head(const LineScan& scan, int number, std::string_view raw);
   void weigh_laser(const LineScan& scan, int number);
@@ -37,7 +38,7 @@ class ForeignPrograms {
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
   bool on_ = false, power_ = false, laser_word_ = false;
-  int powered_moves_ = 0, switches_ = 0, laser_line_ = 0;
+  int pen_moves_ = 0, powered_moves_ = 0, switches_ = 0, laser_line_ = 0;
 };
 
 }  // namespace mrsim
