@@ -6,21 +6,11 @@
 
 #include "core/parallel.h"
 #include "mesh/solid/exact_predicates.h"
-#include "mesh/surface/piece_hash.h"
-#include "mesh/surface/sample_groups.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mrsim::detail {
 namespace {
-
-constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
-
-template <class T>
-const T& at(const std::vector<T>& v, std::int32_t i) {
-  return v[static_cast<std::size_t>(i)];
-}
 
 bool has_face(const SurfacePoint& p, const FieldSample& face) {
   for (int k = 0; k < p.count; ++k)
@@ -30,11 +20,6 @@ bool has_face(const SurfacePoint& p, const FieldSample& face) {
 
 bool is_on(const SurfacePoint& p, const SurfacePoint& crease) {
   return has_face(p, crease.faces[0]) && has_face(p, crease.faces[1]);
-}
-
-void add(PlaceHash& hash, const Crossing& c) {
-  hash.add(c.position);
-  hash.add(c.at);
 }
 
 }  // namespace
@@ -53,195 +38,6 @@ const BaseMesh& DualSurface::make_triangles() {
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     if (crossings_[k].edge.owned) add_polygon(static_cast<std::int32_t>(k));
   return mesh_;
-}
-
-// Segments between faces of the part that meet in a crease, and where it passes the faces of the
-// cells.
-void DualSurface::find_creases() {
-  creases_.clear();
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
-    Segment& s = segments_[k];
-    s.crease = s.is_crease ? static_cast<std::int32_t>(creases_.size()) : -1;
-    if (s.is_crease) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
-  }
-  std::vector<std::uint64_t> fresh(creases_.size(), 0);  // keys of what is not known yet
-  const auto place = [&](std::size_t k) {
-    Crease& crease = creases_[k];
-    const std::uint64_t key = options_.remember ? key_of(at(segments_, crease.segment)) : 0;
-    if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
-      crease.point = known->point;
-      crease.outside = known->outside;
-      return;
-    }
-    place_crease(crease);
-    fresh[k] = key;
-  };
-  // Those of cells with the same candidates follow each other.
-  std::vector<std::int32_t> all(creases_.size());
-  std::iota(all.begin(), all.end(), 0);
-  const Groups groups(all, cells_.lists(), [&](std::int32_t k) {
-    return cells_.list_of(face_cell(at(faces_, at(segments_, at(creases_, k).segment).face)));
-  });
-  parallel_for(
-      groups.size(), options_.threads,
-      [&](std::size_t g) {
-        for (const std::int32_t k : groups[g]) place(static_cast<std::size_t>(k));
-      },
-      16);
-  for (std::size_t k = 0; k < fresh.size(); ++k)
-    if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
-}
-
-bool DualSurface::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
-  if (same_face(a.at, b.at)) return false;
-  const std::int32_t cell = face_cell(face);
-  const double size = kDiagonal * cells_.lattice().fine() * cells_.size_of(cell);
-  const Probe p = probe(cell);
-  return !is_nearly_flat(p, {a.position, a.normal}, {b.position, b.normal}, size) &&
-         !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
-}
-
-void DualSurface::place_crease(Crease& crease) const {
-  const Segment& s = at(segments_, crease.segment);
-  const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
-  const CellFace& face = at(faces_, s.face);
-  const Box3 box = face_box(face);
-  const Probe p = probe_within(face_cell(face));
-  crease.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
-  const FieldSample ends[2] = {a.at, b.at};
-  if (options_.sharpen && crease.point.count == 0)
-    crease.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
-}
-
-void DualSurface::place_loops() {
-  std::vector<std::uint64_t> keys(options_.remember ? loops_.size() : 0);
-  std::vector<std::int32_t> fresh;
-  fresh.reserve(loops_.size());
-  outside_.assign(options_.sharpen ? loops_.size() : 0, {});
-  for (std::size_t k = 0; k < loops_.size(); ++k) {
-    Loop& loop = loops_[k];
-    if (loop.point.count > 0 || !cells_.is_complete(loop.cell)) continue;
-    if (options_.remember) {
-      keys[k] = key_of(loop);
-      if (const PlacedPoints::Place* known = placed_loops_.find(keys[k])) {
-        loop.point = known->point;
-        if (options_.sharpen) outside_[k] = known->outside;
-        continue;
-      }
-    }
-    fresh.push_back(static_cast<std::int32_t>(k));
-  }
-  const Groups groups(fresh, cells_.lists(),
-                      [&](std::int32_t k) { return cells_.list_of(at(loops_, k).cell); });
-  parallel_for(
-      groups.size(), options_.threads, [&](std::size_t g) { place_loops_of(groups[g]); }, 16);
-  if (!options_.remember) return;
-  for (const std::int32_t k : fresh) {
-    const auto i = static_cast<std::size_t>(k);
-    placed_loops_.add(keys[i], {loops_[i].point, options_.sharpen ? outside_[i] : SurfacePoint{}});
-  }
-}
-
-// Cells and their candidates stay as long as the tree: the rest is told by the crossings.
-std::uint64_t DualSurface::key_of(const Segment& s) const {
-  const CellFace& face = at(faces_, s.face);
-  const std::int32_t cell = face_cell(face);
-  PlaceHash hash(static_cast<std::uint64_t>(cell) * 8 +
-                 static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
-  for (const std::int32_t k : {s.from, s.to}) add(hash, at(crossings_, k));
-  return hash.value();
-}
-
-std::uint64_t DualSurface::key_of(const Loop& loop) const {
-  PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
-  for (const std::int32_t k : crossings_of(loop)) add(hash, at(crossings_, k));
-  for (const std::int32_t k : segments_of(loop)) {
-    const std::int32_t c = at(segments_, k).crease;
-    const SurfacePoint* point = c >= 0 ? &at(creases_, c).point : nullptr;
-    hash.add(point ? 1u << 8 | static_cast<unsigned>(point->count) : 0u);
-    if (point && point->count > 0) hash.add(point->position);
-  }
-  return hash.value();
-}
-
-// Neighbouring crossings lie on one face of the part or on faces that join smoothly.
-bool DualSurface::is_smooth(const Loop& loop) const {
-  for (const std::int32_t k : segments_of(loop))
-    if (at(segments_, k).crease >= 0) return false;
-  return true;
-}
-
-Vec3 DualSurface::mean_crossing(const Loop& loop) const {
-  Vec3 sum;
-  for (const std::int32_t k : crossings_of(loop)) sum += at(crossings_, k).position;
-  return (1.0 / static_cast<double>(loop.crossings)) * sum;
-}
-
-// Loops of cells with the same candidates.
-void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
-  struct Memory {
-    std::vector<SmoothSearch> searches;
-    std::vector<std::int32_t> searched;
-  };
-  static thread_local Memory memory;
-  auto& [searches, searched] = memory;
-  searches.clear();
-  searched.clear();
-  for (const std::int32_t k : loops) {
-    const Loop& loop = at(loops_, k);
-    const std::span<const std::int32_t> crossings = crossings_of(loop);
-    const FieldSample& first = at(crossings_, crossings[0]).at;
-    const bool one_face = std::all_of(crossings.begin(), crossings.end(), [&](std::int32_t c) {
-      return same_face(at(crossings_, c).at, first);
-    });
-    if (!one_face && !is_smooth(loop)) continue;
-    searches.emplace_back(field_, cells_.box(loop.cell), mean_crossing(loop),
-                          one_face ? &first : nullptr);
-    searched.push_back(k);
-  }
-  run_together(probe(at(loops_, loops[0]).cell), std::span(searches));
-  for (std::size_t i = 0; i < searched.size(); ++i)
-    loops_[static_cast<std::size_t>(searched[i])].point = searches[i].result();
-  for (const std::int32_t k : loops) finish_loop(k);
-}
-
-void DualSurface::finish_loop(std::int32_t id) {
-  Loop& loop = loops_[static_cast<std::size_t>(id)];
-  const Box3 box = cells_.box(loop.cell);
-  if (loop.point.count == 0 || options_.sharpen) {
-    static thread_local std::vector<Vec3> crossings, creases;
-    static thread_local std::vector<FieldSample> faces;
-    crossings.clear();
-    creases.clear();
-    faces.clear();
-    for (const std::int32_t k : crossings_of(loop)) {
-      crossings.push_back(at(crossings_, k).position);
-      faces.push_back(at(crossings_, k).at);
-    }
-    for (const std::int32_t k : segments_of(loop)) {
-      const std::int32_t c = at(segments_, k).crease;
-      if (c >= 0 && at(creases_, c).point.count == 2)
-        creases.push_back(at(creases_, c).point.position);
-    }
-    const Probe p = probe_within(loop.cell);
-    if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
-    if (options_.sharpen && loop.point.count < 2 && creases.empty())
-      outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);
-    if (loop.point.count == 0) {
-      std::vector<Vec3> ends;
-      for (const std::int32_t k : crossings_of(loop)) add_ends(at(crossings_, k), ends);
-      loop.point = point_towards_middle(p, box, ends);
-    }
-  }
-  // Any point in the cell keeps pieces apart; how far it is from the part is measured later.
-  if (loop.point.count == 0)
-    loop.point = {mean_crossing(loop), {at(crossings_, crossings_of(loop)[0]).at}, 1};
-  loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
-}
-
-void DualSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
-  out.push_back(c.low_end());
-  out.push_back(c.high_end());
 }
 
 // A segment needs no vertex of its own where the line between the vertices on both sides passes

@@ -83,6 +83,12 @@ struct CrossedGrid {
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
 CrossedGrid split_badly_crossed(CellOctree& tree);
 
+/// Of a list that is counted by signed numbers.
+template <class T>
+const T& at(const std::vector<T>& v, std::int32_t i) {
+  return v[static_cast<std::size_t>(i)];
+}
+
 /// Points of former rounds, by a hash of all that they are computed from.
 class PlacedPoints {
  public:

@@ -39,11 +39,6 @@ void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
   if (a != b) parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
-template <class T>
-const T& at(const std::vector<T>& v, std::int32_t i) {
-  return v[static_cast<std::size_t>(i)];
-}
-
 // Both edges lie on one side of a face that is flat on `axis`.
 bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
   if (a.axis != b.axis) return false;
