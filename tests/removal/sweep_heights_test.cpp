@@ -49,6 +49,12 @@ Motion any_move(Random& r, int kind) {
   }
 }
 
+// Moves of one kind: the distances that the slanted ones of tools that are not convex are asked by
+// take milliseconds.
+unsigned moves_of(int kind, const Tool& tool) {
+  return rounds(kind < 2 || make_cutter(tool).is_convex() ? 12 : 3);
+}
+
 class EveryRisingTool : public ::testing::TestWithParam<int> {};
 
 TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
@@ -56,7 +62,7 @@ TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
   int below = 0, asked = 0;
   for (int kind = 0; kind < 6; ++kind) {
     Random r(10 + kind);
-    for (unsigned round = 0; round < rounds(12); ++round) {
+    for (unsigned round = 0; round < moves_of(kind, tool); ++round) {
       const Motion m = any_move(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       ASSERT_TRUE(is_upward(s, 0));
@@ -86,7 +92,7 @@ TEST_P(EveryRisingTool, BoundsHoldOverASquare) {
   int bounded = 0, asked = 0;
   for (int kind = 0; kind < 6; ++kind) {
     Random r(30 + kind);
-    for (unsigned round = 0; round < rounds(12); ++round) {
+    for (unsigned round = 0; round < moves_of(kind, tool); ++round) {
       const Motion m = any_move(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       const SweepUndersides tools(s);

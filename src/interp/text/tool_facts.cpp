@@ -194,20 +194,23 @@ void FactReader::read_key_number(const ToolKind& kind) {
   view_.take(key->first, key->end);
 }
 
-// "end 1/4" of Kiri:Moto; "V90 D12", "60V".
+// "end 1/4" of Kiri:Moto; "V90 D12", "60V"; the angle of "V90 ENGRAVER".
 void FactReader::read_short_kind() {
   using enum ToolTrade;
   const auto angle = [&](std::size_t i) {
     return view_.number(i) && view_.whole(i) && view_[i].value >= 15 && view_[i].value <= 150;
   };
-  for (std::size_t i = 0; facts_.kinds.empty() && i < view_.size(); ++i) {
-    if (view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction)
+  const bool has_point = kind() && kind()->type == ToolType::chamfer;
+  for (std::size_t i = 0; i < view_.size() && facts_.angles.empty(); ++i) {
+    if (kind() && !has_point) return;
+    if (!kind() && view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction)
       facts_.kinds.push_back({ToolType::endmill, mill, true, 0, i, i + 1});
     if (!view_.is(i, "V")) continue;
     const bool before = i > 0 && view_.glued(i) && angle(i - 1);
     const bool behind = view_.glued(i + 1) && angle(i + 1) && !view_.glued(i + 2);
     if (!before && !behind) continue;
-    facts_.kinds.push_back({ToolType::chamfer, vee, false, 0, i, i + 1});
+    if (!kind()) facts_.kinds.push_back({ToolType::chamfer, vee, false, 0, i, i + 1});
+    view_.take(i);
     facts_.angles.push_back(view_[before ? i - 1 : i + 1].value);
     view_.take(before ? i - 1 : i + 1);
   }
