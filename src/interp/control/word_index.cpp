@@ -23,9 +23,9 @@ bool WordIndex::refuse_address(const Word& word) {
   if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
     for (const Word& other : block_.words)
       if (other.address == letter('G') && other.value == 4) return true;
-  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G187 is
+  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G187 is, and the depth feed of G47
     for (const Word& other : block_.words)
-      if (other.address == letter('G') && other.value == 187) return true;
+      if (other.address == letter('G') && (other.value == 187 || other.value == 47)) return true;
   if (is(Dialect::sinumerik) && c == 'R')
     return error("not-supported",
                  "R is a variable of SINUMERIK, which is not supported yet; "
