@@ -36,7 +36,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {650, "a macro call"},
     {660, "a modal macro call"},
     {680, "a rotation"},
-    {682, "a tilted working plane, but for J0 on mills"},
+    {682, "a tilted working plane"},
     {683, "a tilted working plane"},
     {684, "a tilted working plane"},
     {770, "Brother's synchronised tapping"},

@@ -200,11 +200,12 @@ void FactReader::read_short_kind() {
   const auto angle = [&](std::size_t i) {
     return view_.number(i) && view_.whole(i) && view_[i].value >= 15 && view_[i].value <= 150;
   };
-  const bool has_point = kind() && kind()->type == ToolType::chamfer;
+  if (kind() && kind()->type != ToolType::chamfer) return;
   for (std::size_t i = 0; i < view_.size() && facts_.angles.empty(); ++i) {
-    if (kind() && !has_point) return;
-    if (!kind() && view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction)
+    if (!kind() && view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction) {
       facts_.kinds.push_back({ToolType::endmill, mill, true, 0, i, i + 1});
+      return;
+    }
     if (!view_.is(i, "V")) continue;
     const bool before = i > 0 && view_.glued(i) && angle(i - 1);
     const bool behind = view_.glued(i + 1) && angle(i + 1) && !view_.glued(i + 2);

@@ -146,11 +146,11 @@ double plane_bound(const Value& m, double half) {
   return m.f - slope * s + 0.5 * bend * s * s;
 }
 
-PathSample least_of(const PathSample& a, const PathSample& b) {
+PathSample nearer(const PathSample& a, const PathSample& b) {
   return a.distance <= b.distance ? a : b;
 }
 PathSample ends(const Objective& F, double begin, double end) {
-  return least_of({F(begin).f, begin}, {F(end).f, end});
+  return nearer({F(begin).f, begin}, {F(end).f, end});
 }
 
 // A convex tool on an arc or a helix about Z, over [begin, end].
@@ -193,7 +193,6 @@ PathSample search_level(const Objective& F, double begin, double end) {
 // Branch and bound over [begin, end], for something nearer than `best`.
 PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
                       double end, PathSample best) {
-  const double tolerance = kPathError;
   if (path.level) {
     const double guess = F.towards();
     for (double t = guess; t < end; t += kTwoPi) {
@@ -209,20 +208,20 @@ PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& p
   while (depth > 0) {
     const Interval in = stack[--depth];
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - tolerance)
+    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - kPathError)
       continue;
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     double bound = m.f - path.speed * half;
     if (tool.is_convex()) bound = std::max(bound, plane_bound(m, half));
-    if (bound >= best.distance - tolerance || depth + 2 > stack.size()) continue;
+    if (bound >= best.distance - kPathError || depth + 2 > stack.size()) continue;
     const Interval low = {in.lo, mid}, high = {mid, in.hi};
     stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
     stack[depth++] = m.slope < 0 ? high : low;
   }
   if (finest == 0) return best;
-  return least_of(
-      best, descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end)));
+  return nearer(best,
+                descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end)));
 }
 
 // A convex tool on an arc in any plane but a level one, over [begin, end].
@@ -231,11 +230,11 @@ PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath&
   if (end - begin > kPi) {
     const double mid = 0.5 * (begin + end);
     const PathSample a = search_steep(F, tool, path, begin, mid);
-    return least_of(a, search_steep(F, tool, path, mid, end));
+    return nearer(a, search_steep(F, tool, path, mid, end));
   }
   const Bracket local = bracket(F, begin, end);
   if (local.in_trough()) return local.least();
-  return search_all(F, tool, path, begin, end, least_of(local.least(), ends(F, begin, end)));
+  return search_all(F, tool, path, begin, end, nearer(local.least(), ends(F, begin, end)));
 }
 
 PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
