@@ -12,17 +12,6 @@ namespace {
 
 using namespace testing;
 
-// Radii of path and tool of every ratio; some arcs end on an axis of their plane.
-Motion upright_arc(Random& r) {
-  const double turned = r.pick(3) == 0 ? 0 : r(0, kTwoPi), radius = r(0.3, 12);
-  const Vec3 along = {std::cos(turned), std::sin(turned), 0};
-  const Vec3 axis = {along.y, -along.x, 0}, center = {r(-3, 3), r(-3, 3), r(-3, 3)};
-  const double from = r.pick(2) == 0 ? kPi / 2 * r.pick(4) : r(0, kTwoPi);
-  const Vec3 start = center + radius * (std::cos(from) * along + Vec3{0, 0, std::sin(from)});
-  const double sweeps[] = {kPi / 2, kPi, kTwoPi, r(0.05, 7), r(0.05, 2)};
-  return arc(start, center, axis, (r.pick(2) ? -1 : 1) * sweeps[r.pick(5)]);
-}
-
 Motion helix(Random& r) {
   const double radius = r(0.1, 6), from = r(0, kTwoPi);
   const Vec3 center = {r(-3, 3), r(-3, 3), r(-3, 3)};
@@ -36,16 +25,6 @@ Motion slant(Random& r) {
   const double steep = flat == 1 && r.pick(4) == 0 ? 1e-5 : 1;
   const Vec3 start{r(-3, 3), r(-3, 3), r(-3, 3)};
   return line(start, start + Vec3{flat * r(-5, 5), flat * r(-5, 5), steep * r(-5, 5)});
-}
-
-// Also on the axis of the circle and in its plane, where positions are equally near.
-Vec3 point_near(Random& r, const Motion& m, double reach) {
-  const int kind = r.pick(8);
-  Vec3 p = at(m, r(0, 1)) + Vec3{r(-reach, reach), r(-reach, reach), r(-reach, reach)};
-  if (kind == 0) p.x = m.center.x, p.y = m.center.y;
-  if (kind == 1) p.x = at(m, 0).x, p.y = at(m, 0).y;
-  if (kind == 2) p.y = m.center.y;
-  return p;
 }
 
 class Stretches : public ::testing::TestWithParam<double> {};  // corner radius / radius
@@ -110,12 +89,7 @@ TEST(Stretches, PlacesAndPiecesAgree) {
     const Motion m = upright_arc(r);
     const Tool tool = endmill(r(1, 8), 0);
     const Profile mill = make_cutter(tool);
-    ToolPath path;
-    path.arc = true;
-    path.center = m.center, path.u = m.start - m.center;
-    path.v = (m.sweep < 0 ? -1.0 : 1.0) * cross(m.axis, path.u);
-    path.radius = path.speed = length(path.u);
-    path.sweep = std::fabs(m.sweep);
+    ToolPath path = path_of(m);
     make_upright(path);
     for (int k = 0; k < 10; ++k) {
       const Vec3 p = point_near(r, m, 6);

@@ -2,6 +2,8 @@
 // sweeps by dense samples of their path; a deterministic random source.
 #pragma once
 
+#include "core/units.h"
+#include "removal/sweep/path_sweep.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"
 #include "support/moves.h"
@@ -72,6 +74,39 @@ inline double least(const std::function<double(double)>& f, int samples = 4000) 
     best = std::min({best, all[i].first, f(0.5 * (lo + hi))});
   }
   return best;
+}
+
+/// An arc in an upright plane, of any radius; some end on an axis of their plane.
+inline Motion upright_arc(Random& r) {
+  const double turned = r.pick(3) == 0 ? 0 : r(0, kTwoPi), radius = r(0.3, 12);
+  const Vec3 along = {std::cos(turned), std::sin(turned), 0};
+  const Vec3 axis = {along.y, -along.x, 0}, center = {r(-3, 3), r(-3, 3), r(-3, 3)};
+  const double from = r.pick(2) == 0 ? kPi / 2 * r.pick(4) : r(0, kTwoPi);
+  const Vec3 start = center + radius * (std::cos(from) * along + Vec3{0, 0, std::sin(from)});
+  const double sweeps[] = {kPi / 2, kPi, kTwoPi, r(0.05, 7), r(0.05, 2)};
+  return arc(start, center, axis, (r.pick(2) ? -1 : 1) * sweeps[r.pick(5)]);
+}
+
+/// The path of an arc without rise, as far as every tool has it.
+inline ToolPath path_of(const Motion& m) {
+  ToolPath path;
+  path.arc = true;
+  path.center = m.center, path.u = m.start - m.center;
+  path.v = (m.sweep < 0 ? -1.0 : 1.0) * cross(m.axis, path.u);
+  path.radius = path.speed = length(path.u);
+  path.sweep = std::fabs(m.sweep);
+  return path;
+}
+
+/// A point near a motion, also on the axis of its circle and in its plane, where positions are
+/// equally near.
+inline Vec3 point_near(Random& r, const Motion& m, double reach) {
+  const int kind = r.pick(8);
+  Vec3 p = at(m, r(0, 1)) + Vec3{r(-reach, reach), r(-reach, reach), r(-reach, reach)};
+  if (kind == 0) p.x = m.center.x, p.y = m.center.y;
+  if (kind == 1) p.x = at(m, 0).x, p.y = at(m, 0).y;
+  if (kind == 2) p.y = m.center.y;
+  return p;
 }
 
 /// Flat, bull-nose or ball mill that reaches up, at rest with its tip at the origin.

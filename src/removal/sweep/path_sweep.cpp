@@ -15,6 +15,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/simd/lane_scalar.h"
+#include "removal/sweep/flank_sweep.h"
 #include "removal/sweep/helix_sweep.h"
 #include "removal/sweep/slant_sweep.h"
 #include "removal/sweep/upright_sweep.h"
@@ -359,6 +360,8 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
+  if (path.flanked)
+    if (const auto least = flank_minimum(tool, path, p, 0, path.sweep)) return *least;
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 
@@ -367,6 +370,8 @@ double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (path.bored)
     if (const lane::Bore wall = lane::bore(path.bore.c, p.x, p.y, p.z); wall.decided)
       return wall.distance;
+  if (path.flanked)
+    if (const auto least = flank_value(tool, path, p)) return *least;
   return path_distance(tool, path, p).distance;
 }
 
@@ -386,6 +391,8 @@ PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3
   if (path.upright) return upright_branch_minimum(tool, path, p, branch);
   if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   const auto [begin, end] = branch_ends(path, branch);
+  if (path.flanked)
+    if (const auto least = flank_minimum(tool, path, p, begin, end)) return *least;
   return search(Objective(tool, path, p), tool, path, begin, end);
 }
 

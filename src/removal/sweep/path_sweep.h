@@ -34,12 +34,13 @@ struct ToolPath {
   LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
 
-  // Arc in an upright plane, of a tool that reaches up with is_rounded() (upright_sweep.h).
-  bool upright = false;
+  // Arc in an upright plane, at most one turn, of a tool that reaches up: with is_rounded()
+  // (upright_sweep.h), or with has_flank() (flank_sweep.h).
+  bool upright = false, flanked = false;
   Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
   Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
-  int first_quarter = 0;  ///< of the circle, counter-clockwise from x: the one it begins in
-  int quarters = 0;       ///< how many it passes
+  int first_quarter = 0;  ///< upright: of the circle, counter-clockwise from x, where it begins
+  int quarters = 0;       ///< upright: how many it passes
 };
 struct PathPoint {
   Vec3 position, direction;  ///< d position / dt

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/sweep/flank_sweep.h"
 #include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/upright_sweep.h"
 
@@ -21,6 +22,19 @@ constexpr double kClosedError =
 [[noreturn]] void unsupported(const Motion& m, const Tool& tool, const std::string& why) {
   throw Error("motion-unsupported",
               "line " + std::to_string(m.line) + ", tool " + tool.id + ": " + why);
+}
+
+bool is_upright(const LocalMotion& l) {
+  const Vec3 axis = cross(l.u, l.v);  // length: radius squared
+  const double size = length(axis);
+  return l.arc && dot(l.rise, l.rise) == 0 && size > 0 &&
+         std::fabs(axis.z) * std::sqrt(size) <= kLevel * size;
+}
+
+void set_upright(ToolPath& path, const Profile& tool) {
+  if (tool.is_rounded()) return make_upright(path);
+  path.flanked = has_flank(tool);
+  if (path.flanked) set_upright_plane(path);
 }
 
 }  // namespace
@@ -219,13 +233,6 @@ int SweepBuilder::opened(int shape, double lowest) {
   return found;
 }
 
-bool is_upright(const LocalMotion& l) {
-  const Vec3 axis = cross(l.u, l.v);  // length: radius squared
-  const double size = length(axis);
-  return l.arc && dot(l.rise, l.rise) == 0 && size > 0 &&
-         std::fabs(axis.z) * std::sqrt(size) <= kLevel * size;
-}
-
 // A ball on an arc in an upright plane: false if it is none.
 bool SweepBuilder::add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
   if (!tool.is_ball_end() || !is_upright(l)) return false;
@@ -285,7 +292,7 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     const double low = path.center.z + tool.round();
     path.bore = {{path.center.x, path.center.y, path.radius, tool.core(), tool.round(), low,
                   low + path.sweep * path.rise.z}};
-    if (tool.is_rounded() && tool.is_rising() && is_upright(l)) make_upright(path);
+    if (tool.is_rising() && is_upright(l)) set_upright(path, tool);
   } else {
     path.start = l.start;
     path.travel = l.end - l.start;

@@ -223,8 +223,7 @@ double parameter(const ToolPath& path, const Found& found) {
 
 }  // namespace
 
-void make_upright(ToolPath& path) {
-  path.upright = true;
+void set_upright_plane(ToolPath& path) {
   path.sweep = std::min(path.sweep, kTwoPi);
   const Vec3 axis = cross(path.u, path.v);
   const double plan = std::sqrt(axis.x * axis.x + axis.y * axis.y);
@@ -238,6 +237,11 @@ void make_upright(ToolPath& path) {
     path.along = -1.0 * path.along;
   path.begin = in_plane(path.u);
   path.end = in_plane(path_point(path, path.sweep).position - path.center);
+}
+
+void make_upright(ToolPath& path) {
+  set_upright_plane(path);
+  path.upright = true;
   path.first_quarter = quadrant(path.begin);
   path.quarters = (quadrant(path.end) - path.first_quarter + 4) % 4 + 1;
   while (path.sweep > path.quarters * (kPi / 2) + 1e-9) path.quarters += 4;

@@ -7,8 +7,10 @@
 
 namespace mrsim {
 
-/// Describes an arc without rise in an upright plane; turns its sweep into one turn at most.
-/// Requires: center, u, v and radius > 0 of the path.
+/// Describes an arc without rise in an upright plane: along, begin and end; turns its sweep into
+/// one turn at most. Requires: center, u, v and radius > 0 of the path.
+void set_upright_plane(ToolPath& path);
+/// The same for a tool with is_rounded(), with its quarters.
 void make_upright(ToolPath& path);
 
 /// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, a tool that
