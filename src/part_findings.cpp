@@ -38,6 +38,22 @@ void warn_of_thin(JobResult& result) {
                            describe(result.thin[0]), advice));
 }
 
+// Whether a milling tool cuts at or above the stock's top only, as a face mill at the zero does.
+bool cuts_above(const Program& program, int tool, double top) {
+  constexpr double kSameHeight = 1e-6;  // mm
+  return program.machine == MachineKind::mill &&
+         std::all_of(program.motions.begin(), program.motions.end(), [&](const Motion& m) {
+           return m.tool != tool || !is_cut(m) || std::min(m.start.z, m.end.z) > top - kSameHeight;
+         });
+}
+
+std::string raw_face(const Box3& box) {
+  return fmt::format(
+      "it cuts at Z{:.6g} and above, where the stock that was taken ends; where the raw part is "
+      "higher by 1 mm, say --stock box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
+      box.hi.z, box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z + 1);
+}
+
 }  // namespace
 
 void report(JobResult& result, Severity severity, const char* code, const std::string& text) {
@@ -98,7 +114,7 @@ void warn_of_threads(JobResult& result) {
     result.program.diagnostics.push_back(std::move(d));
 }
 
-void warn_of_idle_tools(JobResult& result) {
+void warn_of_idle_tools(JobResult& result, bool stock_assumed) {
   constexpr double kSeen = 3;  // columns of the history in a tool's diameter
   Program& program = result.program;
   for (const auto& [tool, removal] : result.history.tools) {
@@ -113,9 +129,11 @@ void warn_of_idle_tools(JobResult& result) {
     d.severity = Severity::warning;
     d.code = "tool-cuts-air";
     d.text = fmt::format(
-        "tool {} removes nothing: all that it cuts here is air, or has been cut before; check its "
-        "data, its length offset and the stock",
-        data.id);
+        "tool {} removes nothing: {}", data.id,
+        stock_assumed && cuts_above(program, tool, result.stock.box.hi.z)
+            ? raw_face(result.stock.box)
+            : "all that it cuts here is air, or has been cut before; check its data, its length "
+              "offset and the stock");
     d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
   }
 }

@@ -22,7 +22,7 @@ void warn_of_threads(JobResult& result);
 
 /// Warns, once for each tool, of tools whose cuts all lie in the air while others cut. Tools that
 /// the columns of the history may miss are left out.
-void warn_of_idle_tools(JobResult& result);
+void warn_of_idle_tools(JobResult& result, bool stock_assumed);
 
 void tell_choice(JobResult& result, const MeshChoice& choice);
 void report_mesh(JobResult& result, const MeshReport& found);

@@ -310,7 +310,7 @@ void simulate(const Job& job, JobResult& result) {
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
   result.history = make_history(job, result, stock, cuts);
-  if (job.until.empty()) warn_of_idle_tools(result);
+  if (job.until.empty()) warn_of_idle_tools(result, job.stock.empty() && !result.program.workpiece);
   clock.done("history");
   if (job.play) {
     result.play = make_play(job, result, stock, cuts);

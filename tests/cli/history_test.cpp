@@ -70,6 +70,18 @@ TEST_F(HistoryOfRun, ToolsThatRemoveNothingAreWarnedOf) {
   EXPECT_FALSE(contains(run(std::string(kRun) + "--until 11").err, "tool-cuts-air"));
 }
 
+// A face mill at the zero of a run without --stock: the stock that the user may mean is told.
+TEST_F(HistoryOfRun, AFacingPassAtTheZeroIsToldTheRawFace) {
+  write("face.nc",
+        "O1\nG21 G90\nT1 M6 (FACE MILL D50)\nG0 X-30 Y0 Z5\nG1 Z0 F500\nX130\nG0 Z50\n"
+        "T2 M6 (END MILL D10)\nG0 X0 Y0 Z5\nG1 Z-5 F500\nX100\nG0 Z50\nM30\n");
+  const Outcome outcome = run("face.nc -o part.stl");
+  EXPECT_TRUE(contains(outcome.err, "tool 1 removes nothing: it cuts at Z0 and above"))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "say --stock box:-66,-36,-16,166,36,1 [tool-cuts-air]"))
+      << outcome.err;
+}
+
 // A column below a falling arc of any but a flat mill takes a search: larger ones are summed, and
 // the volume is that of the mesh all the same.
 TEST_F(HistoryOfRun, HelicesTakeNoLongerThanOtherCuts) {

@@ -30,6 +30,18 @@ TEST(ControlsDiffer, G54WithPIsAnExtendedOffset) {
   EXPECT_EQ(mill(set + "G54 G82 X1. Z-1. R2. P2 F10\n"), "r1,0,0 r1,0,2 l1,0,-1 r1,0,2");
 }
 
+// Two P words, each right behind its own word: the offset's and the program's.
+TEST(ControlsDiffer, AnExtendedOffsetMayStandBesideACall) {
+  const std::string set = "O1\nG10 L20 P2 X100. Y0 Z0\n";
+  const std::string sub = "\nM30\nO5\nG1 X1. F10\nX0\nM99\n";
+  const std::string once = "l101,0,0 l100,0,0";
+  EXPECT_EQ(mill(set + "G54.1 P2 M98 P5" + sub), once);
+  EXPECT_EQ(mill(set + "M98 P5 L2 G154 P2" + sub), once + " " + once);
+  EXPECT_EQ(mill(set + "G54 P2 M98 P5" + sub), once);
+  EXPECT_EQ(mill(set + "G54.1 M98 P2 P5" + sub), " | address-twice");
+  EXPECT_EQ(mill(set + "M98 P5 P2" + sub), " | address-twice");
+}
+
 TEST(ControlsDiffer, CallsOfBlocksAndExternalProgramsAreNeverOverlooked) {
   const std::string sub = "M30\nO5\nN1 G1 X5. F10\nN2 X7.\nM99\n";
   EXPECT_EQ(mill("O1\nM98 P5 Q2\n" + sub), " | not-supported");
@@ -61,6 +73,14 @@ TEST(ControlsDiffer, LathesGoHomeInYAndFeedInG95) {
 }
 
 // In G91 the angle of G68 adds to the rotation in force.
+// Mach names the centre A and B, and adds the angle to that in force where I stands beside it.
+TEST(ControlsDiffer, G68OfMachTurnsAboutAAndB) {
+  EXPECT_EQ(mill("G1 X7. Y7. F10\nG68 A10 B0 R90\nG1 X15 Y0\n"), "l7,7,0 l10,5,0");
+  EXPECT_EQ(mill("G68 A0 B0 R30\nG68 A0 B0 I1 R60\nG1 X10 Y0 F10\n"), "l0,10,0");
+  EXPECT_EQ(mill("G68 A10 R90\nG1 X15 Y0 F10\n"), "l15,0,0 | value-missing");
+  EXPECT_EQ(mill("G18 G68 A10 B0 R90\nG17 G1 X15 Y0 F10\n"), "l15,0,0 | not-supported");
+}
+
 TEST(ControlsDiffer, G68InG91TurnsOn) {
   EXPECT_EQ(mill("G68 X0 Y0 R30.\nG91 G68 X0 Y0 R60.\nG90 G1 X10. F10\n"), "l0,10,0");
   EXPECT_EQ(mill("G91 G68 X0 Y0 R90.\nG90 G1 X10. F10\n"), "l0,10,0");

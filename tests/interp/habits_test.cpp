@@ -127,6 +127,25 @@ TEST(Habits, CyclesOfManualGuideAreOneError) {
   EXPECT_NE(listing(p).find("MANUAL GUIDE"), std::string::npos);
 }
 
+// FANUC leaves out the rest of a block behind a slash that stands in it.
+TEST(Habits, ASlashInABlockSkipsItsRest) {
+  const auto run = [](unsigned skip, Dialect dialect) {
+    InterpOptions options = at_origin(dialect);
+    options.block_skip = skip;
+    return path_text(read_text("G1 X1. F9 /Y2.\nX2. /2 Y3. (A)\nX3.\n", options));
+  };
+  EXPECT_EQ(run(0, Dialect::fanuc), "l1,2,0 l2,3,0 l3,3,0");
+  EXPECT_EQ(run(1, Dialect::fanuc), "l1,0,0 l2,3,0 l3,3,0");
+  EXPECT_EQ(run(4, Dialect::fanuc), "l1,2,0 l2,2,0 l3,2,0");
+  EXPECT_EQ(path_text(read_text("G1 X1. F9 /Y2.\nX3.\n", at_origin(Dialect::iso))),
+            "r3,0,0 | character");
+  EXPECT_EQ(path_text(read_text("G1 X10/2 F9\n", at_origin(Dialect::fanuc))), "l10,0,0");
+}
+
+TEST(Habits, ACommentInACommentIsOneError) {
+  EXPECT_EQ(mill("G1 X50. (to (the end) of the slot) F1.\n"), " | character");
+}
+
 TEST(Habits, MessagesSayWhatToDo) {
   const auto told = [](const std::string& text) {
     return read_text(text, kFanuc).diagnostics.at(0).text;

@@ -114,6 +114,17 @@ TEST(LinuxCncWords, AnotherCycleNeedsItsOwnDepthStrokeAndDwell) {
             drilled + " r2,0,1 l2,0,-2 r2,0,1 r3,0,1 l3,0,-2 r3,0,1");
 }
 
+TEST(LinuxCncWords, LathesThatSayNeitherG7NorG8AreToldOf) {
+  const auto notes = [](const std::string& text) {
+    const Program p =
+        read_text(text + "G1 X20 Z-5 F1\nX30\nM2\n", at_origin(Dialect::ngc, MachineKind::lathe));
+    return path_text(p) + " " + codes(p, Severity::note);
+  };
+  EXPECT_EQ(notes("G18\n"), "l20,0,-5 l30,0,-5 radius-assumed");
+  EXPECT_EQ(notes("G18 G8\n"), "l20,0,-5 l30,0,-5 ");
+  EXPECT_EQ(notes("G18 G7\n"), "l10,0,-5 l15,0,-5 ");
+}
+
 // "When G7 is in force the values for I, J and K are diameter measurements."
 TEST(LinuxCncWords, G76TakesIJKAsDiametersInG7) {
   const auto thread = [](const char* words) {

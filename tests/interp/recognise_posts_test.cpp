@@ -134,6 +134,17 @@ TEST(RecogniseForeign, NamedAndRefused) {
       refusal("G21\nG92 X0 Y0 Z0\nM300 S30\nG1 X9 Y9 F900\nM300 S50\nG1 X0\n").find("plotter"),
       std::string::npos);
   EXPECT_EQ(refusal("G21\nM300 S440 P200\nG1 X9 Y9 F900\nM300 S440 P200\n"), "");
+  EXPECT_NE(refusal("'SHOPBOT FILE IN MM\nSA\nTR,18000\nJZ,5\nM3,50,10,-2\n").find("ShopBot"),
+            std::string::npos);
+  EXPECT_NE(refusal("M48\nMETRIC,TZ\nT1C0.8\n%\nG90\nT1\nX10.0Y10.0\nM30\n").find("Excellon"),
+            std::string::npos);
+  EXPECT_NE(refusal("%FSLAX24Y24*%\n%MOMM*%\nD10*\nX0Y0D02*\nM02*\n").find("Gerber"),
+            std::string::npos);
+  EXPECT_NE(refusal("IN;SP1;PU0,0;PD400,0;PU;\n").find("HPGL"), std::string::npos);
+  EXPECT_NE(refusal("PA;VS10;!VZ10;!PZ-40,200;!MC1;\nZ0,0,200\n").find("Roland"),
+            std::string::npos);
+  EXPECT_NE(refusal("  0\nSECTION\n  2\nHEADER\n").find("DXF"), std::string::npos);
+  EXPECT_EQ(refusal("M300 S440\nG21 G90\nM300 S880\nS12000 M3\nG0 X0 Y0\nG1 Z-1 F100\nX9\n"), "");
   EXPECT_NE(refusal("O1 (CITIZEN L20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
             std::string::npos);
   EXPECT_NE(refusal("O1\n$1\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("several paths"),

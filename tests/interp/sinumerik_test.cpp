@@ -32,6 +32,9 @@ TEST(Sinumerik, CallsOfIsoModeAreRefused) {
   const Program iso = read_text("G291\nG90 G54\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(codes(iso), "not-supported");
   EXPECT_NE(iso.diagnostics[0].text.find("--dialect fanuc"), std::string::npos);
+  EXPECT_EQ(run("F100 G1 X1\nG291\nG68 X0 Y0 R45\n#101=5\nG43 H1 Z5\nG290\nG1 X2 Y3 Z4\n"),
+            "1,0,0 2,3,4 not-supported")
+      << "one cause, one error";
   EXPECT_EQ(run("F100 G1 X1\nM98 P1\nX2\n"), "1,0,0 2,0,0 not-supported");
   EXPECT_EQ(run("F100 G1 X1\nM99\nX2\n"), "1,0,0 2,0,0 not-supported");
 }
@@ -46,6 +49,16 @@ TEST(Sinumerik, EnvelopeOfPosts) {
   EXPECT_EQ(run("TRACYL(50)\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
   EXPECT_EQ(run("TRAORI(1)\nF100 G1 X1 A20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
   EXPECT_EQ(run("SETMS(2)\nF100 G1 X1\nSETMS\nX2\n"), "1,0,0 2,0,0 ");
+}
+
+TEST(Sinumerik, DirectionsOfTheToolAreOneError) {
+  const std::string moves = "G1 X1 A3=0 B3=0 C3=1 F100\nG1 X2 A3=0 B3=0.1 C3=1\nG1 X3 A3=0 C3=1\n";
+  EXPECT_EQ(run("TRAORI\n" + moves + "TRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
+  const Program p = read_text(moves, at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p), "not-supported");
+  EXPECT_EQ(codes(p, Severity::note), "not-supported told-once");
+  EXPECT_EQ(p.motions.size(), 0U);
+  EXPECT_EQ(p.diagnostics.back().text.substr(0, 6), "2 more");
 }
 
 TEST(Sinumerik, AxesAndCodesByIndex) {

@@ -145,6 +145,12 @@ TEST(ToolNotes, StationsOfLathes) {
   EXPECT_EQ(tools("T001001 (DRILL 8MM)" + cut + "T012012 (DRILL 9MM)" + cut), "1:8 12:9 ");
   EXPECT_EQ(tools("(T003003 DRILL 8MM)\nT003003" + cut), "3:8 ");
   EXPECT_EQ(tools("T00020002 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T0202.1 (DRILL 8MM)" + cut + "T0303.01 (DRILL 9MM)" + cut),
+            "2:8 3:9 tool-station")
+      << "Mazak: a suffix";
+  EXPECT_EQ(codes(read_text("T0202.1 (DRILL 8MM)" + cut + "T0202.2" + cut,
+                            at_origin(Dialect::fanuc, MachineKind::lathe))),
+            "value-range");
   EXPECT_EQ(tools("T020202 (DRILL 8MM)" + cut), "2:8 ") << "Okuma: nose, tool and offset";
   EXPECT_EQ(tools("T002000 (DRILL 8MM)" + cut), "2:8 ");
   EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";

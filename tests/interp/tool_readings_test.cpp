@@ -239,7 +239,7 @@ TEST(ToolCommentReadings, OneToolOrTwo) {
       {inch, "STOCK 2 X 3 X 1", "-"},
       {inch, "TAP 4 CORNERS", "-"},
       {mm, "STEP DRILL 6/10", "? names a kind of tool that needs more data"},
-      {mm, "T10 D=10. CR=0. - dovetail mill", "? names a kind of tool that needs more data"},
+      {mm, "T10 D=10. CR=0. - dovetail mill", "? gives no angle of its flanks"},
   });
 }
 

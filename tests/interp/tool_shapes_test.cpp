@@ -1,5 +1,6 @@
 // Comments about tools other than plain mills and drills: router bits, discs, tapers, and shapes
 // that a comment can not give.
+#include "interp/text/form_outline.h"
 #include "interp/tool_readings.h"
 
 namespace mrsim {
@@ -69,6 +70,61 @@ TEST(ToolShapes, Chamfers) {
       {mm, "T1 V-60", "? gives no diameter"},
       {inch, "T6 1/2 CHMFR X 45", "chamfer 12.7, side 45"},
   });
+}
+
+TEST(ToolShapes, TipsOfChamferMills) {
+  const char* const read = "chamfer 10, point 90, tip 2";
+  expect_readings({
+      {mm, "CHAMFER MILL D10 90 DEG TIP D2", read},
+      {mm, "CHAMFER MILL D10 90 DEG TIP D=2", read},
+      {mm,
+       "CHAMFER MILL D10 90 DEG TIP \xC3\x98"
+       "2",
+       read},
+      {mm, "CHAMFER MILL D10 90 DEG TIPD 2", read},
+      {mm, "CHAMFER MILL D10 90 DEG TIP-D 2", read},
+      {mm, "FASENFRAESER D10 90GRAD SPITZE D2", read},
+      {mm, "FASENFRAESER D10 90GRAD SPITZE \xC3\x98 2", read},
+      {mm, "10MM CHAMFER 90 DEG FLAT TIP 2MM", read},
+      {mm, "10MM CHAMFER 90 DEG 2MM FLAT", read},
+      {mm, "CHAMFER MILL D10 90 DEG MIN DIA 2", read},
+      {mm, "CHAMFER MILL 90 DEG D1=2 D2=10", "? gives no diameter"},
+      {mm, "CHAMFER MILL D10 90 DEG TIP R0.2", "chamfer 10, corner 0.2, point 90"},
+  });
+}
+
+TEST(ToolShapes, DovetailsHaveAngleAndHeight) {
+  expect_readings({
+      {mm, "DOVETAIL CUTTER D12 60 DEG LOC 5", "form 12"},
+      {mm, "DOVETAIL 60DEG D12", "? gives no height of its head"},
+      {mm, "DOVETAIL D12 LOC 5", "? gives no angle of its flanks"},
+      {mm, "DOVETAIL D12 60 DEG LOC 12", "? gives flanks that meet below the height of its head"},
+      {mm, "DOVETAIL D12 60 DEG LOC 5 R0.2",
+       "? gives a corner radius, which its outline must have"},
+      {mm, "SCHWALBENSCHWANZFRAESER 16X4 60 GRAD", "form 16"},
+      {inch, "DOVETAIL CUTTER 1/2 DIA 45 DEG LOC .125", "form 12.7"},
+  });
+  Tool tool;
+  std::string why;
+  ASSERT_TRUE(fill_tool(read_tool_comment("DOVETAIL D12 45DEG LOC 2"), 1, false, tool, why)) << why;
+  ASSERT_EQ(tool.profile.size(), 3u);
+  EXPECT_NEAR(tool.profile[1].r, 6, 1e-12);
+  EXPECT_NEAR(tool.profile[2].r, 4, 1e-12);
+  EXPECT_NEAR(tool.profile[2].z, 2, 1e-12);
+}
+
+TEST(ToolShapes, ErrorsOfFormMillsShowAnOutline) {
+  const auto example = [](const std::string& comment) {
+    return outline_example(read_tool_comment(comment), 1);
+  };
+  EXPECT_EQ(example("DOVETAIL 45DEG D12"),
+            "profile = [[0, 0], [6, 0], [3, 3]] where its head is 3 mm high");
+  EXPECT_EQ(example("DOVETAIL D12"),
+            "profile = [[0, 0], [6, 0], [2.99778, 5.2]] where its head is "
+            "5.2 mm high and its angle 60 degrees");
+  EXPECT_EQ(example("CORNER ROUNDING R3 D10"),
+            "profile = [[0, 0], [2, 0, -0.41421], [5, 3]] where its tip is 4 mm wide");
+  EXPECT_EQ(example("OGEE 10MM"), "");
 }
 
 TEST(ToolShapes, Tapers) {

@@ -54,6 +54,17 @@ void AxisWords::tell_of_point(const Word& word) {
       word, far ? "point far" : "point");
 }
 
+// LinuxCNC starts in G8; Mach's lathes may be set to diameters without a word.
+void AxisWords::tell_of_radius(int axis, const Word& word) {
+  if (axis != 0 || !lathe() || !is(Dialect::ngc) || modal_.diameter_told || word.value == 0) return;
+  note_once("radius-assumed",
+            fmt::format("{} is read as a radius: LinuxCNC does so until G7. Where the program "
+                        "means diameters (Mach's lathes), write G7 at its head; G8 says that it "
+                        "means radii",
+                        text_of(word)),
+            word, "radius");
+}
+
 bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
   bool incremental = modal_.incremental || incremental_word;
   if (word.form == Form::ac || word.form == Form::dac || word.form == Form::rac)
@@ -71,6 +82,7 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
       return error("not-supported", "a Y axis on a lathe is not supported yet", word);
   }
   tell_of_point(word);
+  tell_of_radius(axis, word);
   const double value = axis_value(axis, word, incremental);
   double base = 0;
   if (incremental) {

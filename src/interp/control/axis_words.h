@@ -33,6 +33,7 @@ class AxisWords : public ControlPart {
  private:
   bool axis_word(Target& out, int axis, const Word& word, bool incremental_word);
   void tell_of_point(const Word& word);
+  void tell_of_radius(int axis, const Word& word);
   bool polar_target(Target& out);
   bool ngc_polar_target(Target& out, const Vec3& from);
   bool fanuc_polar_target(Target& out, const Vec3& from);

@@ -70,11 +70,12 @@ class BlockWords : public Block {
   const Word* motion_code = nullptr;
   const Word* oneshot = nullptr;
   const Word* frame_code = nullptr;
-  const Word* pause = nullptr;       ///< P of G4, where the block may move as well (LinuxCNC)
-  const Word* ends_cycle = nullptr;  ///< G80
-  Code motion{};                     ///< motion of this block alone, else Code::unknown
-  Code oneshot_code{};               ///< counts when `oneshot` is set
-  Code frame_op{};                   ///< counts when `frame_code` is set
+  const Word* offset_number = nullptr;  ///< P of G54.1, where M98 has another one
+  const Word* pause = nullptr;          ///< P of G4, where the block may move as well (LinuxCNC)
+  const Word* ends_cycle = nullptr;     ///< G80
+  Code motion{};                        ///< motion of this block alone, else Code::unknown
+  Code oneshot_code{};                  ///< counts when `oneshot` is set
+  Code frame_op{};                      ///< counts when `frame_code` is set
   bool suppress_frames = false;
   int turn_cycle = 0;               ///< G70 to G76 of a lathe; 0 = none
   const Word* comp_word = nullptr;  ///< G40 G41 G42

@@ -82,6 +82,7 @@ void Engine::execute() {
   BlockWords& block = control_.block;
   if (block.skip_level >= 0 && (options_.block_skip >> block.skip_level & 1U) != 0) return;
   block.begin();
+  if (control_.unread_end != 0 && UnreadModes(control_).skips_iso_mode()) return;
   if (block.statement != Block::kNoStatement) return statements_->run();
   if (statements_ && statements_->take_block()) return;
   if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;

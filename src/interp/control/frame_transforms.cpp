@@ -20,7 +20,9 @@ bool FrameWords::fanuc(const Word& word) {
       if (word.value != 68) return level_plane(values, named, word);
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
-      turn_about(r->value, kNormal[modal_.plane], values, word);
+      if (!center_of_mach(values, word)) return false;
+      const bool adds = modal_.incremental || take('I');
+      turn_about(r->value, kNormal[modal_.plane], values, adds, word);
       break;
     }
     case Code::rotation_off:
@@ -81,11 +83,24 @@ void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& w
             word);
 }
 
-// In G91 the angle adds to the rotation in force, where there is one.
-void FrameWords::turn_about(double angle, int axis, const Vec3& center, const Word& word) {
-  if (modal_.incremental && frames_.rotation_angle != 0) {
+// G68 A12 B25 R45 of Mach: A and B are the centre.
+bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
+  const Word* a = take('A');
+  const Word* b = take('B');
+  if (!a && !b) return true;
+  if (!a || !b) return error("value-missing", "G68 of Mach needs A and B, its centre", word);
+  if (modal_.plane != 0) return error("not-supported", "G68 A B of Mach is read in G17 only", word);
+  center = {a->value * scale(), b->value * scale(), 0};
+  return true;
+}
+
+// In G91, and beside I of Mach, the angle adds to the rotation in force, where there is one.
+void FrameWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
+                            const Word& word) {
+  if (adds && frames_.rotation_angle != 0) {
     angle += frames_.rotation_angle;
-    note_once("rotation-adds", "G68 in G91 adds its angle to the rotation in force", word, "G68");
+    note_once("rotation-adds", "G68 in G91 or with I adds its angle to the rotation in force", word,
+              "G68");
   }
   frames_.rotation_angle = angle;
   frames_.rotation = about(rotation_frame(axis, angle), center);

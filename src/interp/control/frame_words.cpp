@@ -48,6 +48,10 @@ bool FrameWords::select_numbered(const Word& h) {
   return use_work(fmt::format("G15H{:g}", h.value), h);
 }
 
+const Word* FrameWords::offset_number() {
+  return block_.offset_number ? block_.offset_number : take('P');
+}
+
 bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
   if (modal_.okuma && word.value == 56 && peek('H')) {  // the length of the tool, along Z
     modal_.length = Code::length_plus;
@@ -56,12 +60,12 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
   }
   std::string name;
   if (entry.code == Code::work_extended) {
-    const Word* p = take('P');
+    const Word* p = offset_number();
     if (!p || p->value < 1 || p->value > 300 || p->value != std::floor(p->value))
       return error("value-range", "G54.1 needs P1 to P300", word);
     name = fmt::format("{}P{:g}", word.value == 154 ? "G154" : "G54.1", p->value);
   } else if (word.value == 54 && extends_work()) {
-    name = fmt::format("G54.1P{:g}", take('P')->value);
+    name = fmt::format("G54.1P{:g}", offset_number()->value);
   } else if (entry.code == Code::work_offset) {
     name = fmt::format("G{:g}", word.value);
   }
@@ -82,9 +86,11 @@ bool FrameWords::use_work(const std::string& name, const Word& word) {
 
 // G54 P2 of FANUC is G54.1 P2, where no other word of the block asks for P.
 bool FrameWords::extends_work() const {
-  const Word* p = peek('P');
-  if (!p || !(is(Dialect::fanuc) || is(Dialect::iso)) || modal_.drill.number != 0) return false;
+  const Word* p = block_.offset_number ? block_.offset_number : peek('P');
+  if (!p || !(is(Dialect::fanuc) || is(Dialect::iso))) return false;
   if (p->value < 1 || p->value > 300 || p->value != std::floor(p->value)) return false;
+  if (block_.offset_number) return true;
+  if (modal_.drill.number != 0) return false;
   static constexpr Group kApart[] = {Group::distance, Group::plane, Group::units, Group::comp,
                                      Group::length,   Group::feed,  Group::speed, Group::work};
   const CodeTable& codes = code_table(control_.dialect, program_.machine);

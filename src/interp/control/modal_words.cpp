@@ -297,6 +297,7 @@ bool ModalWords::apply_mode(Code code, const Word& word) {
   } else if (code == Code::diameter_on || code == Code::diameter_off ||
              code == Code::diameter_absolute) {
     m.diameter = code;
+    m.diameter_told = true;
   } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off ||
              code == Code::length_dynamic || code == Code::length_add) {
     m.length = code;

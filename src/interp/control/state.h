@@ -72,6 +72,7 @@ struct Modal {
   bool center_told = false;      ///< the program said which
   bool polar = false;            ///< FANUC G16
   Code diameter = Code::diameter_off;
+  bool diameter_told = false;  ///< by a word of the program
   FeedUnit feed_unit = FeedUnit::mm_per_min;
   bool surface_speed = false;
   double feed = 0, speed = 0, cutting_speed = 0;  ///< mm, rev/min, m/min

@@ -3,6 +3,7 @@
 #include "core/text_io.h"
 #include "core/units.h"
 #include "interp/text/characters.h"
+#include "interp/text/form_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ std::string ToolChanger::id_of(const Word& word) {
   if (word.string) return to_utf8(word.text.substr(0, 80));
   const long number = static_cast<long>(word.value);
   if (turret_digits() == 0) return fmt::format("{}", number);
-  const std::string text = text_of(word);
+  const std::string written = text_of(word), text = written.substr(0, written.find('.'));
   const bool plain = text.find_first_of("#[") == text.npos;
   const std::size_t digits = plain ? digits_of(text) : 0;
   if (is(Dialect::ngc)) return mach_station(number, digits, text, word);
@@ -127,9 +128,34 @@ bool ToolChanger::apply() {
   return true;
 }
 
+// T0101.1 of Mazak's lathes: the digits behind the point tell tools of one station apart. False: an
+// error was reported.
+bool ToolChanger::suffix(const Word& word) {
+  if (!lathe() || !is(Dialect::fanuc))
+    return error("value-range",
+                 fmt::format("T is a whole number or a name; on Mazak the digits behind the point "
+                             "are a tool's suffix: write T{:g}",
+                             std::floor(word.value)),
+                 word);
+  const std::string text = text_of(word), id = id_of(word);
+  const auto [at, first] = suffixes_.emplace(id, word.value);
+  if (!first && at->second != word.value)
+    return error("value-range",
+                 fmt::format("{} is a second tool {}, told apart by the digits behind the point, "
+                             "which are not read: give it a number of its own",
+                             text, id),
+                 word);
+  note_once("tool-station",
+            fmt::format("{} is read as tool {}: on Mazak the digits behind the point are a suffix",
+                        text, id),
+            word, text);
+  return true;
+}
+
 bool ToolChanger::select(const Word& word) {
-  if (!word.string && (word.value < 0 || word.value != std::floor(word.value) || word.value > 1e8))
+  if (!word.string && (word.value < 0 || word.value > 1e8))
     return error("value-range", "T is a whole number or a name", word);
+  if (!word.string && word.value != std::floor(word.value) && !suffix(word)) return false;
   tool_.written = word.string ? -1 : word.value;
   tool_.pending.active = true;
   tool_.pending.id = id_of(word);
@@ -282,9 +308,13 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
                                : fmt::format("no tool is known in its comment \"{}\"", comment);
   std::string spec = fmt::format("{}={}", tool_.current, example_of(read, lathe()));
   if (tool_.current.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
-  const std::string remedy = read.type == ToolType::form
-                                 ? "give its profile (type = \"form\") with --tools tools.toml"
-                                 : fmt::format("give --tool {} or --tools tools.toml", spec);
+  const ToolHint* hint = notes_.find(tool_.current);
+  const std::string outline = hint ? outline_example(*hint, scale()) : std::string();
+  const std::string remedy =
+      read.type == ToolType::form
+          ? fmt::format("give its profile (type = \"form\") with --tools tools.toml{}{}",
+                        outline.empty() ? "" : ": ", outline)
+          : fmt::format("give --tool {} or --tools tools.toml", spec);
   reporter_.add_at(
       Severity::error, "tool-unknown",
       fmt::format("tool {} cuts, but {}: {}", tool_.current, why.empty() ? none : why, remedy),

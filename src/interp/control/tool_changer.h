@@ -39,6 +39,7 @@ class ToolChanger : public ControlPart {
 
  private:
   bool select(const Word& word);
+  bool suffix(const Word& word);
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
@@ -56,6 +57,7 @@ class ToolChanger : public ControlPart {
   ToolNotes notes_;
   std::unordered_map<std::string, std::size_t> given_;  ///< id -> tool of the table, the first
   std::unordered_map<std::string, int> used_;           ///< id -> tool of the program
+  std::unordered_map<std::string, double> suffixes_;    ///< id -> T word with a suffix
 };
 
 /// "end mill 5 mm"

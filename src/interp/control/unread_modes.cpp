@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -21,6 +23,7 @@ constexpr int kRotationOff = 690;
 constexpr int kTiltedMove = 531;  // belongs to the tilted planes
 constexpr std::string_view kSinumerik[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
 constexpr int kTrafoof = 1;  // ends those
+constexpr int kIsoMode = 2910, kSiemensMode = 2900;
 
 int number_by_10(const Word& word) {
   return word.address == letter('G') && word.value >= 0 && word.value < 1e4
@@ -57,7 +60,7 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   if (is(Dialect::ngc) || is(Dialect::codesys)) return false;
   if (is(Dialect::sinumerik)) {
     note_name(word);
-    return false;
+    return begins_iso_mode(word);
   }
   const int g = number_by_10(word);
   if (g < kLeast) return false;
@@ -77,6 +80,29 @@ bool UnreadModes::begins_or_ends(const Word& word) {
     return ended;
   }
   return false;
+}
+
+// What stands between G291 and G290 is FANUC's, down to its characters.
+bool UnreadModes::begins_iso_mode(const Word& word) {
+  if (number_by_10(word) != kIsoMode) return false;
+  error("not-supported",
+        fmt::format("{} ({}) is not supported yet: nothing is read up to G290", text_of(word),
+                    unsupported_code(control_.dialect, kIsoMode)),
+        word);
+  control_.unread_end = kSiemensMode;
+  position_.known = lathe() ? 2U : 0U;
+  reporter_.set_muted(true);
+  return true;
+}
+
+bool UnreadModes::skips_iso_mode() {
+  if (control_.unread_end != kSiemensMode) return false;
+  for (const Word& word : block_.words)
+    if (number_by_10(word) == kSiemensMode) {
+      control_.unread_end = 0;
+      reporter_.set_muted(false);
+    }
+  return true;
 }
 
 void UnreadModes::note_name(const Word& word) {

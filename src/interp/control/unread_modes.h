@@ -13,6 +13,8 @@ class UnreadModes : public ControlPart {
 
   /// Looks at a G word or a name before it is read. True: there is nothing more to do about it.
   bool begins_or_ends(const Word& word);
+  /// A block behind G291 of SINUMERIK: none of its words has a meaning before G290.
+  bool skips_iso_mode();
   /// A block in such a mode: its words are passed over, and the axes that it names are unknown.
   void pass_over();
 
@@ -20,6 +22,7 @@ class UnreadModes : public ControlPart {
   bool ends(int g);
   bool is_level() const;
   void note_name(const Word& word);
+  bool begins_iso_mode(const Word& word);
 };
 
 }  // namespace mrsim

@@ -40,7 +40,9 @@ std::string ValueWords::unread_axis(char c) const {
 }
 
 bool ValueWords::rotary_axes() {
+  const bool turns = block_.frame_code && block_.frame_op == Code::rotation_on;
   for (const char c : {'A', 'B', 'C'}) {
+    if (turns && c != 'C') continue;  // the centre of Mach's G68
     if (control_.unread_end == 0 && turned_line(c)) continue;
     const Word* word = block_.open(letter(c)) ? take(c) : nullptr;
     if (!word) continue;
@@ -69,6 +71,13 @@ bool ValueWords::sinumerik() {
                                                block_.oneshot_code == Code::fixed_point);
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'A' && c <= 'C' && control_.unread_end == 0) {
+      reporter_.once(Severity::error, "not-supported",
+                     "A3= B3= C3= and their kin lead the tool's axis (TRAORI, five axes), which is "
+                     "not supported",
+                     word, "direction");
+      return false;
+    }
     if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
       return error("not-supported",
                    "a machine axis is named, which is supported only in G74 and G75", word);
@@ -118,13 +127,20 @@ bool ValueWords::feed() {
   return true;
 }
 
+// M300 S440 P200 of routers' boards: a tone.
+bool ValueWords::beeps() const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('M') && word.value == 300;
+  });
+}
+
 bool ValueWords::speed() {
   if (const Word* word = take(Address::lims)) {
     if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
   }
   if (is(Dialect::ngc)) take('$');  // which spindle
   const Word* word = take('S');
-  if (!word) return true;
+  if (!word || beeps()) return true;
   if (word->value < 0) return error("speed-range", "S must not be negative", *word);
   if (block_.frame_code && block_.frame_op == Code::speed_limit) return true;
   if (block_.oneshot && block_.oneshot_code == Code::set_position) return true;  // G50 S: a limit

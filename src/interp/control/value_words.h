@@ -18,6 +18,7 @@ class ValueWords : public ControlPart {
   bool feed();
   bool feed_per_tooth(const Word& word);
   bool speed();
+  bool beeps() const;
   bool edge();
   bool length_register();
   bool codesys();

@@ -48,6 +48,22 @@ const Word* WordIndex::dialogue_cycle() const {
   return nullptr;
 }
 
+// G54.1 P2 M98 P5001: each P right behind its own word. The offset's one, or null.
+const Word* WordIndex::number_of_offset() const {
+  if (!is(Dialect::fanuc) && !is(Dialect::iso)) return nullptr;
+  const Word* offset = nullptr;
+  bool called = false;
+  for (std::size_t i = 1; i < block_.words.size(); ++i) {
+    if (block_.words[i].address != letter('P')) continue;
+    const Word& owner = block_.words[i - 1];
+    const double v = owner.value;
+    if (owner.address == letter('G') && (v == 54 || v == 54.1 || v == 154))
+      offset = &block_.words[i];
+    called = called || (owner.address == letter('M') && (v == 97 || v == 98 || v == 198));
+  }
+  return called ? offset : nullptr;
+}
+
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
 bool WordIndex::run() {
   if (const Word* cycle = dialogue_cycle())
@@ -57,8 +73,10 @@ bool WordIndex::run() {
                              text_of(*cycle)),
                  *cycle);
   bool ok = true;
+  block_.offset_number = number_of_offset();
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
     const Word& word = block_.words[i];
+    if (&word == block_.offset_number) continue;
     if (!legal_[static_cast<std::size_t>(word.address)] && !refuse_address(word)) ok = false;
     const auto c = static_cast<char>(word.address);
     const bool repeats = c == 'G' || c == 'M' || word.address == Address::function ||

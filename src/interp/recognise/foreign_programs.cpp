@@ -56,6 +56,20 @@ bool fagor_turning(std::string_view code) {
   return (has_word(line, "G81") || has_word(line, "G82")) && all("XZQRC");
 }
 
+// Files of drills, plotters and routers that speak no G code, and of drawings; or nullptr.
+const char* named_format(const std::string& path, std::string_view raw) {
+  const std::string text = upper_case(raw.substr(0, 64));
+  const std::string_view line(text.data(), text.find_last_not_of(" \t\r") + 1);
+  if (line == "M48") return "an Excellon drill file";
+  if (begins_any(line, {"%FSLA", "%FSTA", "%MOMM*", "%MOIN*"})) return "a Gerber file";
+  if (ends_with(path, {".SBP"}) || begins_any(line, {"JZ,", "MZ,", "J2,", "M2,", "J3,", "M3,"}))
+    return "a ShopBot program";
+  if (begins_any(line, {"IN;", "PU;", "PD;", "SP1;", ";:H A"})) return "a plotter's file (HPGL)";
+  if (any_of(line, {";;^IN;", "!MC1", "!MC0", "!PZ", "!VZ"})) return "a Roland program (RML)";
+  if (begins_any(line, {"<?XML", "<SVG", "<HTML", "<!DOCTYPE"})) return "an XML file";
+  return line == "SECTION" ? "a DXF drawing" : nullptr;
+}
+
 // What the line alone proves, or nullptr.
 const char* named_control(const std::string& path, std::string_view code, std::string_view raw) {
   const std::string_view text = body(code);
@@ -92,7 +106,7 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (raw.starts_with("PK\x03\x04")) return "a zip archive";
   if (raw.starts_with("%PDF-")) return "a PDF document";
   if (raw.starts_with("solid ") || text.starts_with("FACET NORMAL")) return "an STL file";
-  return nullptr;
+  return named_format(path, raw);
 }
 
 }  // namespace
@@ -118,10 +132,15 @@ void ForeignPrograms::weigh_printer(const std::string& code, int number, std::st
     refuse("the program of a 3-D printer (it heats and extrudes)", number, raw);
 }
 
-// The pen's servo stands at S; a beep of M300 has a length P.
+// The pen's servo stands at S; M300 beeps where it has a length P, or where a spindle turns.
 void ForeignPrograms::weigh_plotter(const std::string& code, int number, std::string_view raw) {
+  for (const std::string_view word : {"M3", "M03", "M4", "M04"})
+    if (has_word(code, word)) spindle_ = true;
+  if (code.find('Z') != std::string::npos) z_ = true;
   if (!has_word(code, "M300") || !has_axis(code, 'S') || has_axis(code, 'P')) return;
-  if (++pen_moves_ == 2) refuse("a pen plotter's program (M300 S moves its pen)", number, raw);
+  if (++pen_moves_ != 2) return;
+  pen_line_ = number;
+  pen_text_ = raw;
 }
 
 // NUM: G77 and G79 call and jump to N words; "%12" at the head, and G52 beside a motion, which is a
@@ -181,6 +200,8 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
 }
 
 void ForeignPrograms::finish() const {
+  if (pen_line_ > 0 && !(spindle_ && z_))
+    refuse("a pen plotter's program (M300 S moves its pen)", pen_line_, pen_text_);
   const bool switched = laser_line_ > 0 && power_ && y_;
   if (settled() || !switched) return;
   if (powered_moves_ >= 2 || switches_ >= 2 || laser_word_)

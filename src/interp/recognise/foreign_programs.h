@@ -22,7 +22,7 @@ class ForeignPrograms {
   }
   /// The lines to come can not make a laser's program of it.
   bool settled() const { return z_ || other_; }
-  /// Throws for what only the whole text tells: a laser's program.
+  /// Throws for what only the whole text tells: a laser's program, a pen plotter's.
   void finish() const;
 
  private:
@@ -38,7 +38,9 @@ class ForeignPrograms {
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
   bool on_ = false, power_ = false, laser_word_ = false;
-  int pen_moves_ = 0, powered_moves_ = 0, switches_ = 0, laser_line_ = 0;
+  bool spindle_ = false;
+  std::string pen_text_;
+  int pen_moves_ = 0, pen_line_ = 0, powered_moves_ = 0, switches_ = 0, laser_line_ = 0;
 };
 
 }  // namespace mrsim

@@ -43,7 +43,7 @@ constexpr WordRow kWordRows[] = {
     {length, either, "LOC LCF"},
     {angle, either, "ANGLE KAPR WINKEL ANGULO ANGOLO KOT POINT PT"},
     {taper, either, "TAPER"},
-    {tip, either, "TIP SPITZE"},
+    {tip, either, "TIP TIPD TIPDIA SPITZE"},
     {other, either,
      "LENGTH LEN LG LAENGE L~NGE OAL OVERALL STICKOUT REACH SHANK SHK SHAFT SCHAFT NECK LBS RELIEF "
      "RPM SFM IPM IPT SPEED PITCH TPI STEIGUNG DEPTH TIEFE PROFONDEUR TRIEB"},

@@ -119,7 +119,7 @@ Parser::Step Parser::step(Block& block) {
     bare_number(block);
   } else if (language_ && c == (dialect_ == Dialect::sinumerik ? '$' : '#')) {
     assignment(block, p_);
-  } else if (!block.words.empty() || !head_of_block(block)) {
+  } else if (!skip_rest(block) && (!block.words.empty() || !head_of_block(block))) {
     strange_character(block);
   }
   return Step::more;
@@ -162,6 +162,17 @@ bool Parser::head_of_block(Block& block) {
   return true;
 }
 
+// "G0 Z50. /2M9" of FANUC: what stands behind the sign is left out where its level is.
+bool Parser::skip_rest(const Block& block) {
+  if (line_[p_] != '/' || dialect_ != Dialect::fanuc || block.words.empty()) return false;
+  std::size_t end = p_ + 1;
+  const int level = is_digit(at(end)) ? at(end++) - '0' : 0;
+  while (blank(at(end)) && end < line_.size()) ++end;
+  if (!is_letter(at(end))) return false;
+  p_ = (skip_ >> level & 1U) != 0 ? line_.size() : end;
+  return true;
+}
+
 void Parser::read_comment(Block& block, char close) {
   const std::size_t from = p_ + 1;
   if (close == '\0') {
@@ -179,6 +190,10 @@ void Parser::read_comment(Block& block, char close) {
   const std::string_view text = line_.substr(from, end - from);
   block.comments.push_back(text);
   p_ = end + 1;
+  const std::size_t outer = line_.find(')', p_);
+  if (text.find('(') == text.npos || outer == line_.npos || line_.find('(', p_) < outer) return;
+  p_ = outer;  // words of an outer comment are no blocks
+  strange_character(block);
 }
 
 void Parser::bare_number(Block& block) {

@@ -31,6 +31,7 @@ class Parser {
 
   Step step(Block& block);
   bool head_of_block(Block& block);
+  bool skip_rest(const Block& block);
   void letter_word(Block& block);
   void sinumerik_word(Block& block);
   void sinumerik_name(Block& block);

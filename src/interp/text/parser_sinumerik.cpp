@@ -85,6 +85,8 @@ void Parser::sinumerik_word(Block& block) {
     if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
     if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
       word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
+    else if (index >= 2 && index <= 7 && c >= 'A' && c <= 'C')
+      word.address = Address::data;  // the direction of the tool
     else if (c == 'S' || c == 'M' || c == 'H' || c == 'X' || c == 'Y' || c == 'Z')
       word.address = Address::data;
     else

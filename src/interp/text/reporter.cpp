@@ -39,6 +39,8 @@ bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& p
 }
 
 void Reporter::finish() {
+  for (const auto& [text, count] : again_)
+    add_general(Severity::note, "told-once", fmt::format("{} more of these: {}", count, text));
   for (const Kind& kind : kinds_) {
     if (kind.count <= kMostOfAKind) continue;
     Diagnostic d;
@@ -66,6 +68,7 @@ void Reporter::assignment(std::string_view name, const std::string& value) {
 
 void Reporter::add(Severity severity, const char* code, const std::string& text, int column,
                    int length) {
+  if (muted_) return;
   Diagnostic d;
   d.place = {program_.files[static_cast<std::size_t>(file_)], line_, column + 1};
   if (!is_told(severity, code, d.place, call_)) return;
@@ -102,7 +105,8 @@ void Reporter::add_at(Severity severity, const char* code, const std::string& te
 
 void Reporter::once(Severity severity, const char* code, const std::string& text, const Word& word,
                     const std::string& key) {
-  if (!seen(std::string(code) + ' ' + key)) add(severity, code, text, word);
+  if (!seen(std::string(code) + ' ' + key)) return add(severity, code, text, word);
+  if (severity == Severity::error) ++again_[text];
 }
 
 void Reporter::once_at(Severity severity, const char* code, const std::string& text,

@@ -5,6 +5,7 @@
 #include "interp/motion_sink.h"
 #include "interp/text/block.h"
 
+#include <map>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -25,6 +26,9 @@ class Reporter {
 
   /// From here on a line may be read more than once: it says everything once.
   void set_repeating() { repeating_ = true; }
+
+  /// What stands in the lines to come is not read: nothing is told of them.
+  void set_muted(bool muted) { muted_ = muted; }
 
   /// The buffer of the line is gone.
   void forget_text() { text_ = {}; }
@@ -68,11 +72,12 @@ class Reporter {
   Program& program_;
   int file_ = 0, line_ = 0, call_ = -1;
   std::string_view text_;
-  bool repeating_ = false;
+  bool repeating_ = false, muted_ = false;
   std::size_t errors_ = 0;
   int lookups_ = 0;
   std::unordered_set<std::string> seen_;
-  std::vector<Kind> kinds_;  ///< in the order of their first findings; a few dozen
+  std::map<std::string, std::size_t> again_;  ///< text of an error told once -> how often again
+  std::vector<Kind> kinds_;                   ///< in the order of their first findings; a few dozen
 };
 
 }  // namespace mrsim

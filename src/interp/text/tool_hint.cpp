@@ -2,6 +2,7 @@
 #include "core/tip_orientation.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "interp/text/form_outline.h"
 #include "interp/text/tool_comment.h"
 
 #include <algorithm>
@@ -116,6 +117,21 @@ void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
     why = "gives no radius of the tip";
 }
 
+void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (!(hint.taper_angle > 0)) {
+    why = "gives no angle of its flanks";
+  } else if (!hint.flute_length) {
+    why = "gives no height of its head";
+  } else if (hint.corner) {
+    why = "gives a corner radius, which its outline must have";
+  } else {
+    out.taper_angle = 0;
+    out.profile =
+        dovetail_outline(out.diameter, hint.taper_angle, beside(hint.flute_length, hint, unit));
+    if (out.profile.empty()) why = "gives flanks that meet below the height of its head";
+  }
+}
+
 // What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
 bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (out.type == ToolType::taper) {
@@ -134,6 +150,8 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
       why = "gives no angle, and countersinks of inch sizes have 82 or 90 degrees";
   } else if (out.type == ToolType::barrel) {
     why = "gives no radius of the flank";
+  } else if (hint.trade == ToolTrade::dovetail) {
+    fill_dovetail(hint, unit, out, why);
   }
   return why.empty();
 }

@@ -24,16 +24,18 @@ constexpr Names kNames[] = {
     {endmill, thread_mill, true, 0,
      "THREAD MILL*|THREADMILL*|GEWINDEFR*|FRAISE A FILETER|FRESA DE ROSCAR|FRESA A FILETTARE|"
      "FRESA PER FILETTARE|FREZ DO GWINT*|FREZALO ZA NAVOJ*|NAVOJNO FREZALO"},
+    {form, dovetail, true, 0,
+     "DOVETAIL*|SCHWALBENSCHWANZ*|QUEUE D ARONDE|COLA DE MILANO|CODA DI RONDINE|JASK*|LASTOV*"},
+    {form, rounding, true, 0,
+     "RADIUS MILL|RADIUS CUTTER|CORNER ROUND*|ROUNDOVER|ROUND OVER|RADIUSFR*|VIERTELKREIS*|"
+     "QUARTER ROUND"},
     {form, shaped, true, 0,
-     "DOVETAIL|SCHWALBENSCHWANZ*|QUEUE D ARONDE|COLA DE MILANO|CODA DI RONDINE|JASK*|LASTOV*"},
-    {form, shaped, true, 0,
-     "FORM MILL|FORM TOOL|FORM CUTTER|FORMFR*|PROFILFR*|RADIUS MILL|RADIUS CUTTER|CORNER ROUND*|"
-     "ROUNDOVER|ROUND OVER|RADIUSFR*|VIERTELKREIS*|TAPER REAMER|"
+     "FORM MILL|FORM TOOL|FORM CUTTER|FORMFR*|PROFILFR*|TAPER REAMER|"
      "TAPERED REAMER|TAPER PIN*|STEP DRILL|STUFENBOHRER|FORET ETAGE|"
      "BROCA ESCALONADA|BACK CHAMFER*|BACK COUNTERSINK|BACK SPOT*|BACK COUNTERBORE|BACK BORE|"
      "BACKBORE|DOUBLE ANGLE|SINGLE ANGLE|ANGLE CUTTER|ANGLE MILL|ANGULAR CUTTER|WINKELFR*|"
      "PRISMENFR*|FRAISE CONIQUE DOUBLE|CONCAVE CUTTER|CONVEX CUTTER|CONCAVE MILL|CONVEX MILL|"
-     "QUARTER ROUND|BEADING BIT|OGEE*|ROMAN OGEE*|COVE BIT|BOWL BIT|BOWL TRAY*|RABBET BIT|"
+     "BEADING BIT|OGEE*|ROMAN OGEE*|COVE BIT|BOWL BIT|BOWL TRAY*|RABBET BIT|"
      "RABBETING BIT|RAISED PANEL*|UNDERCUT END*|UNDERCUT MILL|UNDERCUTTING*|"
      "TREPAN*|CORE CUTTER|HOLE SAW|HOLESAW|ANNULAR CUTTER|LENS MILL|LENS CUTTER|OVAL FORM*|"
      "DIAMOND DRAG|DRAG BIT|DRAG KNIFE|DRAG ENGRAV*|TANGENTIAL KNIFE"},
@@ -238,6 +240,12 @@ std::vector<ToolKind> find_tool_kinds(const std::vector<CommentToken>& tokens) {
     if (std::none_of(kinds.begin(), kinds.end(),
                      [&](const ToolKind& k) { return overlap(k, match.kind); }))
       kinds.push_back(match.kind);
+  const bool pointed = std::any_of(kinds.begin(), kinds.end(),
+                                   [](const ToolKind& k) { return k.type == ToolType::chamfer; });
+  if (pointed)  // "CHAMFER 90 DEG, FLAT TIP 2MM"
+    std::erase_if(kinds, [&](const ToolKind& k) {
+      return k.end == k.first + 1 && tokens[k.first].is("FLAT");
+    });
   const auto firm =
       std::find_if(kinds.begin(), kinds.end(), [](const ToolKind& k) { return k.firm; });
   if (firm == kinds.end() || firm == kinds.begin()) return kinds;

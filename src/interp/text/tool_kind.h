@@ -27,7 +27,9 @@ enum class ToolTrade : std::uint8_t {
   chamfer_mill,
   countersink,
   vee,        ///< V-bits and engravers: nothing is known without the angle
-  shaped,     ///< "DOVETAIL": a comment can not give its shape
+  shaped,     ///< "OGEE": a comment can not give its shape
+  dovetail,   ///< diameter, angle and height
+  rounding,   ///< corner rounding mills
   no_cutter,  ///< probes, brushes
   lathe
 };

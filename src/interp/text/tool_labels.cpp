@@ -26,6 +26,7 @@ WordRole joined(WordRole a, WordRole b) {
   if ((a == corner || a == tip) && rounding) return WordRole::radius;
   if (a == nose && rounding) return nose;
   if (a == tip && (b == diameter || b == angle)) return b == diameter ? tip : angle;
+  if (a == tip && b == tip) return tip;
   if (a == flutes && b == other) return length;
   if ((a == taper && b == angle) || (a == angle && b == taper)) return taper;
   if (a == angle && b == angle) return angle;
@@ -49,9 +50,8 @@ class LabelReader {
   }
 
  private:
-  WordRole role(std::size_t i) const {
-    return view_.word(i) ? comment_word(view_[i].text).role : WordRole::none;
-  }
+  CommentWord named(std::size_t i) const;
+  WordRole role(std::size_t i) const { return named(i).role; }
   Label label_at(std::size_t i) const;
   void read_flutes();
   bool claimed(std::size_t number) const;
@@ -75,9 +75,17 @@ class LabelReader {
   ToolFacts& facts_;
 };
 
+// FLAT and MIN DIA of a chamfer mill are its tip.
+CommentWord LabelReader::named(std::size_t i) const {
+  if (!view_.word(i)) return {};
+  const bool least = view_.is(i, "MIN") && view_.is_one(i + 1, {"DIA", "DIAM", "DIAMETER"});
+  if ((least || view_.is(i, "FLAT")) && has_flat_tip()) return {WordRole::tip, NumberSide::either};
+  return comment_word(view_[i].text);
+}
+
 Label LabelReader::label_at(std::size_t i) const {
   if (!view_.word(i) || view_.taken(i)) return {};
-  const CommentWord word = comment_word(view_[i].text);
+  const CommentWord word = named(i);
   if (word.role == WordRole::adjective) return {};
   Label label{word.role, word.side, i, i + 1};
   while (label.role != WordRole::none && view_.word(label.end)) {
@@ -134,7 +142,9 @@ std::size_t LabelReader::number_behind(const Label& label) const {
   const bool letter = label.end == label.first + 1 && view_[label.first].text.size() == 1;
   const bool corner = label.role == WordRole::radius_letter && has_corner();  // "BALL R 3"
   if (letter && !view_.glued(label.end) && !corner) return kNone;
-  const std::size_t number = view_.behind(label.end - 1);
+  std::size_t number = view_.behind(label.end - 1);
+  const bool sign_of_size = view_.is(number, "D") || view_.is(number, "~");
+  if (label.role == WordRole::tip && sign_of_size) number = view_.behind(number);  // "TIP D2"
   const bool angle = label.role == WordRole::angle || label.role == WordRole::taper;
   if (!view_.number(number) || (view_[number].angle && !angle)) return kNone;
   const bool sign = number > label.end && !view_.is(label.end, "-");
@@ -277,6 +287,10 @@ void LabelReader::read_letter_d() {
     if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
     view_.take(i, i + 2);
+    if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
+      view_.take(i + 2, i + 4);
+      continue;
+    }
     const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
     if (length_register || edge || !(value.value > 0)) continue;
     if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"

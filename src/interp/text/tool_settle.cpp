@@ -176,6 +176,10 @@ void Settler::add_further(const ToolLength& first, const ToolLength& next) {
     if (hint_.width.unit == 0 && !next.fraction) hint_.width.unit = first.unit;
     return;
   }
+  if (trade_is(dovetail) && other < size && !hint_.flute_length) {
+    hint_.flute_length = next;
+    return;
+  }
   const bool ignored =
       trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
   if (ignored || other >= size) return;  // lengths
@@ -202,7 +206,8 @@ void Settler::settle_type() {
     hint_.type = k->type;
     hint_.trade = k->trade;
     hint_.firm = k->firm;
-    if (k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
+    const bool round = k->trade == ToolTrade::rounding;
+    if (round || k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
     if (k->trade == ToolTrade::no_cutter) doubt("names no cutter");
     if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
     if (threaded && facts_.enlarged_thread)
@@ -326,6 +331,7 @@ void Settler::settle_angle() {
     hint_.taper_angle = radians(facts_.taper > 0 ? facts_.taper : side * angle);
     return;
   }
+  if (trade_is(dovetail) && angle < 90) hint_.taper_angle = radians(angle);
   if (!pointed()) return;
   if (facts_.taper > 0) {
     const bool included = hint_.type == ToolType::drill || trade_is(countersink);
