@@ -49,11 +49,29 @@ TEST(IsoWords, MirrorScaleAndRotationOfFagor) {
   EXPECT_EQ(iso("G72 S0\n"), " | value-range");
 }
 
+// The picture of the manual's chapter on G93, and its circle of holes.
+TEST(IsoWords, PolarCoordinatesOfFagor) {
+  EXPECT_EQ(iso("G93 I35 J30\nG90 G01 R25 Q0\nG03 Q90\nG01 X0 Y0\n"),
+            iso("X60 Y30\nG3 X35 Y55 I-25 J0\nG1 X0 Y0\n"));
+  EXPECT_EQ(iso("X20 Y0\nQ90\nX5\nG91 R15 Q-90\n"), "l20,0,0 l0,20,0 l5,20,0 l34.55,-8.638,0");
+  EXPECT_EQ(iso("G93 I5\n"), " | value-missing");
+  EXPECT_EQ(iso("G93 I10 J10\nG18\nG17\nR5 Q0\n"), "l5,0,0") << "a plane begins with its zero";
+  const std::string holes = "G0 Z20\nG81 G99 G90 X100 Y0 Z2 I-8 F100\n";
+  const auto hole = [](const char* at) { return fmt::format("r{0},2 l{0},-8 r{0},2", at); };
+  const std::string first = "r0,0,20 r100,0,20 " + hole("100,0");
+  const std::string round =
+      first + " " + hole("0,100") + " " + hole("-100,0") + " " + hole("0,-100");
+  EXPECT_EQ(iso(holes + "G91 Q90 N3\nG80\n"), round);
+  EXPECT_EQ(iso(holes + "G90 Q90\nQ180\nR100 Q270\nG80\n"), round);
+  EXPECT_EQ(iso(holes + "G91 X10 N2\nG80\n"), first + " " + hole("110,0") + " " + hole("120,0"));
+  EXPECT_EQ(iso("G0 Z20\nG81 G99 Q30 Z2 I-8 F100\n"), "r0,0,20 | not-supported");
+}
+
 // Each of them moved straight on with a warning at most.
 TEST(IsoWords, WhatIsNotReadIsNamed) {
   for (const char* words :
        {"G72 S2 X1", "G32", "G37 R5 X20", "G38 R5 X20", "G61 X100 I10 Y50 J5", "G63 X100 I10",
-        "G93 I10 J10", "G1 R10 Q45", "G1 X10 Q45", "G1 X10 Y20 R3"})
+        "G1 R10", "G1 X10 Q45", "G1 X10 Y20 R3", "G3 Q90 R5", "G3 Q90 I-5 J0"})
     EXPECT_EQ(iso(std::string(words) + "\n"), " | not-supported") << words;
 }
 

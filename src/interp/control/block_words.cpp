@@ -1,5 +1,7 @@
 #include "interp/control/block_words.h"
 
+#include "interp/text/characters.h"
+
 namespace mrsim {
 
 void BlockWords::begin() {
@@ -16,6 +18,18 @@ void BlockWords::begin() {
 void BlockWords::forget_words() {
   words.clear();
   ++epoch_;
+}
+
+std::optional<long> BlockWords::number_after(const Word& word) const {
+  const std::string_view code = line.substr(0, line.find_first_of("(;"));
+  for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i) {
+    if (upper(code[i]) != 'N' || !is_digit(code[i + 1])) continue;
+    long value = 0;
+    for (++i; i < code.size() && is_digit(code[i]) && value < 100'000; ++i)
+      value = 10 * value + (code[i] - '0');
+    return value;
+  }
+  return std::nullopt;
 }
 
 }  // namespace mrsim

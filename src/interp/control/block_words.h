@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 namespace mrsim {
@@ -52,13 +53,9 @@ class BlockWords : public Block {
   }
 
   /// An N word stands behind `word`: not the block's number, but an argument ("G25 N50").
-  bool number_behind(const Word& word) const {
-    const std::string_view code = line.substr(0, line.find_first_of("(;"));
-    for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i)
-      if ((code[i] == 'N' || code[i] == 'n') && code[i + 1] >= '0' && code[i + 1] <= '9')
-        return true;
-    return false;
-  }
+  bool number_behind(const Word& word) const { return number_after(word).has_value(); }
+  /// That number, at most 999 999.
+  std::optional<long> number_after(const Word& word) const;
 
   // Where the block stands.
   int file = 0;            ///< index into Program::files

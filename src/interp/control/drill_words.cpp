@@ -20,6 +20,7 @@ bool DrillWords::wants_block() const {
   if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code) return false;
   for (const char c : {'X', 'Y', 'Z', 'R'})
     if (block_.open(letter(c))) return true;
+  if (block_.open(Address::ap)) return true;
   return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
 }
 
@@ -41,6 +42,11 @@ bool DrillWords::read_fagor(const Basis& b) {
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) != 0) read_level(take("XYZ"[i]), cycle.safe);
   take('R');
+  if (const Word* q = peek('Q'))
+    return error("not-supported",
+                 "Q (a polar angle) beside the data of a cycle is not supported yet: write the "
+                 "place into a block of its own",
+                 *q);
   if (const Word* k = take('K')) cycle.dwell = dwell_.of_cycle(*k);
   const Word* depth = take('I');
   const Word* strokes = take('J');
@@ -120,6 +126,13 @@ bool DrillWords::peck(const Word& q) {
 
 // K (FANUC) or L: how often the block is run.
 bool DrillWords::repeats(long& count) {
+  if (modal_.drill.fagor)
+    if (const auto n = block_.number_after(block_.words.front())) {
+      count = *n;
+      return (count > 0 && count <= kMostRepeats) ||
+             error("value-range", fmt::format("N repeats from 1 to {} times", kMostRepeats),
+                   block_.words.front());
+    }
   const bool pitched = modal_.drill.pitched;  // their I is the lead, L a speed
   const Word* word = pitched ? nullptr : take('L');
   if (!is(Dialect::ngc) && (!peek('I') || pitched) && !modal_.drill.fagor)
@@ -168,10 +181,6 @@ bool DrillWords::drill() {
   const Vec3 from = position_.programmed;
   Target to;
   if (!axes_.target(to, from)) return false;
-  if (cycle.fagor && block_.number_behind(block_.words.front()))
-    return error("not-supported",
-                 "N behind the words of a cycle (its repeats) is not supported yet",
-                 block_.words.front());
   if (!fill(hole)) return false;
   if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > 1e-9)
     warning("cycle-not-run",
@@ -182,7 +191,9 @@ bool DrillWords::drill() {
     // LinuxCNC leaves the work before it goes aside.
     if (is(Dialect::ngc) && holes_.level() < hole.safe) holes_.rise(hole.safe, where);
     Vec3 point = to.programmed;
-    if (modal_.incremental && modal_.polar && i > 0) {  // the angle counts from the last one
+    if (modal_.incremental && (modal_.polar || find(Address::ap)) &&
+        i > 0) {  // the angle counts from the last one
+      to = {};
       if (!axes_.target(to, position_.programmed)) return false;
       point = to.programmed;
     } else if (modal_.incremental && i > 0) {

@@ -1,5 +1,7 @@
 #include "interp/control/iso_words.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -43,7 +45,44 @@ bool IsoWords::rewrite() {
     else
       ++i;
   }
-  return ok;
+  return ok && rewrite_polar();
+}
+
+// Q, and R beside it, in a straight move, at the places of a cycle and in an arc about the polar
+// origin: AP and RP. What is left out is that of the position. Anything else is left to
+// check_polar().
+bool IsoWords::rewrite_polar() {
+  Word* const angle = in_block('Q');
+  Word* const radius = in_block('R');
+  constexpr std::string_view kOthers[] = {"XYIJKLABCD", "XZIJKLABCD", "YZIJKLABCD"};
+  if (!angle || lathe() || modal_.plane > 2 ||
+      has_any(kOthers[static_cast<std::size_t>(modal_.plane)]))
+    return true;
+  Code motion = modal_.drill.number != 0 ? Code::line : modal_.motion;
+  if (modal_.drill.number != 0 && !modal_.drill.fagor) return true;
+  bool incremental = modal_.incremental;
+  for (const Word& word : block_.words) {
+    if (word.address == Address::function || word.address == letter('M')) return true;
+    if (word.address != letter('G')) continue;
+    const double g = word.value;
+    if (g == 90 || g == 91) {
+      incremental = g == 91;
+    } else if (g >= 0 && g <= 3 && g == std::floor(g)) {
+      constexpr Code kMotions[] = {Code::rapid, Code::line, Code::arc_cw, Code::arc_ccw};
+      motion = kMotions[static_cast<std::size_t>(g)];
+    } else if (!(g >= 40 && g <= 44) && !(g >= 54 && g <= 59) && g != 94 && g != 95) {
+      return true;
+    }
+  }
+  const bool straight = motion == Code::rapid || motion == Code::line;
+  if (!straight && (radius || !is_circular(motion))) return true;
+  angle->address = Address::ap;
+  if (radius) {
+    radius->address = Address::rp;
+    if (incremental) radius->form = Form::ic;
+  }
+  position_.has_polar_radius = position_.has_polar_angle = false;
+  return true;
 }
 
 // `gone`: the G word has been read.
@@ -83,6 +122,13 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 39:
       gone = true;
       return to_corner(code == 36 ? Address::rnd : Address::chr, word);
+    case 17:
+    case 18:
+    case 19:
+      position_.pole = {};  // each plane begins with its own
+      return true;
+    case 93:
+      return to_polar_origin(word);
     case 72:
       if (!has_any("S")) return true;
       if (has_any("XYZ")) return refuse_pattern(word, code);
@@ -100,16 +146,14 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
                word);
 }
 
-// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G93 I J sets the polar origin, G87
-// and G88 with J or B mill pockets.
+// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G87 and G88 with J or B mill
+// pockets.
 bool IsoWords::refuse_pattern(const Word& word, int code) {
   const char* what = "";
   if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
     what = "the places of a cycle";
   else if (code == 72 && has_any("S"))
     what = "a scale of one axis";
-  else if (code == 93 && has_any("IJK"))
-    what = "the origin of polar coordinates";
   else if ((code == 87 || code == 88) && has_any("JB"))
     what = code == 87 ? "a rectangular pocket" : "a circular pocket";
   if (*what == '\0') return true;
@@ -126,6 +170,21 @@ bool IsoWords::to_corner(Address corner, const Word& word) {
   Word* const size = in_block('R');
   if (!size) return error("value-missing", "the size of the corner is missing: R", word);
   size->address = corner;
+  return true;
+}
+
+// G93 I J: abscissa and ordinate of the polar origin. G93 without them is a feed.
+bool IsoWords::to_polar_origin(Word& word) {
+  constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
+  Word *const i = in_block('I'), *const j = in_block('J');
+  if (!i && !j) return true;
+  if (!i || !j || block_.words.size() != 3 || modal_.plane > 2)
+    return error("value-missing",
+                 "G93 I J, the origin of polar coordinates, stands alone with both", word);
+  const std::string_view axes = kAxes[modal_.plane];
+  i->address = letter(axes[0]);
+  j->address = letter(axes[1]);
+  to_frame(Code::pole_zero, word);
   return true;
 }
 
@@ -153,14 +212,16 @@ bool IsoWords::absolute_center(const Word& word) {
 
 bool IsoWords::check_polar() {
   const Code motion = current_motion();
-  if ((motion != Code::rapid && motion != Code::line) || modal_.drill.number != 0) return true;
+  if (modal_.drill.number != 0 && !(modal_.drill.fagor && block_.open(letter('Q')))) return true;
+  const bool straight = motion == Code::rapid || motion == Code::line;
   for (const char c : {'Q', 'R'})
-    if (block_.open(letter(c)))
-      return error("not-supported",
-                   fmt::format("{} without an arc or a cycle is a polar coordinate, which is not "
-                               "supported yet",
-                               text_of(*peek(c))),
-                   *peek(c));
+    if (block_.open(letter(c)) && (straight || (c == 'Q' && is_circular(motion))))
+      return error(
+          "not-supported",
+          fmt::format("{} is a polar coordinate here, which is read as Q alone, or Q and R "
+                      "of a straight move, without axes and centres",
+                      text_of(*peek(c))),
+          *peek(c));
   return true;
 }
 

@@ -22,6 +22,8 @@ class IsoWords : public ControlPart {
   void to_frame(Code code, Word& word);
   bool to_corner(Address corner, const Word& word);
   bool to_point_arc(Word& word);
+  bool to_polar_origin(Word& word);
+  bool rewrite_polar();
   bool absolute_center(const Word& word);
   Word* in_block(char c);
   bool has_any(std::string_view letters);
