@@ -72,7 +72,13 @@ TEST(ControlsDiffer, LathesGoHomeInYAndFeedInG95) {
   EXPECT_EQ(lathe("G95\nG0 X40. Z2.\nG1 Z-1. F.1\nG28 U0. V0. W0.\n"), "r20,0,2 l20,0,-1");
 }
 
-// In G91 the angle of G68 adds to the rotation in force.
+TEST(ControlsDiffer, RotationsInSpaceAndUnknownScalesAreRefused) {
+  EXPECT_EQ(mill("G68 X0 Y0 Z0 I1. J0 K0 R30.\nG1 X10. F10\n"), "l10,0,0 | not-supported");
+  EXPECT_EQ(mill("G68 X0 Y0 Z0 I0 J0 K-1. R30.\nG1 X10. F10\n"), "l10,0,0 | not-supported");
+  EXPECT_EQ(mill("G68 X0 Y0 Z0 I0 J0 K1. R90.\nG1 X10. F10\n"), "l0,10,0");
+  EXPECT_EQ(mill("G51 X0 Y0\nG1 X10. F10\n"), "l10,0,0 | value-missing");
+}
+
 // Mach names the centre A and B, and adds the angle to that in force where I stands beside it.
 TEST(ControlsDiffer, G68OfMachTurnsAboutAAndB) {
   EXPECT_EQ(mill("G1 X7. Y7. F10\nG68 A10 B0 R90\nG1 X15 Y0\n"), "l7,7,0 l10,5,0");
@@ -81,6 +87,7 @@ TEST(ControlsDiffer, G68OfMachTurnsAboutAAndB) {
   EXPECT_EQ(mill("G18 G68 A10 B0 R90\nG17 G1 X15 Y0 F10\n"), "l15,0,0 | not-supported");
 }
 
+// In G91 the angle of G68 adds to the rotation in force.
 TEST(ControlsDiffer, G68InG91TurnsOn) {
   EXPECT_EQ(mill("G68 X0 Y0 R30.\nG91 G68 X0 Y0 R60.\nG90 G1 X10. F10\n"), "l0,10,0");
   EXPECT_EQ(mill("G91 G68 X0 Y0 R90.\nG90 G1 X10. F10\n"), "l0,10,0");
@@ -222,8 +229,9 @@ TEST(ControlsDiffer, FagorsCyclesHaveTheirDepthInI) {
             "r0,0,20 r10,0,20 r10,0,2 l10,0,-2 r10,0,2 r10,0,-1.746 l10,0,-6 r10,0,2 r10,0,-5.746 "
             "l10,0,-10 r10,0,2");
   EXPECT_EQ(mill("G1 X5 F100\nG9 X20 Y0 I10 J5\n", Dialect::iso), "l5,0,0 a20,0,0");
-  EXPECT_EQ(mill("G0 Z5\nG81 Z2 I-1 F9\nG91 X10 N3\n", Dialect::iso),
-            "r0,0,5 r0,0,2 l0,0,-1 r0,0,5 | not-supported");
+  EXPECT_EQ(mill("G0 Z5\nG81 Z2 I-1 F9\nG91 X10 N2\n", Dialect::iso),
+            "r0,0,5 r0,0,2 l0,0,-1 r0,0,5 r10,0,5 r10,0,2 l10,0,-1 r10,0,5 r20,0,5 r20,0,2 "
+            "l20,0,-1 r20,0,5");
   for (const char* call : {"G20 N1.2", "G25 N10", "G22 N1"})
     EXPECT_EQ(mill("G1 X5 F9\nN3 " + std::string(call) + "\nX6\n", Dialect::iso),
               "l5,0,0 l6,0,0 | not-supported")

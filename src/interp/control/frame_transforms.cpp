@@ -20,6 +20,10 @@ bool FrameWords::fanuc(const Word& word) {
       if (word.value != 68) return level_plane(values, named, word);
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
+      if (turns_in_space())
+        return error("not-supported",
+                     "G68 with I J K turns about an axis in space, which is not supported yet",
+                     word);
       if (!center_of_mach(values, word)) return false;
       const bool adds = modal_.incremental || take('I');
       turn_about(r->value, kNormal[modal_.plane], values, adds, word);
@@ -83,6 +87,17 @@ void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& w
             word);
 }
 
+// I J K of G68, the direction of an axis: that of Z turns the plane G17 as no words do.
+bool FrameWords::turns_in_space() {
+  if (peek('A') || peek('B') || !(peek('I') || peek('J') || peek('K'))) return false;
+  const auto value = [&](char c) {
+    const Word* w = take(c);
+    return w ? w->value : 0;
+  };
+  const double i = value('I'), j = value('J'), k = value('K');
+  return i != 0 || j != 0 || k <= 0 || modal_.plane != 0;
+}
+
 // G68 A12 B25 R45 of Mach: A and B are the centre.
 bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
   const Word* a = take('A');
@@ -118,6 +133,11 @@ bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
                 fmt::format("{} = {:g} is read as thousandths", text_of(w), w.value), w, "factor");
     return counts ? w.value / 1000 : w.value;
   };
+  if (!peek('P') && !peek('I') && !peek('J') && !peek('K'))
+    return error("value-missing",
+                 "G51 needs P, or I J K: without them the factor is a parameter of the control, or "
+                 "X Y Z are factors (Mach)",
+                 word);
   if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
   for (int i = 0; i < 3; ++i)
     if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);

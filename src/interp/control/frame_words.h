@@ -43,6 +43,7 @@ class FrameWords : public ControlPart {
   bool level_plane(Vec3 zero, unsigned named, const Word& word);
   void shift_locally(const Vec3& values, unsigned named, const Word& word);
   void turn_about(double angle, int axis, const Vec3& center, bool adds, const Word& word);
+  bool turns_in_space();
   bool center_of_mach(Vec3& center, const Word& word);
   bool extends_work() const;
   const Word* offset_number();

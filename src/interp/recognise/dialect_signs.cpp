@@ -181,6 +181,7 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   if (s.comment_kind == ';' && !s.code.empty()) add(d, 3, "a comment after ;", line);
   if (s.comment_kind == ';' && s.code.empty()) add(d, 2, "a comment after ;", line);
   if (has_word(s.code, "M17")) add(d, 4, "M17", line);
+  if (has_any_word(s.code, {"G4", "G04"}) && has_axis(s.code, 'F')) add(d, 4, "G4 F", line);
   if (has_any_word(s.code, {"G710", "G700"})) add(d, 8, "G710", line);
   if (has_any_word(s.code, {"G450", "G451"})) add(d, 8, "G450/G451", line);
 }
