@@ -219,6 +219,14 @@ TEST(Posts, RunAsWorkedOut) {
       // DIAM90: X of G91 is a radius. Four passes 1 mm deep.
       {"diam90_setms.mpf", Dialect::sinumerik, lathe, 15, 7, 0, {20, 0, -30}, {26, 0, 2}},
       {"worknc.nc", Dialect::fanuc, mill, 2, 4, 0, {5, 5, -2.2}, {45, 5.4, -2}},
+      // Slots at 0, 90, 180 and 270 degrees about (20, 20): A B of G68 are the centre, I adds.
+      {"mach3_rotated.tap", Dialect::fanuc, mill, 13, 8, 0, {0, 0, -2}, {40, 40, -2}},
+      // Six holes round the zero by N5, then half a circle about (60, 50) and a line.
+      {"fagor_polar.pim", Dialect::iso, mill, 16, 8, 1, {-40, -34.641016151, -12}, {80, 50, -3}},
+      {"two_vises_calls.nc", Dialect::fanuc, mill, 4, 4, 0, {0, 0, -2}, {130, 20, -2}},
+      {"din_dwell.nc", Dialect::sinumerik, mill, 1, 3, 2, {-15, 0, -5}, {60, 60, -5}},
+      // Turns of 1 mm down to 4.5 and to 3, and a flat one each.
+      {"ngc_bores.ngc", Dialect::ngc, mill, 5, 4, 10, {20, 20, -4.5}, {65, 20, 0}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);

@@ -53,6 +53,8 @@ TEST(RecogniseDialect, Posts) {
        Dialect::codesys},
       {"%\nN1O1(FADAL)\nN2 G0 G17 G40 G90\nN3 G1 X1 Y1 F9\nN4 M30\n", Dialect::fanuc},
       {"N10 G0 X0 Y0\nN20 G52 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
+      {"%\nN5 G17 G71 G90 G94\nN10 T1 M6 ; cutter 20mm\nN15 G1 X5 Y5 F9\nN20 G4 F1.5\nN25 M30\n",
+       Dialect::sinumerik},
       {"N10 G0 X0 Y0\nN20 G51 D3\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
       {"N10 G0 X0 Y0\nN20 G41 D3.5\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
       {"N0 G36 D5\nN20 G1 X2 Y1 F100\nN30 G37 D-1\nN40 G20 L20\n", Dialect::codesys},
