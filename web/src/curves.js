@@ -26,37 +26,63 @@ export function sampleRun(play) {
   return { rate, feed, air, mostRate: Math.max(...rate), mostFeed: Math.max(...feed) };
 }
 
-/// Draws them; returns the legend's elements. `now`, `mark` and `crashes` are shares of the time.
-export function drawCurves(canvas, run, { now, mark, crashes }) {
-  const w = canvas.clientWidth, h = canvas.clientHeight, scale = Math.min(devicePixelRatio || 1, 2);
-  if (!w || !h) return [];
-  if (canvas.width !== Math.round(w * scale) || canvas.height !== Math.round(h * scale)) { canvas.width = Math.round(w * scale); canvas.height = Math.round(h * scale); }
-  const c = canvas.getContext("2d"), style = getComputedStyle(document.documentElement), color = (name) => style.getPropertyValue(name).trim();
-  c.setTransform(scale, 0, 0, scale, 0, 0);
-  c.clearRect(0, 0, w, h);
-  const x = (b) => (b / kBins) * w, y = (value, most) => h - 3 - (most > 0 ? (value / most) * (h - 8) : 0);
-  c.fillStyle = color("--air");
-  for (let b = 0; b < kBins; ++b) {
-    c.globalAlpha = run.air[b];
-    if (run.air[b] > 0) c.fillRect(x(b), 0, w / kBins + 0.5, h);
+export class Curves {
+  /// `crashes`: shares of the time.
+  constructor(canvas, run, crashes) {
+    Object.assign(this, { canvas, run, crashes, still: document.createElement("canvas"), stillOf: "" });
   }
-  c.globalAlpha = 1;
-  c.fillStyle = color("--rate");
-  c.beginPath();
-  c.moveTo(0, h);
-  for (let b = 0; b < kBins; ++b) { c.lineTo(x(b), y(run.rate[b], run.mostRate)); c.lineTo(x(b + 1), y(run.rate[b], run.mostRate)); }
-  c.lineTo(w, h);
-  c.fill();
-  c.strokeStyle = color("--feed");
-  c.lineWidth = 1;
-  c.beginPath();
-  for (let b = 0; b < kBins; ++b) { c.lineTo(x(b), y(run.feed[b], run.mostFeed)); c.lineTo(x(b + 1), y(run.feed[b], run.mostFeed)); }
-  c.stroke();
-  const line = (share, name, wide) => { c.fillStyle = color(name); c.fillRect(Math.min(w - wide, share * w), 0, wide, h); };
-  for (const share of crashes) line(share, "--bad", 2);
-  if (mark >= 0) line(mark, "--focus", 2);
-  line(now, "--ink", 2);
-  const key = (name, text) => [el("span", {}, el("i", { style: { background: `var(${name})` } }), text)];
-  return [...(run.mostRate > 0 ? key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`) : []), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
-    ...(run.air.some((a) => a > 0) ? key("--air", "cuts air") : []), ...(crashes.length ? key("--bad", "collision") : [])];
+  /// The elements that name the colours.
+  legend() {
+    const { run } = this, key = (name, text) => [el("span", {}, el("i", { style: { background: `var(${name})` } }), text)];
+    return [...(run.mostRate > 0 ? key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`) : []), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
+      ...(run.air.some((a) => a > 0) ? key("--air", "cuts air") : []), ...(this.crashes.length ? key("--bad", "collision") : [])];
+  }
+  /// `now` and `mark` are shares of the time; a mark below 0 is none.
+  draw(now, mark) {
+    const { canvas, still } = this, w = canvas.clientWidth, h = canvas.clientHeight, scale = Math.min(devicePixelRatio || 1, 2);
+    if (!w || !h) return;
+    const of = [w, h, scale, document.documentElement.dataset.theme].join(" ");
+    if (of !== this.stillOf) {
+      for (const one of [canvas, still]) Object.assign(one, { width: Math.round(w * scale), height: Math.round(h * scale) });
+      this.drawStill(w, h, scale);
+      this.stillOf = of;
+    }
+    const c = canvas.getContext("2d");
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, canvas.width, canvas.height);
+    c.drawImage(still, 0, 0);
+    c.setTransform(scale, 0, 0, scale, 0, 0);
+    if (mark >= 0) this.line(c, mark, "--focus", w, h);
+    this.line(c, now, "--ink", w, h);
+  }
+  line(c, share, name, w, h) {
+    c.fillStyle = this.color(name);
+    c.fillRect(Math.min(w - 2, share * w), 0, 2, h);
+  }
+  // What no moment changes.
+  drawStill(w, h, scale) {
+    const { run } = this, c = this.still.getContext("2d"), style = getComputedStyle(document.documentElement), colors = new Map();
+    this.color = (name) => colors.get(name) ?? colors.set(name, style.getPropertyValue(name).trim()).get(name);
+    c.setTransform(scale, 0, 0, scale, 0, 0);
+    const x = (b) => (b / kBins) * w, y = (value, most) => h - 3 - (most > 0 ? (value / most) * (h - 8) : 0);
+    c.fillStyle = this.color("--air");
+    for (let b = 0; b < kBins; ++b) {
+      c.globalAlpha = run.air[b];
+      if (run.air[b] > 0) c.fillRect(x(b), 0, w / kBins + 0.5, h);
+    }
+    c.globalAlpha = 1;
+    const steps = (values, most) => { for (let b = 0; b < kBins; ++b) for (const end of [b, b + 1]) c.lineTo(x(end), y(values[b], most)); };
+    c.fillStyle = this.color("--rate");
+    c.beginPath();
+    c.moveTo(0, h);
+    steps(run.rate, run.mostRate);
+    c.lineTo(w, h);
+    c.fill();
+    c.strokeStyle = this.color("--feed");
+    c.lineWidth = 1;
+    c.beginPath();
+    steps(run.feed, run.mostFeed);
+    c.stroke();
+    for (const share of this.crashes) this.line(c, share, "--bad", w, h);
+  }
 }

@@ -88,12 +88,11 @@ if (view && play && play.end > 0) {
   played = new PlayView(view, play, c.transform, (moment) => keyOfMoment[moment]);
   const motionOf = (k) => Math.min(play.end, Math.max(1, k.motion)) - 1;
   $("timeline").hidden = false;
-  timeline = new Timeline(play, crashes.map(motionOf), (at) => {
-    view.moving();
+  timeline = new Timeline(play, crashes.map(motionOf), (at) => view.pace.move(() => {
     played.show(at, state.motion);
     const i = Math.min(Math.floor(at), play.end - 1);
     program?.follow(at < play.end ? { file: play.motions.file[i], line: play.motions.line[i] } : { file: -1, line: 0 });
-  });
+  }));
 }
 // A line's last motion, -1 where it has none.
 const lastMotion = new Map();
@@ -391,6 +390,7 @@ if (view) { section(); view.look("iso", false); }
 setTheme(dark.matches ? "dark" : "light");
 setMode(state.mode);
 openTab(crashCount ? "collisions" : data.compared && c.region_count > 0 ? "regions" : hasProgram ? "program" : "run");
+played?.warmUp();
 document.documentElement.dataset.ready = "true";
 // For tests: where a point of the part is on the screen, and what has been chosen.
 window.mrsimReport = { view, data, state, play, played, timeline };

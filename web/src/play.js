@@ -1,6 +1,7 @@
 // What the page plays, unpacked: the motions, the voxels' moments, and the faces between voxels.
 // docs/report.md tells the layout; src/compare/play_json.cpp writes it.
 import { Reader, unpack } from "./data.js";
+import { coarser, facesBetween } from "./faces.js";
 
 export const kRapid = 0, kLine = 1, kArc = 2;
 const kAssumed = 4, kJumps = 8, kTilted = 16;
@@ -66,39 +67,18 @@ function decodeVoxels(p, stays) {
   return out;
 }
 
-/// The faces by columns: `voxel` the lower of the two, `axis` (+ 4 where the material is the upper
-/// one), the moments from which and until which it is seen, and its packed surface.
+/// The faces of the run, with their surfaces; later ones of the same place follow at the end.
 function decodeFaces(p, gone) {
-  const [, ny, nz] = p.size, steps = [ny * nz, nz, 1], n = p.faceCount + p.lateCount;
-  const out = { count: n, voxel: new Uint32Array(n), axis: new Uint8Array(n), birth: new Int32Array(n), death: new Int32Array(n),
-    share: new Uint8Array(n), u: new Uint8Array(n), v: new Uint8Array(n) };
-  let f = 0;
-  const edge = [0, 1, 2].map((k) => p.size[k] - 1);
-  for (let x = 0, i = 0; x < p.size[0]; ++x)
-    for (let y = 0; y < ny; ++y)
-      for (let z = 0; z < nz; ++z, ++i) {
-        const a = gone[i];
-        for (let k = 0; k < 3; ++k) {
-          if ((k === 0 ? x : k === 1 ? y : z) === edge[k]) continue;
-          const b = gone[i + steps[k]];
-          if (a === b) continue;
-          out.voxel[f] = i;
-          out.axis[f] = a < b ? k + 4 : k;
-          out.birth[f] = Math.min(a, b);
-          out.death[f] = Math.max(a, b);
-          ++f;
-        }
-      }
-  if (f !== p.faceCount) throw new Error(`${f} faces where ${p.faceCount} were told`);
+  const out = facesBetween(p.size, gone, p.lateCount), n = p.faceCount + p.lateCount;
+  if (out.count !== n) throw new Error(`${out.count} faces where ${n} were told`);
   const surfaces = (bytes, at, count) => {
     out.share.set(bytes.subarray(0, count), at);
-    out.u.set(bytes.subarray(count, 2 * count), at);
-    out.v.set(bytes.subarray(2 * count, 3 * count), at);
+    for (let f = 0; f < count; ++f) unpackNormal((bytes[count + f] - 127) / 127, (bytes[2 * count + f] - 127) / 127, out.normals, 3 * (at + f));
   };
   surfaces(p.faces, 0, p.faceCount);
   surfaces(p.lateFaces, p.faceCount, p.lateCount);
   const late = unpack(p.late, 2 * p.lateCount, 2, new Int32Array(2 * p.lateCount));
-  for (let i = 0; i < p.lateCount; ++i, ++f) {
+  for (let i = 0, f = p.faceCount; i < p.lateCount; ++i, ++f) {
     const of = late[2 * i];
     out.voxel[f] = out.voxel[of];
     out.axis[f] = out.axis[of];
@@ -109,17 +89,31 @@ function decodeFaces(p, gone) {
   return out;
 }
 
+function unpackNormal(u, v, normals, at) {
+  let x = u, y = v;
+  const z = 1 - Math.abs(u) - Math.abs(v);
+  if (z < 0) { x = (1 - Math.abs(v)) * (u < 0 ? -1 : 1); y = (1 - Math.abs(u)) * (v < 0 ? -1 : 1); }
+  const l = 127 / (Math.hypot(x, y, z) || 1);
+  normals[at] = Math.round(x * l); normals[at + 1] = Math.round(y * l); normals[at + 2] = Math.round(z * l);
+}
+
 export class Play {
   constructor(packed) {
     const { voxel, halfPlane, origin, size, tools, stock } = packed;
     Object.assign(this, { voxel, halfPlane, origin, size, tools, stock });
     this.motions = decodeMotions(packed);
     this.moments = this.motions.first[this.motions.count];
-    this.faces = decodeFaces(packed, decodeVoxels(packed, this.moments + 1));
+    const gone = decodeVoxels(packed, this.moments + 1);
+    this.faces = decodeFaces(packed, gone);
     // Which motion ends at which moment; moment 0 is the stock's.
     this.motionOf = new Int32Array(this.moments + 2).fill(-1);
     for (let i = 0; i < this.motions.count; ++i) this.motionOf.fill(i, this.motions.first[i] + 1, this.motions.first[i + 1] + 1);
     this.total = this.motions.begin[this.motions.count];
+    // The same on larger voxels, for pictures that must be quick.
+    this.coarse = [this];
+    if (halfPlane) return;
+    const half = coarser({ voxel, origin, size, faces: this.faces, gone });
+    this.coarse = [half, coarser(half)];
   }
   /// All places of the programmed point, by threes; arcs by their ends.
   bounds() { return this.motions.end.filter((_, i) => !this.motions.assumed[Math.floor(i / 3)]); }

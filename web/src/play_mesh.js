@@ -1,9 +1,10 @@
 // The surface of one moment: the faces that are seen then, with a vertex for each cell of eight
 // voxels where the planes of its faces meet best (dual contouring). Made anew for each moment, which
 // takes some ten milliseconds; nothing is stored but the faces.
+import { mostSeen } from "./faces.js";
+
 const kStiffness = 0.02; // pull towards the mean of a cell's places, so that flat cells have an answer
 const kSame = 0.86; // cosine: faces of a cell that bend less than this are shaded as one
-const kSegments = 72; // of a turned part
 const kSums = 16; // of a cell: place 3, count 1, normals' products 6, right side 3, normals 3
 
 // Cells about a face are, by its two other axes b and c in turn: (below, below), (at, below),
@@ -14,45 +15,29 @@ const kMoved = new Float32Array(12);
 const kCorners = [0, 0, 0, 0]; // places in the sums of the corners of the face at hand
 
 export class PlayMesh {
-  constructor(play) {
-    this.play = play;
-    const { u, v } = play.faces, n = play.faces.count;
-    this.normals = new Int8Array(3 * n);
-    for (let f = 0; f < n; ++f) this.unpackNormal((u[f] - 127) / 127, (v[f] - 127) / 127, 3 * f);
+  /// `keyOf(moment)`: its colour; faces of one key may share a quad. `segments`: of the rings of a turned part.
+  constructor(play, keyOf, segments = 72) {
+    Object.assign(this, { play, keyOf, segments });
     const [nx, ny, nz] = play.size;
     this.layer = ny * nz;
     this.row = nz;
     this.slots = new Int32Array(nx * ny * nz + this.layer).fill(-1); // of each cell; cells begin a layer below
-    this.used = new Uint32Array(0);
-    this.sums = new Float32Array(0);
     this.live = new Uint32Array(0);
-    this.angles = Array.from({ length: kSegments + 1 }, (_, k) => [Math.cos((2 * Math.PI * k) / kSegments), Math.sin((2 * Math.PI * k) / kSegments)]);
+    this.angles = Array.from({ length: segments + 1 }, (_, k) => [Math.cos((2 * Math.PI * k) / segments), Math.sin((2 * Math.PI * k) / segments)]);
     // Faces that are seen, and the quads that are drawn for them.
     this.faces = this.quads = 0;
     this.position = new Float32Array(0);
-    this.normal = new Int8Array(0);
-    this.owner = new Float32Array(0);
     this.moment = -1;
   }
-  unpackNormal(u, v, at) {
-    let x = u, y = v;
-    const z = 1 - Math.abs(u) - Math.abs(v);
-    if (z < 0) { x = (1 - Math.abs(v)) * (u < 0 ? -1 : 1); y = (1 - Math.abs(u)) * (v < 0 ? -1 : 1); }
-    const l = 127 / (Math.hypot(x, y, z) || 1);
-    this.normals[at] = Math.round(x * l); this.normals[at + 1] = Math.round(y * l); this.normals[at + 2] = Math.round(z * l);
-  }
-  /// Makes the surface of a moment. Returns whether arrays were replaced by larger ones.
+  /// Makes the surface of a moment.
   show(moment) {
     this.moment = moment;
-    const live = this.gather(moment);
-    const quads = this.play.halfPlane ? kSegments : 1;
-    const grown = this.reserve(live, live * quads);
-    const count = this.sumCells(live);
+    if (!this.position.length) this.reserve(mostSeen(this.play.faces));
+    const live = this.gather(moment), count = this.sumCells(live);
     this.solveCells(count);
     this.quads = this.play.halfPlane ? this.writeTurned(live) : this.writeFaces(live);
     for (let s = 0; s < count; ++s) this.slots[this.used[s]] = -1;
     this.faces = live;
-    return grown;
   }
   gather(moment) {
     const { birth, death, count } = this.play.faces;
@@ -61,19 +46,16 @@ export class PlayMesh {
     for (let f = 0; f < count; ++f) if (birth[f] <= moment && moment < death[f]) this.live[n++] = f;
     return n;
   }
-  reserve(live, quads) {
-    if (this.used.length < 4 * live) {
-      this.used = new Uint32Array(4 * live);
-      this.sums = new Float32Array(kSums * 4 * live);
-    }
-    if (this.position.length >= 12 * quads) return false;
-    const room = Math.ceil(quads * 1.25) + 64;
-    this.position = new Float32Array(12 * room);
-    this.normal = new Int8Array(16 * room);
-    this.owner = new Float32Array(4 * room);
-    this.quadFace = new Uint32Array(room);
-    this.joined = new Uint8Array(room); // quads of more than one face
-    return true;
+  // Room for a moment with the most faces.
+  reserve(faces) {
+    const cells = Math.min(4 * faces, this.slots.length), quads = faces * (this.play.halfPlane ? this.segments : 1);
+    this.used = new Uint32Array(cells);
+    this.sums = new Float32Array(kSums * cells);
+    this.position = new Float32Array(12 * quads);
+    this.normal = new Int8Array(16 * quads);
+    this.owner = new Float32Array(4 * quads);
+    this.quadFace = new Uint32Array(quads);
+    this.joined = new Uint8Array(quads); // quads of more than one face
   }
   // The cells about a face: how far below its voxel each lies, with the face's place in it.
   cellsOf(axis) {
@@ -87,7 +69,7 @@ export class PlayMesh {
     });
   }
   sumCells(live) {
-    const { voxel, axis, share } = this.play.faces, { sums, slots, used, normals } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k));
+    const { voxel, axis, share, normals } = this.play.faces, { sums, slots, used } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k));
     let count = 0;
     for (let i = 0; i < live; ++i) {
       const f = this.live[i], k = axis[f] & 3, t = share[f] / 255;
@@ -131,7 +113,7 @@ export class PlayMesh {
   // A quad for each face; faces in a row that lie in one plane share one, so that flat stock costs
   // little. Returns the number of quads.
   writeFaces(live) {
-    const { voxel, axis, birth } = this.play.faces, { slots, normals, row } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
+    const { voxel, axis, birth, normals } = this.play.faces, { slots, row } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
     const last = [null, null, null].map(() => ({ voxel: -2, face: -1, quad: -1 })), columns = Array.from({ length: row }, () => ({ voxel: -2, face: -1, quad: -1 }));
     let quads = 0;
     for (let i = 0; i < live; ++i) {
@@ -170,7 +152,7 @@ export class PlayMesh {
   }
   // The quad with the corners kCorners.
   write(quad, f, key, turned) {
-    const { sums, normals, position, normal, owner } = this, nx = normals[3 * f], ny = normals[3 * f + 1], nz = normals[3 * f + 2];
+    const { sums, position, normal, owner } = this, { normals } = this.play.faces, nx = normals[3 * f], ny = normals[3 * f + 1], nz = normals[3 * f + 2];
     for (let k = 0; k < 4; ++k) {
       const at = kCorners[turned ? 3 - k : k], v = 4 * quad + k;
       position[3 * v] = sums[at]; position[3 * v + 1] = sums[at + 1]; position[3 * v + 2] = sums[at + 2];
@@ -194,36 +176,65 @@ export class PlayMesh {
     }
     return true;
   }
-  // A ring of quads for each face of the half plane.
+  // A ring of quads for each face of the half plane; faces in a row that lie in one cylinder or one
+  // plane across the axis share one.
   writeTurned(live) {
-    const { voxel, axis, birth } = this.play.faces, { sums, slots, normals, position, normal, owner, angles } = this, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
-    let v = 0;
+    const { voxel, axis, birth, normals } = this.play.faces, { sums, slots, layer, row } = this, slack = 0.01 * this.play.voxel, cells = [0, 1, 2].map((k) => this.cellsOf(k).map((c) => c[0]));
+    const none = () => ({ voxel: -2, face: -1, key: -1, from: 0, to: 0 }), columns = Array.from({ length: row }, none);
+    let wall = none(), quads = 0;
+    const write = (run) => { if (run.face >= 0) quads = this.writeRing(quads, run); };
     for (let i = 0; i < live; ++i) {
-      const f = this.live[i], k = axis[f] & 3, ends = cells[k].map((c) => kSums * slots[voxel[f] - c + this.layer]), key = this.keyOf(birth[f]);
-      if ((k === 0) !== Boolean(axis[f] & 4)) ends.reverse();
-      const nr = normals[3 * f], nz = normals[3 * f + 2];
-      for (let s = 0; s < kSegments; ++s)
-        for (let corner = 0; corner < 4; ++corner, ++v) {
-          const at = ends[corner === 0 || corner === 3 ? 0 : 1], [c, d] = angles[s + (corner > 1 ? 1 : 0)];
-          position[3 * v] = sums[at] * c; position[3 * v + 1] = sums[at] * d; position[3 * v + 2] = sums[at + 2];
-          const mr = sums[at + 13], mz = sums[at + 15], smooth = nr * mr + nz * mz > 127 * kSame, r = smooth ? 127 * mr : nr;
-          normal[4 * v] = r * c; normal[4 * v + 1] = r * d; normal[4 * v + 2] = smooth ? 127 * mz : nz;
-          owner[v] = key;
-        }
+      const f = this.live[i], k = axis[f] & 3, key = this.keyOf(birth[f]), [from, to] = cells[k].map((c) => kSums * slots[voxel[f] - c + layer]);
+      const run = k === 0 ? wall : columns[voxel[f] % row], g = run.face;
+      if (run.voxel + (k === 0 ? 1 : layer) === voxel[f] && axis[f] === axis[g] && run.key === key && normals[3 * f] === normals[3 * g] && normals[3 * f + 2] === normals[3 * g + 2] && Math.abs(sums[run.from + k] - sums[to + k]) <= slack) {
+        Object.assign(run, { voxel: voxel[f], to });
+        continue;
+      }
+      write(run);
+      Object.assign(run, { voxel: voxel[f], face: f, key, from, to });
     }
-    return live * kSegments;
+    [wall, ...columns].forEach(write);
+    return quads;
+  }
+  // Returns the number of quads with those of this ring.
+  writeRing(quads, { face: f, key, from, to }) {
+    const { axis, normals } = this.play.faces, { sums, position, normal, owner, angles, segments } = this, nr = normals[3 * f], nz = normals[3 * f + 2];
+    const ends = ((axis[f] & 3) === 0) !== Boolean(axis[f] & 4) ? [to, from] : [from, to];
+    for (let s = 0, v = 4 * quads; s < segments; ++s)
+      for (let corner = 0; corner < 4; ++corner, ++v) {
+        const at = ends[corner === 0 || corner === 3 ? 0 : 1], [c, d] = angles[s + (corner > 1 ? 1 : 0)];
+        position[3 * v] = sums[at] * c; position[3 * v + 1] = sums[at] * d; position[3 * v + 2] = sums[at + 2];
+        const mr = sums[at + 13], mz = sums[at + 15], smooth = nr * mr + nz * mz > 127 * kSame, r = smooth ? 127 * mr : nr;
+        normal[4 * v] = r * c; normal[4 * v + 1] = r * d; normal[4 * v + 2] = smooth ? 127 * mz : nz;
+        owner[v] = key;
+      }
+    this.quadFace.fill(f, quads, quads + segments);
+    return quads + segments;
   }
   /// The face under a ray, or null: { face, t }.
   pick(o, d, keeps) {
-    const p = this.position;
+    const p = this.position, place = (t) => [o.x + t * d.x, o.y + t * d.y, o.z + t * d.z];
     let best = Infinity, hit = -1;
     for (let q = 0; q < this.quads; ++q)
       for (let half = 0; half < 2; ++half) {
         const a = 12 * q, b = a + (half ? 6 : 3), c = a + (half ? 9 : 6);
         const t = crossing(p, a, b, c, o, d);
-        if (t > 0 && t < best && keeps([o.x + t * d.x, o.y + t * d.y, o.z + t * d.z])) { best = t; hit = q; }
+        if (t > 0 && t < best && keeps(place(t))) { best = t; hit = q; }
       }
-    return hit < 0 ? null : { face: this.play.halfPlane ? this.live[Math.floor(hit / kSegments)] : this.quadFace[hit], t: best };
+    return hit < 0 ? null : { face: this.faceAt(this.quadFace[hit], place(best)), t: best };
+  }
+  // Of the faces that may share the quad of face f, the one at a place: each has its own moment.
+  faceAt(f, [x, y, z]) {
+    const { play, layer, row } = this, { voxel, axis, birth } = play.faces, { origin, halfPlane } = play, key = this.keyOf(birth[f]), k = axis[f] & 3;
+    const at = halfPlane ? [Math.hypot(x, y), 0, z] : [x, y, z], cell = at.map((v, c) => (v - origin[c]) / play.voxel - (c === k ? 0.5 : 0));
+    let best = Infinity, found = f;
+    for (let i = 0; i < this.faces; ++i) {
+      const g = this.live[i], v = voxel[g];
+      if (axis[g] !== axis[f] || this.keyOf(birth[g]) !== key) continue;
+      const apart = Math.hypot(Math.floor(v / layer) - cell[0], halfPlane ? 0 : (Math.floor(v / row) % (layer / row)) - cell[1], (v % row) - cell[2]);
+      if (apart < best) { best = apart; found = g; }
+    }
+    return found;
   }
 }
 

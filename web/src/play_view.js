@@ -3,9 +3,11 @@ import { BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, 
   Group, LatheGeometry, LineSegments, Matrix4, Mesh, Quaternion, ShaderMaterial, Shape, Vector2, Vector3 } from "three";
 import { kRapid } from "./play.js";
 import { PlayMesh } from "./play_mesh.js";
+import { PlaySurface } from "./play_surface.js";
 
 const kMostPath = 8000; // ends of straight pieces: longer paths show their last part unless asked
 const kTail = 800;
+const kMostFaces = 70000, kCoarseSegments = 36; // of the surface while it moves; of the rings of a turned part
 
 const kSolidVertex = "varying vec3 vNormal; void main() { vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";
 // A little farther from the eye than the surface, whose places are rounded.
@@ -72,8 +74,8 @@ export class PlayView {
     const [a, b, c] = transform.rotation, t = transform.shift;
     this.group.matrixAutoUpdate = false;
     this.group.matrix = new Matrix4().set(a[0], a[1], a[2], t[0], b[0], b[1], b[2], t[1], c[0], c[1], c[2], t[2], 0, 0, 0, 1);
-    this.mesh = new PlayMesh(play);
-    this.mesh.keyOf = keyOf;
+    this.fine = new PlaySurface(new PlayMesh(play, keyOf));
+    this.coarse = play.coarse.map((coarse) => new PlaySurface(new PlayMesh(coarse, keyOf, kCoarseSegments)));
     this.material = view.material.clone();
     for (const key of Object.keys(view.material.uniforms)) this.material.uniforms[key] = key === "byDeviation" ? { value: 0 } : view.material.uniforms[key];
     view.materials.push(this.material);
@@ -85,6 +87,7 @@ export class PlayView {
     if (play.stock) view.seen.push(this.ghost.children[0].geometry.attributes.position.clone().applyMatrix4(this.group.matrix).array);
     this.group.add(this.surface, this.ghost, this.path, ...this.tools);
     view.scene.add(this.group);
+    view.onRest = () => this.refine();
     this.show(play.end);
   }
   addGhost() {
@@ -140,35 +143,33 @@ export class PlayView {
     const { play } = this, ended = at >= play.end;
     this.view.showPart(ended);
     this.surface.visible = !ended;
-    if (!ended) this.showSurface(play.momentAt(at));
+    if (!ended) this.showSurface(play.momentAt(at), this.view.pace.full("run"));
     this.ghost.visible = this.stockWanted && !ended;
     const from = ended ? marked : Math.floor(at), place = ended ? marked + 1 : at;
     this.placeTool(from, place);
     this.drawPath(ended ? marked : -1);
     this.view.draw();
   }
-  showSurface(moment) {
-    const { mesh } = this;
-    if (mesh.moment === moment) return;
-    const grown = mesh.show(moment), geometry = this.surface.geometry;
-    if (grown || !geometry.attributes.position) this.replaceArrays();
-    for (const [name, size] of [["position", 3], ["normal", 4], ["own", 1]]) {
-      const attribute = geometry.attributes[name] ?? this.surface.geometry.attributes[name];
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, 4 * size * mesh.quads);
-      attribute.needsUpdate = true;
-    }
-    this.surface.geometry.setDrawRange(0, 6 * mesh.quads);
+  /// `whole`: with all its faces, which may take longer than what moves has time for.
+  showSurface(moment, whole = true) {
+    this.onShow = whole ? this.fine : this.coarse.find(({ mesh }) => mesh.gather(moment) <= kMostFaces) ?? this.coarse.at(-1);
+    this.onShow.show(moment);
+    this.surface.geometry = this.onShow.geometry;
   }
-  replaceArrays() {
-    this.surface.geometry.dispose();
-    const { mesh } = this, geometry = new BufferGeometry(), corners = mesh.position.length / 3, index = new Uint32Array(corners * 1.5);
-    for (let q = 0, i = 0; 4 * q < corners; ++q) for (const k of [0, 1, 2, 0, 2, 3]) index[i++] = 4 * q + k;
-    geometry.setIndex(new BufferAttribute(index, 1));
-    geometry.setAttribute("position", new BufferAttribute(mesh.position, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute("normal", new BufferAttribute(mesh.normal, 4, true).setUsage(DynamicDrawUsage));
-    geometry.setAttribute("own", new BufferAttribute(mesh.owner, 1).setUsage(DynamicDrawUsage));
-    this.surface.geometry = geometry;
+  /// Draws some moments. The first time takes ten times as long as later ones, because shaders are
+  /// compiled: better before anyone waits for it.
+  warmUp() {
+    const { view, play } = this;
+    for (const share of [0.4, 0.5, 0.6]) {
+      view.pace.move(() => this.show(share * play.end));
+      view.drawNow();
+    }
+    this.show(play.end);
+    view.pace.settle();
+  }
+  /// All faces of the moment that is shown.
+  refine() {
+    if (this.surface.visible) this.showSurface(this.play.momentAt(this.at));
   }
   placeTool(motion, at) {
     const { play } = this, tool = motion >= 0 && motion < play.end ? play.motions.tool[motion] : -1;
@@ -234,7 +235,8 @@ export class PlayView {
     const { origin, direction } = this.view.ray(x, y), inverse = new Matrix4().copy(this.group.matrix).invert();
     const o = origin.clone().applyMatrix4(inverse), d = direction.clone().transformDirection(inverse), w = this.view.plane;
     const outside = (p) => { const q = new Vector3(...p).applyMatrix4(this.group.matrix); return w.x * q.x + w.y * q.y + w.z * q.z > w.w; };
-    const hit = this.mesh.pick(o, d, (p) => !outside(p));
+    this.refine();
+    const hit = this.fine.mesh.pick(o, d, (p) => !outside(p));
     if (!hit) return null;
     const place = o.addScaledVector(d, hit.t).applyMatrix4(this.group.matrix);
     return { face: hit.face, place: place.toArray(), motion: this.play.motionOf[this.play.faces.birth[hit.face]] };

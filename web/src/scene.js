@@ -5,10 +5,10 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { cornerNormals } from "./decode.js";
 import { schemeOf } from "./colors.js";
 import { $ } from "./dom.js";
+import { Pace } from "./pace.js";
 
 const kTextureWidth = 1024;
 const kPerspective = 28, kParallel = 0.5; // degrees
-const kSlow = 70, kSettled = 180; // ms: of a frame that is too long, and until the sharp picture
 
 const kVertex = `
 uniform sampler2D palette; uniform vec2 paletteSize;
@@ -113,9 +113,10 @@ export class PartView {
     this.up = lies ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1);
     this.right = lies ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0);
     this.away = this.up.clone().cross(this.right);
-    this.canvas = canvas; this.part = part; this.onChange = onChange; this.sharpness = 1;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.canvas = canvas; this.part = part; this.onChange = onChange;
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = "srgb-linear"; // colours are written as they are measured
+    this.pace = new Pace(this.renderer, () => { this.onRest?.(); this.draw(); });
     this.seen = [part.bounds ?? part.position]; // what a view shows all of
     this.bounds = boundsOf(this.seen[0]);
     this.camera = new PerspectiveCamera(kPerspective, 1, this.bounds.size / 500, this.bounds.size * 40);
@@ -164,36 +165,33 @@ export class PartView {
   resize() {
     const w = this.canvas.clientWidth, h = this.canvas.clientHeight;
     if (!w || !h) return;
-    this.renderer.setPixelRatio(this.sharpness * Math.min(devicePixelRatio || 1, 2));
-    this.renderer.setSize(w, h, false);
+    this.sharpness = 0; // of the pixels that the canvas has: none yet
     this.camera.aspect = w / h;
     this.camera.setViewOffset(w, h, 0, -this.covered / 2, w, h); // the middle of what is free
     this.draw();
   }
-  /// What moves is drawn with fewer pixels where the machine is too slow for all of them, and sharp
-  /// once it stands still.
-  moving() {
-    const now = performance.now(), since = now - (this.movedAt ?? 0);
-    this.movedAt = now;
-    // Frames of a steady motion follow one another; a long pause is none.
-    if (since < 1500) this.sharpen(since > kSlow ? Math.max(0.35, this.sharpness * 0.8) : this.sharpness);
-    clearTimeout(this.settling);
-    this.settling = setTimeout(() => this.sharpen(1), Math.max(kSettled, 2 * Math.min(since, 400)));
-  }
-  sharpen(sharpness) {
+  // As many pixels as the picture at hand is drawn with.
+  fitPixels() {
+    const sharpness = this.pace.sharpness(this.shown);
     if (sharpness === this.sharpness) return;
     this.sharpness = sharpness;
-    this.resize();
+    this.renderer.setPixelRatio(sharpness * Math.min(devicePixelRatio || 1, 2));
+    this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
   }
+  get shown() { return this.mesh.visible ? "part" : "run"; }
   draw() {
     if (this.pending) return;
     this.pending = requestAnimationFrame(() => {
       this.pending = 0;
-      this.setDepth();
-      if (this.turning) this.moving();
-      this.renderer.render(this.scene, this.camera);
+      if (this.turning) this.pace.move();
+      this.drawNow();
       this.onChange();
     });
+  }
+  drawNow() {
+    this.fitPixels();
+    this.setDepth();
+    this.pace.draw(this.scene, this.camera, this.shown);
   }
   setScheme(safe, band) {
     const u = this.material.uniforms, s = schemeOf(safe);

@@ -1,6 +1,6 @@
 // The time line: buttons, the slider, and what the run does along it (curves.js).
 import { $, clock, el, grouped } from "./dom.js";
-import { drawCurves, sampleRun } from "./curves.js";
+import { Curves, sampleRun } from "./curves.js";
 
 const kSpeeds = [[1, "real time"], [10, "\u00d7 10"], [100, "\u00d7 100"], [1000, "\u00d7 1000"], [0, "in 20 s"]];
 const kWhole = 20; // s, of the last one
@@ -8,7 +8,7 @@ const kWhole = 20; // s, of the last one
 export class Timeline {
   /// `show(at)` brings the picture there; `crashes`: motions that collide.
   constructor(play, crashes, show) {
-    Object.assign(this, { play, crashes, showAt: show, at: play.end, playing: false, mark: -1 });
+    Object.assign(this, { play, showAt: show, at: play.end, playing: false, mark: -1 });
     const button = (id, text, name, act) => el("button", { id, title: name, "aria-label": name, onclick: act }, text);
     this.slider = el("input", { type: "range", id: "now", min: 0, max: 10000, value: 10000, step: 1, "aria-label": "Moment of the run", oninput: () => this.scrub() });
     this.speed = el("select", { id: "speed", "aria-label": "Speed" }, kSpeeds.map(([value, name]) => el("option", { value, selected: value === 0 }, name)));
@@ -21,7 +21,8 @@ export class Timeline {
           button("forward", "\u203a", "One line on (full stop)", () => this.step(1)), button("to-end", "\u25b8|", "End (End)", () => this.go(play.end))),
         el("div", { class: "group" }, this.speed), this.output),
       el("div", { id: "track" }, this.canvas, this.slider), this.legend);
-    this.run = sampleRun(play);
+    this.curves = new Curves(this.canvas, sampleRun(play), crashes.map((i) => play.motions.begin[i] / (play.total || 1)));
+    this.legend.replaceChildren(...this.curves.legend());
     new ResizeObserver(() => this.paint()).observe(this.canvas);
     this.tell();
   }
@@ -80,11 +81,7 @@ export class Timeline {
     this.paint();
   }
   paint() {
-    const { play, run } = this;
-    this.legend.replaceChildren(...drawCurves(this.canvas, run, {
-      now: play.secondsAt(this.at) / (play.total || 1),
-      mark: this.mark >= 0 ? play.secondsAt(this.mark + 1) / (play.total || 1) : -1,
-      crashes: this.crashes.map((i) => play.motions.begin[i] / (play.total || 1)),
-    }));
+    const { play } = this, share = (at) => play.secondsAt(at) / (play.total || 1);
+    this.curves.draw(share(this.at), this.mark >= 0 ? share(this.mark + 1) : -1);
   }
 }

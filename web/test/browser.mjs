@@ -22,6 +22,13 @@ export async function open() {
       await page.waitForTimeout(600);
       return page;
     },
+    /// Seconds that the processes of each type have computed.
+    async cpu() {
+      const session = await browser.newBrowserCDPSession(), { processInfo } = await session.send("SystemInfo.getProcessInfo"), out = {};
+      for (const { type, cpuTime } of processInfo) out[type] = (out[type] ?? 0) + cpuTime;
+      await session.detach();
+      return out;
+    },
     close: () => browser.close(),
   };
 }

@@ -34,13 +34,30 @@ function pocket() {
   return report("pocket", path, "--stock", "box:0,0,-12,80,55,0", "--tool", "1=endmill:d=6");
 }
 
-const state = (page) => page.evaluate(() => { const { timeline, play, played, view } = window.mrsimReport; return { at: timeline.at, end: play.end, seen: played.mesh.faces, moment: played.mesh.moment, part: view.mesh.visible, surface: played.surface.visible, playing: timeline.playing }; });
+const state = (page) => page.evaluate(() => { const { timeline, play, played, view } = window.mrsimReport; return { at: timeline.at, end: play.end, seen: played.onShow.mesh.faces, whole: played.onShow === played.fine, sharpness: view.sharpness, part: view.mesh.visible, surface: played.surface.visible, playing: timeline.playing }; });
 const goTo = (page, share) => page.evaluate((s) => { const { timeline, play } = window.mrsimReport; timeline.go(play.atSeconds(s * play.total)); }, share);
+
+// In the page: what the surface of a moment, given as a share of all, encloses, mm^3. Level 0 has the
+// voxels of the run, each further one those of twice the edge.
+function volumeOf([level, share]) {
+  const { played, play } = window.mrsimReport, { mesh } = [played.fine, ...played.coarse][level];
+  mesh.widen = () => {}; // which lets quads overlap
+  mesh.moment = -1;
+  mesh.show(Math.round(share * play.moments));
+  const p = mesh.position;
+  let six = 0;
+  for (let q = 0; q < mesh.quads; ++q)
+    for (const [b, c] of [[3, 6], [6, 9]]) {
+      const a = 12 * q, i = a + b, j = a + c;
+      six += p[a] * (p[i + 1] * p[j + 2] - p[i + 2] * p[j + 1]) + p[a + 1] * (p[i + 2] * p[j] - p[i] * p[j + 2]) + p[a + 2] * (p[i] * p[j + 1] - p[i + 1] * p[j]);
+    }
+  return six / 6;
+}
 
 const cases = {
   async "the surface of a moment is what the program counted"(page) {
     const { checks, counts } = await page.evaluate(() => {
-      const { data, played } = window.mrsimReport, counts = data.play.checks.map(([moment]) => { played.mesh.show(moment); return played.mesh.faces; });
+      const { data, played } = window.mrsimReport, counts = data.play.checks.map(([moment]) => { played.fine.mesh.show(moment); return played.fine.mesh.faces; });
       return { checks: data.play.checks, counts };
     });
     assert.equal(checks.length, 5);
@@ -56,6 +73,23 @@ const cases = {
     assert.ok(!half.part && half.surface && half.seen > 0);
     await page.keyboard.press("End");
     assert.ok((await state(page)).part);
+  },
+  async "what moves is drawn with fewer faces where the machine is slow, and in full at rest"(page) {
+    const slow = (is) => page.evaluate((ms) => { window.mrsimReport.view.pace.whole.run = ms; }, is ? 1000 : 1);
+    await slow(true);
+    await goTo(page, 0.5);
+    const moved = await state(page);
+    await page.waitForFunction(() => !window.mrsimReport.view.pace.moves && !window.mrsimReport.view.pending);
+    const rested = await state(page);
+    assert.ok(!moved.whole && rested.whole && rested.sharpness === 1);
+    assert.ok(moved.seen < 0.4 * rested.seen && moved.seen > 0.15 * rested.seen, `${moved.seen} of ${rested.seen}`);
+    await slow(false);
+    await goTo(page, 0.6);
+    assert.ok((await state(page)).whole);
+    for (const share of [0, 0.4, 0.8, 1]) {
+      const [all, ...fewer] = [await page.evaluate(volumeOf, [0, share]), await page.evaluate(volumeOf, [1, share]), await page.evaluate(volumeOf, [2, share])];
+      fewer.forEach((volume, k) => assert.ok(Math.abs(volume / all - 1) < [0.002, 0.01][k], `${volume} of ${all} at ${share}, level ${k + 1}`));
+    }
   },
   async "the surface played to the end has the silhouette of the exact mesh"(page) {
     const far = await page.evaluate(() => {
@@ -282,19 +316,17 @@ try {
     // The spindle's axis lies.
     const [left, right] = await page.evaluate(() => [0, 50].map((z) => window.mrsimReport.view.project([0, 0, z])));
     assert.ok(right.x - left.x > 3 * Math.abs(right.y - left.y));
-    // Closed and smooth: its volume at the end is that of the part within what rings of 72 corners miss.
-    const volume = await page.evaluate(() => {
-      const { mesh } = window.mrsimReport.played, { play } = window.mrsimReport;
-      mesh.show(play.moments);
-      const p = mesh.position;
-      let six = 0;
-      for (let q = 0; q < mesh.quads; ++q)
-        for (const [b, c] of [[3, 6], [6, 9]]) {
-          const a = 12 * q, i = a + b, j = a + c;
-          six += p[a] * (p[i + 1] * p[j + 2] - p[i + 2] * p[j + 1]) + p[a + 1] * (p[i + 2] * p[j] - p[i] * p[j + 2]) + p[a + 2] * (p[i] * p[j + 1] - p[i + 1] * p[j]);
-        }
-      return six / 6;
+    // Faces in a row share a quad, and each has its own moment.
+    const moments = await page.evaluate(() => {
+      const { played, play, timeline, view } = window.mrsimReport;
+      timeline.go(play.end - 1e-6);
+      view.look("front", false);
+      return [44, 40, 36].map((z) => { const p = view.project([15, 0, z]), hit = played.pick(p.x, p.y); return { birth: play.faces.birth[hit.face], line: play.motions.line[hit.motion] }; });
     });
+    assert.deepEqual(moments.map((m) => m.line), [9, 9, 9]);
+    assert.ok(moments[0].birth < moments[1].birth && moments[1].birth < moments[2].birth, JSON.stringify(moments));
+    // Closed and smooth: its volume at the end is that of the part within what rings of 72 corners miss.
+    const volume = await page.evaluate(volumeOf, [0, 1]);
     const told = Number(/volume ([\d. ]+) mm³/.exec(await page.textContent("#totals"))[1].replaceAll(" ", ""));
     assert.ok(Math.abs(volume / told - 1) < 0.01, `${volume} and ${told}`);
     await page.context().close();
