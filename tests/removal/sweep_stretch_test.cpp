@@ -90,7 +90,8 @@ TEST(Stretches, PlacesAndPiecesAgree) {
     const Tool tool = endmill(r(1, 8), 0);
     const Profile mill = make_cutter(tool);
     ToolPath path = path_of(m);
-    make_upright(path);
+    path.upright = true;
+    set_upright_plane(path);
     for (int k = 0; k < 10; ++k) {
       const Vec3 p = point_near(r, m, 6);
       const PathSample whole = path_distance(mill, path, p);

@@ -1,17 +1,19 @@
 // In the arc's plane x lies on the ground and z up, both about the centre; a position of the tip is
 // R w, w a unit vector. G(w), the distance of p from the flank's cone continued without end, bounds
-// the tool's distance F from below wherever the tool is, since the tool is convex; next to a tip
-// that is a point or a ball, F is the distance H of that where the flank is not nearest. So the
-// least of F is that of G or of H, each of which has few local minima:
-//   H one, where the arc looks at p;
-//   G one on the lower half of the circle, as it is convex in x there;
-//   G at most one on the upper half, for p.x >= 0 at x >= p.x: its slope is concave there, and it
-//   has none elsewhere (docs/sweeps.md);
-// and the ends of the path. Newton's method comes from one side of the slope's zero each time.
+// the tool's distance F from below wherever the tool is, since the tool is convex. So does H(w), of
+// a mill with the same tip, from above, since the tool holds it. F is H where the tip is nearest
+// and G where the flank is. Where the least F is H, it is the least of H; where it is G, it is a
+// local minimum of G or at an end of the path, and G has few:
+//   one on the lower half of the circle, as G is convex in x there;
+//   at most one on the upper half, for p.x >= 0 at x >= p.x: its slope is concave there, and it
+//   has none elsewhere (docs/sweeps.md).
+// Newton's method comes from one side of the slope's zero each time.
 #include "removal/sweep/flank_sweep.h"
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/simd/lane_scalar.h"
+#include "removal/sweep/upright_sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,30 +26,27 @@ constexpr double kNoTurn = 1e-12;  // radians: nearer to an end of the path is t
 constexpr double kSame = 1e-12;    // mm
 constexpr int kMostNewton = 40;
 
+// A tip (point, ball, disc or bull nose) and the flank that joins it.
 struct Flank {
   const ProfileEdge* edge = nullptr;
-  bool round_tip = false;       ///< a point or a ball comes before it
-  double ball = 0, height = 0;  ///< its radius, and its centre above the tip, mm
+  double core = 0, round = 0, height = 0;  ///< of the tip: a disc at `height`, thickened by `round`
 };
 
 Flank flank_of(const Profile& tool) {
   const std::vector<ProfileEdge>& edges = tool.edges();
-  const auto is_level = [](const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; };
   std::size_t k = 0;
-  Flank f{.round_tip = true};
-  if (is_level(edges[0])) f.round_tip = false, ++k;
+  Flank f{.height = tool.bottom()};
+  if (edges[0].radius == 0 && edges[0].direction.y == 0) f.core = edges[k++].b.x;
   if (k < edges.size() && edges[k].radius > 0) {
-    f.round_tip = f.round_tip && edges[k].center.x == 0;
-    f.ball = edges[k].radius, f.height = edges[k].center.y;
-    ++k;
+    const ProfileEdge& nose = edges[k++];
+    if (nose.center.x != f.core) return {};
+    f.round = nose.radius, f.height = nose.center.y;
+    // A nose that meets its flank with an edge has points that neither of them is nearest to.
+    if (k < edges.size() && edges[k].patch != nose.patch) return {};
   }
-  if (k >= edges.size()) return {};
+  if (k == edges.size()) return {};
   const ProfileEdge& e = edges[k];
-  if (e.radius > 0 || !(e.direction.x > 0 && e.direction.y > 0)) return {};
-  // A ball that meets its flank with an edge has points that neither of them is nearest to.
-  if (k > 0 && edges[k - 1].patch != e.patch) f.round_tip = false;
-  if (k == 0) f.height = e.a.y;
-  f.edge = &e;
+  if (e.radius == 0 && e.direction.x > 0 && e.direction.y > 0) f.edge = &e;
   return f;
 }
 
@@ -55,9 +54,11 @@ class FlankOnArc {
  public:
   FlankOnArc(const Profile& tool, const Flank& flank, const ToolPath& path, const Vec3& p)
       : tool_(tool),
+        path_(path),
+        p_(p),
         edge_(*flank.edge),
-        round_tip_(flank.round_tip),
-        ball_(flank.ball),
+        core_(flank.core),
+        round_(flank.round),
         height_(flank.height),
         radius_(path.radius),
         a_(edge_.direction.y),
@@ -68,27 +69,13 @@ class FlankOnArc {
     z_ = w.z;
   }
 
-  void set_range(Vec2 begin, Vec2 end, double turn) {
-    begin_ = begin, end_ = end, turn_ = turn;
-    ask(begin);
-    ask(end);
-    const double up = z_ - height_, n = std::sqrt(x_ * x_ + up * up);
-    if (n > 0) ask_within({x_ / n, up / n});
-    if (begin.y > 0 || end.y > 0 || holds({0, 1})) ask_within(upper());
-    if (begin.y < 0 || end.y < 0 || holds({0, -1})) ask_within(lower());
-  }
-
-  // The wall above the flank bounds F from below as well: where the position that is nearest in
-  // plan touches p with it, none is nearer.
-  void ask_wall() {
-    const double u = std::clamp(x_ / radius_, -1.0, 1.0), z = std::sqrt(1 - u * u);
-    Vec2 nearest = begin_;
-    for (const Vec2 w : {end_, Vec2{1, 0}, Vec2{-1, 0}, Vec2{u, z}, Vec2{u, -z}})
-      if (holds(w) && off_in_plan(w) <= off_in_plan(nearest)) nearest = w;
-    const double rho = std::sqrt(square(off_in_plan(nearest)) + beside2_);
-    const double wall = rho - tool_.max_radius();
-    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSame;
-    best_ = wall, at_ = nearest;
+  void ask_positions() {
+    ask(path_.begin);
+    ask(path_.end);
+    ask_within(nearest_tip());
+    if (path_.begin.y > 0 || path_.end.y > 0 || holds({0, 1})) ask_within(upper());
+    if (path_.begin.y < 0 || path_.end.y < 0 || holds({0, -1})) ask_within(lower());
+    if (!known_) ask_wall();
   }
 
   bool is_found() const { return known_; }
@@ -98,10 +85,30 @@ class FlankOnArc {
  private:
   static double square(double x) { return x * x; }
 
+  // Where a mill with the same tip is nearest.
+  Vec2 nearest_tip() const {
+    if (core_ > 0) return upright_place(core_, height_, path_, p_);
+    const double up = z_ - height_, n = std::sqrt(x_ * x_ + up * up);
+    return n > 0 ? Vec2{x_ / n, up / n} : path_.begin;
+  }
+
+  // The wall above the flank bounds F from below as well: where the position that is nearest in
+  // plan touches p with it, none is nearer.
+  void ask_wall() {
+    const double u = std::clamp(x_ / radius_, -1.0, 1.0), z = std::sqrt(1 - u * u);
+    Vec2 nearest = path_.begin;
+    for (const Vec2 w : {path_.end, Vec2{1, 0}, Vec2{-1, 0}, Vec2{u, z}, Vec2{u, -z}})
+      if (holds(w) && off_in_plan(w) <= off_in_plan(nearest)) nearest = w;
+    const double rho = std::sqrt(square(off_in_plan(nearest)) + beside2_);
+    const double wall = rho - tool_.max_radius();
+    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSame;
+    best_ = wall, at_ = nearest;
+  }
+
   double off_in_plan(Vec2 w) const { return std::fabs(x_ - radius_ * w.x); }
   bool holds(Vec2 w) const {
-    const bool after = cross(begin_, w) >= 0, before = cross(w, end_) >= 0;
-    return turn_ >= kTwoPi || (turn_ < kPi ? after && before : after || before);
+    const bool after = cross(path_.begin, w) >= 0, before = cross(w, path_.end) >= 0;
+    return path_.sweep >= kTwoPi || (path_.sweep < kPi ? after && before : after || before);
   }
   void ask_within(Vec2 w) {
     if (holds(w)) ask(w);
@@ -110,15 +117,15 @@ class FlankOnArc {
     const double rho = std::sqrt(square(x_ - radius_ * w.x) + beside2_), z = z_ - radius_ * w.y;
     const double r = rho - edge_.a.x, up = z - edge_.a.y, along = b_ * r + a_ * up;
     const bool at_tip = along < 0;
-    const double f = at_tip && round_tip_ ? std::sqrt(rho * rho + square(z - height_)) - ball_
-                                          : a_ * r - b_ * up;
+    const double f = at_tip ? lane::slab(rho - core_, height_ - z, round_) : a_ * r - b_ * up;
     if (!(f < best_)) return;
     best_ = f, at_ = w;
-    known_ = at_tip ? round_tip_ : along <= edge_.length && (f > 0 || is_nearest(rho, z, f));
+    known_ = (at_tip || along <= edge_.length) && (f > 0 || is_nearest(rho, z, f));
   }
-  // Within the tool the flank's foot says nothing of the other faces.
+  // Within the tool its foot on tip and flank says nothing of the other faces, and a flat tip may
+  // be deeper than the mill with the same one.
   bool is_nearest(double rho, double z, double f) const {
-    return rho - tool_.max_radius() <= f && tool_.distance({rho, z}) <= f + kSame;
+    return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSame;
   }
 
   // Of G / R in x / R = u, with p mirrored to `x` >= 0: a lean + b times the path's slope.
@@ -167,12 +174,11 @@ class FlankOnArc {
   }
 
   const Profile& tool_;
+  const ToolPath& path_;
+  const Vec3& p_;
   const ProfileEdge& edge_;
-  const bool round_tip_;
-  const double ball_, height_, radius_, a_, b_;
+  const double core_, round_, height_, radius_, a_, b_;
   double x_ = 0, beside2_ = 0, z_ = 0;  // of p
-  Vec2 begin_, end_;
-  double turn_ = 0;
   double best_ = std::numeric_limits<double>::infinity();
   Vec2 at_;
   bool known_ = false;
@@ -186,6 +192,23 @@ Vec2 direction_at(const ToolPath& path, double t) {
   return {sc.cos * u.x - sc.sin * u.y, sc.cos * u.y + sc.sin * u.x};
 }
 
+ToolPath part_of(const ToolPath& path, double begin, double end) {
+  ToolPath part = path;
+  part.begin = direction_at(path, begin), part.end = direction_at(path, end);
+  part.sweep = end - begin;
+  set_quarters(part);
+  return part;
+}
+
+std::optional<PathSample> minimum(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  FlankOnArc f(tool, flank_of(tool), path, p);
+  f.ask_positions();
+  if (!f.is_found()) return std::nullopt;
+  double t = mrsim::atan2(cross(path.begin, f.place()), dot(path.begin, f.place()));
+  if (t < -kNoTurn) t += kTwoPi;
+  return PathSample{f.distance(), t < kNoTurn ? 0 : t > path.sweep - kNoTurn ? path.sweep : t};
+}
+
 }  // namespace
 
 bool has_flank(const Profile& tool) {
@@ -194,19 +217,15 @@ bool has_flank(const Profile& tool) {
 
 std::optional<PathSample> flank_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                         double begin, double end) {
-  FlankOnArc f(tool, flank_of(tool), path, p);
-  f.set_range(direction_at(path, begin), direction_at(path, end), end - begin);
-  if (!f.is_found()) f.ask_wall();
-  if (!f.is_found()) return std::nullopt;
-  double t = mrsim::atan2(cross(path.begin, f.place()), dot(path.begin, f.place()));
-  if (t < begin - kNoTurn) t += kTwoPi;
-  return PathSample{f.distance(), t < begin + kNoTurn ? begin : t > end - kNoTurn ? end : t};
+  if (begin <= 0 && end >= path.sweep) return minimum(tool, path, p);
+  std::optional<PathSample> least = minimum(tool, part_of(path, begin, end), p);
+  if (least) least->t += begin;
+  return least;
 }
 
 std::optional<double> flank_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
   FlankOnArc f(tool, flank_of(tool), path, p);
-  f.set_range(path.begin, path.end, path.sweep);
-  if (!f.is_found()) f.ask_wall();
+  f.ask_positions();
   if (!f.is_found()) return std::nullopt;
   return f.distance();
 }

@@ -13,7 +13,7 @@ namespace mrsim {
 bool has_flank(const Profile& tool);
 
 /// The least distance over the positions from angle `begin` to `end` of the path, up to 1e-12 mm;
-/// none where the tip's edge or the edge above the flank may be nearest. Requires: path.flanked.
+/// none where the edge above the flank may be nearest. Requires: path.flanked.
 std::optional<PathSample> flank_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                         double begin, double end);
 /// The same distance over all positions, without its place.

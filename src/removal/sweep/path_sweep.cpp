@@ -15,6 +15,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/simd/lane_scalar.h"
+#include "removal/sweep/disc_sweep.h"
 #include "removal/sweep/flank_sweep.h"
 #include "removal/sweep/helix_sweep.h"
 #include "removal/sweep/slant_sweep.h"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -298,47 +300,14 @@ PathSample search_lowest_turn(const Objective& F, const Profile& tool, const Too
   return polished.distance < best.distance ? polished : best;
 }
 
+// Tools with forms of their own, from `begin` to `end` of the path.
+std::optional<PathSample> solved(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                 double begin, double end) {
+  if (path.disc) return disc_minimum(tool, path, p, begin, end);
+  return path.flanked ? flank_minimum(tool, path, p, begin, end) : std::nullopt;
+}
+
 }  // namespace
-
-ProfileSample tool_sample(const Profile& tool, double rho, double z) {
-  if (!tool.is_rounded()) return tool.sample({rho, z});
-  const bool upper = z >= 0.5 * tool.top();
-  const double dr = rho - (upper ? tool.max_radius() : tool.core());
-  const double dz = upper ? z - tool.top() : tool.round() - z, way = upper ? 1 : -1;
-  const std::int32_t wall = tool.round() > 0 ? 0 : 1, end = upper ? wall + 1 : 0;
-  ProfileSample s{tool_distance(tool, rho, z), {}, dr > dz ? wall : end};
-  if (dr > 0 && dz > 0) {
-    const double n = std::sqrt(dr * dr + dz * dz);
-    s.gradient = {dr / n, way * dz / n};
-  } else {
-    s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, way};
-  }
-  return s;
-}
-
-double tool_distance(const Profile& tool, double rho, double z) {
-  if (!tool.is_rounded()) return tool.distance({rho, z});
-  return lane::rounded_slab(rho, z, tool.round(), tool.core(), tool.round(), tool.top());
-}
-
-Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
-  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
-  if (patch > wall) return {0, 1};
-  if (tool.round() == 0) return patch == wall ? Vec2{1, 0} : Vec2{0, -1};
-  const double dr = rho - tool.core(), dz = tool.round() - z;
-  if (!(dr > 0 && dz > 0)) return dr > dz ? Vec2{1, 0} : Vec2{0, -1};
-  const double n = std::sqrt(dr * dr + dz * dz);
-  return {dr / n, -dz / n};
-}
-
-double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
-  const std::int32_t wall = tool.round() > 0 ? 0 : 1;
-  if (patch > wall) return z - tool.top();
-  if (tool.round() == 0) return patch == wall ? rho - tool.core() : -z;
-  const double dr = rho - tool.core(), dz = tool.round() - z;
-  const double to_core = dr > 0 && dz > 0 ? std::sqrt(dr * dr + dz * dz) : dr > dz ? dr : dz;
-  return to_core - tool.round();
-}
 
 PathPoint path_point(const ToolPath& path, double t) {
   if (!path.arc) return {path.start + t * path.travel, path.travel};
@@ -355,13 +324,12 @@ bool is_two_sided(const ToolPath& arc) {
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (is_slant(tool, path)) return slant_minimum(slant_record(tool, path), p);
+  if (const auto least = solved(tool, path, p, 0, path.sweep)) return *least;
   const Objective F(tool, path, p);
   if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
   if (path.lowest_turn) return search_lowest_turn(F, tool, path);
-  if (path.flanked)
-    if (const auto least = flank_minimum(tool, path, p, 0, path.sweep)) return *least;
   return search(F, tool, path, 0, path.arc ? path.sweep : 1);
 }
 
@@ -389,10 +357,9 @@ std::pair<double, double> branch_ends(const ToolPath& path, int branch) {
 
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch) {
   if (path.upright) return upright_branch_minimum(tool, path, p, branch);
-  if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   const auto [begin, end] = branch_ends(path, branch);
-  if (path.flanked)
-    if (const auto least = flank_minimum(tool, path, p, begin, end)) return *least;
+  if (const auto least = solved(tool, path, p, begin, end)) return *least;
+  if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
   return search(Objective(tool, path, p), tool, path, begin, end);
 }
 

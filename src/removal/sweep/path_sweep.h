@@ -5,20 +5,12 @@
 
 #include "core/vec.h"
 #include "removal/simd/sweep_kernels.h"
-#include "removal/tool/tool.h"
+#include "removal/sweep/tool_at_rest.h"
 
 #include <cstdint>
 #include <utility>
 
 namespace mrsim {
-
-/// Distance of a revolved tool at rest from (rho, z), z above its tip.
-ProfileSample tool_sample(const Profile& tool, double rho, double z);
-double tool_distance(const Profile& tool, double rho, double z);
-/// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
-Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
-/// Signed distance to that face: what slab_face_gradient is the gradient of.
-double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch);
 
 /// Tool tip along the path: start + t * travel, t in [0, 1] (line), or
 /// center + cos(t) * u + sin(t) * v + t * rise, t in [0, sweep] (arc and helix, |u| = |v|).
@@ -34,13 +26,15 @@ struct ToolPath {
   LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
 
+  bool disc = false;  ///< disc_minimum() answers (disc_sweep.h)
+
   // Arc in an upright plane, at most one turn, of a tool that reaches up: with is_rounded()
   // (upright_sweep.h), or with has_flank() (flank_sweep.h).
   bool upright = false, flanked = false;
   Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
   Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
-  int first_quarter = 0;  ///< upright: of the circle, counter-clockwise from x, where it begins
-  int quarters = 0;       ///< upright: how many it passes
+  int first_quarter = 0;  ///< of the circle, counter-clockwise from x: the one it begins in
+  int quarters = 0;       ///< how many it passes
 };
 struct PathPoint {
   Vec3 position, direction;  ///< d position / dt
@@ -64,7 +58,7 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
 
 /// Whether the distance is found stretch by stretch (falling_lanes.inl), without a search.
 inline bool has_stretches(const Profile& tool, const ToolPath& path) {
-  return path.upright || (path.lowest_turn && tool.is_rounded());
+  return path.disc || path.upright || (path.lowest_turn && tool.is_rounded());
 }
 
 /// The distance alone, the same bits: beside the wall of a bore at the cost of a line.

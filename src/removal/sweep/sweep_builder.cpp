@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/sweep/disc_sweep.h"
 #include "removal/sweep/flank_sweep.h"
 #include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/upright_sweep.h"
@@ -32,9 +33,9 @@ bool is_upright(const LocalMotion& l) {
 }
 
 void set_upright(ToolPath& path, const Profile& tool) {
-  if (tool.is_rounded()) return make_upright(path);
-  path.flanked = has_flank(tool);
-  if (path.flanked) set_upright_plane(path);
+  path.upright = tool.is_rounded();
+  path.flanked = !path.upright && has_flank(tool);
+  if (path.upright || path.flanked) set_upright_plane(path);
 }
 
 }  // namespace
@@ -298,6 +299,7 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     path.travel = l.end - l.start;
     path.speed = length(path.travel);
   }
+  path.disc = is_disc_helix(tool, path);
   const bool exact = l.arc ? has_stretches(tool, path) : tool.is_convex();
   allow(exact ? kClosedError : kPathError);
   ref.kind = SweepKind::path;

@@ -185,10 +185,10 @@ class FallingQuarter {
   Place first_, last_;
 };
 
-Local local(const Profile& tool, const ToolPath& path, const Vec3& p) {
+Local local(const ToolPath& path, double round, const Vec3& p) {
   const Vec3 w = p - path.center;
   return {w.x * path.along.x + w.y * path.along.y,
-          std::fabs(w.y * path.along.x - w.x * path.along.y), w.z - tool.round()};
+          std::fabs(w.y * path.along.x - w.x * path.along.y), w.z - round};
 }
 
 struct Found {
@@ -197,24 +197,31 @@ struct Found {
   Vec2 w;  // place on the quarter, mirrored
 };
 
-Found least(const Profile& tool, const ToolPath& path, const Vec3& p, int from, int to) {
-  const Local at = local(tool, path, p);
+Found least(double core, double round, const ToolPath& path, const Vec3& p, int from, int to) {
+  const Local at = local(path, round, p);
   Found best;
   for (int branch = from; branch < to; ++branch) {
     const Quarter q = quarter(path, branch);
-    const FallingQuarter stretch(q, path.radius, tool.core(), at);
-    if (lane::lower_bound(stretch.first(), stretch.last(), tool.round()) >= best.distance) continue;
+    const FallingQuarter stretch(q, path.radius, core, at);
+    if (lane::lower_bound(stretch.first(), stretch.last(), round) >= best.distance) continue;
     const Place x = lane::best_place(stretch, true);
-    const double value = lane::value_of(x, tool.round());
+    const double value = lane::value_of(x, round);
     if (value < best.distance) best = {value, branch, {x.wx, x.wy}};
   }
   return best;
 }
 
+Found least(const Profile& tool, const ToolPath& path, const Vec3& p, int from, int to) {
+  return least(tool.core(), tool.round(), path, p, from, to);
+}
+
+Vec2 direction(const ToolPath& path, const Found& found) {
+  return {quarter(path, found.branch).mirrored ? -found.w.x : found.w.x, found.w.y};
+}
+
 // The path's parameter; exact at its ends.
 double parameter(const ToolPath& path, const Found& found) {
-  const Quarter q = quarter(path, found.branch);
-  const Vec2 w = {q.mirrored ? -found.w.x : found.w.x, found.w.y};
+  const Vec2 w = direction(path, found);
   const bool again = path.quarters > 4 && found.branch == path.quarters - 1;  // the first quarter
   double t = mrsim::atan2(cross(path.begin, w), dot(path.begin, w));
   if (t < (again ? kAtEnd : -kAtEnd)) t += kTwoPi;
@@ -237,14 +244,17 @@ void set_upright_plane(ToolPath& path) {
     path.along = -1.0 * path.along;
   path.begin = in_plane(path.u);
   path.end = in_plane(path_point(path, path.sweep).position - path.center);
+  set_quarters(path);
 }
 
-void make_upright(ToolPath& path) {
-  set_upright_plane(path);
-  path.upright = true;
+void set_quarters(ToolPath& path) {
   path.first_quarter = quadrant(path.begin);
   path.quarters = (quadrant(path.end) - path.first_quarter + 4) % 4 + 1;
   while (path.sweep > path.quarters * (kPi / 2) + 1e-9) path.quarters += 4;
+}
+
+Vec2 upright_place(double core, double round, const ToolPath& path, const Vec3& p) {
+  return direction(path, least(core, round, path, p, 0, path.quarters));
 }
 
 double upright_value(const Profile& tool, const ToolPath& path, const Vec3& p) {

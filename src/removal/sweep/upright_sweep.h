@@ -7,11 +7,15 @@
 
 namespace mrsim {
 
-/// Describes an arc without rise in an upright plane: along, begin and end; turns its sweep into
-/// one turn at most. Requires: center, u, v and radius > 0 of the path.
+/// Describes an arc without rise in an upright plane: along, begin, end and its quarters; turns its
+/// sweep into one turn at most. Requires: center, u, v and radius > 0 of the path.
 void set_upright_plane(ToolPath& path);
-/// The same for a tool with is_rounded(), with its quarters.
-void make_upright(ToolPath& path);
+/// The quarters alone, after begin, end or sweep has changed.
+void set_quarters(ToolPath& path);
+
+/// Direction, from the centre in the arc's plane, of the position at which a mill of any `core` and
+/// `round` that reaches up is nearest to p.
+Vec2 upright_place(double core, double round, const ToolPath& path, const Vec3& p);
 
 /// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, a tool that
 /// reaches up with is_rounded(). No sines.

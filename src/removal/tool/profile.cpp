@@ -145,6 +145,7 @@ void Profile::find_flags() {
     if (corners_[i] == Corner::reflex) is_convex_ = false;
   rising_ = open_top_ && !falling;
   find_slab();
+  find_disc();
 }
 
 // Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].
@@ -162,6 +163,31 @@ void Profile::find_slab() {
   } else if (quarter && (n == 2 ? low.center.x == 0 : disc) && top_ >= 2 * low.radius) {
     is_rounded_ = true, core_ = low.center.x, round_ = low.radius;
   }
+}
+
+// [disc] [quarter circle] [wall] [quarter circle] [lid], none of the quarters above half the
+// height.
+void Profile::find_disc() {
+  if (open_top_ || bottom_ != 0) return;
+  const auto same = [this](Vec2 a, Vec2 b) { return length(a - b) <= 1e-12 * max_radius_; };
+  std::size_t k = 0;
+  const auto is_line = [&](Vec2 across) {
+    return k < edges_.size() && !is_arc(edges_[k]) && dot(edges_[k].direction, across) == 0;
+  };
+  const auto is_quarter = [&](Vec2 from, Vec2 to) {
+    if (k == edges_.size() || !is_arc(edges_[k]) || !edges_[k].convex) return false;
+    const ProfileEdge& e = edges_[k];
+    return same(e.a, e.center + e.radius * from) && same(e.b, e.center + e.radius * to);
+  };
+  Disc d{.top = top_};
+  if (is_line({0, 1})) d.core = edges_[k++].b.x;
+  if (is_quarter({0, -1}, {1, 0})) d.round = edges_[k++].radius;
+  if (!same({d.core + d.round, 0}, {max_radius_, 0})) return;
+  if (is_line({1, 0})) ++k;
+  if (is_quarter({1, 0}, {0, 1})) d.lid_round = edges_[k++].radius;
+  if (is_line({0, 1})) ++k;
+  d.lid_core = max_radius_ - d.lid_round;
+  if (k == edges_.size() && 2 * std::max(d.round, d.lid_round) <= top_) disc_ = d;
 }
 
 Profile::Foot Profile::nearest(Vec2 q) const {

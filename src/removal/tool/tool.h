@@ -13,6 +13,7 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mrsim {
@@ -103,6 +104,14 @@ class Profile {
   double round() const { return round_; }
   bool is_ball_end() const { return is_rounded_ && core_ == 0 && open_top_; }
 
+  /// Cutters with a straight wall that end above, such as slot mills: a disc of radius `core`
+  /// thickened by `round` below half the height `top`, and one of `lid_core` and `lid_round`, from
+  /// the top downwards, above it.
+  struct Disc {
+    double core = 0, round = 0, lid_core = 0, lid_round = 0, top = 0;
+  };
+  const std::optional<Disc>& disc() const { return disc_; }
+
  private:
   struct Foot;
   Foot nearest(Vec2 q) const;
@@ -110,11 +119,13 @@ class Profile {
   void find_patches();
   void find_flags();
   void find_slab();
+  void find_disc();
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i
   bool open_top_ = false, is_convex_ = true, unimodal_ = true, rising_ = true, is_rounded_ = false;
   double max_radius_ = 0, widest_ = 0, bottom_ = 0, top_ = 0, core_ = 0, round_ = 0;
+  std::optional<Disc> disc_;
 };
 
 /// Convex core polygon of an insert, counter-clockwise in (x = X, y = Z), and its thickness.
