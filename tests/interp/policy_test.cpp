@@ -270,6 +270,16 @@ TEST(Policy, Programs) {
   EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
 }
 
+// The leader of a tape, and what a serial line starts and stops a transfer with.
+TEST(Policy, SignsOfTransfersAreNoText) {
+  const std::string nul(3, '\0');
+  const std::string text = nul + "\x12%\nO1\nG1 X5. F9\n\fX6.\x13\n\x7F\x7FX7.\nM30\n%\n\x14" + nul;
+  EXPECT_EQ(path_text(read_text(text, at_origin(Dialect::fanuc))), "l5,0,0 l6,0,0 l7,0,0");
+  const std::string inside = "G1 X" + nul + "5. F9\n";
+  EXPECT_NE(codes(read_text(inside, at_origin(Dialect::fanuc))).find("character"),
+            std::string::npos);
+}
+
 TEST(Policy, LongLines) {
   const std::string blanks(3 << 20, ' ');
   const Program p =

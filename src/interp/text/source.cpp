@@ -36,6 +36,17 @@ std::shared_ptr<const std::string> read_pipe(const std::string& path, const stru
   return text;
 }
 
+// The leader of a tape (NUL, DEL), what starts and stops a transfer (DC1 to DC4), and the feed of a
+// page, at the ends of a line.
+std::string_view without_transfer(std::string_view line) {
+  const auto transfers = [](char c) {
+    return c == '\0' || c == '\f' || c == '\x7F' || (c >= '\x11' && c <= '\x14');
+  };
+  while (!line.empty() && transfers(line.front())) line.remove_prefix(1);
+  while (!line.empty() && transfers(line.back())) line.remove_suffix(1);
+  return line;
+}
+
 }  // namespace
 
 LineSource::LineSource(const std::string& name, std::size_t chunk)
@@ -143,6 +154,7 @@ bool LineSource::next(std::string_view& line) {
   line = std::string_view(buffer_.data() + begin_, length);
   begin_ += length + end;
   if (line_ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  line = without_transfer(line);
   ++line_;
   return true;
 }
