@@ -166,6 +166,11 @@ TEST(Habits, ACommentThatIsNotUnderstoodIsQuoted) {
       if (d.code == "tool-unknown") return d.text;
     return std::string();
   };
+  EXPECT_NE(
+      told("(T4 6MM DRILL - CHAMFER EDGES)\nT4 M6\n").find("--tool 4=chamfer:d=6,tip_angle=90"),
+      std::string::npos);
+  EXPECT_NE(told("(T4 D12 BULL NOSE)\nT4 M6\n").find("--tool 4=bullmill:d=12,r=1 (r: its corner)"),
+            std::string::npos);
   EXPECT_NE(told("(T04: GIZMO 10X90)\nT4 M6\n").find("in its comment \"T04: GIZMO 10X90\":"),
             std::string::npos);
   EXPECT_NE(told("T4 M6 (GIZMO)\n").find("in its comment \"GIZMO\":"), std::string::npos);

@@ -123,6 +123,9 @@ TEST(LinuxCncWords, LathesThatSayNeitherG7NorG8AreToldOf) {
   EXPECT_EQ(notes("G18\n"), "l20,0,-5 l30,0,-5 radius-assumed");
   EXPECT_EQ(notes("G18 G8\n"), "l20,0,-5 l30,0,-5 ");
   EXPECT_EQ(notes("G18 G7\n"), "l10,0,-5 l15,0,-5 ");
+  const Program iso =
+      read_text("G18\nG1 X20 Z-5 F1\nM2\n", at_origin(Dialect::iso, MachineKind::lathe));
+  EXPECT_EQ(path_text(iso) + " " + codes(iso, Severity::note), "l10,0,-5 diameter-assumed");
 }
 
 // "When G7 is in force the values for I, J and K are diameter measurements."

@@ -128,6 +128,25 @@ TEST(ToolNotes, ByName) {
             "CUTTER 10:10");
 }
 
+TEST(ToolNotes, TipsThatAreNotToldAreSaidToBeSharp) {
+  const auto note = [](const std::string& comment) {
+    const Program p = read_text("G21\n(" + comment + ")\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\n", [] {
+      InterpOptions options;
+      options.dialect = Dialect::fanuc;
+      options.machine = MachineKind::mill;
+      return options;
+    }());
+    for (const Diagnostic& d : p.diagnostics)
+      if (d.code == "tool-inferred") return d.text;
+    return std::string();
+  };
+  const std::string sharp = "its tip taken to be sharp";
+  EXPECT_NE(note("T7 D=12. CR=0. TAPER=45DEG - ZMIN=-1. - CHAMFER MILL").find(sharp),
+            std::string::npos);
+  EXPECT_EQ(note("T7 CHAMFER MILL D12 90 DEG TIP D2").find(sharp), std::string::npos);
+  EXPECT_EQ(note("T7 60V 1/2\"").find(sharp), std::string::npos);
+}
+
 // T words of lathes with six and eight digits have half of them for the offset.
 TEST(ToolNotes, StationsOfLathes) {
   const auto tools = [](const std::string& program) {
@@ -264,7 +283,9 @@ TEST(ToolNotes, SmallSizesNeedAUnit) {
   const std::string head = "(TOOL 3 .250 BALL EM)\n", change = "T3 M6\n";
   EXPECT_EQ(diameters(head + change + kCut), "3:0 tool-unknown");
   EXPECT_EQ(diameters(head + "G20\n" + change + kCut), "3:6.35");
-  EXPECT_EQ(diameters(head + "G21\n" + change + kCut), "3:0.25");
+  EXPECT_EQ(diameters(head + "G21\n" + change + kCut), "3:0 tool-unknown")
+      << "thousandths in a program in mm";
+  EXPECT_EQ(diameters("(TOOL 3 0.25 BALL EM)\nG21\n" + change + kCut), "3:0.25");
   EXPECT_EQ(diameters("(T3 0.5MM ENDMILL)\n" + change + kCut), "3:0.5");
 }
 

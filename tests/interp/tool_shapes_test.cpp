@@ -127,6 +127,23 @@ TEST(ToolShapes, ErrorsOfFormMillsShowAnOutline) {
   EXPECT_EQ(example("OGEE 10MM"), "");
 }
 
+TEST(ToolShapes, ThousandthsAskForTheirUnitInMm) {
+  expect_readings({
+      {mm, ".1875 BEM", "? gives the diameter 0.1875 without a unit, in a program in mm"},
+      {mm, ".250 END MILL", "? gives the diameter 0.25 without a unit, in a program in mm"},
+      {mm, "DRILL DIA .323", "? gives the diameter 0.323 without a unit, in a program in mm"},
+      {mm, ".250 MM END MILL", "endmill 0.25"},
+      {mm, ".250 IN END MILL", "endmill 6.35"},
+      {mm, "0.250 END MILL", "endmill 0.25"},
+      {mm, ".5 END MILL", "endmill 0.5"},
+      {inch, ".250 END MILL", "endmill 6.35"},
+      {mm, "TOOL 1 : FlatMill 6", "endmill 6"},
+      {mm, "TALADRO 8.5", "drill 8.5"},
+      {mm, "HARTMETALLBOHRER 8.5", "drill 8.5"},
+      {mm, "IGELFRAESER D32", "endmill 32"},
+  });
+}
+
 TEST(ToolShapes, Tapers) {
   expect_readings({
       {mm, "TAPERED BALL NOSE R0.5 D=6 5 DEG", "taper 6, corner 0.5, side 5, tip 1"},
@@ -188,6 +205,10 @@ TEST(ToolShapes, HeadsAndBlades) {
       {mm, "SLOT CUTTER D50", "? gives no width of the head"},
       {mm, "T3 SAW 63 X 2", "tslot 63, width 2"},
       {mm, "SAW CUT 50MM LONG", "-"},
+      {mm, "SAW D50 W2", "tslot 50, width 2"},
+      {mm, "SLITTING SAW DIA 50 THK 2", "tslot 50, width 2"},
+      {mm, "SLITTING SAW 2MM THICK 80MM DIA", "tslot 80, width 2"},
+      {mm, "SLITTING SAW THICKNESS 1.6 D63", "tslot 63, width 1.6"},
       {mm, "SAEGEBLATT D63 B2", "tslot 63, width 2"},
       {mm, "T-SLOT 6 X 20", "? gives no width of the head"},
   });

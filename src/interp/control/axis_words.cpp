@@ -54,9 +54,17 @@ void AxisWords::tell_of_point(const Word& word) {
       word, far ? "point far" : "point");
 }
 
-// LinuxCNC starts in G8; Mach's lathes may be set to diameters without a word.
+// LinuxCNC starts in G8; Mach's lathes may be set to diameters without a word. Lathes of no named
+// control may be either's.
 void AxisWords::tell_of_radius(int axis, const Word& word) {
-  if (axis != 0 || !lathe() || !is(Dialect::ngc) || modal_.diameter_told || word.value == 0) return;
+  if (axis != 0 || !lathe() || modal_.diameter_told || word.value == 0) return;
+  if (is(Dialect::iso))
+    note_once("diameter-assumed",
+              fmt::format("{} is read as a diameter: where the program means radii, as LinuxCNC "
+                          "does without G7, say --dialect ngc",
+                          text_of(word)),
+              word, "diameter");
+  if (!is(Dialect::ngc)) return;
   note_once("radius-assumed",
             fmt::format("{} is read as a radius: LinuxCNC does so until G7. Where the program "
                         "means diameters (Mach's lathes), write G7 at its head; G8 says that it "

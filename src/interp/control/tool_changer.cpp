@@ -28,8 +28,20 @@ std::string example_of(const Tool& read, bool lathe) {
   if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
     return fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
                        read.corner_radius, degrees(read.taper_angle));
-  if (read.type == ToolType::chamfer) return "chamfer:d=6,tip_angle=60,t=0.2 (t: its tip)";
-  return lathe ? "turning:insert=CNMG,r=0.8" : "endmill:d=10";
+  const auto known = [](double value, double otherwise) { return value > 0 ? value : otherwise; };
+  if (read.type == ToolType::chamfer)
+    return fmt::format("chamfer:d={:.6g},tip_angle={:.6g},t={:.6g} (t: its tip)",
+                       known(read.diameter, 6),
+                       degrees(known(read.tip_angle, known(2 * read.taper_angle, radians(60)))),
+                       known(read.tip_diameter, 0.2));
+  if (read.type == ToolType::drill) return fmt::format("drill:d={:.6g}", known(read.diameter, 10));
+  if (read.type == ToolType::ballmill)
+    return fmt::format("ballmill:d={:.6g}", known(read.diameter, 10));
+  if (read.type == ToolType::bullmill)
+    return fmt::format("bullmill:d={:.6g},r={:.6g} (r: its corner)", known(read.diameter, 10),
+                       known(read.corner_radius, 1));
+  return lathe ? "turning:insert=CNMG,r=0.8"
+               : fmt::format("endmill:d={:.6g}", known(read.diameter, 10));
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ struct CommentToken {
 
   bool is(std::string_view what) const { return kind != Kind::number && text == what; }
   bool is_number() const { return kind == Kind::number; }
+  /// ".1875": thousandths of an inch, as a rule.
+  bool inch_style() const { return is_number() && text.starts_with('.') && text.size() > 3; }
 };
 
 /// Upper case; one '~' for each character outside of ASCII, but '"' for inch marks, '^' for a

@@ -41,7 +41,8 @@ bool CommentView::is_size(std::size_t i) const {
 
 ToolLength CommentView::length(std::size_t i) const {
   const bool letter_point = word(i - 1) && tokens_[i].glued && tokens_[i].text.starts_with('.');
-  return {tokens_[i].value, tokens_[i].unit, tokens_[i].fraction, letter_point};
+  const CommentToken& t = tokens_[i];
+  return {t.value, t.unit, t.fraction, letter_point, t.inch_style()};
 }
 
 std::size_t CommentView::behind(std::size_t i) const {

@@ -22,6 +22,7 @@ struct ToolLength {
   double unit = 0;            ///< mm per unit where the comment says so, 0 = the program's units
   bool fraction = false;      ///< "1/4": inches, unless something else is said
   bool letter_point = false;  ///< "D.10": 0.10, or D. 10
+  bool inch_style = false;    ///< ".1875": thousandths without a 0 before the point
   explicit operator bool() const { return value > 0; }
 };
 

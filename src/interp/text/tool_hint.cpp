@@ -53,7 +53,7 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
                         as_written(first));
       return 0;
     }
-    if (metric_fraction || huge) {
+    if (metric_fraction || huge || (first.inch_style && unit == 1)) {
       why = fmt::format("gives the diameter {} without a unit, in a program in {}",
                         as_written(first), unit > 1 ? "inches" : "mm");
       return 0;
@@ -141,6 +141,8 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
     if (!(out.width > 0)) why = "gives no width of the head";
   } else if (out.type == ToolType::chamfer) {
     if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
+    if (hint.trade == ToolTrade::chamfer_mill && !hint.tip && !hint.corner)
+      out.origin += ", its tip taken to be sharp";
     if (hint.trade == ToolTrade::vee && !hint.tip && out.diameter > 0 && out.diameter < kLeastVee)
       why =
           fmt::format("can be read as diameter {0:.4g} mm or as a tip of {0:.4g} mm", out.diameter);
@@ -154,6 +156,15 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
     fill_dovetail(hint, unit, out, why);
   }
   return why.empty();
+}
+
+// What a comment in doubt says first: for the example of an error.
+void sketch(const ToolHint& hint, double unit, Tool& out) {
+  if (!hint.diameters.empty()) out.diameter = in_mm(hint.diameters.front(), unit);
+  if (hint.corner) out.corner_radius = beside(hint.corner, hint, unit);
+  if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
+  out.tip_angle = hint.tip_angle;
+  out.taper_angle = hint.taper_angle;
 }
 
 bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
@@ -261,7 +272,10 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
 bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why) {
   out.type = hint.type.value_or(ToolType::endmill);
   why = hint.doubt;
-  if (!why.empty()) return false;
+  if (!why.empty()) {
+    sketch(hint, unit, out);
+    return false;
+  }
   if (!hint.type && (lathe || !hint.names_tool)) {
     why = "names no kind of tool";
     return false;

@@ -138,7 +138,8 @@ bool LabelReader::is_of_kind(std::size_t number) const {
 }
 
 std::size_t LabelReader::number_behind(const Label& label) const {
-  if (label.side == NumberSide::before) return kNone;
+  const bool width = label.role == WordRole::width && number_before(label) == kNone;
+  if (label.side == NumberSide::before && !width) return kNone;  // "THK 2" has it behind
   const bool letter = label.end == label.first + 1 && view_[label.first].text.size() == 1;
   const bool corner = label.role == WordRole::radius_letter && has_corner();  // "BALL R 3"
   if (letter && !view_.glued(label.end) && !corner) return kNone;

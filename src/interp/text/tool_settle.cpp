@@ -149,7 +149,7 @@ void Settler::add_group(const SizeGroup& group) {
     if (is_angle(t, joined))
       angles_.push_back(t.value);
     else
-      sizes.push_back({t.value, t.unit, t.fraction});
+      sizes.push_back({t.value, t.unit, t.fraction, false, t.inch_style()});
   if (sizes.empty()) return;
   if (group.continues) {  // "R3 X 50"
     if (!hint_.diameters.empty()) add_further(hint_.diameters.front(), sizes.front());
@@ -201,7 +201,9 @@ void Settler::settle_type() {
   const bool data =
       !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner || threaded;
   const ToolKind* k = kind();
-  const bool by_data = data && k && !is_turning(k->type) && k->trade != ToolTrade::disc;
+  const bool disc_data = hint_.width && !hint_.diameters.empty();
+  const bool by_data =
+      data && k && !is_turning(k->type) && (k->trade != ToolTrade::disc || disc_data);
   if (k && (k->firm || hint_.names_tool || by_data)) {
     hint_.type = k->type;
     hint_.trade = k->trade;
