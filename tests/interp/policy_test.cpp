@@ -212,6 +212,12 @@ TEST(Policy, TextBehindTheTapeIsNamed) {
   };
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\nG1 X2.\n"), "tape-end");
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\n%\n\n%\n"), "");
+  EXPECT_EQ(codes(read_text("%\nO1\nG1 X1. F1\n% a comment\nG1 X2.\n", at_origin(Dialect::fanuc))),
+            "tape-end")
+      << "a warning: cuts may be lost";
+  EXPECT_EQ(path_text(read_text("G1 X1 F1\n%wait\nG1 X2\nM2\n", at_origin(Dialect::ngc))),
+            "l1,0,0 l2,0,0")
+      << "of CNCjs";
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\nM30\n%\nlisting\n"), "");
   EXPECT_EQ(codes(read_text("% A\nG1 X1 F1\nSUBPROGRAM B{}\nG1 X2\nEND_SUBPROGRAM\n",
                             at_origin(Dialect::codesys)),

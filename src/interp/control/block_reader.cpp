@@ -1,6 +1,7 @@
 #include "interp/control/block_reader.h"
 
 #include "core/text_io.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
 #include <utility>
@@ -150,6 +151,7 @@ bool BlockReader::ends_at_header(const Word* program) {
     if (!leader) top.started = true;
     return false;
   }
+  if (leader && upper_case(header->text.substr(1, 4)) == "WAIT") return false;  // CNCjs: it pauses
   if (program)
     warning("program-end-missing",
             fmt::format("the program before O{:g} has no {}: it is taken to end here",
@@ -157,7 +159,8 @@ bool BlockReader::ends_at_header(const Word* program) {
             *program);
   else
     missing_return();
-  if (!program && !is(Dialect::sinumerik) && !is(Dialect::codesys)) end_of_tape();
+  if (!program && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+    end_of_tape(leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos);
   end_activation(false);
   return true;
 }
@@ -231,16 +234,18 @@ void BlockReader::missing_return() {
                  fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin.offset));
 }
 
-// Behind the second % nothing is read.
-void BlockReader::end_of_tape() {
+// Behind the second % nothing is read. With text beside it, it may be meant for a comment.
+void BlockReader::end_of_tape(bool commented) {
   Activation& top = stack_.back();
   if (stack_.size() > 1) return;
   std::string_view line;
   while (top.source->next(line))
     if (line.find_first_not_of(" \t\r%") != std::string_view::npos) {
       reporter_.forget_text();
-      reporter_.add(Severity::note, "tape-end",
-                    "the % here ends the tape: the text behind it is not read", 0, 1);
+      reporter_.add(commented ? Severity::warning : Severity::note, "tape-end",
+                    fmt::format("the % here ends the tape: the text behind it is not read{}",
+                                commented ? "; a comment is written ( )" : ""),
+                    0, 1);
       return;
     }
 }

@@ -100,7 +100,7 @@ class BlockReader : public ControlPart {
   std::unique_ptr<LineSource> source_of(const std::string& file);
   int file_index(const std::string& file);
   void missing_return();
-  void end_of_tape();
+  void end_of_tape(bool commented);
   void tell_of_others();
 
   Parser parser_;
