@@ -78,6 +78,30 @@ void expect_air_until_any_motion(Random& r, const UntilScene& scene, double voxe
   }
 }
 
+// By its definition, voxel by voxel.
+void expect_first_sweeps(const UntilScene& scene, double voxel) {
+  const openvdb::Int32Grid::Ptr cut = written_cut(scene, voxel);
+  ASSERT_TRUE(cut);
+  const Stock part = scene.part(scene.motions.size(), voxel);
+  const PartField& field = *part.grid().field;
+  ASSERT_TRUE(field.is_turned(field.all()));
+  openvdb::CoordBBox box = cut->evalActiveVoxelBoundingBox();
+  box.expand(2);
+  std::size_t wrong = 0;
+  for (auto ijk = box.begin(); ijk; ++ijk) {
+    const openvdb::Vec3d at = cut->indexToWorld(*ijk);
+    const Vec3 p{at.x(), at.y(), at.z()};
+    std::int32_t first = -2;
+    if (field.solid().distance(p) < 0) {
+      first = kInStock;
+      for (std::size_t i = field.sweeps().size(); i-- > 0;)
+        if (field.sweeps().distance(i, p) <= 0) first = field.sweeps().motion(i);
+    }
+    wrong += first != cut->getConstAccessor().getValue(*ijk);
+  }
+  EXPECT_EQ(wrong, 0u);
+}
+
 TEST(CutUntil, IsTheAirOfMilledParts) {
   Random r(23);
   for (unsigned round = 0; round < rounds(2); ++round) {
@@ -104,6 +128,19 @@ TEST(CutUntil, IsTheAirOfTurnedParts) {
   for (unsigned round = 0; round < rounds(2); ++round) {
     const UntilScene scene{round_stock(6, 0, 0, 10), inserts(), turning_moves(r, 60, 6, 10)};
     expect_air_until_any_motion(r, scene, 0.35);
+  }
+}
+
+TEST(CutUntil, IsTheFirstSweepThatHoldsAPlaceOfTurnedParts) {
+  Random r(31);
+  for (unsigned round = 0; round < rounds(2); ++round) {
+    UntilScene scene{round_stock(6, 0, 0, 10), inserts(), turning_moves(r, 40, 6, 10)};
+    if (round % 2 == 1) scene.stock = round_stock(6, 2, 0, 10);
+    // A drill on the axis, which is no insert.
+    scene.motions.push_back(line({0, 0, 12}, {0, 0, r(1, 8)}));
+    scene.motions.back().tool = static_cast<int>(scene.tools.size());
+    scene.tools.push_back(mill(ToolType::drill, 5));
+    expect_first_sweeps(scene, 0.2);
   }
 }
 
