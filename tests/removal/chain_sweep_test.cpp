@@ -29,12 +29,14 @@ std::vector<Tool> convex_tools() {
       with_angle(mill(ToolType::taper, 6, 0.5, 5), radians(10),
                  2),  // disc, torus, cone, wall, disc
       endmill(4, 1, 7),
+      with_angle(mill(ToolType::chamfer, 6), radians(30), 0.2),  // a small disc and cone
+      mill(ToolType::tslot, 8, 0, 3),
       mill(ToolType::lollipop, 6),
       mill(ToolType::barrel, 8, 2, 16),
       mill(ToolType::form, 0)};
-  t[8].neck_diameter = 3;
-  t[9].profile_radius = 30;
-  t[10].profile = {{0, 0, 0},   {1, 0, 0.15}, {2, 1, 0}, {3, 3, 0},
+  t[10].neck_diameter = 3;
+  t[11].profile_radius = 30;
+  t[12].profile = {{0, 0, 0},   {1, 0, 0.15}, {2, 1, 0}, {3, 3, 0},
                    {3.2, 5, 0}, {1, 6, 0},    {0, 6, 0}};
   return t;
 }

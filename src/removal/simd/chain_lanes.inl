@@ -15,18 +15,19 @@ MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
   return {dx * ux + dy * uy, vabs(dx * uy - dy * ux), pz - splat(line.z)};
 }
 
-/// The plane across the way from the tip's path to p, which touches the tip's ball, where the tool
-/// lies behind it; else, and where that way is too short to be known, minus infinity.
+/// The plane across the way from the tip's path to p, which touches the tip, where the tool lies
+/// behind it; else, and where that way is too short to be known, minus infinity.
 MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
   const V zero = splat(0.0), h = at.w - splat(tool.tip);
   const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(line.per_way);
   const V way = vmin(vmax(t, zero), splat(1.0));
   const V along = at.u - way * splat(line.plan), up = h - way * splat(line.rise);
   const V square = along * along + at.v * at.v;
-  const V off = vsqrt(square + up * up);
-  const M behind = both(less(splat(1e-3), off),
-                        less_equal(up * splat(tool.last.x), vsqrt(square) * splat(tool.last.y)));
-  return select(behind, off - splat(tool.ball), splat(-std::numeric_limits<double>::infinity()));
+  const V off = vsqrt(square + up * up), aside = vsqrt(square);
+  const M behind =
+      both(less(splat(1e-3), off), less_equal(up * splat(tool.last.x), aside * splat(tool.last.y)));
+  const V reach = splat(tool.core) * aside / off + splat(tool.ball);
+  return select(behind, off - reach, splat(-std::numeric_limits<double>::infinity()));
 }
 
 /// A flank, continued beyond its edge: where on the move p is farthest outwards of it, or least
@@ -62,7 +63,7 @@ MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const Cha
   V bound = ends_bound(tool, line, at);
   for (std::size_t i = 0; i < tool.flank_count; ++i)
     bound = vmax(flank_place(tool, line, at, i).f, bound);
-  return tool.pointed ? vmax(bound, tip_bound(tool, line, at)) : bound;
+  return tool.tipped ? vmax(bound, tip_bound(tool, line, at)) : bound;
 }
 
 /// The nearest edge so far: distance squared, and what its outward normal is, times `scale`; a
@@ -152,8 +153,8 @@ struct ChainObjective {
     return {t, x.f, -(x.slope_r * towards * splat(line.plan) + x.slope_z * splat(line.rise))};
   }
 
-  /// The place of the least F if a flank is nearest there, or else the ball at the tip; whether
-  /// that is so and p is outside, F with it.
+  /// The place of the least F if a flank is nearest there, or else a ball or point at the tip;
+  /// whether that is so and p is outside, F with it.
   struct Closed {
     V t, f;
     M holds;
@@ -162,7 +163,7 @@ struct ChainObjective {
     const V zero = splat(0.0), one = splat(1.0), h = at.w - splat(tool.tip);
     const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(line.per_way);
     Closed x{vmin(vmax(t, zero), one), zero, less(zero, zero)};
-    if (tool.pointed) {
+    if (tool.tipped && tool.core == 0) {
       const V along = at.u - x.t * splat(line.plan), up = h - x.t * splat(line.rise);
       const V square = along * along + at.v * at.v, rho = vsqrt(square);
       x.f = vsqrt(square + up * up) - splat(tool.ball);
@@ -173,7 +174,52 @@ struct ChainObjective {
     return x;
   }
 
+  /// The same for a flat or bull-nosed tip: where a mill with the same tip is nearest.
+  Closed at_flat_tip(M wanted) const {
+    const SlantStretch stretch(tip_record(), at.u, at.v, at.w);
+    const Place x = best_place(stretch, wanted);
+    const V f = value_of(x, splat(tool.ball)), zero = splat(0.0);
+    const V way = stretch.height_way(x.t) * splat(std::sqrt(line.per_way));
+    const V share = vmin(vmax(way, zero), splat(1.0));
+    const M tip = less_equal((zero - x.dz) * splat(tool.last.x), x.dr * splat(tool.last.y));
+    return {line.rise < 0 ? splat(1.0) - share : share, f, both(tip, less(zero, f))};
+  }
+
+  /// The same within a tool with a flat sharp tip, where its floor and the flank above it are what
+  /// is nearest: both are planes for F, the one linear in t, the other convex. F is least where
+  /// they cross, or where the tool is lowest; not where the flank alone decides, which closed()
+  /// has.
+  Closed at_floor() const {
+    const V zero = splat(0.0), plan = splat(line.plan), rise = splat(line.rise);
+    const ChainTool::Flank& flank = tool.flanks[0];
+    const V across = splat(flank.across), up = splat(flank.up), h = at.w - splat(tool.bottom);
+    // across rho = grow t + from, squared.
+    const V grow = rise * (splat(1.0) + up), from = splat(flank.offset) - h - up * at.w;
+    const V square = across * across;
+    const V a = square * plan * plan - grow * grow, b = square * at.u * plan + grow * from;
+    const V c = square * (at.u * at.u + at.v * at.v) - from * from;
+    const V root = vsqrt(vmax(b * b - a * c, zero)), q = select(less(b, zero), b - root, b + root);
+    const V lowest = splat(line.rise > 0 ? 0.0 : 1.0), decided = flank_place(tool, line, at, 0).t;
+    const V low = vmin(lowest, decided), high = vmax(lowest, decided);
+    const V first = q / a, second = c / q;
+    const V t = select(between(low, first, high), first,
+                       select(between(low, second, high), second, lowest));
+    const V f = (*this)(t).f, floor = t * rise - h;
+    return {t, f, less_equal(f - floor, splat(1e-13) * (splat(1.0) + vabs(f)))};
+  }
+
  private:
+  // As ChainView counts.
+  SlantRecord tip_record() const {
+    const bool falls = line.rise < 0;
+    const double length = std::sqrt(line.plan * line.plan + line.rise * line.rise);
+    SlantRecord r;
+    r.x = falls ? line.plan : 0, r.z = (falls ? line.rise : 0) + tool.tip;
+    r.ux = falls ? -1 : 1;
+    r.length = length, r.plan = line.plan / length, r.rise = std::fabs(line.rise) / length;
+    r.core = tool.core, r.round = tool.ball;
+    return r;
+  }
   void add_flank(std::size_t i, Closed& x) const {
     const V zero = splat(0.0);
     const ProfileEdge& e = tool.edges[tool.flanks[i].edge];
@@ -219,6 +265,18 @@ static inline ChainPlace chain_least(const ChainObjective& F, V limit, M wanted)
   M open = except(wanted, closed.holds);
   ChainPlace x{closed.t, closed.f, zero};
   if (!any(open)) return x;
+  if (F.tool.tipped && F.tool.core > 0) {
+    const ChainObjective::Closed tip = F.at_flat_tip(open);
+    x = choose(both(open, tip.holds), ChainPlace{tip.t, tip.f, zero}, x);
+    open = except(open, tip.holds);
+    if (!any(open)) return x;
+    if (F.tool.ball == 0 && F.tool.flank_count > 0) {
+      const ChainObjective::Closed floor = F.at_floor();
+      x = choose(both(open, floor.holds), ChainPlace{floor.t, floor.f, zero}, x);
+      open = except(open, floor.holds);
+      if (!any(open)) return x;
+    }
+  }
   x = choose(open, F(closed.t), x);
   const V gap = vmax(x.slope * x.t, x.slope * (x.t - one));
   open = both(open, both(less(chain_tolerance(x.f), gap), less_equal(x.f - gap, limit)));

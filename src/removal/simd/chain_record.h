@@ -19,9 +19,9 @@ struct ChainTool {
   };
   const ProfileEdge* edges = nullptr;  ///< the profile's
   std::size_t count = 0;               ///< 0: the tool is none
-  bool pointed = false;                ///< its lower end is a ball about the axis, or a point of it
-  double tip = 0, ball = 0;            ///< height of the ball's centre and its radius
-  Vec2 last;                           ///< the ball's last normal, seen from its centre
+  bool tipped = false;  ///< its lower end is a disc about the axis, or a point, thickened by a ball
+  double core = 0, tip = 0, ball = 0;  ///< the disc's radius and height, the ball's radius
+  Vec2 last;                           ///< last normal of the lower end
   double radius = 0, bottom = 0, top = 0;
   std::size_t flank_count = 0;
   Flank flanks[kMostFlanks] = {};

@@ -6,6 +6,7 @@
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
 
+#include <cmath>
 #include <limits>
 
 namespace mrsim::lane {

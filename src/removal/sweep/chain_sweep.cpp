@@ -14,6 +14,22 @@ bool is_half_turn(const ProfileEdge& e) {
   return e.radius > 0 && !(cross(e.a - e.center, e.b - e.center) > 0);
 }
 
+// [disc] [ball or nose], from pointing down.
+void set_tip(const std::vector<ProfileEdge>& edges, ChainTool& c) {
+  std::size_t k = 0;
+  c.tip = edges[0].a.y;
+  if (edges[0].radius == 0 && edges[0].direction.y == 0) c.core = edges[k++].b.x;
+  if (k == edges.size()) return;
+  const ProfileEdge& e = edges[k];
+  c.tipped = true;
+  if (e.radius > 0 && e.center.x == c.core) {
+    c.tip = e.center.y, c.ball = e.radius, c.last = e.b - e.center;
+  } else {
+    c.tipped = e.radius == 0;
+    c.last = {e.direction.y, -e.direction.x};
+  }
+}
+
 }  // namespace
 
 ChainTool chain_tool(const Profile& tool) {
@@ -23,11 +39,7 @@ ChainTool chain_tool(const Profile& tool) {
       std::any_of(edges.begin(), edges.end(), is_half_turn))
     return c;
   c.edges = edges.data(), c.count = edges.size();
-  const ProfileEdge& first = edges.front();
-  const bool ball = first.radius > 0 && first.center.x == 0;
-  c.pointed = ball || (first.radius == 0 && first.direction.y > 0);
-  c.tip = ball ? first.center.y : first.a.y, c.ball = ball ? first.radius : 0;
-  c.last = ball ? first.b - first.center : Vec2{first.direction.y, -first.direction.x};
+  set_tip(edges, c);
   c.radius = tool.max_radius(), c.bottom = tool.bottom(), c.top = tool.top();
   for (std::size_t i = 0; i < edges.size() && c.flank_count < kMostFlanks; ++i) {
     const double across = edges[i].direction.y, up = -edges[i].direction.x;
@@ -58,7 +70,7 @@ ChainLine chain_line(const ChainTool& tool, const ToolPath& path) {
 double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p, double limit) {
   const lane::ChainView at = lane::chain_view(line, p.x, p.y, p.z);
   double bound = lane::ends_bound(tool, line, at);
-  if (bound <= limit && tool.pointed) bound = std::max(bound, lane::tip_bound(tool, line, at));
+  if (bound <= limit && tool.tipped) bound = std::max(bound, lane::tip_bound(tool, line, at));
   for (std::size_t i = 0; i < tool.flank_count && bound <= limit; ++i)
     bound = std::max(bound, lane::flank_place(tool, line, at, i).f);
   return bound;
