@@ -145,6 +145,10 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("IN;SP1;PU0,0;PD400,0;PU;\n").find("HPGL"), std::string::npos);
   EXPECT_NE(refusal("PA;VS10;!VZ10;!PZ-40,200;!MC1;\nZ0,0,200\n").find("Roland"),
             std::string::npos);
+  EXPECT_NE(refusal("IMF_PBL_V1.0\nVEL 40000\nFASTABS X10000 Y10000\n").find("isel"),
+            std::string::npos);
+  EXPECT_NE(refusal("[H\nVERSION=\"4.0\"\n<100 \\WerkStck\\\nLA=\"800\"\n").find("woodWOP"),
+            std::string::npos);
   EXPECT_NE(refusal("  0\nSECTION\n  2\nHEADER\n").find("DXF"), std::string::npos);
   EXPECT_EQ(refusal("M300 S440\nG21 G90\nM300 S880\nS12000 M3\nG0 X0 Y0\nG1 Z-1 F100\nX9\n"), "");
   EXPECT_NE(refusal("O1 (CITIZEN L20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),

@@ -66,6 +66,10 @@ const char* named_format(const std::string& path, std::string_view raw) {
     return "a ShopBot program";
   if (begins_any(line, {"IN;", "PU;", "PD;", "SP1;", ";:H A"})) return "a plotter's file (HPGL)";
   if (any_of(line, {";;^IN;", "!MC1", "!MC0", "!PZ", "!VZ"})) return "a Roland program (RML)";
+  if (begins_any(line, {"IMF_PBL", "FASTABS ", "MOVEABS "})) return "an isel program (NCP)";
+  if (line == "[H" || begins_any(line, {"H DX=", "BEGIN MAINDATA"}) ||
+      any_of(line, {"\\WERKSTCK\\", "BEGIN ID CID3"}))
+    return "a woodworking program (woodWOP, bSolid, Xilog)";
   if (begins_any(line, {"<?XML", "<SVG", "<HTML", "<!DOCTYPE"})) return "an XML file";
   return line == "SECTION" ? "a DXF drawing" : nullptr;
 }
