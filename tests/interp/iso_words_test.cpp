@@ -26,7 +26,8 @@ TEST(IsoWords, ArcsByPointsAndTangents) {
 }
 
 TEST(IsoWords, WordsWithoutEffectOnThePart) {
-  for (const char* words : {"G5", "G7", "G05 X10", "G50", "G10", "G31", "G9", "G73"})
+  for (const char* words :
+       {"G5", "G7", "G05 X10", "G50", "G10", "G31", "G9", "G73", "G51 E0.1", "G51 A50 E0.05"})
     EXPECT_EQ(codes(read_text("G1 X0 Y0 F100\n" + std::string(words) + "\nX20\n",
                               at_origin(Dialect::iso))),
               "")
@@ -65,6 +66,18 @@ TEST(IsoWords, PolarCoordinatesOfFagor) {
   EXPECT_EQ(iso(holes + "G90 Q90\nQ180\nR100 Q270\nG80\n"), round);
   EXPECT_EQ(iso(holes + "G91 X10 N2\nG80\n"), first + " " + hole("110,0") + " " + hole("120,0"));
   EXPECT_EQ(iso("G0 Z20\nG81 G99 Q30 Z2 I-8 F100\n"), "r0,0,20 | not-supported");
+}
+
+TEST(IsoWords, TheToolMayNameItsOffset) {
+  InterpOptions options = at_origin(Dialect::iso);
+  OffsetRegister offset;
+  offset.name = "D12";
+  offset.radius = 2;
+  options.table.offsets.push_back(offset);
+  const Program p = read_text("T2.12 M6\nG1 G42 X10 Y0 F9\nX20\nM30\n", options);
+  EXPECT_EQ(path_text(p), "l10,-2,0 l20,-2,0");
+  EXPECT_NE(codes(p, Severity::note).find("tool-station"), std::string::npos);
+  EXPECT_EQ(p.tools.at(0).id, "2");
 }
 
 // Each of them moved straight on with a warning at most.

@@ -1,6 +1,10 @@
 #include "interp/control/iso_words.h"
 
+#include "core/text_io.h"
+
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -45,7 +49,26 @@ bool IsoWords::rewrite() {
     else
       ++i;
   }
+  split_tool();
   return ok && rewrite_polar();
+}
+
+// T2.12: tool 2 with the offset 12.
+void IsoWords::split_tool() {
+  Word* const tool = in_block('T');
+  if (!tool || tool->string || tool->value == std::floor(tool->value)) return;
+  const std::string text = text_of(*tool);
+  const auto offset = parse_number(text.substr(std::min(text.find('.'), text.size() - 1) + 1));
+  if (!offset) return;
+  Word edge = *tool;
+  edge.address = letter('D');
+  edge.value = *offset;
+  tool->value = std::floor(tool->value);
+  note_once("tool-station",
+            fmt::format("{} is read as tool {:g} with offset {:g}, as Fagor writes them", text,
+                        tool->value, edge.value),
+            *tool, text);
+  if (!in_block('D')) block_.words.push_back(edge);
 }
 
 // Q, and R beside it, in a straight move, at the places of a cycle and in an arc about the polar
@@ -129,6 +152,11 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       return true;
     case 93:
       return to_polar_origin(word);
+    case 51:  // Fagor's look-ahead, with the acceleration and how exact it is
+      gone = !has_any("XYZPIJK");
+      for (const char c : {'A', 'B', 'E'})
+        if (Word* const value = in_block(c); value && gone) value->address = Address::data;
+      return true;
     case 72:
       if (!has_any("S")) return true;
       if (has_any("XYZ")) return refuse_pattern(word, code);

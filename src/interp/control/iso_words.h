@@ -24,6 +24,7 @@ class IsoWords : public ControlPart {
   bool to_point_arc(Word& word);
   bool to_polar_origin(Word& word);
   bool rewrite_polar();
+  void split_tool();
   bool absolute_center(const Word& word);
   Word* in_block(char c);
   bool has_any(std::string_view letters);

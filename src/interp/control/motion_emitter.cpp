@@ -138,9 +138,10 @@ void MotionEmitter::refuse_live_tool(const Motion& motion) {
   if (beside <= kOnAxis) return;
   reporter_.once_at(
       Severity::error, "live-tool",
-      fmt::format("tool {} ({}) cuts {:.4g} mm beside the axis of a lathe: a live tool is not "
-                  "supported yet; for a bar that bores give --tool {}=boring:...",
-                  tool.id, tool_summary(tool), beside, tool.id),
+      fmt::format("{}{} cuts {:.4g} mm beside the axis of a lathe: a live tool is not supported "
+                  "yet; for a bar that bores give --tool {}boring:..., for a mill --machine mill",
+                  tool.id.empty() ? "" : fmt::format("tool {}: ", tool.id), tool_summary(tool),
+                  beside, tool.id.empty() ? "" : tool.id + "="),
       motion, "live-tool:" + tool.id);
 }
 
