@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -233,8 +235,12 @@ std::vector<ReportCollision> collisions_of(const JobResult& result) {
         shown.text = d.source_line;
     out.push_back(shown);
   }
-  std::stable_sort(out.begin(), out.end(), [](const ReportCollision& a, const ReportCollision& b) {
-    return a.depth > b.depth;
+  // Of depths that are printed alike the one that meets more material is worse.
+  const auto order = [](const ReportCollision& c) {
+    return std::pair(-std::llround(c.depth / 1e-3), -c.volume);
+  };
+  std::stable_sort(out.begin(), out.end(), [&](const ReportCollision& a, const ReportCollision& b) {
+    return order(a) < order(b);
   });
   return out;
 }

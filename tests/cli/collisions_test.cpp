@@ -2,6 +2,9 @@
 // programs.
 #include "run_program.h"
 
+#include <cmath>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 namespace mrsim {
@@ -57,11 +60,14 @@ TEST_F(CollisionsSeen, ShankAndHolderAreNamed) {
       << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[shank-collision]")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[holder-collision]")) << outcome.err;
-  // For programs, too: red, and the deepest first.
+  // For programs, too: red, and the deepest first, of equal ones the largest.
   const nlohmann::json lines = nlohmann::json::parse(read("r.json"))["collisions"]["lines"];
   ASSERT_GE(lines.size(), 2u);
-  for (std::size_t k = 1; k < lines.size(); ++k)
-    EXPECT_GE(lines[k - 1]["depth"], lines[k]["depth"]) << k;
+  const auto order = [&](std::size_t k) {
+    return std::pair(-std::lround(1000 * lines[k]["depth"].get<double>()),
+                     -lines[k]["volume"].get<double>());
+  };
+  for (std::size_t k = 1; k < lines.size(); ++k) EXPECT_LE(order(k - 1), order(k)) << lines;
   for (const nlohmann::json& line : lines) {
     EXPECT_GT(line["volume"], 0) << line;
     EXPECT_EQ(line["seconds"] > 0, line["line"] > 5) << line;  // line 4 begins anywhere: no time

@@ -54,7 +54,7 @@ const crashes = data.collisions.lines, crashCount = crashes.length + data.collis
 const crashOf = (file, line) => crashes.find((k) => k.line === line && k.file.split("/").pop() === file.split("/").pop());
 paintCrashes(crashCount, crashes[0], () => { openTab("collisions"); chooseCollision(0); });
 const crashRows = crashes.length ? paintCollisions(data.collisions, chooseCollision) : [];
-const crashMarks = crashes.map((k, i) => el("button", { class: "crash", title: collisionRow(k), "aria-label": `Collision ${i + 1}: ${collisionRow(k)}`, onclick: () => chooseCollision(i) }, String(i + 1)));
+const crashMarks = crashes.map((k, i) => el("button", { class: "crash", style: { zIndex: crashes.length - i }, title: collisionRow(k), "aria-label": `Collision ${i + 1}: ${collisionRow(k)}`, onclick: () => chooseCollision(i) }, String(i + 1)));
 $("crash-marks").append(...crashMarks);
 
 const tabs = [["collisions", crashCount ? `Collisions (${crashCount})` : null], ["regions", data.compared ? `Regions (${c.region_count})` : null], ["program", hasProgram ? "Program" : null], ["run", "Run"]].filter(([, name]) => name);

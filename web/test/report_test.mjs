@@ -98,6 +98,9 @@ const cases = {
     assert.match(await page.textContent("#crashes"), /2 collisions.*shank of T4, 2\.500 mm deep, in a rapid/);
     assert.equal(await page.getAttribute("#tab-collisions", "aria-selected"), "true");
     assert.equal(await page.locator(".crash:visible").count(), 2);
+    // Of markers at one place the worst is on top.
+    const [first, second] = await page.$$eval(".crash", (marks) => marks.map((m) => Number(getComputedStyle(m).zIndex)));
+    assert.ok(first > second);
     assert.match(await page.textContent("#panel-collisions tbody"), /2\.500shank of T4, rapid1\u202f234 mm\u00b3 \u00b7 SLOTS\.MPF:31 \u00b7 at 1:23\.4, motion 17/);
     await page.click("#panel-collisions tbody tr:nth-child(2)");
     await settle(page);
