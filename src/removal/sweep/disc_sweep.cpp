@@ -16,7 +16,7 @@ namespace mrsim {
 namespace {
 
 // What faces p: the lower half of the disc, or the upper one upside down.
-struct Half {
+struct Side {
   double core = 0, round = 0;
   double edge = 0;  ///< height of the flat core above the tip
   double up = 1;    ///< -1: upside down
@@ -35,7 +35,7 @@ class DiscPath {
 
   PathSample least(double begin, double end) const {
     const double passed = std::clamp((p_.z - middle_ - first_) / rise_, begin, end);
-    const Half &before = rise_ > 0 ? high_ : low_, &after = rise_ > 0 ? low_ : high_;
+    const Side &before = rise_ > 0 ? high_ : low_, &after = rise_ > 0 ? low_ : high_;
     PathSample best;
     best.distance = std::numeric_limits<double>::infinity();
     // Towards the position where the tool passes p.
@@ -49,7 +49,7 @@ class DiscPath {
 
  private:
   // Of earlier turns each position has one below it in the last.
-  PathSample turn(const Half& half, double from, double to) const {
+  PathSample turn(const Side& side, double from, double to) const {
     const double way = to > from ? 1 : -1;
     if (std::fabs(to - from) > kTwoPi) from = to - way * kTwoPi;
     const SinCos sc = sincos(from), angle = sincos(std::fabs(to - from));
@@ -57,18 +57,18 @@ class DiscPath {
     const Vec3 v = way * (sc.cos * path_.v - sc.sin * path_.u);
     HelixRecord r;
     r.x = path_.center.x, r.y = path_.center.y;
-    r.z = half.up * (path_.center.z + from * rise_ + half.edge);
+    r.z = side.up * (path_.center.z + from * rise_ + side.edge);
     r.ux = u.x, r.uy = u.y, r.vx = v.x, r.vy = v.y;
     r.radius = path_.radius, r.fall = std::fabs(rise_);
-    r.core = half.core, r.round = half.round;
+    r.core = side.core, r.round = side.round;
     r.end = {std::fabs(to - from), angle.sin, angle.cos};
-    const lane::HelixLeast least = lane::helix_least(r, p_.x, p_.y, half.up * p_.z, true);
+    const lane::HelixLeast least = lane::helix_least(r, p_.x, p_.y, side.up * p_.z, true);
     return {least.distance, from + way * least.t};
   }
 
   const ToolPath& path_;
   const Vec3 p_;
-  const Half low_, high_;
+  const Side low_, high_;
   const double rise_;    // of the path, mm a radian
   const double first_;   // height of the tip at 0
   const double middle_;  // half the height of the disc
