@@ -19,7 +19,7 @@ Tool any_disc(Random& r) {
 }
 
 // Pitches from less than the tool's height to more than its diameter.
-Motion helix(Random& r) {
+Motion any_helix(Random& r) {
   const double radius = r(0.1, 6), from = r(0, kTwoPi), turns = r(0.05, 8);
   const Vec3 center = {r(-3, 3), r(-3, 3), r(-3, 3)};
   const Vec3 start = center + radius * Vec3{std::cos(from), std::sin(from), 0};
@@ -30,7 +30,7 @@ Motion helix(Random& r) {
 TEST(Discs, EqualTheLeastDistanceOverAllPositions) {
   Random r(23);
   for (int round = 0; round < 120; ++round) {
-    const Motion m = helix(r);
+    const Motion m = any_helix(r);
     const Tool tool = any_disc(r);
     const Profile cutter = make_cutter(tool);
     ASSERT_TRUE(cutter.disc());
@@ -54,7 +54,7 @@ TEST(Discs, EqualTheLeastDistanceOverAllPositions) {
 TEST(Discs, PlacesAndPiecesAgree) {
   Random r(24);
   for (int round = 0; round < 200; ++round) {
-    const Motion m = helix(r);
+    const Motion m = any_helix(r);
     const Profile cutter = make_cutter(any_disc(r));
     ToolPath path = path_of(m);
     path.level = true, path.rise = {0, 0, m.rise / path.sweep};

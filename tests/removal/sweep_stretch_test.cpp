@@ -20,7 +20,7 @@ Motion helix(Random& r) {
 }
 
 // Flat ones, and such that hardly move in plan.
-Motion slant(Random& r) {
+Motion slanted_move(Random& r) {
   const double flat = r.pick(4) == 0 ? 1e-6 : r.pick(4) == 0 ? 1e-3 : 1;
   const double steep = flat == 1 && r.pick(4) == 0 ? 1e-5 : 1;
   const Vec3 start{r(-3, 3), r(-3, 3), r(-3, 3)};
@@ -34,7 +34,7 @@ TEST_P(Stretches, EqualTheLeastDistanceOverAllPositions) {
   double worst = 0;
   for (int round = 0; round < 600; ++round) {
     const bool turning = round % 3 == 0, slanted = round % 3 == 1;
-    const Motion m = turning ? helix(r) : slanted ? slant(r) : upright_arc(r);
+    const Motion m = turning ? helix(r) : slanted ? slanted_move(r) : upright_arc(r);
     const double radius = r(0.3, 6), corner = GetParam() * radius;
     const Tool tool = endmill(2 * radius, corner);
     const SweepTable s({&m, 1}, {&tool, 1});
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(FlatBullBall, Stretches, ::testing::Values(0.0, 0.3, 1.
 TEST(Slants, BoundIsNotAboveTheDistance) {
   Random r(19);
   for (int round = 0; round < 300; ++round) {
-    const Motion m = slant(r);
+    const Motion m = slanted_move(r);
     const double radius = r(0.3, 6);
     const Profile mill = make_cutter(endmill(2 * radius, r(0, 1) * radius));
     ToolPath path;

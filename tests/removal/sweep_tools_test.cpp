@@ -55,7 +55,7 @@ std::vector<Tool> form_tools() {
   return t;
 }
 
-Motion any_move(Random& r, int kind) {
+Motion move_of_kind(Random& r, int kind) {
   const Vec3 a = {r(-10, 10), r(-10, 10), r(-5, 5)};
   Vec3 b = {r(-10, 10), r(-10, 10), r(-5, 5)};
   switch (kind) {
@@ -99,7 +99,7 @@ void expect_equals_brute(const Tool& tool, int kind, int rounds, double toleranc
   Random r(100 + kind);
   const Profile profile = make_cutter(tool);
   for (int round = 0; round < rounds; ++round) {
-    const Motion m = any_move(r, kind);
+    const Motion m = move_of_kind(r, kind);
     const SweepTable s({&m, 1}, {&tool, 1});
     ASSERT_EQ(s.size(), 1u);
     for (int k = 0; k < 8; ++k) {
@@ -130,7 +130,7 @@ TEST_P(EveryTool, IsOneLipschitz) {
   for (int kind = 0; kind < 7; ++kind) {
     Random r(50 + kind);
     for (int round = 0; round < 5; ++round) {
-      const Motion m = any_move(r, kind);
+      const Motion m = move_of_kind(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       for (int k = 0; k < 60; ++k) {
         const Vec3 p = near(r, m, 6), q = p + Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
@@ -149,7 +149,7 @@ TEST_P(EveryTool, GradientIsTheDerivative) {
   for (int kind = 0; kind < 7; ++kind) {
     Random r(70 + kind);
     for (int round = 0; round < 6; ++round) {
-      const Motion m = any_move(r, kind);
+      const Motion m = move_of_kind(r, kind);
       const SweepTable s({&m, 1}, {&tool, 1});
       for (int k = 0; k < 6; ++k) {
         Vec3 p = near(r, m, 5);
@@ -181,7 +181,7 @@ TEST_P(EveryTool, FlutesThatEndAboveAllThatIsAskedHaveNoEnd) {
   for (int kind = 0; kind < 7; ++kind) {
     Random r(90 + kind);
     for (int round = 0; round < 12; ++round) {
-      const Motion m = any_move(r, kind);
+      const Motion m = move_of_kind(r, kind);
       double lowest = 1e9;
       for (int k = 0; k <= 1000; ++k) lowest = std::min(lowest, at(m, k / 1000.0).z);
       const double asked = lowest + top + r(-0.5, -0.01);
