@@ -1,13 +1,14 @@
-// Removal rate and feed along the run, with cuts in the air and collisions.
+// Removal rate, load and feed along the run, with cuts in the air and collisions.
 import { el, grouped } from "./dom.js";
 import { kRapid } from "./play.js";
 
 const kBins = 600;
 const kNothing = 1e-3; // mm^3, a cut that removes less is in the air
 
-/// Means of equal shares of the time: rate in mm^3/s, feed in mm/min, share of the time in the air.
+/// Means of equal shares of the time: rate in mm^3/s, load (cross-section of what a cut removes) in mm^2, feed in mm/min, share of the
+/// time in the air.
 export function sampleRun(play) {
-  const { motions, total } = play, rate = new Float64Array(kBins), feed = new Float64Array(kBins), air = new Float64Array(kBins), filled = new Float64Array(kBins);
+  const { motions, total } = play, [rate, load, feed, air, filled] = Array.from({ length: 5 }, () => new Float64Array(kBins));
   if (total > 0)
     for (let i = 0; i < motions.count; ++i) {
       const seconds = motions.seconds[i];
@@ -19,11 +20,12 @@ export function sampleRun(play) {
         filled[b] += share;
         rate[b] += (share * motions.removed[i]) / seconds;
         if (cuts) feed[b] += (share * 60 * motions.length[i]) / seconds;
+        if (cuts && motions.length[i] > 0) load[b] += (share * motions.removed[i]) / motions.length[i];
         if (idle) air[b] += share;
       }
     }
-  for (let b = 0; b < kBins; ++b) for (const row of [rate, feed, air]) row[b] /= filled[b] || 1;
-  return { rate, feed, air, mostRate: Math.max(...rate), mostFeed: Math.max(...feed) };
+  for (let b = 0; b < kBins; ++b) for (const row of [rate, load, feed, air]) row[b] /= filled[b] || 1;
+  return { rate, load, feed, air, mostRate: Math.max(...rate), mostLoad: Math.max(...load), mostFeed: Math.max(...feed) };
 }
 
 export class Curves {
@@ -34,7 +36,7 @@ export class Curves {
   /// The elements that name the colours.
   legend() {
     const { run } = this, key = (name, text) => [el("span", {}, el("i", { style: { background: `var(${name})` } }), text)];
-    return [...(run.mostRate > 0 ? key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`) : []), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
+    return [...(run.mostRate > 0 ? key("--rate", `removal, at most ${(run.mostRate * 0.06).toPrecision(3)} cm\u00b3/min`) : []), ...(run.mostLoad > 0 ? key("--load", `load, at most ${run.mostLoad.toPrecision(3)} mm\u00b2`) : []), ...key("--feed", `feed, at most ${grouped(run.mostFeed)} mm/min`),
       ...(run.air.some((a) => a > 0) ? key("--air", "cuts air") : []), ...(this.crashes.length ? key("--bad", "collision") : [])];
   }
   /// `now` and `mark` are shares of the time; a mark below 0 is none.
@@ -78,11 +80,14 @@ export class Curves {
     steps(run.rate, run.mostRate);
     c.lineTo(w, h);
     c.fill();
-    c.strokeStyle = this.color("--feed");
     c.lineWidth = 1;
-    c.beginPath();
-    steps(run.feed, run.mostFeed);
-    c.stroke();
+    for (const [name, values, most] of [["--load", run.load, run.mostLoad], ["--feed", run.feed, run.mostFeed]]) {
+      if (!(most > 0)) continue;
+      c.strokeStyle = this.color(name);
+      c.beginPath();
+      steps(values, most);
+      c.stroke();
+    }
     for (const share of this.crashes) this.line(c, share, "--bad", w, h);
   }
 }

@@ -13,7 +13,7 @@ export class Timeline {
     this.slider = el("input", { type: "range", id: "now", min: 0, max: 10000, value: 10000, step: 1, "aria-label": "Moment of the run", oninput: () => this.scrub() });
     this.speed = el("select", { id: "speed", "aria-label": "Speed" }, kSpeeds.map(([value, name]) => el("option", { value, selected: value === 0 }, name)));
     this.output = el("output", { id: "moment" });
-    this.canvas = el("canvas", { id: "curves", role: "img", "aria-label": "Removal rate and feed along the run" });
+    this.canvas = el("canvas", { id: "curves", role: "img", "aria-label": "Removal rate, load and feed along the run" });
     this.legend = el("p", { id: "curve-legend" });
     $("timeline").append(
       el("div", { id: "transport", role: "toolbar", "aria-label": "Playing" },

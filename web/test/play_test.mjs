@@ -158,6 +158,15 @@ const cases = {
     assert.ok(await page.isChecked("#parallel"));
     assert.ok(!(await state(page)).playing);
   },
+  async "the load of a slot is its width times its depth"(page) {
+    const { load, legend } = await page.evaluate(() => {
+      const { play, timeline } = window.mrsimReport, { motions, total } = play, { load } = timeline.curves.run, i = motions.line.lastIndexOf(6);
+      return { load: load[Math.floor(((motions.begin[i] + 0.5 * motions.seconds[i]) / total) * load.length)], legend: document.getElementById("curve-legend").textContent };
+    });
+    // 6 mm wide and 2 mm deep; the half disc that the plunge took is the one more where it stops.
+    assert.ok(Math.abs(load - 12) < 0.05, `${load}`);
+    assert.match(legend, /removal.*load, at most .* mm\u00b2.*feed/);
+  },
   async "plays to the end"(page) {
     await page.selectOption("#speed", "0");
     await goTo(page, 0.9);
