@@ -4,8 +4,6 @@
 
 #include "removal/sweep/path_sweep.h"
 
-#include <optional>
-
 namespace mrsim {
 
 /// Whether disc_minimum() answers: a closed disc (Profile::disc) on a helix about Z.

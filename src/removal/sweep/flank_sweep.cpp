@@ -1,9 +1,9 @@
 // In the arc's plane x lies on the ground and z up, both about the centre; a position of the tip is
 // R w, w a unit vector. G(w), the distance of p from the flank's cone continued without end, bounds
-// the tool's distance F from below wherever the tool is, since the tool is convex. So does H(w), of
-// a mill with the same tip, from above, since the tool holds it. F is H where the tip is nearest
-// and G where the flank is. Where the least F is H, it is the least of H; where it is G, it is a
-// local minimum of G or at an end of the path, and G has few:
+// the tool's distance F from below wherever the tool is, since the tool is convex. H(w), the
+// distance of p from a mill with the same tip, bounds F from above, since the tool holds that mill.
+// F is H where the tip is nearest and G where the flank is. Where the least F is H, it is the least
+// of H; where it is G, it is a local minimum of G or at an end of the path, and G has few:
 //   one on the lower half of the circle, as G is convex in x there;
 //   at most one on the upper half, for p.x >= 0 at x >= p.x: its slope is concave there, and it
 //   has none elsewhere (docs/sweeps.md).
