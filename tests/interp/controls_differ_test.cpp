@@ -215,7 +215,6 @@ TEST(ControlsDiffer, OkumasOffsets) {
   EXPECT_EQ(mill("G15 H0\n"), " | value-range");
   EXPECT_EQ(mill("G16 H1\nG1 X1. F10\n"), "l1,0,0 | not-supported");
   EXPECT_EQ(mill("G56 H1 Z5.\nG1 X1. F10\n"), "l1,0,0 | not-supported");
-  EXPECT_EQ(mill("G47 P0 I0 J5. R2. Z-0.2 F100. E50. (TEXT)\n"), " | not-supported");
   EXPECT_EQ(mill("G43 G54 H0 Z5.\nG1 X1. F10\n"), "r0,0,5 l1,0,5");
 }
 

@@ -27,6 +27,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
       haas_(control_, axes_, moves_, compensation_, drilling_),
+      engraving_(control_, statements_.get(), axes_, moves_),
       cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_),
@@ -89,7 +90,7 @@ void Engine::execute() {
   if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
   if (control_.tool_life && !ends_tool_life()) return;
   if (!index_.run()) block.bad = true;
-  if (!block.comments.empty()) {
+  if (!block.comments.empty() && !engraving_.holds_text(block)) {
     tools_.read_comments();
     stock_.read_comments();
   }
@@ -130,6 +131,7 @@ bool Engine::run_move() {
     return true;
   }
   if (haas_.wants_block()) return haas_.run();
+  if (engraving_.wants_block()) return engraving_.run();
   if (drilling_.wants_block()) return drilling_.run();
   if (control_.block.turn_cycle != 0) return run_turning();
   if (turning_.wants_block()) return turning_.pass();

@@ -4,6 +4,7 @@
 
 #include "interp/control/contour_cycles.h"
 #include "interp/control/drill_words.h"
+#include "interp/control/engraving.h"
 #include "interp/control/haas_cycles.h"
 #include "interp/control/iso_words.h"
 #include "interp/control/linuxcnc_turning.h"
@@ -51,6 +52,7 @@ class Engine {
   HoleMaker holes_;
   DrillWords drilling_;
   HaasCycles haas_;
+  Engraving engraving_;
   SinumerikCycles cycles_;
   TurnWords turning_;
   ContourCycles contours_;

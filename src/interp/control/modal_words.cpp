@@ -102,6 +102,9 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::fagor_scale:
     case Code::fagor_turn:
       return frame_words_.fagor(entry.code, word);
+    case Code::engrave:
+      if (!peek('P')) return refuse(word);
+      [[fallthrough]];
     case Code::circle_pocket:
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:

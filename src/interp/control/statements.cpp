@@ -138,6 +138,19 @@ bool Statements::starts_function(std::string_view line, std::size_t p) const {
   return false;
 }
 
+bool Statements::variable(double number, double& out) {
+  Value value;
+  std::string why;
+  if (!variables_.numbered(number, value, why) || !value.is_number()) return false;
+  out = value.number;
+  return true;
+}
+
+void Statements::set_variable(double number, double value) {
+  std::string why;
+  variables_.assign(number, Value::of(value), why);
+}
+
 bool Statements::store(double number, const Value& value, std::size_t from, std::size_t to) {
   std::string why;
   if (!variables_.assign(number, value, why)) return fail("variable-number", why, from, to);

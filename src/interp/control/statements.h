@@ -49,6 +49,9 @@ class Statements : public ControlPart, public LanguageReader {
   /// The values of a call whose text between the brackets is `argument`, a part of the block's
   /// line; one may be left out. False: reported.
   bool call_values(std::string_view argument, std::vector<std::optional<Value>>& out);
+  /// The value of a numbered variable. False: it has none, or no number.
+  bool variable(double number, double& out);
+  void set_variable(double number, double value);
   /// M99 P: goes on at a block number of the program that is being read.
   virtual bool jump_to_number(const Word& word);
   /// M97 P: calls from a block number on. False: reported.

@@ -132,7 +132,7 @@ constexpr Row kFanucMill[] = {
     {440, C::length_minus, G::length},
     {450, C::unsupported, G::oneshot},
     {460, C::unsupported, G::oneshot},
-    {470, C::unsupported, G::oneshot},
+    {470, C::engrave, G::oneshot},
     {480, C::unsupported, G::oneshot},
     {490, C::length_off, G::length},
     {500, C::scaling_off, G::scaling},

@@ -28,7 +28,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {435, "tool centre point control"},
     {450, "an offset of the tool's position"},
     {460, "an offset of the tool's position"},
-    {470, "an offset of the tool's position, or text that Haas engraves"},
+    {470, "an offset of the tool's position; with P and (TEXT) it engraves on Haas"},
     {480, "an offset of the tool's position"},
     {531, "a move of the tilted axes"},
     {542, "a dynamic work offset"},

@@ -1,0 +1,25 @@
+// Letters of one line: text as strokes of a tool that engraves. A plain font (Hershey's simplex),
+// as those of controls are not published. ASCII alone.
+#pragma once
+
+#include "core/vec.h"
+
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+inline constexpr int kStrokeFontSize = 95;
+/// Glyphs of ASCII 32 to 126: pairs of characters, each less 'R' a coordinate, y downwards; the
+/// left and right edge first, " R" lifts the pen. Capitals are 21 high.
+extern const std::string_view kStrokeFont[kStrokeFontSize];
+
+struct TextStrokes {
+  std::vector<std::vector<Vec2>> strokes;  ///< each in one go
+  double width = 0;                        ///< to where a next letter would begin
+};
+
+/// `text` on the line y = 0 from {0, 0}; capitals have the height 1. What is not ASCII is left out.
+TextStrokes text_strokes(std::string_view text);
+
+}  // namespace mrsim
