@@ -133,6 +133,59 @@ TEST(ToolCommentReadings, SizesBesideTheKind) {
   });
 }
 
+// "EM-10.0-4FL": the parts of a name; numbered names have no size.
+TEST(ToolCommentReadings, HyphensBetweenTheParts) {
+  expect_readings({
+      {mm, "FlatMill-6", "endmill 6"},
+      {mm, "EM-10.0-4FL", "endmill 10"},
+      {mm, "BN-6.0", "-"},  // ball nose or bull nose
+      {mm, "EM-10-R0.5", "bullmill 10, corner 0.5"},
+      {mm, "BullMill-10-R1", "bullmill 10, corner 1"},
+      {mm, "FLAT-6MM", "endmill 6"},
+      {mm, "DRILL-8.5", "drill 8.5"},
+      {inch, "DRILL-1/4", "drill 6.35"},
+      {mm, "SPOTDRILL-10-90", "? gives no diameter"},
+      {mm, "ENDMILL-2", "? gives no diameter"},
+      {mm, "ENDMILL-05", "? gives no diameter"},
+      {inch, "TAP-1/4-20", "endmill 6.35"},
+      {mm, "ENDMILL - 10", "endmill 10"},
+  });
+}
+
+TEST(ToolCommentReadings, TwoDiametersOfAPointedMill) {
+  expect_readings({
+      {mm, "CHAMFER MILL D10/D2", "chamfer 10, point 90, tip 2"},
+      {mm, "CHAMFER D2-D10 90 DEG", "chamfer 10, point 90, tip 2"},
+      {mm, "CHAMFER MILL D10 D2", "? can be read as a tip of 2 or as register D2"},
+      {mm, "T3 CHAMFER MILL D10 D3", "chamfer 10, point 90"},
+      {mm, "CHAMFER MILL D10 H2 D2", "? gives no diameter"},
+  });
+}
+
+// FRESA, FRAISE and FREZ alone are end mills; the word behind them may name another shape.
+TEST(ToolCommentReadings, WordsBehindTheMill) {
+  expect_readings({
+      {mm, "FRAISE CHANFREIN 90 D10", "chamfer 10, point 90"},
+      {mm, "FRESA A SMUSSARE 90 D10", "chamfer 10, point 90"},
+      {mm, "FRESA BISEL D10", "chamfer 10, point 90"},
+      {mm, "FRESA DE CHANFRO D10", "chamfer 10, point 90"},
+      {mm, "FRESA ANGOLARE 45 D16", "? names a kind of tool that needs more data"},
+      {mm, "FREZ KATOWY 45 D16", "? names a kind of tool that needs more data"},
+      {mm, "FRAISE CONCAVE D10 R2", "? names a kind of tool that needs more data"},
+      {mm, "VIERTELRUNDFRAESER D10 R2", "? names a kind of tool that needs more data"},
+      {mm, "FRAISE 3 TAILLES D80 EP4", "tslot 80, width 4"},
+      {mm, "FRAISE 2 TAILLES D10", "endmill 10"},
+      {mm, "KEGELFRAESER D6 3 GRAD", "taper 6, side 3"},
+      {mm, "FRESA DE GRABAR 60 D6", "chamfer 6, point 60"},
+      {mm, "PLAT 2", "endmill 2"},
+      {mm, "VINGERFREES 10", "endmill 10"},
+      {mm, "BOLFREES R3", "ballmill 6"},
+      {mm, "FR\xC3\x89ZA D10", "endmill 10"},
+      {mm, "BOOR 8.5", "drill 8.5"},
+      {mm, "VRT\xC3\x81K 8.5", "drill 8.5"},
+  });
+}
+
 TEST(ToolCommentReadings, WhatWouldBeLost) {
   expect_readings({
       {inch, ".1875 +.0005 REAMER", "? gives no diameter"},

@@ -3,6 +3,7 @@
 #include "interp/text/comment_view.h"
 #include "interp/text/comment_words.h"
 #include "interp/text/drill_gauge.h"
+#include "interp/text/hyphenated_name.h"
 #include "interp/text/thread_name.h"
 #include "interp/text/tool_labels.h"
 
@@ -391,6 +392,7 @@ void FactReader::read_rest() {
 
 ToolFacts read_tool_facts(std::vector<CommentToken> tokens) {
   ToolFacts facts;
+  part_hyphenated_name(tokens);
   FactReader(std::move(tokens), facts).read();
   return facts;
 }

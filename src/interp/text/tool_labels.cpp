@@ -3,6 +3,7 @@
 #include "interp/text/comment_words.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrsim {
 namespace {
@@ -67,6 +68,7 @@ class LabelReader {
   void keep(WordRole role, std::size_t number);
   void read_signs();
   void read_letter_d();
+  void read_second_d(std::size_t i);
   void take(const Label& label, std::size_t number) {
     view_.take(std::min(label.first, number), std::max(label.end, number + 1));
   }
@@ -295,10 +297,24 @@ void LabelReader::read_letter_d() {
     const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
     if (length_register || edge || !(value.value > 0)) continue;
     if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"
+    if (facts_.letter_d && has_flat_tip()) read_second_d(i);
     if (!facts_.letter_d) facts_.letter_d = view_.length(i + 1);
     const bool radius = view_.is(i + 2, "R") && view_.glued(i + 2) && view_.glued(i + 3);
     facts_.pair |= radius && view_[i + 3].is_number();
   }
+}
+
+// "CHAMFER MILL D10/D2" has its tip behind the slash; "D10 D2" may name a register.
+void LabelReader::read_second_d(std::size_t i) {
+  const ToolLength second = view_.length(i + 1);
+  if (second.value == facts_.letter_d.value) return;
+  const bool joined = view_.glued(i) && view_.is_one(i - 1, {"/", "-"});
+  if (!joined) {
+    facts_.second_d = second;
+    return;
+  }
+  facts_.tip = second;
+  if (facts_.letter_d.value < second.value) std::swap(facts_.tip, facts_.letter_d);
 }
 
 void read_blade(CommentView& view, ToolFacts& facts) {

@@ -327,6 +327,9 @@ void Settler::settle_mill() {
 
 void Settler::settle_angle() {
   using enum ToolTrade;
+  if (facts_.second_d && !facts_.tip)
+    doubt(
+        fmt::format("can be read as a tip of {0:g} or as register D{0:g}", facts_.second_d.value));
   const double angle = angles_.empty() ? 0 : angles_.front();
   if (trade_is(cone_mill) || trade_is(cone_ball)) {
     const double side = facts_.included && !facts_.per_side ? 0.5 : 1;
