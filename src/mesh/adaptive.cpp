@@ -7,6 +7,7 @@
 #include "mesh/surface/certify.h"
 #include "mesh/surface/flat_map.h"
 #include "mesh/surface/mesh_memory.h"
+#include "mesh/surface/owner_borders.h"
 #include "mesh/surface/piece_hash.h"
 #include "mesh/surface/simplify_apart.h"
 #include "mesh/surface/step_timer.h"
@@ -37,6 +38,7 @@ using detail::TriangleBound;
 constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
+constexpr double kBorderShare = 1.0 / 8;               ///< of the voxel, for borders between owners
 constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
 constexpr double kSecondsPerByte = 3e-8;   ///< of one core: both go with the cells and their faces
 constexpr std::size_t kMostRounds = 24;    ///< of splitting, where a grid may take its place
@@ -83,6 +85,8 @@ class AdaptiveMesher {
     report_.cells = surface_->loops().size();
     surface_.reset();
     passed_ = detail::FlatMap();
+    mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
+    timer_.step("borders");
     mesh = simplified(mesh);
     report_bound(mesh);
     report_.volume_excess = volume_excess(mesh);
@@ -290,11 +294,17 @@ class AdaptiveMesher {
     return cells;
   }
 
+  // mm: how far chords may leave the borders between owners on plane faces.
+  double border_room() const {
+    return std::max(options_.tolerance, kBorderShare * tree_.lattice().voxel());
+  }
+
   LabelledMesh simplified(const LabelledMesh& mesh) {
     const double voxel = tree_.lattice().voxel();
     detail::ApartMesh small =
         detail::simplify_apart(mesh, voxel, options_.threads, [&](const std::vector<char>& locked) {
-          return detail::simplify(field_, tree_, mesh, {options_.tolerance, 0.5 * voxel}, locked,
+          return detail::simplify(field_, tree_, mesh,
+                                  {options_.tolerance, 0.5 * voxel, border_room()}, locked,
                                   options_.threads);
         });
     report_.kept = small.kept;

@@ -20,7 +20,8 @@ constexpr double kGrowth = 1.6;          ///< of the length of new edges, from p
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
 constexpr double kLeastCosine = 0.3;  ///< the same where the triangles before lie no better
-constexpr std::size_t kBlocks = 8;    ///< parts of the mesh that are worked on at once
+constexpr double kStraightCosine = 1 - 1e-9;
+constexpr std::size_t kBlocks = 8;        ///< parts of the mesh that are worked on at once
 constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
 
 // One place of the fan about a vertex: the triangle (vertex, next, last).
@@ -207,13 +208,19 @@ class Simplifier {
     if (join_smoothly({field_, {}, 0}, mesh_.vertices[v], f, g, 1)) {
       const Vec3 u = b - a;
       const double t = dot(mesh_.vertices[v] - a, u) / std::max(dot(u, u), 1e-30);
-      if (distance(mesh_.vertices[v], lerp(a, b, t)) > limits_.lateral) return false;
+      const double room = is_straight(f, a, b) ? limits_.straight : limits_.lateral;
+      if (distance(mesh_.vertices[v], lerp(a, b, t)) > room) return false;
     }
     // The middle, and the quarters for a curve that bends both ways.
     const Vec3 m = 0.5 * (a + b);
     return crease_bound(field_, f, g, a, b) <= limits_.tolerance &&
            crease_bound(field_, f, g, a, m) <= limits_.tolerance &&
            crease_bound(field_, f, g, m, b) <= limits_.tolerance;
+  }
+
+  // The face does not bend from a to b: there, vertices lie on the borders of owners.
+  bool is_straight(const FieldSample& f, const Vec3& a, const Vec3& b) const {
+    return dot(field_.gradient(a, f), field_.gradient(b, f)) > kStraightCosine;
   }
 
   bool good_triangle(const Spoke& s, const Vec3& target) const {

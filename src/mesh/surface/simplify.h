@@ -21,6 +21,7 @@ struct LabelledMesh {
 struct SimplifyLimits {
   double tolerance = 0;  ///< mm
   double lateral = 0;    ///< mm: how far a border between owners may move where no crease is
+  double straight = 0;   ///< mm: the same on plane faces, where its vertices lie on it
 };
 
 /// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;

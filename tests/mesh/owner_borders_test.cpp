@@ -1,0 +1,154 @@
+// Borders between owners on plane faces: where the floors of two passes meet.
+#include "core/units.h"
+#include "mesh/mesh_part.h"
+#include "mesh/solid/check.h"
+#include "removal/part/part_field.h"
+#include "support/moves.h"
+#include "support/tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+constexpr double kVoxel = 0.5, kTolerance = 0.02;
+constexpr double kRoom = kVoxel / 8;  // what docs/mesh.md promises of borders on planes
+
+PartField milled(const std::vector<Motion>& motions) {
+  StockShape stock;
+  stock.box = {{0, 0, -10}, {60, 50, 0}};
+  const Tool tool = endmill(10);
+  return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
+}
+
+std::vector<Motion> path(const std::vector<Vec3>& places) {
+  std::vector<Motion> out;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k)
+    out.push_back(line(places[k], places[k + 1], static_cast<int>(k)));
+  return out;
+}
+
+// A pocket 5 mm deep in rows 6 mm apart; then its outline once more.
+std::vector<Motion> rows_and_outline() {
+  return path({{10, 10, 5},
+               {10, 10, -5},
+               {50, 10, -5},
+               {50, 16, -5},
+               {10, 16, -5},
+               {10, 22, -5},
+               {50, 22, -5},
+               {50, 28, -5},
+               {10, 28, -5},
+               {10, 40, -5},
+               {50, 40, -5},
+               {50, 10, -5},
+               {10, 10, -5}});
+}
+
+// Half a turn at -3 between two lines.
+std::vector<Motion> lines_and_arc() {
+  std::vector<Motion> out = path({{10, 20, 5}, {10, 20, -3}, {25, 20, -3}});
+  Motion arc = line({25, 20, -3}, {25, 40, -3}, 3);
+  arc.kind = MotionKind::arc;
+  arc.center = {25, 30, -3};
+  arc.sweep = kPi;
+  out.push_back(arc);
+  out.push_back(line({25, 40, -3}, {10, 40, -3}, 4));
+  return out;
+}
+
+TriMesh mesh_of(const PartField& part, int threads = 2) {
+  MeshOptions options;
+  options.tolerance = kTolerance;
+  options.threads = threads;
+  return mesh_part(part, kVoxel, options);
+}
+
+Vec3 place(const TriMesh& mesh, std::uint32_t v) {
+  const auto& p = mesh.vertices[v];
+  return {p[0], p[1], p[2]};
+}
+
+// Points of the mesh's triangles at one height, a fifth of the sides apart, inside.
+void for_floor(const TriMesh& mesh, double z,
+               const std::function<void(std::size_t, const Vec3&)>& body) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& x = mesh.triangles[t];
+    const Vec3 a = place(mesh, x[0]), b = place(mesh, x[1]), c = place(mesh, x[2]);
+    if (std::max({std::abs(a.z - z), std::abs(b.z - z), std::abs(c.z - z)}) > 1e-6) continue;
+    for (int i = 1; i < 5; ++i)
+      for (int j = 1; i + j < 5; ++j) body(t, a + 0.2 * i * (b - a) + 0.2 * j * (c - a));
+  }
+}
+
+// The owner of the triangle owns a place within `room` mm of each of its points.
+std::size_t far_from_their_owner(const PartField& part, const TriMesh& mesh, double z,
+                                 double room) {
+  const Candidates all = part.all();
+  std::size_t wrong = 0;
+  for_floor(mesh, z, [&](std::size_t t, const Vec3& p) {
+    bool found = part.sample(p, all).owner == mesh.owners[t];
+    for (int k = 0; k < 16 && !found; ++k) {
+      const double angle = k * kPi / 8;
+      const Vec3 q = p + room * Vec3{std::cos(angle), std::sin(angle), 0};
+      found = part.sample(q, all).owner == mesh.owners[t];
+    }
+    wrong += !found;
+  });
+  return wrong;
+}
+
+TEST(OwnerBorders, FloorsBelongToTheMoveThatCutThemFirst) {
+  for (const auto& [motions, z] :
+       {std::pair(rows_and_outline(), -5.0), std::pair(lines_and_arc(), -3.0)}) {
+    const PartField part = milled(motions);
+    const TriMesh mesh = mesh_of(part);
+    const MeshSummary s = check_mesh(mesh);
+    EXPECT_TRUE(s.closed && s.oriented && s.manifold) << s.first_fault;
+    EXPECT_EQ(far_from_their_owner(part, mesh, z, 1.5 * kRoom), 0u);
+  }
+}
+
+// The floor of the first row ends where its tool did: on lines 5 mm beside it, and half circles.
+TEST(OwnerBorders, AreLinesAndArcs) {
+  const PartField part = milled(rows_and_outline());
+  const TriMesh mesh = mesh_of(part);
+  std::size_t corners = 0;
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.owners[t] != 0 && mesh.owners[t] != 1) continue;
+    const auto& x = mesh.triangles[t];
+    const Vec3 a = place(mesh, x[0]), b = place(mesh, x[1]), c = place(mesh, x[2]);
+    if (std::max({a.z, b.z, c.z}) > -5 + 1e-6) continue;
+    area += 0.5 * length(cross(b - a, c - a));
+    for (const Vec3& p : {a, b, c}) {
+      const double along = std::clamp(p.x, 10.0, 50.0);
+      const double off = std::hypot(p.x - along, p.y - 10);
+      EXPECT_LE(off, 5 + kRoom);
+      corners += std::abs(off - 5) < 1e-4;
+    }
+  }
+  EXPECT_GT(corners, 20u);
+  EXPECT_NEAR(area, 40 * 10 + kPi * 25, kRoom * (2 * 40 + 10 * kPi));
+}
+
+TEST(OwnerBorders, AreTheSameForAnyNumberOfThreads) {
+  const PartField part = milled(rows_and_outline());
+  const TriMesh one = mesh_of(part, 1);
+  for (const int threads : {2, 7}) {
+    const TriMesh many = mesh_of(part, threads);
+    EXPECT_EQ(one.triangles, many.triangles);
+    EXPECT_EQ(one.owners, many.owners);
+    EXPECT_EQ(one.vertices, many.vertices);
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
