@@ -122,9 +122,8 @@ class AdaptiveMesher {
     detail::FlatMap ids;
     for (const std::int32_t c : base.crossings) {
       const FieldSample& at = surface_->crossings()[static_cast<std::size_t>(c)].at;
-      const std::uint64_t key = static_cast<std::uint64_t>(at.owner - kStockOwner) << 32 |
-                                static_cast<std::uint32_t>(at.patch);
-      const auto [id, is_new] = ids.insert(key, static_cast<std::int32_t>(mesh.faces.size()));
+      const auto [id, is_new] =
+          ids.insert(detail::face_key(at), static_cast<std::int32_t>(mesh.faces.size()));
       if (is_new) mesh.faces.push_back(at);
       mesh.labels.push_back(static_cast<std::uint32_t>(id));
     }

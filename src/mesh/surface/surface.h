@@ -9,6 +9,7 @@
 #include "mesh/surface/vertex.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mrsim::detail {
@@ -186,6 +187,7 @@ class DualSurface {
   void place_loops();
   void place_loops_of(std::span<const std::int32_t> loops);
   bool is_smooth(const Loop& loop) const;
+  std::optional<BorderSearch> owner_border(const Loop& loop) const;
   Vec3 mean_crossing(const Loop& loop) const;
   void finish_loop(std::int32_t loop);
   std::span<const std::int32_t> crossings_of(const Loop& loop) const {

@@ -5,12 +5,15 @@
 #include "mesh/surface/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace mrsim::detail {
 namespace {
 
 constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
+constexpr double kPlaneCosine = 1 - 1e-9;         ///< between normals of one plane
+constexpr double kPlaneRoom = 1e-5;               ///< mm: of its points, rounded
 
 void add_crossing(PlaceHash& hash, const Crossing& c) {
   hash.add(c.position);
@@ -141,16 +144,42 @@ Vec3 DualSurface::mean_crossing(const Loop& loop) const {
   return (1.0 / static_cast<double>(loop.crossings)) * sum;
 }
 
+// Between the crossings of the earliest owner, whose face no other one cuts into, and the rest,
+// where all lie on one plane.
+std::optional<BorderSearch> DualSurface::owner_border(const Loop& loop) const {
+  const std::span<const std::int32_t> crossings = crossings_of(loop);
+  const Crossing& first = at(crossings_, crossings[0]);
+  std::int32_t owner = first.at.owner;
+  for (const std::int32_t k : crossings) owner = std::min(owner, at(crossings_, k).at.owner);
+  Vec3 own, others;
+  double count = 0;
+  for (const std::int32_t k : crossings) {
+    const Crossing& c = at(crossings_, k);
+    if (dot(c.normal, first.normal) < kPlaneCosine ||
+        std::abs(dot(c.position - first.position, first.normal)) > kPlaneRoom)
+      return {};
+    const bool is_own = c.at.owner == owner;
+    (is_own ? own : others) += c.position;
+    count += is_own;
+  }
+  const double rest = static_cast<double>(crossings.size()) - count;
+  if (rest == 0) return {};
+  return BorderSearch((1 / count) * own, (1 / rest) * others, owner);
+}
+
 // Loops of cells with the same candidates.
 void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
   struct Memory {
     std::vector<SmoothSearch> searches;
-    std::vector<std::int32_t> searched;
+    std::vector<BorderSearch> borders;
+    std::vector<std::int32_t> searched, bordered;
   };
   static thread_local Memory memory;
-  auto& [searches, searched] = memory;
+  auto& [searches, borders, searched, bordered] = memory;
   searches.clear();
+  borders.clear();
   searched.clear();
+  bordered.clear();
   for (const std::int32_t k : loops) {
     const Loop& loop = at(loops_, k);
     const std::span<const std::int32_t> crossings = crossings_of(loop);
@@ -159,11 +188,23 @@ void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
       return same_face(at(crossings_, c).at, first);
     });
     if (!one_face && !is_smooth(loop)) continue;
+    const std::optional<BorderSearch> border = one_face ? std::nullopt : owner_border(loop);
+    if (border) {
+      borders.push_back(*border);
+      bordered.push_back(k);
+      continue;
+    }
     searches.emplace_back(field_, cells_.box(loop.cell), mean_crossing(loop),
                           one_face ? &first : nullptr);
     searched.push_back(k);
   }
-  run_together(probe(at(loops_, loops[0]).cell), std::span(searches));
+  const Probe p = probe(at(loops_, loops[0]).cell);
+  run_together(p, std::span(borders));
+  for (std::size_t i = 0; i < bordered.size(); ++i) {
+    searches.emplace_back(field_, cells_.box(at(loops_, bordered[i]).cell), borders[i].point());
+    searched.push_back(bordered[i]);
+  }
+  run_together(p, std::span(searches));
   for (std::size_t i = 0; i < searched.size(); ++i)
     loops_[static_cast<std::size_t>(searched[i])].point = searches[i].result();
   for (const std::int32_t k : loops) finish_loop(k);

@@ -17,6 +17,12 @@ inline bool same_face(const FieldSample& a, const FieldSample& b) {
   return a.owner == b.owner && a.patch == b.patch;
 }
 
+/// The same for one face only, of all faces.
+inline std::uint64_t face_key(const FieldSample& face) {
+  return static_cast<std::uint64_t>(face.owner - kStockOwner) << 32 |
+         static_cast<std::uint32_t>(face.patch);
+}
+
 /// The field with the sweeps that matter here.
 struct Probe {
   const ExactField& field;
@@ -83,6 +89,28 @@ class SmoothSearch {
   FieldSample at_;
   int steps_ = 0;
   bool found_ = false;
+};
+
+/// Where the owner changes between two points of one plane face, to 1/256 of their distance.
+class BorderSearch {
+ public:
+  /// `owner`: of the face at `from`.
+  BorderSearch(const Vec3& from, const Vec3& to, std::int32_t owner)
+      : from_(from), to_(to), owner_(owner) {}
+
+  Vec3 point() const {
+    return 0.5 * (from_ + to_);
+  }  ///< where the owner is wanted; then the border
+  /// Takes the sample at point(); true when the search has ended.
+  bool take(const ExactField&, const FieldSample& sample) {
+    (sample.owner == owner_ ? from_ : to_) = point();
+    return ++steps_ == 7;
+  }
+
+ private:
+  Vec3 from_, to_;
+  std::int32_t owner_;
+  int steps_ = 0;
 };
 
 /// Runs searches that share their candidates to their ends, sampling for all of them at once where
