@@ -1,5 +1,8 @@
-// Without libFuzzer: runs a fuzz target over the files of its corpus, and over a few thousand cheap
-// variations of each (cut short, bytes changed), the same in every run.
+// Without libFuzzer: runs a fuzz target over the files of its corpus, and over some eighty cheap
+// variations of each (cut short, bytes changed; a third of them under sanitizers), the same in every
+// run.
+#include "support/rounds.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,7 +27,7 @@ std::uint64_t next_random(std::uint64_t& state) {
 }
 
 void run_variations(const Bytes& bytes) {
-  constexpr std::size_t kCuts = 16, kChanges = 64;
+  constexpr std::size_t kCuts = mrsim::testing::rounds(16), kChanges = mrsim::testing::rounds(64);
   if (bytes.empty() || bytes.size() > (std::size_t(1) << 16)) return;
   for (std::size_t i = 1; i < kCuts; ++i)
     run(Bytes(bytes.begin(),
