@@ -160,6 +160,39 @@ TEST(LinuxCncWords, NumbersHaveNoExponents) {
   EXPECT_NE(p.diagnostics[0].text.find("exponent"), std::string::npos);
 }
 
+// G61, G64 and G92.1 to G92.3 have no axes of their own: those beside them belong to the motion.
+TEST(LinuxCncWords, AxesBesideWordsThatHaveNoneMove) {
+  EXPECT_EQ(path_of_words("F9\nG0 G64 Z5\nG64 P0.02 Q0.01 X3\nG61 Y4\nG1 G64 P0.01 X9\nM2\n"),
+            "r0,0,5 r3,0,5 r3,4,5 l9,4,5");
+  EXPECT_EQ(path_of_words("F9\nG61 G2 Y2 R1\nG64 G3 Y4 R1\nM2\n"), "a0,2,0 a0,4,0");
+  EXPECT_EQ(path_of_words("F9\nG92 X5\nG1 X6\nG92.2 X7\nG92.3 X8\nG92.1 G0 X9\nM2\n"),
+            "l1,0,0 l7,0,0 l3,0,0 r9,0,0");
+  EXPECT_EQ(path_of_words("F9\nG81 G92.1 X1 Z-1 R1\nG0 X3\nM2\n"),
+            "r0,0,1 r1,0,1 l1,0,-1 r1,0,1 r3,0,1");
+}
+
+// D names a tool of the table; without it, or D0, the tool in the spindle counts. It is not kept.
+TEST(LinuxCncWords, DIsTheNumberOfATool) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.table.tools.clear();
+  for (const int n : {2, 6}) {
+    Tool tool;
+    tool.id = std::to_string(n);
+    tool.diameter = n;
+    tool.origin = "test";
+    options.table.tools.push_back(tool);
+  }
+  const auto run = [&](const std::string& text) {
+    return path_text(read_text("F9\nT6 M6\n" + text + "M2\n", options));
+  };
+  EXPECT_EQ(run("G41 D2 G1 X10\nX30\n"), "l10,1,0 l30,1,0");
+  EXPECT_EQ(run("G41 D2 G1 X10\nX30\nG40 X40\nG41 X50\nX60\n"),
+            "l10,1,0 l30,1,0 l40,0,0 l50,3,0 l60,3,0");
+  EXPECT_EQ(run("G41 D0 G1 X10\nX30\n"), "l10,3,0 l30,3,0");
+  EXPECT_EQ(run("G10 L1 P2 R4\nG41 D2 G1 X10\nX30\n"), "l10,4,0 l30,4,0");
+  EXPECT_EQ(run("G10 L1 P6 R4\nG41 G1 X10\nX30\n"), "l10,4,0 l30,4,0");
+}
+
 // D of G41.1 is a diameter each time, whatever register was in force before.
 TEST(LinuxCncWords, G411TakesItsOwnDiameterBehindG41) {
   const std::string first = "G41 D1 G1 X-20 F100\nX-40\nG40 X-60\n";

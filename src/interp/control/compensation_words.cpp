@@ -4,9 +4,34 @@
 #include "core/units.h"
 #include "interp/path/outside_corner.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace mrsim {
+
+bool CompensationWords::select(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::comp_off || code == Code::comp_left || code == Code::comp_right) {
+    block_.comp_selected = code != m.comp;
+    m.comp = code;
+    m.comp_diameter = code != Code::comp_off && word.value != std::floor(word.value);
+    if (code == Code::comp_off && is(Dialect::ngc)) {  // the next G41 needs a D of its own
+      m.edge = 0;
+      m.edge_given = false;
+    }
+    block_.comp_word = &word;
+  } else if (code == Code::comp_suspend || code == Code::comp_resume) {
+    m.comp_suspended = code == Code::comp_suspend;
+  } else if (code == Code::corner_arc || code == Code::corner_intersection) {
+    m.corner = code;
+  } else if (code == Code::approach_normal || code == Code::approach_contour) {
+    m.approach = code;
+  } else {
+    return false;
+  }
+  return true;
+}
 
 bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   if (modal_.comp == Code::comp_off && !started_) return true;
@@ -16,7 +41,7 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   const bool moves = !straight || length(travel) > 1e-9;  // full circles, too
   block_.comp_moved = moves && straight;
   if (modal_.comp != Code::comp_off && !started_) {
-    if (!straight)
+    if (!straight && !is(Dialect::ngc))
       return error("comp-start-arc",
                    fmt::format("radius compensation must start with G0 or G1, not with an arc{}",
                                is(Dialect::fanuc) ? " (alarm 034)" : ""),
@@ -45,6 +70,20 @@ void CompensationWords::end_block(bool move_waits) {
   modal_.comp = block_.comp_before;
 }
 
+// D. LinuxCNC without one, or with D0: that of the tool in the spindle.
+std::string CompensationWords::edge_name() const {
+  const std::string& current = control_.tool.current;
+  if (!is(Dialect::ngc) || modal_.edge > 0) return fmt::format("D{}", modal_.edge);
+  return "D" + (current.empty() ? "1" : current);
+}
+
+// D of LinuxCNC and Mach is the number of a tool, which need not be that in the spindle.
+const Tool* CompensationWords::tool_of_edge() const {
+  const Tool* listed =
+      is(Dialect::ngc) && modal_.edge > 0 ? tools_.given(fmt::format("{}", modal_.edge)) : nullptr;
+  return listed ? listed : tools_.current();
+}
+
 // The tool radius in force, from the register or the tool.
 void CompensationWords::set_radius() {
   if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size itself
@@ -53,15 +92,15 @@ void CompensationWords::set_radius() {
     key_.clear();
     return;
   }
-  const std::string edge = fmt::format("D{}", modal_.edge);
+  const std::string edge = edge_name();
   const std::string key = fmt::format("T{}.{}", control_.tool.current, edge);
   if (key_ == key && tool_ == control_.tool.index && changes_ == control_.register_changes) return;
   key_ = key;
   changes_ = control_.register_changes;
   tool_ = control_.tool.index;
   tip_ = {};
-  const Tool* tool = tools_.current();
-  if (modal_.edge == 0) {
+  const Tool* tool = tool_of_edge();
+  if (modal_.edge == 0 && !is(Dialect::ngc)) {
     radius_ = 0;
     return;
   }
@@ -75,12 +114,14 @@ void CompensationWords::set_radius() {
                 : (comp == CompRadius::wear ? 0 : own) + control_.bare_wear(edge);
   if (comp == CompRadius::off) radius_ = 0;
   if (!reg && (own > 0 || turning) && modal_.edge_given && comp == CompRadius::automatic)
-    reporter_.once(Severity::warning, "register-missing",
-                   fmt::format("{} is not in the tool table: the tool's own radius {:g} mm is "
-                               "used; if the program holds the path of the tool's centre (wear "
-                               "compensation), say --comp wear",
-                               edge, own),
-                   control_.edge_word, key);
+    reporter_.once(
+        Severity::warning, "register-missing",
+        fmt::format("{} is not in the tool table: {} radius {:g} mm is used; if the "
+                    "program holds the path of the tool's centre (wear compensation), "
+                    "say --comp wear",
+                    edge, tool == tools_.current() ? "the tool's own" : "tool " + tool->id + "'s",
+                    own),
+        control_.edge_word, key);
   if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool);
 }
 
@@ -99,7 +140,7 @@ Compensation CompensationWords::for_move() const {
   c.arcs = modal_.corner == Code::corner_arc && modal_.disc < 100;
   c.disc = modal_.disc / 100;
   c.two_points = is(Dialect::fanuc);
-  c.entry_beside = is(Dialect::ngc);
+  c.stepwise = is(Dialect::ngc);
   c.sharpest = is(Dialect::fanuc)                  ? kPi / 2
                : modal_.corner == Code::corner_arc ? kSharpestDisc
                                                    : radians(100);

@@ -11,6 +11,8 @@ class CompensationWords : public ControlPart {
  public:
   CompensationWords(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
 
+  /// G40 G41 G42 and what says how the path is moved. False: another word.
+  bool select(Code code, const Word& word);
   /// Before a move is given on: G40 G41 G42 take effect with a straight move in the plane.
   /// False: an error was reported.
   bool begin_move(const Motion& motion, const Word& where);
@@ -28,6 +30,8 @@ class CompensationWords : public ControlPart {
 
  private:
   void set_radius();
+  std::string edge_name() const;
+  const Tool* tool_of_edge() const;
   Vec2 tip_vector(const Tool& tool) const;
 
   ToolChanger& tools_;

@@ -112,13 +112,8 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
         return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
       return for_oneshot(word, entry.code);
     case Code::ignored:
-      if (word.value == 64 && !is(Dialect::sinumerik))  // G64 P0.01 Q0.01 of Mach and LinuxCNC
-        for (const char c : {'P', 'Q'}) take(c);
-      return !is(Dialect::ngc) || !peek('R') || word.value != 61 ||
-             error("word-unexpected", "R with no word that uses it", *peek('R'));
+      return is(Dialect::sinumerik) || path_control(word);
     case Code::ignored_words:
-      if (is(Dialect::ngc) && word.value == 64 && peek('R') && orients_spindle())
-        return error("word-unexpected", "R is G64's or M19's: write them on two lines", *peek('R'));
       for (const Word& other : block_.words)
         if (other.address != letter('G') && other.address != letter('M')) take(other.address);
       return true;
@@ -168,6 +163,20 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     default:
       return apply_modal_code(word, entry);
   }
+}
+
+// G64 P Q of Mach and LinuxCNC; R belongs to it where no motion of the block can use it.
+bool ModalWords::path_control(const Word& word) {
+  if (word.value != 61 && word.value != 64) return true;
+  if (word.value == 64)
+    for (const char c : {'P', 'Q'}) take(c);
+  const Word* r = is(Dialect::ngc) ? peek('R') : nullptr;
+  if (!r || peek('X') || peek('Y') || peek('Z')) return true;
+  if (word.value == 61) return error("word-unexpected", "R with no word that uses it", *r);
+  if (orients_spindle())
+    return error("word-unexpected", "R is G64's or M19's: write them on two lines", *r);
+  take('R');
+  return true;
 }
 
 bool ModalWords::orients_spindle() const {
@@ -238,7 +247,7 @@ void ModalWords::select_cycle(const Word& word, int number) {
 }
 
 bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
-  if (apply_mode(entry.code, word) || apply_comp_code(entry.code, word)) return true;
+  if (apply_mode(entry.code, word) || compensation_.select(entry.code, word)) return true;
   switch (entry.code) {
     case Code::plane_xy:
     case Code::plane_2d:
@@ -333,26 +342,6 @@ bool ModalWords::apply_feed_mode(Code code, const Word& word) {
       m.feed_unit = FeedUnit::mm_per_min;
     else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
       m.feed_unit = FeedUnit::mm_per_rev;
-  } else {
-    return false;
-  }
-  return true;
-}
-
-// Words about radius compensation. False: not one of them.
-bool ModalWords::apply_comp_code(Code code, const Word& word) {
-  Modal& m = modal_;
-  if (code == Code::comp_off || code == Code::comp_left || code == Code::comp_right) {
-    block_.comp_selected = code != m.comp;
-    m.comp = code;
-    m.comp_diameter = code != Code::comp_off && word.value != std::floor(word.value);
-    block_.comp_word = &word;
-  } else if (code == Code::comp_suspend || code == Code::comp_resume) {
-    m.comp_suspended = code == Code::comp_suspend;
-  } else if (code == Code::corner_arc || code == Code::corner_intersection) {
-    m.corner = code;
-  } else if (code == Code::approach_normal || code == Code::approach_contour) {
-    m.approach = code;
   } else {
     return false;
   }

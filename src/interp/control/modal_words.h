@@ -28,6 +28,7 @@ class ModalWords : public ControlPart {
   bool refuse(const Word& word);
   bool for_oneshot(const Word& word, Code code);
   bool for_one_block(const Word& word, Code code);
+  bool path_control(const Word& word);
   bool orients_spindle() const;
   bool high_speed(const Word& word);
   void select_cycle(const Word& word, int number);
@@ -35,7 +36,6 @@ class ModalWords : public ControlPart {
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool apply_mode(Code code, const Word& word);
   bool apply_feed_mode(Code code, const Word& word);
-  bool apply_comp_code(Code code, const Word& word);
   bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);
   bool select_normal(const Word& word);

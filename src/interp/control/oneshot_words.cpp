@@ -122,7 +122,8 @@ bool OneShotWords::rapid_to() {
 
 // G92.1 forgets the shift of G92, G92.2 sets it aside, G92.3 takes it back.
 bool OneShotWords::suspend_position() {
-  for (const char c : {'X', 'Y', 'Z'}) take(c);  // FANUC names the axes
+  if (is(Dialect::fanuc) || is(Dialect::iso))
+    for (const char c : {'X', 'Y', 'Z'}) take(c);  // the axes meant
   frame_words_.save();
   if (block_.oneshot_code == Code::position_resume) {
     frames_.position_shift = frames_.position_memory;
@@ -132,6 +133,7 @@ bool OneShotWords::suspend_position() {
     frames_.position_shift = {};
   }
   frame_words_.rebuild();
+  if (is(Dialect::ngc)) block_.oneshot = nullptr;  // axes beside it are those of a motion
   return true;
 }
 

@@ -58,6 +58,7 @@ Modal start_modal(Dialect dialect, MachineKind machine) {
   m.feed_unit = row.feed_unit;
   m.diameter = row.diameter;
   m.corner = row.corner;
+  if (dialect == Dialect::ngc) m.edge = 0;  // the radius of the tool in the spindle
   return m;
 }
 

@@ -28,6 +28,8 @@ class ToolChanger : public ControlPart {
   const Tool* current() const {
     return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
   }
+  /// The tool of the table with this number or name, or null.
+  const Tool* given(const std::string& id) const;
   const OffsetRegister* find_register(const std::string& name) const;
   /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
   /// 0 without a tool. `edge` below 0: the tool's own.
@@ -50,7 +52,6 @@ class ToolChanger : public ControlPart {
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   void missing(const Word& where, const std::string& why, const Tool& read);
-  const Tool* given(const std::string& id) const;
   void use(Tool tool);
 
   ToolState& tool_;

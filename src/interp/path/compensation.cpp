@@ -140,12 +140,12 @@ void CompensationStage::enter() {
     return;
   }
   at_ = first.motion.start;
-  skip_void_entry();
+  if (!first.comp.stepwise) skip_void_entry();
   const std::size_t j = following(1);
   active_ = true;
   const double h = height(first, first.motion.end);
   if (j >= queue_.size()) return send_line(first, moved(first).end, h);
-  if (first.comp.entry_beside) return enter_beside(h);
+  if (first.comp.stepwise) return enter_beside(h);
   const PlanePiece next = moved(queue_[j]);
   if (is_point(next)) return send_line(first, next.center, h);
   if (is_void(next)) return send_line(first, moved(first).end, h);
@@ -158,25 +158,6 @@ void CompensationStage::enter() {
   const CornerWay way = outside_corner(before.comp, corner, line, next);
   send_line(before, way.end, h);
   run_corner(before, way);
-}
-
-// LinuxCNC: the entry is an element like others, and must be longer than the radius. The tool is
-// not beside its start, so that an inside corner may end it earlier than that.
-void CompensationStage::enter_beside(double h) {
-  const PathMove first = queue_.front();
-  const double travel = length(corner_of(first) - in_plane(first.basis, at_) - first.comp.tip);
-  if (travel <= first.comp.radius && first.comp.radius > 0)
-    reporter_.add_at(Severity::error, "comp-entry",
-                     fmt::format("the entry into compensation is {:.6g} long and must be longer "
-                                 "than the tool's radius {:.6g}",
-                                 travel, first.comp.radius),
-                     first.motion);
-  PlanePiece piece = moved(first);
-  piece.start = piece.start - (2 * first.comp.radius + travel) * end_tangent(piece);
-  cursor_ = piece.start;
-  const CornerWay way = choose_end(piece);
-  send_line(first, way.end, h);
-  run_corner(first, way);
 }
 
 // A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.
@@ -226,17 +207,12 @@ void CompensationStage::follow() {
   const std::size_t after = following(1);
   if (is_point(piece) && (after >= queue_.size() || nearly_tangent(first, queue_[after])))
     return send_line(first, piece.center, h);
-  if (is_void(piece)) {
-    reporter_.add_at(
-        Severity::error, "comp-interference",
-        fmt::format("the tool of radius {:.6g} does not fit into the arc of radius {:.6g}",
-                    first.comp.radius, first.motion.radius),
-        first.motion);
-    return send_line(first, in_plane(first.basis, first.motion.end), h);
-  }
+  if (is_void(piece)) return leave_void(first, h);
   const bool off_arc = piece.arc && length(cursor_ - piece.start) > kTouch &&
                        std::abs(length(cursor_ - piece.center) - piece.radius) > kTouch;
-  if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
+  if (off_arc && first.comp.stepwise)
+    step_onto(first, piece);
+  else if (resumes_ || off_arc)  // bridge the gap that CUTCONON left
     send_line(first, piece.start, dot(at_, first.basis.w));
   resumes_ = false;
   begin_at(piece, cursor_);
@@ -245,14 +221,28 @@ void CompensationStage::follow() {
   run_corner(first, way);
 }
 
+// An arc that the tool is too large for.
+void CompensationStage::leave_void(const PathMove& first, double h) {
+  reporter_.add_at(Severity::error, "comp-interference",
+                   fmt::format("the tool of radius {:.6g} does not fit into the arc of radius "
+                               "{:.6g}",
+                               first.comp.radius, first.motion.radius),
+                   first.motion);
+  send_line(first, in_plane(first.basis, first.motion.end), h);
+}
+
 // Where the first element of the queue ends and what follows it up to the next one.
 CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
   CornerWay way;
   way.end = piece.end;
   const std::size_t j = following(1);
-  if (j >= queue_.size()) return crosses_over(piece, way) ? way : leaving(piece);
   const PathMove& first = queue_.front();
+  if (j >= queue_.size()) {
+    if (first.comp.stepwise) check_room(piece, piece.end, first.motion);
+    return crosses_over(piece, way) ? way : leaving(piece);
+  }
   const PlanePiece next = moved(queue_[j]);
+  if (first.comp.stepwise) return step_to(piece, queue_[j]);
   const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
   if (kind == Corner::outside) {
     way = outside_corner(first.comp, corner_of(first), piece, next);
@@ -261,11 +251,16 @@ CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
   }
   if (kind == Corner::smooth || meet_inside(piece, 1, way) || nearly_tangent(first, queue_[j]))
     return way;
+  corner_too_tight(queue_[j].motion);
+  return way;
+}
+
+void CompensationStage::corner_too_tight(const Motion& next) {
+  const Compensation& comp = queue_.front().comp;
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
-                               first.comp.radius, first.comp.two_points ? " (alarm 041)" : ""),
-                   queue_[j].motion);
-  return way;
+                               comp.radius, comp.two_points ? " (alarm 041)" : ""),
+                   next);
 }
 
 // G41 behind G42 or the other way round, without G40. FANUC: where the moved lines meet. Else the

@@ -25,6 +25,7 @@ class CompensationStage {
   void enter_beside(double height);
   void skip_void_entry();
   void follow();
+  void leave_void(const PathMove& first, double height);
   void leave_or_shift();
   bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
   bool meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
@@ -33,6 +34,10 @@ class CompensationStage {
   void close_over(const PlanePiece& piece, CornerWay& way);
   void skip_before(std::size_t keep);
   CornerWay choose_end(const PlanePiece& piece);
+  CornerWay step_to(const PlanePiece& piece, const PathMove& after);
+  void step_onto(const PathMove& first, const PlanePiece& arc);
+  void check_room(const PlanePiece& piece, Vec2 end, const Motion& next);
+  void corner_too_tight(const Motion& next);
   bool crosses_over(const PlanePiece& piece, CornerWay& way);
   CornerWay leaving(const PlanePiece& piece) const;
   PlanePiece reach(std::size_t i, std::size_t next) const;

@@ -21,14 +21,14 @@ struct CornerSpec {
 struct Compensation {
   int side = 0;  ///< +1 left of the path (G41), -1 right (G42), 0 off
   bool suspended = false;
-  double radius = 0;          ///< mm
-  Vec2 tip;                   ///< lathe: from the programmed point to the nose centre, in the plane
-  bool arcs = false;          ///< outside corners are arcs about the corner, else intersections
-  double disc = 0;            ///< DISC / 100: how far such arcs are sharpened
-  bool two_points = false;    ///< intersections of tangents; where they are too far, two points
-  double sharpest = 0;        ///< turns above this angle, radians, have no intersection
-  bool around = false;        ///< KONT: from and to points behind the contour round its end
-  bool entry_beside = false;  ///< the entry ends beside its own end, before the first corner
+  double radius = 0;        ///< mm
+  Vec2 tip;                 ///< lathe: from the programmed point to the nose centre, in the plane
+  bool arcs = false;        ///< outside corners are arcs about the corner, else intersections
+  double disc = 0;          ///< DISC / 100: how far such arcs are sharpened
+  bool two_points = false;  ///< intersections of tangents; where they are too far, two points
+  double sharpest = 0;      ///< turns above this angle, radians, have no intersection
+  bool around = false;      ///< KONT: from and to points behind the contour round its end
+  bool stepwise = false;    ///< each element sees the next one alone, the entry too (LinuxCNC)
 };
 
 struct PathMove {

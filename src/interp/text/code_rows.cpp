@@ -278,7 +278,7 @@ constexpr Row kNgc[] = {
     {593, C::work_offset, G::work},
     {610, C::ignored, G::path},
     {611, C::ignored, G::path},
-    {640, C::ignored_words, G::path},
+    {640, C::ignored, G::path},
     {690, C::ignored, G::other},
     {700, C::turn_cycle, G::oneshot},
     {710, C::turn_cycle, G::oneshot},

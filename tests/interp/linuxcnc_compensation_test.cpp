@@ -1,0 +1,62 @@
+// Radius compensation as LinuxCNC's interpreter does it, where other controls do otherwise.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+// A tool of radius 2 goes along X to 20, left of the contour.
+std::string beside(const std::string& text) {
+  return path_text(
+      read_text("F9\nG41.1 D4\nG1 X20\n" + text + "M2\n", at_origin(Dialect::ngc), "part.ngc"));
+}
+
+// Below 0.05 radians there is no corner, neither outside nor inside.
+TEST(LinuxCncCompensation, SmallTurnsHaveNoCorner) {
+  EXPECT_EQ(beside("X40\nX59.9761 Y-0.977\n"), "l20,2,0 l40,2,0 l60.07,1.021,0");
+  EXPECT_EQ(beside("X40\nX59.9749 Y-1.0014\n"), "l20,2,0 l40,2,0 a40.1,1.997,0 l60.08,0.9961,0");
+  EXPECT_EQ(beside("X40\nX59.9761 Y0.977\n"), "l20,2,0 l40,2,0 l59.88,2.975,0");
+  EXPECT_EQ(beside("X40\nX59.9749 Y1.0014\n"), "l20,2,0 l39.95,2,0 l59.87,2.999,0");
+}
+
+// A turn back is an outside corner, and so is one a little less; which arcs shift.
+TEST(LinuxCncCompensation, TurnsBackAreOutside) {
+  EXPECT_EQ(beside("X40\nX30.0015 Y0.1745\n"), "l20,2,0 l40,2,0 a39.97,-2,0 l29.97,-1.825,0");
+  EXPECT_EQ(beside("X40\nG3 X32 Y-8 J-8\n"), "l20,2,0 l40,2,0 a40,-2,0 a34,-8,0");
+  EXPECT_EQ(beside("X40\nG2 X32 Y8 J8\n"), "l20,2,0 l32,2,0 a30,8,0");
+}
+
+TEST(LinuxCncCompensation, RapidsGoStraightAboutACorner) {
+  EXPECT_EQ(beside("X40\nG0 Y-20\n"), "l20,2,0 l40,2,0 r42,0,0 r42,-20,0");
+  EXPECT_EQ(beside("G0 X40\nG1 Y-20\n"), "l20,2,0 r40,2,0 a42,0,0 l42,-20,0");
+}
+
+// No element is left out: one that is too short for its inside corners is refused, but not before
+// a line straight on, nor before an arc behind an outside corner.
+TEST(LinuxCncCompensation, AnElementSeesTheNextOneAlone) {
+  EXPECT_EQ(beside("X40\nY3\nX10\n"), "l20,2,0 l38,2,0 l38,1,0 l10,1,0 | comp-interference");
+  EXPECT_EQ(beside("X40\nY1\n"), "l20,2,0 l38,2,0 l38,1,0 | comp-interference");
+  EXPECT_EQ(beside("X40\nY1\nY30\n"), "l20,2,0 l38,2,0 l38,1,0 l38,30,0");
+  EXPECT_EQ(beside("X40\nY1\nG2 X50 Y11 I10\n"), "l20,2,0 l38,2,0 l38,1,0 a50,13,0");
+  EXPECT_EQ(beside("X20.1 Y-1\nX10\nY30\n"),
+            "l20,2,0 a21.99,0.199,0 l22.09,-0.801,0 a20.1,-3,0 l10,-3,0 a8,-1,0 l8,30,0");
+}
+
+TEST(LinuxCncCompensation, AnInsideCornerLiesBeforeTheEndOfALine) {
+  EXPECT_EQ(beside("X40\nG2 X36 Y4 J4 I0\n"), "l20,2,0 l34.34,2,0 a34,4,0");
+}
+
+// The entry may be an arc: it ends beside its own end, in the same direction.
+TEST(LinuxCncCompensation, AnArcMayBeginIt) {
+  const auto entry = [](const std::string& text) {
+    return path_text(read_text("F9\nG41.1 D2\n" + text + "M2\n", at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(entry("G3 X10 Y10 J10\nG1 Y20\n"), "a9,10,0 l9,20,0");
+  EXPECT_EQ(entry("G2 X10 Y-10 J-10\nG1 Y-20\n"), "a11,-10,0 l11,-20,0");
+  EXPECT_NE(entry("G2 J-5\nG1 X10\n").find("comp-entry"), std::string::npos);
+  const Program p =
+      read_text("F9\nG41.1 D2\nG3 X10 Y10 J10\nG1 Y20\nM2\n", at_origin(Dialect::ngc));
+  expect_near(p.motions[0].center, {-95.0 / 90, 10, 0});
+}
+
+}  // namespace
+}  // namespace mrsim
