@@ -13,6 +13,15 @@ constexpr double kRounding = 1e-9;
 
 double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
 
+// Where on its move a ball touches, e before the place: at slope wide / sqrt(1 + slope^2), or at
+// the end of the range nearest to it, which is told without roots.
+double ball_contact(double slope, double square, double low, double high) {
+  const double rise = slope * slope, found = rise * square;
+  if (high <= 0 || found >= high * high * (1 + rise)) return high;
+  if (low >= 0 && found <= low * low * (1 + rise)) return low;
+  return std::clamp(std::sqrt(found / (1 + rise)), low, high);
+}
+
 }  // namespace
 
 Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(tool.is_convex()) {
@@ -111,7 +120,7 @@ double Underside::ball_bottom(const Slant& at) const {
   const double wide = std::sqrt(square);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (low > high) return kInfinity;
-  const double e = std::clamp(at.slope * wide / std::sqrt(1 + at.slope * at.slope), low, high);
+  const double e = ball_contact(at.slope, square, low, high);
   return at.slope * (at.u - e) + radius_ - root(square - e * e);
 }
 
@@ -178,9 +187,32 @@ double Underside::upper(const Slant& at, double r) const {
   return std::min(value(in.low), value(in.high));
 }
 
+// The bottom of a ball's move grows with the distance across, and along it away from the place
+// above its lower end: of all places in the square about the disc, the one nearest to both has the
+// least.
+double Underside::ball_lower(const Slant& at, double r) const {
+  const double lowest = at.slope > 0 ? 0 : std::clamp(at.u, 0.0, at.length);
+  return ball_bottom({std::clamp(lowest, at.u - r, at.u + r), std::max(at.v - r, 0.0), at.length,
+                      at.slope}) -
+         kRounding;
+}
+
+// Of the position that touches at the far side of the disc.
+double Underside::ball_upper(const Slant& at, double r) const {
+  const double reach = radius_ - r, square = reach * reach - at.v * at.v;
+  if (reach < 0 || square < 0) return kInfinity;
+  const double wide = std::sqrt(square);
+  const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
+  if (low > high) return kInfinity;
+  const double e = ball_contact(at.slope, square, low, high);
+  const double rho = std::sqrt(e * e + at.v * at.v) + r;
+  return at.slope * (at.u - e) + radius_ - root(radius_ * radius_ - rho * rho) + kRounding;
+}
+
 Underside::Bounds Underside::bounds(const Slant& at, double r, double below) const {
-  const double least = lower(at, r);
-  return {least, least < below ? upper(at, r) : kInfinity};
+  const double least = ball_ ? ball_lower(at, r) : lower(at, r);
+  if (!(least < below)) return {least, kInfinity};
+  return {least, ball_ ? ball_upper(at, r) : upper(at, r)};
 }
 
 }  // namespace mrsim

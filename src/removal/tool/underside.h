@@ -64,6 +64,8 @@ class Underside {
   double lower(const Slant& at, double r) const;
   double upper(const Slant& at, double r) const;
   double ball_bottom(const Slant& at) const;
+  double ball_lower(const Slant& at, double r) const;
+  double ball_upper(const Slant& at, double r) const;
 
   std::vector<Edge> edges_;
   double radius_ = 0;
