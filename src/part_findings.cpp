@@ -132,8 +132,8 @@ void warn_of_idle_tools(JobResult& result, bool stock_assumed) {
         "tool {} removes nothing: {}", data.id,
         stock_assumed && cuts_above(program, tool, result.stock.box.hi.z)
             ? raw_face(result.stock.box)
-            : "all that it cuts here is air, or has been cut before; check its data, its length "
-              "offset and the stock");
+            : "all that it cuts here is air, or has been cut before; check its data, the "
+              "offsets of its length and radius, and the stock");
     d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
   }
 }

@@ -60,11 +60,22 @@ TEST(PostWords, SemicolonsPointsAndTurns) {
   }
   EXPECT_EQ(codes(read_text("G1 X1000 F1\n", at_origin(Dialect::fanuc)), Severity::note),
             "number-without-point");
-  EXPECT_EQ(codes(read_text("G1 X1 F1\nG55\nX2\n", at_origin(Dialect::iso)), Severity::note),
+  EXPECT_EQ(codes(read_text("G55\nG1 X1 F1\n", at_origin(Dialect::iso)), Severity::note),
             "work-offset-unset");
   const Program half = read_text("G1 X0 F1\nG2 X10 R4.999\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(half, Severity::error), "");
   EXPECT_NEAR(half.motions.back().sweep, -kPi, 1e-9);
+}
+
+// Two vises, or two sides of a part, lie one on the other where nothing tells them apart.
+TEST(PostWords, OriginsWithoutAnEntryCoincide) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  const std::string two = "G54 G1 X1. F1.\nG55 X2.\nG56 X3.\n";
+  EXPECT_EQ(codes(read_text(two, options)), "origins-coincide");
+  EXPECT_EQ(codes(read_text("G54 G0 X1.\nG55 G1 X2. F1.\nX3.\n", options)), "");
+  EXPECT_EQ(codes(read_text("G10 L2 P2 X50. Y0 Z0\nG54 G1 X1. F1.\nG55 X2.\n", options)), "");
+  options.table.work = {{"G55", {100, 0, 0}}};
+  EXPECT_EQ(codes(read_text("G54 G1 X1. F1.\nG55 X2.\n", options)), "");
 }
 
 // G54's zero at X-200 Y-100 Z-300 of the machine: machine X0 lies at X200 of the stock.

@@ -23,6 +23,12 @@ TEST(Sinumerik, RadiusOfTheToolIsKnownBeforeItCuts) {
   EXPECT_EQ(run("T1 D0 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "20,0,0 ") << "D0: no edge";
 }
 
+TEST(Sinumerik, NamesBehindASign) {
+  const std::string def = "DEF REAL _A=4, _B=2\nF100 G1 ";
+  EXPECT_EQ(run(def + "X=-_A\nX=-_A*_B\nX=5-_A\nX=+_A\nX=-(_A+_B)\n"),
+            "-4,0,0 -8,0,0 1,0,0 4,0,0 -6,0,0 ");
+}
+
 TEST(Sinumerik, AxesBesideADwellAreNotDropped) {
   EXPECT_EQ(run("F100 G1 X1\nG4 F2 X30\nX2\n"), "1,0,0 2,0,0 call-not-alone");
   EXPECT_EQ(run("F100 G1 X1\nG4 F2\nG4 S3\nX2\n"), "1,0,0 2,0,0 ");

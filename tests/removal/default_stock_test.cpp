@@ -76,6 +76,30 @@ TEST(DefaultStock, EndsAtTheProgramsZeroAboveItsCuts) {
                 .cut({50, 9, -4})
                 .top(),
             0);
+  // A feed aside at the clearance, then a plunge or a ramp through the zero.
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 2})
+                .cut({9, 9, 2})
+                .cut({9, 9, -3})
+                .cut({50, 9, -3})
+                .rapid({50, 9, 1})
+                .cut({50, 20, 1})
+                .cut({60, 20, -1})
+                .cut({60, 30, -2})
+                .top(),
+            0);
+  // Levels above the zero that a feed goes down between are cuts.
+  EXPECT_EQ(Path()
+                .rapid({0, 0, 25})
+                .rapid({0, 0, 20})
+                .cut({50, 0, 20})
+                .cut({50, 0, 18})
+                .cut({0, 0, 18})
+                .rapid({0, 0, 25})
+                .cut({0, 0, -1})
+                .cut({9, 0, -1})
+                .top(),
+            20);
   // One level, and a rapid close above.
   EXPECT_EQ(Path().rapid({0, 0, 2}).cut({0, 0, -4}).cut({50, 0, -4}).rapid({50, 0, 2}).top(), 0);
   // A hole that is drilled from above the contour's only level.

@@ -116,11 +116,14 @@ void CompensationWords::set_radius() {
   if (!reg && (own > 0 || turning) && modal_.edge_given && comp == CompRadius::automatic)
     reporter_.once(
         Severity::warning, "register-missing",
-        fmt::format("{} is not in the tool table: {} radius {:g} mm is used; if the "
-                    "program holds the path of the tool's centre (wear compensation), "
-                    "say --comp wear",
-                    edge, tool == tools_.current() ? "the tool's own" : "tool " + tool->id + "'s",
-                    own),
+        fmt::format("{} is not in the tool table: {} radius {:g} mm is used; {}", edge,
+                    tool == tools_.current() ? "the tool's own" : "tool " + tool->id + "'s", own,
+                    tool && tool->type == ToolType::chamfer
+                        ? fmt::format("chamfers are cut with less of it as a rule: [offsets.{}] of "
+                                      "--tools tools.toml tells how much",
+                                      edge)
+                        : "if the program holds the path of the tool's centre (wear "
+                          "compensation), say --comp wear"),
         control_.edge_word, key);
   if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool);
 }

@@ -119,14 +119,14 @@ bool FrameWords::set_work(const std::string& written) {
   frames_.work_name = name;
   const auto turn = control_.work_turns.find(name);
   frames_.work_turn = turn == control_.work_turns.end() ? 0 : turn->second;
-  bool known = name.empty() || name == "G54";
+  frames_.work_given = name.empty();
   for (const WorkOffset& offset : control_.work) {
     const bool external = offset.name == "EXT" && !name.empty();
     if (offset.name != name && !external) continue;
     frames_.work = frames_.work + offset.shift;
-    known = known || !external;
+    frames_.work_given = frames_.work_given || !external;
   }
-  return known;
+  return frames_.work_given || name == "G54";
 }
 
 // X Y Z of a frame word. Lengths are converted; factors and angles are not.

@@ -344,12 +344,26 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
 // What a cut needs: a tool, and once a feed.
 void Moves::begin_cut(const Word& where, bool has_feed) {
   tools_.require(where, true);
+  if (!frames_.work_given) compare_origins(where);
   if (modal_.feed != 0 || feed_warned_ || has_feed) return;
   feed_warned_ = true;
   reporter_.add(
       is(Dialect::ngc) ? Severity::error : Severity::warning, "feed-missing",
       is(Dialect::fanuc) ? "no F before the first cut (alarm 011)" : "no F before the first cut",
       where);
+}
+
+// Two vises, or two sides of a part, one on the other.
+void Moves::compare_origins(const Word& where) {
+  if (assumed_origin_.empty()) assumed_origin_ = frames_.work_name;
+  if (assumed_origin_ == frames_.work_name) return;
+  reporter_.once(
+      Severity::warning, "origins-coincide",
+      fmt::format("{0} and {1} both cut, and neither is in the tool table: their cuts lie in one "
+                  "place. [work.{1}] of --tools tools.toml says where it is; --until ends the run "
+                  "before another side of the part",
+                  assumed_origin_, frames_.work_name),
+      where, "origins-coincide");
 }
 
 // Moves the position to the target; motion.end becomes the physical end.

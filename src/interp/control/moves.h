@@ -74,6 +74,7 @@ class Moves : public ControlPart {
   void sinumerik_lead(const Vec3& path);
   Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
   void begin_cut(const Word& where, bool has_feed);
+  void compare_origins(const Word& where);
   void commit(const Target& to, const Frame& frame, Motion& motion);
 
   AxisWords& axes_;
@@ -84,6 +85,7 @@ class Moves : public ControlPart {
   ArcSolver arcs_;
   SplineWords splines_;
   PendingAngle pending_angle_;
+  std::string assumed_origin_;  ///< the first work offset that cuts without an entry
   bool feed_warned_ = false;
   bool retract_guessed_ = false;  ///< by M25, see guess_retract()
 };

@@ -122,6 +122,7 @@ struct Frames {
   Vec3 work;                        ///< settable offset (G54 ...)
   double work_turn = 0;             ///< of the settable offset about Z, degrees (G10 L2 R)
   std::string work_name;            ///< "G54", empty = off
+  bool work_given = false;          ///< the tool table or the program says where it is
   Vec3 position_shift;              ///< G92
   Vec3 position_memory;             ///< ... set aside by G92.2
   Vec3 local;                       ///< G52

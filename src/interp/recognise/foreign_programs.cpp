@@ -74,16 +74,20 @@ const char* named_format(const std::string& path, std::string_view raw) {
   return line == "SECTION" ? "a DXF drawing" : nullptr;
 }
 
+// A block that ends in "*"; brackets may stand behind the code.
+bool ends_in_star(std::string_view code, std::string_view raw) {
+  const std::size_t last = raw.find_last_not_of(" \t\r");
+  const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
+  return last != raw.npos && raw[last] == '*' && whole.size() > 1 && whole.back() == '*' &&
+         (whole[0] == '%' || whole[0] == 'N');
+}
+
 // What the line alone proves, or nullptr.
 const char* named_control(const std::string& path, std::string_view code, std::string_view raw) {
   const std::string_view text = body(code);
   if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
     return "a Heidenhain conversational program";
   const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
-  const std::size_t last = raw.find_last_not_of(" \t\r");  // brackets may stand behind it
-  const bool star = last != raw.npos && raw[last] == '*';
-  if (star && whole.size() > 1 && whole.back() == '*' && (whole[0] == '%' || whole[0] == 'N'))
-    return "a Heidenhain DIN/ISO program (blocks that end in *)";
   if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
       ends_with(path, {".PBG", ".PBD", ".MAZ"}))
@@ -194,6 +198,9 @@ void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::str
 }
 
 void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
+  if (scan.code.size() > 1 && scan.code[0] == 'O' && is_digit(scan.code[1])) o_number_ = true;
+  if (number <= kHeadLines && !o_number_ && ends_in_star(scan.code, raw))
+    refuse("a Heidenhain DIN/ISO program (blocks that end in *)", number, raw);
   if (number <= kHeadLines)
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
   if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);

@@ -35,6 +35,7 @@ class ForeignPrograms {
 
   const std::string& path_;
   bool numbered_ = false;  ///< "%12" alone heads the text
+  bool o_number_ = false;  ///< O and a number have headed a program
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
   bool on_ = false, power_ = false, laser_word_ = false;

@@ -106,6 +106,13 @@ Parser::Step Parser::step(Block& block) {
   }
   if (blank(c)) {
     ++p_;
+  } else if ((c == '*' || c == '$') && is_end_sign()) {
+    Word sign;
+    sign.column = static_cast<int>(p_++);
+    sign.length = 1;
+    reporter_.once(Severity::note, "block-end-sign",
+                   fmt::format("{} at the end of a line prints the end of a block: left out", c),
+                   sign, "block-end-sign");
   } else if (c == ';' && ends_block()) {
     ++p_;
     return Step::end_of_block;
@@ -123,6 +130,12 @@ Parser::Step Parser::step(Block& block) {
     strange_character(block);
   }
   return Step::more;
+}
+
+// Listings print the end of a block as "*" or "$".
+bool Parser::is_end_sign() const {
+  return (dialect_ == Dialect::fanuc || dialect_ == Dialect::iso) && p_ > 0 &&
+         line_.find_first_not_of(" \t\r", p_ + 1) == line_.npos;
 }
 
 // FANUC ends blocks with ";". Behind one that is not the last there is another block, if the line

@@ -180,7 +180,7 @@ bool Parser::sinumerik_expression_follows() const {
   } else {
     const std::size_t signs = i;
     while (at(i) == '-' || at(i) == '+') ++i;
-    if (i > signs && (is_letter(at(i)) || at(i) == '(' || at(i) == '$')) return true;
+    if ((is_name(at(i)) && !is_digit(at(i))) || at(i) == '(' || at(i) == '$') return true;
     while (is_digit(at(i)) || at(i) == '.') ++i;
     if (i == signs) return false;
     if (upper(at(i)) == 'E' && upper(at(i + 1)) == 'X') {
@@ -188,7 +188,7 @@ bool Parser::sinumerik_expression_follows() const {
       while (is_digit(at(i)) || at(i) == '-' || at(i) == '+') ++i;
     }
     if ((at(i) == '-' || at(i) == '+') &&
-        (is_digit(at(i + 1)) || is_letter(at(i + 1)) || at(i + 1) == '(' || blank(at(i + 1))))
+        (is_name(at(i + 1)) || at(i + 1) == '(' || at(i + 1) == '$' || blank(at(i + 1))))
       return is_digit(at(i - 1)) || at(i - 1) == '.';
   }
   while (blank(at(i)) && i < line_.size()) ++i;

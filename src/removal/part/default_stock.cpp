@@ -36,6 +36,8 @@ struct Heights {
 
 class HeightsReader {
  public:
+  explicit HeightsReader(double zero) : zero_(zero) {}
+
   Heights read(std::span<const Motion> motions) {
     for (const Motion& motion : motions) {
       if (is_cut(motion))
@@ -55,6 +57,7 @@ class HeightsReader {
     }
     const Box3 path = path_bounds(localized(m, nullptr));
     heights_.deepest = std::min(heights_.deepest, path.lo.z);
+    if (waits_above(m, path)) return;
     if (m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y) {
       if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
@@ -74,6 +77,28 @@ class HeightsReader {
     heights_.entered = std::max(heights_.entered, path.hi.z);
   }
 
+  // A feed to the place above which a way down through the zero begins: "G0 Z2", "G1 X10", "G1
+  // Z-3".
+  bool waits_above(const Motion& m, const Box3& path) {
+    const bool level = path.hi.z - path.lo.z <= kSameLevel;
+    const bool first = waiting_ == kNoHeight || std::fabs(waiting_ - path.lo.z) <= kSameLevel;
+    if (level && first && is_entry_ && entry_end_ == kNoHeight && path.lo.z > zero_ + kSameLevel) {
+      waiting_ = path.lo.z;
+      return true;
+    }
+    if (waiting_ == kNoHeight) return false;
+    if (m.end.z < zero_ - kSameLevel)
+      waiting_ = kNoHeight;
+    else if (m.end.z >= m.start.z - kSameLevel)
+      count_waiting();
+    return false;
+  }
+
+  void count_waiting() {
+    is_entry_ = false;
+    add_height(std::exchange(waiting_, kNoHeight), heights_.entered);
+  }
+
   void add_height(double z, double& entered) {
     if (z >= approach_) return;
     heights_.lateral = std::max(heights_.lateral, z);
@@ -83,12 +108,15 @@ class HeightsReader {
 
   // A ramp that nothing follows has cut to its end.
   void end_entry() {
+    if (waiting_ != kNoHeight) count_waiting();
     if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
     is_entry_ = true;
     entry_end_ = way_out_ = kNoHeight;
   }
 
+  double zero_;
   Heights heights_;
+  double waiting_ = kNoHeight;  // height of a feed aside before the way down
   double approach_ = kNoHeight, entry_end_ = kNoHeight;
   double way_out_ = kNoHeight;  // end of an upright arc, if a rapid follows it
   bool is_entry_ = true;
@@ -226,7 +254,7 @@ class SideKeeper {
 // otherwise end at the highest cut.
 void set_top(Box3& box, std::span<const Motion> motions, std::span<const double> radii,
              double margin, double zero) {
-  const Heights heights = HeightsReader().read(motions);
+  const Heights heights = HeightsReader(zero).read(motions);
   if (heights.reach_below(zero)) {
     Box3 narrowed = box;
     if (SideKeeper(motions, radii, zero).keep_beside(narrowed) ||
