@@ -236,6 +236,9 @@ TEST(ArcForms, ExactlyHalfACircleByRadius) {
   EXPECT_EQ(codes(c), "");
   const Program f = read_text("G2 X20 R10 F100\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(f), "arc-near-180");
+  EXPECT_EQ(codes(read_text("G2 X20 R10 F100\nX0 R10\n", at_origin(Dialect::fanuc))),
+            "arc-near-180")
+      << "once";
 }
 
 TEST(ArcForms, TurnAddsFullCircles) {

@@ -102,7 +102,7 @@ TEST(Posts, RunAsWorkedOut) {
        0,
        {15, 0, -20},
        {25, 0, -3},
-       "live-tool not-supported not-supported not-supported"},
+       "live-tool not-supported"},
       // WEAR COMP: D is 0, so that the programmed path is the cutter's.
       {"mastercam_wear.nc", Dialect::fanuc, mill, 34, 24, 3, {-20, -20, -20}, {58, 48, 5}},
       // A slot at each 45 degrees by WHILE and G68, then a circle by G65.

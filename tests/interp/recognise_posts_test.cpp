@@ -129,6 +129,7 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("module Part\nprogram\n", "a.simpl").find("SimPL"), std::string::npos);
   EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),
             std::string::npos);
+  EXPECT_NE(refusal("N1 E_HEAD(1000,1,50)\nN2 E_END(0,1)\n").find("ShopMill"), std::string::npos);
   EXPECT_NE(refusal("G0 X1\n", "PART.PBG").find("Mazatrol"), std::string::npos);
   EXPECT_NE(refusal("DEF WORK\nPS LC,[-50,0],[50,100]\nEND\n").find("Okuma IGF"),
             std::string::npos);

@@ -33,6 +33,12 @@ TEST(ToolNotes, AboveTheCall) {
             "1:5 2:3");
   // The nearest group of comments counts.
   EXPECT_EQ(diameters("(3MM ENDMILL)\nG90\n(TC: 5mm Endmill)\nT1 M6\n" + cut), "1:5");
+  // In a program without T words.
+  EXPECT_EQ(diameters("G21\n(3.175mm endmill)\n" + cut, Dialect::ngc), ":3.175");
+  EXPECT_EQ(diameters("G21\n; 1/8 flat end mill\n" + cut, Dialect::ngc), ":3.175");
+  EXPECT_EQ(diameters("G21\n(drill 6mm)\n" + cut, Dialect::ngc), " tool-unknown");
+  EXPECT_EQ(diameters("G21\n(6mm endmill)\n" + cut + "(3mm endmill)\n" + cut, Dialect::ngc),
+            ":6 tool-unknown");
   // Two in one group contradict each other.
   EXPECT_EQ(diameters("(3MM ENDMILL)\n(TC: 5mm Endmill)\nT1 M6\n" + cut), "1:0 tool-unknown");
   // A comment is not about the tool after the next cut.

@@ -140,7 +140,8 @@ TEST(WordsOfMakers, AToolNamedInACommentAlone) {
   EXPECT_EQ(diameter(one, "any"), "8") << "--tool endmill:d=8";
   EXPECT_EQ(diameter(one, "1"), "8") << "--tool 1=endmill:d=8";
   EXPECT_EQ(diameter(one + "(T2 D=6 CR=0 - flat end mill)\n"), "tool-unknown") << "which of two?";
-  EXPECT_EQ(diameter("(6mm end mill)\n"), "tool-unknown") << "no comment says that it is the tool";
+  EXPECT_EQ(diameter("(6mm end mill)\n"), "6") << "a tool with its size and unit";
+  EXPECT_EQ(diameter("(drill 6mm)\n"), "tool-unknown") << "it may be the work";
 }
 
 TEST(WordsOfMakers, AWordOfBrotherIsRefusedByName) {
@@ -157,6 +158,13 @@ TEST(WordsOfMakers, ToolChangeOfBrother) {
   ASSERT_EQ(p.motions.size(), 3U);
   EXPECT_TRUE(p.motions[1].assumed_start);
   EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[2].tool)].id, "1");
+}
+
+TEST(WordsOfMakers, LinesForDenfordsSimulation) {
+  const Program p = read_text("[BILLET X100 Y80 Z15\n[TOOLDEF T1 D8\nO1\nG1 X1 F100\n",
+                              at_origin(Dialect::fanuc));
+  EXPECT_EQ(path_text(p), "l1,0,0");
+  EXPECT_EQ(codes(p, Severity::note), "simulator-line");
 }
 
 // FANUC 0i: M98 <NAME>. One error, not five.

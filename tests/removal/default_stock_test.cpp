@@ -225,6 +225,20 @@ TEST(DefaultStock, KeepsTheEdgeThatIsMilled) {
   EXPECT_EQ(box.lo.y, -15);
 }
 
+// A slot in two levels: behind its end a rapid goes deeper than the first has cut.
+TEST(DefaultStock, EndsBesideARapidBelowTheLevelBefore) {
+  const Box3 box = Path()
+                       .rapid({-20, 0, 5})
+                       .rapid({-20, 0, -10})
+                       .cut({120, 0, -10})
+                       .rapid({120, 0, -20})
+                       .cut({-20, 0, -20})
+                       .rapid({-20, 0, 5})
+                       .box();
+  EXPECT_NEAR(box.lo.x, -17.9, 1e-9);
+  EXPECT_NEAR(box.hi.x, 117.9, 1e-9);
+}
+
 // A hole on a step is begun below the top: the holes beside it stay in the stock.
 TEST(DefaultStock, KeepsHolesBesideOneThatIsBegunBelowTheTop) {
   Path path;

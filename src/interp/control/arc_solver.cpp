@@ -192,10 +192,13 @@ bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
     return error("arc-half-circle", "an arc of 180 degrees or more needs its centre on this lathe",
                  word);
   if (off > radians(2.0) || (exact && !is(Dialect::fanuc))) return true;
-  warning("arc-near-180",
-          fmt::format("an arc of {:.6g} degrees by its radius: the centre is uncertain, give I J K",
-                      degrees(std::abs(arc.sweep))),
-          word);
+  const std::string text =
+      fmt::format("an arc of {:.6g} degrees by its radius: the centre is uncertain, give I J K",
+                  degrees(std::abs(arc.sweep)));
+  if (exact)
+    reporter_.once(Severity::warning, "arc-near-180", text, word, "arc-near-180");
+  else
+    warning("arc-near-180", text, word);
   return true;
 }
 

@@ -16,6 +16,12 @@ bool heads_list(const std::string& comment) {
   return false;
 }
 
+// "6mm endmill" is a tool wherever it stands; "drill 6mm" may be the work.
+bool is_tool_with_size(const ToolHint& hint) {
+  if (!hint.type || !hint.firm || hint.diameters.empty()) return false;
+  return hint.diameters.front().unit > 0 || hint.diameters.front().fraction;
+}
+
 }  // namespace
 
 long turret_station(long number, std::size_t digits) {
@@ -49,8 +55,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   lists_ = lists_ || heads_list(hint.text);
   if (hint.only_corner()) return add_corner(hint);
   if (!(hint || !hint.id.empty())) return;
-  if (hint.id.empty() && (hint.names_tool || (hint.type && lists_)) && hint.diameter > 0)
-    add_nameless(hint);
+  const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
+  if (hint.id.empty() && is_tool && hint.diameter > 0) add_nameless(hint);
   if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
     return add(current_, hint);
   if (hint.id.empty()) add_unnumbered(hint);

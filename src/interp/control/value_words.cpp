@@ -48,8 +48,14 @@ bool ValueWords::rotary_axes() {
     if (!word) continue;
     axis_c_ = axis_c_ || c == 'C';
     if (control_.unread_end != 0) continue;
-    if (word->value != 0)
-      return error("not-supported", unread_axis(c) + ", which is not supported yet", *word);
+    if (word->value != 0) {
+      reporter_.once(Severity::error, "not-supported",
+                     unread_axis(c) +
+                         ", which is not supported yet; --until LINE simulates what "
+                         "stands before it",
+                     *word, std::string("turned ") + c);
+      return false;
+    }
     note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
   }
   if (!is(Dialect::ngc)) return true;

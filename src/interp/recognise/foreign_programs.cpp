@@ -88,6 +88,10 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
     return "a Heidenhain conversational program";
   const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
+  if (any_of(code, {" E_HEAD("}) || text.starts_with("E_HEAD("))
+    return "a ShopMill program (steps of work)";
+  if (any_of(code, {" F_HEAD("}) || text.starts_with("F_HEAD("))
+    return "a ShopTurn program (steps of work)";
   if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
       ends_with(path, {".PBG", ".PBD", ".MAZ"}))

@@ -146,6 +146,13 @@ bool Parser::ends_block() const {
   return line_[last] == ';';
 }
 
+// "[BILLET X100 Y80 Z15" of Denford: for a simulation, no word of the control.
+bool Parser::is_directive() const {
+  if (line_[p_] != '[' || (dialect_ != Dialect::fanuc && dialect_ != Dialect::iso)) return false;
+  const std::string head = upper_case(line_.substr(p_ + 1, 8));
+  return head.starts_with("BILLET") || head == "EDGEMOVE" || head.starts_with("TOOLDEF");
+}
+
 // What stands only before the words: "%", "/2", ":1234".
 bool Parser::head_of_block(Block& block) {
   const std::size_t from = p_;
@@ -157,6 +164,14 @@ bool Parser::head_of_block(Block& block) {
     word.text = line_.substr(p_);
     p_ = line_.size();
     push(block, word, from);
+  } else if (is_directive()) {
+    p_ = line_.size();
+    word.column = static_cast<int>(from);
+    word.length = 1;
+    reporter_.once(Severity::note, "simulator-line",
+                   "[BILLET, [EDGEMOVE and [TOOLDEF are for Denford's simulation: left out; "
+                   "--stock and --tool say the same here",
+                   word, "simulator-line");
   } else if (c == '/' && block.skip_level < 0) {
     ++p_;
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;

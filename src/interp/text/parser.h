@@ -60,6 +60,7 @@ class Parser {
   bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);
   bool ends_block() const;
   bool is_end_sign() const;
+  bool is_directive() const;
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
   void strange_character(Block& block);
