@@ -239,6 +239,22 @@ TEST(DefaultStock, EndsBesideARapidBelowTheLevelBefore) {
   EXPECT_NEAR(box.hi.x, 117.9, 1e-9);
 }
 
+// From row to row of a raster a rapid goes down a little, over what the next row cuts.
+TEST(DefaultStock, KeepsTheEndsOfRowsThatARapidJoins) {
+  const Box3 box = Path()
+                       .rapid({0, 0, 5})
+                       .cut({0, 0, -2})
+                       .cut({100, 0, -2})
+                       .rapid({100, 1, -2.2})
+                       .cut({0, 1, -2.4})
+                       .rapid({0, 2, -2.6})
+                       .cut({100, 2, -2})
+                       .rapid({100, 2, 5})
+                       .box();
+  EXPECT_GE(box.hi.x, 100);
+  EXPECT_LE(box.lo.x, 0);
+}
+
 // A hole on a step is begun below the top: the holes beside it stay in the stock.
 TEST(DefaultStock, KeepsHolesBesideOneThatIsBegunBelowTheTop) {
   Path path;

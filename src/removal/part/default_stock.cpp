@@ -154,20 +154,22 @@ double distance_in_plan(const Motion& m, const Vec3& p) {
   return std::hypot(m.start.x + t * dx - p.x, m.start.y + t * dy - p.y);
 }
 
-// A place where a rapid goes down below the stock's top, and below what has been cut there: beside
-// it.
+// A place where a rapid goes down below the stock's top before anything is cut there, or straight
+// down below what has been cut: beside it.
 struct WayDown {
   Vec3 place;
   double radius = 0;
 };
 
-// Whether a cut has made way down to where this rapid ends.
+// Whether a cut has made way for this rapid: down to its end where it goes straight down. Rapids
+// aside from row to row of a raster follow the surface that the next row cuts.
 bool is_cut_before(std::span<const Motion> motions, std::size_t index, double radius) {
-  const Vec3& place = motions[index].end;
+  const Vec3 &from = motions[index].start, &place = motions[index].end;
+  const bool is_straight = from.x == place.x && from.y == place.y;
   for (std::size_t i = index; i-- > 0;) {  // most often the last move
     const Motion& m = motions[i];
-    if (is_cut(m) && std::min(m.start.z, m.end.z) < place.z + kSameLevel &&
-        distance_in_plan(m, place) < radius)
+    if (is_cut(m) && distance_in_plan(m, place) < radius &&
+        (!is_straight || std::min(m.start.z, m.end.z) < place.z + kSameLevel))
       return true;
   }
   return false;
