@@ -167,6 +167,18 @@ TEST(WordsOfMakers, LinesForDenfordsSimulation) {
   EXPECT_EQ(codes(p, Severity::note), "simulator-line");
 }
 
+// The next tool is set up by hand: G92 Z0 is said where it touches the part, not where T1 was.
+TEST(WordsOfMakers, G92BehindAToolChangedByHand) {
+  const std::string one = "G21 G90\nG0 Z20\n", two = "G92 Z0\nG0 Z5\nG1 Z-1 F9\n";
+  for (const char* pause : {"M0\n", "M6 T2\n", "M5\nM0\nM6 T2\n"}) {
+    const Program p = read_text(one + pause + two, at_origin(Dialect::iso));
+    EXPECT_EQ(p.motions.back().end.z, -1) << pause;
+    EXPECT_NE(codes(p, Severity::note).find("touch-off"), std::string::npos) << pause;
+  }
+  EXPECT_EQ(read_text(one + "M6 T2\n" + two, at_origin(Dialect::fanuc)).motions.back().end.z, 19);
+  EXPECT_EQ(read_text(one + "M0\nG0 Z10\n" + two, at_origin(Dialect::iso)).motions.back().end.z, 9);
+}
+
 // FANUC 0i: M98 <NAME>. One error, not five.
 TEST(WordsOfMakers, NamesOfProgramsAreOneError) {
   const Program p = read_text("G1 X1 F100\nM98 <SUB/A.NC>\n", at_origin(Dialect::fanuc));

@@ -255,6 +255,22 @@ TEST(DefaultStock, KeepsTheEndsOfRowsThatARapidJoins) {
   EXPECT_LE(box.lo.x, 0);
 }
 
+// Down beside the part, and on at that height to where the cut begins.
+TEST(DefaultStock, EndsBesideRapidsThatGoOnBelowTheTop) {
+  const Box3 box = Path()
+                       .rapid({-15, -15, 5})
+                       .rapid({-15, -15, -8})
+                       .rapid({-2, -10, -8})
+                       .cut({-2, 42, -8})
+                       .cut({62, 42, -8})
+                       .cut({62, -2, -8})
+                       .cut({-10, -2, -8})
+                       .rapid({-10, -2, 5})
+                       .box();
+  EXPECT_LE(box.lo.x, -4) << "the edge along Y is milled";
+  EXPECT_NEAR(box.lo.y, -7.9, 1e-9);
+}
+
 // A hole on a step is begun below the top: the holes beside it stay in the stock.
 TEST(DefaultStock, KeepsHolesBesideOneThatIsBegunBelowTheTop) {
   Path path;

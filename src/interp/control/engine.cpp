@@ -109,6 +109,7 @@ void Engine::execute() {
     if (control_.saved_tool) control_.tool = *control_.saved_tool;
     return;
   }
+  if (moved_) control_.paused = false;
   if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();
   tools_.end_block();
   flow_.end_block();

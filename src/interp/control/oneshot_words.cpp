@@ -97,7 +97,14 @@ bool OneShotWords::set_position() {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
     const double value = axis_value(i, *word, false);
-    if ((position_.known >> i & 1U) == 0) {  // the first position that the program states
+    const bool is_known = (position_.known >> i & 1U) != 0;
+    if (is_known && control_.paused)
+      note_once("touch-off",
+                fmt::format("G92 behind a pause: {} may have been moved by hand. It is taken to be "
+                            "where G92 says, and the zero stays as it was",
+                            "XYZ"[i]),
+                *word, fmt::format("touch-off {}", i));
+    if (!is_known || control_.paused) {  // the first position that the program states
       component(position_.physical, i) = value + component(frames_.total.shift, i);
       component(position_.programmed, i) = value;
       position_.known |= 1U << i;

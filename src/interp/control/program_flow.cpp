@@ -83,6 +83,8 @@ bool ProgramFlow::m_word(const Word& word) {
     return error("value-range", "an M number is a whole number", word);
   const int m = static_cast<int>(v);
   const bool external = m == 198 && is(Dialect::fanuc);
+  const bool by_hand = is(Dialect::iso) || is(Dialect::ngc);
+  if (m == 0 || (m == 6 && by_hand)) control_.paused = true;
   if (m == 6) block_.tool_change = true;
   if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =

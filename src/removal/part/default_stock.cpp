@@ -179,16 +179,21 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
                                double top) {
   constexpr std::size_t kMost = 16;
   std::vector<WayDown> ways;
+  bool is_beside = false;  // down there, and nothing cut since: the next rapid is beside it, too
   for (std::size_t i = 0; i < motions.size() && ways.size() < kMost; ++i) {
     const Motion& m = motions[i];
-    if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 || m.end.z >= m.start.z ||
-        m.end.z > top - kSameLevel)
+    const bool goes_on = is_beside && m.end.z <= m.start.z;
+    is_beside = false;
+    if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 ||
+        !(m.end.z < m.start.z || goes_on) || m.end.z > top - kSameLevel)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
+    if (!(radius > 0) || is_cut_before(motions, i, radius)) continue;
+    is_beside = true;
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
-      return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) < radius;
+      return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) < (goes_on ? kSameLevel : radius);
     });
-    if (radius > 0 && !known && !is_cut_before(motions, i, radius)) ways.push_back({m.end, radius});
+    if (!known) ways.push_back({m.end, radius});
   }
   return ways;
 }
