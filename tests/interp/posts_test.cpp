@@ -227,6 +227,40 @@ TEST(Posts, RunAsWorkedOut) {
       {"din_dwell.nc", Dialect::sinumerik, mill, 1, 3, 2, {-15, 0, -5}, {60, 60, -5}},
       // Turns of 1 mm down to 4.5 and to 3, and a flat one each.
       {"ngc_bores.ngc", Dialect::ngc, mill, 5, 4, 10, {20, 20, -4.5}, {65, 20, 0}},
+      // An edge, then G47: HIT in six strokes and six further cuts, 11 in two and four.
+      {"haas_engraved_plate.nc",
+       Dialect::fanuc,
+       mill,
+       24,
+       25,
+       0,
+       {-12.7, -12.7, -3.175},
+       {114.3, 63.5, -0.2032},
+       "engraving-font"},
+      // G54, then G55 on the part turned over: the tap goes into the holes of the other side.
+      {"two_set_ups.nc",
+       Dialect::fanuc,
+       mill,
+       13,
+       8,
+       0,
+       {-10, 10, -28},
+       {50, 30, 5},
+       "origins-coincide"},
+      // G92 Z0 of the second bit is the surface, not the 20 mm above it where the first one was.
+      {"router_two_bits.nc", Dialect::iso, mill, 6, 4, 0, {10, 10, -3}, {60, 30, -1}},
+      {"listing_with_stars.nc", Dialect::fanuc, mill, 1, 2, 1, {0, 0, -1}, {30, 10, -1}},
+      // Size 2 of 3: three holes on a circle of 60, 15 + 4 deep, in two strokes.
+      {"flange_family.nc",
+       Dialect::fanuc,
+       mill,
+       16,
+       6,
+       0,
+       {-15, -25.980762114, -19},
+       {30, 25.980762114, -9}},
+      // Z=-_I*_ZUST twice, three holes in a loop by GOTOB.
+      {"sin_housing.mpf", Dialect::sinumerik, mill, 14, 7, 0, {-12, 10, -6}, {132, 40, -3}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);
