@@ -146,10 +146,10 @@ TEST(LinuxCncWords, AxesBesideG80AreRefused) {
 
 // Its interpreter keeps the numbers of R and Z, not the levels: in G91 they are increments.
 TEST(LinuxCncWords, KeptWordsOfACycleAreReadAnewInG91) {
-  EXPECT_EQ(path_of_words("F50\nG0 Z10\nG81 X1 Z-5 R2\nG91 X1\nG90 X5\nM2\n"),
+  EXPECT_EQ(path_of_words("F50\nG98 G0 Z10\nG81 X1 Z-5 R2\nG91 X1\nG90 X5\nM2\n"),
             "r0,0,10 r1,0,10 r1,0,2 l1,0,-5 r1,0,10 r1,0,12 r2,0,12 l2,0,7 r2,0,12 r5,0,12 r5,0,2 "
             "l5,0,-5 r5,0,10");
-  EXPECT_EQ(path_of_words("F50\nG0 Z10\nG91 G81 X1 Z-5 R-2\nG90 X5 Z-3 R1\nM2\n"),
+  EXPECT_EQ(path_of_words("F50\nG98 G0 Z10\nG91 G81 X1 Z-5 R-2\nG90 X5 Z-3 R1\nM2\n"),
             "r0,0,10 r1,0,10 r1,0,8 l1,0,3 r1,0,10 r5,0,10 r5,0,1 l5,0,-3 r5,0,10");
 }
 
@@ -191,6 +191,70 @@ TEST(LinuxCncWords, DIsTheNumberOfATool) {
   EXPECT_EQ(run("G41 D0 G1 X10\nX30\n"), "l10,3,0 l30,3,0");
   EXPECT_EQ(run("G10 L1 P2 R4\nG41 D2 G1 X10\nX30\n"), "l10,4,0 l30,4,0");
   EXPECT_EQ(run("G10 L1 P6 R4\nG41 G1 X10\nX30\n"), "l10,4,0 l30,4,0");
+}
+
+// Until G98 or G99 is said the tool returns to R.
+TEST(LinuxCncWords, CyclesReturnToRFirst) {
+  const Program p = run_words("F9\nG0 Z10\nG81 X1 Z-2 R3\nX2\nM2\n");
+  EXPECT_EQ(path_text(p), "r0,0,10 r1,0,10 r1,0,3 l1,0,-2 r1,0,3 r2,0,3 l2,0,-2 r2,0,3");
+  EXPECT_EQ(codes(p, Severity::note), "cycle-level");
+  EXPECT_EQ(codes(run_words("F9\nG0 Z10\nG99 G81 X1 Z-2 R3\nM2\n"), Severity::note), "");
+}
+
+// From R it goes aside at R or above, slanted; in G98 at the level before the first hole.
+TEST(LinuxCncWords, AHoleIsApproachedAtItsLevel) {
+  const std::string first = "F9\nG0 Z10\nG99 G81 X1 Z-2 R3\n";
+  const std::string hole = "r0,0,10 r1,0,10 r1,0,3 l1,0,-2 r1,0,3 ";
+  EXPECT_EQ(path_of_words(first + "X2 R5\nM2\n"), hole + "r2,0,5 l2,0,-2 r2,0,5");
+  EXPECT_EQ(path_of_words(first + "G98 X2\nM2\n"), hole + "r2,0,10 r2,0,3 l2,0,-2 r2,0,10");
+  EXPECT_EQ(path_of_words(first + "X2 R12\nM2\n"), hole + "r1,0,12 r2,0,12 l2,0,-2 r2,0,12");
+}
+
+TEST(LinuxCncWords, G89FeedsOnToTheLevelOfG98) {
+  EXPECT_EQ(path_of_words("F9\nG0 Z5\nG98 G89 Z-1 R4 P1\nM2\n"), "r0,0,5 r0,0,4 l0,0,-1 l0,0,5");
+  EXPECT_EQ(path_of_words("F9\nG0 Z5\nG98 G85 Z-1 R4\nM2\n"),
+            "r0,0,5 r0,0,4 l0,0,-1 l0,0,4 r0,0,5");
+}
+
+TEST(LinuxCncWords, PolarPlacesOfHolesAndAtTheirZero) {
+  EXPECT_EQ(path_of_words("F9\nG81 X3 Y4 Z-2 R1\n^90\n@2\nM2\n"),
+            "r0,0,1 r3,4,1 l3,4,-2 r3,4,1 r0,5,1 l0,5,-2 r0,5,1 r0,2,1 l0,2,-2 r0,2,1");
+  EXPECT_EQ(path_of_words("G1 F9 @-5 ^0\nM2\n"), "l-5,0,0");
+  for (const char* text : {"G1 F9 @5", "G91 G1 F9 @5 ^20", "G91 G1 F9 ^20"})
+    EXPECT_EQ(path_of_words(std::string(text) + "\nM2\n"), " | value-missing") << text;
+  EXPECT_EQ(path_of_words("G18 G1 F9 @5 ^0\nM2\n"), " | polar-mixed");
+}
+
+// Numbers of work offsets count from the next word on that chooses another one, or G10.
+TEST(LinuxCncWords, NumbersOfWorkOffsetsWaitForTheirWord) {
+  EXPECT_EQ(path_of_words("#5221=5\nG1 F9 X1\nG54 X2\nG55\nG54 X3\nM2\n"), "l1,0,0 l2,0,0 l8,0,0");
+  EXPECT_EQ(path_of_words("#5221=5\nG10 L2 P2 X9\nG1 F9 X1\nG10 L2 P1 Y1\nG1 F9 X1\nM2\n"),
+            "l1,0,0 l6,0,0");
+  EXPECT_EQ(path_of_words("#5250=90\nG55\nG1 F9 X1\nX[#5250]\nM2\n"), "l0,1,0 l0,90,0");
+}
+
+// G52 and G92 are one shift.
+TEST(LinuxCncWords, G52IsTheShiftOfG92) {
+  EXPECT_EQ(path_of_words("G52 X3\nG1 F9 X1\nG92.2 X1\nG92.3 X2\nG92.1 X3\nM2\n"),
+            "l4,0,0 l1,0,0 l5,0,0 l3,0,0");
+  EXPECT_EQ(path_of_words("G92 X5\nG52 X3\nG1 F9 X1\nG92.3 X2\nM2\n"), "l4,0,0 l5,0,0");
+}
+
+TEST(LinuxCncWords, G281AndG301StoreAPlace) {
+  EXPECT_EQ(path_of_words("G1 F9 X4 Y5\nG28.1\nX1 Y2 Z3\nG28 Z7\nG28\nM2\n"),
+            "l4,5,0 l1,2,3 r1,2,7 r1,2,0 r4,5,0");
+  EXPECT_EQ(path_of_words("G1 F9 X4\nG30.1 X5\nG30\nM2\n"), "l4,0,0 l5,0,0 r4,0,0");
+}
+
+TEST(LinuxCncWords, ACentreInG901NeedsBothCoordinates) {
+  EXPECT_EQ(path_of_words("F9\nG90.1\nG3 X0 Y4 I0 J2\nM2\n"), "a0,4,0");
+  EXPECT_EQ(path_of_words("F9\nG90.1\nG3 X0 Y4 J2\nM2\n"), " | arc-no-center");
+}
+
+TEST(LinuxCncWords, CallLevelCountsSubprograms) {
+  EXPECT_EQ(path_of_words("o1 sub\nG1 F9 X#<_call_level>\no1 endsub\no2 sub\no1 call\no2 endsub\n"
+                          "o2 call\no1 call\nG1 F9 X#<_call_level>\nM2\n"),
+            "l2,0,0 l1,0,0 l0,0,0");
 }
 
 // D of G41.1 is a diameter each time, whatever register was in force before.

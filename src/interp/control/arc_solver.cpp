@@ -115,6 +115,19 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
                              is(Dialect::fanuc) ? " (alarm 021)" : ""),
                  *odd);
   center = in_plane(arc.basis, at);
+  return !given || center_complete(arc);
+}
+
+// A place needs both coordinates; as offsets, the one that is left out is 0.
+bool ArcSolver::center_complete(const ArcBlock& arc) {
+  if (!is(Dialect::ngc) || !modal_.center_absolute) return true;
+  for (int i = 0; i < 3; ++i)
+    if (component(arc.basis.w, i) == 0 && !find(letter("IJK"[i])))
+      return error("arc-no-center",
+                   fmt::format("{} is missing: in G90.1 the centre is a place, and needs both of "
+                               "its coordinates",
+                               "IJK"[i]),
+                   *arc.where);
   return true;
 }
 

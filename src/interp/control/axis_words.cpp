@@ -133,26 +133,30 @@ bool AxisWords::target(Target& out, const Vec3& from) {
   return true;
 }
 
-// LinuxCNC: @ distance and ^ angle about the zero of the plane; what is not given stays.
+// LinuxCNC: @ distance and ^ angle about the zero of G17; what is not given stays.
 bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
-  static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
   const Word* radius = take('@');
   const Word* angle = take('^');
   const Word& where = radius ? *radius : *angle;
-  const Basis b = basis();
-  for (const int axis : {kFirst[modal_.plane], kSecond[modal_.plane]})
-    if (peek("XYZ"[axis]))
-      return error("polar-mixed", "@ or ^ and an axis of the plane in one block", where);
-  const Word* height = take("XYZ"[kNormal[modal_.plane]]);
-  if (height && !axis_word(out, kNormal[modal_.plane], *height, false)) return false;
-  const Vec2 s = in_plane(b, from);
+  if (modal_.plane != 0)
+    return error("polar-mixed", "@ and ^ (polar coordinates) need the plane G17", where);
+  if (peek('X') || peek('Y'))
+    return error("polar-mixed", "@ or ^ and an axis of the plane in one block", where);
+  const Word* height = take('Z');
+  if (height && !axis_word(out, 2, *height, false)) return false;
+  const Vec2 s{from.x, from.y};
   const double old = length(s), turn = modal_.incremental ? 1 : 0;
-  if (radius && radius->value < 0) return error("polar-radius", "@ must not be negative", *radius);
+  if (old == 0 && (!angle || modal_.incremental))
+    return error("value-missing",
+                 "the tool stands at the zero of the polar coordinates, from where no direction "
+                 "is known: give ^ in G90",
+                 where);
   const double r = radius ? radius->value * scale() + turn * old : old;
   const double now = degrees(mrsim::atan2(s.y, s.x));
   const SinCos sc = sincos_deg(angle ? angle->value + turn * now : now);
-  out.programmed = from_plane(b, r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
-  out.named |= (1U << kFirst[modal_.plane]) | (1U << kSecond[modal_.plane]);
+  out.programmed.x = r * sc.cos;
+  out.programmed.y = r * sc.sin;
+  out.named |= 3U;
   out.absolute |= out.named;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;

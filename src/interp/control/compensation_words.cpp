@@ -33,6 +33,37 @@ bool CompensationWords::select(Code code, const Word& word) {
   return true;
 }
 
+bool CompensationWords::allows_block() {
+  if (!is(Dialect::ngc) || modal_.comp == Code::comp_off) return true;
+  const Word& where = block_.oneshot ? *block_.oneshot : block_.words.front();
+  if (modal_.plane == 2)
+    return error("comp-plane", "radius compensation works in G17 and G18 only", where);
+  if (block_.comp_before == Code::comp_off) return true;
+  const auto refused = [&](const char* what) {
+    return error(
+        "comp-active",
+        fmt::format("{} must not stand between G41 or G42 and G40: write G40 before it", what),
+        where);
+  };
+  const Code oneshot = block_.oneshot ? block_.oneshot_code : Code::unknown;
+  if (block_.comp_word) {
+    if (block_.comp_selected) return refused("another side of the contour");
+    warning("comp-active", "radius compensation is on already: LinuxCNC refuses that", where);
+  }
+  if (block_.tool_change) return refused("a change of the tool");
+  if (block_.suppress_frames) return refused("G53");
+  if (oneshot == Code::reference || oneshot == Code::reference_second)
+    return refused("a way to a reference point");
+  const bool shifts = block_.frame_code || oneshot == Code::set_position ||
+                      oneshot == Code::position_reset || oneshot == Code::position_suspend ||
+                      oneshot == Code::position_resume;
+  return !(shifts || work_selected()) || refused("another zero");
+}
+
+bool CompensationWords::work_selected() const {
+  return (block_.groups >> static_cast<unsigned>(Group::work) & 1U) != 0;
+}
+
 bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   if (modal_.comp == Code::comp_off && !started_) return true;
   const Basis b = stock_basis();

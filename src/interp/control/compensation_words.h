@@ -13,6 +13,8 @@ class CompensationWords : public ControlPart {
 
   /// G40 G41 G42 and what says how the path is moved. False: another word.
   bool select(Code code, const Word& word);
+  /// LinuxCNC and Mach: what must not change while the path is moved. False: an error was reported.
+  bool allows_block();
   /// Before a move is given on: G40 G41 G42 take effect with a straight move in the plane.
   /// False: an error was reported.
   bool begin_move(const Motion& motion, const Word& where);
@@ -30,6 +32,7 @@ class CompensationWords : public ControlPart {
 
  private:
   void set_radius();
+  bool work_selected() const;
   std::string edge_name() const;
   const Tool* tool_of_edge() const;
   Vec2 tip_vector(const Tool& tool) const;

@@ -59,6 +59,7 @@ struct Control {
   /// From machine coordinates to the stock's, where they are known; else 0.
   Vec3 machine_shift;
   bool machine_known = false;
+  std::optional<Vec3> stored_places[2];      ///< by G28.1 and G30.1, in the stock's coordinates
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
   std::vector<OffsetRegister> registers;     ///< the same
   /// Wears that the program sets where no register tells the radius: the tool's own stands.

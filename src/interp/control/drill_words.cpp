@@ -18,7 +18,7 @@ constexpr double kLongPeck = 50;    // Q5000 counts thousandths
 
 bool DrillWords::wants_block() const {
   if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code) return false;
-  for (const char c : {'X', 'Y', 'Z', 'R'})
+  for (const char c : {'X', 'Y', 'Z', 'R', '@', '^'})
     if (block_.open(letter(c))) return true;
   if (block_.open(Address::ap)) return true;
   return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
@@ -188,8 +188,8 @@ bool DrillWords::drill() {
             where);
   const Vec3 step = to.programmed - from;
   for (long i = 0; i < count; ++i) {
-    // LinuxCNC leaves the work before it goes aside.
-    if (is(Dialect::ngc) && holes_.level() < hole.safe) holes_.rise(hole.safe, where);
+    unsigned named = to.named;
+    leave_low_level(hole, named, where);
     Vec3 point = to.programmed;
     if (modal_.incremental && (modal_.polar || find(Address::ap)) &&
         i > 0) {  // the angle counts from the last one
@@ -199,11 +199,28 @@ bool DrillWords::drill() {
     } else if (modal_.incremental && i > 0) {
       point = from + static_cast<double>(i + 1) * step;
     }
-    point = point + (holes_.level() - dot(point, b.w)) * b.w;
-    if (to.named) holes_.approach(point, to.named, where);
+    point = point + (level_aside(hole) - dot(point, b.w)) * b.w;
+    if (named) holes_.approach(point, named, where);
     holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
   }
   return true;
+}
+
+// Where the tool goes aside to the next hole: LinuxCNC at R or above, in G98 where the first began.
+double DrillWords::level_aside(const Hole& hole) const {
+  if (!is(Dialect::ngc)) return holes_.level();
+  const bool initial = modal_.hole_return == HoleReturn::initial;
+  return std::max(initial ? modal_.drill.initial : holes_.level(), hole.safe);
+}
+
+// LinuxCNC, from below that level: straight up where R lies above the level before the first cycle,
+// else on the way to the hole, whose axes are `named`.
+void DrillWords::leave_low_level(const Hole& hole, unsigned& named, const Word& where) {
+  if (holes_.level() >= level_aside(hole)) return;
+  if (named == 0 || hole.safe > modal_.drill.initial) return holes_.rise(level_aside(hole), where);
+  const Vec3 normal = basis().w;
+  for (int i = 0; i < 3; ++i)
+    if (component(normal, i) != 0) named |= 1U << i;
 }
 
 bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, bool own_p) {
@@ -253,13 +270,17 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   hole.bottom = relative(cycle.bottom) ? hole.safe + cycle.bottom.value : cycle.bottom.value;
   const bool up = hole.bottom > hole.safe;
   hole.end = end_level(hole.safe, up);
+  if (is(Dialect::ngc) && !modal_.return_told && cycle.initial > hole.safe)
+    note_once("cycle-level",
+              "neither G98 nor G99 is given: the tool returns to R, as LinuxCNC and Mach do", where,
+              "return");
   if (up && is(Dialect::ngc))
     return error("value-range", "R lies below the bottom of the hole", where);
   if (up && modal_.plane == 0 && !lathe())  // across the spindle either way is down
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
   const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
-  hole.feed_to_end = (g == 74 || g == 84) && is(Dialect::ngc);
+  hole.feed_to_end = hole.feed_out && g != 85 && is(Dialect::ngc);
   if (g == 74 || g == 84) {
     hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
     if (is(Dialect::fanuc) && is_no_lead(tapping_lead()))

@@ -159,6 +159,7 @@ bool Engine::interpret_block() {
   if (!flow_.begin_block()) return false;
   if (reader_.finished()) return true;
   if (!flow_.m_words()) return false;
+  if (!compensation_.allows_block()) return false;
   if (block.home && block.home_guessed)
     moves_.guess_retract(*block.home);
   else if (block.home)

@@ -73,6 +73,7 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
 }
 
 bool FrameWords::use_work(const std::string& name, const Word& word) {
+  if (is(Dialect::ngc) && name == frames_.work_name) return true;  // numbers set since do not count
   save();
   if (!set_work(name))
     note_once("work-offset-unset",

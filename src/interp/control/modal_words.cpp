@@ -111,6 +111,10 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
         return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
       return for_oneshot(word, entry.code);
+    case Code::reference_store:
+      if (position_.known == 7)
+        control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
+      return true;
     case Code::ignored:
       return is(Dialect::sinumerik) || path_control(word);
     case Code::ignored_words:
@@ -130,6 +134,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::return_initial:
     case Code::return_r:
+      modal_.return_told = true;
       modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
       return true;
     case Code::probe:
@@ -233,7 +238,7 @@ void ModalWords::select_cycle(const Word& word, int number) {
   if (cycle.number == 0) cycle = {};
   if (is(Dialect::ngc) && cycle.number != number) {  // only R is kept for another cycle
     cycle.bottom.given = cycle.dwells = false;
-    cycle.peck = cycle.dwell = 0;
+    cycle.peck = 0;
   }
   cycle.number = number;
   cycle.first = cycle.lead = 0;

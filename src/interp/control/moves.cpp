@@ -95,12 +95,15 @@ bool Moves::probe() {
 
 void Moves::to_place(const Vec3* place, unsigned axes, const Word& where) {
   if (!control_.machine_known || !place) return unknown(axes, where);
+  to_stored(*place + control_.machine_shift, axes, where);
+}
+
+void Moves::to_stored(const Vec3& place, unsigned axes, const Word& where) {
   Target to;
   to.programmed = position_.physical;
   to.named = axes;
   for (int i = 0; i < 3; ++i)
-    if (axes >> i & 1U)
-      component(to.programmed, i) = component(*place, i) + component(control_.machine_shift, i);
+    if (axes >> i & 1U) component(to.programmed, i) = component(place, i);
   to.programmed = apply_inverse(frames_.total, to.programmed);
   if (axes != 0) step(to, where, MotionKind::rapid);
 }

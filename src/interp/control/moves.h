@@ -40,6 +40,8 @@ class Moves : public ControlPart {
   void follow(const Motion& like, const Vec3& shift, const Word& where);
   /// A rapid of `axes` to a place in machine coordinates, or to where only the machine knows.
   void to_place(const Vec3* place, unsigned axes, const Word& where);
+  /// The same, to a place in the stock's coordinates.
+  void to_stored(const Vec3& place, unsigned axes, const Word& where);
   /// `axes` went to where only the machine knows.
   void unknown(unsigned axes, const Word& where);
   /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.

@@ -77,7 +77,7 @@ bool OffsetWords::work(int l, int p) {
   WorkOffset& offset = work_entry(control_.work, name);
   if (l == 20 && is(Dialect::ngc)) {
     offset.shift = shift_to_here(offset.shift, name);
-    frame_words_.renew_work();
+    if (name == frames_.work_name) frame_words_.renew_work();
     return true;
   }
   for (int i = 0; i < 3; ++i) {
@@ -89,7 +89,7 @@ bool OffsetWords::work(int l, int p) {
     const double zero = name == "EXT" ? 0 : component(control_.machine_shift, i);
     shift = value + (more ? shift : zero);
   }
-  frame_words_.renew_work();
+  if (!is(Dialect::ngc) || name == frames_.work_name) frame_words_.renew_work();
   if (name != "EXT" && !modal_.incremental && !control_.machine_known) tell_of_machine(offset);
   return true;
 }

@@ -63,15 +63,23 @@ bool OneShotWords::reference() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
   if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  const bool first = block_.oneshot_code == Code::reference;
+  if (const std::optional<Vec3>& stored = control_.stored_places[first ? 0 : 1]; stored) {
+    moves_.to_stored(*stored, reference_axes(to.named), *block_.oneshot);
+    return true;
+  }
   const MachinePlaces& places = options_.places;
   const Vec3* second = places.second && (!p || p->value == 2) ? &*places.second : nullptr;
-  const std::string_view others = "ABCHUVW";  // "G28 H0": the spindle's axis alone
-  const bool all = to.named == 0 && std::none_of(others.begin(), others.end(),
-                                                 [&](char c) { return peek(c) != nullptr; });
-  const unsigned axes = !all ? to.named : lathe() ? 5U : 7U;
-  moves_.to_place(block_.oneshot_code == Code::reference ? &places.reference : second, axes,
-                  *block_.oneshot);
+  moves_.to_place(first ? &places.reference : second, reference_axes(to.named), *block_.oneshot);
   return true;
+}
+
+// The axes named, or all; "G28 H0": the spindle's axis alone.
+unsigned OneShotWords::reference_axes(unsigned named) const {
+  const std::string_view others = "ABCHUVW";
+  const bool all = named == 0 && std::none_of(others.begin(), others.end(),
+                                              [&](char c) { return peek(c) != nullptr; });
+  return !all ? named : lathe() ? 5U : 7U;
 }
 
 // G74 G75: to the reference point, to a fixed point.
@@ -115,6 +123,7 @@ bool OneShotWords::set_position() {
   for (int i = 0; lathe() && i < 3; i += 2)  // U W: the coordinates grow by as much
     if (const Word* more = take("UVW"[i]))
       component(frames_.position_shift, i) -= axis_value(i, *more, true);
+  frames_.position_memory = frames_.position_shift;
   frame_words_.rebuild();
   return true;
 }
@@ -135,8 +144,7 @@ bool OneShotWords::suspend_position() {
   if (block_.oneshot_code == Code::position_resume) {
     frames_.position_shift = frames_.position_memory;
   } else {
-    frames_.position_memory =
-        block_.oneshot_code == Code::position_suspend ? frames_.position_shift : Vec3{};
+    if (block_.oneshot_code == Code::position_reset) frames_.position_memory = {};
     frames_.position_shift = {};
   }
   frame_words_.rebuild();

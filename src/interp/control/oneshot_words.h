@@ -22,6 +22,7 @@ class OneShotWords : public ControlPart {
  private:
   bool dwell();
   bool reference();
+  unsigned reference_axes(unsigned named) const;
   bool reference_sinumerik();
   bool rapid_to();
   bool suspend_position();

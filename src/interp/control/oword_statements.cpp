@@ -295,10 +295,12 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
     for (std::size_t i = 0; i < arguments.size(); ++i)
       variables_.assign(static_cast<double>(i + 1), Value::of(arguments[i]), ignored);
     system_.set_returned(0, false);
+    system_.add_call_level(1);
     if (before) before();
   };
   request.on_end = [this, behind = request.on_end] {
     variables_.leave_level();
+    system_.add_call_level(-1);
     saved_modes_.leave(reader_.depth());
     if (behind) behind();
   };

@@ -58,7 +58,10 @@ Modal start_modal(Dialect dialect, MachineKind machine) {
   m.feed_unit = row.feed_unit;
   m.diameter = row.diameter;
   m.corner = row.corner;
-  if (dialect == Dialect::ngc) m.edge = 0;  // the radius of the tool in the spindle
+  if (dialect == Dialect::ngc) {
+    m.edge = 0;  // the radius of the tool in the spindle
+    m.hole_return = HoleReturn::safe;
+  }
   return m;
 }
 

@@ -94,6 +94,7 @@ struct Modal {
   double length_number = 0;  ///< the last H
   DrillCycle drill;
   HoleReturn hole_return = HoleReturn::initial;
+  bool return_told = false;            ///< by a word of the program
   std::optional<double> return_level;  ///< G71 Z of Okuma, mm
   TurnCycle turn;
   TurnSettings turn_settings;

@@ -89,7 +89,15 @@ void SystemValues::set_work(const std::string& name, const Vec3& shift) {
                          [&](const WorkOffset& work) { return work.name == name; });
   if (at == control_.work.end()) at = control_.work.insert(at, WorkOffset{name, {}});
   at->shift = name == "EXT" ? shift : shift + control_.machine_shift;
-  FrameWords(control_).renew_work();
+  if (!is(Dialect::ngc)) FrameWords(control_).renew_work();  // LinuxCNC: from its next word on
+}
+
+// #5230 and every 20th behind it: the turn of a work offset of LinuxCNC.
+std::string SystemValues::turned_work(int number) const {
+  const int behind = number - 5221;
+  const bool turn =
+      is(Dialect::ngc) && behind >= 0 && behind < 20 * kWorkOffsets && behind % 20 == 9;
+  return turn ? work_name(behind / 20 + 1) : std::string();
 }
 
 double SystemValues::tool_radius() const {
@@ -135,6 +143,11 @@ bool SystemValues::read(double number, Value& out, std::string& why) {
     out = Value::of(shown(axis, component(work_shift(name), axis)));
     return true;
   }
+  if (const std::string turned = turned_work(n); !turned.empty()) {
+    const auto turn = control_.work_turns.find(turned);
+    out = Value::of(turn == control_.work_turns.end() ? 0 : turn->second);
+    return true;
+  }
   if (is(Dialect::fanuc)) return read_fanuc(n, out, why);
   if (read_linuxcnc(n, value)) {
     out = Value::of(value);
@@ -158,6 +171,11 @@ bool SystemValues::write(double number, const Value& value, std::string& why) {
     Vec3 shift = work_shift(name);
     component(shift, axis) = value.number / shown(axis, 1);
     set_work(name, shift);
+    return true;
+  }
+  const std::string turned = number < 6000 ? turned_work(static_cast<int>(number)) : "";
+  if (!turned.empty() && value.is_number()) {
+    control_.work_turns[turned] = value.number;
     return true;
   }
   if (is(Dialect::fanuc)) return write_fanuc(number, value, why);
@@ -185,7 +203,7 @@ bool SystemValues::named_linuxcnc(std::string_view name, double& out) const {
   else if (key == "_VALUE_RETURNED")
     out = has_returned_;
   else if (key == "_CALL_LEVEL")
-    out = static_cast<double>(call_level_);
+    out = call_level_;
   else if (key == "_METRIC" || key == "_IMPERIAL")
     out = modal_.inch == (key == "_IMPERIAL");
   else if (key == "_ABSOLUTE" || key == "_INCREMENTAL")

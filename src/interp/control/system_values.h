@@ -39,7 +39,8 @@ class SystemValues : public ControlPart, public SystemVariables {
     returned_ = value;
     has_returned_ = given;
   }
-  void set_call_level(std::size_t level) { call_level_ = level; }
+  /// LinuxCNC: a subprogram begins (1) or ends (-1).
+  void add_call_level(int more) { call_level_ += more; }
 
  private:
   bool read_fanuc(int number, Value& out, std::string& why) const;
@@ -68,6 +69,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   double tool_radius() const;
   double work_number() const;
   bool work_cell(int number, std::string& name, int& axis) const;
+  std::string turned_work(int number) const;
   bool from_outside(int number) const;
   Vec3 work_shift(const std::string& name) const;
   double work_turn(const std::string& name) const;  ///< about Z, degrees
@@ -76,7 +78,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   ToolChanger* tools_ = nullptr;
   double returned_ = 0;
   bool has_returned_ = false;
-  std::size_t call_level_ = 0;
+  int call_level_ = 0;
   std::map<int, double> outside_;  ///< given with --set
 };
 

@@ -50,6 +50,7 @@ enum class Code : std::uint8_t {
   dwell,
   reference,
   reference_second,
+  reference_store,  ///< LinuxCNC G28.1 G30.1: the position is where G28 and G30 lead from now on
   reference_check,
   one_way,  ///< G60: a rapid that arrives from one side
   probe,
