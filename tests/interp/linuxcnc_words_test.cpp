@@ -139,6 +139,27 @@ TEST(LinuxCncWords, G76TakesIJKAsDiametersInG7) {
   EXPECT_EQ(thread("G7\nG0 X40 Z5\nG76 P2 Z-30 I-10 J2 K4 E3 L2"), radii);
 }
 
+// The tapered start of a thread begins with a feed to the crest.
+TEST(LinuxCncWords, G76FeedsToATaperedStart) {
+  const auto thread = [](const char* words) {
+    return path_text(read_text(std::string("G18 G8 S400 M3\nG0 X20 Z0\n") + words + "\nM2\n",
+                               at_origin(Dialect::ngc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(thread("G76 P2 Z-11 I-3 J1 K1.3 E1 L1").substr(0, 68),
+            "r20,0,0 r20.3,0,0 l17.3,0,0 l16,0,-1 l16,0,-11 r20.3,0,-11 r20,0,0 l");
+  EXPECT_EQ(thread("G76 P2 Z-11 I-3 J1 K1.3").substr(0, 41),
+            "r20,0,0 r20.3,0,0 r16,0,0 l16,0,-11 r20.3");
+}
+
+TEST(LinuxCncWords, G52OfALatheIsADiameterInG7) {
+  const auto x = [](const char* words) {
+    return path_text(read_text(std::string(words) + "\nG1 X30 F1\nM2\n",
+                               at_origin(Dialect::ngc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(x("G18 G7\nG52 X2"), "l16,0,0");
+  EXPECT_EQ(x("G18 G8\nG52 X2"), "l32,0,0");
+}
+
 TEST(LinuxCncWords, AxesBesideG80AreRefused) {
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 X2\nM2\n"), "l1,0,0 | motion-missing");
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 G0 X2\nG80 G92 X0\nG1 X1\nM2\n"), "l1,0,0 r2,0,0 l3,0,0");

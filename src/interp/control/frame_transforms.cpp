@@ -78,8 +78,9 @@ bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
 // The manuals forbid G52 between G68 and G69; what machines make of it differs.
 void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
   if (is(Dialect::ngc)) {  // the shift of G92, which G92.1 to G92.3 act on
+    const double x = modal_.diameter == Code::diameter_on ? values.x / 2 : values.x;
     for (int i = 0; i < 3; ++i)
-      if (named >> i & 1U) component(frames_.position_shift, i) = component(values, i);
+      if (named >> i & 1U) component(frames_.position_shift, i) = i == 0 ? x : component(values, i);
     frames_.position_memory = frames_.position_shift;
     return;
   }

@@ -315,7 +315,7 @@ void TurnWords::drive_line_pass(const DriveLine& t, const Vec3& from, double dep
   const double slope =
       t.taper > 0 ? t.pitch * std::sqrt(t.taper * t.taper + t.full * t.full) / t.taper : t.pitch;
   go(clear, z, kRapid);
-  go(t.taper_in ? x - s * t.full : x, z, kRapid);
+  go(t.taper_in ? x - s * t.full : x, z, t.taper_in ? kLine : kRapid, t.taper_in ? slope : 0);
   if (t.taper_in) go(x, z - t.taper, kLine, slope);
   go(x, t.taper_out ? last + t.taper : last, kLine, t.pitch);
   if (t.taper_out) go(x - s * t.full, last, kLine, slope);
