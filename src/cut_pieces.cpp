@@ -12,12 +12,6 @@
 namespace mrsim {
 namespace {
 
-double length_of(const Motion& m) {
-  if (m.kind != MotionKind::arc) return distance(m.start, m.end);
-  const double round = m.sweep * m.radius;
-  return std::sqrt(round * round + m.rise * m.rise);
-}
-
 int pieces_in(const CutList& cuts, const Motion& m, double voxel, const PieceRule& rule) {
   if (!is_cut(m) || m.tool < 0) return 1;
   return pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel, rule);
@@ -47,6 +41,12 @@ Motion part_of(const Motion& m, double from, double to) {
 }
 
 }  // namespace
+
+double length_of(const Motion& m) {
+  if (m.kind != MotionKind::arc) return distance(m.start, m.end);
+  const double round = m.sweep * m.radius;
+  return std::sqrt(round * round + m.rise * m.rise);
+}
 
 int pieces_of(const Motion& m, const Tool& tool, double voxel, const PieceRule& rule) {
   if (m.kind == MotionKind::rapid || (m.kind == MotionKind::arc && !rule.arcs)) return 1;

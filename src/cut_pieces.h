@@ -23,6 +23,9 @@ struct CutPieces {
   std::vector<std::size_t> first;  ///< #motions of the list + 1: first piece of each, and the end
 };
 
+/// Of the tool's way, mm.
+double length_of(const Motion& motion);
+
 /// Number of pieces of one motion, at least 1. `voxel` in mm.
 int pieces_of(const Motion& motion, const Tool& tool, double voxel, const PieceRule& rule);
 

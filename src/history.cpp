@@ -24,6 +24,9 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.5;
+// The same, counted once for each sweep over them: 0.02 us of one core each. Short moves of a wide
+// tool side by side reach that; each of them passes over many columns.
+constexpr double kColumnsSwept = 50e6, kColumnsSweptPerCut = 25;
 
 // Below upright arcs, and below helices of all but flat mills, each column takes a search: 0.02 ms
 // in a trough, 0.1 ms over a hump.
@@ -71,6 +74,21 @@ void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std
       volume += removed[k], air += removed[k] > nothing ? 0 : 1;
     history.removed.push_back(volume);
     history.air.push_back(air / static_cast<double>(pieces.first[i + 1] - pieces.first[i]));
+  }
+}
+
+// Cuts shorter than a column may have none of their own. So a way up to a column long is no air
+// where the cuts before and after it remove something.
+void close_short_gaps(std::span<const Motion> motions, History& history) {
+  const auto is_air = [&](std::size_t i) { return is_cut(motions[i]) && history.air[i] == 1; };
+  const auto removes = [&](std::size_t i) { return is_cut(motions[i]) && history.air[i] < 1; };
+  for (std::size_t first = 1, end = 1; first < motions.size(); first = ++end) {
+    double way = 0;
+    for (end = first; end < motions.size() && is_air(end); ++end) way += length_of(motions[end]);
+    if (end == motions.size() || way > 2 * history.voxel) continue;
+    if (removes(first - 1) && removes(end) && motions[first - 1].tool == motions[end].tool)
+      std::fill(history.air.begin() + static_cast<std::ptrdiff_t>(first),
+                history.air.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
   }
 }
 
@@ -150,12 +168,16 @@ double summary_column(const StockShape& shape, const CutList& cuts) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double count = static_cast<double>(cuts.motions().size());
   const double usual = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
-  double searched = 0;  // mm^2
-  for (const Motion& motion : cuts.motions())
-    if (const double searches = searches_of(motion, cuts.tools()); searches > 0)
-      searched +=
-          searches * swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
-  return std::max(usual, std::sqrt(searched / (kSearches + kSearchesPerCut * count)));
+  double swept = 0, searched = 0;  // mm^2
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0) continue;
+    const double area =
+        swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
+    swept += area;
+    searched += searches_of(motion, cuts.tools()) * area;
+  }
+  return std::max({usual, std::sqrt(swept / (kColumnsSwept + kColumnsSweptPerCut * count)),
+                   std::sqrt(searched / (kSearches + kSearchesPerCut * count))});
 }
 
 History make_history(const Job& job, const JobResult& result, const Stock& stock,
@@ -166,6 +188,7 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   history.voxel = job.history == HistoryDetail::full ? stock.voxel()
                   : has_height_history(field)        ? summary_column(result.stock, cuts)
                                               : summary_voxel(result.stock, cuts, stock.voxel());
+  if (getenv("COL")) history.voxel = atof(getenv("COL"));
   const int threads = job.carve.threads;
   CutExtents extents;
   const bool has_shapes = job.history == HistoryDetail::full;
@@ -186,6 +209,7 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
                          pieces.motions);
   if (has_shapes) measure_shapes(pieces, extents, removed, cuts, history);
   sum_pieces(pieces, removed, cuts.inherited(), history);
+  close_short_gaps(cuts.motions().subspan(cuts.inherited()), history);
   for (std::size_t i = 0; i < history.removed.size(); ++i) {
     const Motion& motion = result.program.motions[i];
     if (!is_cut(motion)) continue;

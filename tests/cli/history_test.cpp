@@ -222,6 +222,22 @@ TEST_F(HistoryOfRun, ArcThatLeavesTheMaterialIsInTheAirFromThere) {
   EXPECT_NEAR(air, 61.0 / 125.7, 0.03);
 }
 
+// 5 000 moves of 0.02 mm in a stock whose columns are 0.8 mm wide: most moves have no column of
+// their own. The second half of the way lies beside the stock.
+TEST_F(HistoryOfRun, MovesShorterThanAColumnAreNoAir) {
+  std::string program = "G54 G17 G90 G71\nT1 M6\nG0 X150 Y100 Z5\nG1 Z-2 F500\n";
+  for (int i = 1; i <= 5000; ++i)
+    program += "G1 X" + std::to_string(150 + 0.02 * i) + (i == 1 ? " F500\n" : "\n");
+  write("short.nc", program + "M30\n");
+  const Outcome outcome =
+      run("short.nc --dialect sinumerik --machine mill --stock box:0,0,-10,200,200,0 "
+          "--tool 1=endmill:d=2 --json r.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json h = Json::parse(read("r.json"), nullptr, false)["history"];
+  EXPECT_GT(double(h["voxel"]), 0.5);
+  EXPECT_NEAR(h["total"]["air"], 55.0 / 107, 0.02);  // of 100 mm of way and 7 mm of plunge
+}
+
 TEST_F(HistoryOfRun, SummaryAndJsonHaveTheSumsByTool) {
   write_slots();
   const Outcome outcome = run(std::string(kRun) + "--json r.json");
