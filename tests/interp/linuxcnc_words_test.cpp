@@ -160,6 +160,13 @@ TEST(LinuxCncWords, G52OfALatheIsADiameterInG7) {
   EXPECT_EQ(x("G18 G8\nG52 X2"), "l32,0,0");
 }
 
+// A motion of its own beside G43.1 would share its axes with the lengths: its manual forbids it.
+TEST(LinuxCncWords, AMotionBesideG431IsRefused) {
+  EXPECT_EQ(path_of_words("F9\nG1 X1\nG43.1 Z5\nX2\nM2\n"), "l1,0,0 l2,0,0");
+  EXPECT_EQ(path_of_words("F9\nG1 X1\nG43.1 G1 Z5\nX2\nM2\n"), "l1,0,0 l2,0,0 | word-unexpected");
+  EXPECT_EQ(path_of_words("F9\nG1 X1\nG43.1 Z5\nX2 H3\nM2\n"), "l1,0,0 l2,0,0");
+}
+
 TEST(LinuxCncWords, AxesBesideG80AreRefused) {
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 X2\nM2\n"), "l1,0,0 | motion-missing");
   EXPECT_EQ(path_of_words("G1 X1 F1\nG80 G0 X2\nG80 G92 X0\nG1 X1\nM2\n"), "l1,0,0 r2,0,0 l3,0,0");

@@ -173,14 +173,25 @@ bool ValueWords::edge() {
   return true;
 }
 
+// X Y Z of G43.1 are lengths of the tool, not places.
+bool ValueWords::take_lengths() {
+  if (block_.motion_code && block_.motion_code->address == letter('G'))
+    return error("word-unexpected",
+                 fmt::format("{} beside G43.1, whose axes are lengths: write it into another block",
+                             text_of(*block_.motion_code)),
+                 *block_.motion_code);
+  for (const char c : {'X', 'Y', 'Z'}) take(c);
+  return true;
+}
+
 bool ValueWords::length_register() {
   if (is(Dialect::sinumerik) || is(Dialect::codesys)) return true;
   const Word* word = take('H');
   if (!word && !block_.length_changed) return true;
+  const bool chosen = block_.length_changed;
   block_.length_changed = false;
   if (modal_.length == Code::length_dynamic || modal_.length == Code::length_add) {
-    if (modal_.length == Code::length_dynamic)
-      for (const char c : {'X', 'Y', 'Z'}) take(c);
+    if (modal_.length == Code::length_dynamic && chosen && !take_lengths()) return false;
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               block_.words.front(), "length");
     return true;

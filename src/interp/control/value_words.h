@@ -20,6 +20,7 @@ class ValueWords : public ControlPart {
   bool speed();
   bool beeps() const;
   bool edge();
+  bool take_lengths();
   bool length_register();
   bool codesys();
   bool sinumerik();
