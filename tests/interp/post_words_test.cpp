@@ -137,6 +137,11 @@ TEST(PostWords, G10SetsOffsetsAndRadii) {
   };
   EXPECT_EQ(height("G10 L2 P1 Z-420.5\nG54\nG0 Z5\nG1 Z-3 F1\nX9\n"), -420.5);
   EXPECT_EQ(height("G10 L2 P1 Z-40\nG10 L2 P2 Z-30\nG54\nG1 X9 F1\nG55\nG52 Z50\nX8\n"), -30);
+  // On a lathe TRANS leads from the chuck to the face.
+  const InterpOptions turned = at_origin(Dialect::sinumerik, MachineKind::lathe);
+  EXPECT_EQ(read_text("G54\nTRANS Z60\nG1 X40 Z-5 F0.1\nATRANS Z-20\nX42\n", turned).zero_height,
+            60);
+  EXPECT_EQ(read_text("TRANS Z60\nG1 X4 F1\n", at_origin(Dialect::sinumerik)).zero_height, 0);
   const Program here = read_text("G1 X10 F1\nG10 L20 P1 X0\nG1 X5\n", at_origin(Dialect::ngc));
   EXPECT_EQ(here.motions.back().end.x, 15);
 }

@@ -108,8 +108,11 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (idle_) give_dwells(kAllBlocks);
 }
 
+// On a lathe TRANS and G52 lead from the chuck to the part's face, on a mill to a place on the
+// part.
 void MotionEmitter::note_zero() {
-  const double height = frames_.work.z + frames_.position_shift.z;
+  double height = frames_.work.z + frames_.position_shift.z;
+  if (lathe() && frames_.program.plain) height += frames_.program.shift.z + frames_.local.z;
   program_.zero_height = cuts_ == 0 ? height : std::max(program_.zero_height, height);
   ++cuts_;
 }
