@@ -1,6 +1,6 @@
 // Without libFuzzer: runs a fuzz target over the files of its corpus, and over some eighty cheap
-// variations of each (cut short, bytes changed; a third of them under sanitizers), the same in every
-// run.
+// variations of each (cut short, bytes changed; a third of them under sanitizers), the same in
+// every run.
 #include "support/rounds.h"
 
 #include <cstdint>

@@ -98,6 +98,13 @@ bool SweepBuilder::wanted(const Motion& m) const {
   return selection_.cuts;
 }
 
+// Nothing that is asked lies as high as the tool stays: it decides no distance there.
+bool SweepBuilder::stays_above(const Motion& m, const Profile& tool) const {
+  constexpr double kClear = 1e-3;  // mm
+  if (std::isinf(selection_.top) || m.tool_axis != Vec3{0, 0, 1}) return false;
+  return lowest_tip(localized(m, nullptr)) + tool.bottom() > selection_.top + kClear;
+}
+
 void SweepBuilder::add(const Motion& m, std::int32_t index) {
   if (!wanted(m)) return;
   const ShapeRange range = shapes(m);
@@ -106,6 +113,7 @@ void SweepBuilder::add(const Motion& m, std::int32_t index) {
     ref.shape = range.first + i;
     const bool turning = columns_.shapes[ref.shape].turning;
     if (turning && m.lead != 0) continue;  // no body of revolution
+    if (!turning && stays_above(m, columns_.shapes[ref.shape].cutter)) continue;
     columns_.motions.push_back(index);
     if (turning)
       add_turning(ref, m, tools_[m.tool]);

@@ -39,6 +39,7 @@ class SweepBuilder {
     int first = -1, count = 0;
   };
   bool wanted(const Motion& m) const;
+  bool stays_above(const Motion& m, const Profile& tool) const;
   ShapeRange shapes(const Motion& m);
   int drawn_out(int shape, double travel);
   int opened(int shape, double lowest);

@@ -37,7 +37,8 @@ struct SweepSelection {
   bool cuts = true;     ///< lines and arcs
   bool rapids = false;  ///< rapids, as straight lines
   /// Height above which nothing is asked, mm: a cutter whose flutes end there or higher, all along
-  /// a motion, counts as one without end. Cutters in a tilted frame keep their flutes.
+  /// a motion, counts as one without end, and one that stays above makes no sweep. Not for cutters
+  /// in a tilted frame.
   double top = std::numeric_limits<double>::infinity();
 };
 
