@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/heap.h"
 #include "core/memory_limit.h"
+#include "core/parallel.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "cuts.h"
@@ -284,6 +285,7 @@ JobResult simulate(const Job& job) {
 
 void simulate(const Job& job, JobResult& result) {
   StageClock clock(result);
+  require_address_space(resolve_threads(job.carve.threads));
   check_outputs(job);
   const std::future<void> opening = writes_vdb(job) ? open_voxel_module() : std::future<void>();
   result.program = interpret(job.program, job.interp);

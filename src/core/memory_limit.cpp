@@ -79,4 +79,15 @@ bool is_address_space_limited() {
   return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
+void require_address_space(int threads) {
+  constexpr std::size_t kRun = std::size_t(64) << 20, kThread = std::size_t(16)
+                                                                << 20;  // stack, heap
+  const std::size_t wanted = kRun + kThread * static_cast<std::size_t>(threads);
+  if (!is_address_space_limited() || has_address_space(wanted)) return;
+  throw Error("memory",
+              fmt::format("a run with {} threads needs {} MB of free address space: raise "
+                          "its limit (ulimit -v), or take fewer --threads",
+                          threads, wanted >> 20));
+}
+
 }  // namespace mrsim
