@@ -4,13 +4,13 @@
 namespace mrsim {
 namespace {
 
-constexpr const char* kCut = "T1 M6 (6MM ENDMILL)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX1\nG0 Z5\nM30\n";
+constexpr const char* kOneCut = "T1 M6 (6MM ENDMILL)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX1\nG0 Z5\nM30\n";
 
 // "0 0 -12 to 100 90 0"; "-": none is told.
 std::string stock(const std::string& head, InterpOptions options = {}) {
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::mill;
-  const Program p = read_text(head + kCut, options);
+  const Program p = read_text(head + kOneCut, options);
   if (!p.workpiece) return "-";
   const Vec3 &lo = p.workpiece->box.lo, &hi = p.workpiece->box.hi;
   return fmt::format("{:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}", lo.x, lo.y, lo.z, hi.x, hi.y,
