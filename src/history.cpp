@@ -188,7 +188,6 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   history.voxel = job.history == HistoryDetail::full ? stock.voxel()
                   : has_height_history(field)        ? summary_column(result.stock, cuts)
                                               : summary_voxel(result.stock, cuts, stock.voxel());
-  if (getenv("COL")) history.voxel = atof(getenv("COL"));
   const int threads = job.carve.threads;
   CutExtents extents;
   const bool has_shapes = job.history == HistoryDetail::full;
