@@ -18,12 +18,14 @@ double table_unit(const std::vector<LibraryTool>& tools, bool& told) {
   int inches = 0, millimetres = 0;
   for (const LibraryTool& entry : tools) {
     const ToolHint hint = read_tool_comment(entry.remark);
-    for (const ToolLength& said : hint.diameters) {
-      if (said.unit == 0 && !said.fraction) continue;
+    const auto weigh = [&](const ToolLength& said, double listed) {
+      if (said.unit == 0 && !said.fraction) return;
       const double mm = said.value * (said.unit > 0 ? said.unit : kMmPerInch);
-      if (std::abs(entry.tool.diameter - mm) < 0.05) ++millimetres;
-      if (std::abs(entry.tool.diameter * kMmPerInch - mm) < 0.05) ++inches;
-    }
+      if (std::abs(listed - mm) < 0.05) ++millimetres;
+      if (std::abs(listed * kMmPerInch - mm) < 0.05) ++inches;
+    };
+    for (const ToolLength& said : hint.diameters) weigh(said, entry.tool.diameter);
+    if (hint.nose) weigh(hint.nose, entry.tool.nose_radius);
   }
   told = inches != millimetres;
   return inches > millimetres ? kMmPerInch : 1;
@@ -49,16 +51,20 @@ void complete_linuxcnc(LibraryTool& entry, double unit) {
   const ToolHint hint = read_tool_comment(entry.remark);
   Tool said;
   if (is_turning(tool.type)) {
-    const double nose = tool.nose_radius;
+    const Tool listed = tool;
     std::string why;
-    if (fill_tool(hint, unit, false, said, why) && is_turning(said.type)) {
+    if (fill_tool(hint, unit, true, said, why) && is_turning(said.type)) {
       said.id = tool.id;
       said.tip = tool.tip;
       said.tip_is_nose_centre = tool.tip_is_nose_centre;
       said.origin = tool.origin;
       tool = said;
+      if (hint.insert.empty() && hint.insert_angle == 0 && listed.insert_angle > 0) {
+        tool.insert_angle = listed.insert_angle;
+        tool.lead_angle = listed.lead_angle;
+      }
     }
-    if (nose > 0) tool.nose_radius = nose;
+    if (listed.nose_radius > 0) tool.nose_radius = listed.nose_radius;
     complete_turning_tool(tool);
     return;
   }

@@ -1,6 +1,10 @@
 // LinuxCNC's tool.tbl: "T1 P1 Z-51.2 D6.35 Q0 ;1/4 end mill", a line a tool.
 #include "core/text_io.h"
+#include "core/units.h"
 #include "setup/library_formats.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,6 +14,7 @@ namespace {
 struct Row {
   std::string id, remark;
   double diameter = 0;
+  double front = 0, back = 0;  ///< directions of the two edges, degrees from +Z
   int orientation = 0;
 };
 
@@ -26,6 +31,8 @@ bool read_word(std::string_view word, Row& row) {
     return false;
   if (letter == 'T') row.id = fmt::format("{:.0f}", *value);
   if (letter == 'D') row.diameter = *value;
+  if (letter == 'I') row.front = negative ? -*value : *value;
+  if (letter == 'J') row.back = negative ? -*value : *value;
   if (letter == 'Q') row.orientation = static_cast<int>(std::min(*value, 9.0));
   return true;
 }
@@ -53,6 +60,31 @@ Row read_row(std::string_view line, const std::string& name, int number) {
   return row;
 }
 
+// LinuxCNC counts its orientations with X turned over: 2 is the tip towards -X and -Z, which all
+// others call 3.
+int tip_of(int orientation) {
+  static constexpr int kTips[] = {0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return kTips[orientation];
+}
+
+// The direction of an edge as it is on a tool of orientation 2, which lies towards +X and +Z.
+double unmirrored(double degrees, int orientation) {
+  if (orientation == 1) degrees = 180 - degrees;
+  if (orientation == 3 || orientation == 8) degrees = -degrees;
+  if (orientation == 4) degrees -= 180;
+  return degrees - 360 * std::floor(degrees / 360);
+}
+
+// The corner between the edges I and J, and the angle of the steeper one to the feed.
+void set_edges(const Row& row, Tool& tool) {
+  if (row.orientation == 5 || row.orientation == 7 || row.orientation == 9) return;
+  const auto [low, high] =
+      std::minmax({unmirrored(row.front, row.orientation), unmirrored(row.back, row.orientation)});
+  if (low < 0 || high >= 180 || high - low < 1) return;
+  tool.insert_angle = radians(high - low);
+  tool.lead_angle = radians(180 - high);
+}
+
 }  // namespace
 
 void read_linuxcnc_table(std::string_view text, const std::string& name, ToolLibrary& out) {
@@ -69,10 +101,11 @@ void read_linuxcnc_table(std::string_view text, const std::string& name, ToolLib
     entry.tool.diameter = row.diameter;
     if (row.orientation > 0) {
       entry.tool.type = ToolType::turning;
-      entry.tool.tip = row.orientation;
+      entry.tool.tip = tip_of(row.orientation);
       entry.tool.tip_is_nose_centre = row.orientation == 9;
       entry.tool.nose_radius = row.diameter / 2;
       entry.tool.diameter = 0;
+      set_edges(row, entry.tool);
     }
     if (row.orientation == 0 && !(row.diameter > 0))
       skip_library_tool(out, row.id, "no diameter");

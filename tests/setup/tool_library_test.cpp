@@ -24,7 +24,7 @@ const Tool& tool(const ToolLibrary& library, const std::string& id) {
 
 TEST(ToolLibrary, LinuxCnc) {
   const ToolLibrary l = parse_library(
-      "; my tools\nT1 P1 D6.000 Z-51.2 ;6mm flat end mill\r\nT2 P2 D+3.0 Q0\nT12 P3 D0.8 I95 J155 "
+      "; my tools\nT1 P1 D6.000 Z-51.2 ;6mm flat end mill\r\nT2 P2 D+3.0 Q0\nT12 P3 D0.8 I85 J5 "
       "Q2 "
       ";CCMT\nT7 P4\n",
       "tool.tbl");
@@ -33,10 +33,29 @@ TEST(ToolLibrary, LinuxCnc) {
   EXPECT_EQ(tool(l, "1").diameter, 6);
   EXPECT_EQ(l.tools[0].remark, "6mm flat end mill");
   EXPECT_EQ(tool(l, "12").type, ToolType::turning);
-  EXPECT_EQ(tool(l, "12").tip, 2);
+  EXPECT_EQ(tool(l, "12").tip, 3) << "towards -X and -Z";
   EXPECT_EQ(tool(l, "12").nose_radius, 0.4);
   ASSERT_EQ(l.skipped.size(), 1U);
   EXPECT_THROW(parse_library("T1 P1 D6\nG1 X5 end mill\n", "t.tbl"), Error);
+}
+
+// The table of LinuxCNC's simulated lathe: the nose's centre lies by (dx, dz) radii from the point,
+// (1,-1) (1,1) (-1,1) (-1,-1) (0,-1) (1,0) (0,1) (-1,0), and the edges at I and J degrees from +Z.
+TEST(ToolLibrary, OrientationsOfLinuxCnc) {
+  const ToolLibrary l = parse_library(
+      "T1 P1 D0.1 I95 J155 Q1\nT2 P2 D0.1 I85 J25 Q2\nT3 P3 D0.1 I275 J335 Q3\n"
+      "T4 P4 D0.1 I265 J205 Q4\nT5 P5 D0.1 I210 J150 Q5\nT6 P6 D0.1 I120 J60 Q6\n"
+      "T7 P7 D0.1 I-30 J30 Q7\nT8 P8 D0.1 I240 J300 Q8\nT9 P9 D0.1 Q9\n",
+      "lathe.tbl");
+  const int tips[] = {4, 3, 2, 1, 5, 8, 7, 6, 9};
+  for (int q = 1; q <= 9; ++q) {
+    const Tool& t = tool(l, std::to_string(q));
+    EXPECT_EQ(t.tip, tips[q - 1]) << q;
+    EXPECT_EQ(t.tip_is_nose_centre, q == 9);
+    const bool sided = q <= 4, neutral = q == 6 || q == 8;
+    EXPECT_NEAR(degrees(t.insert_angle), sided || neutral ? 60 : 0, 1e-9) << q;
+    EXPECT_NEAR(degrees(t.lead_angle), sided ? 95 : neutral ? 60 : 0, 1e-9) << q;
+  }
 }
 
 TEST(ToolLibrary, Camotics) {
