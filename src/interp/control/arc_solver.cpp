@@ -46,6 +46,7 @@ bool ArcSolver::solve_form(ArcBlock& arc, SolvedArc& out) {
   if (!center_words(arc, center, centered)) return false;
   const Word* ar = take(Address::ar);
   const Word* radius = is(Dialect::sinumerik) ? take(Address::cr) : take('R');
+  if (!radius && !centered) radius = okuma_radius();
   const Word* t = is(Dialect::codesys) ? take('T') : nullptr;
   if (ar && radius)
     return error("arc-overdetermined", "opening angle and radius in one block: one too many",
@@ -72,6 +73,17 @@ bool ArcSolver::solve_form(ArcBlock& arc, SolvedArc& out) {
   if (is(Dialect::fanuc)) return straight("arc-no-center", text + " (alarm 022)", arc, out);
   if (is(Dialect::codesys)) return straight("arc-no-center", text, arc, out);
   return error("arc-no-center", text, *arc.where);
+}
+
+// G2 X Z L5 of Okuma's lathes.
+const Word* ArcSolver::okuma_radius() {
+  const Word* word = lathe() && is(Dialect::fanuc) ? take('L') : nullptr;
+  if (word)
+    note_once(
+        "okuma-radius",
+        fmt::format("{} is read as the radius of the arc, as on Okuma's lathes", text_of(*word)),
+        *word, "L");
+  return word;
 }
 
 // CODESYS and FANUC go straight where they cannot make a circle.

@@ -21,6 +21,7 @@ class ArcSolver : public ControlPart {
   bool straight(const char* code, const std::string& text, const ArcBlock& arc, SolvedArc& out);
   bool center_words(const ArcBlock& arc, Vec2& center, bool& given);
   bool center_complete(const ArcBlock& arc);
+  const Word* okuma_radius();
   bool radius_arc(ArcBlock& arc, const Word& word, SolvedArc& out);
   bool same_point_radius(ArcBlock& arc, const Word& word, double radius, SolvedArc& out);
   bool near_half_circle(const PlaneArc& arc, const Word& word);

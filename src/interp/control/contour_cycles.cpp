@@ -13,16 +13,20 @@ namespace {
 constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
 constexpr double kMostMotions = 1e7;  // of a G73
 constexpr double kLongDepth = 50;     // D4000 counts thousandths
+constexpr double kLongShift = 500;    // and so does U14000 of G73
 
 }  // namespace
 
 // The first of two lines: what it says holds for the cycles that follow.
 bool ContourCycles::settings() {
   TurnSettings& set = modal_.turn_settings;
+  set.thousandths = block_.turn_cycle == 73 ? counts_thousandths("UW", kLongShift)
+                                            : counts_thousandths("UWR", kLongDepth);
   const Word* u = take('U');
   const Word* w = take('W');
   const Word* r = take('R');
-  const auto length = [&](const Word* word) { return word->value * length_unit(*word); };
+  take('H');  // Mitsubishi: whether there are pockets
+  const auto length = [&](const Word* word) { return word->value * cycle_unit(*word); };
   if (block_.turn_cycle == 73) {
     if (u) set.shift_x = length(u);
     if (w) set.shift_z = length(w);
@@ -50,15 +54,27 @@ bool ContourCycles::old_words(bool given) {
   if ((i && i->value != 0) || (k && k->value != 0))
     return error("not-supported", "I and K (semi-finishing of the contour) are not supported yet",
                  i ? *i : *k);
-  if (!d) return true;
-  set.depth = std::abs(d->value * length_unit(*d));
-  if (!d->point && d->value >= kLongDepth && !options_.least_increments) {
-    set.depth *= modal_.inch ? 1e-4 : 1e-3;
-    note_once("number-without-point",
-              fmt::format("{} without a decimal point counts least increments", text_of(*d)), *d,
-              "D");
-  }
+  if (d) set.depth = std::abs(d->value * cycle_unit(*d));
   return true;
+}
+
+// "U2000 R500", "D4000": no pass is that deep, so what has no point counts least increments.
+bool ContourCycles::counts_thousandths(std::string_view letters, double least) {
+  if (options_.least_increments) return false;
+  for (const char c : letters) {
+    const Word* word = peek(c);
+    if (!word || word->point || std::abs(word->value) < least) continue;
+    note_once("number-without-point",
+              fmt::format("{} without a decimal point counts least increments", text_of(*word)),
+              *word, "D");
+    return true;
+  }
+  return false;
+}
+
+double ContourCycles::cycle_unit(const Word& word) const {
+  const bool least = modal_.turn_settings.thousandths && !word.point;
+  return length_unit(word) * (!least ? 1 : modal_.inch ? 1e-4 : 1e-3);
 }
 
 bool ContourCycles::run() {
@@ -73,10 +89,14 @@ bool ContourCycles::run() {
     return error("value-missing", fmt::format("G{} needs P and Q, the blocks of its contour", g),
                  *block_.oneshot);
   if (!goes_on(*block_.oneshot)) return false;
+  TurnSettings& set = modal_.turn_settings;
+  set.thousandths =
+      counts_thousandths(g == 73 ? "UW" : "UWD", kLongDepth) || (set.thousandths && !peek('D'));
   if (!old_words(peek('D') || peek('I') || peek('K'))) return false;
   call_ = {};
-  if (const Word* u = take('U')) call_.allowance.x = axis_value(0, *u, true);
-  if (const Word* w = take('W')) call_.allowance.z = w->value * length_unit(*w);
+  if (const Word* u = take('U'))
+    call_.allowance.x = axis_value(0, *u, true) * cycle_unit(*u) / length_unit(*u);
+  if (const Word* w = take('W')) call_.allowance.z = w->value * cycle_unit(*w);
   take('R');  // Haas: R1 says that there are pockets
   call_.number = g;
   call_.where = *block_.oneshot;

@@ -7,6 +7,7 @@
 #include "interp/control/statements.h"
 #include "interp/path/rough_contour.h"
 
+#include <string_view>
 #include <vector>
 
 namespace mrsim {
@@ -41,6 +42,8 @@ class ContourCycles : public ControlPart {
 
   bool settings();
   bool old_words(bool given);
+  bool counts_thousandths(std::string_view letters, double least);
+  double cycle_unit(const Word& word) const;
   void finish();
   void begin_contour();
   void end_contour();

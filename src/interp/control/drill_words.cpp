@@ -17,7 +17,8 @@ constexpr double kLongPeck = 50;    // Q5000 counts thousandths
 }  // namespace
 
 bool DrillWords::wants_block() const {
-  if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code) return false;
+  if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code || block_.suppress_frames)
+    return false;
   for (const char c : {'X', 'Y', 'Z', 'R', '@', '^'})
     if (block_.open(letter(c))) return true;
   if (block_.open(Address::ap)) return true;

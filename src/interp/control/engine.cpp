@@ -166,6 +166,7 @@ bool Engine::interpret_block() {
     moves_.to_place(&options_.places.reference, 4, *block.home);
   const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
   if (!dwells && !values_.apply()) return false;
+  oneshots_.settle_tip();
   if (block.pause) moves_.dwell(DwellTime(control_).of_cycle(*block.pause));
   if (block.oneshot && !oneshots_.run()) return false;
   if (!dwells) {

@@ -65,6 +65,8 @@ void MotionEmitter::emit(const Motion& motion) {
 }
 
 void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
+  position_.new_tool = false;
+  position_.told_axes = 0;
   if (captured_) {
     if (captured_->size() >= kMostCaptured) return;
     PathMove path;

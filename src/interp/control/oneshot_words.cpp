@@ -101,23 +101,30 @@ bool OneShotWords::reference_sinumerik() {
 // G92 (lathe G50): the position gets new coordinates, nothing moves. S alone is a speed limit.
 bool OneShotWords::set_position() {
   frame_words_.save();
+  if (lathe() && peek('S'))  // the least speed (Mitsubishi), and which spindle (Mazak)
+    for (const char c : {'P', 'Q', 'R'}) take(c);
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
     const double value = axis_value(i, *word, false);
     const bool is_known = (position_.known >> i & 1U) != 0;
+    const bool of_tool = states_tip();
+    if (is_known && of_tool) note_tip(*word);
     if (is_known && control_.paused)
       note_once("touch-off",
                 fmt::format("G92 behind a pause: {} may have been moved by hand. It is taken to be "
                             "where G92 says, and the zero stays as it was",
                             "XYZ"[i]),
                 *word, fmt::format("touch-off {}", i));
-    if (!is_known || control_.paused) {  // the first position that the program states
+    if (!is_known || control_.paused || of_tool) {  // the first position that the program states
       component(position_.physical, i) = value + component(frames_.total.shift, i);
       component(position_.programmed, i) = value;
       position_.known |= 1U << i;
       continue;
     }
+    if (position_.told_axes == 0) position_.shift_before = frames_.position_shift;
+    position_.told_axes |= 1U << i;
+    component(position_.told, i) = value;
     component(frames_.position_shift, i) += component(position_.programmed, i) - value;
   }
   for (int i = 0; lathe() && i < 3; i += 2)  // U W: the coordinates grow by as much
@@ -126,6 +133,39 @@ bool OneShotWords::set_position() {
   frames_.position_memory = frames_.position_shift;
   frame_words_.rebuild();
   return true;
+}
+
+// Old lathes have no offsets of tools' geometry: each tool's part of the program begins with a G50
+// that says where its tip is while the turret stands at one place for all. The zero stays.
+bool OneShotWords::states_tip() const {
+  return lathe() && is(Dialect::fanuc) && position_.new_tool;
+}
+
+void OneShotWords::note_tip(const Word& word) {
+  note_once("touch-off",
+            fmt::format("G50 beside the change to tool {} is taken to say where its tip is: the "
+                        "zero stays as it was",
+                        control_.tool.current),
+            word, "tip");
+}
+
+// The tool comes in a block behind G50.
+void OneShotWords::settle_tip() {
+  if (!states_tip() || position_.told_axes == 0) return;
+  frame_words_.save();
+  for (int i = 0; i < 3; ++i)
+    if (position_.told_axes >> i & 1U)
+      component(frames_.position_shift, i) = component(position_.shift_before, i);
+  frames_.position_memory = frames_.position_shift;
+  frame_words_.rebuild();
+  for (int i = 0; i < 3; ++i) {
+    if ((position_.told_axes >> i & 1U) == 0) continue;
+    component(position_.programmed, i) = component(position_.told, i);
+    component(position_.physical, i) =
+        component(position_.told, i) + component(frames_.total.shift, i);
+  }
+  position_.told_axes = 0;
+  note_tip(block_.words.front());
 }
 
 // G27 and G60 arrive with a rapid; from where G60 arrives makes no difference to the part.

@@ -18,6 +18,8 @@ class OneShotWords : public ControlPart {
         dwell_(control) {}
   /// The one-shot word of the block. False: an error was reported.
   bool run();
+  /// A tool that comes behind the G50 that is meant for it.
+  void settle_tip();
 
  private:
   bool dwell();
@@ -26,6 +28,8 @@ class OneShotWords : public ControlPart {
   bool reference_sinumerik();
   bool rapid_to();
   bool suspend_position();
+  bool states_tip() const;
+  void note_tip(const Word& word);
   bool set_position();
   bool position_jump();
 

@@ -49,6 +49,7 @@ struct TurnSettings {
   double depth = 0, escape = 0;        ///< G71 G72: of a pass, and aside at its end, mm
   double shift_x = 0, shift_z = 0;     ///< G73: from the first pass to the last, mm
   int repeats = 1;                     ///< G73: passes
+  bool thousandths = false;            ///< G71 to G73: words without a point count them
   double peck_return = 0;              ///< G74 G75, mm
   int finishes = 1;                    ///< G76: passes at the full depth
   double chamfer = 0;                  ///< G76: in leads
@@ -116,6 +117,9 @@ struct Position {
   Vec3 pole;                                 ///< in the frame in force
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
   bool has_polar_angle = false, has_polar_radius = false;
+  bool new_tool = false;    ///< another tool came, and no motion since
+  unsigned told_axes = 0;   ///< axes that G50 of a lathe has set, and no motion since
+  Vec3 told, shift_before;  ///< to what, and Frames::position_shift before
 };
 
 /// The pieces that make the frame in force.

@@ -118,11 +118,17 @@ void ToolChanger::read_comments() {
                   0, 1);
 }
 
+// T0 and T0000 of FANUC's lathes end the offset in force; the turret stays where it is.
+bool ToolChanger::cancels_offset(const Word& word) {
+  return lathe() && is(Dialect::fanuc) && !word.string && word.value == 0;
+}
+
 bool ToolChanger::apply() {
   if (is(Dialect::codesys) && is_circular(current_motion()) &&
       (peek('I') || peek('J') || peek('K') || block_.motion_code))
     return true;  // the opening angle
   const Word* word = block_.set_tool ? block_.set_tool : take('T');
+  if (word && cancels_offset(*word)) return true;
   if (word || block_.tool_change) control_.saved_tool = tool_;
   if (word) {
     if (!select(*word)) return false;
@@ -180,6 +186,7 @@ bool ToolChanger::select(const Word& word) {
 }
 
 void ToolChanger::change() {
+  if (tool_.chosen && tool_.current != tool_.pending.id) position_.new_tool = true;
   tool_.current = tool_.pending.id;
   tool_.place = tool_.pending.at;
   tool_.pending.active = false;
@@ -331,50 +338,6 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
       Severity::error, "tool-unknown",
       fmt::format("tool {} cuts, but {}: {}", tool_.current, why.empty() ? none : why, remedy),
       tool_.place);
-}
-
-const OffsetRegister* ToolChanger::find_register(const std::string& name) const {
-  for (const OffsetRegister& reg : control_.registers)
-    if (reg.name == name) return &reg;
-  return nullptr;
-}
-
-double ToolChanger::radius_for(const std::string& cycle, int edge, const Word& where) {
-  const double found = radius(edge);
-  const bool told = tool_.failed && tool_.chosen;
-  if (found <= 0 && !told)
-    reporter_.once(Severity::error, "tool-unknown",
-                   fmt::format("{} needs the radius of {} (alarm 61000): give --tool or --tools",
-                               cycle, tool_.current.empty() ? "its tool" : "tool " + tool_.current),
-                   where, "cycle-radius:" + tool_.current);
-  return found;
-}
-
-double ToolChanger::radius(int edge) {
-  if (edge == 0) return 0;
-  Word where;
-  where.length = 1;
-  require(where, false);
-  const OffsetRegister* reg = nullptr;
-  if (edge > 0) {
-    reg = find_register(fmt::format("T{}.D{}", tool_.current, edge));
-    if (!reg) reg = find_register(fmt::format("D{}", edge));
-  }
-  if (reg) return reg->radius + reg->wear;
-  const Tool* tool = current();
-  if (!tool) return 0;
-  const double own = is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
-  return own + control_.bare_wear(fmt::format("D{}", edge));
-}
-
-CompRadius ToolChanger::commented_radius() const {
-  const ToolHint* hint = notes_.find(tool_.current);
-  if (!hint) return CompRadius::automatic;
-  const std::string text = upper_case(hint->text);
-  const bool wear = text.find("WEAR COMP") != std::string::npos;
-  const bool control = text.find("CONTROL COMP") != std::string::npos;
-  if (wear == control) return CompRadius::automatic;
-  return wear ? CompRadius::wear : CompRadius::radius;
 }
 
 std::string tool_summary(const Tool& tool) {

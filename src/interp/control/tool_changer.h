@@ -24,6 +24,9 @@ class ToolChanger : public ControlPart {
   /// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
   /// when it cuts.
   void require(const Word& where, bool cuts);
+  /// The tool of a lathe that comments call a bar stop, a gripper or a probe: its feeds cut
+  /// nothing.
+  bool only_touches(const Word& where);
   /// The tool in the spindle, or null.
   const Tool* current() const {
     return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
@@ -40,6 +43,7 @@ class ToolChanger : public ControlPart {
   CompRadius commented_radius() const;
 
  private:
+  bool cancels_offset(const Word& word);
   bool select(const Word& word);
   bool suffix(const Word& word);
   void change();

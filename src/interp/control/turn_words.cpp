@@ -32,7 +32,7 @@ bool TurnWords::has_axes() const { return peek('X') || peek('Z') || peek('U') ||
 
 bool TurnWords::wants_block() const {
   return modal_.turn.number != 0 && !block_.oneshot && !block_.frame_code &&
-         (has_axes() || peek('R'));
+         !block_.suppress_frames && (has_axes() || peek('R'));
 }
 
 // P and Q of the cycles, and R beside them, count least increments where no point is written.

@@ -161,6 +161,8 @@ bool ValueWords::speed() {
 bool ValueWords::edge() {
   const Word* word = take('D');
   if (!word) return true;
+  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
+  if (is(Dialect::ngc) && speeds && modal_.surface_speed) return true;  // G96 D: the highest speed
   if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;
     return true;

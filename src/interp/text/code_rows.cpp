@@ -166,7 +166,10 @@ constexpr Row kFanucMill[] = {
     {1500, C::unsupported, G::oneshot},
 };
 
+// G13 and G140 choose the turret and the spindle of Okuma's lathes that most programs have.
 constexpr Row kFanucLathe[] = {
+    {130, C::ignored, G::other},         {140, C::unsupported, G::other},
+    {1400, C::ignored, G::other},        {1410, C::unsupported, G::other},
     {320, C::thread, G::motion},         {330, C::thread, G::motion},
     {340, C::thread_growing, G::motion}, {430, C::length_plus, G::length},
     {490, C::length_off, G::length},     {500, C::set_position, G::oneshot},

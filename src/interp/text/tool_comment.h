@@ -42,6 +42,7 @@ struct ToolHint {
   double corner_radius = 0, nose_radius = 0;  ///< their values
   double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
   bool assumed_angle = false;                 ///< the angle follows from the kind alone
+  bool rivals = false;                        ///< it names another kind of tool, too
   std::string gauge;                          ///< "7" of a number drill, "Q" of a letter drill
   std::string insert;                         ///< "CNMG"
   double insert_angle = 0, lead_angle = 0;    ///< radians

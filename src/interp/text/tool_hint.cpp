@@ -260,6 +260,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
   if (into.edge_length == 0) into.edge_length = more.edge_length;
   into.left_hand |= more.left_hand;
+  into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
   into.inside |= more.inside;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;

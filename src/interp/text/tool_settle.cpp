@@ -253,7 +253,9 @@ void Settler::settle_rivals() {
     if (same_trade(k, rival) || (is_turning(rival.type) && !rival.firm)) continue;
     const bool angular = same_trade(rival, {ToolType::chamfer, ToolTrade::chamfer_mill}) &&
                          !facts_.angles.empty() && !pointed();
-    if (rival.firm || !k.firm || angular) return doubt("names more than one kind of tool");
+    if (!rival.firm && k.firm && !angular) continue;
+    hint_.rivals = true;
+    return doubt("names more than one kind of tool");
   }
 }
 

@@ -1,0 +1,53 @@
+// The leads of threads and taps that a motion's block gives.
+#include "interp/control/moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace mrsim {
+
+// Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
+// hand of the thread; that of a cut thread follows from the spindle and the direction.
+bool Moves::thread_values(const Target& to, const Vec3& from) {
+  const Code code = current_motion();
+  take(Address::sf);
+  const Vec3 d = to.programmed - from;
+  if (code == Code::tap_floating) {
+    modal_.lead = modal_.speed > 0 ? modal_.feed / modal_.speed : 0;
+    return true;
+  }
+  if (!is(Dialect::sinumerik)) {
+    const Word* f = take('F');
+    if (is(Dialect::fanuc)) take('Q');  // the spindle's angle at the start
+    if (is(Dialect::iso) && lathe()) {  // L of Fagor's lathes, Q the angle
+      if (const Word* l = take('L')) f = l;
+      take('Q');
+    }
+    if (const Word* k = take('K')) f = f ? f : k;
+    if (f) modal_.lead = f->value * feed_scale();
+  } else {
+    const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    double longest = -1;
+    const Word* used = nullptr;
+    for (int i = 0; i < 3; ++i) {
+      const Word* lead = take("IJK"[i]);
+      if (!lead || along[i] <= longest) continue;
+      longest = along[i];
+      used = lead;
+      modal_.lead = lead->value * scale();
+    }
+    if (used && longest < *std::max_element(std::begin(along), std::end(along)))
+      warning("thread-lead", "the lead belongs to the axis of the longer path, and this is another",
+              *used);
+  }
+  if (modal_.lead == 0)
+    return error("thread-lead", "a thread needs its lead",
+                 block_.motion_code ? *block_.motion_code : *to.first);
+  if (modal_.lead < 0 && code != Code::tap_in && code != Code::tap_out)
+    return error("thread-lead", "the lead of a cut thread is above 0",
+                 block_.motion_code ? *block_.motion_code : *to.first);
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,152 @@
+// What lathes' programs of all makers write beside the cycles. X of the paths is a radius.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+Program on_lathe(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  return read_text(text, at_origin(dialect, MachineKind::lathe));
+}
+
+std::string lathe_path(const std::string& text) {
+  const Program p = on_lathe(text);
+  return path_text(p) + (codes(p).empty() ? "" : " | " + codes(p));
+}
+
+std::string lathe_notes(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  return codes(on_lathe(text, dialect), Severity::note);
+}
+
+// The pass to X0 was run in the part's own zero: it cut the part off.
+TEST(LatheHabits, G53IsNoPassOfTheCycleInForce) {
+  EXPECT_EQ(lathe_path("G0 X40 Z2\nG90 X36 Z-10 F.2\nG53 X0\nG53 Z0\n"),
+            "r20,0,2 r18,0,2 l18,0,-10 l20,0,-10 r20,0,2");
+  EXPECT_EQ(lathe_path("G0 X0 Z2\nG81 Z-10 R1 F.1\nG53 X0 Z0\n"), "r0,0,2 r0,0,1 l0,0,-10 r0,0,2");
+}
+
+// Of the table without tools: T0 ends the offset, the turret stays.
+TEST(LatheHabits, TZeroChangesNoTool) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.clear();
+  const Program p =
+      read_text("T0101\nG0 X20 Z0\nG1 X10 F.1\nG0 X50 T0\nT0000\nG1 X40\nT0202\nX10\n", options);
+  ASSERT_EQ(p.tools.size(), 2U);
+  EXPECT_EQ(p.tools[0].id + p.tools[1].id, "12");
+}
+
+// A bar stop runs to X0 Z1 with the feed, a bar puller 8 mm along the bar and back with it.
+TEST(LatheHabits, BarStopsAndPullersCutNothing) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.clear();
+  const std::string work =
+      "G0 X0 Z5\nG1 Z1 F2\nG0 Z50\nT0101 (CNMG 120408)\nG0 X20 Z0\nG1 X0 F.1\n";
+  for (const char* tool :
+       {"BAR STOP", "STOPPER", "BAR PULLER", "STANGENGREIFER", "ANSCHLAG", "TOPE"}) {
+    const Program p = read_text("(T0909 " + std::string(tool) + ")\nT0909\n" + work, options);
+    EXPECT_EQ(path_text(p), "r0,0,5 r0,0,1 r0,0,50 r10,0,0 l0,0,0") << tool;
+    EXPECT_EQ(codes(p, Severity::note), "tool-touches tool-inferred") << tool;
+    EXPECT_EQ(p.motions[1].tool, -1);
+  }
+  // With a second trade, and in the tool table, it may cut.
+  EXPECT_EQ(codes(read_text("T0909 (BAR STOP AND CENTER DRILL 3MM)\n" + work, options)),
+            "tool-unknown");
+  EXPECT_EQ(codes(read_text("(T0909 BAR STOP)\nT0909\n" + work,
+                            [&] {
+                              InterpOptions table = options;
+                              Tool drill;
+                              drill.id = "9";
+                              drill.type = ToolType::drill;
+                              drill.diameter = 10;
+                              table.table.tools.push_back(drill);
+                              return table;
+                            }()),
+                  Severity::note),
+            "tool-inferred");
+}
+
+// Turrets without geometry offsets: each tool's G50 says where its tip is at the index place, where
+// T1's is at (100, 75) and T3's 10 mm farther out in Z.
+TEST(LatheHabits, EachToolsG50SaysWhereItsTipIs) {
+  const std::string head = "G50 X200 Z150\nT0100\nG0 X50 Z2\nG1 Z-20 F.2\nG0 X200 Z150 T0100\n";
+  const std::string tail = "G0 X40 Z2\nG1 Z-10\n";
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.start.reset();
+  for (const std::string& change :
+       {std::string("G50 X200 Z160\nT0300\n"), std::string("T0300\nG50 X200 Z160\n"),
+        std::string("G50 X200 Z160 T0300\n"), std::string("G50 X200 Z160 S1500\nM8\nT0300 M3\n")}) {
+    const Program p = read_text(head + change + tail, options);
+    EXPECT_EQ(path_text(p), "r25,0,2 l25,0,-20 r100,0,150 r20,0,2 l20,0,-10") << change;
+    EXPECT_NE(codes(p, Severity::note).find("touch-off"), std::string::npos) << change;
+  }
+  // Of the same tool it shifts the zero, as for the next part of the bar.
+  EXPECT_EQ(path_text(read_text(head + "G50 X200 Z160\n" + tail, options)),
+            "r25,0,2 l25,0,-20 r100,0,150 r20,0,-8 l20,0,-20");
+  EXPECT_EQ(path_text(read_text(head + "G50 X200 Z160\nG0 X180\nT0300\n" + tail, options)),
+            "r25,0,2 l25,0,-20 r100,0,150 r90,0,150 r20,0,-8 l20,0,-20")
+      << "a move lies between";
+}
+
+// G71 U2000 R500 is 2 mm deep and goes 0.5 aside, U400 W100 leave 0.2 and 0.1.
+TEST(LatheHabits, LongDepthsOfRoughingCountThousandths) {
+  const std::string contour = "N1 G0 X30\nG1 Z-10\nN2 X40\n";
+  const std::string start = "G0 X40 Z1\nG1 F.2\n";
+  const Program p = on_lathe(start + "G71 U2000 R500\nG71 P1 Q2 U400 W100\n" + contour);
+  EXPECT_EQ(path_text(p),
+            path_text(on_lathe(start + "G71 U2. R.5\nG71 P1 Q2 U.4 W.1\n" + contour)));
+  EXPECT_EQ(codes(p, Severity::note), "number-without-point");
+  const std::string faces = "N1 G0 Z-5\nG1 X20\nN2 Z1\n";
+  EXPECT_EQ(path_text(on_lathe(start + "G72 W1000 R200\nG72 P1 Q2 U60 W40\n" + faces)),
+            path_text(on_lathe(start + "G72 W1. R.2\nG72 P1 Q2 U.06 W.04\n" + faces)))
+      << "what counts in the first line counts in the second";
+  EXPECT_EQ(path_text(on_lathe(start + "G71 P1 Q2 U400 W100 D2000\n" + contour)),
+            path_text(on_lathe(start + "G71 P1 Q2 U.4 W.1 D2.\n" + contour)));
+  EXPECT_EQ(path_text(on_lathe(start + "G73 U5000 W2000 R2\nG73 P1 Q2 U400 W0\n" + contour)),
+            path_text(on_lathe(start + "G73 U5. W2. R2\nG73 P1 Q2 U.4 W0\n" + contour)));
+  EXPECT_EQ(lathe_notes(start + "G71 U2 R1\nG71 P1 Q2 U1 W0\n" + contour), "")
+      << "short ones are millimetres";
+}
+
+// A quarter of a circle about (25, -20) from (20, -20): the straight line was run.
+TEST(LatheHabits, RadiiOfOkumaStandBehindL) {
+  const Program p = on_lathe("G0 X40 Z-20\nG2 X50 Z-25 L5 F.2\n");
+  ASSERT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(p.motions[1].kind, MotionKind::arc);
+  expect_near(p.motions[1].center, {25, 0, -20}, 1e-9);
+  EXPECT_EQ(codes(p, Severity::note), "okuma-radius");
+  EXPECT_EQ(codes(on_lathe("G0 X40 Z-20\nG2 X50 Z-25 R5 L5 F.2\n")), "not-supported");
+}
+
+TEST(LatheHabits, TurretsAndSpindlesOfOkuma) {
+  EXPECT_EQ(lathe_path("G13\nG140\nG0 X20 Z0\nG1 X10 F.1\n"), "r10,0,0 l5,0,0");
+  EXPECT_EQ(codes(on_lathe("G14\nG0 X20\nG1 X10 F.1\n")), "not-supported");
+  EXPECT_EQ(codes(on_lathe("G141\nG0 X20\nG1 X10 F.1\n")), "not-supported");
+}
+
+// Mitsubishi: the least speed, and whether there are pockets; Mazak: which spindle.
+TEST(LatheHabits, WordsBesideSpeedsAndRoughing) {
+  EXPECT_EQ(lathe_notes("G92 S2500 Q500\nG50 S2000 R1\nG0 X40 Z1\nG71 U2. R1. H0\n"
+                        "G71 P1 Q2 U.4 W.1 F.2\nN1 G0 X30\nG1 Z-10\nN2 X40\n"),
+            "");
+}
+
+TEST(LatheHabits, LeadsOfFagorStandBehindL) {
+  const Program p = on_lathe("G0 X20 Z5\nG33 Z-20 L1.5 Q0\n", Dialect::iso);
+  ASSERT_EQ(p.motions.size(), 2U);
+  EXPECT_EQ(p.motions[1].lead, 1.5);
+}
+
+// D of G96 is the highest speed, not the tool of G42: that in the spindle counts.
+TEST(LatheHabits, TheSpeedLimitOfG96IsNoRegister) {
+  InterpOptions options = at_origin(Dialect::ngc, MachineKind::lathe);
+  options.comp = CompRadius::automatic;
+  options.table.tools[0].id = "1";
+  options.table.tools[0].nose_radius = 0.4;
+  options.table.tools[0].tip = 3;
+  const Program p = read_text(
+      "G7 G18 G40\nT1 M6\nG96 D2500 S200\nG95 F.2\nG0 X30 Z5\nG42 G1 X20 Z2\nZ-10\nG40 X40\nM2\n",
+      options);
+  EXPECT_EQ(codes(p), "");
+}
+
+}  // namespace
+}  // namespace mrsim
