@@ -137,6 +137,7 @@ TEST(Chains, NearestOfAListEqualsSingleQueries) {
   }
   const SweepTable s(motions, tools);
   std::vector<std::uint32_t> ids;
+  unsigned known = 0;  // places on the path
   for (unsigned round = 0; round < rounds(600); ++round) {
     ids.clear();
     for (std::uint32_t i = 0; i < s.size(); ++i)
@@ -148,7 +149,46 @@ TEST(Chains, NearestOfAListEqualsSingleQueries) {
     const SweepTable::Nearest got = s.nearest(ids, p);
     ASSERT_EQ(got.distance, want.distance);
     ASSERT_EQ(got.sweep, want.sweep);
+    if (!ids.empty()) {
+      ASSERT_EQ(s.patch(got.sweep, p, got.t), s.patch(got.sweep, p));
+      known += got.t ? 1 : 0;
+    }
   }
+  EXPECT_GT(known, rounds(200));
+}
+
+// The face that p sees from outside of the tool: p lies on its normal, at the sweep's distance, and
+// so does what lies between p and a place just below the face.
+TEST(Chains, FacesWithoutASearchAreThoseOfTheSweep) {
+  Random r(78);
+  unsigned closed = 0;
+  for (const Tool& kind : convex_tools()) {
+    const Profile cutter = make_cutter(kind);
+    const ChainTool tool = chain_tool(cutter);
+    for (unsigned round = 0; round < rounds(120); ++round) {
+      const ToolPath path = slant(r);
+      const ChainLine line = chain_line(tool, path);
+      const Vec3 p = point_near(r, path, tool.radius + 1);
+      const PathSample at = chain_minimum(tool, line, p);
+      const Vec3 q = p - path_point(path, at.t).position;
+      const Vec2 seen{std::sqrt(q.x * q.x + q.y * q.y), q.z};
+      if (at.distance < 0.01 || cutter.foot_is_corner(seen)) continue;
+      const std::int32_t patch = cutter.sample(seen).patch;
+      if (std::fabs(cutter.face_distance(seen, patch) - at.distance) > 1e-12) continue;  // the tip
+      const auto face = chain_face(tool, line, p, patch);
+      if (!face) continue;
+      ++closed;
+      ASSERT_NEAR(face->distance, at.distance, 1e-9) << round;
+      ASSERT_NEAR(length(face->normal), 1, 1e-12);
+      ASSERT_NEAR(chain_minimum(tool, line, p - 0.5 * at.distance * face->normal).distance,
+                  0.5 * at.distance, 1e-6);
+      const auto below = chain_face(tool, line, p - (at.distance + 1e-4) * face->normal, patch);
+      if (below) {
+        ASSERT_NEAR(below->distance, -1e-4, 1e-8);
+      }
+    }
+  }
+  EXPECT_GT(closed, rounds(400));
 }
 
 }  // namespace

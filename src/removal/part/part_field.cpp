@@ -222,16 +222,14 @@ bool PartField::expand_packs(const Box3& box, double band,
 }
 
 // d at p from the distance of the nearest sweep.
-FieldSample PartField::decide(const Vec3& p, double cut, std::uint32_t sweep) const {
+FieldSample PartField::decide(const Vec3& p, const SweepTable::Nearest& cut) const {
   const StockSolid::Sample stock = solid_.sample(p);
-  if (stock.distance >= -cut) return {stock.distance, kStockOwner, stock.patch};
-  return {-cut, sweeps_.motion(sweep), sweeps_.patch(sweep, p)};
+  if (stock.distance >= -cut.distance) return {stock.distance, kStockOwner, stock.patch};
+  return {-cut.distance, sweeps_.motion(cut.sweep), sweeps_.patch(cut.sweep, p, cut.t)};
 }
 
 FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> candidates) const {
-  if (candidates.empty()) return decide(p, kInfinity, 0);
-  const SweepTable::Nearest cut = sweeps_.nearest(candidates, p);
-  return decide(p, cut.distance, cut.sweep);
+  return decide(p, candidates.empty() ? SweepTable::Nearest{} : sweeps_.nearest(candidates, p));
 }
 
 void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
@@ -242,7 +240,8 @@ void PartField::samples(std::span<const Vec3> points, std::span<const std::uint3
     fill(columns, points);
     sweeps_.least(candidates, columns);
     for (std::size_t k = 0; k < columns.count; ++k)
-      out[k] = decide(points[k], columns.least[k], static_cast<std::uint32_t>(columns.nearest[k]));
+      out[k] =
+          decide(points[k], {columns.least[k], static_cast<std::uint32_t>(columns.nearest[k]), {}});
   }
 }
 

@@ -72,7 +72,7 @@ class PartField final : public ExactField {
   /// What a strip near the region leaves of a list of strips.
   Region restrict_strips(const PruneRegion& region, double band, const CandidateList& in,
                          std::size_t near, bool& in_stock, Candidates& out) const;
-  FieldSample decide(const Vec3& p, double cut, std::uint32_t sweep) const;
+  FieldSample decide(const Vec3& p, const SweepTable::Nearest& cut) const;
   std::size_t sweep_of(std::int32_t motion) const {
     return sweep_of_[static_cast<std::size_t>(motion)];
   }

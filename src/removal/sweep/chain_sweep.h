@@ -2,10 +2,13 @@
 // point.
 #pragma once
 
+#include "removal/field/field.h"
 #include "removal/simd/chain_record.h"
 #include "removal/sweep/path_sweep.h"
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace mrsim {
 
@@ -23,5 +26,11 @@ double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p,
 /// distance above that, so that a search may end early.
 PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
                          double limit = std::numeric_limits<double>::infinity());
+
+/// The face `patch` of a sweep at p, where one of its cones, cylinders or the ball at its tip is
+/// what can touch p: normal and distance, closed. None where a disc's rim or a torus may, or two
+/// edges.
+std::optional<FacePlane> chain_face(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                                    std::int32_t patch);
 
 }  // namespace mrsim

@@ -91,9 +91,9 @@ std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, con
   if (c.at_end) return s.patch + branch;
   const double slope = dot(around(c, s.gradient), c.travel);
   const double steep = 1e-6 * length(c.travel);
-  const int corner = tool.nearest_corner({c.rho, c.q.z});
   const bool drawn = slope > steep || slope < -steep || tool.foot_is_corner({c.rho, c.q.z});
-  return branch + (drawn && corner >= 0 ? kCornerPatch + corner : s.patch);
+  const int corner = drawn ? tool.nearest_corner({c.rho, c.q.z}) : -1;
+  return branch + (corner >= 0 ? kCornerPatch + corner : s.patch);
 }
 
 // The faces of a path sweep at p. Beyond its creases a face is continued by the tool at the
@@ -208,8 +208,12 @@ FacePlane local_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
 // The same face to first order.
 FacePlane local_face_plane(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
                            std::int32_t patch) {
-  if (ref.kind == SweepKind::path)
+  if (ref.kind == SweepKind::path) {
     if (const auto plane = sheared_cylinder(c, ref, p, patch)) return *plane;
+    if (c.is_chain(ref))
+      if (const auto plane = chain_face(c.chain_tools[ref.shape], c.chain_lines[ref.row], p, patch))
+        return *plane;
+  }
   return local_face(c, ref, p, patch);
 }
 
@@ -231,6 +235,12 @@ SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
     default:
       return level_sample(c, ref, p);
   }
+}
+
+// The same with the side of the path, where the face is a flank.
+std::int32_t with_flank(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                        std::int32_t patch) {
+  return is_flank(ref, patch) && groove_side(c, ref, p).off > 0 ? patch + kFlankPatch : patch;
 }
 
 // The point on the flank's side of the path from which the flank is seen as from p: p itself, or,
@@ -300,8 +310,13 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point
   const SweepRef& ref = c.refs[i];
   const Vec3 p = ref.frame > 0 ? c.frames[ref.frame - 1].in(point) : point;
   SweepSample s = local_sample(c, ref, p);
-  if (is_flank(ref, s.patch) && groove_side(c, ref, p).off > 0) s.patch += kFlankPatch;
+  s.patch = with_flank(c, ref, p, s.patch);
   return s;
+}
+
+std::int32_t sweep_patch(const SweepColumns& c, std::size_t i, const Vec3& p, double t) {
+  const SweepRef& ref = c.refs[i];
+  return with_flank(c, ref, p, path_patch(c.cutter(ref), c.paths[ref.row], t, p));
 }
 
 FacePlane sweep_face_plane(const SweepColumns& c, std::size_t i, const Vec3& p,

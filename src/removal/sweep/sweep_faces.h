@@ -15,6 +15,8 @@ struct GrooveSide {
 GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p);
 
 SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& p);
+/// Of a straight path in the stock's frame, whose place t is nearest to p.
+std::int32_t sweep_patch(const SweepColumns& c, std::size_t i, const Vec3& p, double t);
 Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch);
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,
                             std::int32_t patch);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace mrsim {
 namespace {
@@ -122,7 +123,7 @@ class BoundedLines {
     memory.others.clear(), memory.lines.clear();
     const std::uint32_t last = memory.last;
     const bool has_last = std::ranges::find(list, last) != list.end() && is_bounded(last);
-    if (has_last) take_nearer(distance(last, best.distance), last, best);
+    if (has_last) take(last, best.distance, best);
     for (const std::uint32_t id : list)
       if (!(has_last && id == last) && !add(id, best.distance + kBoundError, memory))
         memory.others.push_back(id);
@@ -130,7 +131,7 @@ class BoundedLines {
     if (!lines.empty()) std::swap(lines.front(), *std::min_element(lines.begin(), lines.end()));
     for (const auto& [bound, id] : lines) {
       const double limit = best.distance + kBoundError;
-      if (bound <= limit) take_nearer(distance(id, limit), id, best);
+      if (bound <= limit) take(id, limit, best);
     }
     if (std::isfinite(best.distance)) memory.last = best.sweep;
     return memory.others;
@@ -148,6 +149,11 @@ class BoundedLines {
     else
       return false;
     return true;
+  }
+
+  /// Where on a sweep the point is nearest, if it is the nearest line.
+  std::optional<double> place_on(std::uint32_t sweep) const {
+    return sweep == line_ ? std::optional(t_) : std::nullopt;
   }
 
  private:
@@ -174,14 +180,19 @@ class BoundedLines {
     return true;
   }
 
-  double distance(std::uint32_t id, double limit) const {
+  void take(std::uint32_t id, double limit, TurnTree::Nearest& best) {
     const SweepRef& ref = c_.refs[id];
-    if (c_.is_slant_line(ref)) return slant_minimum(c_.slant_lines[ref.row], p_).distance;
-    return chain_minimum(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit).distance;
+    const PathSample s = c_.is_slant_line(ref) ? slant_minimum(c_.slant_lines[ref.row], p_)
+                                               : chain_minimum(c_.chain_tools[ref.shape],
+                                                               c_.chain_lines[ref.row], p_, limit);
+    take_nearer(s.distance, id, best);
+    if (best.sweep == id) t_ = s.t, line_ = id;
   }
 
   const SweepColumns& c_;
   Vec3 p_;
+  std::uint32_t line_ = ~0u;  // the nearest so far, and where on it
+  double t_ = 0;
 };
 
 // The line with the least bound at one of the points, asked first: few others can then be nearer to
@@ -251,8 +262,8 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const auto numbers = c.numbers_of(list);
   std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
-  if (!c.chain_lines.empty() || !c.slant_lines.empty())
-    plain = BoundedLines(c, p).nearest(plain, best);
+  BoundedLines lines(c, p);
+  if (!c.chain_lines.empty() || !c.slant_lines.empty()) plain = lines.nearest(plain, best);
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
     const auto some = plain.first(std::min(kChunk, plain.size()));
@@ -262,7 +273,7 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)
     c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, p.z, best);
-  return {best.distance, best.sweep};
+  return {best.distance, best.sweep, lines.place_on(best.sweep)};
 }
 
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,

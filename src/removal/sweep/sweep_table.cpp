@@ -49,8 +49,9 @@ double SweepTable::distance(std::size_t i, const Vec3& p) const { return columns
 SweepSample SweepTable::sample(std::size_t i, const Vec3& p) const {
   return sweep_sample(*columns_, i, p);
 }
-std::int32_t SweepTable::patch(std::size_t i, const Vec3& p) const {
-  return columns_->refs[i].kind == SweepKind::ball_line ? 0 : sample(i, p).patch;
+std::int32_t SweepTable::patch(std::size_t i, const Vec3& p, std::optional<double> t) const {
+  if (columns_->refs[i].kind == SweepKind::ball_line) return 0;
+  return t ? sweep_patch(*columns_, i, p, *t) : sample(i, p).patch;
 }
 Vec3 SweepTable::gradient(std::size_t i, const Vec3& p, std::int32_t patch) const {
   return sweep_gradient(*columns_, i, p, patch);

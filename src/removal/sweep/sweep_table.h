@@ -73,7 +73,8 @@ class SweepTable {
   /// Signed distance of p from sweep i, mm.
   double distance(std::size_t i, const Vec3& p) const;
   SweepSample sample(std::size_t i, const Vec3& p) const;
-  std::int32_t patch(std::size_t i, const Vec3& p) const;  ///< sample(i, p).patch
+  /// sample(i, p).patch; `t`: Nearest::t, if the sweep is known to be nearest there.
+  std::int32_t patch(std::size_t i, const Vec3& p, std::optional<double> t = {}) const;
   /// Unit gradient of distance(i, .) at p (out of the sweep), on the given patch where p lies on a
   /// crease.
   Vec3 gradient(std::size_t i, const Vec3& p, std::int32_t patch) const;
@@ -96,6 +97,7 @@ class SweepTable {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::uint32_t sweep = 0;
+    std::optional<double> t;  ///< where on a straight path, if that is known
   };
   Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p) const;
 

@@ -327,7 +327,7 @@ int Profile::nearest_corner(Vec2 q) const {
 
 bool Profile::foot_is_corner(Vec2 q) const {
   const Foot f = nearest(q);
-  return f.at_corner > 0 && corners_[f.at_corner] == Corner::convex && distance(q) > 0;
+  return f.at_corner > 0 && corners_[f.at_corner] == Corner::convex && f.distance > 0;
 }
 
 Vec2 Profile::corner_direction(int corner) const {
