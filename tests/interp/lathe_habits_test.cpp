@@ -148,5 +148,44 @@ TEST(LatheHabits, TheSpeedLimitOfG96IsNoRegister) {
   EXPECT_EQ(codes(p), "");
 }
 
+// Which corner of the blade offset 13 is for, no program tells.
+TEST(LatheHabits, ASecondOffsetOfABladeIsToldOf) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.clear();
+  const std::string cut = "G0 X54 Z-20\nG1 X40 F.1\nG0 X54\n";
+  const std::string blade = "T0303 (GROOVE 3MM)\n", insert = "T0101 (CNMG 120408)\n";
+  EXPECT_EQ(codes(read_text(blade + cut + "T0313\n" + cut, options)), "second-offset");
+  EXPECT_EQ(codes(read_text(blade + cut + "T0300\nT0303\n" + cut, options)), "");
+  EXPECT_EQ(codes(read_text(insert + cut + "T0111\n" + cut, options)), "") << "a wear";
+  Tool right;
+  right.id = "313";
+  right.type = ToolType::grooving;
+  right.width = 3;
+  right.tip = 4;
+  options.table.tools.push_back(right);
+  const Program told = read_text(blade + cut + "T0313\n" + cut, options);
+  EXPECT_EQ(codes(told), "");
+  ASSERT_EQ(told.tools.size(), 2U);
+  EXPECT_EQ(told.tools[1].tip, 4);
+}
+
+// G20 is a cycle there, and was a rapid in inches; G20 beside a motion word is the unit.
+TEST(LatheHabits, CyclesOfCodeSystemCAreRefused) {
+  EXPECT_EQ(codes(on_lathe("G0 X52. Z2.\nG20 X46. Z-30. F.25\nX42.\n")), "not-supported");
+  EXPECT_EQ(codes(on_lathe("G0 X44. Z2.\nG21 X39. Z-25. F1.5\n")), "not-supported");
+  EXPECT_EQ(codes(on_lathe("G20 G1 X1. Z-1. F.01\nG21 G99 G40\nG1 X20. Z-20.\n")), "");
+}
+
+// Couplings of spindles and other axes do nothing to the part.
+TEST(LatheHabits, SpindlesOfSinumerikChangeOver) {
+  EXPECT_EQ(codes(on_lathe("G0 X40 Z2\nG1 X20 F0.2\nCOUPDEF(S3,S1,1,1,\"FINE\")\nCOUPON(S3,S1)\n"
+                           "POS[Z3]=-200 FA[Z3]=1000\nPOSA[Q1]=0\nFXS[Z3]=1\nCOUPOF(S3,S1)\nM30\n",
+                           Dialect::sinumerik),
+                  Severity::note),
+            "");
+  EXPECT_EQ(codes(on_lathe("POS[Z]=-200\nM30\n", Dialect::sinumerik)).substr(0, 13),
+            "not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -98,6 +98,8 @@ TEST(Recognise, FanucLathes) {
       {"O1\nT0101\nM06\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT1234\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT101\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::automatic},
+      {"O1\n(T1 CNMG432)\nT101\nG0 X50. Z2.\nG90 X40. Z-10. F.2", MachineKind::lathe},
+      {"O1\nG96 S200 M3\nG0 X50. Z2.\nG112\nG1 X40. Y5. F.2\nG113", MachineKind::lathe},
       {"O1\nT0101 (END MILL D10)\nG0 X50. Z2.\nG90 G1 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT0101\nG50 S2000\nG0 X50. Y2.\nG90 X40. Z-10. F.2", MachineKind::mill},
       {"O1\nT1 M6\nG90 G54 G0 X50. Z2.\nG1 Z-3. F100\nG90 X40. Z-10.", MachineKind::automatic}};

@@ -35,6 +35,7 @@ class Path {
     Tool tool;
     tool.type = type;
     tool.diameter = 12;
+    if (type == ToolType::turning) tool.lead_angle = radians(95);
     return default_stock(motions_, std::vector<Tool>{tool}, true, zero);
   }
 
@@ -384,6 +385,24 @@ TEST(DefaultStock, ABarIsNoWiderThanWhereRapidsGoBeforeAnyCut) {
                              .rapid({22, 0, -60})
                              .bar();
   EXPECT_EQ(bar.outer_radius, 21);
+}
+
+// Faced from outside a bar of 40, and then in levels that begin at its radius: what the right-hand
+// insert has cut lies before its tip.
+TEST(DefaultStock, ABarIsNoWiderThanWhereLevelsOfAFaceBegin) {
+  EXPECT_EQ(Path()
+                .rapid({22, 0, 0})
+                .cut({-0.8, 0, 0})
+                .rapid({20, 0, 1})
+                .rapid({20, 0, -1})
+                .cut({12, 0, -1})
+                .rapid({12.5, 0, -0.5})
+                .rapid({20, 0, -0.5})
+                .rapid({20, 0, -2})
+                .cut({12, 0, -2})
+                .bar()
+                .outer_radius,
+            20);
 }
 
 // Rapids back within the part, and a feed move to the first pass in the air, tell nothing.

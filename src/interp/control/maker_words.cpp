@@ -13,6 +13,12 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
     block_.length_changed = true;
     return true;
   }
+  if (is_cycle_of_system_c(word))
+    return error("not-supported",
+                 fmt::format("{} beside axes and F is a turning cycle of code system C, which is "
+                             "not supported: write those of system A, G90, G92 and G94",
+                             text_of(word)),
+                 word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
   if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
@@ -23,6 +29,16 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (word.value == 100) return brother_change(word);
   if (word.value == 71 && stands_for_level(word)) return okuma_level();
   return std::nullopt;
+}
+
+// G20 X46. Z-30. F.25, and no motion word.
+bool MakerWords::is_cycle_of_system_c(const Word& word) const {
+  if (!lathe() || !is(Dialect::fanuc) || (word.value != 20 && word.value != 21)) return false;
+  if (!peek('F') || !(peek('X') || peek('Z') || peek('U') || peek('W'))) return false;
+  return std::none_of(block_.words.begin(), block_.words.end(), [&](const Word& other) {
+    return other.address == letter('G') && other.value != word.value &&
+           (other.value < 4 || (other.value >= 28 && other.value <= 34) || other.value >= 70);
+  });
 }
 
 bool MakerWords::has_m6() const {

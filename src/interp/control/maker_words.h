@@ -21,6 +21,7 @@ class MakerWords : public ControlPart {
   bool brother_change(const Word& word);
   bool haas_mirror(const Word& word);
   bool names_zero_places() const;
+  bool is_cycle_of_system_c(const Word& word) const;
   bool has_m6() const;
   bool stands_for_level(const Word& word) const;
 

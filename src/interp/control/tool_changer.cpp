@@ -67,6 +67,8 @@ std::string ToolChanger::id_of(const Word& word) {
   if (is(Dialect::ngc)) return mach_station(number, digits, text, word);
   const long station = turret_station(number, digits);
   const long offset = number - station * (digits == 8 ? 10000 : 1000);
+  const std::string whole = fmt::format("{}", number);
+  if (digits >= turret_digits() && given(whole) != nullptr) return whole;
   const bool thrice = digits == 6 && number == station * 10101;
   if ((digits == 6 || digits == 8) && offset != 0 && offset != station && !thrice)
     note_once("tool-station",
@@ -137,6 +139,7 @@ bool ToolChanger::apply() {
   }
   if (block_.tool_change && tool_.pending.active) {
     change();
+    if (word) compare_offset(*word);
     if (is(Dialect::sinumerik) && !peek('D')) modal_.edge = 1;
   }
   if (!word) return true;
@@ -183,6 +186,27 @@ bool ToolChanger::select(const Word& word) {
   tool_.pending.at.call = block_.call;
   notes_.call(tool_.pending.id);
   return true;
+}
+
+// T0303 and T0313: a blade often has an offset for each of its corners, and which is which no
+// program tells.
+void ToolChanger::compare_offset(const Word& word) {
+  const long number = static_cast<long>(word.value), offset = number % 100;
+  if (!lathe() || !is(Dialect::fanuc) || word.string || number < 100 || number > 9999 ||
+      offset == 0 || tool_.current == fmt::format("{}", number))
+    return;
+  const auto [at, first] = offsets_.emplace(tool_.current, offset);
+  const auto known = used_.find(tool_.current);
+  if (first || at->second == offset || known == used_.end()) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(known->second)];
+  if (tool.type != ToolType::grooving) return;
+  reporter_.once(
+      Severity::warning, "second-offset",
+      fmt::format("{0} is a second offset of blade {1}: its point is read as before. Where it is "
+                  "the other corner, these cuts lie {2:g} mm beside: say so with --tool "
+                  "{3}=grooving:w={2:g},tip=..",
+                  text_of(word), tool.id, tool.width, number),
+      word, text_of(word));
 }
 
 void ToolChanger::change() {

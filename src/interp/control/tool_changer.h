@@ -46,6 +46,7 @@ class ToolChanger : public ControlPart {
   bool cancels_offset(const Word& word);
   bool select(const Word& word);
   bool suffix(const Word& word);
+  void compare_offset(const Word& word);
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
@@ -63,6 +64,7 @@ class ToolChanger : public ControlPart {
   std::unordered_map<std::string, std::size_t> given_;  ///< id -> tool of the table, the first
   std::unordered_map<std::string, int> used_;           ///< id -> tool of the program
   std::unordered_map<std::string, double> suffixes_;    ///< id -> T word with a suffix
+  std::unordered_map<std::string, long> offsets_;       ///< id -> the first offset that it had
 };
 
 /// "end mill 5 mm"

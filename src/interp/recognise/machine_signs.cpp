@@ -52,6 +52,13 @@ bool turret_word(const std::string& c) {
   return false;
 }
 
+// T101 of Haas' lathes; alone it may be a tool of that number.
+bool short_turret_word(const std::string& c) {
+  for (char n = '1'; n <= '9'; ++n)
+    if (has_word(c, std::string({'T', n, '0', n}))) return true;
+  return false;
+}
+
 // SINUMERIK's cycles of mills; a lathe's live tools run them too, beside turning words.
 bool milling_cycle(const std::string& c) {
   for (const char* cycle :
@@ -84,6 +91,7 @@ void MachineSigns::fanuc_line(const std::string& c, int n) {
   if (turning_words(c)) note_first(fanuc_turning_, "a turning word", n);
   if (has_axis(c, 'C')) note_first(rotary_, "C", n);
   if (turret_word(c)) note_first(turret_, "a T word of station and offset", n);
+  if (short_turret_word(c)) note_first(short_turret_, "a T word of station and offset", n);
 }
 
 void MachineSigns::weak_signs(const std::string& c, int n) {
@@ -98,6 +106,15 @@ void MachineSigns::weak_signs(const std::string& c, int n) {
   if (alone) note_first(ngc_lathe_, "G7 or G8", n);
 }
 
+// Y of a lathe's polar and cylindrical interpolation is no axis of the machine.
+bool MachineSigns::is_transformed(const std::string& c) {
+  if (has_word(c, "TRANSMIT") || has_word(c, "TRACYL") || has_word(c, "G12.1") ||
+      has_word(c, "G112") || has_word(c, "G107") || has_word(c, "G7.1"))
+    transformed_ = !has(c, "C0");
+  if (has_word(c, "TRAFOOF") || has_word(c, "G13.1") || has_word(c, "G113")) transformed_ = false;
+  return transformed_;
+}
+
 void MachineSigns::line(const LineScan& s, int n) {
   const std::string& c = s.code;
   weak_signs(c, n);
@@ -109,7 +126,7 @@ void MachineSigns::line(const LineScan& s, int n) {
                             "CYCLE952", "CYCLE96", "CYCLE97", "CYCLE98", "CYCLE99"})
     if (has_word(c, cycle)) note_first(lathe_, "a turning cycle", n);
   if (milling_cycle(c)) note_first(milling_cycle_, "a milling cycle", n);
-  const bool data = sets_data(c);
+  const bool data = is_transformed(c) || sets_data(c);
   if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
   if (!data && has_axis(c, 'J') && !threads(c)) note_first(mill_, "an arc with J", n);
   if (s.comment.empty()) return;
@@ -146,7 +163,7 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   // Beside turning tools or an axis C a milling tool in a turret is a live one.
   const bool live = !turning_tool_.empty() || !rotary_.empty();
   if (weak.empty() && fanuc && change_.empty() && (milling_tool_.empty() || live) && !milling)
-    weak = turret_;
+    weak = turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
   if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
     weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
   if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";

@@ -21,6 +21,7 @@ class MachineSigns {
   void fanuc_line(const std::string& code, int n);
   void weak_signs(const std::string& code, int n);
   std::string weak_mill(bool tool_in_table, bool commented) const;
+  bool is_transformed(const std::string& code);
 
   // Where the first such sign is; empty: there is none.
   std::string mill_, lathe_;
@@ -29,11 +30,13 @@ class MachineSigns {
   std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y
   std::string turning_;                      ///< G18, if nothing moves in Y
   std::string turret_;                       ///< T0101, if nothing is changed by M6
+  std::string short_turret_;                 ///< T101, beside a comment about a turning tool
   std::string rotary_;                       ///< an axis C
   std::string per_revolution_;               ///< G95; supports a comment about a turning tool
   std::string milling_cycle_;                ///< POCKET3 and its kin, beside no turning word
   std::string change_, length_, plane_;      ///< M6, G43, G17: two of them make a mill
   std::string turning_tool_, milling_tool_;  ///< comments
+  bool transformed_ = false;                 ///< behind TRANSMIT, G12.1 and their kin
 };
 
 }  // namespace mrsim

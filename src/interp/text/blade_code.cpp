@@ -20,14 +20,57 @@ bool is_whole(const Tokens& tokens, std::size_t i, std::size_t digits) {
          tokens[i].text.size() == digits;
 }
 
-// "MGMN 300", "MGGN-250": hundredths of a mm.
+// "MGMN 300", "MGGN-250", "SP300": hundredths of a mm. MRMN has a round end.
 std::optional<BladeCode> read_mgmn(const Tokens& tokens, std::size_t i) {
-  if (!tokens[i].is("MGMN") && !tokens[i].is("MGGN")) return std::nullopt;
+  const bool round = tokens[i].is("MRMN");
+  if (!round && !tokens[i].is("MGMN") && !tokens[i].is("MGGN") && !tokens[i].is("SP"))
+    return std::nullopt;
   const std::size_t size = i + 1 < tokens.size() && tokens[i + 1].is("-") ? i + 2 : i + 1;
-  if (!is_whole(tokens, size, 3)) return std::nullopt;
+  if (!is_whole(tokens, size, 3) || (tokens[i].is("SP") && !tokens[size].glued))
+    return std::nullopt;
   BladeCode code;
   code.width = tokens[size].value / 100;
+  if (round) code.nose = code.width / 2;
   code.end = size + 1;
+  return code;
+}
+
+// "DGN 3102J": tenths of a mm, and those of the corner; "GIP 3.00-0.40".
+std::optional<BladeCode> read_iscar(const Tokens& tokens, std::size_t i) {
+  BladeCode code;
+  if (one_of(tokens[i].text, {"DGN", "DGR", "DGL"}) && is_whole(tokens, i + 1, 4)) {
+    code.width = static_cast<int>(tokens[i + 1].value) / 100 / 10.0;
+    code.nose = static_cast<int>(tokens[i + 1].value) % 100 / 10.0;
+    code.end = i + 2;
+    return code;
+  }
+  if (!one_of(tokens[i].text, {"GIP", "GIPI", "GIF"}) || i + 3 >= tokens.size() ||
+      !tokens[i + 1].decimals || !tokens[i + 2].is("-") || !tokens[i + 3].decimals)
+    return std::nullopt;
+  code.width = tokens[i + 1].value;
+  code.nose = tokens[i + 3].value;
+  code.end = i + 4;
+  return code;
+}
+
+// "NG3125L" of Kennametal: thousandths of an inch behind the size of the insert.
+std::optional<BladeCode> read_top_notch(const Tokens& tokens, std::size_t i) {
+  if (!tokens[i].is("NG") || !is_whole(tokens, i + 1, 4) || !is_glued(tokens, i + 1))
+    return std::nullopt;
+  BladeCode code;
+  code.width = static_cast<int>(tokens[i + 1].value) % 1000 * 0.0254;
+  code.end = i + 2;
+  return code;
+}
+
+// "N151.2-300-30-4G": hundredths of a mm.
+std::optional<BladeCode> read_n151(const Tokens& tokens, std::size_t i) {
+  if (!tokens[i].is("N") || i + 3 >= tokens.size() || !tokens[i + 1].text.starts_with("151.") ||
+      !tokens[i + 2].is("-") || !is_whole(tokens, i + 3, 3))
+    return std::nullopt;
+  BladeCode code;
+  code.width = tokens[i + 3].value / 100;
+  code.end = i + 4;
   return code;
 }
 
@@ -75,6 +118,9 @@ std::optional<BladeCode> find_blade_code(const Tokens& tokens) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     std::optional<BladeCode> code = read_mgmn(tokens, i);
     if (!code) code = read_n123(tokens, i);
+    if (!code) code = read_n151(tokens, i);
+    if (!code) code = read_iscar(tokens, i);
+    if (!code) code = read_top_notch(tokens, i);
     if (!code) code = read_thread(tokens, i);
     if (!code) continue;
     code->first = i;

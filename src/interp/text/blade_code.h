@@ -13,6 +13,7 @@ namespace mrsim {
 struct BladeCode {
   ToolType type = ToolType::grooving;
   double width = 0;     ///< mm, of a grooving blade
+  double nose = 0;      ///< mm, of its corners
   double angle = 0;     ///< degrees, of a thread
   bool inside = false;  ///< "16IR"
   bool left_hand = false;

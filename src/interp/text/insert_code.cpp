@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -65,6 +67,8 @@ bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const S
   if (i + 2 >= tokens.size() || !tokens[i + 1].is("T") || !tokens[i + 2].glued) return false;
   std::string rest(tokens[i + 2].text);
   code.end = i + 3;
+  if (shape.angle == 0 && rest.size() == 1)  // "RCMT 10T3 MO"
+    return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
   if (rest.size() == 1 && i + 3 < tokens.size() && tokens[i + 3].text.size() == 2) {
     rest += tokens[i + 3].text;
     code.end = i + 4;
@@ -73,26 +77,37 @@ bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const S
   return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
 }
 
-// "12 04 08".
+// "12 04 08", "12-04-08"; "3-2.5-1": circle, thickness and nose of the inch code.
 bool read_spaced_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
                       InsertCode& code) {
-  std::string digits;
-  for (std::size_t k = i; k < i + 3; ++k) {
-    if (k >= tokens.size() || !tokens[k].is_number() || tokens[k].text.size() != 2) return false;
-    digits += tokens[k].text;
+  std::string_view parts[3];
+  for (std::string_view& part : parts) {
+    if (&part != parts && i < tokens.size() && tokens[i].is("-")) ++i;
+    if (i >= tokens.size() || !tokens[i].is_number()) return false;
+    part = tokens[i++].text;
   }
-  return read_size(digits, shape, code);
+  code.end = i;
+  const auto have = [&](std::size_t first, std::size_t last) {
+    return parts[0].size() == first && parts[2].size() == last;
+  };
+  if (have(2, 2) && parts[1].size() == 2)
+    return read_size(fmt::format("{}{}{}", parts[0], parts[1], parts[2]), shape, code);
+  if (!have(1, 1) || parts[1].empty() || !tokens[i - 2].is("-")) return false;
+  return read_size(fmt::format("{}{}{}", parts[0], parts[1][0], parts[2]), shape, code);
 }
 
 // "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
 bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code) {
+  if (text.size() == 7 && text[4] == '.')  // "CNMG1204.08"
+    return read_size(fmt::format("{}{}", text.substr(0, 4), text.substr(5)), shape, code);
   if (text.size() != 5 || text[2] != '.' || text[3] != '5') return false;
   return read_size(std::string({text[0], text[1], text[4]}), shape, code);
 }
 
 bool is_any_of(char c, std::string_view letters) { return letters.find(c) != letters.npos; }
 
-// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand.
+// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand does not tell
+// which way the tool cuts: that depends on how it stands in its turret.
 std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const std::string_view text = tokens[i].text;
@@ -100,7 +115,7 @@ std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& toke
     if (tokens[i].kind != CommentToken::Kind::word || text.size() != 5 || number >= tokens.size() ||
         !tokens[number].is_number())
       continue;
-    if (!is_any_of(text[0], "CDMPSW") || !is_any_of(text[2], "BCDFGHJKLMNPRSTVWY") ||
+    if (!is_any_of(text[0], "CDMPSW") || !is_any_of(text[2], "BCDFGHJKLMNPQRSTUVWXY") ||
         !is_any_of(text[3], "ABCDEFGNOP") || !is_any_of(text[4], "RLN"))
       continue;  // no style has the E of "STEEL 1018"
     for (const Shape& shape : kShapes)
@@ -109,7 +124,6 @@ std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& toke
         code.shape = std::string(1, shape.letter);
         code.angle = shape.angle;
         code.lead_angle = shape.lead;
-        code.left_hand = text[4] == 'L';
         code.first = i;
         code.end = number + 1;
         return code;
@@ -130,15 +144,13 @@ std::optional<InsertCode> read_code(const std::vector<CommentToken>& tokens, std
   code.first = i;
   const bool dash = i + 2 < tokens.size() && tokens[i + 1].is("-");
   const std::size_t size = i + (dash ? 2 : 1);
-  if (read_spaced_size(tokens, size, *shape, code))
-    code.end = size + 3;
-  else if (size < tokens.size() && tokens[size].is_number() &&
-           (read_size(tokens[size].text, *shape, code) ||
-            read_half_size(tokens[size].text, *shape, code)))
-    code.end = size + 1;
-  else if (size >= tokens.size() || !tokens[size].is_number() ||
-           !read_t_size(tokens, size, *shape, code))
-    code.end = i + 1;
+  const bool number = size < tokens.size() && tokens[size].is_number();
+  if (!number ||
+      (!read_spaced_size(tokens, size, *shape, code) && !read_t_size(tokens, size, *shape, code))) {
+    const bool read = number && (read_size(tokens[size].text, *shape, code) ||
+                                 read_half_size(tokens[size].text, *shape, code));
+    code.end = read ? size + 1 : i + 1;
+  }
   const bool usual =
       std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
   if (!code.has_size && !usual) return std::nullopt;

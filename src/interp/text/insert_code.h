@@ -16,7 +16,6 @@ struct InsertCode {
   double nose_radius = 0;          ///< mm
   std::string other;               ///< letters of a second code with another corner or nose
   bool has_size = false;           ///< false: the letters stand alone
-  bool left_hand = false;          ///< "PCLNL"
   double angle = 0;                ///< degrees, of the corner; 0 for a round insert
   double lead_angle = 0;           ///< degrees, of the usual holder for this shape
   std::size_t first = 0, end = 0;  ///< tokens [first, end) are the code

@@ -37,6 +37,7 @@ class Parser {
   void sinumerik_name(Block& block);
   void label(Block& block, std::size_t from, std::size_t end);
   void short_label(Block& block, std::size_t from);
+  bool of_other_axis(std::size_t close) const;
   void array_word(Block& block, std::size_t from, const std::string& name);
   void program_name(Block& block, std::size_t from, std::string_view name);
   void sinumerik_call(Block& block, std::size_t from, std::string_view name);

@@ -14,8 +14,8 @@ namespace {
 
 // Names with an index in brackets that are without effect on geometry: SPOS[2]=90, ACC[X]=50.
 constexpr std::string_view kHarmlessArrays[] = {
-    "SPOS",  "SPOSA",   "POLF",    "POLFMASK", "ACC",  "OVRA",    "FA",      "FL",
-    "FGREF", "VELOLIM", "ACCLIMA", "VELOLIMA", "LIMS", "JERKLIM", "JERKLIMA"};
+    "SPOS",    "SPOSA",   "POLF",     "POLFMASK", "ACC",     "OVRA",     "FA",  "FL",   "FGREF",
+    "VELOLIM", "ACCLIMA", "VELOLIMA", "LIMS",     "JERKLIM", "JERKLIMA", "FXS", "FXST", "FXSW"};
 
 struct GroupOfCodes {
   int group;
@@ -106,12 +106,21 @@ void Parser::jump_label() {
 
 // NAME[index]=value, which is no variable: an axis by AX[ ], a code by G[ ], or data without effect
 // on geometry. p_ on the bracket.
+// POS[Z3]=-200, POSA[Q1]=0: a sub-spindle, a tailstock or a loader.
+bool Parser::of_other_axis(std::size_t close) const {
+  std::string axis = upper_case(line_.substr(p_ + 1, close - p_ - 1));
+  std::erase(axis, ' ');
+  return axis.size() > 1 || axis < "X" || axis > "Z";
+}
+
 void Parser::array_word(Block& block, std::size_t from, const std::string& name) {
   const std::string_view run = line_.substr(from, name.size());
   const bool read = language_ && (name == "AX" || name == "G");
-  const bool harmless = std::find(std::begin(kHarmlessArrays), std::end(kHarmlessArrays), name) !=
-                        std::end(kHarmlessArrays);
   std::size_t close = line_.find(']', p_);
+  const bool harmless =
+      std::find(std::begin(kHarmlessArrays), std::end(kHarmlessArrays), name) !=
+          std::end(kHarmlessArrays) ||
+      (name.starts_with("POS") && close != std::string_view::npos && of_other_axis(close));
   Word index;
   if (read) {
     ++p_;

@@ -14,7 +14,6 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kLongestName = 32;
-
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"CR", Address::cr},     {"AR", Address::ar},       {"AP", Address::ap},
     {"RP", Address::rp},     {"TURN", Address::turn},   {"RND", Address::rnd},
@@ -32,10 +31,11 @@ constexpr std::pair<std::string_view, Form> kForms[] = {
     {"DIC", Form::dic}, {"RAC", Form::rac}, {"RIC", Form::ric},
     {"DC", Form::ac},   {"ACP", Form::ac},  {"ACN", Form::ac}};
 
-// Calls without effect on geometry.
+// Calls without effect on geometry; COUP... couples spindles, for parts that change over.
 constexpr std::string_view kHarmlessCalls[] = {
-    "MSG",   "SETMS",  "FGROUP", "CYCLE832", "WAITM",    "WAITP",       "WAITS",    "INIT",
-    "START", "CLRINT", "SPCON",  "SPCOF",    "COMPLETE", "GROUP_BEGIN", "GROUP_END"};
+    "MSG",     "SETMS",   "FGROUP",  "CYCLE832", "WAITM",       "WAITP",    "WAITS",   "INIT",
+    "START",   "CLRINT",  "SPCON",   "SPCOF",    "COMPLETE",    "COUPON",   "COUPONC", "COUPOF",
+    "COUPOFS", "COUPDEF", "COUPDEL", "COUPRES",  "GROUP_BEGIN", "GROUP_END"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)

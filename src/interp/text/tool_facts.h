@@ -55,6 +55,7 @@ struct ToolFacts {
   bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
   bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
   bool bores = false;        ///< "BORE", "BORING" alone
+  bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
   bool holes = false;        ///< "4 DRILL HOLES"

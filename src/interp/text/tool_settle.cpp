@@ -57,6 +57,7 @@ class Settler {
   void settle_work(const ToolKind& kind);
   void settle_rivals();
   void settle_turning();
+  void take_lead_angle();
   void settle_nose();
   void settle_mill();
   bool has_usual_corner() const;
@@ -79,6 +80,9 @@ bool Settler::pointed() const {
 // the kind. Behind the X of a twist drill stands its length.
 bool Settler::is_angle(const CommentToken& size, bool joined) const {
   using enum ToolTrade;
+  const bool whole = size.value == std::floor(size.value);
+  if (trade_is(ToolTrade::lathe) && kind()->type == ToolType::turning && !kind()->firm)
+    return whole && (size.value == 35 || size.value == 55 || size.value == 80);  // "80. DIAMOND"
   if (!kind() || size.decimals || size.fraction || size.unit > 0) return false;
   const auto one_of = [&](std::initializer_list<double> usual) {
     return std::find(usual.begin(), usual.end(), size.value) != usual.end();
@@ -271,27 +275,42 @@ void Settler::settle_turning() {
       doubt(code.shape == code.other
                 ? fmt::format("names two inserts {} of different noses", code.shape)
                 : fmt::format("names two inserts, {} and {}", code.shape, code.other));
-    if (code.angle > 0 && !angles_.empty() &&
-        std::find(angles_.begin(), angles_.end(), code.angle) == angles_.end())
+    std::erase(angles_, code.angle);
+    take_lead_angle();
+    if (code.angle > 0 && !angles_.empty())
       doubt(fmt::format("says {:g} degrees, but {} has {:g}", angles_.front(), code.shape,
                         code.angle));
-  } else if (facts_.blade && facts_.blade->angle > 0) {
-    hint_.insert_angle = radians(facts_.blade->angle);
-  } else if (!angles_.empty() && angles_.front() < 180) {
-    hint_.insert_angle = radians(angles_.front());
+  } else {
+    take_lead_angle();
+    if (facts_.blade && facts_.blade->angle > 0)
+      hint_.insert_angle = radians(facts_.blade->angle);
+    else if (!angles_.empty() && angles_.front() < 180)
+      hint_.insert_angle = radians(angles_.front());
   }
-  settle_nose();
   if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
     hint_.width = hint_.diameters.front();
+  settle_nose();
   if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
-  hint_.left_hand = facts_.left_hand || (facts_.insert && facts_.insert->left_hand) ||
-                    (facts_.blade && facts_.blade->left_hand);
+  hint_.left_hand = facts_.left_hand || (facts_.blade && facts_.blade->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
+}
+
+// "DNMG 150608 93 DEG", "SNMG 120412 45 DEG": no insert has such a corner, holders have that lead.
+void Settler::take_lead_angle() {
+  constexpr double kLeads[] = {45, 62.5, 72.5, 75, 91, 93, 95, 107.5, 117.5};
+  const auto at = std::find_if(angles_.begin(), angles_.end(), [&](double angle) {
+    return std::find(std::begin(kLeads), std::end(kLeads), angle) != std::end(kLeads);
+  });
+  if (at == angles_.end()) return;
+  hint_.lead_angle = radians(*at);
+  angles_.erase(at);
 }
 
 void Settler::settle_nose() {
   if (!hint_.nose) hint_.nose = hint_.corner;
   hint_.corner = {};
+  if (facts_.blade && facts_.blade->nose > 0) hint_.nose = {facts_.blade->nose, 1, false};
+  if (facts_.full_radius && hint_.type == ToolType::grooving) (hint_.nose = hint_.width).value /= 2;
   if (!facts_.insert || !facts_.insert->has_size) return;
   const ToolLength coded{facts_.insert->nose_radius, 1, false};
   const double said = hint_.nose.value * (hint_.nose.unit > 0 ? hint_.nose.unit : 1);

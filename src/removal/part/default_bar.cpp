@@ -1,6 +1,7 @@
 #include "removal/part/default_bar.h"
 
 #include "core/tip_orientation.h"
+#include "core/units.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"
 
@@ -77,8 +78,9 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
 // Places outside that tools have cut, by their Z and least radius.
 class CutPlaces {
  public:
-  void add(const Motion& m) {
-    places_.push_back({std::min(m.start.z, m.end.z) - kBeside,
+  void add(const Motion& m, std::span<const Tool> tools) {
+    const bool plain = m.tool < 0 || !lies_before_tip(tools[static_cast<std::size_t>(m.tool)]);
+    places_.push_back({std::min(m.start.z, m.end.z) - (plain ? kBeside : 0),
                        std::max(m.start.z, m.end.z) + kBeside,
                        std::min(std::fabs(m.start.x), std::fabs(m.end.x))});
   }
@@ -89,6 +91,11 @@ class CutPlaces {
   }
 
  private:
+  // A right-hand insert whose leading edge does not lean towards the chuck cuts nothing behind it.
+  static bool lies_before_tip(const Tool& tool) {
+    return tool.type == ToolType::turning && tip_orientation(tool) == 3 &&
+           !tool.tip_is_nose_centre && tool.lead_angle >= radians(90);
+  }
   static constexpr double kBeside = 16;  // mm: as far as an insert reaches
   struct Place {
     double low, high, radius;
@@ -111,7 +118,7 @@ double entered_radius(std::span<const Motion> motions, std::span<const Tool> too
   CutPlaces places;
   for (const Motion& m : motions) {
     if (is_cut(m)) {
-      if (m.lead == 0) places.add(m);
+      if (m.lead == 0) places.add(m, tools);
       continue;
     }
     const double radius = std::fabs(m.end.x);
