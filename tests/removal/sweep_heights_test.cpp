@@ -2,11 +2,14 @@
 #include "removal/sweep/sweep_heights.h"
 
 #include "core/units.h"
+#include "removal/simd/sweep_kernels.h"
 #include "removal/tool/underside.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -174,6 +177,98 @@ TEST_P(EveryRisingTool, BoundsOfASmallSquareAreSharp) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryRisingTool,
                          ::testing::Range(0, static_cast<int>(rising_tools().size())));
+
+// Kernels ask a ball's move at sixteen places: each as one place is asked, on every instruction
+// set.
+TEST(BallHeights, SixteenPlacesAreEachAsOne) {
+  Random r(31);
+  const double radii[] = {0.5, 2, 3.5};
+  unsigned met = 0, missed = 0;
+  for (unsigned round = 0; round < rounds(300); ++round) {
+    const double radius = radii[r.pick(3)], turn = r(-4, 4);
+    const Underside tool(make_cutter(mill(ToolType::ballmill, 2 * radius)));
+    ASSERT_TRUE(tool.is_ball());
+    const LineRecord move{{r(0, 5), r(0, 5), r(-3, 3), std::cos(turn), std::sin(turn),
+                           r.pick(5) == 0 ? 0 : r(0, 6), r.pick(4) == 0 ? 0 : r(0, 3), radius}};
+    const auto seen_from = [&](double x, double y) {
+      const double dx = x - move.c[0], dy = y - move.c[1];
+      return Underside::Slant{dx * move.c[3] + dy * move.c[4],
+                              std::fabs(dx * move.c[4] - dy * move.c[3]), move.c[5], move.c[6]};
+    };
+    PlanPlaces places;
+    alignas(64) double least[PlanPlaces::kCount], out[PlanPlaces::kCount];
+    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+      places.x[k] = r(-3, 12), places.y[k] = r(-3, 12), least[k] = places.low[k] = r(-4, 12);
+      if (k == 0) places.x[k] = move.c[0], places.y[k] = move.c[1];
+    }
+    const double wide = r.pick(3) == 0 ? 0.01 : r(0, 4);
+    for (const SimdLevel level : {SimdLevel::scalar, SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      const std::uint32_t below = set->ball_heights(move, places, out);
+      PlanPlaces bounded = places;
+      alignas(64) double lower[PlanPlaces::kCount];
+      std::copy_n(least, PlanPlaces::kCount, lower);
+      const std::uint32_t kept = set->ball_bounds(move, wide, bounded, lower);
+      for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+        const Underside::Slant at = seen_from(places.x[k], places.y[k]);
+        const double one = move.c[2] + tool.bottom(at);
+        ++(std::isinf(one) ? missed : met);
+        ASSERT_EQ(std::isinf(out[k]), std::isinf(one));
+        if (!std::isinf(one)) {
+          ASSERT_NEAR(out[k], one, 1e-9) << set->name;
+        }
+        ASSERT_EQ((below >> k & 1) != 0, out[k] < places.low[k]);
+        const Underside::Bounds bounds = tool.bounds(at, wide);
+        const bool is_kept = (kept >> k & 1) != 0;
+        if (std::fabs(move.c[2] + bounds.lower - places.low[k]) > 1e-9) {
+          ASSERT_EQ(is_kept, move.c[2] + bounds.lower < places.low[k]);
+        }
+        if (!is_kept) continue;
+        ASSERT_NEAR(lower[k], move.c[2] + bounds.lower, 1e-9);
+        const double upper = std::min(places.low[k], move.c[2] + bounds.upper);
+        ASSERT_NEAR(bounded.low[k], upper, 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(met, rounds(1000));
+  EXPECT_GT(missed, rounds(1000));
+}
+
+TEST(BallHeights, AreTheSameBitsOnEveryInstructionSet) {
+  Random r(32);
+  for (int round = 0; round < 500; ++round) {
+    const double turn = r(-4, 4);
+    const LineRecord move{{r(0, 5), r(0, 5), r(-3, 3), std::cos(turn), std::sin(turn), r(0, 6),
+                           r.pick(4) == 0 ? 0 : r(0, 3), r(0.1, 4)}};
+    PlanPlaces places;
+    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k)
+      places.x[k] = r(-3, 12), places.y[k] = r(-3, 12), places.low[k] = r(-4, 12);
+    const auto asked = [&](const SweepKernels& set) {
+      struct Answers {
+        alignas(64) double out[PlanPlaces::kCount], least[PlanPlaces::kCount];
+        PlanPlaces places;
+        std::uint32_t below, kept;
+      } a;
+      a.places = places;
+      std::copy_n(places.low, PlanPlaces::kCount, a.least);
+      a.below = set.ball_heights(move, places, a.out);
+      a.kept = set.ball_bounds(move, 0.3, a.places, a.least);
+      return a;
+    };
+    const auto one = asked(*sweep_kernels(SimdLevel::scalar));
+    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      const auto other = asked(*set);
+      ASSERT_EQ(one.below, other.below);
+      ASSERT_EQ(one.kept, other.kept);
+      ASSERT_EQ(std::memcmp(one.out, other.out, sizeof one.out), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
+      ASSERT_EQ(std::memcmp(one.places.low, other.places.low, sizeof one.places.low), 0);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace mrsim

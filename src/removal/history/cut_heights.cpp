@@ -2,18 +2,40 @@
 
 #include "core/vec.h"
 #include "removal/field/lattice.h"
+#include "removal/simd/sweep_kernels.h"
 #include "removal/stock/stock_solid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace mrsim {
 namespace {
 
 constexpr int kCell = 8;        // voxels of a cell that is handed on, each way
+constexpr int kBlock = 4;       // columns of a block that is cut at once, each way
 constexpr double kSteep = 0.5;  // of the depth of cut: where heights differ by more, columns halve
 
+template <class Visit>
+void for_each_bit(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 }  // namespace
+
+// A square in four rows of four.
+struct HeightWalker::Parts {
+  Vec2 side;
+  PlanPlaces places;
+  std::uint32_t open = 0;  // within the stock, a bit each
+
+  Vec2 center(std::size_t k) const { return {places.x[k], places.y[k]}; }
+  void set_low(PlanPlaces& of, double low) const {
+    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k)
+      of.low[k] = (open >> k & 1) != 0 ? low : -std::numeric_limits<double>::infinity();
+  }
+};
 
 bool has_height_history(const PartField& field) {
   if (!field.solid().is_upright()) return false;
@@ -113,28 +135,30 @@ void HeightWalker::begin(const HeightGrid& grid, std::size_t tile,
   visit(whole, 0, false);
 }
 
-// `is_even`: the square lies in one in which heights do not differ much.
-void HeightWalker::visit(const Square& square, std::size_t level, bool is_even) {
+// `even`: the square lies in one in which heights do not differ much.
+void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
   const Vec2 low = square.center - 0.5 * square.side;
   const bool is_column = square.columns <= 1;
   if (!is_column && (low.x >= end_.x || low.y >= end_.y)) return;
   if (is_column && (square.center.x >= end_.x || square.center.y >= end_.y)) return;
-  if (is_column && (is_even || square.finer == finest_)) return cut(square, lists_[level]);
-  if (!narrow(square, level, is_even)) return;
-  if (is_column && is_even) return cut(square, lists_[level + 1]);
+  if (is_column && (even || square.finer == finest_)) return cut(square, lists_[level]);
+  if (!narrow(square, level, even)) return;
+  if (is_column && even) return cut(square, lists_[level + 1]);
+  if (square.columns == kBlock * kBlock && !heights_.balls().empty())
+    return cut_blocks(square, level + 1);
   Square part{.side = 0.5 * square.side,
               .columns = square.columns / 2,
               .finer = square.finer + (is_column ? 1 : 0)};
   for (int k = 0; k < 4; ++k) {
     part.center = square.center +
                   Vec2{(k & 1 ? 0.5 : -0.5) * part.side.x, (k & 2 ? 0.5 : -0.5) * part.side.y};
-    visit(part, level + 1, is_even);
+    visit(part, level + 1, even);
   }
 }
 
 // The sweeps that can be record lows somewhere in the square: those whose bottom, somewhere, may
 // lie below the bottoms of all before them. False where there is none.
-bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even) {
+bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even_square) {
   const double r = 0.5 * length(square.side);
   double least = high_, most = high_;  // of the lowest bottom, in the whole square
   List& left = lists_[level + 1];
@@ -147,26 +171,106 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
     left.push_back(place);
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);
   }
-  least = std::max(least, low_), most = std::max(most, low_);
-  is_even = most - least <= kSteep * (high_ - least);
+  is_even_square = is_even(least, most);
   return !left.empty();
 }
 
+// Between these bounds of the lowest bottom in a square heights do not differ much.
+bool HeightWalker::is_even(double least, double most) const {
+  least = std::max(least, low_), most = std::max(most, low_);
+  return most - least <= kSteep * (high_ - least);
+}
+
 void HeightWalker::cut(const Square& square, const List& list) {
-  const double area = steps_ != nullptr ? 0 : square.side.x * square.side.y * stock_share(square);
   double low = high_;
   for (const std::uint32_t place : list) {
     if (low <= low_) return;
     const double bottom =
         std::max(heights_.bottom(place, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
-    if (steps_ != nullptr)
-      (*steps_)(square.center - 0.5 * square.side, place, bottom);
-    else
-      removed_[place] += area * (low - bottom);
-    if (!frames_.empty() && area > 0) extend(place, square, bottom, low);
+    step(square, place, bottom, low);
     low = bottom;
   }
+}
+
+// A column sinks from `low` to `bottom`.
+void HeightWalker::step(const Square& column, std::uint32_t place, double bottom, double low) {
+  if (steps_ != nullptr) return (*steps_)(column.center - 0.5 * column.side, place, bottom);
+  const double area = column.side.x * column.side.y * stock_share(column);
+  removed_[place] += area * (low - bottom);
+  if (!frames_.empty() && area > 0) extend(place, column, bottom, low);
+}
+
+HeightWalker::Parts HeightWalker::parts_of(const Square& square) const {
+  Parts parts{.side = 1.0 / kBlock * square.side, .places = {}};
+  const bool are_columns = square.columns == kBlock;
+  for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+    const auto at = [&](std::size_t i, double center, double side, double part) {
+      return center - 0.5 * side + (double(i) + 0.5) * part;
+    };
+    const double x = at(k % kBlock, square.center.x, square.side.x, parts.side.x);
+    const double y = at(k / kBlock, square.center.y, square.side.y, parts.side.y);
+    parts.places.x[k] = x, parts.places.y[k] = y;
+    // A column belongs to the stock by its middle, a block by its corner.
+    const Vec2 first = are_columns ? Vec2{x, y} : Vec2{x, y} - 0.5 * parts.side;
+    if (first.x < end_.x && first.y < end_.y) parts.open |= 1u << k;
+  }
+  return parts;
+}
+
+// Balls alone: a sweep is asked at 16 places together, first blocks of columns, then columns.
+void HeightWalker::cut_blocks(const Square& square, std::size_t level) {
+  const Parts parts = parts_of(square);
+  PlanPlaces places = parts.places;
+  alignas(64) double least[PlanPlaces::kCount];
+  parts.set_low(places, high_), std::fill_n(least, PlanPlaces::kCount, high_);
+  for (List& list : block_lists_) list.clear();
+  const double r = 0.5 * length(parts.side);
+  for (const std::uint32_t place : lists_[level])
+    for_each_bit(sweep_kernels().ball_bounds(heights_.balls()[place], r, places, least),
+                 [&](std::size_t k) { block_lists_[k].push_back(place); });
+  for_each_bit(parts.open, [&](std::size_t k) {
+    if (block_lists_[k].empty()) return;
+    const Square block{.center = parts.center(k), .side = parts.side, .columns = kBlock};
+    cut_block(block, block_lists_[k], level + 1, is_even(least[k], places.low[k]));
+  });
+}
+
+// Columns that must be halved go on by themselves.
+void HeightWalker::cut_block(const Square& block, const List& list, std::size_t level,
+                             bool is_even_block) {
+  const SweepKernels& kernels = sweep_kernels();
+  const std::span<const LineRecord> balls = heights_.balls();
+  Parts parts = parts_of(block);
+  PlanPlaces places = parts.places;
+  Square column{.side = parts.side, .columns = 1};
+  const List* some = &list;
+  if (!is_even_block && finest_ > 0) {
+    List& left = lists_[level];
+    left.clear();
+    alignas(64) double least[PlanPlaces::kCount];
+    parts.set_low(places, high_), std::fill_n(least, PlanPlaces::kCount, high_);
+    const double r = 0.5 * length(parts.side);
+    for (const std::uint32_t place : list)
+      if (kernels.ball_bounds(balls[place], r, places, least) != 0) left.push_back(place);
+    some = &left;
+    for_each_bit(parts.open, [&](std::size_t k) {
+      if (is_even(least[k], places.low[k])) return;
+      parts.open &= ~(1u << k);
+      column.center = parts.center(k);
+      visit(column, level, false);
+    });
+  }
+  parts.set_low(places, high_);
+  alignas(64) double bottom[PlanPlaces::kCount];
+  for (const std::uint32_t place : *some)
+    for_each_bit(kernels.ball_heights(balls[place], places, bottom), [&](std::size_t k) {
+      const double to = std::max(bottom[k], low_);
+      if (!(to < places.low[k])) return;
+      column.center = parts.center(k);
+      step(column, place, to, places.low[k]);
+      places.low[k] = to;
+    });
 }
 
 // A column beside the cutter's own edge is removed up to that.

@@ -7,6 +7,7 @@
 #include "removal/history/cut_extent.h"
 #include "removal/history/cut_sink.h"
 #include "removal/part/part_field.h"
+#include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_heights.h"
 
 #include <array>
@@ -73,9 +74,15 @@ class HeightWalker {
     int columns = 1;  // on a side; 0 within a column
     int finer = 0;    // halvings of a column
   };
-  void visit(const Square& square, std::size_t level, bool is_even);
-  bool narrow(const Square& square, std::size_t level, bool& is_even);
+  void visit(const Square& square, std::size_t level, bool even);
+  bool narrow(const Square& square, std::size_t level, bool& is_even_square);
   void cut(const Square& square, const List& list);
+  struct Parts;
+  Parts parts_of(const Square& square) const;
+  bool is_even(double least, double most) const;
+  void cut_blocks(const Square& square, std::size_t level);
+  void cut_block(const Square& block, const List& list, std::size_t level, bool is_even_block);
+  void step(const Square& column, std::uint32_t place, double bottom, double low);
   void begin(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps);
   void extend(std::uint32_t place, const Square& square, double bottom, double top);
   double stock_share(const Square& square) const;
@@ -91,6 +98,7 @@ class HeightWalker {
   std::span<const std::uint32_t> sweeps_;
   std::vector<CutExtent> extents_;
   std::array<List, kLevels + 1> lists_;
+  std::array<List, PlanPlaces::kCount> block_lists_;
 };
 
 /// What a motion first removes, voxel by voxel, from staircases: where has_height_history() holds,

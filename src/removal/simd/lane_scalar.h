@@ -21,6 +21,8 @@ namespace mrsim::lane {
 #include "removal/simd/slant_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
+//
+#include "removal/simd/ball_height_lanes.inl"
 #undef MRSIM_LANE
 
 }  // namespace mrsim::lane

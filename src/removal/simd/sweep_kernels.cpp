@@ -123,6 +123,8 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 //
 #include "removal/simd/chain_lanes.inl"
 //
+#include "removal/simd/ball_height_lanes.inl"
+//
 #include "removal/simd/sweep_kernels.inl"
 
 }  // namespace
@@ -207,6 +209,8 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 #include "removal/simd/slant_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
+//
+#include "removal/simd/ball_height_lanes.inl"
 //
 #include "removal/simd/sweep_kernels.inl"
 

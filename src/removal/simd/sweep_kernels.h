@@ -30,6 +30,13 @@ struct PointColumns {
   alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower
 };
 
+/// Places in plan by columns, with the lowest height so far.
+struct PlanPlaces {
+  static constexpr std::size_t kCount = 16;
+  alignas(64) double x[kCount], y[kCount];
+  alignas(64) double low[kCount];
+};
+
 /// One side of each of eight convex polygons: where it begins, its direction and its length.
 struct alignas(64) PolygonSides {
   static constexpr std::size_t kLanes = 8;
@@ -67,6 +74,12 @@ struct SweepKernels {
   /// Brings `points`, seen as (x, z) or (-x, z), up to date with a polygon less `round`.
   void (*polygon_least)(const ConvexPolygon::Side* sides, std::size_t count, double round,
                         bool mirrored, std::uint32_t id, PointColumns& points);
+  /// Heights to which a ball's straight move (ball_height_lanes.inl) reaches down above places in
+  /// plan. A bit for each that is below the place's lowest so far, which is left as it is.
+  std::uint32_t (*ball_heights)(const LineRecord& move, const PlanPlaces& places, double* out);
+  /// Bounds of them within r of each place: brings `least` up to date with the lower, `low` with
+  /// the upper one. A bit for each place where the lower one is below its `low` before.
+  std::uint32_t (*ball_bounds)(const LineRecord& move, double r, PlanPlaces& places, double* least);
 };
 
 enum class SimdLevel { scalar, avx2, avx512 };

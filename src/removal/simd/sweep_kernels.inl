@@ -166,6 +166,31 @@ static void polygon_least(const ConvexPolygon::Side* sides, std::size_t count, d
   }
 }
 
+static std::uint32_t ball_heights(const LineRecord& move, const PlanPlaces& places, double* out) {
+  std::uint32_t below = 0;
+  for (std::size_t k = 0; k < PlanPlaces::kCount; k += kLanes) {
+    const V z = ball_low(move.c, ball_view(move.c, read(places.x + k), read(places.y + k)));
+    store(out + k, z);
+    below |= bits(less(z, read(places.low + k))) << k;
+  }
+  return below;
+}
+
+static std::uint32_t ball_bounds(const LineRecord& move, double r, PlanPlaces& places,
+                                 double* least) {
+  std::uint32_t below = 0;
+  for (std::size_t k = 0; k < PlanPlaces::kCount; k += kLanes) {
+    const BallView at = ball_view(move.c, read(places.x + k), read(places.y + k));
+    const V low = read(places.low + k), lower = ball_least(move.c, at, r);
+    const std::uint32_t found = bits(less(lower, low));
+    if (found == 0) continue;
+    below |= found << k;
+    store(least + k, vmin(read(least + k), lower));
+    store(places.low + k, vmin(low, ball_most(move.c, at, r)));
+  }
+  return below;
+}
+
 static const SweepKernels kKernels = {
     kName,
     {ball_line_list, ball_line_least},
@@ -177,4 +202,6 @@ static const SweepKernels kKernels = {
     chain_least_of,
     polygons,
     polygon_least,
+    ball_heights,
+    ball_bounds,
 };

@@ -68,6 +68,13 @@ SweepUndersides::SweepUndersides(const SweepTable& sweeps) {
 void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
   rows_.clear(), pieces_.clear();
   for (const std::uint32_t i : sweeps) rows_.push_back(row_of(i));
+  balls_.clear();
+  if (!std::ranges::all_of(
+          rows_, [](const Row& row) { return row.form == Form::slant && row.tool->is_ball(); }))
+    return;
+  for (const Row& row : rows_)
+    balls_.push_back(
+        {{row.x, row.y, row.z, row.ux, row.uy, row.length, row.slope, row.tool->radius()}});
 }
 
 SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {

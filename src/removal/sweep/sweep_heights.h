@@ -42,6 +42,9 @@ class SweepHeights {
   /// Requires: is_upward() of all.
   void assign(std::span<const std::uint32_t> sweeps);
 
+  /// By place, as kernels take them, where all are straight moves of balls; else empty.
+  std::span<const LineRecord> balls() const { return balls_; }
+
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
   /// there. Up to 1e-9 mm; of sweeps that are
@@ -77,6 +80,7 @@ class SweepHeights {
   double low_, high_;
   std::vector<Row> rows_;
   std::vector<LineRecord> pieces_;  // straight ones of arcs (height_pieces.h)
+  std::vector<LineRecord> balls_;
 };
 
 }  // namespace mrsim

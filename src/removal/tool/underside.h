@@ -26,6 +26,8 @@ class Underside {
     return edges_.size() == 1 && edges_[0].radius == 0 && edges_[0].slope == 0;
   }
 
+  bool is_ball() const { return ball_; }
+
   /// A straight move of the tip, seen from a place in plan: the place lies u along and v >= 0
   /// across from the lower end, the move is `length` long in plan and rises by slope >= 0; mm.
   struct Slant {
