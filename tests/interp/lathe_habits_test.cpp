@@ -8,7 +8,7 @@ Program on_lathe(const std::string& text, Dialect dialect = Dialect::fanuc) {
   return read_text(text, at_origin(dialect, MachineKind::lathe));
 }
 
-std::string lathe_path(const std::string& text) {
+std::string lathe_moves(const std::string& text) {
   const Program p = on_lathe(text);
   return path_text(p) + (codes(p).empty() ? "" : " | " + codes(p));
 }
@@ -19,9 +19,9 @@ std::string lathe_notes(const std::string& text, Dialect dialect = Dialect::fanu
 
 // The pass to X0 was run in the part's own zero: it cut the part off.
 TEST(LatheHabits, G53IsNoPassOfTheCycleInForce) {
-  EXPECT_EQ(lathe_path("G0 X40 Z2\nG90 X36 Z-10 F.2\nG53 X0\nG53 Z0\n"),
+  EXPECT_EQ(lathe_moves("G0 X40 Z2\nG90 X36 Z-10 F.2\nG53 X0\nG53 Z0\n"),
             "r20,0,2 r18,0,2 l18,0,-10 l20,0,-10 r20,0,2");
-  EXPECT_EQ(lathe_path("G0 X0 Z2\nG81 Z-10 R1 F.1\nG53 X0 Z0\n"), "r0,0,2 r0,0,1 l0,0,-10 r0,0,2");
+  EXPECT_EQ(lathe_moves("G0 X0 Z2\nG81 Z-10 R1 F.1\nG53 X0 Z0\n"), "r0,0,2 r0,0,1 l0,0,-10 r0,0,2");
 }
 
 // Of the table without tools: T0 ends the offset, the turret stays.
@@ -117,7 +117,7 @@ TEST(LatheHabits, RadiiOfOkumaStandBehindL) {
 }
 
 TEST(LatheHabits, TurretsAndSpindlesOfOkuma) {
-  EXPECT_EQ(lathe_path("G13\nG140\nG0 X20 Z0\nG1 X10 F.1\n"), "r10,0,0 l5,0,0");
+  EXPECT_EQ(lathe_moves("G13\nG140\nG0 X20 Z0\nG1 X10 F.1\n"), "r10,0,0 l5,0,0");
   EXPECT_EQ(codes(on_lathe("G14\nG0 X20\nG1 X10 F.1\n")), "not-supported");
   EXPECT_EQ(codes(on_lathe("G141\nG0 X20\nG1 X10 F.1\n")), "not-supported");
 }
@@ -174,6 +174,70 @@ TEST(LatheHabits, CyclesOfCodeSystemCAreRefused) {
   EXPECT_EQ(codes(on_lathe("G0 X52. Z2.\nG20 X46. Z-30. F.25\nX42.\n")), "not-supported");
   EXPECT_EQ(codes(on_lathe("G0 X44. Z2.\nG21 X39. Z-25. F1.5\n")), "not-supported");
   EXPECT_EQ(codes(on_lathe("G20 G1 X1. Z-1. F.01\nG21 G99 G40\nG1 X20. Z-20.\n")), "");
+}
+
+// "G28 U0;" and "W0;" in a block of its own: nothing moves, and Z stays unknown.
+TEST(LatheHabits, AnIncrementOfZeroMovesNothing) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.start.reset();
+  const Program p = read_text("G28 U0\nW0\nG0 X40\nZ2\nG1 X20 F.1\n", options);
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.motions.size(), 3U);
+  EXPECT_TRUE(p.motions[1].assumed_start);
+}
+
+// On the far side of the axis: the cuts are those of the same program with X above 0, arcs turn the
+// other way, and G41 is G42.
+TEST(LatheHabits, XBelowZeroIsTheOtherSideOfTheAxis) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools[0].nose_radius = 0.8;
+  const auto run = [&](const std::string& text) { return read_text(text, options); };
+  const std::string contour_above =
+      "G71 U2. R1.\nG71 P1 Q2 U.4 W.1 F.2\nN1 G1 X20.\nZ-10.\nG2 X30. Z-15. R5.\nN2 G1 X52.\nG70 "
+      "P1 Q2\n";
+  const std::string contour_below =
+      "G71 U2. R1.\nG71 P1 Q2 U-.4 W.1 F.2\nN1 G1 X-20.\nZ-10.\nG3 X-30. Z-15. R5.\nN2 G1 "
+      "X-52.\nG70 P1 Q2\n";
+  const Program above = run("G0 X52. Z0\nG1 X-1.6 F.2\nG0 Z2.\nX52.\n" + contour_above);
+  const Program below = run("G0 X-52. Z0\nG1 X1.6 F.2\nG0 Z2.\nX-52.\n" + contour_below);
+  EXPECT_EQ(path_text(below), path_text(above));
+  EXPECT_EQ(codes(above, Severity::note), "");
+  EXPECT_EQ(codes(below, Severity::note), "x-below-zero");
+  ASSERT_EQ(above.motions.size(), below.motions.size());
+  for (std::size_t i = 0; i < above.motions.size(); ++i)
+    EXPECT_NEAR(above.motions[i].sweep, below.motions[i].sweep, 1e-9);
+  EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG41 G1 X-20. Z0 F.2\nX-30. Z-10.\nG40 X-50.\n")),
+            path_text(run("G0 X40. Z2.\nG42 G1 X20. Z0 F.2\nX30. Z-10.\nG40 X50.\n")));
+  // Back to the near side; and a tip that is given is that of the far side.
+  EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG1 Z-5. F.2\nG0 X60. Z9.\nX30.\n")),
+            "r20,0,2 l20,0,-5 r30,0,9 r15,0,9");
+  options.table.tools[0].tip = 2;
+  EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG1 Z-5. F.2\n")), "r-20,0,2 l-20,0,-5");
+}
+
+// The insert that tools without data are taken to have bored through the part.
+TEST(LatheHabits, DrillsWithoutDataAreAskedFor) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.clear();
+  for (const char* hole : {"G1 Z-20. F.1\nG0 Z2.\n", "G83 Z-20. Q5000 R0 F.1\nG80\n",
+                           "G74 R.5\nG74 Z-20. Q5000 F.1\n", "G1 Z-20. F.1\nZ2. F1.\n"}) {
+    const Program p = read_text("T0303 (DRLL)\nG0 X0 Z2.\n" + std::string(hole), options);
+    EXPECT_EQ(codes(p), "tool-unknown") << hole;
+    EXPECT_EQ(p.diagnostics.back().place.line, 1);
+  }
+  EXPECT_EQ(codes(read_text("T0303\nG0 X0 Z2.\nG1 Z0 F.1\nG3 X20. Z-10. R10.\nG1 Z-20.\nG0 X30.\n",
+                            options)),
+            "")
+      << "the way to the tip of a ball";
+  EXPECT_EQ(codes(read_text("T0303 (DRILL 8MM)\nG0 X0 Z2.\nG1 Z-20. F.1\nG0 Z2.\n", options)), "");
+}
+
+// "COATED CARBIDE" is no Carbide Create, and "MACH: LB3000" no Mach3.
+TEST(LatheHabits, WordsOfToolsNameNoControl) {
+  const std::string text =
+      "(MACH : LB3000)\n(CNMG432 COATED CARBIDE)\nG20\nG50 S3800\nN1 T0101\nG96 S150 M3\n"
+      "G0 X.62 Z.1\nG1 Z-1. F.01\nM2\n";
+  EXPECT_EQ(read_text(text, {}).dialect, Dialect::fanuc);
 }
 
 // Couplings of spindles and other axes do nothing to the part.

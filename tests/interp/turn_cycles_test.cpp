@@ -161,5 +161,32 @@ TEST(TurnCycles, AContourThatEndsWithARapidHomeIsRefusedWithItsReason) {
   EXPECT_EQ(codes(run("G73 U2. W1. R2\nG73")), "");
 }
 
+// U of a bore is below 0, of X below 0 too: else the roughing cuts beyond the contour.
+TEST(TurnCycles, AnAllowanceIntoThePartIsToldOf) {
+  const auto run = [&](const std::string& start, const std::string& cycle) {
+    return codes(read_text(start + cycle + "N1 G0 X30.\nG1 Z-20.\nN2 " + start.substr(3, 4) + "\n",
+                           at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  const std::string bore = "G0 X20. Z2.\n", shaft = "G0 X44. Z2.\n";
+  EXPECT_EQ(run(bore, "G71 U2. R1.\nG71 P1 Q2 U.4 W.1 F.2\n"), "cycle-allowance");
+  EXPECT_EQ(run(bore, "G71 U2. R1.\nG71 P1 Q2 U-.4 W.1 F.2\n"), "");
+  EXPECT_EQ(run(shaft, "G71 U2. R1.\nG71 P1 Q2 U.4 W.1 F.2\n"), "");
+  EXPECT_EQ(run(shaft, "G71 U2. R1.\nG71 P1 Q2 U-.4 W.1 F.2\n"), "cycle-allowance");
+}
+
+// Along Z alone and outside of the material, Haas goes back so: "N20 G0 G40 Z0.1".
+TEST(TurnCycles, AContourMayGoBackOutsideOfTheMaterial) {
+  const auto run = [&](const std::string& end) {
+    return read_text(
+        "G0 X44. Z2.\nG71 U2. R1.\nG71 P1 Q3 U0 W0 F.2\nN1 G0 X20.\nG1 Z-20.\nX44.\n" + end,
+        at_origin(Dialect::fanuc, MachineKind::lathe));
+  };
+  const Program p = run("N3 G0 Z2.\n"), plain = run("N3\n");
+  EXPECT_EQ(codes(p), "cycle-contour");
+  EXPECT_EQ(path_text(p).substr(0, path_text(p).find(" | ")), path_text(plain));
+  EXPECT_EQ(codes(plain), "");
+  EXPECT_EQ(codes(run("N3 G0 Z5.\n")), "cycle-contour") << "beyond the start";
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -98,8 +98,10 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
     // SD42440 = 1: the first increment after a change of frame travels the new offset too.
     if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !block_.suppress_frames)
       base = component(position_.retained, axis);
+    const bool known = (position_.known >> axis & 1U) != 0;
+    if (!known && !block_.oneshot && word.value == 0) return true;  // "G28 U0", and "W0" behind it
     // G28 G91 Z0: where from is of no matter.
-    if ((position_.known >> axis & 1U) == 0 && !block_.oneshot)
+    if (!known && !block_.oneshot)
       reporter_.once(Severity::warning, "start-unknown",
                      "an increment from a position that was never given: it is counted from 0; say "
                      "--start X,Y,Z",

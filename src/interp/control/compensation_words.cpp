@@ -180,7 +180,7 @@ Compensation CompensationWords::for_move() const {
                                                    : radians(100);
   c.around = modal_.approach == Code::approach_contour;
   if (modal_.comp == Code::comp_off) return c;
-  c.side = modal_.comp == Code::comp_left ? 1 : -1;
+  c.side = (modal_.comp == Code::comp_left) != control_.tool.below ? 1 : -1;
   c.suspended = modal_.comp_suspended;
   c.radius = radius_ + modal_.offn;
   if (c.radius < 0) {  // a negative radius is the other side

@@ -202,9 +202,28 @@ bool ContourCycles::repeat_pattern() {
   return true;
 }
 
+// "N20 G0 G40 Z0.1", from outside of the material back to where the cycle began.
+void ContourCycles::leave_out_return() {
+  if (contour_.size() < 3) return;
+  const Motion& last = contour_.back();
+  const int u = call_.number == 72 ? 2 : 0, v = 2 - u;
+  const Vec3 from = position_.physical, begin = contour_.front().end;
+  const double out = component(from, u) - component(begin, u);  // away from the contour
+  const bool level = std::abs(component(last.end - last.start, u)) < 1e-9;
+  const bool outside = (component(last.start, u) - component(from, u)) * out > -1e-9;
+  const bool back = component(last.end - last.start, v) * component(last.start - from, v) < 0;
+  if (last.kind != kRapid || !level || !outside || !back) return;
+  reporter_.add_at(Severity::warning, "cycle-contour",
+                   "the last block of the contour goes back with a rapid: FANUC stops there (alarm "
+                   "064), Haas goes on; roughing leaves it out",
+                   last);
+  contour_.pop_back();
+}
+
 // G71 along Z, G72 along X: passes at levels down to the contour, then in its pockets, then once
 // along it.
 bool ContourCycles::rough() {
+  leave_out_return();
   if (contour_.size() < 2)
     return error("value-missing", "the contour of the cycle has no motions", call_.where);
   const Vec3 from = position_.physical, shift = call_.allowance;
@@ -222,6 +241,12 @@ bool ContourCycles::rough() {
     r.down = travel > 0 ? 1 : -1;
   }
   r.run = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
+  if (component(shift, r.u) * r.down > 1e-9)
+    warning("cycle-allowance",
+            fmt::format("{} of G{} leads into the finished shape, which is cut too deep: of a bore "
+                        "it is below 0",
+                        r.u == 0 ? 'U' : 'W', call_.number),
+            call_.where);
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i < contour_.size(); ++i)
     pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift));

@@ -47,6 +47,7 @@ class ContourCycles : public ControlPart {
   void finish();
   void begin_contour();
   void end_contour();
+  void leave_out_return();
   bool rough();
   bool levels(const Rough& rough, const RoughContour& shape);
   void pass(const Rough& rough, double at, double end);

@@ -32,6 +32,7 @@ struct ToolState {
   bool chosen = false;
   bool direct_change = false;  ///< a mill without M6: T changes at once
   bool failed = false;
+  bool below = false;  ///< a turning tool that works at X below 0, see MotionEmitter
 };
 
 struct Control {

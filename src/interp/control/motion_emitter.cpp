@@ -11,7 +11,8 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kAllBlocks = static_cast<std::size_t>(-1);
-constexpr double kOnAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
+constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
+constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
 
 }  // namespace
 
@@ -76,6 +77,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     path.block = block_.number;
     return captured_corners_.push(path);
   }
+  if (lathe()) turn_to_plus(motion);
   if (motion.kind != MotionKind::rapid) {
     note_zero();
     motion.tool = control_.tool.index;
@@ -85,6 +87,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     else
       warn_unknown_start(motion);
   }
+  if (lathe()) refuse_undescribed_drill(motion);
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;
   motion.center.z += modal_.length_offset;
@@ -110,6 +113,41 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (idle_) give_dwells(kAllBlocks);
 }
 
+// An insert that works at X below 0, beyond the axis as seen from the others, points to +X. Turned
+// about the axis by half a turn it cuts the same, as a tool at X above 0: so inserts need to be
+// known for one side only.
+void MotionEmitter::turn_to_plus(Motion& motion) {
+  ToolState& tool = control_.tool;
+  const bool before = tool.below;
+  if (motion.end.x > kBeyondAxis)
+    tool.below = false;
+  else if (motion.kind == MotionKind::rapid && motion.end.x < -kBeyondAxis && may_stand_below())
+    tool.below = true;
+  const bool whole = motion.kind == MotionKind::arc;
+  if (whole ? tool.below : before) motion.start.x = -motion.start.x;
+  if (!tool.below) return;
+  motion.end.x = -motion.end.x;
+  motion.center.x = -motion.center.x;
+  motion.sweep = -motion.sweep;
+  if (!before)
+    note_once("x-below-zero",
+              fmt::format("tool {} works at X below 0: its moves are read as those at X above 0, "
+                          "which cut the same",
+                          tool.current.empty() ? "(none named)" : tool.current),
+              block_.words.front(), tool.current);
+}
+
+// A tip that the tool table gives is that on the side where the tool works.
+bool MotionEmitter::may_stand_below() const {
+  const ToolState& state = control_.tool;
+  if (state.index >= 0 && !is_turning(program_.tools[static_cast<std::size_t>(state.index)].type))
+    return false;
+  const std::vector<Tool>& given = options_.table.tools;
+  return std::none_of(given.begin(), given.end(), [&](const Tool& tool) {
+    return (tool.id == state.current || tool.id.empty()) && tool.tip > 0;
+  });
+}
+
 // On a lathe TRANS and G52 lead from the chuck to the part's face, on a mill to a place on the
 // part.
 void MotionEmitter::note_zero() {
@@ -131,6 +169,25 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
                                 "--start X,Y,Z",
                                 axes, axes.size() > 1 ? "are" : "is"),
                     motion, "start");
+}
+
+// In along the axis with the feed and back: a drill, which the insert that tools without data are
+// taken to have is not.
+void MotionEmitter::refuse_undescribed_drill(const Motion& motion) {
+  const double away = motion.end.z - motion.start.z;
+  const bool axial = std::abs(motion.start.x) < kOnAxis && std::abs(motion.end.x) < kOnAxis;
+  const bool drilled = bored_ && axial && away > 0;
+  bored_ = axial && away < -kOnAxis && motion.kind == MotionKind::line && !motion.assumed_start;
+  if (!drilled || motion.tool < 0) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
+  if (!is_turning(tool.type) || !tool.origin.starts_with(kNoToolData)) return;
+  reporter_.once_at(
+      Severity::error, "tool-unknown",
+      fmt::format("tool {0} goes in and out along the axis, as a drill does, but there are no data "
+                  "for it: give --tool {0}=drill:d=10, or say in a comment what it is (T{0} BAR "
+                  "STOP)",
+                  tool.id),
+      control_.tool.place, "drill:" + tool.id);
 }
 
 // A cutter that turns by itself leaves a body of revolution on the axis only.

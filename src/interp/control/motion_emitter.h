@@ -34,6 +34,9 @@ class MotionEmitter : public ControlPart {
 
  private:
   void note_zero();
+  void turn_to_plus(Motion& motion);
+  bool may_stand_below() const;
+  void refuse_undescribed_drill(const Motion& motion);
   void refuse_live_tool(const Motion& motion);
   void warn_unknown_start(const Motion& motion);
   void give(const PathMove& move);
@@ -55,6 +58,7 @@ class MotionEmitter : public ControlPart {
   bool moved_ = false;  ///< since the last of them
   bool idle_ = true;
   double last_length_ = 0;
+  bool bored_ = false;  ///< the last motion fed along the axis of a lathe
   std::size_t cuts_ = 0;
   int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };

@@ -211,6 +211,7 @@ void ToolChanger::compare_offset(const Word& word) {
 
 void ToolChanger::change() {
   if (tool_.chosen && tool_.current != tool_.pending.id) position_.new_tool = true;
+  if (tool_.current != tool_.pending.id) tool_.below = false;
   tool_.current = tool_.pending.id;
   tool_.place = tool_.pending.at;
   tool_.pending.active = false;
@@ -273,7 +274,8 @@ bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why,
   if (!lathe() || !why.empty()) return false;
   out = {};
   out.type = ToolType::turning;
-  out.origin = "no data: a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm";
+  out.origin = fmt::format(
+      "{} a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm", kNoToolData);
   complete_turning_tool(out);
   return true;
 }

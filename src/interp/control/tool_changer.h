@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 namespace mrsim {
@@ -66,6 +67,9 @@ class ToolChanger : public ControlPart {
   std::unordered_map<std::string, double> suffixes_;    ///< id -> T word with a suffix
   std::unordered_map<std::string, long> offsets_;       ///< id -> the first offset that it had
 };
+
+/// How Tool::origin begins where a turning tool is taken to be the usual one.
+inline constexpr std::string_view kNoToolData = "no data:";
 
 /// "end mill 5 mm"
 std::string tool_summary(const Tool& tool);

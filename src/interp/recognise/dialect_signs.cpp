@@ -317,8 +317,10 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
       if (names(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
   };
   weigh(Dialect::ngc,
-        {"LINUXCNC", "EMC", "GRBL", "MACH", "ESTLCAM", "CARBIDE", "VECTRIC", "VCARVE", "SHAPEOKO",
-         "EASEL", "BCNC", "OPENBUILDS", "MAKERA", "PATHPILOT", "TORMACH", "CAMOTICS"});
+        {"LINUXCNC",   "EMC",     "GRBL",      "MACH2",          "MACH3",          "MACH4",
+         "MACH 3",     "MACH 4",  "ESTLCAM",   "CARBIDE CREATE", "CARBIDE MOTION", "CARBIDE3D",
+         "CARBIDE 3D", "VECTRIC", "VCARVE",    "SHAPEOKO",       "EASEL",          "BCNC",
+         "OPENBUILDS", "MAKERA",  "PATHPILOT", "TORMACH",        "CAMOTICS"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
   for (const std::string_view word : {"STOCKMIN:", "STOCK/BLOCK", "TOOL/MILL"})  // Carbide

@@ -353,7 +353,8 @@ bool begins_bar_code(const CommentView& view, std::size_t i) {
 void read_side_words(const CommentView& view, ToolFacts& facts) {
   bool outside = false, bores = false, turns = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
-    outside |= view.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN"});
+    outside |= view.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN", "EXTERIEUR", "ZEWN",
+                               "ZEWNETRZNY", "ZUNANJI"});
     bores |= view.is_one(i, {"BORE", "BORING", "ALESAGE", "ALESER", "MANDRINADO", "MANDRINAR"});
     facts.full_radius |= (view.is(i, "FULL") && view.is_one(i + 1, {"RADIUS", "RAD", "R"})) ||
                          view.is(i, "VOLLRADIUS");
@@ -362,7 +363,8 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
                                     "INTERIEUR", "INTERNE", "INTERNO", "INTERNA"}) &&
                     !view.is_one(i + 1, {":", "="});
-    facts.inside |= view.word(i) && view[i].text.starts_with("INNEN");
+    facts.inside |= view.word(i) && (view[i].text.starts_with("INNEN") ||
+                                     view[i].text.starts_with("WEWN") || view.is(i, "NOTRANJI"));
     facts.face_groove |= view.word(i) && view[i].text.starts_with("AXIALSTECH");
     facts.face_groove |=
         view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
