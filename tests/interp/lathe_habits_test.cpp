@@ -116,6 +116,16 @@ TEST(LatheHabits, RadiiOfOkumaStandBehindL) {
   EXPECT_EQ(codes(on_lathe("G0 X40 Z-20\nG2 X50 Z-25 R5 L5 F.2\n")), "not-supported");
 }
 
+TEST(LatheHabits, BlocksOfOkumaHaveNames) {
+  const InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const Program p = read_text("NAT01 G0 X40. Z2.\nNA1 (NEXT)\nG1 Z-5. F.2\n", options);
+  EXPECT_EQ(path_text(p), "r20,0,2 l20,0,-5");
+  EXPECT_EQ(codes(p, Severity::note), "block-name");
+  for (const char* block :
+       {"G0 X40. NAT01\n", "N1 NAT01 G0 X40.\n", "NTOOLONG G0 X40.\n", "NAT=1\n", "GOTO NAT01\n"})
+    EXPECT_NE(codes(read_text(block, options), Severity::error), "") << block;
+}
+
 TEST(LatheHabits, TurretsAndSpindlesOfOkuma) {
   EXPECT_EQ(lathe_moves("G13\nG140\nG0 X20 Z0\nG1 X10 F.1\n"), "r10,0,0 l5,0,0");
   EXPECT_EQ(codes(on_lathe("G14\nG0 X20\nG1 X10 F.1\n")), "not-supported");
@@ -208,6 +218,10 @@ TEST(LatheHabits, XBelowZeroIsTheOtherSideOfTheAxis) {
     EXPECT_NEAR(above.motions[i].sweep, below.motions[i].sweep, 1e-9);
   EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG41 G1 X-20. Z0 F.2\nX-30. Z-10.\nG40 X-50.\n")),
             path_text(run("G0 X40. Z2.\nG42 G1 X20. Z0 F.2\nX30. Z-10.\nG40 X50.\n")));
+  // The next tool starts where this one was left.
+  const Program two = run("T0101\nG0 X-40. Z2.\nG1 Z-5. F.2\nG0 X-60. Z9.\nT0202\nX-40. Z2.\n");
+  EXPECT_EQ(two.motions.back().start.x, 30);
+  EXPECT_EQ(two.motions.back().end.x, 20);
   // Back to the near side; and a tip that is given is that of the far side.
   EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG1 Z-5. F.2\nG0 X60. Z9.\nX30.\n")),
             "r20,0,2 l20,0,-5 r30,0,9 r15,0,9");

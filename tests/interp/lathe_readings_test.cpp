@@ -79,6 +79,7 @@ TEST(LatheReadings, Blades) {
       {lathe_mm, "T1 TRONZADO 3MM", "grooving, width 3"},
       {lathe_mm, "T1 TRONCATURA 3MM", "grooving, width 3"},
       {lathe_mm, "T1 GOLA 3MM", "grooving, width 3"},
+      {lathe_mm, "T1 BLADE 3MM", "grooving, width 3"},
       {lathe_mm, "T1 GORGE", "? gives no width of the blade"},
       {lathe_mm, "NOZ DO ROWKOW 3MM, POMIAR NA LEWYM NAROZU", "grooving, width 3"},
       {lathe_mm, "NÓŻ DO ROWKÓW 3 MM", "grooving, width 3"},

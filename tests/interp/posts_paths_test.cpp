@@ -102,6 +102,33 @@ const PathOfPost kPaths[] = {
      "r0,0,2 l0,0,-1 l10,5,-1 l20,10,-1 l20,10,-2 l30,5,-2 l40,10,-2 l40,10,-3 "
      "l50,5,-3 l60,10,-3 r60,10,5 r0,10,5 l3,1,5 l10.2,-2,-3 r10.2,-2,5 "
      "l30.2,-2,5 l50.2,-2,5 l70.2,-2,5 r50,10,5 r10,30,5 r70,50,5 a50,70,5"},
+    // G50 of the second tool is where it stands, no other zero.
+    {"fanuc_0t_touch_off.nc", Dialect::fanuc, kLathe, "1:0 3:0",
+     "r26,0,0 l-0.8,0,0 r23,0,1.5 l23,0,-25 l27,0,-25 r120,0,120 r22,0,1 l19,0,1 l19,0,-12 "
+     "l21,0,-14 l21,0,-24 l25,0,-24 r118,0,132"},
+    // A block with a name; L is the arc's radius.
+    {"okuma_osp_lathe.min", Dialect::fanuc, kLathe, "1:0",
+     "r160,0,240 r32,0,0 l-0.8,0,0 r30,0,2 l30,0,-46 l32,0,-46 r32,0,2 r24,0,2 l24,0,-22 "
+     "a27,0,-25 l29,0,-25 a30,0,-26 r160,0,240"},
+    // The bar stop and the puller only touch, G53 is no pass of G90.
+    {"haas_bar_work.nc", Dialect::fanuc, kLathe, "1:0 7:0",
+     "r0,0,2 r0,0,0.5 r0,0,60 r17,0,0 l-0.4,0,0 r16,0,1 r13.5,0,1 l13.5,0,-24 l16,0,-24 "
+     "r16,0,1 r12,0,1 l12,0,-24 l16,0,-24 r16,0,1 r18,0,-23 l11,0,-23 r13.5,0,-23 "
+     "r13.5,0,-21.5 l12,0,-21.5 l10.5,0,-23 l-0.1,0,-23 r30,0,-23 r30,0,60 r0,0,6 r0,0,-12 "
+     "r0,0,14 r0,0,60"},
+    // X below 0: passes at 27.2 less 2, 4 and 6, back by 0.5 at 45 degrees; the contour at 0.2,
+    // 0.1.
+    {"back_turret.nc", Dialect::fanuc, kLathe, "2:0 4:0",
+     "r27,0,2 r27.2,0,2.1 r25.2,0,2.1 l25.2,0,-14.9 r25.7,0,-14.4 r25.7,0,2.1 r23.2,0,2.1 "
+     "l23.2,0,-14.9 r23.7,0,-14.4 r23.7,0,2.1 r21.2,0,2.1 l21.2,0,-12.66 r21.7,0,-12.16 "
+     "r21.7,0,2.1 r19.2,0,2.1 l19.2,0,-11.9 a22.2,0,-14.9 l27.2,0,-14.9 r27,0,2 r19,0,2 "
+     "l19,0,-12 a22,0,-15 l27,0,-15 r27,0,2 "
+     "r40,0,40 r23,0,-12 l15,0,-12 r23,0,-12 r40,0,40"},
+    // Tools of the list's names: outside, drill, inside, blade; the counter spindle takes the part.
+    {"shop_names_shaft.mpf", Dialect::sinumerik, kLathe,
+     "ROUGHING_T80_A:0 DRILL_12:12 FINISHING_T35_I:0 PLUNGE_CUTTER_3_A:0",
+     "r23,0,0 l-0.8,0,0 r21,0,2 l21,0,-30 l23,0,-30 r60,0,60 r0,0,3 l0,0,-24 r0,0,60 r10,0,2 "
+     "l10,0,-8 a8,0,-10 l5.5,0,-10 r5.5,0,60 r24,0,60 r24,0,-20 l18,0,-20 r60,0,-20"},
     // A byte order mark, CR LF, tabs, blank lines, a text end (0x1A).
     {"bom_crlf.nc", Dialect::fanuc, kMill, "1:6", "r0,0,5 l0,0,-1 l10,0,-1 r10,0,5"},
 };

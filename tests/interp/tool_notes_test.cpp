@@ -82,6 +82,35 @@ TEST(ToolNotes, WorkNamesTheToolOfALathe) {
   EXPECT_EQ(p.tools[4].type, ToolType::turning);
 }
 
+// As SINUMERIK's lists call them; A and I are outside and inside.
+TEST(ToolNotes, NamesInTheListsOfLathes) {
+  const auto named = [](const std::string& name) {
+    InterpOptions options;
+    options.dialect = Dialect::sinumerik;
+    options.machine = MachineKind::lathe;
+    const Program p =
+        read_text("G18 G95\nT=\"" + name + "\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\nG1 X55\n", options);
+    if (p.tools.size() != 1) return listing(p);
+    const Tool& tool = p.tools[0];
+    return fmt::format("{} tip {}, {:.3g} deg, width {}", static_cast<int>(tool.type), tool.tip,
+                       degrees(tool.insert_angle), tool.width);
+  };
+  const auto turning = [](ToolType type, int tip, int corner, int width) {
+    return fmt::format("{} tip {}, {} deg, width {}", static_cast<int>(type), tip, corner, width);
+  };
+  const std::string inside = turning(ToolType::boring, 0, 80, 0);
+  EXPECT_EQ(named("ROUGHING_T80_A"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("ROUGHING_T80 I"), inside);
+  EXPECT_EQ(named("SCHRUPPER_80_I"), inside);
+  EXPECT_EQ(named("ROUGHER_80"), turning(ToolType::turning, 0, 80, 0));  // no mill of 80 mm
+  EXPECT_EQ(named("FINISHING_T35_A"), turning(ToolType::turning, 0, 35, 0));
+  EXPECT_EQ(named("DREHMEISSEL_55_I"), turning(ToolType::boring, 0, 55, 0));
+  EXPECT_EQ(named("PLUNGE_CUTTER_3_A"), turning(ToolType::grooving, 0, 35, 3));
+  EXPECT_EQ(named("STECHER_3_I"), turning(ToolType::grooving, 2, 35, 3));
+  EXPECT_EQ(named("GROOVER_3"), turning(ToolType::grooving, 0, 35, 3));
+  EXPECT_EQ(named("ID_ROUGH"), turning(ToolType::boring, 0, 35, 0));
+}
+
 TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;

@@ -124,7 +124,8 @@ void MotionEmitter::turn_to_plus(Motion& motion) {
   else if (motion.kind == MotionKind::rapid && motion.end.x < -kBeyondAxis && may_stand_below())
     tool.below = true;
   const bool whole = motion.kind == MotionKind::arc;
-  if (whole ? tool.below : before) motion.start.x = -motion.start.x;
+  const bool turned = before || (tool.below && motion.start.x < 0);  // where another tool left it
+  if (whole ? tool.below : turned) motion.start.x = -motion.start.x;
   if (!tool.below) return;
   motion.end.x = -motion.end.x;
   motion.center.x = -motion.center.x;

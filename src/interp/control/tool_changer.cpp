@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "interp/text/characters.h"
 #include "interp/text/form_outline.h"
+#include "interp/text/turret_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -248,9 +249,11 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
   }
   std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
-  if (lathe()) name.insert(0, "TOOL ");
+  if (lathe()) name = spelled_turret_name(id);
   if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
-  const ToolHint hint = read_tool_comment(name);
+  ToolHint hint = read_tool_comment(name);
+  if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
+  hint.text = id;
   std::string ignored;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
   if (hint.plain_teeth()) said = Severity::warning;

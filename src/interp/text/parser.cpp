@@ -341,7 +341,7 @@ void Parser::letter_word(Block& block) {
   if (n == '!' && c == 'L' && dialect_ == Dialect::codesys) return jump_label();
   if (n == '#' || n == '[' || n == '$') return strange_character(block);
   p_ = from;
-  if (statement(block, from)) return;
+  if (statement(block, from) || block_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block)) return;
   unknown_word(block, from);

@@ -47,6 +47,7 @@ class Parser {
   bool sinumerik_radix(Word& word);
   void codesys_name(Block& block);
   void jump_label();
+  bool block_name(Block& block);
   void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);

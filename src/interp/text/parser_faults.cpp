@@ -9,6 +9,11 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+constexpr std::size_t kLongestName = 6;  // "NAT101" of Okuma: N and at most five signs
+
+}  // namespace
 
 void Parser::strange_character(Block& block) {
   const std::size_t from = p_;
@@ -111,6 +116,26 @@ void Parser::check_inner_blanks(const Block&, std::size_t from) {
                   "letter?",
                   run.substr(0, 40)),
       static_cast<int>(from), static_cast<int>(run.size()));
+}
+
+// "NAT01 T010101" of Okuma: a block has a name instead of a number.
+bool Parser::block_name(Block& block) {
+  std::size_t end = p_ + 1;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  const bool first = block.words.empty() && !block.has_number;
+  if (dialect_ != Dialect::fanuc || !first || upper(at(p_)) != 'N' || end - p_ > kLongestName ||
+      !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
+    return false;
+  Word word;
+  word.column = static_cast<int>(p_);
+  word.length = static_cast<int>(end - p_);
+  reporter_.once(Severity::note, "block-name",
+                 fmt::format("{} is the name of its block, as on Okuma's controls: left out",
+                             upper_case(line_.substr(p_, end - p_))),
+                 word, "block-name");
+  block.has_number = true;
+  p_ = end;
+  return true;
 }
 
 void Parser::unknown_word(Block& block, std::size_t from) {
