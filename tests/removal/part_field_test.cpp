@@ -283,6 +283,47 @@ TEST(PartField, ListsHoldInTheWholeBox) {
   EXPECT_GT(mixed, 50u);
 }
 
+// Whether a point is on the surface is told as by its distance, for tools of every kind of sweep:
+// at random places, and at places that are moved there.
+TEST(PartField, KnowsWhatIsOnTheSurface) {
+  std::vector<Tool> tools(4);
+  tools[0].type = ToolType::ballmill, tools[1].type = ToolType::endmill;
+  tools[2].type = ToolType::chamfer, tools[2].tip_angle = radians(60);
+  tools[3].type = ToolType::bullmill, tools[3].corner_radius = 0.7;
+  for (Tool& tool : tools) tool.diameter = 5;
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Motion> motions;
+  for (int k = 0; k < 60; ++k) {
+    motions.push_back(line({6 * u(random), 6 * u(random), u(random)},
+                           {6 * u(random), 6 * u(random), k % 3 == 0 ? 0 : u(random)}));
+    motions.back().tool = k % 4;
+  }
+  motions.push_back(arc_about({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
+  StockShape shape;
+  shape.box = {{-8, -8, -5}, {8, 8, 3}};
+  const PartField field(StockSolid(shape), SweepTable(motions, tools));
+  const Candidates all = field.all();
+  unsigned on = 0, off = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Vec3 p{8.5 * u(random), 8.5 * u(random), 4 * u(random) - 1};
+    for (int k = 0; k < 4; ++k) {
+      const FieldSample at = field.sample(p, all);
+      for (const double tolerance : {1e-9, 1e-3, 0.5}) {
+        const bool is_on = std::fabs(at.distance) <= tolerance;
+        ASSERT_EQ(field.is_on_surface(p, all, tolerance), is_on) << at.distance;
+        ++(is_on ? on : off);
+      }
+      const FacePlane plane = field.face_plane(p, at);
+      p = p - plane.distance * plane.normal;
+    }
+  }
+  EXPECT_GT(on, 3000u);
+  EXPECT_GT(off, 3000u);
+  EXPECT_TRUE(field.is_on_surface({8, 0, -4}, {}, 1e-9)) << "the stock alone";
+  EXPECT_FALSE(field.is_on_surface({8.1, 0, -4}, {}, 0.01));
+}
+
 // A cube is told from what the surface passes by its shape, not by the ball about it, and never
 // wrongly.
 TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {

@@ -30,6 +30,7 @@ struct Probe {
   double shallow = 0;  ///< mm: creases that need not be found if cutting them off moves less
 
   FieldSample sample(const Vec3& p) const { return field.sample(p, candidates); }
+  bool is_on_surface(const Vec3& p) const { return field.is_on_surface(p, candidates, kOnSurface); }
   double offset(const Vec3& p) const { return sample(p).distance + kInsideTolerance; }
 };
 

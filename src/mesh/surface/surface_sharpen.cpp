@@ -25,7 +25,7 @@ void DualSurface::sharpen(const CellOctree& tree) {
     // Other sweeps may matter there than in the cell that it was found from.
     const std::int32_t cell = tree.locate(to.position);
     if (tree.node(cell).region != ExactField::Region::mixed ||
-        std::abs(probe(cell).sample(to.position).distance) > kOnSurface)
+        !probe(cell).is_on_surface(to.position))
       return;
     mesh_.vertices[v] = snap(to.position);
     moved[v] = 1;

@@ -13,7 +13,7 @@ constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces t
 constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
-  return strictly_inside(p, room, flat) && std::abs(probe.sample(p).distance) <= kOnSurface;
+  return strictly_inside(p, room, flat) && probe.is_on_surface(p);
 }
 
 // The shortest step x with n_i . x = -g_i.
@@ -107,14 +107,16 @@ SurfacePoint try_corners(const Probe& probe, const Box3& room, const Vec3& start
 SurfacePoint try_creases(const Probe& probe, const Box3& room, std::span<const Vec3> starts,
                          std::span<const FieldSample> faces) {
   const double size = length(room.hi - room.lo);
+  std::vector<FacePlane> planes;  // of all faces at each start
+  for (const Vec3& start : starts)
+    for (const FieldSample& face : faces) planes.push_back(probe.field.face_plane(start, face));
   for (std::size_t a = 0; a < faces.size(); ++a)
     for (std::size_t b = a + 1; b < faces.size(); ++b)
-      for (const Vec3& start : starts) {
+      for (std::size_t k = 0; k < starts.size(); ++k) {
         const FieldSample pair[2] = {faces[a], faces[b]};
-        const FacePlane planes[2] = {probe.field.face_plane(start, pair[0]),
-                                     probe.field.face_plane(start, pair[1])};
-        if (join_smoothly(probe, planes[0].normal, planes[1].normal, size)) continue;
-        if (SurfacePoint s = try_faces(probe, room, start, pair, planes); s.count > 0) return s;
+        const FacePlane at[2] = {planes[k * faces.size() + a], planes[k * faces.size() + b]};
+        if (join_smoothly(probe, at[0].normal, at[1].normal, size)) continue;
+        if (SurfacePoint s = try_faces(probe, room, starts[k], pair, at); s.count > 0) return s;
       }
   return {};
 }

@@ -100,6 +100,12 @@ class ExactField {
   /// d, its owner and the owner's face at p. Ties: stock before sweep, then the least index.
   virtual FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const = 0;
 
+  /// |d| <= tolerance at p, perhaps without knowing d. Requires: tolerance >= 0.
+  virtual bool is_on_surface(const Vec3& p, std::span<const std::uint32_t> candidates,
+                             double tolerance) const {
+    return std::fabs(sample(p, candidates).distance) <= tolerance;
+  }
+
   /// out[k] = sample(points[k], candidates), the same bits; cheaper together.
   virtual void samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                        FieldSample* out) const {

@@ -232,6 +232,16 @@ FieldSample PartField::sample(const Vec3& p, std::span<const std::uint32_t> cand
   return decide(p, candidates.empty() ? SweepTable::Nearest{} : sweeps_.nearest(candidates, p));
 }
 
+// Outside of the stock or in any sweep: no other sweep can bring p to the surface.
+bool PartField::is_on_surface(const Vec3& p, std::span<const std::uint32_t> candidates,
+                              double tolerance) const {
+  const double stock = solid_.sample(p).distance;
+  if (stock > tolerance) return false;
+  const double cut =
+      candidates.empty() ? kInfinity : sweeps_.nearest(candidates, p, -tolerance).distance;
+  return std::fabs(std::max(stock, -cut)) <= tolerance;
+}
+
 void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                         FieldSample* out) const {
   PointColumns columns;

@@ -40,6 +40,8 @@ class PartField final : public ExactField {
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;
+  bool is_on_surface(const Vec3& p, std::span<const std::uint32_t> candidates,
+                     double tolerance) const override;
   void samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                FieldSample* out) const override;
   void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,

@@ -117,16 +117,28 @@ class BoundedLines {
   /// The nearest of the list's lines; what is left of the list, valid until the thread's next call.
   /// The one that was the nearest to the thread's last point, and then the one with the least
   /// bound, come first: few others can be nearer.
-  std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list,
+  /// Ends where one is nearer than `enough`.
+  std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list, double enough,
                                          TurnTree::Nearest& best) {
     Memory& memory = thread_memory();
     memory.others.clear(), memory.lines.clear();
     const std::uint32_t last = memory.last;
     const bool has_last = std::ranges::find(list, last) != list.end() && is_bounded(last);
     if (has_last) take(last, best.distance, best);
-    for (const std::uint32_t id : list)
+    for (const std::uint32_t id : list) {
+      if (best.distance < enough) break;
       if (!(has_last && id == last) && !add(id, best.distance + kBoundError, memory))
         memory.others.push_back(id);
+      // As good as a distance: a sweep behind all of its planes holds p.
+      if (!memory.lines.empty() && memory.lines.back().first < enough) {
+        take(memory.lines.back().second, best.distance, best);
+        memory.lines.pop_back();
+      }
+    }
+    if (best.distance < enough) {
+      memory.last = best.sweep;
+      return {};
+    }
     auto& lines = memory.lines;
     if (!lines.empty()) std::swap(lines.front(), *std::min_element(lines.begin(), lines.end()));
     for (const auto& [bound, id] : lines) {
@@ -258,14 +270,15 @@ std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
 }
 
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
-                                  const Vec3& p) {
+                                  const Vec3& p, double enough) {
   const auto numbers = c.numbers_of(list);
   std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
   BoundedLines lines(c, p);
-  if (!c.chain_lines.empty() || !c.slant_lines.empty()) plain = lines.nearest(plain, best);
+  if (!c.chain_lines.empty() || !c.slant_lines.empty()) plain = lines.nearest(plain, enough, best);
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
+    if (best.distance < enough) break;
     const auto some = plain.first(std::min(kChunk, plain.size()));
     sweep_distances(c, some, p, d);
     for (std::size_t k = 0; k < some.size(); ++k) take_nearer(d[k], some[k], best);

@@ -14,7 +14,7 @@ std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest);
 std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box);
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
-                                  const Vec3& p);
+                                  const Vec3& p, double enough);
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
                      double* out);
 void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,

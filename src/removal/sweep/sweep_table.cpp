@@ -77,8 +77,9 @@ std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> lis
                                               const Box3& box) const {
   return sweeps_meeting(*columns_, list, box);
 }
-SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p) const {
-  return nearest_sweep(*columns_, list, p);
+SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p,
+                                        double enough) const {
+  return nearest_sweep(*columns_, list, p, enough);
 }
 void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
   sweep_distances(*columns_, ids, p, out);

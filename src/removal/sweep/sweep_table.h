@@ -99,7 +99,9 @@ class SweepTable {
     std::uint32_t sweep = 0;
     std::optional<double> t;  ///< where on a straight path, if that is known
   };
-  Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p) const;
+  /// `enough`: where a sweep is nearer than that, any such sweep will do.
+  Nearest nearest(std::span<const std::uint32_t> list, const Vec3& p,
+                  double enough = -std::numeric_limits<double>::infinity()) const;
 
   /// Brings the least distances at `points` up to date with the sweeps of a list, the same bits as
   /// distance().
