@@ -89,9 +89,10 @@ Tool parse_tool_spec(const std::string& spec) {
     if (tool.id.empty()) fail(spec, "the tool's number or name is missing before \"=\"");
     head = trimmed(head.substr(equal + 1));
   }
-  // T4 is how the program says it; 4 is its id.
-  if (tool.id.size() > 1 && (tool.id[0] == 'T' || tool.id[0] == 't') &&
-      tool.id.find_first_not_of("0123456789", 1) == std::string::npos)
+  // T4 is how the program says it; 4 is its id. "T3.D2" is edge 2 of tool 3.
+  const std::string number = tool.id.substr(0, tool.id.find(".D"));
+  if (number.size() > 1 && (number[0] == 'T' || number[0] == 't') &&
+      number.find_first_not_of("0123456789", 1) == std::string::npos)
     tool.id.erase(0, 1);
   const std::optional<ToolType> type = tool_type(head);
   if (!type)

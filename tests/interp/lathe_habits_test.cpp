@@ -179,6 +179,31 @@ TEST(LatheHabits, ASecondOffsetOfABladeIsToldOf) {
   EXPECT_EQ(told.tools[1].tip, 4);
 }
 
+TEST(LatheHabits, ASecondEdgeOfABladeIsToldOf) {
+  InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
+  options.table.tools.clear();
+  const std::string cut = "G0 X54 Z-20\nG1 X40 F0.1\nG0 X54\n";
+  const auto run = [&](const std::string& tool, const std::string& next) {
+    return read_text("G18 G90 G95 DIAMON\nT=\"" + tool + "\" D1\n" + cut + next + cut, options);
+  };
+  EXPECT_EQ(codes(run("STECHER_3", "D2\n")), "second-offset");
+  EXPECT_EQ(codes(run("STECHER_3", "T=\"STECHER_3\" D2\n")), "second-offset");
+  EXPECT_EQ(codes(run("STECHER_3", "D0\nD1\n")), "");
+  EXPECT_EQ(codes(run("ROUGHING_T80_A", "D2\n")), "") << "a wear";
+  Tool right;
+  right.id = "STECHER_3.D2";
+  right.type = ToolType::grooving;
+  right.width = 3;
+  right.tip = 4;
+  options.table.tools.push_back(right);
+  const Program told = run("STECHER_3", "D2\nG0 Z-10\nG1 X50\nD1\n");
+  EXPECT_EQ(codes(told), "");
+  ASSERT_EQ(told.tools.size(), 2U);
+  EXPECT_EQ(told.tools[1].tip, 4);
+  EXPECT_EQ(told.motions[4].tool, 1);
+  EXPECT_EQ(told.motions.back().tool, 0);
+}
+
 // G20 is a cycle there, and was a rapid in inches; G20 beside a motion word is the unit.
 TEST(LatheHabits, CyclesOfCodeSystemCAreRefused) {
   EXPECT_EQ(codes(on_lathe("G0 X52. Z2.\nG20 X46. Z-30. F.25\nX42.\n")), "not-supported");

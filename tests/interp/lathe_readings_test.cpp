@@ -96,6 +96,23 @@ TEST(LatheReadings, Blades) {
   });
 }
 
+// A blade for the outside left nothing of what lies outside of the groove.
+TEST(LatheReadings, SidesWithPointsAndSlashes) {
+  expect_readings({
+      {lathe_mm, "T1 I.D. GROOVE 3MM", "grooving, width 3, orientation 2"},
+      {lathe_mm, "T1 I.D.GROOVE 3MM", "grooving, width 3, orientation 2"},
+      {lathe_mm, "T1 I/D GROOVE 3MM", "grooving, width 3, orientation 2"},
+      {lathe_mm, "T1 O.D GROOVE 3MM", "grooving, width 3"},
+      {lathe_mm, "T1 I.D. THREAD", "threading, orientation 6, insert 60"},
+      {lathe_mm, "T1 O.D. 80 DEG R.8", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "OD_80_L", "turning, insert 80"},
+      {lathe_mm, "T2 ID_55_L R0.4", "boring, insert 55, nose 0.4"},
+      {lathe_mm, "T1 OD_GROOVE_L", "? gives no width of the blade"},
+      {inch, "T1 ENDMILL O.D.=.5", "endmill 12.7"},
+      {inch, "T1 ENDMILL .500 O.D.", "endmill 12.7"},
+  });
+}
+
 TEST(LatheReadings, WhatPressesOrHoldsCutsNothing) {
   expect_readings({{lathe_mm, "T1 KNURLING TOOL", "? names no cutter"},
                    {lathe_mm, "T1 RÄNDELN", "? names no cutter"},

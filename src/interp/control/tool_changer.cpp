@@ -189,27 +189,6 @@ bool ToolChanger::select(const Word& word) {
   return true;
 }
 
-// T0303 and T0313: a blade often has an offset for each of its corners, and which is which no
-// program tells.
-void ToolChanger::compare_offset(const Word& word) {
-  const long number = static_cast<long>(word.value), offset = number % 100;
-  if (!lathe() || !is(Dialect::fanuc) || word.string || number < 100 || number > 9999 ||
-      offset == 0 || tool_.current == fmt::format("{}", number))
-    return;
-  const auto [at, first] = offsets_.emplace(tool_.current, offset);
-  const auto known = used_.find(tool_.current);
-  if (first || at->second == offset || known == used_.end()) return;
-  const Tool& tool = program_.tools[static_cast<std::size_t>(known->second)];
-  if (tool.type != ToolType::grooving) return;
-  reporter_.once(
-      Severity::warning, "second-offset",
-      fmt::format("{0} is a second offset of blade {1}: its point is read as before. Where it is "
-                  "the other corner, these cuts lie {2:g} mm beside: say so with --tool "
-                  "{3}=grooving:w={2:g},tip=..",
-                  text_of(word), tool.id, tool.width, number),
-      word, text_of(word));
-}
-
 void ToolChanger::change() {
   if (tool_.chosen && tool_.current != tool_.pending.id) position_.new_tool = true;
   if (tool_.current != tool_.pending.id) tool_.below = false;
@@ -310,21 +289,23 @@ void ToolChanger::require(const Word& where, bool cuts) {
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
   if (!tool_.chosen && cuts && !given("")) take_commented(where);
-  if (const auto known = used_.find(tool_.current); known != used_.end()) {
+  const std::string id = id_at_edge();
+  if (const auto known = used_.find(id); known != used_.end()) {
     tool_.index = known->second;
-    return;
+    return compare_edge(where);
   }
   Tool tool;
   std::string why;
   if (!tool_.chosen && !cuts) return;
   Severity said = Severity::note;
-  if (!resolve(tool_.current, tool, why, said)) {
+  if (!resolve(id, tool, why, said)) {
     if (cuts) missing(where, why, tool);
     return;
   }
-  tool.id = tool_.current;
+  tool.id = id;
   use(tool);
-  if (given(tool_.current)) return;
+  compare_edge(where);
+  if (given(id)) return;
   const std::string text =
       fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
                   tool_summary(tool), tool.origin);

@@ -48,6 +48,10 @@ class ToolChanger : public ControlPart {
   bool select(const Word& word);
   bool suffix(const Word& word);
   void compare_offset(const Word& word);
+  void compare_edge(const Word& where);
+  void tell_second(const std::string& offset, const std::string& id, const Tool& tool,
+                   const Word& where);
+  std::string id_at_edge() const;
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);

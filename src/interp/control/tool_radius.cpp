@@ -20,6 +20,51 @@ bool ToolChanger::only_touches(const Word& where) {
   return true;
 }
 
+// T0303 and T0313: a blade often has an offset for each of its corners, and which is which no
+// program tells.
+void ToolChanger::compare_offset(const Word& word) {
+  const long number = static_cast<long>(word.value), offset = number % 100;
+  if (!lathe() || !is(Dialect::fanuc) || word.string || number < 100 || number > 9999 ||
+      offset == 0 || tool_.current == fmt::format("{}", number))
+    return;
+  const auto [at, first] = offsets_.emplace(tool_.current, offset);
+  const auto known = used_.find(tool_.current);
+  if (first || at->second == offset || known == used_.end()) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(known->second)];
+  if (tool.type != ToolType::grooving) return;
+  tell_second(text_of(word), fmt::format("{}", number), tool, word);
+}
+
+void ToolChanger::tell_second(const std::string& offset, const std::string& id, const Tool& tool,
+                              const Word& where) {
+  reporter_.once(
+      Severity::warning, "second-offset",
+      fmt::format("{0} is a second offset of blade {1}: its point is read as before. Where it is "
+                  "the other corner, these cuts lie {2:g} mm beside: say so with --tool "
+                  "{3}=grooving:w={2:g},tip=..",
+                  offset, tool.id, tool.width, id),
+      where, id);
+}
+
+// "3.D2" of a SINUMERIK lathe where the tool table has it: another edge, with a point of its own.
+std::string ToolChanger::id_at_edge() const {
+  if (!lathe() || !is(Dialect::sinumerik) || modal_.edge < 2) return tool_.current;
+  std::string id = fmt::format("{}.D{}", tool_.current, modal_.edge);
+  return given(id) ? id : tool_.current;
+}
+
+// D2 of a blade is often its right corner.
+void ToolChanger::compare_edge(const Word& where) {
+  const Tool& tool = program_.tools[static_cast<std::size_t>(tool_.index)];
+  if (!lathe() || !is(Dialect::sinumerik) || modal_.edge < 1 || tool.type != ToolType::grooving ||
+      tool.id != tool_.current)
+    return;
+  const auto [at, first] = offsets_.emplace(tool_.current, modal_.edge);
+  if (first || at->second == modal_.edge) return;
+  const std::string edge = fmt::format("D{}", modal_.edge);
+  tell_second(edge, fmt::format("{}.{}", tool_.current, edge), tool, where);
+}
+
 const OffsetRegister* ToolChanger::find_register(const std::string& name) const {
   for (const OffsetRegister& reg : control_.registers)
     if (reg.name == name) return &reg;

@@ -170,6 +170,7 @@ bool ValueWords::edge() {
   if (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e6)
     return error("value-range", "D is a whole number", *word);
   modal_.edge = static_cast<int>(word->value);
+  if (lathe() && is(Dialect::sinumerik) && !control_.tool.failed) control_.tool.index = -1;
   modal_.edge_given = true;
   control_.edge_word = *word;
   return true;

@@ -4,6 +4,7 @@
 #include "interp/text/comment_tokens.h"
 #include "interp/text/tool_facts.h"
 #include "interp/text/tool_listing.h"
+#include "interp/text/turret_name.h"
 
 namespace mrsim {
 
@@ -13,7 +14,8 @@ ToolHint read_tool_comment(std::string_view bytes) {
   hint.text = to_utf8(bytes);
   while (!hint.text.empty() && hint.text.front() == ' ') hint.text.erase(0, 1);
   while (!hint.text.empty() && hint.text.back() == ' ') hint.text.pop_back();
-  const std::string text = fold_comment(hint.text);
+  std::string text = fold_comment(hint.text);
+  spell_sides(text);
   if (!read_listed_tool(text, hint)) settle_tool(read_tool_facts(comment_tokens(text)), hint);
   hint.diameter = hint.diameters.empty() ? 0 : hint.diameters.front().value;
   hint.corner_radius = hint.corner.value;

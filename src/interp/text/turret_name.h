@@ -1,5 +1,6 @@
-// Names of tools in the lists of SINUMERIK's lathes: ROUGHING_T80_A, SCHLICHTER_35_I, STECHER_3_A.
-// A and I at the end say that they work outside (aussen) or inside. Private to src/interp.
+// How the tools of lathes are spelled: in the lists of SINUMERIK's, ROUGHING_T80_A,
+// SCHLICHTER_35_I, STECHER_3_A, where A and I at the end say that they work outside (aussen) or
+// inside; in comments I.D. GROOVE, OD_80_L. Private to src/interp.
 #pragma once
 
 #include <string>
@@ -9,5 +10,8 @@ namespace mrsim {
 
 /// The name as a comment would say it: "TOOL ID TURNING TOOL 80 DEG".
 std::string spelled_turret_name(std::string_view name);
+
+/// In a folded comment: "I.D." and "I/D" become "ID", NX's "OD_80_L" becomes "OD TURNING 80 DEG".
+void spell_sides(std::string& folded);
 
 }  // namespace mrsim
