@@ -49,6 +49,27 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
   for (std::size_t k = 0; k < part.n; ++k) out[part.places[k]] = values[k];
 }
 
+// Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
+bool is_single(const SweepColumns& c, std::uint32_t id) {
+  return c.tags[id] >> kTagShift == kOtherForm && c.refs[id].kind != SweepKind::turn;
+}
+
+// A list has such sweeps only if one of these columns holds any.
+bool has_singles(const SweepColumns& c) {
+  return !c.paths.empty() || !c.profiles.empty() || !c.ball_arcs.empty() || !c.frames.empty();
+}
+
+// No sweep is nearer to p than the box that holds it; minus infinity where p lies in the box.
+double box_bound(const Box3& box, const Vec3& p) {
+  const auto beyond = [](double low, double x, double high) {
+    return std::max(std::max(low - x, x - high), 0.0);
+  };
+  const double x = beyond(box.lo.x, p.x, box.hi.x), y = beyond(box.lo.y, p.y, box.hi.y),
+               z = beyond(box.lo.z, p.z, box.hi.z);
+  const double square = x * x + y * y + z * z;
+  return square > 0 ? std::sqrt(square) : -std::numeric_limits<double>::infinity();
+}
+
 void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
   const SweepRef& ref = c.refs[id];
   std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
@@ -63,9 +84,11 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     if (path.lowest_turn && tool.is_rounded())
       return sweep_kernels().helix(helix_record(tool, path), id, open, points);
   }
+  const Box3 box = c.bounds_of(ref);
   for (; open != 0; open &= open - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(open));
     const Vec3 p{points.x[k], points.y[k], points.z[k]};
+    if (box_bound(box, p) > points.least[k] + kBoundError) continue;
     const double d = c.distance(id, p);
     if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
     points.least[k] = d;
@@ -109,39 +132,41 @@ void take_nearer(double d, std::uint32_t id, TurnTree::Nearest& best) {
     best.distance = d, best.sweep = id;
 }
 
-// Straight moves of a list, with bounds that cost less than their distances.
-class BoundedLines {
+// The sweeps of a list that are asked on their own, with bounds that cost less than their
+// distances: planes of straight moves, boxes of others.
+class BoundedSweeps {
  public:
-  BoundedLines(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
+  BoundedSweeps(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
-  /// The nearest of the list's lines; what is left of the list, valid until the thread's next call.
+  /// The nearest of them; what is left of the list, valid until the thread's next call.
   /// The one that was the nearest to the thread's last point, and then the one with the least
   /// bound, come first: few others can be nearer.
   /// Ends where one is nearer than `enough`.
   std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list, double enough,
                                          TurnTree::Nearest& best) {
     Memory& memory = thread_memory();
-    memory.others.clear(), memory.lines.clear();
+    memory.others.clear(), memory.singles.clear();
     const std::uint32_t last = memory.last;
-    const bool has_last = std::ranges::find(list, last) != list.end() && is_bounded(last);
+    const bool has_last = std::ranges::find(list, last) != list.end() && is_single(c_, last);
     if (has_last) take(last, best.distance, best);
     for (const std::uint32_t id : list) {
       if (best.distance < enough) break;
       if (!(has_last && id == last) && !add(id, best.distance + kBoundError, memory))
         memory.others.push_back(id);
-      // As good as a distance: a sweep behind all of its planes holds p.
-      if (!memory.lines.empty() && memory.lines.back().first < enough) {
-        take(memory.lines.back().second, best.distance, best);
-        memory.lines.pop_back();
+      // It may well hold p.
+      if (!memory.singles.empty() && memory.singles.back().first < enough) {
+        take(memory.singles.back().second, best.distance, best);
+        memory.singles.pop_back();
       }
     }
     if (best.distance < enough) {
       memory.last = best.sweep;
       return {};
     }
-    auto& lines = memory.lines;
-    if (!lines.empty()) std::swap(lines.front(), *std::min_element(lines.begin(), lines.end()));
-    for (const auto& [bound, id] : lines) {
+    auto& singles = memory.singles;
+    if (!singles.empty())
+      std::swap(singles.front(), *std::min_element(singles.begin(), singles.end()));
+    for (const auto& [bound, id] : singles) {
       const double limit = best.distance + kBoundError;
       if (bound <= limit) take(id, limit, best);
     }
@@ -149,18 +174,14 @@ class BoundedLines {
     return memory.others;
   }
 
-  /// Of a line with a bound: not above its distance but for rounding; where it is above `limit`,
-  /// any that is. False for other sweeps.
-  bool bound(std::uint32_t id, double limit, double& least) const {
+  /// Not above the distance but for rounding; where it is above `limit`, any bound that is. Minus
+  /// infinity where nothing is known. Requires: is_single().
+  double bound(std::uint32_t id, double limit) const {
     const SweepRef& ref = c_.refs[id];
-    if (ref.frame != 0) return false;
-    if (c_.is_slant_line(ref))
-      least = slant_bound(c_.slant_lines[ref.row], p_);
-    else if (c_.is_chain(ref))
-      least = chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit);
-    else
-      return false;
-    return true;
+    if (ref.frame == 0 && c_.is_slant_line(ref)) return slant_bound(c_.slant_lines[ref.row], p_);
+    if (ref.frame == 0 && c_.is_chain(ref))
+      return chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit);
+    return box_bound(c_.bounds_of(ref), p_);
   }
 
   /// Where on a sweep the point is nearest, if it is the nearest line.
@@ -169,31 +190,28 @@ class BoundedLines {
   }
 
  private:
-  using Line = std::pair<double, std::uint32_t>;  // bound, sweep
+  using Single = std::pair<double, std::uint32_t>;  // bound, sweep
   struct Memory {
     std::vector<std::uint32_t> others;
-    std::vector<Line> lines;
-    std::uint32_t last = 0;  // the nearest of the last list, if still a line of this table
+    std::vector<Single> singles;
+    std::uint32_t last = 0;  // the nearest of the last list, if still one of this table
   };
   static Memory& thread_memory() {
     static thread_local Memory memory;
     return memory;
   }
 
-  bool is_bounded(std::uint32_t id) const {
-    const SweepRef& ref = c_.refs[id];
-    return ref.frame == 0 && (c_.is_slant_line(ref) || c_.is_chain(ref));
-  }
-
   bool add(std::uint32_t id, double limit, Memory& memory) const {
-    double least;
-    if (!bound(id, limit, least)) return false;
-    if (least <= limit) memory.lines.emplace_back(least, id);
+    if (!is_single(c_, id)) return false;
+    if (const double least = bound(id, limit); least <= limit)
+      memory.singles.emplace_back(least, id);
     return true;
   }
 
   void take(std::uint32_t id, double limit, TurnTree::Nearest& best) {
     const SweepRef& ref = c_.refs[id];
+    if (ref.frame != 0 || !(c_.is_slant_line(ref) || c_.is_chain(ref)))
+      return take_nearer(c_.distance(id, p_), id, best);
     const PathSample s = c_.is_slant_line(ref) ? slant_minimum(c_.slant_lines[ref.row], p_)
                                                : chain_minimum(c_.chain_tools[ref.shape],
                                                                c_.chain_lines[ref.row], p_, limit);
@@ -212,14 +230,16 @@ class BoundedLines {
 void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
                     PointColumns& points) {
   constexpr std::size_t kWorth = 8;  // sweeps
-  if ((c.chain_lines.empty() && c.slant_lines.empty()) || ids.size() < kWorth) return;
+  if (!has_singles(c) || ids.size() < kWorth) return;
   const std::size_t middle = points.count / 2;
-  const BoundedLines lines(c, {points.x[middle], points.y[middle], points.z[middle]});
-  double least = std::numeric_limits<double>::infinity(), bound = 0;
-  std::uint32_t best = 0;
-  for (const std::uint32_t id : ids)
-    if (lines.bound(id, least, bound) && bound < least) least = bound, best = id;
-  if (std::isfinite(least)) least_of(c, best, points);
+  const BoundedSweeps singles(c, {points.x[middle], points.y[middle], points.z[middle]});
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<std::uint32_t> best;
+  for (const std::uint32_t id : ids) {
+    if (!is_single(c, id)) continue;
+    if (const double bound = singles.bound(id, least); bound < least) least = bound, best = id;
+  }
+  if (best) least_of(c, *best, points);
 }
 
 }  // namespace
@@ -274,8 +294,8 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const auto numbers = c.numbers_of(list);
   std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
-  BoundedLines lines(c, p);
-  if (!c.chain_lines.empty() || !c.slant_lines.empty()) plain = lines.nearest(plain, enough, best);
+  BoundedSweeps singles(c, p);
+  if (has_singles(c)) plain = singles.nearest(plain, enough, best);
   double d[kChunk];
   for (; !plain.empty(); plain = plain.subspan(std::min(kChunk, plain.size()))) {
     if (best.distance < enough) break;
@@ -286,7 +306,7 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)
     c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, p.z, best);
-  return {best.distance, best.sweep, lines.place_on(best.sweep)};
+  return {best.distance, best.sweep, singles.place_on(best.sweep)};
 }
 
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
