@@ -136,6 +136,12 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("%10\nN10 G0 G52 Z0\nN20 T1 D1 M6\nN30 G1 X5 Y0 F100\nM2\n").find("NUM"),
             std::string::npos);
   EXPECT_NE(refusal("N50 G1 X5 Y0 F100\nN60 G77 N10 N50\nM2\n").find("NUM"), std::string::npos);
+  for (const char* block : {"G80 X45 Z-30 F100", "G81 X20 Z-2 F100", "G82 X30 Z-20 F2",
+                            "G71 U1.5 R1 P6 Q12 X0.4 Z0.1 F120"}) {
+    const std::string text = std::string("T0101\nM3 S500\nG0 X50 Z5\n") + block + "\nM30\n";
+    EXPECT_NE(refusal("%3327\n" + text).find("Huazhong"), std::string::npos) << block;
+  }
+  EXPECT_EQ(refusal("%3327\nT1 M6\nG90 G0 X10 Y0 Z5\nG81 X10 Y5 Z-3 R2 F100\nG80\nM30\n"), "");
   EXPECT_EQ(refusal("%\nO10\nN10 G0 G52 X0 Y0\nG1 X5 Y0 F100\nM30\n"), "");
   EXPECT_NE(refusal("#1 = 0\nwhile [#1 lt 3]\nG1 X#1 Y1 F9\nendwhile\n").find("Eding"),
             std::string::npos);

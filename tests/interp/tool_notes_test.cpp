@@ -109,6 +109,10 @@ TEST(ToolNotes, NamesInTheListsOfLathes) {
   EXPECT_EQ(named("STECHER_3_I"), turning(ToolType::grooving, 2, 35, 3));
   EXPECT_EQ(named("GROOVER_3"), turning(ToolType::grooving, 0, 35, 3));
   EXPECT_EQ(named("ID_ROUGH"), turning(ToolType::boring, 0, 35, 0));
+  const Program said = read_text(
+      "; T=\"ROUGHER_80\"\nG18 G95 DIAMON\nT=\"ROUGHER_80\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\n", {});
+  ASSERT_EQ(said.tools.size(), 1U) << listing(said);
+  EXPECT_EQ(said.tools[0].type, ToolType::turning);
 }
 
 TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {

@@ -440,6 +440,10 @@ TEST(DefaultStock, ABarHasAWallAroundWhatIsBored) {
   path.rapid({15, 0, 2}).cut({15, 0, -30}).cut({14, 0, -30}).rapid({14, 0, 2});
   EXPECT_EQ(path.bar(ToolType::boring).outer_radius, 17);
   EXPECT_EQ(path.bar(ToolType::boring).box.hi.z, 0);
+  Path across;  // G72 in a bore
+  across.rapid({8.8, 0, 1}).cut({15, 0, 1}).rapid({8.8, 0, 1.3}).rapid({8.8, 0, -1});
+  across.cut({15, 0, -1}).rapid({8.8, 0, -1});
+  EXPECT_EQ(across.bar(ToolType::boring).outer_radius, 17);
   const StockShape drilled = Path().rapid({0, 0, 2}).cut({0, 0, -30}).bar(ToolType::drill);
   EXPECT_EQ(drilled.outer_radius, 8);
   EXPECT_EQ(drilled.box.hi.z, 0);

@@ -209,6 +209,14 @@ bool ToolChanger::of_unknown_unit(const ToolHint& hint) const {
   return hint.diameters.front().unit == 0 && !hint.diameters.front().fraction;
 }
 
+// '; T="ROUGHER_80" D1' says no more than the name.
+bool ToolChanger::repeats_name(const std::string& comment, const std::string& id) const {
+  const std::size_t at = comment.find(id);
+  if (!lathe() || at == comment.npos || id.find_first_not_of("0123456789") == id.npos) return false;
+  const std::string rest = comment.substr(0, at) + comment.substr(at + id.size());
+  return std::count_if(rest.begin(), rest.end(), is_digit) <= 1;
+}
+
 // From what comments say of it, else from its name. False and a reason where they do not suffice;
 // no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
 bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
@@ -224,7 +232,7 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
                          hint->diameter);
     }
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
-    return false;
+    if (!repeats_name(hint->text, id)) return false;
   }
   std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -235,6 +243,7 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
   hint.text = id;
   std::string ignored;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
+  why.clear();
   if (hint.plain_teeth()) said = Severity::warning;
   out.origin.replace(0, out.origin.find(' '), "its name");
   return true;

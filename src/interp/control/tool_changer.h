@@ -58,6 +58,7 @@ class ToolChanger : public ControlPart {
   std::size_t turret_digits() const;
   std::string mach_station(long number, std::size_t digits, const std::string& text,
                            const Word& word);
+  bool repeats_name(const std::string& comment, const std::string& id) const;
   bool of_unknown_unit(const ToolHint& hint) const;
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;

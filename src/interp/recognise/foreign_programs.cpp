@@ -167,6 +167,20 @@ void ForeignPrograms::weigh_num(const std::string& code, int number, std::string
     refuse("a program of NUM's control", number, raw);
 }
 
+// Huazhong's HNC, "%12" at the head: G80, G81 and G82 X Z F are cycles of turning, facing and
+// threading; G71 to G73 have their contour and their allowances in one block.
+void ForeignPrograms::weigh_hnc(const std::string& code, int number, std::string_view raw) {
+  const auto any = [&](std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return has_word(code, word); });
+  };
+  if (!numbered_ || !has_axis(code, 'X') || !has_axis(code, 'Z') || has_axis(code, 'Y')) return;
+  const bool pass = any({"G80", "G81", "G82"}) && has_axis(code, 'F') && !has_axis(code, 'R') &&
+                    !any({"G0", "G00", "G1", "G01"});
+  const bool rough = any({"G71", "G72", "G73"}) && has_axis(code, 'P') && has_axis(code, 'Q');
+  if (pass || rough) refuse("a turning program of Huazhong's control (HNC)", number, raw);
+}
+
 // A laser's power is S, it is switched by M3, M4 and M5, and nothing moves in Z.
 void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   const std::string& c = s.code;
@@ -209,6 +223,7 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
   if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);
   if (!scan.code.empty() && number <= kHeadLines) weigh_num(scan.code, number, raw);
+  if (!scan.code.empty() && number <= kHeadLines) weigh_hnc(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_plotter(scan.code, number, raw);
   if (!settled()) weigh_laser(scan, number);

@@ -30,6 +30,7 @@ class ForeignPrograms {
   void weigh_printer(const std::string& code, int number, std::string_view raw);
   void weigh_plotter(const std::string& code, int number, std::string_view raw);
   void weigh_num(const std::string& code, int number, std::string_view raw);
+  void weigh_hnc(const std::string& code, int number, std::string_view raw);
   void weigh_sliding_head(const LineScan& scan, int number, std::string_view raw);
   void weigh_laser(const LineScan& scan, int number);
 

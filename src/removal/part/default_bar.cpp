@@ -21,6 +21,7 @@ constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 struct TurnedCuts {
   double along = 0;               // largest radius at which a tool cuts towards the chuck
   double inside = 0;              // largest radius of a bore or a drill
+  double across = 0;              // of the points of boring bars
   double widest = 0;              // of all points
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
@@ -47,6 +48,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     const ToolType type = m.tool >= 0 ? tools[tool].type : ToolType::turning;
     if (type == ToolType::boring) {
       if (inwards) cuts.inside = std::max(cuts.inside, wide);
+      cuts.across = std::max(cuts.across, wide);
       continue;
     }
     if (!is_turning(type) && wide < kSameLevel) {  // a drill
@@ -158,7 +160,8 @@ double front_of(const TurnedCuts& cuts, double clearance, double zero) {
 }  // namespace
 
 StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
-  const TurnedCuts cuts = turned_cuts(motions, tools);
+  TurnedCuts cuts = turned_cuts(motions, tools);
+  if (std::max(cuts.widest, cuts.inside) == 0) cuts.inside = cuts.across;  // G72 in a bore alone
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
