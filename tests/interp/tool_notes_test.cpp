@@ -109,6 +109,11 @@ TEST(ToolNotes, NamesInTheListsOfLathes) {
   EXPECT_EQ(named("STECHER_3_I"), turning(ToolType::grooving, 2, 35, 3));
   EXPECT_EQ(named("GROOVER_3"), turning(ToolType::grooving, 0, 35, 3));
   EXPECT_EQ(named("ID_ROUGH"), turning(ToolType::boring, 0, 35, 0));
+  EXPECT_EQ(named("OD_80_L"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("ID_55_L"), turning(ToolType::boring, 0, 55, 0));
+  const Program bare =
+      read_text("G18 G95 DIAMON\nT=\"EINSTECHER\" D1\nG0 X50 Z-20\nG1 X40 F0.1\n", {});
+  EXPECT_EQ(codes(bare, Severity::error), "tool-unknown");
   const Program said = read_text(
       "; T=\"ROUGHER_80\"\nG18 G95 DIAMON\nT=\"ROUGHER_80\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\n", {});
   ASSERT_EQ(said.tools.size(), 1U) << listing(said);

@@ -229,14 +229,16 @@ TEST(Turning, ChamfersOfCHaveASign) {
 }
 
 TEST(Turning, G10SetsOffsetsOfToolsWithoutL) {
-  const auto run = [](const char* words) {
-    const Program p = read_text(std::string("G10 P3 ") + words + "\nG0 X20. Z5.\nG1 Z0 F.1\n",
+  const auto run = [](const char* words, const char* g10 = "G10 P3 ") {
+    const Program p = read_text(std::string(g10) + words + "\nG0 X20. Z5.\nG1 Z0 F.1\n",
                                 at_origin(Dialect::fanuc, MachineKind::lathe));
     return path_text(p) + " " + codes(p, Severity::note);
   };
   EXPECT_EQ(run("X100. Z50. R0 Q3"), "r10,0,5 l10,0,0 | not-supported not-supported");
   EXPECT_EQ(run("X100. Z50."), "r10,0,5 l10,0,0 tool-length");
   EXPECT_EQ(run("U0.1 W0 R0"), "r10,0,5 l10,0,0 tool-length");
+  EXPECT_EQ(run("Z0", "G10 P0 "), "r10,0,5 l10,0,0 tool-length");
+  EXPECT_EQ(run("Z-25.", "G10 P0 "), "r10,0,5 l10,0,0 | not-supported not-supported");
 }
 
 }  // namespace

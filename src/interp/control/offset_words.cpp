@@ -19,7 +19,8 @@ bool OffsetWords::run() {
   const Word& where = *block_.oneshot;
   const Word* l = take('L');
   const Word* p = take('P');
-  if (!l && p && lathe() && is(Dialect::fanuc)) return turned_offset(where);
+  if (!l && p && lathe() && is(Dialect::fanuc))
+    return p->value == 0 ? work_shift(where) : turned_offset(where);
   if (!l) return error("value-missing", "G10 needs L, which says what is set", where);
   const double number = p ? p->value : 0;
   if (number < 0 || number > 9999 || number != std::floor(number))
@@ -37,6 +38,18 @@ bool OffsetWords::tool_life(const Word& where) {
   control_.tool_life = true;
   note_once("tool-life", "G10 L3: how long tools last is not read, up to G11", where, "life");
   return true;
+}
+
+// G10 P0 X Z of a lathe shifts the zero; which way, its parameters say. To 0 it may be set.
+bool OffsetWords::work_shift(const Word& where) {
+  for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C'})
+    if (const Word* word = take(c); word && word->value != 0)
+      return error("not-supported",
+                   fmt::format("{} of G10 P0 shifts the zero, towards the side that a parameter of "
+                               "the machine tells: write G52 with the place of the zero instead",
+                               text_of(*word)),
+                   *word);
+  return turned_offset(where);
 }
 
 // G10 P X Z of a lathe: where the tool's tip is, which positions have anyway; R and Q would be its

@@ -15,6 +15,7 @@ class OffsetWords : public ControlPart {
  private:
   bool work(int l, int p);
   void tell_of_machine(const WorkOffset& offset);
+  bool work_shift(const Word& where);
   bool turned_offset(const Word& where);
   Vec3 shift_to_here(const Vec3& old, const std::string& name);
   void meet_unknown(const Frame& frame);

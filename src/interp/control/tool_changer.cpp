@@ -242,7 +242,11 @@ bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Seve
   if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
   hint.text = id;
   std::string ignored;
-  if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) return false;
+  if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
+    if (why.empty() && lathe() && hint.type == ToolType::grooving)  // no insert that turns
+      why = fmt::format("its name \"{}\" {}", id, ignored);
+    return false;
+  }
   why.clear();
   if (hint.plain_teeth()) said = Severity::warning;
   out.origin.replace(0, out.origin.find(' '), "its name");

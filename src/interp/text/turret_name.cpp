@@ -48,6 +48,7 @@ std::string take_last(std::string& text) {
 
 std::string spelled_turret_name(std::string_view name) {
   std::string text = upper_case(name);
+  spell_sides(text);
   std::replace(text.begin(), text.end(), '_', ' ');
   std::string side;
   for (const auto& [letter, word] : {std::pair{" A", "OD "}, std::pair{" I", "ID "}}) {
