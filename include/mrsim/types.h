@@ -118,6 +118,7 @@ struct Motion {
   int tool = -1;            ///< index into Program::tools, -1 = none chosen yet
   double feed = 0;          ///< in `feed_unit`; 0 = none given
   double speed = 0;         ///< rev/min or m/min; 0 = none given
+  double speed_limit = 0;   ///< rev/min: the spindle turns no faster (G50 S, LIMS); 0 = none given
   double lead = 0;  ///< thread lead in mm per revolution (G33, G331 and relatives), negative =
                     ///< left-hand, 0 = not a thread
   int file = 0;     ///< index into Program::files

@@ -40,23 +40,44 @@ Vec3 arc_tangent(const Motion& m, double angle) {
   return normalized((std::fabs(m.sweep) * m.radius / length) * round + (m.rise / length) * m.axis);
 }
 
-// Every axis takes part in an arc sooner or later, so the weakest one limits it.
-double arc_acceleration(const Vec3& limits) { return std::min({limits.x, limits.y, limits.z}); }
+// Every axis that an arc moves runs along it sooner or later, so the weakest of them limits it.
+double along_arc(const Motion& m, const Vec3& limits) {
+  double most = kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool stands = m.rise == 0 && std::fabs(component(m.axis, axis)) > 1 - 1e-12;
+    if (!stands) most = std::min(most, component(limits, axis));
+  }
+  return most;
+}
 
-// Seconds of a move of `length` mm between two radii under constant surface speed at a feed of
-// `per_turn` mm: dt = 60 ds / (per_turn n(r)), with n = 1000 S / (2 pi r), but not above the limit.
-double surface_speed_seconds(const Motion& m, double length, double per_turn,
-                             const MachineData& machine) {
-  const double r0 = std::fabs(m.start.x), r1 = std::fabs(m.end.x);
+// rev/min that the machine and the program allow.
+double fastest_spindle(const Motion& m, const MachineData& machine) {
+  return m.speed_limit > 0 ? std::min(m.speed_limit, machine.max_spindle) : machine.max_spindle;
+}
+
+// Minutes that a mm of travel at one mm a turn takes on the way between two radii of one sign:
+// the mean of 1 / n, with n = 1000 S / (2 pi r), but not above the limit.
+double mean_turn(double r0, double r1, double speed, double limit) {
   const double low = std::min(r0, r1), high = std::max(r0, r1);
-  const double limit = machine.max_spindle;
-  const double capped_at = 1000 * m.speed / (2 * kPi * limit);  // radius below which n = limit
-  const double per_mm = kSecondsPerMinute / per_turn;           // times 1 / n
+  const double capped_at = 1000 * speed / (2 * kPi * limit);  // radius below which n = limit
   const double split = std::clamp(capped_at, low, high);
   const double share = high > low ? (split - low) / (high - low) : (capped_at > low ? 1.0 : 0.0);
-  const double capped = share * length / limit;
-  const double free = (1 - share) * length * (2 * kPi / (1000 * m.speed)) * 0.5 * (split + high);
-  return per_mm * (capped + free);
+  return share / limit + (1 - share) * (2 * kPi / (1000 * speed)) * 0.5 * (split + high);
+}
+
+// Seconds of a move of `length` mm under constant surface speed at a feed of `per_turn` mm: dt = 60
+// ds / (per_turn n(r)). A facing cut may go on beyond the axis, where the radius grows again.
+double surface_speed_seconds(const Motion& m, double length, double per_turn,
+                             const MachineData& machine) {
+  const double limit = fastest_spindle(m, machine);
+  const double x0 = m.start.x, x1 = m.end.x, r0 = std::fabs(x0), r1 = std::fabs(x1);
+  double turn = 0;
+  if (x0 * x1 < 0)
+    turn =
+        (r0 * mean_turn(r0, 0, m.speed, limit) + r1 * mean_turn(0, r1, m.speed, limit)) / (r0 + r1);
+  else
+    turn = mean_turn(r0, r1, m.speed, limit);
+  return kSecondsPerMinute / per_turn * length * turn;
 }
 
 // Of the axis that travels farthest, mm: a thread's lead is measured along it.
@@ -77,7 +98,8 @@ double feed_speed(const Motion& m, double length, const MachineData& machine) {
   const double per_turn = feed_per_turn(m, length);
   if (per_turn > 0 && m.speed > 0 && m.constant_surface_speed)
     return length / surface_speed_seconds(m, length, per_turn, machine);
-  if (per_turn > 0) return per_turn * std::min(m.speed, machine.max_spindle) / kSecondsPerMinute;
+  if (per_turn > 0)
+    return per_turn * std::min(m.speed, fastest_spindle(m, machine)) / kSecondsPerMinute;
   if (m.lead != 0 || !(m.feed > 0)) return 0;
   if (m.feed_unit == FeedUnit::mm_per_min) return m.feed / kSecondsPerMinute;
   return m.feed_unit == FeedUnit::inverse_time ? length * m.feed / kSecondsPerMinute : 0;
@@ -86,9 +108,10 @@ double feed_speed(const Motion& m, double length, const MachineData& machine) {
 }  // namespace
 
 double spindle_speed(const Motion& m, double radius, const MachineData& machine) {
-  if (!m.constant_surface_speed) return std::min(m.speed, machine.max_spindle);
+  const double limit = fastest_spindle(m, machine);
+  if (!m.constant_surface_speed) return std::min(m.speed, limit);
   const double turn = 2 * kPi * std::fabs(radius);
-  return turn > 0 ? std::min(1000 * m.speed / turn, machine.max_spindle) : machine.max_spindle;
+  return turn > 0 ? std::min(1000 * m.speed / turn, limit) : limit;
 }
 
 MotionSpeed motion_speed(const Motion& m, const MachineData& machine) {
@@ -96,7 +119,7 @@ MotionSpeed motion_speed(const Motion& m, const MachineData& machine) {
   if (m.kind == MotionKind::arc) {
     s.length = arc_length(m);
     s.begin = arc_tangent(m, 0), s.end = arc_tangent(m, m.sweep);
-    s.acceleration = arc_acceleration(machine.acceleration);
+    s.acceleration = along_arc(m, machine.acceleration);
   } else {
     s.length = distance(m.start, m.end);
     s.begin = s.end = normalized(m.end - m.start);
@@ -108,9 +131,13 @@ MotionSpeed motion_speed(const Motion& m, const MachineData& machine) {
     s.speed = along(s.begin, fastest);
     return s;
   }
-  s.speed = std::min(feed_speed(m, s.length, machine), std::min({fastest.x, fastest.y, fastest.z}));
+  s.speed = feed_speed(m, s.length, machine);
+  if (m.kind != MotionKind::arc) {
+    s.speed = std::min(s.speed, along(s.begin, fastest));
+    return s;
+  }
   // On an arc the acceleration towards the centre is speed^2 / radius.
-  if (m.kind == MotionKind::arc) s.speed = std::min(s.speed, std::sqrt(s.acceleration * m.radius));
+  s.speed = std::min({s.speed, along_arc(m, fastest), std::sqrt(s.acceleration * m.radius)});
   return s;
 }
 

@@ -219,6 +219,37 @@ TEST(Frames, FeedsAndSpeeds) {
   EXPECT_EQ(p.motions[7].lead, -2);
 }
 
+// FANUC and LinuxCNC limit the speed under G96 alone, SINUMERIK every speed.
+TEST(Frames, ProgramsLimitTheSpindle) {
+  struct Case {
+    const char* text;
+    Dialect dialect;
+    MachineKind machine;
+    double under_g96, under_g97;
+  };
+  const Case cases[] = {
+      {"G50 S1500\n", Dialect::fanuc, MachineKind::lathe, 1500, 0},
+      {"G92 S1500\n", Dialect::fanuc, MachineKind::lathe, 1500, 0},
+      {"G92 S1500\n", Dialect::fanuc, MachineKind::mill, 1500, 0},
+      {"G92 S1500\n", Dialect::iso, MachineKind::lathe, 1500, 0},
+      {"LIMS=1500\n", Dialect::sinumerik, MachineKind::lathe, 1500, 1500},
+      {"G26 S1500\n", Dialect::sinumerik, MachineKind::lathe, 1500, 1500},
+      {"G26 S1500\nG25 S100\n", Dialect::sinumerik, MachineKind::lathe, 1500, 1500},
+      {"G96 D1500 S80\n", Dialect::ngc, MachineKind::lathe, 1500, 0},
+      {"", Dialect::sinumerik, MachineKind::lathe, 0, 0}};
+  for (const Case& c : cases) {
+    InterpOptions options = at_origin(c.dialect);
+    options.machine = c.machine;
+    const Program p = read_text(
+        "S100 M3\n" + std::string(c.text) + "G95\nG96 S200\nG1 X4 F0.1\nG97 S500\nX5\n", options);
+    ASSERT_EQ(p.motions.size(), 2U) << c.text << listing(p);
+    EXPECT_EQ(p.motions[0].speed_limit, c.under_g96) << c.text << listing(p);
+    EXPECT_EQ(p.motions[0].speed, 200) << c.text;
+    EXPECT_EQ(p.motions[1].speed_limit, c.under_g97) << c.text << listing(p);
+    EXPECT_EQ(p.motions[1].speed, 500) << c.text;
+  }
+}
+
 // The sign of a tap's lead is its hand, into the hole and out of it.
 TEST(Frames, LeftHandTaps) {
   const InterpOptions s = at_origin(Dialect::sinumerik);

@@ -103,6 +103,51 @@ TEST(CycleTime, FacingToTheCentreIsCapped) {
   EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, slow + capped / (0.2 * 2000 / 60), 1e-6);
 }
 
+// A facing cut that goes on beyond the axis: the radius falls and grows again.
+TEST(CycleTime, FacingBeyondTheCentre) {
+  Motion m = line({40, 0, 0}, {-1, 0, 0}, 0.2);
+  m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  fast.max_spindle = 2000;
+  const double capped = 1000 * 200 / (2 * std::numbers::pi * 2000);
+  const double slow = std::numbers::pi * (1600 - capped * capped) * 60 / (1000 * 200 * 0.2);
+  EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, slow + (capped + 1) / (0.2 * 2000 / 60),
+              1e-6);
+}
+
+// G50 S, LIMS: the slower of machine and program counts.
+TEST(CycleTime, ProgramsLimitTheSpindle) {
+  Motion m = line({40, 0, 0}, {0, 0, 0}, 0.2);
+  m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  for (const double machines : {500.0, 6000.0})
+    for (const double programs : {500.0, 6000.0}) {
+      fast.max_spindle = machines, m.speed_limit = programs;
+      const double limit = std::min(machines, programs);
+      const double capped = std::min(1000 * 200 / (2 * std::numbers::pi * limit), 40.0);
+      const double slow = std::numbers::pi * (1600 - capped * capped) * 60 / (1000 * 200 * 0.2);
+      EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, slow + capped / (0.2 * limit / 60),
+                  1e-6)
+          << machines << " " << programs;
+    }
+  m.constant_surface_speed = false, m.speed = 3000, m.speed_limit = 1500;
+  EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, 40 / (0.2 * 1500 / 60), 1e-6);
+}
+
+// A feed is limited by the axes that it moves: here Z, the slowest, stands.
+TEST(CycleTime, FeedsAreLimitedByTheirAxes) {
+  const CycleTime t = cycle_time(program_of({line({0, 0, 0}, {100, 0, 0}, 9000)}), machine());
+  EXPECT_NEAR(t.cutting, 100.0 / 150 + 150.0 / 1000, 1e-9);
+  Motion round = line({1000, 0, 0}, {1000, 0, 0}, 9000);
+  round.kind = MotionKind::arc, round.radius = 1000, round.sweep = 2 * std::numbers::pi;
+  const double way = 2000 * std::numbers::pi;
+  EXPECT_NEAR(cycle_time(program_of({round}), machine()).cutting, way / 150 + 150.0 / 1000, 1e-6);
+  round.rise = 1e-3;  // now Z takes part
+  EXPECT_NEAR(cycle_time(program_of({round}), machine()).cutting, way / 100 + 100.0 / 500, 1e-3);
+}
+
 TEST(CycleTime, InverseTime) {
   Motion m = line({0, 0, 0}, {10, 0, 0}, 12);  // a twelfth of a minute
   m.feed_unit = FeedUnit::inverse_time;

@@ -217,6 +217,7 @@ void Moves::follow(const Motion& like, const Vec3& shift, const Word& where) {
   motion.feed = own.feed;
   motion.feed_unit = own.feed_unit;
   motion.speed = own.speed;
+  motion.speed_limit = own.speed_limit;
   motion.constant_surface_speed = own.constant_surface_speed;
   motion.end = like.end + shift;
   motion.center = like.center + shift;
@@ -298,6 +299,8 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
   m.tool = control_.tool.index;
   m.feed = feed > 0 ? feed : modal_.feed;
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
+  // FANUC and LinuxCNC limit what G96 computes, SINUMERIK every speed.
+  if (modal_.surface_speed || is(Dialect::sinumerik)) m.speed_limit = modal_.speed_limit;
   m.lead = lead == 0 && is_thread(current_motion()) ? modal_.lead : lead;
   m.file = block_.file;
   m.line = block_.line_number;

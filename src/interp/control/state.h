@@ -77,6 +77,7 @@ struct Modal {
   FeedUnit feed_unit = FeedUnit::mm_per_min;
   bool surface_speed = false;
   double feed = 0, speed = 0, cutting_speed = 0;  ///< mm, rev/min, m/min
+  double speed_limit = 0;                         ///< rev/min of the spindle; 0: none
   double lead = 0;                                ///< mm per revolution, of the thread in force
   Code comp = Code::comp_off;
   bool comp_suspended = false;

@@ -140,16 +140,33 @@ bool ValueWords::beeps() const {
   });
 }
 
+// Beside LinuxCNC's G96.
+bool ValueWords::d_limits_speed() const {
+  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
+  return is(Dialect::ngc) && speeds && modal_.surface_speed;
+}
+
+// G25 and G26 S of SINUMERIK, G50 and G92 S, D beside LinuxCNC's G96: how fast the spindle may
+// turn. False: S is a speed. G25 is a lower limit, which no time depends on.
+bool ValueWords::limits_speed(const Word* s) {
+  const bool own = block_.frame_code && block_.frame_op == Code::speed_limit;
+  if (d_limits_speed())
+    if (const Word* most = take('D')) modal_.speed_limit = most->value;
+  if (!own && !(block_.oneshot && block_.oneshot_code == Code::set_position)) return false;
+  if (s && !(own && block_.frame_code->value == 25)) modal_.speed_limit = s->value;
+  return true;
+}
+
 bool ValueWords::speed() {
   if (const Word* word = take(Address::lims)) {
     if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
+    modal_.speed_limit = word->value;
   }
   if (is(Dialect::ngc)) take('$');  // which spindle
   const Word* word = take('S');
-  if (!word || beeps()) return true;
-  if (word->value < 0) return error("speed-range", "S must not be negative", *word);
-  if (block_.frame_code && block_.frame_op == Code::speed_limit) return true;
-  if (block_.oneshot && block_.oneshot_code == Code::set_position) return true;  // G50 S: a limit
+  if (word && beeps()) return true;
+  if (word && word->value < 0) return error("speed-range", "S must not be negative", *word);
+  if (limits_speed(word) || !word) return true;
   if (modal_.surface_speed)
     modal_.cutting_speed = word->value * (modal_.inch_feed ? 0.3048 : 1.0);
   else
@@ -160,9 +177,7 @@ bool ValueWords::speed() {
 // D: number of a register or of a cutting edge.
 bool ValueWords::edge() {
   const Word* word = take('D');
-  if (!word) return true;
-  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
-  if (is(Dialect::ngc) && speeds && modal_.surface_speed) return true;  // G96 D: the highest speed
+  if (!word || d_limits_speed()) return true;
   if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;
     return true;

@@ -19,6 +19,8 @@ class ValueWords : public ControlPart {
   bool feed_per_tooth(const Word& word);
   bool speed();
   bool beeps() const;
+  bool d_limits_speed() const;
+  bool limits_speed(const Word* s);
   bool edge();
   bool take_lengths();
   bool length_register();
