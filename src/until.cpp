@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <optional>
@@ -40,28 +41,35 @@ int file_named(const Program& program, const std::string& name) {
       Error::Kind::usage);
 }
 
-// The line of `file` at which a motion stands, or from which it was called; 0 = neither.
-int line_in(const Program& program, const Motion& motion, int file) {
-  if (motion.file == file) return motion.line;
+// The last line of `file`, at or before `line`, at which a motion stands or from which it was
+// called; 0 = none. A subprogram may stand in the file of its call, and a hole of a cycle stands at
+// the cycle's line, called from that of its place.
+int line_in(const Program& program, const Motion& motion, int file, std::size_t line) {
+  int last = 0;
+  const auto count = [&](int at_file, int at) {
+    if (at_file == file && static_cast<std::size_t>(at) <= line) last = std::max(last, at);
+  };
+  count(motion.file, motion.line);
   for (int call = motion.call; call >= 0;) {
     const CallSite& site = program.calls[static_cast<std::size_t>(call)];
-    if (site.file == file) return site.line;
+    count(site.file, site.line);
     call = site.outer;
   }
-  return 0;
+  return last;
 }
 
 std::size_t motions_until_line(const Program& program, int file, std::size_t line) {
   const std::vector<Motion>& motions = program.motions;
   int last = 0;  // the last line at or before `line` that moves
-  for (const Motion& motion : motions) {
-    const int at = line_in(program, motion, file);
-    if (at > last && static_cast<std::size_t>(at) <= line) last = at;
-  }
+  for (const Motion& motion : motions) last = std::max(last, line_in(program, motion, file, line));
   if (last == 0) return 0;
+  // Whether `last` makes or calls a motion: lines before it no longer count.
+  const auto is_of_last = [&](const Motion& motion) {
+    return line_in(program, motion, file, static_cast<std::size_t>(last)) == last;
+  };
   std::size_t i = 0;
-  while (line_in(program, motions[i], file) != last) ++i;
-  while (i < motions.size() && line_in(program, motions[i], file) == last) ++i;
+  while (!is_of_last(motions[i])) ++i;
+  while (i < motions.size() && is_of_last(motions[i])) ++i;
   return i;
 }
 

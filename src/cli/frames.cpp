@@ -106,6 +106,7 @@ int run_frames(const Arguments& arguments) {
     one.quiet = true;
     one.history = "off";
     one.compare = {};
+    one.rest.clear();
     if (const int failed = run_simulate(one); failed != kDone) return failed;
   }
   return code;

@@ -48,6 +48,29 @@ TEST_F(Until, LineOfACallHoldsAllThatItCalls) {
   EXPECT_NE(read("sub.stl"), read("short.stl"));
 }
 
+// The holes of a cycle stand at its line, called from those of their places; a subprogram may stand
+// in the file of its call.
+TEST_F(Until, LinesOfOneFileHoldAllThatTheyCall) {
+  const std::string head = "G21 G90 G17 G54\nT1 M6\nS1000 M3\nG0 X10 Y-30 Z5\n";
+  const std::string holes = "G81 X10 Z-4 R2 F100\nX30\nX50\nG80\n", call = "M98 P200\n";
+  const std::string end = "M30\nO200\nG0 X70 Z2\nG1 Z-3\nX80\nG0 Z5\nM99\n";
+  const std::string rest =
+      " --dialect fanuc --machine mill --stock box:0,-60,-10,100,0,0 --tool 1=endmill:d=6 --json ";
+  const auto removed = [&](const std::string& program, const std::string& until) {
+    write("main.nc", program);
+    const Outcome outcome = run("main.nc" + rest + "out.json" + until);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return number_after(read("out.json"), "\"removed\":");
+  };
+  const std::string whole = "O100\n" + head + holes + call + end;
+  const double hole = 3.14159265 * 9 * 4, slot = 3.14159265 * 9 * 3 + 10 * 6 * 3;
+  EXPECT_NEAR(removed(whole, " --until 6"), hole, 0.01);
+  EXPECT_NEAR(removed(whole, " --until 7"), 2 * hole, 0.01);
+  EXPECT_NEAR(removed(whole, " --until 9"), 3 * hole, 0.01);
+  EXPECT_NEAR(removed(whole, " --until 10"), 3 * hole + slot, 0.01);
+  EXPECT_NEAR(removed(whole, " --until 14"), 3 * hole + slot - 180, 0.01);  // within the call
+}
+
 TEST_F(Until, MomentsThatAreNoneAreWrongUsage) {
   for (const char* moment : {"0", "'#'", "-3", "7a", ":7", "OTHER:7"})
     expect_failure(std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --until ") + moment, 2,
@@ -70,6 +93,19 @@ TEST_F(Until, FramesAreThePartsAtTheirMoments) {
 }
 
 // A slot of 100 mm by F1000 through air for 300 mm: by volume, half of it is gone at its middle.
+// What is left to cut is told of the finished part.
+TEST_F(Until, FramesLeaveTheFilesOfTheWholeRun) {
+  std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / "PRIMER_2F.nominal.stl",
+                        folder_ / "n.stl");
+  const Outcome outcome =
+      run("PRIMER_2F.MPF --stock block.stl -q -o part.stl --frames 2 --nominal n.stl --accept 0.02 "
+          "--rest rest.json --json run.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_valid("rest", "rest.json");
+  expect_valid("run", "run.json");
+  EXPECT_TRUE(contains(read("run.json"), "\"verdict\": \"accepted\"")) << read("run.json");
+}
+
 TEST_F(Until, FramesByVolumeAreEqualSharesOfWhatIsRemoved) {
   write("main.MPF",
         "G17 G90 G71\nT1 M6\nG0 X-10 Y20 Z5\nG1 Z-2 F1000\nX0\nX25\nX50\nX75\nX110\nX400\nG0 "
