@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUpright = 1e-6;  // sine: a feed along the tool
+constexpr double kLying = 0.7;     // cosine: arcs about an axis that lies across the tool
 
 double arcsine(double x) {
   const double sine = std::clamp(x, -1.0, 1.0);
@@ -44,6 +45,11 @@ CutFrame::CutFrame(const Motion& motion, const Tool& tool)
     return;
   }
   reach_ = 0.5 * tool.diameter;
+  if (is_arc_ && std::abs(dot(turns_about_, axis_)) < kLying) {  // G18, G19: up and down on a line
+    is_arc_ = false;
+    side_ = turns_about_;
+    return;
+  }
   if (is_arc_) {
     kind_ = Kind::arc;
     return;

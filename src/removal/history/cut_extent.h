@@ -22,7 +22,8 @@ class CutFrame {
   bool is_plunge() const { return kind_ == Kind::plunge; }
   /// mm along the tool's axis.
   double along(const Vec3& p) const;
-  /// mm to the left of the path in plan; from the axis of an arc, outwards; of a plunge along X.
+  /// mm to the left of the path in plan; from the axis of an arc, outwards, but of one that stands
+  /// upright (G18, G19) along its axis; of a plunge along X.
   double across(const Vec3& p) const;
   /// Half the size, across the feed, of a square in plan with these sides about p.
   double half_across(const Vec3& p, const Vec2& side) const;
@@ -35,7 +36,7 @@ class CutFrame {
  private:
   enum class Kind : std::uint8_t { line, arc, plunge, turning };
   Kind kind_ = Kind::line;
-  bool is_arc_ = false;
+  bool is_arc_ = false;  ///< `across` is counted from the axis of an arc
   Vec3 origin_, side_{0, 1, 0}, axis_{0, 0, 1}, turns_about_{0, 0, 1};
   double radius_ = 0, reach_ = std::numeric_limits<double>::infinity();
 };

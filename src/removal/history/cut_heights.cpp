@@ -16,6 +16,7 @@ namespace {
 constexpr int kCell = 8;        // voxels of a cell that is handed on, each way
 constexpr int kBlock = 4;       // columns of a block that is cut at once, each way
 constexpr double kSteep = 0.5;  // of the depth of cut: where heights differ by more, columns halve
+constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
 
 template <class Visit>
 void for_each_bit(std::uint32_t bits, const Visit& visit) {
@@ -157,10 +158,13 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
 }
 
 // The sweeps that can be record lows somewhere in the square: those whose bottom, somewhere, may
-// lie below the bottoms of all before them. False where there is none.
+// lie below the bottoms of all before them. False where there is none. Where extents are wanted a
+// square is uneven, too, that the wall of a sweep passes, whatever lies there in the end: the wall
+// parts what this motion removes from what a later one does.
 bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even_square) {
   const double r = 0.5 * length(square.side);
   double least = high_, most = high_;  // of the lowest bottom, in the whole square
+  bool has_wall = false;
   List& left = lists_[level + 1];
   left.clear();
   for (const std::uint32_t place : lists_[level]) {
@@ -169,9 +173,12 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
         heights_.bounds(place, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
     left.push_back(place);
+    const double step = std::min(kSteep * (high_ - bottom.lower), 2 * r);
+    if (!frames_.empty() && std::min(bottom.upper, most) - bottom.lower > step) has_wall = true;
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);
   }
-  is_even_square = is_even(least, most);
+  if (square.columns <= 1 && left.size() > kFewSweeps) has_wall = false;
+  is_even_square = !has_wall && is_even(least, most);
   return !left.empty();
 }
 
@@ -273,13 +280,18 @@ void HeightWalker::cut_block(const Square& block, const List& list, std::size_t 
     });
 }
 
-// A column beside the cutter's own edge is removed up to that.
+// The cutter's own edge lies between the last column that it removes and the next one.
 void HeightWalker::extend(std::uint32_t place, const Square& square, double bottom, double top) {
   const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[place]))];
-  const Vec3 p{square.center.x, square.center.y, bottom};
+  // Of all places of the column: the tip of a V tool seldom passes its middle.
+  const double r = 0.5 * length(square.side);
+  const double lowest = heights_.bounds(place, square.center.x, square.center.y, r, bottom).lower;
+  const Vec3 p{square.center.x, square.center.y, std::max(std::min(lowest, bottom), low_)};
   const double at = frame.across(p), half = frame.half_across(p, square.side);
+  const double edge = frame.reach();
   extents_[place].add({frame.along(p), frame.along({p.x, p.y, top}),
-                       std::max(at - half, -frame.reach()), std::min(at + half, frame.reach()),
+                       at - 2 * half < -edge ? -edge : at - half,
+                       at + 2 * half > edge ? edge : at + half,
                        square.side.x * square.side.y * stock_share(square)});
 }
 
