@@ -43,12 +43,21 @@ bool tells_mill(const ToolHint& hint, double unit, double diameter, Tool& said) 
   return false;
 }
 
-void complete_linuxcnc(LibraryTool& entry, double unit) {
+// A remark without a size, as "drill", is about a tool of the table's diameter.
+ToolHint read_remark(const std::string& remark, double diameter) {
+  const ToolHint hint = read_tool_comment(remark);
+  if (!hint.diameters.empty() || remark.empty() || !(diameter > 0)) return hint;
+  return read_tool_comment(fmt::format("{} D{:.6g} mm", remark, diameter));
+}
+
+// Why no tool can be made of a table's row; empty: it is made. A remark that names a kind whose
+// shape it does not tell is no end mill.
+std::string complete_linuxcnc(LibraryTool& entry, double unit) {
   Tool& tool = entry.tool;
   tool.diameter *= unit;
   tool.nose_radius *= unit;
   tool.origin += unit > 1 ? ", in inches" : ", in mm";
-  const ToolHint hint = read_tool_comment(entry.remark);
+  const ToolHint hint = read_remark(entry.remark, tool.diameter);
   Tool said;
   if (is_turning(tool.type)) {
     const Tool listed = tool;
@@ -66,7 +75,7 @@ void complete_linuxcnc(LibraryTool& entry, double unit) {
     }
     if (listed.nose_radius > 0) tool.nose_radius = listed.nose_radius;
     complete_turning_tool(tool);
-    return;
+    return "";
   }
   if (tells_mill(hint, unit, tool.diameter, said)) {
     tool.type = said.type;
@@ -76,13 +85,20 @@ void complete_linuxcnc(LibraryTool& entry, double unit) {
     tool.tip_diameter = said.tip_diameter;
     tool.width = said.width;
     if (said.flute_length > 0) tool.flute_length = said.flute_length;
-    return;
+    tool.profile = said.profile;
+    if (!hint.type) tool.origin += ", taken to be an end mill";
+    return "";
   }
-  const bool simple = hint.type == ToolType::drill || hint.type == ToolType::ballmill;
-  if (simple && hint.diameters.empty())
-    tool.type = *hint.type;
-  else if (hint.type != ToolType::endmill)
-    tool.origin += ", taken to be an end mill";
+  std::string why;
+  fill_tool(hint, unit, false, said, why);
+  const bool plain = hint.type == ToolType::endmill || hint.type == ToolType::bullmill ||
+                     hint.type == ToolType::ballmill || hint.type == ToolType::drill;
+  const bool is_sized = !read_tool_comment(entry.remark).diameters.empty();  // perhaps otherwise
+  if (!hint.doubt.empty() || hint.trade == ToolTrade::dovetail ||
+      (hint.type && !(plain && is_sized)))
+    return fmt::format("the remark \"{}\" {}", entry.remark, why);
+  if (hint.type != ToolType::endmill) tool.origin += ", taken to be an end mill";
+  return "";
 }
 
 }  // namespace
@@ -98,7 +114,15 @@ ToolTable load_tools(const std::string& path, std::vector<std::string>* notes) {
           "{}: no remark tells the table's unit: its numbers are read as mm (\";1/4 end mill\" "
           "beside D0.25 would say inches)",
           path));
-    for (LibraryTool& entry : library.tools) complete_linuxcnc(entry, unit);
+    std::vector<LibraryTool> made;
+    for (LibraryTool& entry : library.tools) {
+      const std::string why = complete_linuxcnc(entry, unit);
+      if (why.empty())
+        made.push_back(std::move(entry));
+      else
+        library.skipped.push_back(fmt::format("tool {}: {}", entry.tool.id, why));
+    }
+    library.tools = std::move(made);
   }
   if (notes != nullptr) {
     notes->push_back(

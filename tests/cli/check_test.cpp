@@ -49,12 +49,21 @@ TEST_F(CheckCli, RemarksOfLinuxcncTables) {
   write("t.tbl",
         "T1 P1 D20 ;T-SLOT CUTTER 20MM X 4MM\nT2 P2 D6.35 ;1/4 V-BIT 60 DEG\n"
         "T3 P3 D5.105 ;#7 DRILL\nT4 P4 D3.175 ;1/8 X 3 DEG TAPER EM LOC 1.0\n"
-        "T5 P5 D5.5 ;M6 CLEARANCE DRILL 6.6\n");
+        "T5 P5 D5.5 ;M6 CLEARANCE DRILL 6.6\nT6 P6 D3.3 ;DRILL\nT7 P7 D12 ;90DEG CHAMFER\n"
+        "T8 P8 D12 ;T-SLOT\nT9 P9 D14 ;DOVETAIL 60\nT10 P10 D8 ;ALU 3 FLUTE\n");
   const Outcome tools = run("tools t.tbl");
   EXPECT_EQ(tools.code, 0) << tools.err;
   for (const char* tool : {"T1      T-slot mill Ø20", "T2      chamfer mill Ø6.35",
                            "T3      drill Ø5.105", "T4      taper mill Ø3.175"})
     EXPECT_TRUE(contains(tools.out, tool)) << tool << "\n" << tools.out;
+  // Without a size of its own a remark is about a tool of the table's; one that names a kind whose
+  // shape it does not tell is no end mill.
+  for (const char* tool : {"T6      drill Ø3.3", "T7      chamfer mill Ø12", "T10     end mill Ø8"})
+    EXPECT_TRUE(contains(tools.out, tool)) << tool << "\n" << tools.out;
+  for (const char* left_out : {"tool 8: the remark \"T-SLOT\" gives no width of the head; left out",
+                               "tool 9: the remark \"DOVETAIL 60\" gives no"})
+    EXPECT_TRUE(contains(tools.err, left_out)) << tools.err;
+  EXPECT_FALSE(contains(tools.out, "T8")) << tools.out;
   EXPECT_TRUE(contains(tools.out, "T5      end mill Ø5.5")) << tools.out;
   EXPECT_TRUE(contains(tools.out, "taken to be an end mill")) << tools.out;
 }
