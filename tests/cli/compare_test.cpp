@@ -239,6 +239,11 @@ TEST_F(Compare, ABareMeshSaysOnceThatItKnowsNoLines) {
   EXPECT_NE(o.err.find(word), std::string::npos);
   EXPECT_EQ(o.err.find(word, o.err.find(word) + 1), std::string::npos);
   EXPECT_NE(read("r.xml").find("failures=\"0\""), std::string::npos);
+  // Nor does it know what is the stock's own surface.
+  const Outcome far = run("compare block.stl PRIMER_2F.nominal.stl --accept 0.01 --json r.json");
+  EXPECT_EQ(far.code, 4) << far.err;
+  EXPECT_FALSE(contains(far.out, "own surface")) << far.out;
+  EXPECT_EQ(Json::parse(read("r.json"))["regions"][0]["stock_share"], 0);
 }
 
 }  // namespace
