@@ -80,7 +80,7 @@ void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, doub
     throw InternalError("the part's mesh breaks its promise: " + s.first_fault);
   part.set_origin(owner_table(part.owners(), cuts));
   result.triangles = part.source().triangles();
-  result.volume = volume;
+  result.volume = std::min(volume, result.stock_volume);  // the sum of what was sampled may err
   result.removed_volume = result.stock_volume - result.volume;
 }
 

@@ -62,6 +62,17 @@ TEST_F(Figures, VolumeIsThatOfTheExactPart) {
 }
 
 // A Ø50 x 25 cylinder, cut on centre lines; under G42 the control leaves a cusp.
+// An arc that only touches the stock.
+TEST_F(Figures, NothingRemovedIsNotLessThanNothing) {
+  write("t.nc", "G21 G90 G17\nT1 M6\nS3000 M3\nG0 X30 Y5 Z5\nG1 Z0 F300\nG19 G2 Y35 Z0 R18\nM30\n");
+  const Outcome outcome =
+      run("t.nc --dialect fanuc --machine mill --tool 1=bullmill:d=12,r=2 "
+          "--stock box:0,0,-20,60,40,0 --json out.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GE(number_after(read("out.json"), "\"removed\":"), 0);
+  EXPECT_LE(number_after(read("out.json"), "\"part\":"), 48000);
+}
+
 TEST_F(Figures, PocketOfTheFanucDocument) {
   const std::string folder = MRSIM_DATA_DIR "/";
   const std::string rest =
