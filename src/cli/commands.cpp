@@ -89,7 +89,7 @@ int run_render(const Arguments& arguments) {
   if (arguments.render.color != ColorBy::none && mesh.owners.empty() && mesh.colors.empty())
     fmt::print(stderr,
                "{}: this file does not say which line cut which face, so --color shows nothing; "
-               ".ply, .glb, .3mf and .vdb do\n",
+               ".ply, .obj, .glb, .3mf and .vdb do\n",
                arguments.input);
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)

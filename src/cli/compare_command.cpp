@@ -202,7 +202,7 @@ int run_compare(int argc, const char* const* argv) {
   if (part.owners.empty())
     warn(request, request.part +
                       ": this file does not say which line cut which face, so no lines are named; "
-                      ".ply, .glb, .3mf and .vdb do");
+                      ".ply, .obj, .glb, .3mf and .vdb do");
   const Comparison comparison = compare_named(request, part, nominal.mesh);
   facts.times = {{"compare", comparison.seconds}};
   if (!nominal.note.empty()) facts.facts.emplace_back("Nominal", nominal.note);
