@@ -219,7 +219,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
   choice.fallback_cells = is_plain(survey) ? kMostPlainNodes : kMostNodes;
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
-  choice.cut_cells = survey.cells(choice.voxel);
+  choice.cut_cells = survey.crossed_cells(choice.voxel);
 }
 
 void give_up_tolerance(MeshChoice& choice, const std::string& why) {

@@ -1,5 +1,4 @@
 // Runs whose memory is limited: done in slabs with the same files, or refused with what to do.
-#include "../support/crossed_slots.h"
 #include "run_program.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ class Slabs : public CliTest {
 };
 
 // Between what the run takes in slabs and in one piece, for that many threads.
-std::string limit(int threads) { return std::to_string(14 + 13 * threads) + "M"; }
+std::string limit(int threads) { return std::to_string(15 + 14 * threads) + "M"; }
 
 TEST_F(Slabs, GiveTheSameBytes) {
   for (const char* format : {"stl", "ply", "obj", "off", "3mf"}) {
@@ -72,29 +71,22 @@ TEST_F(Slabs, AreRefusedWithWhatToDo) {
   EXPECT_FALSE(exists("part.stl"));
 }
 
-// Milled, turned, and out of a mesh; and slots that cross in every voxel, where tiles are made
-// again (tests/mesh/slabs_test.cpp).
+// Milled, turned, and out of a mesh. (tests/mesh/slabs_test.cpp has slots that cross in every
+// voxel.)
 TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
-  std::string slots = "G54\nTRANS X0 Y0\nG17 G90 G71\nT1 M6\nF100\n";
-  const auto number = [](double value) { return std::to_string(value); };
-  for (const auto& s : mrsim::testing::crossed_slots())
-    slots += "G0 Z9\nG0 X" + number(s[0]) + " Y" + number(s[1]) + "\nG1 Z" + number(s[4]) +
-             "\nG1 X" + number(s[2]) + " Y" + number(s[3]) + "\n";
-  write("slots.MPF", slots + "G0 Z9\nM30\n");
   const std::pair<std::string, std::string> scenes[] = {
       {"milled", "PRIMER_2F.MPF --stock block.stl --voxel 0.4"},
       {"turned", "PRIMER_2S.MPF --stock cylinder:50,0,51 --voxel 0.4"},
-      {"mesh", "PRIMER_2F.MPF --stock block.stl --stock-exact off --voxel 0.5"},
-      {"crossed",
-       "slots.MPF --machine mill --stock box:0,0,0,50,10,4 --tool 1=endmill:d=0.25 --voxel 0.5"}};
+      {"mesh", "PRIMER_2F.MPF --stock block.stl --stock-exact off --voxel 0.5"}};
   for (const auto& [name, arguments] : scenes)
     for (const std::string threads : {"1", "2"}) {
       const std::string command = arguments + " --threads " + threads;
       const Outcome whole = run(command + " -o whole.stl");
       ASSERT_EQ(whole.code, 0) << name << whole.err;
-      // In slabs it takes less.
-      const double expected = number_after(whole.out, "at most  (");
-      const std::string limit = std::to_string(static_cast<int>((1e6 * expected - 6e4) / 1024));
+      // In slabs it takes less: what a run asks for that has too little.
+      const Outcome refused = run(command + " --max-memory 16M -o none.stl");
+      const double needed = 1.02e9 * number_after(refused.err, "needs up to ");
+      const std::string limit = std::to_string(static_cast<int>(needed / 1024));
       const Outcome outcome = run(command + " --max-memory " + limit + "K -o slabs.stl");
       ASSERT_EQ(outcome.code, 0) << name << outcome.err;
       EXPECT_TRUE(contains(outcome.err, "note: done in ")) << name << limit << outcome.err;

@@ -39,6 +39,23 @@ TEST(DefaultMesh, SurveyTellsTheCutSurfaceWithinAFactorOfTwo) {
   EXPECT_EQ(detail::survey_surface(field, field.all(), 1).blocks, survey.blocks);
 }
 
+// Slots of Ø0.5 with walls of 0.4 mm between them, several in one block: each wall counts. A slot
+// alone is told as well.
+TEST(DefaultMesh, SurveyCountsEverySheetOfSurface) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {40, 40, 8}};
+  std::vector<Motion> cuts;
+  for (int k = 0; k < 40; ++k) cuts.push_back(line({-10, 1 + 0.9 * k, 3}, {50, 1 + 0.9 * k, 3}));
+  const Tool narrow = endmill(0.5);
+  const PartField slots{StockSolid(shape), SweepTable(cuts, std::span(&narrow, 1))};
+  const double cells = 40 * 40 * (0.5 + 2 * 5) / 0.01;
+  const double told = detail::survey_surface(slots, slots.all(), 2).crossed_cells(0.1);
+  EXPECT_GT(told, 0.75 * cells);
+  EXPECT_LT(told, 1.25 * cells);
+  const PartField one = slot(endmill(4));
+  EXPECT_NEAR(detail::survey_surface(one, one.all(), 2).crossed_cells(0.1), 200 / 0.01, 50 / 0.01);
+}
+
 // Twenty pecks share a wall; twenty passes of a ball beside one another leave creases everywhere.
 TEST(DefaultMesh, SurveyTellsSweepsThatLeaveCreases) {
   StockShape shape;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,7 @@ constexpr std::size_t kEnough = 12000;          ///< blocks that tell the area w
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
   std::size_t tried = 0, creasing = 0;  ///< of some blocks, and the sweeps that leave creases there
+  std::size_t crossings = 0;            ///< of the same, by the surface
 };
 
 // One in sixteen, evenly spread, whatever the order.
@@ -28,9 +30,14 @@ bool is_tried(const Box3& box, double block) {
   return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & 15) == 0;
 }
 
-// Whether faces of different directions meet in the box: the normals of eight points differ. Many
-// sweeps may share one face, as the turns of a helix do.
-bool has_crease(const ExactField& field, const Box3& box, const Candidates& sweeps) {
+// What eight points of a box tell of the surface in it.
+struct Look {
+  bool creases = false;       // faces of different directions meet: normals differ
+  std::size_t crossings = 0;  // of the twelve edges between them, by the surface
+};
+
+// Many sweeps may share one face, as the turns of a helix do.
+Look look_at(const ExactField& field, const Box3& box, const Candidates& sweeps) {
   constexpr double kLeastCosine = 0.94;  // 20 degrees
   std::array<Vec3, 8> points, normals;
   std::array<FieldSample, 8> samples;
@@ -40,10 +47,15 @@ bool has_crease(const ExactField& field, const Box3& box, const Candidates& swee
   }
   field.samples(points, sweeps, samples.data());
   for (std::size_t k = 0; k < 8; ++k) normals[k] = field.gradient(points[k], samples[k]);
+  Look look;
   for (std::size_t k = 0; k < 8; ++k)
-    for (std::size_t j = 0; j < k; ++j)
-      if (dot(normals[j], normals[k]) < kLeastCosine) return true;
-  return false;
+    for (std::size_t j = 0; j < k; ++j) {
+      look.creases = look.creases || dot(normals[j], normals[k]) < kLeastCosine;
+      const bool is_edge = std::has_single_bit(j ^ k);
+      look.crossings +=
+          is_edge && is_inside(samples[j].distance) != is_inside(samples[k].distance) ? 1 : 0;
+    }
+  return look;
 }
 
 // Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
@@ -56,7 +68,9 @@ void count_blocks(const ExactField& field, ExactField::Descent& descent, const B
     count.sweeps += left.size();
     if (left.empty() || !is_tried(box, box.hi.x - box.lo.x)) return;
     ++count.tried;
-    count.creasing += has_crease(field, box, left) ? left.size() : 1;
+    const Look look = look_at(field, box, left);
+    count.creasing += look.creases ? left.size() : 1;
+    count.crossings += look.crossings;
     return;
   }
   for (int k = 0; k < 8; ++k)
@@ -99,16 +113,21 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
       const auto own = field.descent(0.5 * (part.box.lo + part.box.hi), part.candidates);
       count_blocks(field, *own, part.box, 1, depth - kApart, left, counts[k]);
     });
-    survey = {(cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth), 0, 0, 0};
-    std::size_t sweeps = 0, tried = 0, creasing = 0;
+    survey = {};
+    survey.block = (cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth);
+    std::size_t sweeps = 0, tried = 0, creasing = 0, crossings = 0;
     for (const Count& count : counts) {
       survey.blocks += count.blocks, sweeps += count.sweeps;
       tried += count.tried, creasing += count.creasing;
+      crossings += count.crossings;
     }
     survey.sweeps =
         static_cast<double>(sweeps) / static_cast<double>(std::max<std::size_t>(survey.blocks, 1));
     survey.creasing =
         tried > 0 ? static_cast<double>(creasing) / static_cast<double>(tried) : survey.sweeps;
+    // Half of the edges of half blocks lie between blocks.
+    if (tried > 0)
+      survey.crossings = 2 * static_cast<double>(crossings) / static_cast<double>(tried);
   }
   return survey;
 }

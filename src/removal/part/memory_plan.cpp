@@ -24,14 +24,15 @@ constexpr double kOpenVdb = 30e6;             ///< its library
 constexpr double kRecipe = 400;               ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
-constexpr double kThread = 12e6;
+constexpr double kThread = 11e6;
 constexpr double kMeshCell = 33, kMeshColumn = 70, kBoxMeshColumn = 8;
-constexpr double kTileCell = 500;      ///< of the tiles that are being made and joined
+constexpr double kTileCell = 700;      ///< of the tiles that are being made and joined
 constexpr double kTilesAThread = 2;    ///< of them
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 60;
 constexpr double kTile = 400;         ///< what is kept of each, by the sizes of its records
 constexpr double kMostColumns = 1e9;  ///< of surface voxels; the triangles of a mesh are twice that
+constexpr double kMoreCells = 1.4;    ///< than are expected, where tiles are full of them
 constexpr std::size_t kSample = 4096;  ///< motions that tell how much the sweeps of all take
 
 std::size_t free_memory() {
@@ -46,6 +47,15 @@ double surface_tiles(const StockSolid& stock, double voxel) {
   const Vec3 size = stock.bounds().hi - stock.bounds().lo;
   const double all = std::ceil(size.x / tile) * std::ceil(size.y / tile) * std::ceil(size.z / tile);
   return std::min(stock.area() / (tile * tile) + 1, all);
+}
+
+// The same, tiles that the stock fills in part counting as that part: how many hold the surface,
+// were all of them as full of it as those within.
+double whole_tiles(const StockSolid& stock, double voxel) {
+  const double tile = voxel * kTileVoxels;
+  const Vec3 size = stock.bounds().hi - stock.bounds().lo;
+  const auto along = [&](double length) { return std::max(length / tile, 1.0); };
+  return std::min(surface_tiles(stock, voxel), along(size.x) * along(size.y) * along(size.z));
 }
 
 // The tiles of the mesh that a cut across the longest axis meets, were it the stock's whole
@@ -69,6 +79,14 @@ struct Need {
   std::size_t motions;
   const CarveOptions& options;
 
+  /// With room for more cells where the user has set a limit, which holds.
+  double at_most(double voxel, bool in_slabs) const {
+    if (options.max_memory == 0) return (*this)(voxel, in_slabs);
+    CarveOptions more = options;
+    more.cut_cells *= kMoreCells;
+    return Need{stock, sweeps, motions, more}(voxel, in_slabs);
+  }
+
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
@@ -84,27 +102,29 @@ struct Need {
     const int threads = resolve_threads(options.threads);
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
     const double tiles = surface_tiles(stock, voxel);
-    const double working = threads * (kThread + kTilesAThread * kTileCell * cells / tiles) +
-                           section_tiles(stock, voxel) * kFrontTile + tiles * kTile;
+    const double working =
+        threads * (kThread + kTilesAThread * kTileCell * cells / whole_tiles(stock, voxel)) +
+        section_tiles(stock, voxel) * kFrontTile + tiles * kTile;
     if (in_slabs) return working;
     return working + kMeshCell * cells + columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
   }
 };
 
+// A coarser voxel may need more, where it makes tiles larger that stand side by side.
 [[noreturn]] void refuse(const Need& need, double voxel, double available, bool may_slab) {
+  const Vec3 size = need.stock.bounds().hi - need.stock.bounds().lo;
+  const double coarsest = std::max({size.x, size.y, size.z});
   double fits = voxel;
-  while (need(fits, may_slab) > available &&
-         need(fits, may_slab) > 1.001 * need(2 * fits, may_slab))
-    fits *= 1.05;
-  throw Error(
-      "memory",
-      fmt::format("a voxel of {:.6g} mm needs about {:.3g} GB for this stock and {} "
-                  "motions{}, {:.3g} GB are available; {}{}",
-                  voxel, need(voxel, may_slab) / 1e9, need.motions, may_slab ? " in slabs" : "",
-                  available / 1e9,
-                  need(fits, may_slab) <= available ? fmt::format("{:.3g} mm would fit", fits)
-                                                    : "no voxel would fit",
-                  may_slab ? "" : "; " + need.options.no_slabs));
+  while (fits < coarsest && need.at_most(fits, may_slab) > available) fits *= 1.05;
+  throw Error("memory",
+              fmt::format("a voxel of {:.6g} mm needs up to {:.3g} GB for this stock and {} "
+                          "motions{}, {:.3g} GB are available; {}{}",
+                          voxel, need.at_most(voxel, may_slab) / 1e9, need.motions,
+                          may_slab ? " in slabs" : "", available / 1e9,
+                          need.at_most(fits, may_slab) <= available
+                              ? fmt::format("{:.3g} mm would fit", fits)
+                              : "no voxel would fit",
+                          may_slab ? "" : "; " + need.options.no_slabs));
 }
 
 // Slabs bound the memory, not the time.
@@ -142,11 +162,12 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveO
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);
   const auto available = static_cast<double>(plan.limit);
-  if (plan.expected <= available) return plan;
+  if (need.at_most(options.voxel, false) <= available) return plan;
   const bool may_slab = options.no_slabs.empty();
   plan.in_slabs = true;
   plan.expected = need(options.voxel, true);
-  if (!may_slab || plan.expected > available) refuse(need, options.voxel, available, may_slab);
+  if (!may_slab || need.at_most(options.voxel, true) > available)
+    refuse(need, options.voxel, available, may_slab);
   return plan;
 }
 
