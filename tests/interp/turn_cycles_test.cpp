@@ -161,6 +161,17 @@ TEST(TurnCycles, AContourThatEndsWithARapidHomeIsRefusedWithItsReason) {
   EXPECT_EQ(codes(run("G73 U2. W1. R2\nG73")), "");
 }
 
+// The passes go to their levels as the first block of the contour says: an arc without a radius cut
+// nothing there.
+TEST(TurnCycles, AContourThatBeginsWithAnArcIsRefused) {
+  const Program p = read_text(
+      "G0 X40. Z2.\nG71 U2. R1.\nG71 P1 Q3 U0 W0 F.2\nN1 G0\nG3 X20. Z-5. R20.\nG1 Z-20.\nN3 "
+      "X42.\n",
+      at_origin(Dialect::fanuc, MachineKind::lathe));
+  ASSERT_EQ(codes(p), "cycle-contour");
+  EXPECT_EQ(p.diagnostics[0].place.line, 5);
+}
+
 // U of a bore is below 0, of X below 0 too: else the roughing cuts beyond the contour.
 TEST(TurnCycles, AnAllowanceIntoThePartIsToldOf) {
   const auto run = [&](const std::string& start, const std::string& cycle) {

@@ -226,6 +226,14 @@ bool ContourCycles::rough() {
   leave_out_return();
   if (contour_.size() < 2)
     return error("value-missing", "the contour of the cycle has no motions", call_.where);
+  if (contour_.front().kind == MotionKind::arc) {
+    reporter_.add_at(
+        Severity::error, "cycle-contour",
+        "the contour begins with an arc: G0 or G1 must lead to it, as the passes do to "
+        "their levels (alarm 065)",
+        contour_.front());
+    return false;
+  }
   const Vec3 from = position_.physical, shift = call_.allowance;
   Rough r;
   r.u = call_.number == 72 ? 2 : 0;
