@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongestName = 6;  // "NAT101" of Okuma: N and at most five signs
+constexpr std::size_t kLongestBlockName = 6;  // "NAT101" of Okuma: N and at most five signs
 
 }  // namespace
 
@@ -123,8 +123,8 @@ bool Parser::block_name(Block& block) {
   std::size_t end = p_ + 1;
   while (is_letter(at(end)) || is_digit(at(end))) ++end;
   const bool first = block.words.empty() && !block.has_number;
-  if (dialect_ != Dialect::fanuc || !first || upper(at(p_)) != 'N' || end - p_ > kLongestName ||
-      !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
+  if (dialect_ != Dialect::fanuc || !first || upper(at(p_)) != 'N' ||
+      end - p_ > kLongestBlockName || !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
     return false;
   Word word;
   word.column = static_cast<int>(p_);
