@@ -343,7 +343,8 @@ bool ArcSolver::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, V
   return turned_arc(arc, center, radians(t.value), out);
 }
 
-// P: how many turns in all, the programmed one among them.
+// P: how many turns in all, the programmed one among them. On Mitsubishi and Mazak P full turns
+// come beside an arc that is none itself.
 bool ArcSolver::add_p_turns(SolvedArc& arc) {
   if (const Word* l = block_.open(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
     return error(
@@ -354,10 +355,18 @@ bool ArcSolver::add_p_turns(SolvedArc& arc) {
         *l);
   const Word* word = take('P');
   if (!word) return true;
-  if (word->value < 1 || word->value > 999 || word->value != std::floor(word->value))
+  const bool beside = is(Dialect::fanuc) && std::abs(arc.sweep) < kTwoPi - 1e-9;
+  const double least = beside ? 0 : 1;
+  if (word->value < least || word->value > 999 || word->value != std::floor(word->value))
     return error("arc-turns", "P is the number of turns, a whole number from 1 to 999", *word);
-  arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * (word->value - 1);
-  if (is(Dialect::fanuc) && word->value > 1)
+  arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * (word->value - least);
+  if (beside && word->value > 0)
+    reporter_.once(Severity::warning, "arc-turns",
+                   fmt::format("{} is read as full turns besides the arc, as on Mitsubishi and "
+                               "Mazak; LinuxCNC counts the arc as one of them",
+                               text_of(*word)),
+                   *word, "turns");
+  else if (is(Dialect::fanuc) && word->value > 1)
     note_once("arc-turns", "P is read as the number of turns", *word, "turns");
   return true;
 }

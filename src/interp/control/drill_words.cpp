@@ -202,7 +202,7 @@ bool DrillWords::drill() {
     }
     point = point + (level_aside(hole) - dot(point, b.w)) * b.w;
     if (named) holes_.approach(point, named, where);
-    holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
+    if (!block_.no_hole) holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
   }
   return true;
 }

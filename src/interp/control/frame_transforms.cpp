@@ -12,8 +12,9 @@ bool FrameWords::fanuc(const Word& word) {
   static constexpr int kNormal[] = {2, 1, 0, 2};
   Vec3 values = position_.programmed;
   unsigned named = 0;
-  const bool cancels =
-      block_.frame_op == Code::rotation_off || block_.frame_op == Code::scaling_off;
+  const bool cancels = block_.frame_op == Code::rotation_off ||
+                       block_.frame_op == Code::scaling_off ||
+                       block_.frame_op == Code::local_turned_off;
   if (!cancels) arguments(values, named, true);
   switch (block_.frame_op) {
     case Code::rotation_on: {
@@ -41,6 +42,13 @@ bool FrameWords::fanuc(const Word& word) {
       break;
     case Code::local_shift:
       shift_locally(values, named, word);
+      break;
+    case Code::local_turned:
+      if (!turn_locally(values, named, word)) return false;
+      break;
+    case Code::local_turned_off:
+      frames_.program = Frame{};
+      frames_.local_turned = 0;
       break;
     case Code::mirror_on:
     case Code::mirror_off:
@@ -72,6 +80,27 @@ bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
   note_once("plane-level", "G68.2 without a tilt: its zero is shifted by X Y Z and turned about Z",
             word, "G68.2");
   rebuild();
+  return true;
+}
+
+// G11 X Y Z P of Okuma: the zero lies at X Y Z of the work offset, the plane is turned by P. What a
+// second G11 makes of the words that it leaves out is not known.
+bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  const Word* angle = take('P');
+  if (angle) named |= 8U;
+  if (modal_.incremental || (frames_.local_turned & ~named) != 0)
+    return error("not-supported",
+                 modal_.incremental
+                     ? "G11 (Okuma's local coordinates) in G91 is not supported: write it in G90"
+                     : "G11 again without words of the G11 in force is not supported: write them "
+                       "all, or G10 before it",
+                 word);
+  for (int i = 0; i < 3; ++i)
+    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+  frames_.program =
+      compose(shift_frame(zero), rotation_frame(kNormal[modal_.plane], angle ? angle->value : 0));
+  frames_.local_turned = named;
   return true;
 }
 
@@ -128,13 +157,20 @@ void FrameWords::turn_about(double angle, int axis, const Vec3& center, bool add
   frames_.rotation = about(rotation_frame(axis, angle), center);
 }
 
-// G51 P for all axes or I J K for each; without a decimal point a factor counts thousandths, and so
-// does a computed one from 10 on (P[1500+500]).
+// G51 P for all axes or I J K for each. Without a decimal point a factor counts thousandths from 10
+// on, and so does a computed one (P[1500+500]); below, it is the factor, as Centroid and Okuma have
+// it: FANUC's 0.002 would leave nothing of the part.
 bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
   Vec3 factors{1, 1, 1};
   const auto factor = [&](const Word& w) {
     const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
-    const bool counts = computed ? std::abs(w.value) >= 10 : !w.point;
+    const bool counts = (computed || !w.point) && std::abs(w.value) >= 10;
+    if (!computed && !w.point && !counts && w.value != 1)
+      reporter_.once(Severity::warning, "number-without-point",
+                     fmt::format("{} is read as a factor of {:g}; on a control that counts "
+                                 "thousandths it is {:g}",
+                                 text_of(w), w.value, w.value / 1000),
+                     w, "factor");
     if (computed && counts)
       note_once("number-without-point",
                 fmt::format("{} = {:g} is read as thousandths", text_of(w), w.value), w, "factor");

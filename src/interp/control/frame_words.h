@@ -48,6 +48,7 @@ class FrameWords : public ControlPart {
   bool extends_work() const;
   const Word* offset_number();
   void set_mirror();
+  bool turn_locally(Vec3 zero, unsigned named, const Word& word);
   bool codesys();
   bool pole();
   bool set_work(const std::string& written);

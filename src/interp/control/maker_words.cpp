@@ -21,6 +21,8 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                  word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
+  if (is(Dialect::fanuc) && !lathe())
+    if (const std::optional<bool> local = okuma_frame(word)) return local;
   if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
   if (word.value == 116 && !has_m6()) {  // Okuma's change of the tool
     block_.tool_change = true;
@@ -72,6 +74,18 @@ bool MakerWords::okuma_offset(const Word& word) {
       fmt::format("{} H (a work offset of Okuma's OSP for one block) is not supported: write G15 H",
                   text_of(word)),
       word);
+}
+
+// G11 with words and the G10 that ends it, which FANUC writes around data; G62 X1, a mirror image.
+std::optional<bool> MakerWords::okuma_frame(const Word& word) {
+  const bool places = peek('X') || peek('Y') || peek('Z');
+  if (word.value == 62 && modal_.okuma && places)
+    return error("not-supported", "G62 (a mirror image of Okuma's OSP) is not supported yet", word);
+  const bool on = word.value == 11 && (places || peek('P'));
+  if (!on && !(word.value == 10 && frames_.local_turned != 0 && !peek('L'))) return std::nullopt;
+  block_.frame_code = &word;
+  block_.frame_op = on ? Code::local_turned : Code::local_turned_off;
+  return true;
 }
 
 // G71 Z: Z alone, and no other G word. Elsewhere G71 is a pattern of holes or the unit.

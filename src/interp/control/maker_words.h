@@ -18,6 +18,7 @@ class MakerWords : public ControlPart {
  private:
   bool okuma_offset(const Word& word);
   bool okuma_level();
+  std::optional<bool> okuma_frame(const Word& word);
   bool brother_change(const Word& word);
   bool haas_mirror(const Word& word);
   bool names_zero_places() const;

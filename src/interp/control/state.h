@@ -138,7 +138,8 @@ struct Frames {
   double rotation_angle = 0;        ///< of G68 or G73, degrees
   Vec3 rotation_at;                 ///< centre of G73 (Fagor)
   Vec3 mirror_at;
-  unsigned mirrored = 0;  ///< axes under G51.1
+  unsigned mirrored = 0;      ///< axes under G51.1
+  unsigned local_turned = 0;  ///< words of Okuma's G11 in force: X Y Z, P is 8
   Frame total;
 };
 

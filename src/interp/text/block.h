@@ -76,6 +76,7 @@ struct Block {
   int skip_level = -1;                   ///< -1 = no "/"
   bool bad = false;                      ///< the parser reported an error
   bool has_number = false;
+  bool no_hole = false;  ///< NCYL of Okuma: the cycle in force makes no hole here
 };
 
 }  // namespace mrsim

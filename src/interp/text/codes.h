@@ -131,9 +131,11 @@ enum class Code : std::uint8_t {
   position_jump,
   decoder_length,
   path_smoothing,
-  fagor_mirror,  ///< G10 to G13
-  fagor_scale,   ///< G72 S
-  fagor_turn,    ///< G73 Q
+  local_turned,      ///< G11 of Okuma: a shift of the zero and a turn about it
+  local_turned_off,  ///< G10 of Okuma
+  fagor_mirror,      ///< G10 to G13
+  fagor_scale,       ///< G72 S
+  fagor_turn,        ///< G73 Q
   program_end,
   program_return,
   header,

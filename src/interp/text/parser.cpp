@@ -67,7 +67,7 @@ bool Parser::next(Block& block, std::size_t& position) {
   block.skip_level = -1;
   block.modal_call = false;
   block.statement = Block::kNoStatement;
-  block.bad = block.has_number = false;
+  block.bad = block.has_number = block.no_hole = false;
   line_ = block.line;
   p_ = position;
   if (p_ == 0 && dialect_ == Dialect::sinumerik && line_.size() > kLongestBlock)

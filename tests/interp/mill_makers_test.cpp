@@ -1,0 +1,67 @@
+// What makers of mills read in their own way under a control of FANUC's kind: Okuma's OSP,
+// Mitsubishi and Mazak, Centroid.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+std::string mill(const std::string& text) {
+  return path_text(read_text(text, at_origin(Dialect::fanuc)));
+}
+
+// NCYL: the tool goes to the place, no hole is made there; the cycle is in force behind it.
+TEST(MillMakers, NcylOfOkumaDrillsNoHole) {
+  const std::string holes = "G15 H1\nG0 X0 Y0 Z9\nG71 Z50\nNCYL G81 X1 Z-5 R2 F100 M53\nX3\n";
+  EXPECT_EQ(mill(holes), "r0,0,9 r1,0,9 r3,0,9 r3,0,2 l3,0,-5 r3,0,50");
+  EXPECT_EQ(mill("G15 H1\nG0 X0 Y0 Z9\nG71 Z50\nNCYL G81 Z-5 R2 F100 M53\nX3\nNCYL X4\nX5\n"),
+            "r0,0,9 r3,0,9 r3,0,2 l3,0,-5 r3,0,50 r4,0,50 r5,0,50 r5,0,2 l5,0,-5 r5,0,50");
+  EXPECT_EQ(mill("NCYL G1 X5 F100\n"), "l5,0,0") << "without a cycle it says nothing";
+}
+
+// G11 X Y Z P shifts the zero and turns about it, G10 ends that.
+TEST(MillMakers, LocalCoordinatesOfOkuma) {
+  EXPECT_EQ(mill("G15 H1\nG11 X50 Y20 P90\nG1 X10 Y0 F100\nG11 X0 Y0 Z-1 P180\nX1 Y0 Z0\nG10\n"
+                 "X2 Y0 Z0\n"),
+            "l50,30,0 l-1,0,-1 l2,0,0");
+  EXPECT_EQ(mill("G11 X50 P90\nG1 X10 Y0 F100\nG11 X20\nG10\nG1 X1 Y0\n"),
+            "l50,10,0 l1,0,0 | not-supported")
+      << "whether P90 holds on is not known";
+  EXPECT_EQ(mill("G11 X5\nG1 X1 F100\nG10\nX1\n"), "l6,0,0 l1,0,0") << "G15 H is not needed";
+  EXPECT_EQ(mill("G18 G11 X5 P90\nG1 Z1 F100\n"), "l6,0,0") << "from Z towards X";
+  EXPECT_EQ(mill("G91 G11 X5\nG1 X1 F100\n"), "l1,0,0 | not-supported");
+  EXPECT_EQ(mill("G10 L13 P1 R0.2\nG11\nG1 X1 F100\n"), "l1,0,0") << "FANUC's end of data";
+  EXPECT_EQ(mill("G10\nG1 X1 F100\n"), "l1,0,0 | value-missing");
+}
+
+// G62 X1 mirrors on Okuma's; elsewhere G62 slows corners down, and its axes move.
+TEST(MillMakers, MirrorOfOkumaIsRefused) {
+  EXPECT_EQ(mill("G15 H1\nG62 X1 Y0\nG1 X5 F100\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G62 G1 X5. F100\n"), "l5,0,0");
+}
+
+// A helix of Mitsubishi and Mazak: P full turns, and the arc that is written.
+TEST(MillMakers, TurnsOfAHelixComeBesideItsArc) {
+  const auto sweep = [](const std::string& arc) {
+    return degrees(
+        read_text("G1 X10 F100\n" + arc, at_origin(Dialect::fanuc)).motions.back().sweep);
+  };
+  EXPECT_NEAR(sweep("G3 X-10 I-10 Z-3 P1\n"), 540, 1e-9);
+  EXPECT_NEAR(sweep("G2 X-10 R10 Z-3 P2\n"), -900, 1e-9);
+  EXPECT_NEAR(sweep("G3 X-10 I-10 Z-3 P0\n"), 180, 1e-9);
+  EXPECT_NEAR(sweep("G3 X10 I-10 Z-3 P1\n"), 360, 1e-9) << "no arc beside the turn";
+  EXPECT_NEAR(sweep("G3 I-10 Z-3 P3\n"), 1080, 1e-9);
+  EXPECT_EQ(mill("G1 X10 F100\nG3 X-10 I-10 Z-3 P1\n"), "l10,0,0 a-10,0,-3 | arc-turns");
+  EXPECT_EQ(mill("G1 X10 F100\nG3 I-10 Z-3 P2\n"), "l10,0,0 a10,0,-3");
+}
+
+// G51 P2000 is FANUC's factor 2; P2 of Centroid and Okuma is 2, which FANUC would call 0.002.
+TEST(MillMakers, ScaleFactorsWithoutAPoint) {
+  EXPECT_EQ(mill("G51 X0 Y0 P2000\nG1 X5 F100\n"), "l10,0,0");
+  EXPECT_EQ(mill("G51 X0 Y0 P500\nG1 X5 F100\n"), "l2.5,0,0");
+  EXPECT_EQ(mill("G51 X0 Y0 P2\nG1 X5 F100\n"), "l10,0,0 | number-without-point");
+  EXPECT_EQ(mill("G51 X0 Y0 I2 J-1 K1\nG1 X5 Y5 F100\n"), "l10,-5,0 | number-without-point");
+  EXPECT_EQ(mill("G51 X0 Y0 P2.\nG1 X5 F100\n"), "l10,0,0");
+}
+
+}  // namespace
+}  // namespace mrsim
