@@ -179,6 +179,24 @@ TEST(ControlsDiffer, RoundInAWord) {
   EXPECT_EQ(mill("(P1=3.2)\nG1 X(ROUND(P1*1.1)) F10\n", Dialect::iso), "l4,0,0");
 }
 
+// The programmable frame is in the units of the program. Settable ones and data of tools follow
+// G700 alone; under G70 they stay mm.
+TEST(ControlsDiffer, InchesOfFramesAndTools) {
+  const auto s = Dialect::sinumerik;
+  EXPECT_EQ(mill("G70\n$P_PFRAME=CTRANS(X,1)\nG1 X0 Y0 F10\n", s), "l25.4,0,0");
+  EXPECT_EQ(mill("G70\n$P_PFRAME=$P_PFRAME:CTRANS(X,1):CROT(Z,90)\nG1 X1 Y0 F10\n"
+                 "$P_PFRAME=$P_PFRAME:CTRANS(X,1)\nX1 Y0\n",
+                 s),
+            "l25.4,25.4,0 l25.4,50.8,0");
+  EXPECT_EQ(mill("G70\n$P_UIFR[1]=CTRANS(X,25.4)\nG54\nG1 X1 Y0 F10\n", s), "l50.8,0,0");
+  EXPECT_EQ(mill("G700\n$P_UIFR[1]=CTRANS(X,1)\nG54\nG1 X1 Y0 F10\nX=3*$P_UIFR[1,X,TR]\n", s),
+            "l50.8,0,0 l101.6,0,0");
+  EXPECT_EQ(mill("G70\n$P_UIFR[1,X,TR]=25.4\nG54\nG1 X1 Y0 F10\n", s), "l50.8,0,0");
+  const std::string tool = "T1 D1 M6\n$TC_DP6[1,1]=", path = "\nG41 G1 X10 Y0 F100\nY1\n";
+  EXPECT_EQ(mill("G70\n" + tool + "5.08" + path, s), "l248.9,0,0 l248.9,25.4,0");
+  EXPECT_EQ(mill("G700\n" + tool + "0.2" + path, s), "l248.9,0,0 l248.9,25.4,0");
+}
+
 TEST(ControlsDiffer, OnePartOfASinumerikFrame) {
   EXPECT_EQ(mill("$P_PFRAME[X,TR]=5\nX1 F10\n$P_UIFR[2,Y,TR]=7\nTRANS\nG55 "
                  "Y=$P_UIFR[2,Y,TR]\n",

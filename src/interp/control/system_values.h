@@ -54,6 +54,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool lathe_group(int group, double& out) const;
   bool read_linuxcnc(int number, double& out) const;
   bool named_linuxcnc(std::string_view name, double& out) const;
+  double data_scale() const;
   bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
   bool axis_value_of(std::string_view name, int axis, double& out) const;
   bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;

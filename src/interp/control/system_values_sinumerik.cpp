@@ -14,6 +14,9 @@
 
 namespace mrsim {
 
+// Lengths of settable frames and of tools: G700 makes them inches, G70 does not.
+double SystemValues::data_scale() const { return feed_scale(); }
+
 // $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
 bool SystemValues::tool_value(std::string_view name, std::span<const Value> indices,
                               double& out) const {
@@ -27,7 +30,7 @@ bool SystemValues::tool_value(std::string_view name, std::span<const Value> indi
     return true;
   }
   if (name == "$P_TOOLR") {
-    out = tool_radius() / scale();
+    out = tool_radius() / data_scale();
     return true;
   }
   if (indices.size() != 2 || (name != "$TC_DP3" && name != "$TC_DP6")) return false;
@@ -35,12 +38,12 @@ bool SystemValues::tool_value(std::string_view name, std::span<const Value> indi
   const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
   for (const OffsetRegister& reg : control_.registers)
     if (reg.name == wanted) {
-      out = name == "$TC_DP3" ? reg.length : reg.radius;
+      out = (name == "$TC_DP3" ? reg.length : reg.radius) / data_scale();
       return true;
     }
   for (const Tool& tool : options_.table.tools)
     if (tool.id == id && name == "$TC_DP6") {
-      out = tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius;
+      out = (tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius) / data_scale();
       return true;
     }
   return false;
@@ -61,6 +64,8 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
                                Value& out) const {
   Frame frame;
   double turned = 0;
+  const bool programmed = name == "$P_PFRAME" || name == "$P_ACTFRAME";
+  const double unit = programmed ? scale() : data_scale();
   if (name == "$P_IFRAME") {
     frame = compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn));
   } else if (name == "$P_PFRAME") {
@@ -77,6 +82,7 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
     return false;
   }
   if (indices.empty()) {
+    frame.shift = (1 / unit) * frame.shift;
     out = Value::of_frame(frame);
     return true;
   }
@@ -87,7 +93,7 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
   }
   if (indices.size() != 2 || indices[1].text != "TR" || axis_named(indices[0].text) < 0)
     return false;
-  out = Value::of(component(frame.shift, axis_named(indices[0].text)) / scale());
+  out = Value::of(component(frame.shift, axis_named(indices[0].text)) / unit);
   return true;
 }
 
@@ -103,7 +109,7 @@ bool SystemValues::write_tool(std::string_view key, std::span<const Value> indic
   if (number < 1 || number > 25 || number != std::floor(number)) return false;
   if (number == 2 && lathe()) return false;  // the tip's orientation is that of the tool table
   const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);
-  const double mm = value.number * scale();
+  const double mm = value.number * data_scale();
   const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),
                                [&](const OffsetRegister& reg) { return reg.name == name; });
   if (number == 15 && mm != 0 && at == control_.registers.end()) return false;  // wear of what?
@@ -115,13 +121,15 @@ bool SystemValues::write_tool(std::string_view key, std::span<const Value> indic
 // $P_PFRAME = CTRANS(...), $P_PFRAME[X,TR] = 5
 bool SystemValues::write_program_frame(std::span<const Value> indices, const Value& value) {
   Frame frame = frames_.program;
-  if (indices.empty() && value.kind == Value::Kind::frame)
+  if (indices.empty() && value.kind == Value::Kind::frame) {
     frame = *value.frame;
-  else if (indices.size() == 2 && indices[1].text == "TR" && value.is_number() &&
-           axis_named(indices[0].text) >= 0)
+    frame.shift = scale() * frame.shift;
+  } else if (indices.size() == 2 && indices[1].text == "TR" && value.is_number() &&
+             axis_named(indices[0].text) >= 0) {
     component(frame.shift, axis_named(indices[0].text)) = value.number * scale();
-  else
+  } else {
     return false;
+  }
   FrameWords frames(control_);
   frames.save();
   frames_.program = frame;
@@ -168,10 +176,10 @@ bool SystemValues::write_work_frame(std::span<const Value> indices, const Value&
     if (about_z) angle = value.number;
   } else if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
              axis_named(indices[1].text) >= 0) {
-    component(shift, axis_named(indices[1].text)) = value.number * scale();
+    component(shift, axis_named(indices[1].text)) = value.number * data_scale();
   } else if (indices.size() == 1 && value.kind == Value::Kind::frame &&
              turned_about_z(*value.frame, angle)) {
-    shift = value.frame->shift;
+    shift = data_scale() * value.frame->shift;
   } else {
     return false;
   }
