@@ -25,6 +25,21 @@ TEST(IsoWords, ArcsByPointsAndTangents) {
   EXPECT_EQ(iso("X10\nG6 G3 X20 Y10 J10\n"), "l10,0,0 | arc-no-center");
 }
 
+// The manual's helix of ten turns: K is the pitch.
+TEST(IsoWords, HelicesHaveTheirPitchInK) {
+  const auto turns = [](const std::string& arc) {
+    const Program p = read_text("G1 X0 Y0 F100\n" + arc + "\n", at_origin(Dialect::iso));
+    return codes(p).empty() ? p.motions.back().sweep / kTwoPi : 0.0;
+  };
+  EXPECT_NEAR(turns("G3 X0 Y0 I15 J0 Z50 K5"), 10, 1e-9);
+  EXPECT_NEAR(turns("G2 I15 J0 Z-15 K5"), -3, 1e-9);
+  EXPECT_NEAR(turns("G2 X30 Y0 I15 J0 Z-12.5 K5"), -2.5, 1e-9);
+  EXPECT_NEAR(turns("G2 X15 Y15 R15 Z-3.1 K2.48"), -1.25, 1e-9);
+  EXPECT_NEAR(turns("G18 G3 Z0 X0 K15 I0 Y9 J3"), 3, 1e-9);
+  EXPECT_EQ(iso("G3 X0 Y0 I15 J0 Z50 K7\n"), " | arc-turns");
+  EXPECT_EQ(iso("G3 X0 Y0 I15 J0 K5\n"), " | arc-center-outside-plane");
+}
+
 TEST(IsoWords, WordsWithoutEffectOnThePart) {
   for (const char* words :
        {"G5", "G7", "G05 X10", "G50", "G10", "G31", "G9", "G73", "G51 E0.1", "G51 A50 E0.05"})

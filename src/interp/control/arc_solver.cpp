@@ -106,6 +106,7 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
     const Word* word = take("IJK"[i]);
     if (!word) continue;
     const bool in = modal_.plane == 3 || component(arc.basis.w, i) == 0;
+    if (!in && is_pitch(arc.to, arc.basis.w)) continue;
     if (!in) {
       outside = outside || word->value != 0;
       odd = word;
@@ -341,45 +342,6 @@ bool ArcSolver::codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, V
     arc.to.programmed = from_plane(arc.basis, arc.start, height);
   }
   return turned_arc(arc, center, radians(t.value), out);
-}
-
-// P: how many turns in all, the programmed one among them. On Mitsubishi and Mazak P full turns
-// come beside an arc that is none itself.
-bool ArcSolver::add_p_turns(SolvedArc& arc) {
-  if (const Word* l = block_.open(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
-    return error(
-        "not-supported",
-        fmt::format("{} beside an arc (its turns on some controls) is not supported: write "
-                    "a block for each turn",
-                    text_of(*l)),
-        *l);
-  const Word* word = take('P');
-  if (!word) return true;
-  const bool beside = is(Dialect::fanuc) && std::abs(arc.sweep) < kTwoPi - 1e-9;
-  const double least = beside ? 0 : 1;
-  if (word->value < least || word->value > 999 || word->value != std::floor(word->value))
-    return error("arc-turns", "P is the number of turns, a whole number from 1 to 999", *word);
-  arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * (word->value - least);
-  if (beside && word->value > 0)
-    reporter_.once(Severity::warning, "arc-turns",
-                   fmt::format("{} is read as full turns besides the arc, as on Mitsubishi and "
-                               "Mazak; LinuxCNC counts the arc as one of them",
-                               text_of(*word)),
-                   *word, "turns");
-  else if (is(Dialect::fanuc) && word->value > 1)
-    note_once("arc-turns", "P is read as the number of turns", *word, "turns");
-  return true;
-}
-
-// TURN=: full circles before the programmed arc.
-bool ArcSolver::add_turns(SolvedArc& arc) {
-  if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) return add_p_turns(arc);
-  const Word* word = take(Address::turn);
-  if (!word) return true;
-  if (word->value < 0 || word->value > 999 || word->value != std::floor(word->value))
-    return error("arc-turns", "TURN is a whole number from 0 to 999 (alarm 14048)", *word);
-  arc.sweep += (arc.sweep < 0 ? -kTwoPi : kTwoPi) * word->value;
-  return true;
 }
 
 }  // namespace mrsim

@@ -33,6 +33,8 @@ class ArcSolver : public ControlPart {
   std::optional<PlaneArc> arc_of_radius(const ArcBlock& arc, double radius, const Word& word);
   bool add_turns(SolvedArc& arc);
   bool add_p_turns(SolvedArc& arc);
+  bool add_pitch_turns(SolvedArc& arc);
+  bool is_pitch(const Target& to, const Vec3& normal) const;
 
   AxisWords& axes_;
   PointArcs points_;
