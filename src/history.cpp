@@ -23,10 +23,13 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
-constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.5;
-// The same, counted once for each sweep over them: 0.02 us of one core each. Short moves of a wide
-// tool side by side reach that; each of them passes over many columns.
+constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.45;
+// The same, counted once for each sweep over them: up to 0.02 us of one core each, for cones and
+// bull-nosed mills half as much again. Short moves of a wide tool side by side reach that; each of
+// them passes over many columns.
 constexpr double kColumnsSwept = 50e6, kColumnsSweptPerCut = 25;
+
+constexpr double kSlowBottom = 1.5;
 
 // Below upright arcs, and below helices of all but flat mills, each column takes a search: 0.02 ms
 // in a trough, 0.1 ms over a hump.
@@ -46,6 +49,11 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
   return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
+}
+
+double bottoms_of(const Tool& tool) {
+  const bool is_flat = tool.type == ToolType::endmill && tool.corner_radius == 0;
+  return is_flat || tool.type == ToolType::ballmill ? 1 : kSlowBottom;
 }
 
 // How many searches a column below a motion counts as: 0 where its bottom is a closed form, five
@@ -171,9 +179,9 @@ double summary_column(const StockShape& shape, const CutList& cuts) {
   double swept = 0, searched = 0;  // mm^2
   for (const Motion& motion : cuts.motions()) {
     if (!is_cut(motion) || motion.tool < 0) continue;
-    const double area =
-        swept_area(motion, cuts.tools()[static_cast<std::size_t>(motion.tool)], usual);
-    swept += area;
+    const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
+    const double area = swept_area(motion, tool, usual);
+    swept += bottoms_of(tool) * area;
     searched += searches_of(motion, cuts.tools()) * area;
   }
   return std::max({usual, std::sqrt(swept / (kColumnsSwept + kColumnsSweptPerCut * count)),

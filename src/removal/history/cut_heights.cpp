@@ -210,7 +210,7 @@ void HeightWalker::step(const Square& column, std::uint32_t place, double bottom
 
 HeightWalker::Parts HeightWalker::parts_of(const Square& square) const {
   Parts parts{.side = 1.0 / kBlock * square.side, .places = {}};
-  const bool are_columns = square.columns == kBlock;
+  const bool are_columns = square.columns <= kBlock;
   for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
     const auto at = [&](std::size_t i, double center, double side, double part) {
       return center - 0.5 * side + (double(i) + 0.5) * part;
@@ -243,7 +243,8 @@ void HeightWalker::cut_blocks(const Square& square, std::size_t level) {
   });
 }
 
-// Columns that must be halved go on by themselves.
+// Columns in which heights differ are cut in parts. Where extents are wanted they are halved, each
+// as often as it needs.
 void HeightWalker::cut_block(const Square& block, const List& list, std::size_t level,
                              bool is_even_block) {
   const SweepKernels& kernels = sweep_kernels();
@@ -265,7 +266,10 @@ void HeightWalker::cut_block(const Square& block, const List& list, std::size_t 
       if (is_even(least[k], places.low[k])) return;
       parts.open &= ~(1u << k);
       column.center = parts.center(k);
-      visit(column, level, false);
+      if (frames_.empty())
+        cut_block(column, left, level + 1, true);
+      else
+        visit(column, level, false);
     });
   }
   parts.set_low(places, high_);

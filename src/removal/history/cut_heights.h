@@ -24,7 +24,7 @@ bool has_height_history(const PartField& field);
 /// The stock in plan as squares of columns.
 class HeightGrid {
  public:
-  static constexpr int kTile = 32;  ///< columns on a side of a tile
+  static constexpr int kTile = 16;  ///< columns on a side of a tile
 
   /// Columns of at most `voxel` mm that fill the stock's box.
   HeightGrid(const Box3& stock, double voxel);
