@@ -36,6 +36,12 @@ TEST(Turning, G90CutsAlongZ) {
             "r30,2 r21,2 l25,-20 l30,-20 r30,2");
 }
 
+// G91 exists in code systems B and C and on Okuma's, where G90 is no cycle.
+TEST(Turning, G90BehindG91IsAbsolute) {
+  EXPECT_EQ(turned(lathe("G0 X60 Z2\nG91 G1 X-4 Z-1 F.2\nG90 X50 Z-20\nX46\n")),
+            "r30,2 l28,1 l25,-20 l23,-20");
+}
+
 // R of a cycle's second block and of a peck is no rounding, although a G1 was in force.
 TEST(Turning, RadiiOfCyclesAreNoCorners) {
   EXPECT_EQ(turned(lathe("G1 X60 Z2 F.2\nG90 X50 Z-20\nX48 R-1\n")),

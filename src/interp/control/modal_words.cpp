@@ -354,13 +354,15 @@ bool ModalWords::apply_feed_mode(Code code, const Word& word) {
 }
 
 // On FANUC lathes G90 with axes is a turning cycle of code system A. Beside a motion word of the
-// same group it cannot be one, and G91 exists only in systems B and C.
+// same group it cannot be one, nor in a program that has said G91, which only systems B and C and
+// Okuma have.
 bool ModalWords::select_distance(Code code, const Word& word) {
+  modal_.has_increments |= code == Code::incremental;
   if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
     const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
       return w.address == letter('G') && lookup(w).group == Group::motion;
     });
-    if (!moves && code == Code::absolute) return select_turning(word, 90);
+    if (!moves && !modal_.has_increments) return select_turning(word, 90);
     note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
               word, "code-system");
   }
