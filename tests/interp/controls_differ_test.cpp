@@ -192,6 +192,8 @@ TEST(ControlsDiffer, InchesOfFramesAndTools) {
   EXPECT_EQ(mill("G700\n$P_UIFR[1]=CTRANS(X,1)\nG54\nG1 X1 Y0 F10\nX=3*$P_UIFR[1,X,TR]\n", s),
             "l50.8,0,0 l101.6,0,0");
   EXPECT_EQ(mill("G70\n$P_UIFR[1,X,TR]=25.4\nG54\nG1 X1 Y0 F10\n", s), "l50.8,0,0");
+  EXPECT_EQ(mill("G700\nG71\n$P_UIFR[1]=CTRANS(X,1)\nG54\nG1 X1 Y0 F10\n", s), "l2,0,0");
+  EXPECT_EQ(read_text("G700\nG71\nG1 X1 Y0 F10\n", at_origin(s)).motions.back().feed, 10);
   const std::string tool = "T1 D1 M6\n$TC_DP6[1,1]=", path = "\nG41 G1 X10 Y0 F100\nY1\n";
   EXPECT_EQ(mill("G70\n" + tool + "5.08" + path, s), "l248.9,0,0 l248.9,25.4,0");
   EXPECT_EQ(mill("G700\n" + tool + "0.2" + path, s), "l248.9,0,0 l248.9,25.4,0");

@@ -304,6 +304,7 @@ bool ModalWords::apply_mode(Code code, const Word& word) {
                    code == Code::metric_feed;
   if (code == Code::inch || code == Code::metric) {
     m.inch = code == Code::inch;
+    m.inch_feed = false;  // one group with G700 and G710
   } else if (code == Code::inch_feed || code == Code::metric_feed) {
     m.inch = m.inch_feed = code == Code::inch_feed;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
