@@ -39,6 +39,36 @@ TEST(MillMakers, MirrorOfOkumaIsRefused) {
   EXPECT_EQ(mill("G62 G1 X5. F100\n"), "l5,0,0");
 }
 
+// HA and DA are the registers of the tool in the spindle.
+TEST(MillMakers, RegistersOfTheToolInTheSpindle) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  for (const char* name : {"D7", "H7"}) {
+    OffsetRegister offset;
+    offset.name = name;
+    offset.radius = 2;
+    offset.length = 3;
+    options.table.offsets.push_back(offset);
+  }
+  options.table.tools[0].id = "7";
+  const std::string start = "G15 H1\nT7 M6\n";
+  EXPECT_EQ(path_text(read_text(start + "G56 Z15. HA\nG1 G41 DA X20. F100\nX30.\n", options)),
+            "r0,0,18 l20,2,18 l30,2,18");
+  EXPECT_EQ(codes(read_text(start + "G1 G41 DB X20. F100\n", options)), "value-missing");
+  EXPECT_EQ(codes(read_text("G1 G41 DA X20. F100\n", options)), "value-missing");
+}
+
+// G20 HP=1 is a home position, not inches; G131 tells how exact a path is.
+TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
+  const Program p = read_text(
+      "G15 H1\nG20 HP=1\nG1 X5. Y0 Z0 F100\nG131 F.01 E.01 J3 D1\nX6.\n"
+      "G130\nG30 HP=3\n",
+      at_origin(Dialect::fanuc));
+  EXPECT_EQ(path_text(p), "l5,0,0 l6,0,0");
+  EXPECT_TRUE(p.motions[0].assumed_start);
+  EXPECT_EQ(p.motions[1].feed, 100);
+  EXPECT_EQ(mill("G15 H1\nG0 Z9\nG81 X1 Z-5 R2 F100 M54\n"), "r0,0,9 r1,0,9 r1,0,2 l1,0,-5 r1,0,2");
+}
+
 // A helix of Mitsubishi and Mazak: P full turns, and the arc that is written.
 TEST(MillMakers, TurnsOfAHelixComeBesideItsArc) {
   const auto sweep = [](const std::string& arc) {

@@ -21,6 +21,7 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                  word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
+  if (is(Dialect::fanuc) && okuma_home(word)) return true;
   if (is(Dialect::fanuc) && !lathe())
     if (const std::optional<bool> local = okuma_frame(word)) return local;
   if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
@@ -85,6 +86,15 @@ std::optional<bool> MakerWords::okuma_frame(const Word& word) {
   if (!on && !(word.value == 10 && frames_.local_turned != 0 && !peek('L'))) return std::nullopt;
   block_.frame_code = &word;
   block_.frame_op = on ? Code::local_turned : Code::local_turned_off;
+  return true;
+}
+
+// G20 HP=1 and G21 HP=2 go to home positions; HP= stands in P.
+bool MakerWords::okuma_home(const Word& word) {
+  const Word* p = peek('P');
+  if ((word.value != 20 && word.value != 21) || !p || !text_of(*p).starts_with('H')) return false;
+  block_.oneshot = &word;
+  block_.oneshot_code = Code::reference_second;
   return true;
 }
 

@@ -144,7 +144,7 @@ bool ProgramFlow::z_home(const Word& word) {
 
 // M53 of Okuma: drilling cycles end at the level of G71 Z; M54: at R. False: another control's.
 bool ProgramFlow::okuma_return(int m) {
-  if (!is(Dialect::fanuc) || !modal_.return_level) return false;
+  if (!is(Dialect::fanuc) || (!modal_.return_level && !(modal_.okuma && m == 54))) return false;
   if (m == 52) return false;
   modal_.hole_return = m == 53 ? HoleReturn::level : HoleReturn::safe;
   return true;

@@ -118,7 +118,7 @@ bool ValueWords::feed_per_tooth(const Word& word) {
 
 bool ValueWords::feed() {
   if (const Word* tooth = take(Address::fz)) return feed_per_tooth(*tooth);
-  const Word* word = take('F');
+  const Word* word = block_.open(letter('F')) ? take('F') : nullptr;  // G131 F is no feed
   if (!word) return true;
   if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
   if (modal_.turn.number == 92) return true;                                // the same

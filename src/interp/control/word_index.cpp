@@ -1,5 +1,7 @@
 #include "interp/control/word_index.h"
 
+#include "core/text_io.h"
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -23,9 +25,11 @@ bool WordIndex::refuse_address(const Word& word) {
   if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
     for (const Word& other : block_.words)
       if (other.address == letter('G') && other.value == 4) return true;
-  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G187 is, and the depth feed of G47
+  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G131 and G187 are, the depth feed of G47
     for (const Word& other : block_.words)
-      if (other.address == letter('G') && (other.value == 187 || other.value == 47)) return true;
+      if (other.address == letter('G') &&
+          (other.value == 131 || other.value == 187 || other.value == 47))
+        return true;
   if (is(Dialect::sinumerik) && c == 'R')
     return error("not-supported",
                  "R is a variable of SINUMERIK, which is not supported yet; "
@@ -38,6 +42,24 @@ bool WordIndex::refuse_address(const Word& word) {
       "address-unknown",
       fmt::format("unknown address {}{}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : "", hint),
       word);
+}
+
+// HA and DA of Okuma: the register of the number of the tool in the spindle. HB and HC are further
+// ones of that tool, which the tool table does not have.
+bool WordIndex::use_own_register(Word& word) {
+  const std::optional<double> tool = parse_number(control_.tool.current);
+  if (word.value == 1 && tool) {
+    word.value = *tool;
+    word.own = false;
+    return true;
+  }
+  return error("value-missing",
+               fmt::format("{} is a register of the tool in the spindle (Okuma), {}: write its "
+                           "number",
+                           text_of(word),
+                           word.value == 1 ? "where no tool with a number is"
+                                           : "of which the tool table has the first alone"),
+               word);
 }
 
 // G1040T1.L20.: four digits begin a cycle of FANUC's dialogue, whose addresses are its own.
@@ -75,6 +97,7 @@ bool WordIndex::run() {
   bool ok = true;
   block_.offset_number = number_of_offset();
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
+    if (block_.words[i].own && !use_own_register(block_.words[i])) ok = false;
     const Word& word = block_.words[i];
     if (&word == block_.offset_number) continue;
     if (!legal_[static_cast<std::size_t>(word.address)] && !refuse_address(word)) ok = false;

@@ -17,6 +17,7 @@ class WordIndex : public ControlPart {
  private:
   const Word* dialogue_cycle() const;
   const Word* number_of_offset() const;
+  bool use_own_register(Word& word);
   bool refuse_address(const Word& word);
 
   std::array<bool, static_cast<std::size_t>(Address::count)> legal_{};  ///< by address

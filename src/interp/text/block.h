@@ -56,6 +56,7 @@ struct Word {
   Form form = Form::plain;
   bool point = false;   ///< a decimal point was written
   bool string = false;  ///< the value is `text` (T="NAME")
+  bool own = false;     ///< HA, DA of Okuma: the register of the tool in the spindle
   Code code{};
   int column = 0;  ///< 0-based, bytes from the start of the line
   int length = 0;

@@ -163,6 +163,8 @@ constexpr Row kFanucMill[] = {
     {950, C::per_revolution, G::feed},
     {980, C::return_initial, G::center},
     {990, C::return_r, G::center},
+    {1300, C::ignored, G::path},
+    {1310, C::ignored_words, G::path},  // how exact Okuma's paths are
     {1500, C::unsupported, G::oneshot},
 };
 

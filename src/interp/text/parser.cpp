@@ -343,7 +343,7 @@ void Parser::letter_word(Block& block) {
   p_ = from;
   if (statement(block, from) || block_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
-  if (macro_word(block)) return;
+  if (macro_word(block) || okuma_word(block)) return;
   unknown_word(block, from);
 }
 

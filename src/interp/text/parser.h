@@ -51,6 +51,7 @@ class Parser {
   void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);
+  bool okuma_word(Block& block);
   bool statement(Block& block, std::size_t from);
   void assignment(Block& block, std::size_t from);
   bool expression(Block& block, Word& word, bool whole);

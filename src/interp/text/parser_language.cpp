@@ -163,6 +163,29 @@ bool Parser::macro_word(Block& block) {
   return true;
 }
 
+// Okuma: HA and DA are the registers of the tool in the spindle (HB, HC further ones); HP=1 is the
+// number of a home position.
+bool Parser::okuma_word(Block& block) {
+  const std::size_t from = p_;
+  const char c = upper(at(p_)), n = upper(at(p_ + 1));
+  if (dialect_ != Dialect::fanuc || (c != 'H' && c != 'D')) return false;
+  Word word;
+  word.address = letter(c);
+  if (n >= 'A' && n <= 'C' && !is_name(at(p_ + 2))) {
+    word.own = true;
+    word.value = n - 'A' + 1;
+    p_ += 2;
+  } else if (c == 'H' && n == 'P' && at(p_ + 2) == '=' && starts_number(at(p_ + 3))) {
+    word.address = letter('P');
+    p_ += 3;
+    if (!number(block, word, false)) return true;
+  } else {
+    return false;
+  }
+  push(block, word, from);
+  return true;
+}
+
 // FANUC: ,R rounds the corner to the next block, ,C cuts it off, ,A is the angle of a line.
 // Mitsubishi: ,S is the speed of a tap on its way back, ,I and ,J how exactly a place is met.
 bool Parser::corner_word(Block& block) {
