@@ -69,6 +69,24 @@ TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
   EXPECT_EQ(mill("G15 H1\nG0 Z9\nG81 X1 Z-5 R2 F100 M54\n"), "r0,0,9 r1,0,9 r1,0,2 l1,0,-5 r1,0,2");
 }
 
+// Behind G49 and H0 lengths are those of the spindle's nose: Z0 is its upper end.
+TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
+  const auto unknown = [](const std::string& leave, Dialect dialect = Dialect::fanuc) {
+    const Program p = read_text("G43 H1 G0 Z9.\nG1 Z-1. F100\n" + leave + "\nX5.\nG0 Z3.\nG1 X6.\n",
+                                at_origin(dialect));
+    std::string out;
+    for (const Motion& m : p.motions) out += m.assumed_start ? '?' : '.';
+    return out;
+  };
+  EXPECT_EQ(unknown("G0 G49 Z0"), "..??.");
+  EXPECT_EQ(unknown("G0 H0 Z0."), "..??.");
+  EXPECT_EQ(unknown("G49\nG0 Z0"), "......");
+  EXPECT_EQ(unknown("G0 G49 Z50."), "......");
+  EXPECT_EQ(unknown("G0 Z0"), "......");
+  EXPECT_EQ(unknown("G91 G0 G49 Z0\nG90"), ".....");
+  EXPECT_EQ(unknown("G0 G49 Z0 X3."), "..???.");
+}
+
 // A helix of Mitsubishi and Mazak: P full turns, and the arc that is written.
 TEST(MillMakers, TurnsOfAHelixComeBesideItsArc) {
   const auto sweep = [](const std::string& arc) {

@@ -24,8 +24,9 @@ class BlockWords : public Block {
     slot = {epoch_, static_cast<std::uint16_t>(std::min<std::size_t>(index, 65535)), used};
     return true;
   }
-  /// No word is found any more.
+  /// No word is found any more, or that of an address.
   void forget_words();
+  void forget(Address a) { slots_[static_cast<std::size_t>(a)].epoch = 0; }
   /// The program ends, returns or calls behind this block.
   bool leaves() const { return stop_after || return_after || m98 || call_word; }
 

@@ -74,7 +74,26 @@ bool ProgramFlow::m_words() {
       ok = error("m-words", fmt::format("at most {} M words in a block", kMostM), word);
     if (!m_word(word)) ok = false;
   }
+  leave_length();
   return ok;
+}
+
+// "G0 G49 Z0" and "G0 H0 Z0" of FANUC's mills: without the length of the tool Z0 is the machine's,
+// the upper end of Z. Whoever writes this has no length in the work offset.
+void ProgramFlow::leave_length() {
+  const Word* z = peek('Z');
+  if (!z || z->value != 0 || lathe() || !(is(Dialect::fanuc) || is(Dialect::iso))) return;
+  if (modal_.incremental || block_.suppress_frames || block_.oneshot || block_.frame_code ||
+      current_motion() != Code::rapid || modal_.drill.number != 0)
+    return;
+  const Word* h = peek('H');
+  const bool off = modal_.length == Code::length_off
+                       ? block_.length_changed
+                       : h && h->value == 0 && modal_.length_number != 0;
+  if (!off) return;
+  block_.home = z;
+  block_.home_guessed = false;
+  block_.forget(z->address);
 }
 
 bool ProgramFlow::m_word(const Word& word) {
