@@ -69,6 +69,19 @@ TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
   EXPECT_EQ(mill("G15 H1\nG0 Z9\nG81 X1 Z-5 R2 F100 M54\n"), "r0,0,9 r1,0,9 r1,0,2 l1,0,-5 r1,0,2");
 }
 
+// E chooses a work offset on Fadal and Centroid.
+TEST(MillMakers, WorkOffsetsInE) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.table.work.push_back({"E2", {10, 20, 0}});
+  const std::string path = "G0 G90 S1000 M3 E2 X1. Y2.\nH1 Z5.\nG1 Z-1. F100\nE1 X3. Y0\n";
+  const Program p = read_text("T1 M6\n" + path, options);
+  EXPECT_EQ(path_text(p), "r11,22,0 r11,22,5 l11,22,-1 l3,0,-1");
+  EXPECT_NE(codes(p, Severity::note).find("work-offset-unset"), std::string::npos);
+  const Program home = read_text(path + "G0 E0 X0 Y0\nG1 Z-2.\n", options);
+  EXPECT_TRUE(home.motions.back().assumed_start);
+  EXPECT_EQ(mill("G1 X1.5E-2 F100\n"), " | address-unknown");
+}
+
 // Behind G49 and H0 lengths are those of the spindle's nose: Z0 is its upper end.
 TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
   const auto unknown = [](const std::string& leave, Dialect dialect = Dialect::fanuc) {

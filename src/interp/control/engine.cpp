@@ -154,7 +154,7 @@ bool Engine::run_turning() {
 bool Engine::interpret_block() {
   const BlockWords& block = control_.block;
   moved_ = false;
-  if (!modes_.apply()) return false;
+  if (!modes_.apply() || !frames_.select_fixture()) return false;
   if (block.function_name == "WORKPIECE" && !WorkpieceWords(control_).run()) return false;
   if (!flow_.begin_block()) return false;
   if (reader_.finished()) return true;

@@ -48,6 +48,20 @@ bool FrameWords::select_numbered(const Word& h) {
   return use_work(fmt::format("G15H{:g}", h.value), h);
 }
 
+// E1 to E48 of Fadal and Centroid; E0 is the machine's own zero.
+bool FrameWords::select_fixture() {
+  const bool engraves = block_.oneshot && block_.oneshot_code == Code::engrave;
+  if (!is(Dialect::fanuc) || lathe() || engraves || !block_.open(letter('E'))) return true;
+  const Word& e = *take('E');
+  if (e.value < 0 || e.value > 48 || e.value != std::floor(e.value))
+    return error("value-range", "E is a work offset of Fadal and Centroid, E1 to E48", e);
+  if (e.value == 0) {
+    block_.suppress_frames = true;
+    return true;
+  }
+  return use_work(fmt::format("E{:g}", e.value), e);
+}
+
 const Word* FrameWords::offset_number() {
   return block_.offset_number ? block_.offset_number : take('P');
 }

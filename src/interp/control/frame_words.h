@@ -17,6 +17,8 @@ class FrameWords : public ControlPart {
   bool run();
   /// G54 and its kin.
   bool select_work(const CodeEntry& entry, const Word& word);
+  /// E1 beside the words of a place. False: an error was reported.
+  bool select_fixture();
   /// G15 H of Okuma.
   bool select_numbered(const Word& h);
   /// Mirror images, scale and rotation of Fagor. False: an error was reported.

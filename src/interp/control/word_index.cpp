@@ -2,6 +2,8 @@
 
 #include "core/text_io.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -35,13 +37,18 @@ bool WordIndex::refuse_address(const Word& word) {
                  "R is a variable of SINUMERIK, which is not supported yet; "
                  "for a radius write CR=",
                  word);
-  const char* hint = c == 'E' && is(Dialect::fanuc) && !lathe()
-                         ? ": Fadal and Centroid choose a work offset by it; write G54 to G59"
-                         : "";
-  return error(
-      "address-unknown",
-      fmt::format("unknown address {}{}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : "", hint),
-      word);
+  if (c == 'E' && chooses_fixture()) return true;
+  return error("address-unknown",
+               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
+               word);
+}
+
+// E of Fadal and Centroid, a work offset: never beside a feed.
+bool WordIndex::chooses_fixture() const {
+  return is(Dialect::fanuc) && !lathe() &&
+         std::none_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+           return word.address == letter('G') && word.value >= 1 && word.value <= 3;
+         });
 }
 
 // HA and DA of Okuma: the register of the number of the tool in the spindle. HB and HC are further
