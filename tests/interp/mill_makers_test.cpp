@@ -94,6 +94,8 @@ TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
   EXPECT_EQ(unknown("G0 G49 Z0"), "..??.");
   EXPECT_EQ(unknown("G0 H0 Z0."), "..??.");
   EXPECT_EQ(unknown("G49\nG0 Z0"), "......");
+  EXPECT_EQ(unknown("G49\nG0 H0 Z0"), "..??.") << "Fadal's lengths need no G43";
+  EXPECT_EQ(unknown("G0 G43 H0 Z0"), "......");
   EXPECT_EQ(unknown("G0 G49 Z50."), "......");
   EXPECT_EQ(unknown("G0 Z0"), "......");
   EXPECT_EQ(unknown("G91 G0 G49 Z0\nG90"), ".....");

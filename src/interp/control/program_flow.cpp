@@ -87,10 +87,8 @@ void ProgramFlow::leave_length() {
       current_motion() != Code::rapid || modal_.drill.number != 0)
     return;
   const Word* h = peek('H');
-  const bool off = modal_.length == Code::length_off
-                       ? block_.length_changed
-                       : h && h->value == 0 && modal_.length_number != 0;
-  if (!off) return;
+  const bool on = modal_.length != Code::length_off;
+  if (block_.length_changed ? on : !h || h->value != 0) return;
   block_.home = z;
   block_.home_guessed = false;
   block_.forget(z->address);
