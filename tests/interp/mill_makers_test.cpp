@@ -82,6 +82,12 @@ TEST(MillMakers, WorkOffsetsInE) {
   EXPECT_EQ(mill("G1 X1.5E-2 F100\n"), " | address-unknown");
 }
 
+// R0+.1 of Fadal is R.1.
+TEST(MillMakers, LevelsOfCyclesInR0) {
+  const std::string hole = "r1,0,2 l1,0,-5 r1,0,2 r3,0,2 l3,0,-5 r3,0,2";
+  EXPECT_EQ(mill("G99 G81 X1. R0+2. Z-5. F100\nX3.\n"), "r1,0,0 " + hole);
+}
+
 // Behind G49 and H0 lengths are those of the spindle's nose: Z0 is its upper end.
 TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
   const auto unknown = [](const std::string& leave, Dialect dialect = Dialect::fanuc) {

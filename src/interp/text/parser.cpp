@@ -312,6 +312,8 @@ void Parser::letter_word(Block& block) {
   if (early && statement(block, from)) return;
   ++p_;
   if (dialect_ != Dialect::codesys) skip_blanks();
+  const bool fadal = c == 'R' && at(p_) == '0' && (at(p_ + 1) == '+' || at(p_ + 1) == '-');
+  if (fadal && dialect_ == Dialect::fanuc) ++p_;  // "R0+.1": the level of a cycle is a parameter
   const char n = at(p_);
   if (starts_number(n)) {
     Word word;
