@@ -88,6 +88,17 @@ TEST(MillMakers, LevelsOfCyclesInR0) {
   EXPECT_EQ(mill("G99 G81 X1. R0+2. Z-5. F100\nX3.\n"), "r1,0,0 " + hole);
 }
 
+// G59 P of Mach: P1 to P6 are G54 to G59, those behind them the offsets of G10 L2 P7 to P9.
+TEST(MillMakers, WorkOffsetsOfMach) {
+  const auto mach = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(mach("G10 L2 P7 X5\nG59 P7\nG1 X1 F100\n"), "l6,0,0");
+  EXPECT_EQ(mach("G10 L2 P2 X5\nG59 P2\nG1 X1 F100\nG54 X1\n"), "l6,0,0 l1,0,0");
+  EXPECT_EQ(mach("G59 P10\nG1 X1 F100\n"), "l1,0,0 | value-range");
+  EXPECT_EQ(mill("G10 L2 P3 X5.\nG59 P3\nG1 X1. F100\n"), "l6,0,0");
+}
+
 // Behind G49 and H0 lengths are those of the spindle's nose: Z0 is its upper end.
 TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
   const auto unknown = [](const std::string& leave, Dialect dialect = Dialect::fanuc) {

@@ -78,8 +78,12 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
     if (!p || p->value < 1 || p->value > 300 || p->value != std::floor(p->value))
       return error("value-range", "G54.1 needs P1 to P300", word);
     name = fmt::format("{}P{:g}", word.value == 154 ? "G154" : "G54.1", p->value);
-  } else if (word.value == 54 && extends_work()) {
+  } else if (word.value == 54 && !is(Dialect::ngc) && extends_work()) {
     name = fmt::format("G54.1P{:g}", offset_number()->value);
+  } else if (word.value == 59 && extends_work()) {
+    const double n = offset_number()->value;
+    if (n > 9) return error("value-range", "G59 P (of Mach) is read up to P9, G59.3", word);
+    name = n > 6 ? fmt::format("G59.{:g}", n - 6) : fmt::format("G{:g}", 53 + n);
   } else if (entry.code == Code::work_offset) {
     name = fmt::format("G{:g}", word.value);
   }
@@ -99,10 +103,11 @@ bool FrameWords::use_work(const std::string& name, const Word& word) {
   return true;
 }
 
-// G54 P2 of FANUC is G54.1 P2, where no other word of the block asks for P.
+// G54 P2 of FANUC is G54.1 P2, G59 P7 of Mach the offset that G10 L2 P7 sets, where no other word
+// of the block asks for P.
 bool FrameWords::extends_work() const {
   const Word* p = block_.offset_number ? block_.offset_number : peek('P');
-  if (!p || !(is(Dialect::fanuc) || is(Dialect::iso))) return false;
+  if (!p || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
   if (p->value < 1 || p->value > 300 || p->value != std::floor(p->value)) return false;
   if (block_.offset_number) return true;
   if (modal_.drill.number != 0) return false;
