@@ -99,6 +99,14 @@ TEST(MillMakers, WorkOffsetsOfMach) {
   EXPECT_EQ(mill("G10 L2 P3 X5.\nG59 P3\nG1 X1. F100\n"), "l6,0,0");
 }
 
+// What the controls of this kind do not read alike is told.
+TEST(MillMakers, WordsThatControlsReadDifferentlyAreWarnings) {
+  EXPECT_EQ(mill("G1 X5. F100\nG90 X10. G91 Y5.\n"), "l5,0,0 l15,5,0 | group-twice");
+  EXPECT_EQ(mill("G1 X5. F100\nX10. G90 G91 Y5.\n"), "l5,0,0 l15,5,0");
+  EXPECT_EQ(mill("G1 X5. F100\nG91 G92 X10.\nG90 X12.\n"), "l5,0,0 l7,0,0 | position-added");
+  EXPECT_EQ(mill("G1 X5. F100\nG91 G92 X0\nG90 X2.\n"), "l5,0,0 l7,0,0");
+}
+
 // Behind G49 and H0 lengths are those of the spindle's nose: Z0 is its upper end.
 TEST(MillMakers, ZeroWithoutTheToolsLengthIsTheMachines) {
   const auto unknown = [](const std::string& leave, Dialect dialect = Dialect::fanuc) {

@@ -89,7 +89,16 @@ TEST(Posts, RunAsWorkedOut) {
        {75, 60, -2},
        "register-missing"},
       // P30071, P72 L2, and a call in a call; of G91 X1. G90 the last counts, so L3 moves once.
-      {"calls_in_all_forms.nc", Dialect::fanuc, mill, 1, 17, 0, {0, 0, -5}, {10, 10, 0}},
+      // "G91X1.G90" is read otherwise by Mitsubishi.
+      {"calls_in_all_forms.nc",
+       Dialect::fanuc,
+       mill,
+       1,
+       17,
+       0,
+       {0, 0, -5},
+       {10, 10, 0},
+       "group-twice"},
       {"fagor_drilling.pim", Dialect::iso, mill, 6, 3, 0, {20, 0, -15}, {50, 20, 20}},
       // G76 in a bore: 12 passes to 0.65 - 0.02 and the last; G92, G32, G83, G74, G90, chamfers.
       {"lathe_bore_cycles.nc", Dialect::fanuc, lathe, 112, 59, 1, {0, 0, -30}, {25, 0, 7}},

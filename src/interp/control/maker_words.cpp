@@ -21,6 +21,7 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                  word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
+  if (code == Code::absolute || code == Code::incremental) warn_of_mixed(word);
   if (is(Dialect::fanuc) && okuma_home(word)) return true;
   if (is(Dialect::fanuc) && !lathe())
     if (const std::optional<bool> local = okuma_frame(word)) return local;
@@ -87,6 +88,26 @@ std::optional<bool> MakerWords::okuma_frame(const Word& word) {
   block_.frame_code = &word;
   block_.frame_op = on ? Code::local_turned : Code::local_turned_off;
   return true;
+}
+
+// "G90 X10. G91 Y5.": Mitsubishi and Mazak read each axis as the G word before it says.
+void MakerWords::warn_of_mixed(const Word& word) {
+  const Word* other = nullptr;
+  for (const Word& before : block_.words) {
+    if (before.address == letter('G') && (before.value == 90 || before.value == 91)) {
+      const bool differs = before.value != word.value;
+      if (&before == &word) break;
+      other = differs ? &before : nullptr;
+    } else if (other && before.address >= letter('X') && before.address <= letter('Z')) {
+      warning(
+          "group-twice",
+          fmt::format("{} and {} in one block: the last one counts for all axes; Mitsubishi and "
+                      "Mazak read each axis by the word before it, so write two blocks",
+                      text_of(*other), text_of(word)),
+          word);
+      return;
+    }
+  }
 }
 
 // G20 HP=1 and G21 HP=2 go to home positions; HP= stands in P.

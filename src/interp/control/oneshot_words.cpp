@@ -122,6 +122,11 @@ bool OneShotWords::set_position() {
       position_.known |= 1U << i;
       continue;
     }
+    if (is(Dialect::fanuc) && modal_.incremental && value != 0)
+      reporter_.once(Severity::warning, "position-added",
+                     "G92 in G91 is read as the place where the tool is; newer controls add its "
+                     "words to the position",
+                     *word, "G92");
     if (position_.told_axes == 0) position_.shift_before = frames_.position_shift;
     position_.told_axes |= 1U << i;
     component(position_.told, i) = value;
