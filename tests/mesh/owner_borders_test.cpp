@@ -64,6 +64,21 @@ std::vector<Motion> lines_and_arc() {
   return out;
 }
 
+// A slot 5 mm deep, in full circles one after the other.
+std::vector<Motion> circles(int count) {
+  std::vector<Motion> out;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 from{15 + 0.4 * k, 25, -5};
+    Motion circle = line(from, from, 2 * k);
+    circle.kind = MotionKind::arc;
+    circle.center = from + Vec3{0, 5, 0};
+    circle.sweep = -kTwoPi;
+    out.push_back(circle);
+    out.push_back(line(from, from + Vec3{0.4, 0, 0}, 2 * k + 1));
+  }
+  return out;
+}
+
 TriMesh mesh_of(const PartField& part, int threads = 2, double tolerance = kTolerance) {
   MeshOptions options;
   options.tolerance = tolerance;
@@ -146,6 +161,18 @@ TEST(OwnerBorders, AreLinesAndArcs) {
   }
   EXPECT_GT(corners, 20u);
   EXPECT_NEAR(area, 40 * 10 + kPi * 25, kRoom * (2 * 40 + 10 * kPi));
+}
+
+// Each triangle of the floor lies under many crescents. Cut at each border it crosses, without
+// edges that are flipped, sixty circles gave 130 000 triangles, in 17 s. At the foot of the wall
+// crescents end in points.
+TEST(OwnerBorders, OfManyCirclesTakeFewTriangles) {
+  const PartField part = milled(circles(60));
+  const TriMesh mesh = mesh_of(part);
+  const MeshSummary s = check_mesh(mesh);
+  EXPECT_TRUE(s.closed && s.oriented && s.manifold) << s.first_fault;
+  EXPECT_LT(mesh.triangles.size(), 60u * 100);
+  EXPECT_EQ(far_from_their_owner(part, mesh, -5, 2 * kRoom, 2 * kRoom), 0u);
 }
 
 // Vertices of the uniform grid lie on the border, which bends by 0.01 mm along a chord; but for the

@@ -8,6 +8,16 @@ namespace {
 constexpr double kLeastHeight = 2e-5;  ///< mm: of a new triangle
 constexpr double kGoodHeight = 2e-4;   ///< mm: asked of it where it takes the place of a higher one
 
+// Of two angles that face an edge: they are more than half a turn together by more than this.
+constexpr double kPastDelaunay = 1e-6;
+
+// Whether the circle about a, b and c holds d beyond the edge a b.
+bool circle_holds(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ca = normalized(a - c), cb = normalized(b - c), da = normalized(a - d),
+             db = normalized(b - d);
+  return length(cross(ca, cb)) * dot(da, db) + dot(ca, cb) * length(cross(da, db)) < -kPastDelaunay;
+}
+
 double height_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
   return length(cross(b - a, c - a)) / std::max(longest, 1e-30);
@@ -77,6 +87,27 @@ bool CutMesh::cut_triangle(std::uint32_t t, const Vec3& at) {
   join(3 * t + 1, 3 * t2 + 2);
   join(3 * t2 + 1, 3 * t3 + 2);
   join(3 * t3 + 1, 3 * t + 2);
+  return true;
+}
+
+bool CutMesh::flip_edge(std::uint32_t h) {
+  const std::uint32_t o = opposites_[h];
+  if (!is_half_edge(o)) return false;
+  const std::uint32_t a = from(h), b = to(h), c = apex(h), d = apex(o), t = h / 3, u = o / 3;
+  if (!is_level({a, b, c}, place(d)) || !circle_holds(place(a), place(b), place(c), place(d)) ||
+      !may_replace(t, place(a), place(d), place(c)) ||
+      !may_replace(t, place(d), place(b), place(c)))
+    return false;
+  const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
+                      ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
+  mesh.triangles[t] = {a, d, c};
+  mesh.triangles[u] = {d, b, c};
+  moved[t] = moved[u] = static_cast<char>(moved[t] | moved[u]);
+  join(3 * t, ad);
+  join(3 * t + 1, 3 * u + 2);
+  join(3 * t + 2, ca);
+  join(3 * u, db);
+  join(3 * u + 1, bc);
   return true;
 }
 

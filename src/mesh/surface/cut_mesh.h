@@ -37,6 +37,12 @@ class CutMesh {
   bool cut_edge(std::uint32_t h, const Vec3& at);
   /// Cuts a triangle in three about a point in it; the new ones are the last two.
   bool cut_triangle(std::uint32_t t, const Vec3& at);
+  /// Joins the other two corners of an edge's triangles instead of its ends, where the circle about
+  /// one triangle holds the apex of the other one (Delaunay's condition, which keeps triangles from
+  /// growing long). True where it did. Then the edge's own triangle has the edge's begin, the other
+  /// one its end. Requires: both lie in one plane. Only where a coordinate of that plane is the
+  /// same: no surface moves.
+  bool flip_edge(std::uint32_t h);
 
  private:
   bool may_replace(std::uint32_t t, const Vec3& a, const Vec3& b, const Vec3& c) const;

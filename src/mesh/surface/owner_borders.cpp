@@ -149,19 +149,39 @@ class BorderCutter {
       if (!at) continue;
       const std::uint32_t o = cut_.opposite(h);
       if (!cut_.cut_edge(h, snap(*at))) continue;
-      grow(t, o / 3);
+      for (const std::uint32_t old : {t, o / 3}) plane_.push_back(plane_[old]);
+      const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
+      for (const std::uint32_t part : with_flips({t, o / 3, last - 1, last})) {
+        plane_[part] = Plane::cut;
+        edges_.push_back(part);
+      }
       return;
     }
   }
-  // After a cut of two triangles in two each.
-  void grow(std::uint32_t t, std::uint32_t u) {
-    for (const std::uint32_t old : {t, u}) {
-      plane_.push_back(plane_[old] == Plane::no ? Plane::no : Plane::cut);
-      if (plane_[old] == Plane::no) continue;
-      plane_[old] = Plane::cut;
-      edges_.push_back(old);
-      edges_.push_back(static_cast<std::uint32_t>(plane_.size() - 1));
+
+  // Flips the edges of the triangles that a cut has left, and those of what changes by that: long
+  // triangles would cross many borders each, and be cut at all of them. All triangles of a plane
+  // among these, once each.
+  std::vector<std::uint32_t> with_flips(std::vector<std::uint32_t> parts) {
+    std::erase_if(parts, [&](std::uint32_t t) { return plane_[t] == Plane::no; });
+    std::vector<std::uint32_t> open = parts;
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        if (!in_one_plane(h)) continue;
+        const std::uint32_t other = cut_.opposite(h) / 3;
+        if (!cut_.flip_edge(h)) continue;
+        for (std::vector<std::uint32_t>* list : {&open, &parts}) {
+          list->push_back(t);
+          list->push_back(other);
+        }
+        break;
+      }
     }
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
   }
 
   // Where the owner on the triangle's side of an edge changes for the first time, well off the
@@ -216,7 +236,8 @@ class BorderCutter {
       if (!at || !cut_.cut_triangle(t, snap(*at))) continue;
       plane_.insert(plane_.end(), 2, Plane::cut);
       const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
-      for (const std::uint32_t part : {t, last - 1, last}) {
+      for (const std::uint32_t part : with_flips({t, last - 1, last})) {
+        plane_[part] = Plane::cut;
         relabel(part);
         chords_.push_back(part);
         edges_.push_back(part);

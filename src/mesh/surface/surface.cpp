@@ -126,8 +126,7 @@ SurfacePoint DualSurface::point_between(const CellFace& face, const Box3& box, c
   const Vec3 center = 0.5 * (box.lo + box.hi);
   SurfacePoint result;
   const bool corner_inside = is_inside(p.sample(corner).distance);
-  result.position =
-      corner_inside ? find_crossing(p, corner, center) : find_crossing(p, center, corner);
+  result.position = corner_inside ? find_place(p, corner, center) : find_place(p, center, corner);
   result.faces[0] = p.sample(result.position);
   result.count = 1;
   return result;

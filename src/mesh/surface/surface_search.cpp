@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMargin = 1e-6;     ///< share of a cell that its vertex keeps from its sides
 constexpr double kCrossing = 1e-10;  ///< mm: what crossings are found to
+constexpr double kLeastSlope = 0.1;  ///< of a face against the segment that crosses it
 constexpr int kCrossingSteps = 80, kFaceSteps = 4;
 
 struct Line {
@@ -95,10 +96,28 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
   return false;
 }
 
-Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+Vec3 CrossingSearch::place() const {
+  const double slope = dot(normal_, along_) / size_;
+  if (slope < kLeastSlope) return point_;
+  return point_ + kInsideTolerance / (slope * size_) * along_;
+}
+
+namespace {
+
+CrossingSearch search_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
   CrossingSearch search({inside, probe.offset(inside)}, {outside, probe.offset(outside)});
   run_together(probe, std::span(&search, 1));
-  return search.point();
+  return search;
+}
+
+}  // namespace
+
+Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+  return search_crossing(probe, inside, outside).point();
+}
+
+Vec3 find_place(const Probe& probe, const Vec3& inside, const Vec3& outside) {
+  return search_crossing(probe, inside, outside).place();
 }
 
 SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,

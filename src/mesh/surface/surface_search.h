@@ -57,6 +57,8 @@ class CrossingSearch {
   const Vec3& point() const { return point_; }  ///< where d is wanted; when done, the crossing
   const FieldSample& at() const { return at_; }
   const Vec3& normal() const { return normal_; }  ///< of the surface, nearly there
+  /// Beside it: where d is 0. So what is crossed in one plane lies in that plane.
+  Vec3 place() const;
   /// Takes the sample at point(); true when that is the crossing.
   bool take(const ExactField& field, const FieldSample& sample);
 
@@ -67,6 +69,8 @@ class CrossingSearch {
   int side_ = 0, steps_ = 0;
 };
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
+/// Its place() instead of its point().
+Vec3 find_place(const Probe& probe, const Vec3& inside, const Vec3& outside);
 
 /// A point of the surface strictly inside `room`, from `start` on, along whatever face decides d:
 /// creases are met only by chance.

@@ -290,8 +290,7 @@ SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
   for (const Vec3& p : points) {
     if (is_inside(probe.sample(p).distance) == middle_inside) continue;
     SurfacePoint result;
-    result.position =
-        middle_inside ? find_crossing(probe, middle, p) : find_crossing(probe, p, middle);
+    result.position = middle_inside ? find_place(probe, middle, p) : find_place(probe, p, middle);
     result.faces[0] = probe.sample(result.position);
     result.count = 1;
     return result;
