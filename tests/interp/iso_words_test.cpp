@@ -83,6 +83,19 @@ TEST(IsoWords, PolarCoordinatesOfFagor) {
   EXPECT_EQ(iso("G0 Z20\nG81 G99 Q30 Z2 I-8 F100\n"), "r0,0,20 | not-supported");
 }
 
+// The manual's two arcs, in G90 and G91: Q is the angle at the centre that I and J give.
+TEST(IsoWords, ArcsToAnAngle) {
+  const std::string arcs = iso("X60 Y40\nG3 X110 Y90 I0 J50\nX160 Y40 I50 J0\n");
+  EXPECT_EQ(iso("X60 Y40\nG90 G17 G3 Q0 I0 J50\nQ-90 I50 J0\n"), arcs);
+  EXPECT_EQ(iso("X60 Y40\nG91 G3 Q90 I0 J50\nQ90 I50 J0\n"), arcs);
+  EXPECT_EQ(iso("X60 Y40\nG6 G3 Q0 I60 J90\nG6 Q-90 I160 J90\n"), arcs);
+  EXPECT_EQ(iso("X10\nG2 Q90 I-10 J0 Z-3\n"), iso("X10\nG2 X0 Y10 I-10 J0 Z-3\n"));
+  EXPECT_EQ(iso("G18\nX10 Z0\nG3 Q0 I-10 K0\n"), iso("G18\nX10 Z0\nG3 X0 Z10 I-10 K0\n"));
+  const Program p = read_text("G1 X10 Y0 F9\nG3 Q180 I-10 J0 Z-5 K2\n", at_origin(Dialect::iso));
+  EXPECT_NEAR(p.motions.back().sweep, 5 * kPi, 1e-9) << "two turns and a half";
+  EXPECT_EQ(iso("G1 Q90 I5 J0\n"), " | not-supported");
+}
+
 TEST(IsoWords, TheToolMayNameItsOffset) {
   InterpOptions options = at_origin(Dialect::iso);
   OffsetRegister offset;
@@ -97,9 +110,8 @@ TEST(IsoWords, TheToolMayNameItsOffset) {
 
 // Each of them moved straight on with a warning at most.
 TEST(IsoWords, WhatIsNotReadIsNamed) {
-  for (const char* words :
-       {"G72 S2 X1", "G32", "G37 R5 X20", "G38 R5 X20", "G61 X100 I10 Y50 J5", "G63 X100 I10",
-        "G1 R10", "G1 X10 Q45", "G1 X10 Y20 R3", "G3 Q90 R5", "G3 Q90 I-5 J0"})
+  for (const char* words : {"G72 S2 X1", "G32", "G37 R5 X20", "G38 R5 X20", "G61 X100 I10 Y50 J5",
+                            "G63 X100 I10", "G1 R10", "G1 X10 Q45", "G1 X10 Y20 R3", "G3 Q90 R5"})
     EXPECT_EQ(iso(std::string(words) + "\n"), " | not-supported") << words;
 }
 

@@ -1,6 +1,8 @@
 #include "interp/control/iso_words.h"
 
 #include "core/text_io.h"
+#include "core/trig.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,10 +79,12 @@ void IsoWords::split_tool() {
 bool IsoWords::rewrite_polar() {
   Word* const angle = in_block('Q');
   Word* const radius = in_block('R');
-  constexpr std::string_view kOthers[] = {"XYIJKLABCD", "XZIJKLABCD", "YZIJKLABCD"};
-  if (!angle || lathe() || modal_.plane > 2 ||
-      has_any(kOthers[static_cast<std::size_t>(modal_.plane)]))
-    return true;
+  constexpr std::string_view kOthers[] = {"XYLABCD", "XZLABCD", "YZLABCD"};
+  constexpr std::string_view kCenters[] = {"IJ", "IK", "JK"}, kPitches[] = {"K", "J", "I"};
+  if (!angle || lathe() || modal_.plane > 2) return true;
+  const auto plane = static_cast<std::size_t>(modal_.plane);
+  const bool centered = has_any(kCenters[plane]);
+  if (has_any(kOthers[plane]) || (!centered && has_any(kPitches[plane]))) return true;
   Code motion = modal_.drill.number != 0 ? Code::line : modal_.motion;
   if (modal_.drill.number != 0 && !modal_.drill.fagor) return true;
   bool incremental = modal_.incremental;
@@ -93,12 +97,15 @@ bool IsoWords::rewrite_polar() {
     } else if (g >= 0 && g <= 3 && g == std::floor(g)) {
       constexpr Code kMotions[] = {Code::rapid, Code::line, Code::arc_cw, Code::arc_ccw};
       motion = kMotions[static_cast<std::size_t>(g)];
-    } else if (!(g >= 40 && g <= 44) && !(g >= 54 && g <= 59) && g != 94 && g != 95) {
+    } else if (!(g >= 40 && g <= 44) && !(g >= 54 && g <= 59) && g != 94 && g != 95 &&
+               g != 17 + modal_.plane) {
       return true;
     }
   }
   const bool straight = motion == Code::rapid || motion == Code::line;
-  if (!straight && (radius || !is_circular(motion))) return true;
+  if (centered ? straight : !straight && !is_circular(motion)) return true;
+  if (!straight && radius) return true;
+  if (centered) return to_end_of_angle(*angle, incremental), true;
   angle->address = Address::ap;
   if (radius) {
     radius->address = Address::rp;
@@ -106,6 +113,31 @@ bool IsoWords::rewrite_polar() {
   }
   position_.has_polar_radius = position_.has_polar_angle = false;
   return true;
+}
+
+// G3 Q I J: the end lies at the angle Q about the centre, in G91 so much further.
+void IsoWords::to_end_of_angle(Word& angle, bool incremental) {
+  constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
+  const Basis b = basis();
+  Vec3 at = position_.programmed;
+  for (int i = 0; i < 3; ++i) {
+    const Word* const word = in_block("IJK"[i]);
+    if (!word || component(b.w, i) != 0) continue;
+    component(at, i) =
+        (word->form == Form::ac ? 0 : component(at, i)) + word->value * length_unit(*word);
+  }
+  const Vec2 center = in_plane(b, at), from = in_plane(b, position_.programmed) - center;
+  const double turned = incremental ? degrees(atan2(from.y, from.x)) : 0;
+  const SinCos sc = sincos_deg(turned + angle.value);
+  const Vec2 end = center + length(from) * Vec2{sc.cos, sc.sin};
+  const std::string_view axes = kAxes[static_cast<std::size_t>(modal_.plane)];
+  angle.form = Form::ac;
+  Word second = angle;
+  angle.address = letter(axes[0]);
+  angle.value = end.x / scale();
+  second.address = letter(axes[1]);
+  second.value = end.y / scale();
+  block_.words.push_back(second);
 }
 
 // `gone`: the G word has been read.

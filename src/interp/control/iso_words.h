@@ -24,6 +24,7 @@ class IsoWords : public ControlPart {
   bool to_point_arc(Word& word);
   bool to_polar_origin(Word& word);
   bool rewrite_polar();
+  void to_end_of_angle(Word& angle, bool incremental);
   void split_tool();
   bool absolute_center(const Word& word);
   Word* in_block(char c);
