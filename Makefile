@@ -12,6 +12,7 @@ format:
 	scripts/format.sh
 lint:
 	python3 scripts/check_includes.py
+	python3 scripts/check_names.py
 	python3 scripts/check_docs.py
 	scripts/format.sh --check
 	scripts/lint.sh

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""No two sources that are compiled together have an anonymous name in common.
+
+Builds with MRSIM_UNITY join sources in groups, in which two equal names are one definition too many. Which sources share a
+group changes with each new file, so an ordinary build does not show it. Configures such a build in a temporary folder (some
+seconds) and reads its groups, compiles nothing. Exit 1 and one line a breach.
+"""
+
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+TYPE = re.compile(r"^(?:template <.*> *)?(?:class|struct|enum(?: class)?|union) (\w+)(?: final)?[^;]*\{")
+VALUE = re.compile(r"^(?:inline |static |thread_local |constexpr |constinit |const )+[\w:<>,&* ]*?(\w+)(?:\[\w*\])* *(?:=|\{|;)")
+FUNCTION = re.compile(r"^[\w:<>,&*~\[\] ]+?[ &*](\w+)\((.*)$")
+TEST = re.compile(r"^(?:TEST|TEST_P|TEST_F)\((\w+, \w+)\)")
+
+
+def without_comments(text):
+    text = re.sub(r'R"(\w*)\((.*?)\)\1"', lambda m: '""' + "\n" * m.group(0).count("\n"), text, flags=re.S)
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def parameters(lines, at, rest):
+    """Types of a function's parameters, or None where no body follows."""
+    text = rest
+    while text.count("(") >= text.count(")"):
+        at += 1
+        if at == len(lines):
+            return None
+        text += " " + lines[at].strip()
+    depth, end = 1, 0
+    for end, char in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(char, 0)
+        if depth == 0:
+            break
+    tail = text[end + 1 :] + " ".join(lines[at + 1 : at + 3])
+    if "{" not in tail.split(";")[0]:
+        return None
+    out, depth, part = [], 0, ""
+    for char in text[:end] + ",":
+        depth += {"<": 1, "(": 1, ">": -1, ")": -1}.get(char, 0)
+        if char == "," and depth == 0:
+            part = re.sub(r"=.*", "", part).strip()
+            if part:
+                out.append(re.sub(r"[\s]*\b\w+(\[\w*\])?$", r"\1", part) if " " in part else part)
+            part = ""
+        else:
+            part += char
+    return ", ".join(out)
+
+
+def names(path):
+    """What a source defines in anonymous namespaces: (name, line)."""
+    lines = without_comments(path.read_text()).split("\n")
+    inside = False
+    before = path.read_text().split("\n")
+    for number, line in enumerate(lines):
+        if before[number].startswith("namespace {"):
+            inside = True
+        elif before[number].startswith("}  // namespace") and not before[number][15:].strip():
+            inside = False
+        elif match := TEST.match(line):
+            yield "test " + match.group(1), number + 1
+        elif inside and line and not line[0].isspace():
+            if match := TYPE.match(line):
+                yield match.group(1), number + 1
+            elif match := VALUE.match(line):
+                yield match.group(1), number + 1
+            elif match := FUNCTION.match(line):
+                types = parameters(lines, number, match.group(2))
+                if types is not None:
+                    yield f"{match.group(1)}({types})", number + 1
+
+
+def groups(build):
+    """The sources of each group of a configured build."""
+    for joined in sorted(pathlib.Path(build).glob("**/Unity/unity_*.cxx")):
+        paths = [pathlib.Path(p) for p in re.findall(r'#include "([^"]+)"', joined.read_text())]
+        yield [p for p in paths if p.is_relative_to(ROOT)]
+
+
+def check(build):
+    faults = count = 0
+    for sources in groups(build):
+        seen = collections.defaultdict(list)
+        for path in sources:
+            for name, line in names(path):
+                seen[name].append(f"{path.relative_to(ROOT)}:{line}")
+                count += 1
+        for name, places in sorted(seen.items()):
+            if len({p.split(":")[0] for p in places}) > 1:
+                faults += 1
+                print(f"{places[0]}: {name} is also in {', '.join(places[1:])}")
+    print(f"{count} names, {faults} of them twice in a group")
+    return count == 0 or faults > 0
+
+
+def main():
+    with tempfile.TemporaryDirectory() as build:
+        subprocess.run(["cmake", "--preset", "ci", "-B", build], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+        return check(build)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
