@@ -86,11 +86,7 @@ bool is_step(const std::string& path) {
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {
   if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
   if (!is_step(path)) return read_mesh(path);
-  TriMesh mesh = read_step(path, deflection);
-  if (note != nullptr)
-    *note = fmt::format("{}: {} triangles within {:.4g} mm of the exact faces", path,
-                        mesh.triangles.size(), deflection);
-  return mesh;
+  return read_step(path, deflection, note);
 }
 
 std::vector<std::vector<std::string>> read_program_lines(const OwnerTable& origin,

@@ -88,6 +88,7 @@ bool writes_vdb(const Job& job) {
 // What the file of a stock made necessary.
 struct StockFindings {
   std::string accuracy;  // what a surface that was made of voxels is worth
+  std::string step;      // what a surface that was made of a STEP file is worth
   StockRepair repair;
 };
 
@@ -100,7 +101,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   StockFindings found;
   found.accuracy = saved.accuracy;
   TriMesh mesh = is_vdb(spec)    ? std::move(saved.surface)
-                 : is_step(spec) ? read_step(spec)
+                 : is_step(spec) ? read_step(spec, step_deflection({}), &found.step)
                                  : read_mesh(spec);
   if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
   if (findings != nullptr) *findings = found;
@@ -136,6 +137,7 @@ StockShape choose_stock(const Job& job, JobResult& result) {
     if (!given.repairs.empty())
       report(result, Severity::warning, "stock-repaired",
              fmt::format("{} was no solid and has been repaired: {}", job.stock, given.repairs));
+    if (!found.step.empty()) report(result, Severity::note, "stock-of-step", found.step);
     if (!found.accuracy.empty())
       report(result, Severity::warning, "stock-of-voxels", found.accuracy);
     return given;

@@ -31,11 +31,14 @@ MRSIM_API std::vector<std::string> program_places(const OwnerTable& origin, cons
 MRSIM_API double step_deflection(const std::optional<Acceptance>& accept);
 
 /// The solids of a STEP file as one closed mesh in mm; `deflection` in mm is the largest distance
-/// from the exact faces. Throws Error "step-unreadable", "step-no-solid", "step-open",
-/// "step-too-far", "step-unsupported" (built without Open CASCADE), "step-module" (the module that
-/// reads STEP files, mrsim/step.so beside the library, is missing or does not fit), and
-/// "deflection-invalid" (usage) where `deflection` is not above 0. Cost: the number of triangles
-/// grows as 1 / deflection on doubly curved faces, as its root on cylinders.
-MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001);
+/// from the exact faces. `note` gets a sentence with that distance, or with a larger one that was
+/// found where Open CASCADE does not come nearer, and with what bounds no solid and is left out.
+/// Throws Error "step-unreadable", "step-incomplete" (a solid of the file cannot be read),
+/// "step-no-solid", "step-open", "step-too-far", "step-unsupported" (built without Open CASCADE),
+/// "step-module" (the module that reads STEP files, mrsim/step.so beside the library, is missing or
+/// does not fit), and "deflection-invalid" (usage) where `deflection` is not above 0. Cost: the
+/// number of triangles grows as 1 / deflection on doubly curved faces, as its root on cylinders.
+MRSIM_API TriMesh read_step(const std::string& path, double deflection = 0.001,
+                            std::string* note = nullptr);
 
 }  // namespace mrsim

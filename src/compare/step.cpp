@@ -1,5 +1,6 @@
 // STEP files through the module that reads them, opened when the first one is asked for.
 #include "compare/step/module.h"
+#include "compare/step_text.h"
 #include "core/child_process.h"
 #include "core/module.h"
 #include "core/text_io.h"
@@ -8,16 +9,15 @@
 #include <mrsim/solid_files.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -49,28 +49,6 @@ TriMesh weld_facets(const StepFacets& facets) {
   return mesh;
 }
 
-constexpr double kFarthest = 1e10;  // 10 km, were the unit a micrometre
-
-// Whether the number at the front of `text` is farther than that; of what is no number, no.
-bool is_far(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \r\n\t+"), text.size()));
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc::result_out_of_range) return std::abs(value) > kFarthest;
-  return std::string_view(text.data(), end).find("E-") == text.npos;
-}
-
-// A point at infinity, which a damaged exponent gives, keeps Open CASCADE busy for minutes.
-void require_near(std::string_view text, const std::string& path) {
-  for (std::size_t at = 0; (at = text.find("CARTESIAN_POINT", at)) != text.npos;) {
-    const std::size_t end = std::min(text.find(';', at), text.size());
-    for (at = text.find('(', at); at < end; at = text.find_first_of("(,", at + 1))
-      if (is_far(text.substr(at + 1, end - at)))
-        throw Error("step-too-far", path + " has a point farther than 10 km from the origin");
-    at = end;
-  }
-}
-
 // A file that is no STEP never reaches the module, whose messages for such files say little.
 // The size of the file.
 std::size_t require_step_header(const std::string& path) {
@@ -79,17 +57,20 @@ std::size_t require_step_header(const std::string& path) {
   if (head.find("ISO-10303-21") == std::string::npos)
     throw Error("step-unreadable", path + " is not a STEP file: it has no ISO-10303-21 header");
   require_near(text, path);
+  require_references(text, path);
   return text.size();
 }
 
 // What goes through the pipe before the texts, points and triangles.
 struct FacetHeader {
   std::uint64_t code = 0, text = 0, points = 0, triangles = 0;
+  double deviation = 0;
 };
 
 void send_facets(const StepFacets& facets, const ByteSink& sink) {
   const std::string code = facets.code ? facets.code : "", text = facets.text ? facets.text : "";
-  const FacetHeader header{code.size(), text.size(), facets.point_count, facets.triangle_count};
+  const FacetHeader header{code.size(), text.size(), facets.point_count, facets.triangle_count,
+                           facets.deviation};
   sink(&header, sizeof header);
   sink(code.data(), code.size());
   sink(text.data(), text.size());
@@ -97,8 +78,14 @@ void send_facets(const StepFacets& facets, const ByteSink& sink) {
   sink(facets.triangles, facets.triangle_count * 3 * sizeof(std::uint32_t));
 }
 
+struct StepMesh {
+  TriMesh mesh;
+  double deviation = 0;  // mm, found
+  std::string left_out;
+};
+
 // Empty where the bytes are not what their header says: a process that died while it wrote.
-std::optional<TriMesh> receive_facets(const std::string& bytes, const std::string& path) {
+std::optional<StepMesh> receive_facets(const std::string& bytes, const std::string& path) {
   FacetHeader header;
   if (bytes.size() < sizeof header) return std::nullopt;
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -119,11 +106,11 @@ std::optional<TriMesh> receive_facets(const std::string& bytes, const std::strin
   facets.point_count = header.points;
   facets.triangles = triangles.data();
   facets.triangle_count = header.triangles;
-  return weld_facets(facets);
+  return StepMesh{weld_facets(facets), header.deviation, text};
 }
 
 // Open CASCADE crashes on some damaged files, or never ends: it reads in a process of its own.
-TriMesh read_solids(const std::string& path, double deflection) {
+StepMesh read_solids(const std::string& path, double deflection) {
   const std::size_t size = require_step_header(path);
   static const StepModule module;
   ChildLimits limits;
@@ -137,7 +124,7 @@ TriMesh read_solids(const std::string& path, double deflection) {
   });
   using End = ChildOutcome::End;
   if (outcome.end == End::done)
-    if (std::optional<TriMesh> mesh = receive_facets(outcome.bytes, path)) return *std::move(mesh);
+    if (std::optional<StepMesh> step = receive_facets(outcome.bytes, path)) return *std::move(step);
   throw Error("step-unreadable",
               path +
                   (outcome.end == End::too_long ? ": Open CASCADE takes too long to read it"
@@ -149,7 +136,7 @@ TriMesh read_solids(const std::string& path, double deflection) {
 
 #else
 
-TriMesh read_solids(const std::string& path, double) {
+StepMesh read_solids(const std::string& path, double) {
   throw Error("step-unsupported",
               path +
                   ": this mrsim was built without Open CASCADE (MRSIM_STEP) and reads no STEP; "
@@ -160,15 +147,21 @@ TriMesh read_solids(const std::string& path, double) {
 
 }  // namespace
 
-TriMesh read_step(const std::string& path, double deflection) {
+TriMesh read_step(const std::string& path, double deflection, std::string* note) {
   if (!(deflection > 0) || !std::isfinite(deflection))
     throw Error("deflection-invalid", "the deflection of a STEP file is a length above 0 mm",
                 Error::Kind::usage);
-  TriMesh mesh = read_solids(path, deflection);
-  const MeshSummary summary = check_mesh(mesh);
+  StepMesh step = read_solids(path, deflection);
+  const MeshSummary summary = check_mesh(step.mesh);
   if (!summary.closed || !summary.oriented)
     throw Error("step-open", path + ": the solids' faces do not join: " + summary.first_fault);
-  return mesh;
+  if (note != nullptr)
+    *note = fmt::format(
+        "{}: {} triangles within {:.4g} mm of the exact faces{}{}{}", path,
+        step.mesh.triangles.size(), std::max(deflection, step.deviation),
+        step.deviation > deflection ? fmt::format(", {:.4g} mm were asked for", deflection) : "",
+        step.left_out.empty() ? "" : "; ", step.left_out);
+  return std::move(step.mesh);
 }
 
 }  // namespace mrsim

@@ -19,15 +19,18 @@ struct StepFacets {
   const std::uint32_t* triangles = nullptr;  // three points each, counter-clockwise from outside
   std::size_t triangle_count = 0;
   const char* code = nullptr;  // of the Error to throw; nullptr when the file was read
-  const char* text = nullptr;  // its text, to stand behind the name of the file
+  // Its text, to stand behind the name of the file; of a file that was read what was left out, if
+  // anything.
+  const char* text = nullptr;
+  double deviation = 0;  // mm: the largest distance from the faces that was found
 };
 
-/// Facets of `path` within `deflection` mm of the exact faces; nullptr when memory ran out.
+/// Facets of `path`, wanted within `deflection` mm of the exact faces; nullptr when memory ran out.
 using ReadStepFacets = const StepFacets*(const char* path, double deflection) noexcept;
 using FreeStepFacets = void(const StepFacets*) noexcept;
 
 /// Names under which the module shows the two; the number changes with the border.
-constexpr const char* kReadStepFacets = "mrsim_read_step_facets_1";
-constexpr const char* kFreeStepFacets = "mrsim_free_step_facets_1";
+constexpr const char* kReadStepFacets = "mrsim_read_step_facets_2";
+constexpr const char* kFreeStepFacets = "mrsim_free_step_facets_2";
 
 }  // namespace mrsim

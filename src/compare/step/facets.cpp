@@ -1,0 +1,131 @@
+#include "compare/step/facets.h"
+
+#include "compare/step/face_mesh.h"
+#include "compare/step/shape.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+
+namespace mrsim {
+namespace {
+
+constexpr double kAngle = 0.2;       // radians between neighbouring chords of an edge at most
+constexpr double kInnerAngle = 0.5;  // between facets, which are divided further
+constexpr double kInnerShare = 30;   // of the deflection: what facets may miss before
+constexpr int kRounds = 3;           // of finer chords
+constexpr double kFiner = 0.3;       // what a round asks for, of the one before
+
+// Edges end at their chords; within a face facets are coarse.
+void divide_edges(const TopoDS_Shape& solid, double deflection) {
+  IMeshTools_Parameters wish;
+  wish.Deflection = deflection;
+  wish.DeflectionInterior = kInnerShare * deflection;
+  wish.Angle = kAngle;
+  wish.AngleInterior = kInnerAngle;
+  wish.ControlSurfaceDeflection = Standard_False;
+  BRepTools::Clean(solid);
+  const BRepMesh_IncrementalMesh mesher(solid, wish);
+}
+
+// Of an edge's curve from its chords.
+double deviation_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, place);
+  if (facets.IsNull() || BRep_Tool::Degenerated(edge)) return 0;
+  const Handle(Poly_PolygonOnTriangulation) chords =
+      BRep_Tool::PolygonOnTriangulation(edge, facets, place);
+  if (chords.IsNull() || !chords->HasParameters()) return 0;
+  const BRepAdaptor_Curve curve(edge);
+  const auto node = [&](int i) {
+    return facets->Node(chords->Node(i)).Transformed(place.Transformation()).XYZ();
+  };
+  double worst = 0;
+  for (int i = 1; i < chords->NbNodes(); ++i)
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double t = chords->Parameter(i) * (1 - share) + chords->Parameter(i + 1) * share;
+      worst = std::max(worst, distance_from_segment(curve.Value(t).XYZ(), node(i), node(i + 1)));
+    }
+  return worst;
+}
+
+double edge_deviation(const TopoDS_Shape& solid) {
+  double worst = 0;
+  for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
+      worst =
+          std::max(worst, deviation_of(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current())));
+  return worst;
+}
+
+FaceMesh mesh_of(const TopoDS_Face& face) {
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, place);
+  if (facets.IsNull())
+    throw StepFault{"step-open", " has a face that Open CASCADE cannot tessellate"};
+  FaceMesh mesh;
+  for (int i = 1; i <= facets->NbNodes(); ++i) {
+    mesh.points.push_back(facets->Node(i).Transformed(place.Transformation()).XYZ());
+    mesh.places.push_back(facets->HasUVNodes() ? facets->UVNode(i).XY() : gp_XY());
+  }
+  for (int i = 1; i <= facets->NbTriangles(); ++i) {
+    int a = 0, b = 0, c = 0;
+    facets->Triangle(i).Get(a, b, c);
+    mesh.triangles.push_back({std::uint32_t(a - 1), std::uint32_t(b - 1), std::uint32_t(c - 1)});
+  }
+  return mesh;
+}
+
+// A reversed face turns its triangles.
+void append(const FaceMesh& mesh, bool is_reversed, SolidFacets& out) {
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  for (const gp_XYZ& p : mesh.points)
+    out.points.insert(out.points.end(), {float(p.X()), float(p.Y()), float(p.Z())});
+  for (auto [a, b, c] : mesh.triangles) {
+    if (is_reversed) std::swap(b, c);
+    out.triangles.insert(out.triangles.end(), {a + first, b + first, c + first});
+  }
+}
+
+void add_solid(const TopoDS_Shape& solid, double deflection, SolidFacets& out) {
+  double asked = deflection, edges = 0;
+  for (int round = 0; round < kRounds; ++round, asked *= kFiner) {
+    divide_edges(solid, asked);
+    edges = edge_deviation(solid);
+    if (edges <= deflection) break;
+  }
+  out.deviation = std::max(out.deviation, edges);
+  for (TopExp_Explorer at(solid, TopAbs_FACE); at.More(); at.Next()) {
+    const TopoDS_Face face = TopoDS::Face(at.Current());
+    FaceMesh mesh = mesh_of(face);
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    if (surface.GetType() != GeomAbs_Plane) {
+      refine(surface, deflection, mesh);
+      out.deviation = std::max(out.deviation, deviation_of(surface, mesh));
+    }
+    append(mesh, face.Orientation() == TopAbs_REVERSED, out);
+  }
+}
+
+}  // namespace
+
+SolidFacets make_solid_facets(const TopoDS_Shape& shape, double deflection) {
+  SolidFacets out;
+  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    add_solid(solid.Current(), deflection, out);
+  return out;
+}
+
+}  // namespace mrsim
