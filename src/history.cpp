@@ -31,9 +31,9 @@ constexpr double kColumnsSwept = 50e6, kColumnsSweptPerCut = 25;
 
 constexpr double kSlowBottom = 1.5;
 
-// Below upright arcs, and below helices of all but flat mills, each column takes a search: 0.02 ms
-// in a trough, 0.1 ms over a hump.
-constexpr double kSearches = 25e3, kSearchesPerCut = 50;
+// Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
+// sweep, 5 us, and searches where the cutter is steep.
+constexpr double kSearches = 15e3, kSearchesPerCut = 20;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;

@@ -1,6 +1,7 @@
 // What the probe says of a mover is true by brute force; what it must not miss, it finds.
 #include "removal/collision/collision_probe.h"
 
+#include "core/units.h"
 #include "core/vec.h"
 
 #include <algorithm>
@@ -122,6 +123,26 @@ TEST(CollisionProbe, TellsTheTruthWithAnyThreads) {
     EXPECT_EQ(others[i].mover, hits[i].mover);
     EXPECT_EQ(others[i].place, hits[i].place);
   }
+}
+
+// The flank of a V tool ends above the stock: nothing above the end of its cut is left. Where it
+// ends below, the way up is looked at, and where the rapid goes aside.
+TEST(CollisionMovers, LeaveOutTheRetractOfAConeThatReachesAboveTheStock) {
+  using enum MotionKind;
+  const auto movers = [](double flutes, const Vec3& out) {
+    Tool cone;
+    cone.id = "1", cone.type = ToolType::taper, cone.taper_angle = kPi / 4;
+    cone.diameter = 0.02, cone.flute_length = flutes;
+    const std::vector<Motion> motions =
+        path({{line, {20, 20, -2}}, {line, {30, 25, -3}}, {rapid, out}}, {20, 20, 5});
+    std::vector<int> shapeless;
+    const Box3 stock{{0, 0, -20}, {60, 40, 0}};
+    const std::vector<Tool> tools{cone};
+    return find_movers(ToolPart::cutter, motions, tools, 0, stock, shapeless).motions.size();
+  };
+  EXPECT_EQ(movers(4, {30, 25, 5}), 0u);
+  EXPECT_EQ(movers(2, {30, 25, 5}), 1u);
+  EXPECT_EQ(movers(4, {30, 26, 5}), 1u);
 }
 
 }  // namespace

@@ -100,10 +100,11 @@ class Selection {
     bool asked = false;
     std::optional<Reach> reach;  // nothing: the tool has no such part
     ToolShape shape;
+    bool widens = false;  // nowhere narrower further up, but for its end
   };
   const Known& known(int tool);
-  bool follows_cut(std::size_t at, const ToolShape& shape) const;
-  bool stays_in(const Motion& cut, const Motion& rapid, const ToolShape& shape) const;
+  bool follows_cut(std::size_t at, const Known& tool) const;
+  bool stays_in(const Motion& cut, const Motion& rapid, const Known& tool) const;
 
   ToolPart part_;
   std::span<const Motion> motions_;
@@ -127,6 +128,7 @@ const Selection::Known& Selection::known(int tool) {
   }
   if (part_ == ToolPart::cutter)
     k.reach = k.shape.turning ? reach_of(k.shape.insert) : reach_of({k.shape.cutter});
+  k.widens = !k.shape.turning && k.shape.cutter.opened().is_rising();
   const std::vector<Profile>& pieces = part_ == ToolPart::shank ? k.shape.shank : k.shape.holder;
   if (part_ != ToolPart::cutter && !pieces.empty()) k.reach = reach_of(pieces);
   return k;
@@ -143,15 +145,15 @@ bool Selection::may_collide(std::size_t at) {
   if (k.shape.turning && (m.start.y != 0 || m.end.y != 0)) return false;
   // Out of a thread, whose groove the part does not have.
   if (k.shape.turning && at > 0 && motions_[at - 1].lead != 0) return false;
-  return part_ != ToolPart::cutter || !follows_cut(at, k.shape);
+  return part_ != ToolPart::cutter || !follows_cut(at, k);
 }
 
-bool Selection::follows_cut(std::size_t at, const ToolShape& shape) const {
+bool Selection::follows_cut(std::size_t at, const Known& tool) const {
   const Motion& rapid = motions_[at];
   for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
     const Motion& m = motions_[at - back];
     if (m.tool != rapid.tool || !(m.tool_axis == rapid.tool_axis)) return false;
-    if (m.kind != MotionKind::rapid && moves(m) && !m.assumed_start && stays_in(m, rapid, shape))
+    if (m.kind != MotionKind::rapid && moves(m) && !m.assumed_start && stays_in(m, rapid, tool))
       return true;
   }
   return false;
@@ -160,13 +162,13 @@ bool Selection::follows_cut(std::size_t at, const ToolShape& shape) const {
 // Whether start and end of the rapid lie on the cut's line, or above it where the tool clears all
 // above it. Then so does all between them: a segment, and a strip above one, are convex. Of an arc
 // its end counts.
-bool Selection::stays_in(const Motion& cut, const Motion& rapid, const ToolShape& shape) const {
-  const Profile& cutter = shape.cutter;
+bool Selection::stays_in(const Motion& cut, const Motion& rapid, const Known& tool) const {
+  const Profile& cutter = tool.shape.cutter;
   const Vec3 from = cut.kind == MotionKind::arc ? cut.end : cut.start, travel = cut.end - from;
   const bool clears_above =
-      !shape.turning &&
-      (cutter.is_rising() || (cutter.is_rounded() && rapid.tool_axis.z == 1 &&
-                              std::min(from.z, cut.end.z) + cutter.top() >= stock_.hi.z));
+      tool.widens &&
+      (cutter.open_top() ||
+       (rapid.tool_axis.z == 1 && std::min(from.z, cut.end.z) + cutter.top() >= stock_.hi.z));
   const Vec3 up = rapid.tool_axis;
   const auto above = [&](const Vec3& p, double t) {
     const Vec3 w = p - (from + t * travel);

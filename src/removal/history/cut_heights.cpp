@@ -102,9 +102,9 @@ std::vector<std::vector<std::uint32_t>> HeightGrid::sweeps_of_tiles(
 }
 
 HeightWalker::HeightWalker(const PartField& field, const SweepUndersides& tools,
-                           std::span<const CutFrame> frames)
+                           std::span<const CutFrame> frames, double close)
     : field_(field),
-      heights_(field.sweeps(), tools, field.bounds().lo.z, field.bounds().hi.z),
+      heights_(field.sweeps(), tools, field.bounds().lo.z, field.bounds().hi.z, close),
       low_(field.bounds().lo.z),
       high_(field.bounds().hi.z),
       frames_(frames) {}

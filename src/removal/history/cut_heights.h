@@ -50,9 +50,9 @@ class HeightGrid {
 /// What each sweep removes of one tile; on one thread.
 class HeightWalker {
  public:
-  /// `frames`: by motion, where extents are wanted.
+  /// `frames`: by motion, where extents are wanted. `close`: as SweepHeights has it, mm.
   HeightWalker(const PartField& field, const SweepUndersides& tools,
-               std::span<const CutFrame> frames = {});
+               std::span<const CutFrame> frames = {}, double close = 0);
   /// Adds mm^3 to `removed`, in the order of the list. `sweeps`: ascending.
   void walk(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
             std::span<double> removed);

@@ -142,7 +142,9 @@ double SweepHeights::bottom(std::uint32_t place, double x, double y, double belo
   }
   if (row.form == Form::helix) return helix_bottom(row, x, y, row.tool->radius());
   const Underside::Bounds within = bounds(place, x, y, 0, below);
-  return within.lower < below ? search(row.sweep, x, y, within) : kInfinity;
+  if (!(within.lower < below)) return kInfinity;
+  if (within.upper - within.lower <= close_) return 0.5 * (within.lower + within.upper);
+  return search(row.sweep, x, y, within);
 }
 
 Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r,

@@ -36,9 +36,11 @@ class SweepUndersides {
 /// The heights of some sweeps, named by their places in a list.
 class SweepHeights {
  public:
-  /// `low`, `high`: the heights between which anything is asked, mm.
-  SweepHeights(const SweepTable& sweeps, const SweepUndersides& tools, double low, double high)
-      : sweeps_(sweeps), tools_(tools), low_(low), high_(high) {}
+  /// `low`, `high`: the heights between which anything is asked, mm. `close`: where bounds of a
+  /// bottom without a closed form are no farther apart, their middle is good enough.
+  SweepHeights(const SweepTable& sweeps, const SweepUndersides& tools, double low, double high,
+               double close = 0)
+      : sweeps_(sweeps), tools_(tools), low_(low), high_(high), close_(close) {}
   /// Requires: is_upward() of all.
   void assign(std::span<const std::uint32_t> sweeps);
 
@@ -47,8 +49,8 @@ class SweepHeights {
 
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
-  /// there. Up to 1e-9 mm; of sweeps that are
-  /// asked by distances, up to their error.
+  /// there. Up to 1e-9 mm; of sweeps that are asked by distances, up to their error, or half of
+  /// `close`.
   double bottom(std::uint32_t place, double x, double y,
                 double below = std::numeric_limits<double>::infinity()) const;
   /// Bounds of bottom() over all places within r of (x, y); `upper` may be infinite where `lower`
@@ -77,7 +79,7 @@ class SweepHeights {
 
   const SweepTable& sweeps_;
   const SweepUndersides& tools_;
-  double low_, high_;
+  double low_, high_, close_;
   std::vector<Row> rows_;
   std::vector<LineRecord> pieces_;  // straight ones of arcs (height_pieces.h)
   std::vector<LineRecord> balls_;
