@@ -1,5 +1,6 @@
 // What is left to cut: pieces by voxels, measured against the exact surfaces.
 
+#include "compare/inner_edges.h"
 #include "compare/nominal.h"
 #include "compare/reach.h"
 #include "core/error.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr double kVoxels = 400;      // along the longest side
 constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
 constexpr double kLargestTool = 64;  // mm
-constexpr double kNear = 2;          // voxels from places of a piece: inner edges that belong to it
+constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, asked for the place that is nearest.
@@ -95,8 +96,11 @@ RestPiece measured(TriMesh voxels, const Surfaces& surfaces, double above, int t
 
 void find_tools(const NominalSurface& nominal, const Rest& rest, const RestVoxels& found,
                 RestPiece& piece) {
-  const std::vector<SurfacePlace> places =
-      surface_places(nominal, found.places, kNear * rest.voxel);
+  std::vector<Vec3> vertices;
+  for (const auto& v : piece.surface.vertices) vertices.push_back(to_vec(v));
+  std::vector<SurfacePlace> places = inner_edge_places(nominal, vertices, kNear * rest.voxel);
+  const std::vector<SurfacePlace> faces = surface_places(nominal, found.places);
+  places.insert(places.end(), faces.begin(), faces.end());
   const ReachTask task{rest.leaves, kLargestTool / 2, rest.leaves};
   const auto told = [](const Reach& r) {
     return ReachingTool{r.diameter, r.error, r.is_least, r.is_most};

@@ -17,8 +17,6 @@ constexpr std::size_t kMostBoxes = 200000;  // of one place
 constexpr std::size_t kRemembered = 16;     // centres of tools that came to other places
 // An edge: what leaves half as much is smaller by more than this.
 constexpr double kEdge = 0.75;
-// Neighbouring triangles bend inwards by more than this (its sine): an inner edge.
-constexpr double kInner = 0.25;
 
 // D, at most `most`, and the solid's point that is as near.
 struct Room {
@@ -162,30 +160,17 @@ Reach largest_flat(const NominalSurface& solid, std::span<const SurfacePlace> pl
   return ReachSearch(free, true, task).run(places);
 }
 
-std::vector<SurfacePlace> surface_places(const NominalSurface& solid, std::span<const Vec3> points,
-                                         double near) {
+std::vector<SurfacePlace> surface_places(const NominalSurface& solid,
+                                         std::span<const Vec3> points) {
   const TriangleTree& tree = solid.tree();
-  std::vector<SurfacePlace> edges, faces;
+  std::vector<SurfacePlace> places;
   std::uint32_t hint = 0;
   for (const Vec3& p : points) {
     const TriangleTree::Hit hit = tree.nearest(p, hint);
     hint = hit.triangle;
-    faces.push_back({hit.point, normalized(tree.pseudonormal(hit))});
-    const TriangleTree::Corners k = tree.corners(hit.triangle);
-    const Vec3 corners[3] = {k.a, k.b, k.c};
-    const Vec3 normal = tree.normal(hit.triangle);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t other = tree.neighbors(hit.triangle)[i];
-      if (other >= tree.size()) continue;
-      const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
-      if (dot(cross(tree.normal(other), normal), normalized(b - a)) < kInner) continue;
-      const Vec3 way = b - a;
-      const Vec3 on = a + std::clamp(dot(p - a, way) / dot(way, way), 0.0, 1.0) * way;
-      if (distance(on, p) <= near) edges.push_back({on, normalized(tree.normal(other) + normal)});
-    }
+    places.push_back({hit.point, normalized(tree.pseudonormal(hit))});
   }
-  edges.insert(edges.end(), faces.begin(), faces.end());
-  return edges;
+  return places;
 }
 
 }  // namespace mrsim

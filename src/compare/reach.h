@@ -43,9 +43,7 @@ Reach largest_ball(const NominalSurface& solid, std::span<const SurfacePlace> pl
 Reach largest_flat(const NominalSurface& solid, std::span<const SurfacePlace> places,
                    const ReachTask& task);
 
-/// Places on the solid's inner edges within `near` of `points`, then those of its surface nearest
-/// to them.
-std::vector<SurfacePlace> surface_places(const NominalSurface& solid, std::span<const Vec3> points,
-                                         double near);
+/// Places of the solid's surface nearest to the points.
+std::vector<SurfacePlace> surface_places(const NominalSurface& solid, std::span<const Vec3> points);
 
 }  // namespace mrsim

@@ -73,6 +73,20 @@ TEST_F(Rest, StepHasItsVolumeThicknessAndPlace) {
   }
 }
 
+// Two steps, mirror images of each other, so they have one answer: their sharp inner edge.
+TEST_F(Rest, SharpInnerEdgesAreFoundWhereverTheyLie) {
+  write_prism("part.off", {{0, 0}, {60, 0}, {60, 10}, {0, 10}}, {30, 4.5}, 20);
+  write_prism("nominal.off",
+              {{0, 0}, {60, 0}, {60, 5}, {40, 5}, {40, 10}, {20, 10}, {20, 5}, {0, 5}}, {30, 4.5},
+              20);
+  const Json found = rest("part.off nominal.off");
+  ASSERT_EQ(found["pieces"].size(), 2U);
+  for (const Json& piece : found["pieces"]) {
+    EXPECT_TRUE(piece["ball"]["leaves_edge"].get<bool>()) << piece.dump();
+    EXPECT_LT(piece["ball"]["diameter"].get<double>(), 0.2);
+  }
+}
+
 TEST_F(Rest, CornerNamesTheToolOfItsFillet) {
   write_corner("part.off", 6);
   write_corner("nominal.off", 3);
