@@ -346,45 +346,6 @@ TEST(ToolCommentReadings, Tongues) {
   });
 }
 
-TEST(ToolCommentReadings, Lathes) {
-  expect_readings({
-      {lathe_mm, "80* ROUGH TURNING TOOL", "turning, insert 80"},
-      {lathe_mm, "T0101 DREHMEISSEL 80* R0.8", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "80 DEG ROUGH TURNING TOOL .031 R", "turning, insert 80, nose 0.031"},
-      {lathe_inch, "80 DEG DIAMOND .031R", "turning, insert 80, nose 0.7874"},
-      {lathe_inch, "OD TURN TOOL 55 DEG .0156 RAD", "turning, insert 55, nose 0.39624"},
-      {lathe_inch, ".125 GROOVE TOOL .008R", "grooving, width 3.175"},
-      {lathe_mm, "GROOVING TOOL 3", "grooving, width 3"},
-      {lathe_mm, "TURNING TOOL PCLNR 2525 M12", "turning, insert 80"},
-      {lathe_mm, "SDJCL-1212 R0.4", "turning, insert 55, nose 0.4"},
-      {lathe_mm, "PCLNR2525M12 CNMG120408", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "STEEL 1018", "-"},
-      {lathe_inch, "PARTING TOOL .118", "grooving, width 2.9972"},
-      {lathe_mm, "STECHSTAHL B3", "grooving, width 3"},
-      {lathe_mm, "T0303 GROOVE 3MM", "grooving, width 3"},
-      {lathe_inch, "T0606 .125 CUTOFF", "grooving, width 3.175"},
-      {lathe_inch, "1.0 U-DRILL", "drill 25.4"},
-      {lathe_mm, "T0707 M10 TAP", "endmill 10"},
-      {lathe_mm, "ABSTECHER 3MM", "grooving, width 3"},
-      {lathe_mm, "STECHMEISSEL 2.5", "grooving, width 2.5"},
-      {lathe_mm, "GEWINDEPLATTE", "threading, insert 60"},
-      {lathe_mm, "OD ROUGH R0.8 80DEG", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "80 DEG TURN R.8", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "CUTTING OFF TOOL W3", "grooving, width 3"},
-      {lathe_mm, "OD FINISH 35 DEG R0.4", "turning, insert 35, nose 0.4"},
-      {lathe_mm, "THREAD TURNING", "threading, insert 60"},
-      {lathe_mm, "MGMN 300", "grooving, width 3"},
-      {lathe_mm, "GROOVE MGMN250-G", "grooving, width 2.5"},
-      {lathe_mm, "N123G2-0300-0004-TF", "grooving, width 3"},
-      {lathe_mm, "16ER AG60", "threading, insert 60"},
-      {lathe_mm, "OD THREAD 16ERAG55", "threading, insert 55"},
-      {lathe_mm, "11IR 1.5 ISO", "threading, orientation 6, insert 60"},
-      {lathe_mm, "16 NR 14 W", "-"},
-      {mm, "THREAD MILL 16ER AG60 D20", "endmill 20"},
-      {lathe_mm, "GROOVE TURNING", "? gives no width of the blade"},
-  });
-}
-
 // How many tools, files or parts there are is no size.
 TEST(ToolCommentReadings, NumbersThatCount) {
   expect_readings({
@@ -400,30 +361,6 @@ TEST(ToolCommentReadings, NumbersThatCount) {
       {mm, "12 DRILL OPERATION", "drill 12"},
       {mm, "6.8 DRILL OPS", "drill 6.8"},
       {mm, "6MM END MILLS", "endmill 6"},
-  });
-}
-
-// Words for the inside of the work turn the point outwards.
-TEST(ToolCommentReadings, InsideOnLathes) {
-  expect_readings({
-      {lathe_mm, "ID ROUGH CNMG 120408", "boring, insert 80, nose 0.8"},
-      {lathe_mm, "BORE BAR", "boring, insert 35"},
-      {lathe_mm, "BORING TURNING", "boring, insert 35"},
-      {lathe_mm, "ID FINISH 16. DIA. - 80 DEG.  INSERT - CCMT 09 T3 04",
-       "boring, insert 80, nose 0.4"},
-      {lathe_mm, "BORING CCMT 09T304", "boring, insert 80, nose 0.4"},
-      {lathe_mm, "FINISH BORE CCMT 060204", "boring, insert 80, nose 0.4"},
-      {lathe_mm, "FACE AND BORE OD CNMG 120408", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "TURN AND BORE CNMG 120408", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "ID TURN CCMT 060204", "boring, insert 80, nose 0.4"},
-      {lathe_mm, "T8 ID GROOVE 3MM", "grooving, width 3, orientation 2"},
-      {lathe_mm, "T9 INTERNAL THREADING TOOL", "threading, orientation 6, insert 60"},
-      {lathe_mm, "T9 INNENGEWINDE", "threading, orientation 6, insert 60"},
-      {lathe_mm, "T9 OD THREAD", "threading, insert 60"},
-      {lathe_mm, "FACE GROOVING TOOL 4MM",
-       "? names a face groove, and does not say which corner of the blade is programmed"},
-      {lathe_mm, "AXIALSTECHER 4MM",
-       "? names a face groove, and does not say which corner of the blade is programmed"},
   });
 }
 

@@ -1,0 +1,150 @@
+// The bar of a run that gives none, on lathes.
+#include "support/stock_path.h"
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+// Faced at zero, turned in two passes, parted off from outside the bar.
+TEST(DefaultBar, EndsWhereRapidsGo) {
+  const StockShape bar = StockPath()
+                             .rapid({27, 0, 5})
+                             .rapid({27, 0, 0})
+                             .cut({-0.8, 0, 0})
+                             .rapid({-0.8, 0, 2})
+                             .rapid({26, 0, 2})
+                             .rapid({24, 0, 2})
+                             .cut({24, 0, -50})
+                             .cut({26, 0, -50})
+                             .rapid({26, 0, 2})
+                             .rapid({22, 0, 2})
+                             .cut({22, 0, -30})
+                             .cut({28, 0, -30})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 26);
+  EXPECT_EQ(bar.box.hi.z, 1);
+  EXPECT_EQ(bar.box.lo.z, -53);
+}
+
+// Faced in levels from X 62.25 inwards: the rapids between them pass beside the bar.
+TEST(DefaultBar, EndsBelowWhereLevelsBegin) {
+  EXPECT_NEAR(StockPath()
+                  .rapid({62.25, 0, -2})
+                  .cut({35, 0, -2})
+                  .rapid({62.25, 0, -2})
+                  .rapid({62.25, 0, -4})
+                  .cut({35, 0, -4})
+                  .bar()
+                  .outer_radius,
+              62.2, 1e-9);
+}
+
+// Zero in the chuck: what is turned lies above it, whatever is parted off below.
+TEST(DefaultBar, EndsWhereCutsBeginWithZeroInTheChuck) {
+  const StockShape bar = StockPath()
+                             .rapid({31, 0, 51})
+                             .cut({15, 0, 51})
+                             .cut({20, 0, 45})
+                             .cut({20, 0, 10})
+                             .rapid({45, 0, -40})
+                             .cut({-0.5, 0, -40})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 51);
+}
+
+TEST(DefaultBar, OfAContourEndsAtZero) {
+  const StockShape bar = StockPath()
+                             .rapid({8, 0, 2})
+                             .cut({8, 0, 0})
+                             .cut({10, 0, -2})
+                             .cut({10, 0, -20})
+                             .cut({15, 0, -30})
+                             .cut({18, 0, -30})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 18);
+  EXPECT_EQ(bar.box.hi.z, 0);
+}
+
+// A parting cut begins in the air: where the grooves' rapids go is none of the bar.
+TEST(DefaultBar, IsNoWiderThanWhereRapidsGoBeforeAnyCut) {
+  const StockShape bar = StockPath()
+                             .rapid({30, 0, 40})
+                             .rapid({21, 0, -18})
+                             .cut({15, 0, -18})
+                             .rapid({21, 0, -18})
+                             .rapid({40, 0, 80})
+                             .rapid({22, 0, -60})
+                             .cut({-0.5, 0, -60})
+                             .rapid({22, 0, -60})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 21);
+}
+
+// Faced from outside a bar of 40, and then in levels that begin at its radius: what the right-hand
+// insert has cut lies before its tip.
+TEST(DefaultBar, IsNoWiderThanWhereLevelsOfAFaceBegin) {
+  EXPECT_EQ(StockPath()
+                .rapid({22, 0, 0})
+                .cut({-0.8, 0, 0})
+                .rapid({20, 0, 1})
+                .rapid({20, 0, -1})
+                .cut({12, 0, -1})
+                .rapid({12.5, 0, -0.5})
+                .rapid({20, 0, -0.5})
+                .rapid({20, 0, -2})
+                .cut({12, 0, -2})
+                .bar()
+                .outer_radius,
+            20);
+}
+
+// Rapids back within the part, and a feed move to the first pass in the air, tell nothing.
+TEST(DefaultBar, EndsAtZeroWhateverIsInside) {
+  const StockShape bar = StockPath()
+                             .rapid({32, 0, 2})
+                             .cut({20, 0, 2})
+                             .cut({20, 0, -30})
+                             .cut({25, 0, -35})
+                             .cut({30, 0, -35})
+                             .rapid({29.5, 0, -34.5})
+                             .rapid({32, 0, 2})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 0);
+  const StockShape groove =
+      StockPath().rapid({12, 0, 4}).rapid({16, 0, -25}).cut({12, 0, -25}).bar();
+  EXPECT_EQ(groove.box.hi.z, 0);
+  EXPECT_EQ(groove.outer_radius, 16);  // not 12: nothing would be cut
+}
+
+// Zero in the chuck.
+TEST(DefaultBar, EndsBeforeTheFaceThatIsCut) {
+  const StockShape bar = StockPath()
+                             .rapid({30, 0, 85})
+                             .rapid({27, 0, 80})
+                             .cut({0, 0, 80})
+                             .rapid({0, 0, 82})
+                             .rapid({24, 0, 82})
+                             .cut({24, 0, 30})
+                             .bar();
+  EXPECT_EQ(bar.box.hi.z, 81);
+}
+
+TEST(DefaultBar, HasAWallAroundWhatIsBored) {
+  StockPath path;
+  path.rapid({15, 0, 2}).cut({15, 0, -30}).cut({14, 0, -30}).rapid({14, 0, 2});
+  EXPECT_EQ(path.bar(ToolType::boring).outer_radius, 17);
+  EXPECT_EQ(path.bar(ToolType::boring).box.hi.z, 0);
+  StockPath across;  // G72 in a bore
+  across.rapid({8.8, 0, 1}).cut({15, 0, 1}).rapid({8.8, 0, 1.3}).rapid({8.8, 0, -1});
+  across.cut({15, 0, -1}).rapid({8.8, 0, -1});
+  EXPECT_EQ(across.bar(ToolType::boring).outer_radius, 17);
+  const StockShape drilled = StockPath().rapid({0, 0, 2}).cut({0, 0, -30}).bar(ToolType::drill);
+  EXPECT_EQ(drilled.outer_radius, 8);
+  EXPECT_EQ(drilled.box.hi.z, 0);
+}
+
+}  // namespace
+}  // namespace mrsim
