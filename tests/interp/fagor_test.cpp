@@ -87,14 +87,22 @@ TEST(FagorLanguage, FaultsHaveTheirPlaceAndValues) {
   EXPECT_EQ(codes(read_text("G1 F100 X1\nN10 (GOTO N10)\n", options)), "program-endless");
 }
 
-// Pockets, not holes with a rotary axis.
-TEST(Fagor, PocketCyclesAreRefusedByName) {
-  for (const char* cycle :
-       {"G87 X10 Y10 Z-2 I-10 J20 K8 B5 C3 D2\n", "G88 X10 Y10 Z-2 I-10 J20 B5 C3 D2\n"}) {
-    const Program p = read_text(std::string("F100\nG0 Z5\n") + cycle, at_origin(Dialect::iso));
-    ASSERT_EQ(codes(p), "not-supported") << listing(p);
-    EXPECT_NE(listing(p).find("pocket"), std::string::npos);
-  }
+// G87 and G88 are POCKET3 and POCKET4 between the same levels: J and K are half lengths, D lies
+// between Z and the part.
+TEST(Fagor, PocketsAreThoseOfTheirSizes) {
+  const auto motions = [](const std::string& text, Dialect dialect) {
+    return path_text(read_text("T1 D1 M6\nG0 X0 Y0 Z20\n" + text, at_origin(dialect)));
+  };
+  const auto iso = [&](const std::string& text) { return motions(text, Dialect::iso); };
+  const auto sinumerik = [&](const std::string& text) { return motions(text, Dialect::sinumerik); };
+  const std::string rectangle = "POCKET3(20,0,2,-5,40,30,,,,,2,,,,,1,11,4)\n";
+  EXPECT_EQ(iso("F100\nG87 G98 X10 Y7 Z2 I-5 J20 K15 B2 C4 D2 H50 L.5 V20\nG91 X60\nG80\n"),
+            sinumerik("F100\nX10 Y7\n" + rectangle + "G0 X70\n" + rectangle));
+  EXPECT_EQ(iso("F100\nG91 G88 G99 X10 Y7 Z-18 I-7 J-12 B1.5 D2\n"),
+            sinumerik("F100\nX10 Y7\nPOCKET4(2,0,2,-5,12,,,1.5,,,,,0,11)\n"));
+  EXPECT_EQ(iso("F100\nG87 X10 Y7 Z2 I-5 J20 B2\n"), "r0,0,20 | value-missing");
+  EXPECT_EQ(iso("F100\nG87 X10 Y7 Z2 I-5 J20 K4 B2\n"), "r0,0,20 r10,7,20 | value-range")
+      << "the cutter has 10 mm";
 }
 
 }  // namespace

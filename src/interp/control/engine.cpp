@@ -27,6 +27,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
       haas_(control_, axes_, moves_, compensation_, drilling_),
+      pockets_(control_, axes_, tools_, moves_),
       engraving_(control_, statements_.get(), axes_, moves_),
       cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
@@ -132,6 +133,7 @@ bool Engine::run_move() {
     return true;
   }
   if (haas_.wants_block()) return haas_.run();
+  if (pockets_.wants_block()) return pockets_.run();
   if (engraving_.wants_block()) return engraving_.run();
   if (drilling_.wants_block()) return drilling_.run();
   if (control_.block.turn_cycle != 0) return run_turning();

@@ -5,6 +5,7 @@
 #include "interp/control/contour_cycles.h"
 #include "interp/control/drill_words.h"
 #include "interp/control/engraving.h"
+#include "interp/control/fagor_pockets.h"
 #include "interp/control/haas_cycles.h"
 #include "interp/control/iso_words.h"
 #include "interp/control/linuxcnc_turning.h"
@@ -52,6 +53,7 @@ class Engine {
   HoleMaker holes_;
   DrillWords drilling_;
   HaasCycles haas_;
+  FagorPockets pockets_;
   Engraving engraving_;
   SinumerikCycles cycles_;
   TurnWords turning_;

@@ -182,6 +182,11 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 19:
       position_.pole = {};  // each plane begins with its own
       return true;
+    case 87:
+    case 88:
+      if (has_any("JB")) return to_pocket(word);
+      modal_.pocket = {};
+      return true;
     case 93:
       return to_polar_origin(word);
     case 51:  // Fagor's look-ahead, with the acceleration and how exact it is
@@ -206,19 +211,52 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
                word);
 }
 
-// G60 to G65 repeat a cycle at places, G72 S X scales one axis, G87 and G88 with J or B mill
-// pockets.
+// G60 to G65 repeat a cycle at places, G72 S X scales one axis.
 bool IsoWords::refuse_pattern(const Word& word, int code) {
   const char* what = "";
   if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
     what = "the places of a cycle";
   else if (code == 72 && has_any("S"))
     what = "a scale of one axis";
-  else if ((code == 87 || code == 88) && has_any("JB"))
-    what = code == 87 ? "a rectangular pocket" : "a circular pocket";
   if (*what == '\0') return true;
   return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);
+}
+
+// G87 Z I J K B C D: the words are lengths of the pocket, none an axis or a register. H, L and V
+// are how it is finished.
+bool IsoWords::to_pocket(Word& word) {
+  const bool round = word.value == 88;
+  bool incremental = modal_.incremental;
+  for (const Word& other : block_.words)
+    if (other.address == letter('G') && (other.value == 90 || other.value == 91))
+      incremental = other.value == 91;
+  for (const char c : std::string_view(round ? "IJB" : "IJKB"))
+    if (!has_any({&c, 1}))
+      return error("value-missing", fmt::format("{} needs {}", text_of(word), c), word);
+  const auto length = [&](char c) {
+    Word* const given = in_block(c);
+    if (!given) return 0.0;
+    given->address = Address::data;
+    return given->value * length_unit(*given);
+  };
+  FagorPocket pocket;
+  pocket.number = static_cast<int>(word.value);
+  const char normal = "ZYX"[modal_.plane % 3];
+  const bool level = in_block(normal) != nullptr;
+  pocket.reference = {length(normal), incremental, level};
+  pocket.depth = {length('I'), incremental, true};
+  const double j = length('J');
+  pocket.clockwise = j > 0;
+  pocket.half_length = std::abs(j);
+  pocket.half_width = std::abs(length('K'));
+  pocket.infeed = std::abs(length('B'));
+  pocket.width = std::abs(length('C'));
+  pocket.above = std::abs(length('D'));
+  for (const char c : {'H', 'L', 'V'}) length(c);
+  modal_.pocket = pocket;
+  to_frame(Code::fagor_pocket, word);
+  return true;
 }
 
 void IsoWords::to_frame(Code code, Word& word) {

@@ -22,6 +22,7 @@ class IsoWords : public ControlPart {
   void to_frame(Code code, Word& word);
   bool to_corner(Address corner, const Word& word);
   bool to_point_arc(Word& word);
+  bool to_pocket(Word& word);
   bool to_polar_origin(Word& word);
   bool rewrite_polar();
   void to_end_of_angle(Word& angle, bool incremental);

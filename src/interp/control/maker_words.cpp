@@ -22,6 +22,11 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
   if (code == Code::absolute || code == Code::incremental) warn_of_mixed(word);
+  if (code == Code::fagor_pocket) {
+    modal_.drill = {};
+    modal_.drill.number = modal_.pocket.number;
+    return true;
+  }
   if (is(Dialect::fanuc) && okuma_home(word)) return true;
   if (is(Dialect::fanuc) && !lathe())
     if (const std::optional<bool> local = okuma_frame(word)) return local;

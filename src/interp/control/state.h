@@ -35,6 +35,18 @@ struct DrillCycle {
   int file = 0, line = 0, call = -1;      ///< of the block that chose the cycle
 };
 
+/// A pocket of Fagor, mm: G87 a rectangle, G88 a circle.
+struct FagorPocket {
+  int number = 0;                          ///< 0 = none
+  CycleLevel reference, depth;             ///< Z and I
+  double half_length = 0, half_width = 0;  ///< J and K; of a circle J is the radius
+  bool clockwise = false;                  ///< J above 0
+  double infeed = 0, width = 0;            ///< B and C
+  double above = 0;                        ///< D: from the part to the level of Z
+  double initial = 0;                      ///< level before the cycle
+  bool begun = false;                      ///< `initial` counts
+};
+
 /// A turning cycle in force: G90, G92 or G94 of a FANUC lathe.
 struct TurnCycle {
   int number = 0;       ///< 0 = none
@@ -96,6 +108,7 @@ struct Modal {
   double length_offset = 0;  ///< mm along the tool axis
   double length_number = 0;  ///< the last H
   DrillCycle drill;
+  FagorPocket pocket;  ///< counts where `drill` has its number
   HoleReturn hole_return = HoleReturn::initial;
   bool return_told = false;            ///< by a word of the program
   std::optional<double> return_level;  ///< G71 Z of Okuma, mm

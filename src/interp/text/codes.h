@@ -136,6 +136,7 @@ enum class Code : std::uint8_t {
   fagor_mirror,      ///< G10 to G13
   fagor_scale,       ///< G72 S
   fagor_turn,        ///< G73 Q
+  fagor_pocket,      ///< G87 G88 with J and B
   program_end,
   program_return,
   header,
