@@ -105,5 +105,29 @@ TEST(Fagor, PocketsAreThoseOfTheirSizes) {
       << "the cutter has 10 mm";
 }
 
+// The cycle in force at more places; its own block is the first of them.
+TEST(Fagor, PlacesOfACycle) {
+  const auto holes = [](const std::string& places) {
+    const std::string cycle = "F100\nG0 X0 Y0 Z20\nG81 G99 X10 Y20 Z2 I-8\n";
+    const Program p = read_text("T1 D1 M6\n" + cycle + places + "\nG80\n", at_origin(Dialect::iso));
+    std::string out;
+    for (const Motion& m : p.motions)
+      if (m.kind == MotionKind::line)
+        out += fmt::format("{:.4g},{:.4g} ", m.end.x + 0.0, m.end.y + 0.0);
+    return out + codes(p);
+  };
+  EXPECT_EQ(holes("G60 A30 X40 K3"), "10,20 27.32,30 44.64,40 ");
+  EXPECT_EQ(holes("G60 X40 I20"), holes("G60 I20 K3"));
+  EXPECT_EQ(holes("G60 X40 I15"), "10,20 value-range");
+  EXPECT_EQ(holes("G62 X10 I5 Y8 D2"), "10,20 15,20 20,20 20,28 15,28 10,28 ");
+  EXPECT_EQ(holes("G62 A90 X5 K2 J5 D2"), "10,20 10,25 5,25 5,20 ");
+  EXPECT_EQ(holes("G63 X10 Y0 K4"), "10,20 20,10 30,20 20,30 ");
+  EXPECT_EQ(holes("G63 X10 Y0 I90 C2"), "10,20 20,30 30,20 20,10 ");
+  EXPECT_EQ(holes("G64 X0 Y-10 B180 I90 C0 F200"), "10,20 0,10 10,0 ");
+  EXPECT_EQ(holes("G64 X0 Y-10 B-90 K2"), "10,20 20,10 ");
+  EXPECT_EQ(holes("G60 X40 K3 P2"), "10,20 not-supported");
+  EXPECT_EQ(holes("G80\nG60 X40 K3"), "10,20 not-supported") << "no cycle is in force";
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -7,6 +7,7 @@ namespace mrsim {
 void BlockWords::begin() {
   ++epoch_;
   groups = 0;
+  places.clear();
   motion_code = oneshot = frame_code = ends_cycle = call_word = m98 = home = set_tool = comp_word =
       pause = nullptr;
   motion = Code::unknown;

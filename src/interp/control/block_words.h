@@ -2,6 +2,7 @@
 // function words ask for. Does not know what the words mean. Private to src/interp.
 #pragma once
 
+#include "core/vec.h"
 #include "interp/text/block.h"
 #include "interp/text/codes.h"
 
@@ -90,6 +91,7 @@ class BlockWords : public Block {
   const Word* set_tool = nullptr;  ///< Q of M61 (LinuxCNC): the tool in the spindle
   const Word* home = nullptr;      ///< M25 of Centroid: Z goes to its reference point
   bool home_guessed = false;       ///< ... unless M25 is another control's
+  std::vector<Vec3> places;        ///< of Fagor's G60 to G64, in the frame in force
 
  private:
   // Epochs make clearing free.

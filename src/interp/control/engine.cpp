@@ -134,6 +134,8 @@ bool Engine::run_move() {
   }
   if (haas_.wants_block()) return haas_.run();
   if (pockets_.wants_block()) return pockets_.run();
+  if (!control_.block.places.empty())
+    return drilling_.at_points(control_.block.places, control_.block.words.front(), false);
   if (engraving_.wants_block()) return engraving_.run();
   if (drilling_.wants_block()) return drilling_.run();
   if (control_.block.turn_cycle != 0) return run_turning();

@@ -3,6 +3,7 @@
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "interp/control/fagor_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +197,7 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       return true;
     case 72:
       if (!has_any("S")) return true;
-      if (has_any("XYZ")) return refuse_pattern(word, code);
+      if (has_any("XYZ")) return read_places(word, code);
       to_frame(Code::fagor_scale, word);
       return true;
     case 73:
@@ -206,15 +207,18 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       break;
   }
   const std::string_view what = unread(code);
-  if (what.empty()) return refuse_pattern(word, code);
+  if (what.empty()) return read_places(word, code);
   return error("not-supported", fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);
 }
 
-// G60 to G65 repeat a cycle at places, G72 S X scales one axis.
-bool IsoWords::refuse_pattern(const Word& word, int code) {
+// G60 to G65 repeat the cycle in force at places, G72 S X scales one axis.
+bool IsoWords::read_places(Word& word, int code) {
   const char* what = "";
-  if (code >= 60 && code <= 65 && has_any("XYZ") && has_any("IJKCDP"))
+  const bool in_range = code >= 60 && code <= 65, cycle = modal_.drill.number != 0;
+  if (in_range && cycle && FagorPlaces::knows(code) && has_any("XYIK"))
+    return FagorPlaces(control_).read(word);
+  if (in_range && has_any("XYZ") && has_any("IJKCDP") && (cycle || !is_circular(modal_.motion)))
     what = "the places of a cycle";
   else if (code == 72 && has_any("S"))
     what = "a scale of one axis";

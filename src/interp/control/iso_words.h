@@ -18,7 +18,7 @@ class IsoWords : public ControlPart {
 
  private:
   bool rewrite_word(std::size_t at, bool& gone);
-  bool refuse_pattern(const Word& word, int code);
+  bool read_places(Word& word, int code);
   void to_frame(Code code, Word& word);
   bool to_corner(Address corner, const Word& word);
   bool to_point_arc(Word& word);
