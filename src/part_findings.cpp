@@ -65,12 +65,23 @@ void report(JobResult& result, Severity severity, const char* code, const std::s
   result.program.diagnostics.push_back(diagnostic);
 }
 
-void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result) {
-  if (job.accept > 0 && tolerance > job.accept / 4 * (1 + 1e-9))
+void warn_of_coarse_mesh(const Job& job, JobResult& result) {
+  if (!(job.accept > 0)) return;
+  const double most = job.accept / 4 * (1 + 1e-9);
+  const auto warn = [&](const std::string& text) {
     report(result, Severity::warning, "tolerance-coarse",
-           fmt::format("a tolerance of {:g} mm is coarse for an --accept of {:g} mm: use a quarter "
-                       "of it or less",
-                       tolerance, job.accept));
+           fmt::format("{} for an --accept of {:g} mm: ", text, job.accept) +
+               (result.reduction.most > 0 ? "the deviations are those of the reduced mesh"
+                                          : "use a quarter of it or less for --tolerance"));
+  };
+  if (result.tolerance > most)
+    warn(fmt::format("a tolerance of {:g} mm is coarse", result.tolerance));
+  else if (result.tolerance == 0 && result.mesh_bound > most)
+    warn(fmt::format("a mesh that is up to {:.3g} mm beside the exact part is coarse",
+                     result.mesh_bound));
+  else if (result.reduction.most > most)
+    warn(fmt::format("--max-triangles moved the mesh by up to {:.3g} mm, which is coarse",
+                     result.reduction.most));
 }
 
 void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double volume) {

@@ -14,8 +14,8 @@ namespace mrsim {
 /// A diagnostic of the whole program, without a line.
 void report(JobResult& result, Severity severity, const char* code, const std::string& text);
 
-/// Warns where a coarse mesh may decide the verdict instead of the part.
-void warn_of_coarse_tolerance(const Job& job, double tolerance, JobResult& result);
+/// Warns where the mesh, coarse or reduced, may decide the verdict instead of the part.
+void warn_of_coarse_mesh(const Job& job, JobResult& result);
 
 /// Warns, once for each tool, of threads that turning tools cut: the part has none of them.
 void warn_of_threads(JobResult& result);

@@ -197,7 +197,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
 MeshOptions mesh_options(const Job& job, const MeshChoice& choice) {
   MeshOptions options = job.mesh;
   options.tolerance = choice.tolerance;
-  options.measure = choice.measure;
+  options.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
   options.fallback_voxel = choice.fallback_voxel;
   options.fallback_cells = choice.fallback_cells;
   return options;
@@ -219,7 +219,6 @@ double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoi
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
-  warn_of_coarse_tolerance(job, choice.tolerance, result);
   result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + found.memory);
   result.stock_volume = volume_before(result.stock, job.carve, options);
   return found.volume_excess;
@@ -337,6 +336,7 @@ void simulate(const Job& job, JobResult& result) {
   const double volume = settle_pieces(job, result, excess, part, outputs);
   clock.done("check");
   if (reduce_part(job, result, part, outputs)) clock.done("reduce");
+  warn_of_coarse_mesh(job, result);
   summarize_part(result, part, cuts, volume);
   if (is_faulty(result, job.strict)) return;
   if (job.inspect) {

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
@@ -86,8 +87,10 @@ void cross_mesh(const TriMesh& mesh, bool is_first, const RayGrid& grid,
   }
 }
 
+// Along one ray.
 struct Lengths {
-  double first = 0, second = 0;
+  double first = 0, second = 0;  // inside of one mesh alone
+  double excess = 0;             // the winding number of the first less that of the second
 };
 
 Lengths lengths_along(const Crossing* begin, const Crossing* end) {
@@ -98,12 +101,42 @@ Lengths lengths_along(const Crossing* begin, const Crossing* end) {
       const double dz = c->z - (c - 1)->z;
       if (first > 0 && second <= 0) out.first += dz;
       if (second > 0 && first <= 0) out.second += dz;
+      out.excess += (first - second) * dz;
     }
     first += c->first;
     second += c->second;
   }
   return out;
 }
+
+// The mean of a length over the rays, given that of another one whose true mean is known: what the
+// rays miss of the one they mostly miss of the other (a control variate). An upright wall 0.05 mm
+// thick is met by few rays, but both volumes are known.
+class ControlledMean {
+ public:
+  void add(double length, double known) {
+    sum_ += length;
+    square_ += length * length;
+    known_ += known;
+    known_square_ += known * known;
+    product_ += length * known;
+  }
+  struct Mean {
+    double value = 0, error = 0;  // of as many independent rays
+  };
+  Mean mean(double true_known, double rays) const {
+    const double own = square_ - sum_ * sum_ / rays;
+    const double other = known_square_ - known_ * known_ / rays;
+    const double both = product_ - sum_ * known_ / rays;
+    const double share = other > 0 ? both / other : 0;
+    const double left = std::max(0.0, own - share * both);
+    return {std::max(0.0, sum_ / rays - share * (known_ / rays - true_known)),
+            std::sqrt(left) / rays};
+  }
+
+ private:
+  double sum_ = 0, square_ = 0, known_ = 0, known_square_ = 0, product_ = 0;
+};
 
 }  // namespace
 
@@ -121,20 +154,20 @@ VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second, 
   std::stable_sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) {
     return a.ray != b.ray ? a.ray < b.ray : a.z < b.z;
   });
-  Lengths sum, square;
+  ControlledMean excess, gouge;
   for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
     while (end < all.size() && all[end].ray == all[i].ray) ++end;
     const Lengths l = lengths_along(all.data() + i, all.data() + end);
-    sum.first += l.first;
-    sum.second += l.second;
-    square.first += l.first * l.first;
-    square.second += l.second * l.second;
+    excess.add(l.first, l.excess);
+    gouge.add(l.second, l.excess);
   }
-  const double outline = (box.hi.x - box.lo.x) * (box.hi.y - box.lo.y), n = double(rays);
-  const auto spread = [&](double s, double q) { return std::sqrt(std::max(0.0, q - s * s / n)); };
-  const double worst = std::max(spread(sum.first, square.first), spread(sum.second, square.second));
+  const double outline = (box.hi.x - box.lo.x) * (box.hi.y - box.lo.y);
+  if (!(outline > 0)) return {};
+  const double known = (signed_volume(first) - signed_volume(second)) / outline;
+  const ControlledMean::Mean one = excess.mean(known, double(rays));
+  const ControlledMean::Mean other = gouge.mean(known, double(rays));
   // The error for independent rays; rays of the low-discrepancy sequence do better.
-  return {outline * sum.first / n, outline * sum.second / n, outline * worst / n};
+  return {outline * one.value, outline * other.value, outline * std::max(one.error, other.error)};
 }
 
 }  // namespace mrsim

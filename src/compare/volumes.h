@@ -14,7 +14,8 @@ struct VolumeDifference {
 
 /// Integrates along `rays` vertical lines at the points of the R2 sequence over both meshes'
 /// outline: where walls stand upright, evenly spaced lines would all hit or all miss the layer
-/// between them. The error falls about as 1 / rays^(3/4). Requires: closed, oriented meshes.
+/// between them. Both volumes are known, which takes most of the error away. Requires: closed,
+/// oriented meshes.
 VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second,
                                    std::size_t rays = 1 << 18, int threads = 0);
 

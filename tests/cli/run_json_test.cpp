@@ -125,6 +125,15 @@ TEST_F(RunJson, ACoarseToleranceIsAWarningLikeOthers) {
   EXPECT_EQ(run(coarse + " --strict").code, 1);
 }
 
+// A mesh on voxels has no tolerance, and a reduced one leaves its own.
+TEST_F(RunJson, ACoarseMeshIsOneToo) {
+  const std::string cut = "PRIMER_2F.MPF --stock block.stl --nominal block.stl --accept 0.02 ";
+  EXPECT_TRUE(contains(run(cut + "--voxel 1").err, "[tolerance-coarse]"));
+  EXPECT_TRUE(contains(run(cut + "--max-triangles 300").err, "[tolerance-coarse]"));
+  EXPECT_FALSE(contains(run(cut + "--voxel 0.2").err, "[tolerance-coarse]"));
+  EXPECT_FALSE(contains(run(cut).err, "[tolerance-coarse]"));
+}
+
 TEST_F(RunJson, RefusalsSayWhatIsWrong) {
   EXPECT_TRUE(contains(run(std::string(kCut) + "--threads 4096").err, "too many threads"));
   EXPECT_TRUE(contains(run("PRIMER_2F.MPF --tolerance 1e9").err, "too large"));

@@ -40,7 +40,7 @@ TEST(Compare, SpheresOfTwoRadii) {
   EXPECT_NEAR(c.nominal.mean, 0.01, 1e-4);
   EXPECT_NEAR(c.hausdorff.lower, 0.01, 1e-4);
   EXPECT_LE(c.hausdorff.upper, c.hausdorff.lower + 1.01e-4);
-  EXPECT_NEAR(c.excess_volume, c.part_volume - c.nominal_volume, 0.02 * c.excess_volume);
+  EXPECT_NEAR(c.excess_volume, c.part_volume - c.nominal_volume, 1e-6 * c.excess_volume);
   EXPECT_NEAR(c.gouge_volume, 0, 1e-3);
   EXPECT_TRUE(*c.accepted);
   EXPECT_FALSE(*compare(part, nominal, accept(-0.005, 0.005)).accepted);
@@ -65,6 +65,19 @@ TEST(Compare, PlateOffsetBy50Microns) {
   const Comparison thin = compare(nominal, part, accept(-0.02, 0.02));
   EXPECT_NEAR(thin.part.min, -0.05, 1e-6);
   EXPECT_NEAR(thin.gouge_volume, 200, 0.05);
+}
+
+// Lines along Z meet few of the layers that lie on upright walls.
+TEST(Compare, LayersOnUprightWallsHaveTheirVolumes) {
+  const TriMesh nominal = testing::box_mesh({0, 0, 0}, {80, 50, 5});
+  const Comparison left = compare(testing::box_mesh({0, 0, 0}, {80.0078125, 50, 5}), nominal, {});
+  EXPECT_NEAR(left.excess_volume, 50 * 5 / 128.0, 1e-6);
+  EXPECT_NEAR(left.gouge_volume, 0, 1e-6);
+  // One wall stands out by 0.05, the next is cut back by 0.02.
+  const Comparison both = compare(testing::box_mesh({0, 0.02, 0}, {80.05, 50, 5}), nominal, {});
+  EXPECT_NEAR(both.excess_volume - both.gouge_volume, both.part_volume - both.nominal_volume, 1e-6);
+  EXPECT_NEAR(both.excess_volume, 0.05 * 49.98 * 5, 5 * both.volume_error);
+  EXPECT_LT(both.volume_error, 0.1 * both.excess_volume);
 }
 
 TEST(Compare, RotatedCubeByTheCornersDistance) {
