@@ -137,6 +137,9 @@ TEST(Cycles, SinumerikCallsAndMcall) {
             "r0,0,30");
   EXPECT_EQ(run(s, "G0 Z40\nF100\nMCALL CYCLE81(30,0,2,-5)\nHOLES1(10,0,0,0,5,2)\nMCALL\n"),
             "r0,0,40 r10,0,40 r10,0,2 l10,0,-5 r10,0,30 r15,0,30 r15,0,2 l15,0,-5 r15,0,30");
+  EXPECT_EQ(run(s, "G0 X20 Z9\nF100\nMCALL CYCLE81(9,0,2,-5)\nHOLES1(10,0,0,0,5,2)\nMCALL\n"),
+            "r20,0,9 r15,0,9 r15,0,2 l15,0,-5 r15,0,9 r10,0,9 r10,0,2 l10,0,-5 r10,0,9")
+      << "a row begins at its nearer end";
   EXPECT_EQ(run(s, "G0 Z9\nF100\nMCALL CYCLE81(9,0,2,-5,,,0,1,11)\nHOLES2(0,0,10,90,0,2)\n"),
             "r0,0,9 r0,10,9 r0,10,2 l0,10,-5 r0,10,9 r0,-10,9 r0,-10,2 l0,-10,-5 r0,-10,9")
       << "AMODE 1: the value in DP is incremental";

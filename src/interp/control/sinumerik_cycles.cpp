@@ -297,6 +297,9 @@ bool SinumerikCycles::row(const Call& call) {
     const double along = (call.get(3) + i * call.get(4)) * unit;
     list.push_back({call.get(0) * unit + along * sc.cos, call.get(1) * unit + along * sc.sin});
   }
+  const Vec2 from = in_plane(basis(), position_.programmed);  // it begins at the end that is nearer
+  if (!list.empty() && length(list.back() - from) < length(list.front() - from) - 1e-9)
+    std::reverse(list.begin(), list.end());
   return at_points(list);
 }
 
