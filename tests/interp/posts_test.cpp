@@ -152,6 +152,18 @@ TEST(Posts, RunAsWorkedOut) {
       // size.
       {"fagor_mirror_rotation.pim", Dialect::iso, mill, 18, 11, 1, {-60, -50, -3}, {50, 60, -2}},
       // G15 H, G56 H and G53; two holes.
+      // HA and DA, home positions, a place without a hole, a hole in turned coordinates.
+      {"okuma_fusion_mill.min",
+       Dialect::fanuc,
+       mill,
+       10,
+       7,
+       1,
+       {-10, 0, -5},
+       {60, 35, -1},
+       "register-missing"},
+      // Work offsets in E, the level of the cycle in R0, lengths without G43.
+      {"fadal.nc", Dialect::fanuc, mill, 4, 4, 0, {-25.4, 0, -12.7}, {50.8, 12.7, -6.35}},
       {"okuma_osp_mill.min", Dialect::fanuc, mill, 10, 5, 1, {-20, 0, -20}, {60, 40, -3}},
       // Z is unknown behind the tool changes, until the place beside G100.
       {"brother_speedio.nc", Dialect::fanuc, mill, 7, 5, 0, {0, 0, -15}, {30, 20, -2}},
