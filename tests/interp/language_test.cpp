@@ -75,6 +75,11 @@ TEST(Macro, ReturnsAndLocalCalls) {
                 "G1 F100 X1\nM98 P7\nX99\nN50 X2\nM97 P900 L2\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"
                 "O7\nX5\nM99 P50\n"),
             "1,0,0 5,0,0 2,0,0 2,1,0 2,2,0 3,2,0 ");
+  for (const char* call : {"M98 H900 L2", "M98 Q900 L2"})
+    EXPECT_EQ(run(Dialect::fanuc,
+                  "G1 F100 X1\n" + std::string(call) + "\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"),
+              "1,0,0 1,1,0 1,2,0 3,2,0 ")
+        << "a block of the same program (Mitsubishi)";
   EXPECT_EQ(run(Dialect::fanuc,
                 "G1 F100 X1\nIF [1 EQ 1] THEN #1=4\nIF [1 EQ 2] THEN #1=5\n"
                 "X#1\nG#3 X5\n"),

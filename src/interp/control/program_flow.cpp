@@ -174,12 +174,15 @@ bool ProgramFlow::call_word(const Word& word, int m) {
   if (m != 97 || is(Dialect::fanuc)) block_.m98 = &word;
   if (is(Dialect::ngc)) return true;
   for (const char c : {'Q', 'H'})
-    if (block_.m98 && peek(c) && !(c == 'H' && block_.length_changed))
+    if (block_.m98 && peek(c) && !(c == 'H' && block_.length_changed) && !take_block(c))
       return error("not-supported",
                    fmt::format("M{} with {} (a call of a block number) is not supported yet", m, c),
                    word);
   return true;
 }
+
+// M98 H100 of Mitsubishi and Mazak (Q100 on some): a block of the same program, as M97 P100.
+bool ProgramFlow::take_block(char c) { return !peek('P') && is(Dialect::fanuc) && take(c); }
 
 // Haas numbers programs with five digits: O20002, and no O0002.
 bool ProgramFlow::five_digits(long number) {
@@ -206,9 +209,10 @@ bool ProgramFlow::fanuc_call(const Word& word) {
   return call({number, {}}, repeats, *p);
 }
 
-// M97 P10 L2 (Haas): from block N10 of the same program up to M99.
+// M97 P10 L2 (Haas), M98 H10 L2: from block N10 of the same program up to M99.
 bool ProgramFlow::local_call(const Word& word) {
   const Word* p = find(letter('P'));
+  if (!p && word.value == 98) p = peek('H') ? peek('H') : peek('Q');
   const Word* l = find(letter('L'));
   if (!p || p->value < 0 || p->value != std::floor(p->value))
     return error("call-without-program", "M97 needs P with the number of a block", word);
@@ -240,7 +244,8 @@ void ProgramFlow::end_block() {
   if (block_.stop_after) {
     reader_.end_program();
   } else if (block_.m98) {
-    block_.m98->value == 97 ? local_call(*block_.m98) : fanuc_call(*block_.m98);
+    const bool block = !peek('P') && (peek('H') || peek('Q'));
+    block_.m98->value == 97 || block ? local_call(*block_.m98) : fanuc_call(*block_.m98);
   } else if (block_.call_word) {
     named_call(*block_.call_word);
   } else if (block_.return_after) {

@@ -26,6 +26,7 @@ class ProgramFlow : public ControlPart {
   void leave_length();
   bool okuma_return(int m);
   bool linuxcnc_signal(int m);
+  bool take_block(char c);
   bool five_digits(long number);
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
