@@ -145,6 +145,11 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_EQ(refusal("%\nO10\nN10 G0 G52 X0 Y0\nG1 X5 Y0 F100\nM30\n"), "");
   EXPECT_NE(refusal("#1 = 0\nwhile [#1 lt 3]\nG1 X#1 Y1 F9\nendwhile\n").find("Eding"),
             std::string::npos);
+  EXPECT_NE(refusal("%PM9001\nN9001\nN1 G17 T1 M6\nN2 G81 Y2 Z-10\nN3 G79 X9 Y9 Z0\n").find("MAHO"),
+            std::string::npos);
+  EXPECT_NE(refusal("G0 X1 Y1\n$FOR P1=0,3,1\nG1 X[P1] F9\n$ENDFOR\n").find("8070"),
+            std::string::npos);
+  EXPECT_EQ(refusal("%PMX1,MX,\nG71\nG0 X1 Y1 Z5\nG1 Z-1 F100\n"), "");
   EXPECT_EQ(refusal("O1\n#1=0\nWHILE[#1LT3]DO1\nG1X#1Y1F9\n#1=#1+1\nEND1\nM30\n"), "");
   EXPECT_NE(refusal("O1 (STAR SB-20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
             std::string::npos);

@@ -107,6 +107,10 @@ const char* named_control(const std::string& path, std::string_view code, std::s
     return "a program of several paths ($1, $2), as of Swiss-type lathes (Citizen, Star)";
   if (begins_any(text, {"WHILE [", "WHILE["}) && !any_of(code, {"DO"}))
     return "a program of Eding CNC (WHILE without DO)";
+  if (begins_any(text, {"$IF ", "$FOR ", "$WHILE ", "#VAR", "V.P.", "V.S."}))
+    return "a program of Fagor's 8070 with its own statements ($IF, #VAR, V.P.)";
+  if (whole.size() > 4 && whole.starts_with("%PM") && is_digit(whole[3]))
+    return "a program of Philips' and MAHO's controls (%PM)";
   if (any_of(raw, {"@MACRO"})) return "a Syntec macro";
   if (any_of(code, {"CALL O"})) return "a program of Okuma's OSP (CALL O)";
   if (ends_with(path, {".MIN", ".SSB"}) && sets_common_variable(code))
