@@ -21,7 +21,7 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
   typed.read("--comp", out.interp.comp, comp_value);
   out.interp.least_increments = typed.flag("--least-increments");
   typed.read("--block-skip", out.interp.block_skip, skip_value);
-  out.interp.search_path = typed.texts("--path");
+  out.interp.search_path = existing_paths("--path", typed.texts("--path"));
   for (const std::string& word : typed.texts("--set")) {
     const std::size_t equal = word.find('=');
     if (equal == word.npos || equal == 0 || equal + 1 == word.size())

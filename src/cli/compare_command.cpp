@@ -185,7 +185,7 @@ int run_compare(int argc, const char* const* argv) {
   request.part = typed.inputs()[0];
   request.nominal = typed.inputs()[1];
   request.deviation = typed.text("--output");
-  request.folders = typed.texts("--path");
+  request.folders = existing_paths("--path", typed.texts("--path"));
   request.quiet = typed.flag("--quiet");
   typed.read("--threads", request.options.threads, threads_value);
   std::size_t max_memory = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <string_view>
 #include <vector>
@@ -160,6 +161,16 @@ unsigned skip_value(const std::string& option, const std::string& text) {
   unsigned bits = 0;
   for (const std::string& part : split(text)) bits |= 1u << whole_value(option, part, 0, 9);
   return bits;
+}
+
+const std::vector<std::string>& existing_paths(const std::string& option,
+                                               const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault))
+      throw Error("file-missing", fmt::format("{} {}: no such folder", option, path));
+  }
+  return paths;
 }
 
 }  // namespace mrsim::cli

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mrsim::cli {
 
@@ -38,5 +39,9 @@ UpAxis up_value(const std::string& option, const std::string& text);
 KeepPieces keep_value(const std::string& option, const std::string& text);
 /// "0,2": levels of block skip, as the bits of InterpOptions::block_skip.
 unsigned skip_value(const std::string& option, const std::string& text);
+
+/// The folders and files, which must exist: a program that is looked for elsewhere may be another.
+const std::vector<std::string>& existing_paths(const std::string& option,
+                                               const std::vector<std::string>& paths);
 
 }  // namespace mrsim::cli

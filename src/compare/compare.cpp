@@ -32,7 +32,8 @@ void validate(const CompareOptions& o) {
   if (o.accept) {
     const Acceptance& a = *o.accept;
     if (!std::isfinite(a.lo) || !std::isfinite(a.hi) || a.lo > 0 || a.hi < 0 || !(a.lo < a.hi))
-      usage("accept-invalid", "a tolerance is T or LO,HI with LO <= 0 <= HI, such as -0.02,0.05");
+      usage("accept-invalid",
+            "a tolerance is T above 0 or LO,HI with LO <= 0 <= HI, such as 0.02 or -0.02,0.05");
   }
   if (!(o.density >= 0) || !std::isfinite(o.density))
     usage("density-invalid", "the density of samples is a number of points per mm2, 0 or more");
@@ -160,8 +161,7 @@ Acceptance parse_acceptance(const std::string& text) {
     throw Error("accept-invalid", "'" + text + "' is no tolerance: T or LO,HI in mm",
                 Error::Kind::usage);
   CompareOptions options;
-  options.accept =
-      comma == std::string::npos ? Acceptance{-std::abs(*lo), std::abs(*lo)} : Acceptance{*lo, *hi};
+  options.accept = comma == std::string::npos ? Acceptance{-*lo, *lo} : Acceptance{*lo, *hi};
   validate(options);
   return *options.accept;
 }

@@ -41,6 +41,14 @@ TEST_F(JobRun, HoldsTheComparison) {
   EXPECT_TRUE(contains(read("r.json"), "verdict"));
 }
 
+// A folder that is not there may have held the subprogram that is meant.
+TEST_F(JobRun, FoldersOfProgramsExist) {
+  write("same.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\npath = \"jobz\"\n");
+  expect_failure("same.toml", 1, "jobz: no such folder");
+  EXPECT_EQ(run("same.toml --path jobs").code, 0);
+}
+
 TEST_F(JobRun, LeadsOutOfItsFolderOnlyWhereThatIsAllowed) {
   write("jobs/out.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\n"

@@ -148,7 +148,7 @@ TEST(Compare, NoVerdictWithoutATolerance) {
 TEST(ParseAcceptance, TakesOneOrTwoNumbers) {
   EXPECT_EQ(parse_acceptance("0.05").lo, -0.05);
   EXPECT_EQ(parse_acceptance("-0.02,+0.05").hi, 0.05);
-  for (const char* bad : {"", "x", "0.1,0.2", "0,0", "0.1,", "nan"})
+  for (const char* bad : {"", "x", "0.1,0.2", "0,0", "0.1,", "nan", "-0.02", "0"})
     EXPECT_EQ(testing::error_code([&] { parse_acceptance(bad); }), "accept-invalid") << bad;
 }
 

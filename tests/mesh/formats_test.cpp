@@ -211,6 +211,18 @@ TEST(MeshFormats, WeldFilesThatRepeatTheirVertices) {
   }
 }
 
+// Some editors put it before every text.
+TEST(MeshFormats, TakeTextsWithTheMarkOfUtf8) {
+  const std::string mark = "\xef\xbb\xbf", stl =
+                                               "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 "
+                                               "0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                                               "endfacet\nendsolid";
+  EXPECT_EQ(parse_code(mark + stl, MeshFormat::stl), "");
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(parse_mesh(mark + obj, MeshFormat::obj, "m").vertices.size(), 3u);
+  EXPECT_EQ(parse_code(mark + bytes_as(MeshFormat::off, format_part()), MeshFormat::off), "");
+}
+
 TEST(MeshFile, FormatsAreToldByExtension) {
   EXPECT_EQ(mesh_format_of("a/b.c/part.STL"), MeshFormat::stl);
   EXPECT_EQ(mesh_format_of("x.3mf"), MeshFormat::threemf);

@@ -48,6 +48,7 @@ TEST(ThreeMf, RefusesBombsAndLoops) {
   EXPECT_EQ(refused("<model><resources><object id=\"1\""), "3mf-xml");
   EXPECT_EQ(refused("<model><build><item objectid=\"5\"/></build></model>"), "3mf-index");
   EXPECT_EQ(refused("<model/>"), "3mf-empty");
+  EXPECT_EQ(refused("<model unit=\"Inch\"/>"), "3mf-unit");
   // A directory that claims 3 GB in a few bytes is refused before anything is unpacked.
   std::string bomb = package(std::string(5000, ' '));
   const std::size_t entry = bomb.find("PK\1\2", bomb.find("PK\1\2") + 1);

@@ -49,11 +49,11 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
     case MeshFormat::stl:
       return parse_stl(bytes, name);
     case MeshFormat::obj:
-      return parse_obj(bytes, name);
+      return parse_obj(detail::without_mark(bytes), name);
     case MeshFormat::ply:
-      return parse_ply(bytes, name);
+      return parse_ply(detail::without_mark(bytes), name);
     case MeshFormat::off:
-      return parse_off(bytes, name);
+      return parse_off(detail::without_mark(bytes), name);
     case MeshFormat::threemf:
       return parse_3mf(bytes, name);
     case MeshFormat::glb:

@@ -210,8 +210,9 @@ TriMesh parse_stl(std::string_view bytes, const std::string& name) {
       bytes.size() >= kHeader &&
       bytes.size() >=
           kHeader + std::uint64_t(detail::load<std::uint32_t>(bytes.data() + 80)) * kTriangle;
-  if (starts_with_solid(bytes) && looks_like_text(bytes) && !binary_fits)
-    return parse_ascii(bytes, name);
+  const std::string_view text = detail::without_mark(bytes);
+  if (starts_with_solid(text) && looks_like_text(text) && !binary_fits)
+    return parse_ascii(text, name);
   if (bytes.size() < kHeader) {
     if (looks_like_text(bytes))
       throw Error("stl-syntax", fmt::format("{} is not an STL file: it begins neither with "

@@ -47,6 +47,11 @@ std::string_view TextScan::rest_of_line() {
   return text_.substr(begin, end - begin);
 }
 
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
 std::optional<float> to_float(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   double value = 0;

@@ -29,6 +29,9 @@ class TextScan {
   std::size_t line_ = 1;
 };
 
+/// Without the mark of UTF-8 that some editors put before a text.
+std::string_view without_mark(std::string_view text);
+
 /// The finite float that `word` spells ("1e-3" allowed); nothing otherwise.
 std::optional<float> to_float(std::string_view word);
 /// The whole number that `word` spells; nothing otherwise.

@@ -110,12 +110,13 @@ Placement ModelReader::placement() const {
   return p;
 }
 
-double unit_in_mm(std::string_view unit) {
-  constexpr std::pair<std::string_view, double> kUnits[] = {
-      {"micron", 0.001}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}};
+std::optional<double> unit_in_mm(std::string_view unit) {
+  constexpr std::pair<std::string_view, double> kUnits[] = {{"micron", 0.001},  {"millimeter", 1},
+                                                            {"centimeter", 10}, {"inch", 25.4},
+                                                            {"foot", 304.8},    {"meter", 1000}};
   for (const auto& [name, mm] : kUnits)
     if (name == unit) return mm;
-  return 1;
+  return std::nullopt;
 }
 
 void ModelReader::read_triangle() {
@@ -158,7 +159,9 @@ void ModelReader::open_tag() {
   } else if (tag == "item") {
     build_.push_back(placement());
   } else if (tag == "model") {
-    unit_ = unit_in_mm(xml_.attribute("unit").value_or("millimeter"));
+    const auto unit = unit_in_mm(xml_.attribute("unit").value_or("millimeter"));
+    if (!unit) builder_.fail("unit", "its unit of length is none that 3MF knows");
+    unit_ = *unit;
   } else if (tag == "metadata") {
     metadata_ = xml_.attribute("name").value_or("");
   }
