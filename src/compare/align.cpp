@@ -165,6 +165,28 @@ RigidTransform align_boxes(const Box3& part, const Box3& nominal) {
   return out;
 }
 
+std::vector<RigidTransform> quarter_turns(const Box3& part, const Box3& nominal) {
+  std::vector<RigidTransform> out;
+  const Vec3 from = 0.5 * (part.lo + part.hi), to = 0.5 * (nominal.lo + nominal.hi);
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 6; ++y) {
+      if (x % 3 == y % 3) continue;
+      Vec3 first, second;
+      component(first, x % 3) = x < 3 ? 1 : -1;
+      component(second, y % 3) = y < 3 ? 1 : -1;
+      RigidTransform t;
+      t.rotation = {first, second, cross(first, second)};
+      t.shift = to - rotate(t, from);
+      out.push_back(t);
+    }
+  return out;
+}
+
+double rms_at(const std::vector<Vec3>& points, const NominalSurface& nominal,
+              const RigidTransform& at, int threads) {
+  return rms_of(residuals(points, nominal, at, threads));
+}
+
 IcpResult icp(const std::vector<Vec3>& points, const NominalSurface& nominal,
               const RigidTransform& start, int threads) {
   IcpResult out{start, 0, 0, 0};

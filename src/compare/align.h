@@ -18,6 +18,14 @@ double angle_of(const RigidTransform& t);
 /// Moves the centre of the part's bounds onto that of the nominal's.
 RigidTransform align_boxes(const Box3& part, const Box3& nominal);
 
+/// The 24 turns by quarters about the axes, each with the boxes' centres on each other; the first
+/// is align_boxes(). A shaft lies along Z on the lathe and along any axis in CAD.
+std::vector<RigidTransform> quarter_turns(const Box3& part, const Box3& nominal);
+
+/// Root mean square of the points' distances from the planes that are nearest to them, mm.
+double rms_at(const std::vector<Vec3>& points, const NominalSurface& nominal,
+              const RigidTransform& at, int threads = 0);
+
 struct IcpResult {
   RigidTransform transform;
   double rms_before = 0, rms_after = 0;  ///< mm, of the points that count

@@ -108,6 +108,20 @@ TEST(Compare, IcpUndoesATurnAndAShift) {
   EXPECT_NEAR(distance(back, p), 0, 1e-3);
 }
 
+// A shaft lies along Z on the lathe, and along any axis in CAD.
+TEST(Compare, IcpFindsQuarterTurns) {
+  const TriMesh nominal = testing::joined(testing::box_mesh({0, 0, 0}, {60, 40, 10}),
+                                          testing::box_mesh({5, 5, 10.5}, {25, 15, 20}));
+  CompareOptions options = accept(-0.02, 0.02);
+  options.align = Alignment::icp;
+  const Box3 box{{0, 0, 0}, {60, 40, 20}};
+  const std::vector<RigidTransform> turns = quarter_turns(box, box);
+  ASSERT_EQ(turns.size(), 24u);
+  EXPECT_EQ(turns[0].rotation, RigidTransform{}.rotation);
+  for (std::size_t i = 0; i < turns.size(); i += 5)
+    EXPECT_TRUE(*compare(transformed(nominal, turns[i]), nominal, options).accepted) << i;
+}
+
 TEST(Compare, BoxAlignmentBridgesAKilometre) {
   const TriMesh nominal = testing::box_mesh({0, 0, 0}, {80, 50, 5});
   RigidTransform far;
