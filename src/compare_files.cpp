@@ -1,8 +1,12 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
+#include "core/error.h"
 #include "core/text_io.h"
 #include "cuts.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/pieces.h"
+#include "mesh/solid/solid_repair.h"
 #include "outputs.h"
 #include "vdb_files.h"
 #include <mrsim/mrsim.h>
@@ -45,6 +49,32 @@ TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   return mesh;
 }
 
+// A mesh that is nearly a solid is made one, as a stock is. One that leaves something to guess is
+// refused where it is used.
+std::string repair(TriMesh& mesh, const std::string& path) {
+  const MeshSummary summary = check_mesh(mesh);
+  if (summary.closed && summary.oriented && summary.volume > 0) return "";
+  TriMesh solid = mesh;
+  try {
+    const std::string repairs = make_solid(solid, path);
+    mesh = std::move(solid);
+    return path + " was no solid and has been repaired: " + repairs;
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+// Bodies that cross each other have faces within the material, and deviations from these.
+std::string crossing(const TriMesh& mesh, const std::string& path) {
+  if (find_pieces(mesh).size() < 2) return "";
+  try {
+    refuse_self_intersections(mesh, path);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -85,8 +115,12 @@ bool is_step(const std::string& path) {
 
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {
   if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
-  if (!is_step(path)) return read_mesh(path);
-  return read_step(path, deflection, note);
+  TriMesh mesh = is_step(path) ? read_step(path, deflection, note) : read_mesh(path);
+  if (note == nullptr) return mesh;
+  if (!is_step(path)) *note = repair(mesh, path);
+  if (const std::string crosses = crossing(mesh, path); !crosses.empty())
+    *note += (note->empty() ? "" : "\n") + crosses;
+  return mesh;
 }
 
 std::vector<std::vector<std::string>> read_program_lines(const OwnerTable& origin,

@@ -11,8 +11,9 @@ namespace mrsim {
 
 /// Part or nominal in mm from any file: a mesh, STEP (within `deflection` mm of its faces), or a
 /// .vdb, which is carved again and meshed with its owners. `note` gets a sentence where something
-/// was decided. Throws what read_mesh() and read_step() throw; codes of a damaged .vdb begin with
-/// "vdb-". Cost: that of carving, for a .vdb.
+/// was decided, and where bodies cross each other; a mesh that is nearly a solid is then made one.
+/// Throws what read_mesh() and read_step() throw; codes of a damaged .vdb begin with "vdb-". Cost:
+/// that of carving, for a .vdb.
 MRSIM_API TriMesh read_solid(const std::string& path, double deflection = 0.001, int threads = 0,
                              std::string* note = nullptr);
 

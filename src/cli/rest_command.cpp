@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace mrsim::cli {
 namespace {
 
@@ -58,8 +60,14 @@ int run_rest(int argc, const char* const* argv) {
   double deflection = 0.001;
   typed.read("--deflection", deflection, positive_value);
   const std::vector<NamedPath> outputs = checked_outputs(typed);
-  const Rest rest = find_rest(read_solid(typed.inputs()[0], deflection, options.threads),
-                              read_solid(typed.inputs()[1], deflection, options.threads), options);
+  const auto read = [&](const std::string& path) {
+    std::string note;
+    TriMesh mesh = read_solid(path, deflection, options.threads, &note);
+    if (!note.empty() && !typed.flag("--quiet")) fmt::print(stderr, "{}\n", note);
+    return mesh;
+  };
+  const TriMesh part = read(typed.inputs()[0]), nominal = read(typed.inputs()[1]);
+  const Rest rest = find_rest(part, nominal, options);
   if (!typed.texts("--output").empty() && rest.pieces.empty())
     throw Error("rest-none", "nothing is left to cut, so there is no mesh to write");
   const TriMesh pieces = joined_pieces(rest);

@@ -1,6 +1,8 @@
 // The comparison from outside, on real programs with planted faults.
 #include "run_program.h"
 
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 namespace mrsim {
@@ -176,6 +178,38 @@ TEST_F(Compare, EveryFormatWithOwnersNamesTheLine) {
     const Json j = Json::parse(read("r.json"));
     EXPECT_NE(j["regions"].dump().find("N40 G3 X7.5 Y0 CR=7.5"), std::string::npos) << name;
   }
+}
+
+// Corners of a cube, and its sides where they begin at corner `first`, in OFF.
+std::string box_corners(int lo, int hi) {
+  std::ostringstream out;
+  for (int i = 0; i < 8; ++i)
+    out << (i & 1 ? hi : lo) << ' ' << (i & 2 ? hi : lo) << ' ' << (i & 4 ? hi : lo) << '\n';
+  return out.str();
+}
+
+std::string box_sides(int first) {
+  constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::ostringstream out;
+  for (const auto& side : kSides) {
+    out << 4;
+    for (const int corner : side) out << ' ' << corner + first;
+    out << '\n';
+  }
+  return out.str();
+}
+
+TEST_F(Compare, NominalsThatAreNearlySolidsAreRepairedAndToldOf) {
+  write("box.off", "OFF\n8 6 0\n" + box_corners(0, 10) + box_sides(0));
+  write("double.off", "OFF\n8 12 0\n" + box_corners(0, 10) + box_sides(0) + box_sides(0));
+  const Outcome outcome = run("compare box.off double.off --accept 0.01");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "double.off was no solid and has been repaired"))
+      << outcome.err;
+  write("two.off",
+        "OFF\n16 12 0\n" + box_corners(0, 10) + box_corners(5, 15) + box_sides(0) + box_sides(8));
+  EXPECT_TRUE(contains(run("compare box.off two.off").err, "two.off: the surface crosses itself"));
 }
 
 TEST_F(Compare, BadInputLeavesNothing) {
