@@ -103,6 +103,10 @@ TEST(Fagor, PocketsAreThoseOfTheirSizes) {
   EXPECT_EQ(iso("F100\nG87 X10 Y7 Z2 I-5 J20 B2\n"), "r0,0,20 | value-missing");
   EXPECT_EQ(iso("F100\nG87 X10 Y7 Z2 I-5 J20 K4 B2\n"), "r0,0,20 r10,7,20 | value-range")
       << "the cutter has 10 mm";
+  InterpOptions none = at_origin(Dialect::iso);
+  none.table.tools.clear();
+  const Program unknown = read_text("T3 D3 M6\nF100\nG88 Z2 I-5 J9 B1 D2\n", none);
+  ASSERT_NE(listing(unknown).find("G88 needs the radius"), std::string::npos) << listing(unknown);
 }
 
 // The cycle in force at more places; its own block is the first of them.

@@ -13,6 +13,7 @@ namespace mrsim {
 
 struct CycleCall {
   std::string name;
+  std::string written;  ///< where the program writes it otherwise: G87 of Fagor
   std::vector<std::optional<Value>> values;
   CyclePlace place;
 
@@ -22,6 +23,7 @@ struct CycleCall {
   double get(std::size_t i, double otherwise = 0) const {
     return given(i) ? values[i]->number : otherwise;
   }
+  const std::string& shown() const { return written.empty() ? name : written; }
   /// Empty where it is no text.
   std::string text(std::size_t i) const {
     return i < values.size() && values[i] ? values[i]->text : std::string();

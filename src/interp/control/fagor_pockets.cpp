@@ -40,6 +40,7 @@ CycleCall FagorPockets::call(const FagorPocket& pocket) const {
   const bool round = pocket.number == 88;
   CycleCall call;
   call.name = round ? "POCKET4" : "POCKET3";
+  call.written = round ? "G88" : "G87";
   call.values.resize(18);
   const auto set = [&](std::size_t at, double value) { call.values[at] = Value::of(value); };
   const double unit = scale();

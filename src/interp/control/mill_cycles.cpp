@@ -34,7 +34,7 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
   mover_.begin(where);
   if (modal_.comp != Code::comp_off)
     return fail("cycle-compensation", "a milling cycle under radius compensation: G40 before it");
-  radius_ = tools_.radius_for(call.name, modal_.edge, where_);
+  radius_ = tools_.radius_for(call.shown(), modal_.edge, where_);
   if (radius_ <= 0) return false;
   if (call.name == "POCKET1" || call.name == "POCKET3") return rectangle();
   if (call.name == "POCKET2" || call.name == "POCKET4") return circle();
@@ -49,7 +49,7 @@ bool MillCycles::depth(Levels& l) {
   const double unit = scale();
   if (!call_->given(0) || !call_->given(1) || (!call_->given(3) && value(list_->dpr) == 0))
     return fail("value-missing",
-                fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->name));
+                fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->shown()));
   l.top = call_->get(0) * unit;
   l.reference = call_->get(1) * unit;
   const double down = l.top < l.reference ? 1 : -1;
@@ -62,7 +62,7 @@ bool MillCycles::depth(Levels& l) {
   if ((l.bottom - l.reference) * down <= 0)
     return fail("value-range",
                 fmt::format("{}: the depth does not lie below the reference plane (alarm 61101)",
-                            call_->name));
+                            call_->shown()));
   return true;
 }
 
