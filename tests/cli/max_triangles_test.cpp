@@ -12,13 +12,15 @@ class MaxTriangles : public CliTest {
 };
 
 TEST_F(MaxTriangles, ReducesAndSaysHowFar) {
+  ASSERT_EQ(run(part_ + "-o whole.ply --json whole.json").code, 0);
+  const auto whole = nlohmann::json::parse(read("whole.json"))["mesh"]["triangles"];
   const Outcome outcome = run(part_ + "--max-triangles 600 -o part.ply --json run.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "reduced from 1 514")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "reduced from ")) << outcome.out;
   EXPECT_NEAR(number_after(outcome.out, "volume"), 58782.633, 0.001);  // of the exact part
   const auto json = nlohmann::json::parse(read("run.json"));
   EXPECT_LE(json["mesh"]["triangles"], 600);
-  EXPECT_EQ(json["mesh"]["reduced"]["before"], 1514);
+  EXPECT_EQ(json["mesh"]["reduced"]["before"], whole);
   const double least = json["mesh"]["reduced"]["distance"][0];
   const double most = json["mesh"]["reduced"]["distance"][1];
   EXPECT_GT(least, 0);
@@ -26,7 +28,6 @@ TEST_F(MaxTriangles, ReducesAndSaysHowFar) {
   EXPECT_GT(json["bound"]["distance"], most);
 
   // The comparison of both files finds the same distance.
-  ASSERT_EQ(run(part_ + "-o whole.ply").code, 0);
   ASSERT_EQ(run("compare part.ply whole.ply --json c.json").code, 0);
   const auto found = nlohmann::json::parse(read("c.json"));
   EXPECT_NEAR(found["hausdorff"]["symmetric"]["lower"], least, 0.02 * most);
