@@ -60,11 +60,11 @@ void hint_tools(const TriMesh& part, const DeviationField& field, const FaceLine
     const bool floors = tool.upright > 0.5 * tool.out_area;
     out.push_back(
         {"tool-size",
-         fmt::format(
-             "{} lines of {} are all off by about {:+.3f} mm {}: check its {}", tool.lines.size(),
-             name.tool.empty() ? "one tool" : "tool " + name.tool, mean,
-             floors ? "in depth" : "sideways",
-             floors ? "length and the Z of the work offset" : "diameter and radius register")});
+         fmt::format("{} lines of {} are all off by about {:+.3f} mm {}: check its {}",
+                     tool.lines.size(), name.tool.empty() ? "one tool" : "tool " + name.tool, mean,
+                     floors ? "in depth" : "sideways",
+                     floors ? "length and the Z of the work offset"
+                            : "diameter and radius register, of a turning tool its X offset")});
   }
 }
 

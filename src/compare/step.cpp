@@ -154,7 +154,8 @@ TriMesh read_step(const std::string& path, double deflection, std::string* note)
   StepMesh step = read_solids(path, deflection);
   const MeshSummary summary = check_mesh(step.mesh);
   if (!summary.closed || !summary.oriented)
-    throw Error("step-open", path + ": the solids' faces do not join: " + summary.first_fault);
+    throw Error("step-open", path + ": the solids' faces do not join: " + summary.first_fault +
+                                 "; solids that touch are to be united in CAD");
   if (note != nullptr)
     *note = fmt::format(
         "{}: {} triangles within {:.4g} mm of the exact faces{}{}{}", path,

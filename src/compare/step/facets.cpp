@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kAngle = 0.2;       // radians between neighbouring chords of an edge at most
 constexpr double kInnerAngle = 0.5;  // between facets, which are divided further
-constexpr double kInnerShare = 30;   // of the deflection: what facets may miss before
+constexpr double kInnerShare = 16;   // of the deflection: what facets may miss before
 constexpr int kRounds = 3;           // of finer chords
 constexpr double kFiner = 0.3;       // what a round asks for, of the one before
 
