@@ -2,6 +2,7 @@
 #include "run_program.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,8 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Polygon = std::vector<std::pair<double, double>>;
-
-constexpr double kPi = 3.14159265358979323846;
 
 class Rest : public CliTest {
  protected:
@@ -42,8 +41,8 @@ class Rest : public CliTest {
   void write_corner(const std::string& name, double radius) {
     Polygon polygon = {{0, 0}, {40, 0}, {40, 10}};
     for (int k = 96; k >= 0; --k)  // from (10 + radius, 10) to (10, 10 + radius)
-      polygon.emplace_back(10 + radius * (1 - std::cos(kPi / 2 * k / 96)),
-                           10 + radius * (1 - std::sin(kPi / 2 * k / 96)));
+      polygon.emplace_back(10 + radius * (1 - std::cos(std::numbers::pi / 2 * k / 96)),
+                           10 + radius * (1 - std::sin(std::numbers::pi / 2 * k / 96)));
     polygon.insert(polygon.end(), {{10, 40}, {0, 40}});
     write_prism(name, polygon, {5, 5}, 12);
   }
@@ -90,7 +89,7 @@ TEST_F(Rest, SharpInnerEdgesAreFoundWhereverTheyLie) {
 TEST_F(Rest, CornerNamesTheToolOfItsFillet) {
   write_corner("part.off", 6);
   write_corner("nominal.off", 3);
-  const double exact = (6 * 6 - 3 * 3) * (1 - kPi / 4) * 12;
+  const double exact = (6 * 6 - 3 * 3) * (1 - std::numbers::pi / 4) * 12;
   const Json found = rest("part.off nominal.off --voxel 0.1");
   ASSERT_EQ(found["pieces"].size(), 1U);
   const Json& piece = found["pieces"][0];

@@ -12,13 +12,13 @@ namespace {
 
 using namespace mrsim::testing;
 
-constexpr double kVoxel = 0.25, kTolerance = 0.02, kDepth = kTolerance / 8;
+constexpr double kEdge = 0.25, kTolerance = 0.02, kDepth = kTolerance / 8;
 
 // A cell of eight voxels about the middle of the top of a block of 20 x 20 x 10 mm.
 struct TopCell {
   explicit TopCell(std::vector<Cut> cuts)
       : part({{0, 0, 0}, {20, 20, 10}}, false, std::move(cuts)),
-        lattice(part.bounds(), kVoxel, 3),
+        lattice(part.bounds(), kEdge, 3),
         list(part.all()) {
     origin = lattice.floor({9, 9, 9});
     const std::int32_t size = kVoxels * lattice.per_voxel();
@@ -73,7 +73,7 @@ TEST(CellScan, TellsFacesThatBendFromFacesThatMeet) {
 TEST(CellScan, SeesWhatIsDeeperThanTheLimitAlone) {
   for (const double deep : {0.5 * kDepth, 2 * kDepth, 0.1, 1.0}) {
     // A slot of 1.2 voxels in the middle of the cell, which no corner is near to.
-    const TopCell slot({flat_line({0, 10.1}, {20, 10.1}, 0.6 * kVoxel, 10 - deep)});
+    const TopCell slot({flat_line({0, 10.1}, {20, 10.1}, 0.6 * kEdge, 10 - deep)});
     EXPECT_EQ(slot.shows({}, kAnyBend), deep > kDepth) << deep;
     EXPECT_EQ(slot.shows(slot.list, kTolerance), deep > kTolerance) << deep;
     EXPECT_FALSE(slot.shows(slot.list, kAnyBend)) << deep;

@@ -67,16 +67,16 @@ struct FacesScene {
   }
 };
 
-const StockShape kBlock = box_stock({0, 0, -10}, {40, 30, 0});
+const StockShape kPlate = box_stock({0, 0, -10}, {40, 30, 0});
 
 TEST(CutFaces, OneForEachStepBetweenMoments) {
-  const FacesScene scene(kBlock, {line({-5, 15, -3}, {20, 15, -3})}, endmill(8), 0.5);
+  const FacesScene scene(kPlate, {line({-5, 15, -3}, {20, 15, -3})}, endmill(8), 0.5);
   EXPECT_EQ(scene.seen().size(), scene.faces.faces.size());
   EXPECT_TRUE(scene.faces.late.empty());
 }
 
 TEST(CutFaces, PlacesAndNormalsAreThoseOfTheMotion) {
-  const FacesScene scene(kBlock, {line({-5, 15, -3}, {20, 15, -3})}, endmill(8), 0.5);
+  const FacesScene scene(kPlate, {line({-5, 15, -3}, {20, 15, -3})}, endmill(8), 0.5);
   std::map<std::int32_t, int> floors;
   for (const Seen& f : scene.seen()) {
     if (f.birth == 1) {
@@ -102,7 +102,7 @@ TEST(CutFaces, ALaterSkimMovesTheFacesThatStay) {
   // The second pass takes a fifth of a voxel: no voxel goes by it, and its floor is what stays.
   const std::vector<Motion> moves{line({-5, 15, -3}, {45, 15, -3}),
                                   line({45, 15, -3.1}, {-5, 15, -3.1})};
-  const FacesScene scene(kBlock, moves, endmill(8), 0.5);
+  const FacesScene scene(kPlate, moves, endmill(8), 0.5);
   const std::vector<Seen> seen = scene.seen();
   ASSERT_GT(scene.faces.late.size(), 1000u);
   for (const LateSurface& late : scene.faces.late) {
@@ -117,7 +117,7 @@ TEST(CutFaces, ALaterSkimMovesTheFacesThatStay) {
 
 TEST(CutFaces, InheritedCutsAreOverWhenThePlayBegins) {
   const std::vector<Motion> moves{line({-5, 8, -3}, {45, 8, -3}), line({-5, 22, -3}, {45, 22, -3})};
-  const FacesScene scene(kBlock, moves, endmill(6), 0.5, 1);
+  const FacesScene scene(kPlate, moves, endmill(6), 0.5, 1);
   int old_floor = 0, new_floor = 0;
   for (const Seen& f : scene.seen(1)) {
     EXPECT_LE(f.birth, 1);
@@ -132,8 +132,8 @@ TEST(CutFaces, InheritedCutsAreOverWhenThePlayBegins) {
 TEST(CutFaces, SameOnAnyNumberOfThreads) {
   const std::vector<Motion> moves{line({-5, 8, -3}, {45, 20, -4}),
                                   line({45, 22, -3}, {-5, 12, -3.2})};
-  const FacesScene one(kBlock, moves, ballmill(6), 0.5, 0, 1),
-      four(kBlock, moves, ballmill(6), 0.5, 0, 4);
+  const FacesScene one(kPlate, moves, ballmill(6), 0.5, 0, 1),
+      four(kPlate, moves, ballmill(6), 0.5, 0, 4);
   ASSERT_EQ(one.faces.faces.size(), four.faces.faces.size());
   for (std::size_t i = 0; i < one.faces.faces.size(); ++i) {
     EXPECT_EQ(one.faces.faces[i].share, four.faces.faces[i].share);

@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostPasses = 1e5;
+constexpr double kMostTurningPasses = 1e5;
 
 }  // namespace
 
@@ -108,7 +108,7 @@ bool SinumerikContours::roughing(Removal& r) {
   const double depth = std::abs(call_.get(1)) * scale();
   const double whole = (shape.deepest() - r.top) * r.down;
   if (depth <= 0) return error("value-missing", "CYCLE95 needs MID, the depth of a pass", where_);
-  if (whole / depth > kMostPasses) return error("value-range", "too many passes", where_);
+  if (whole / depth > kMostTurningPasses) return error("value-range", "too many passes", where_);
   Vec3 begin = position_.physical;
   component(begin, r.v) = r.start;
   go(begin, MotionKind::rapid, 0);

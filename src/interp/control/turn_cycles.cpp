@@ -12,8 +12,8 @@
 namespace mrsim {
 namespace {
 
-constexpr std::array<std::string_view, 5> kCycles = {"CYCLE93", "CYCLE951", "CYCLE97", "CYCLE98",
-                                                     "CYCLE99"};
+constexpr std::array<std::string_view, 5> kTurnCycles = {"CYCLE93", "CYCLE951", "CYCLE97",
+                                                         "CYCLE98", "CYCLE99"};
 constexpr double kMostPasses = 1e5;
 
 double sign(double v) { return v < 0 ? -1 : 1; }
@@ -21,7 +21,7 @@ double sign(double v) { return v < 0 ? -1 : 1; }
 }  // namespace
 
 bool TurnCycles::knows(std::string_view name) {
-  return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
+  return std::find(kTurnCycles.begin(), kTurnCycles.end(), name) != kTurnCycles.end();
 }
 
 bool TurnCycles::run(const CycleCall& call, const Word& where) {
