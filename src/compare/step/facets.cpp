@@ -4,6 +4,8 @@
 #include "compare/step/shape.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -28,14 +30,15 @@ constexpr double kInnerShare = 16;   // of the deflection: what facets may miss 
 constexpr int kRounds = 3;           // of finer chords
 constexpr double kFiner = 0.3;       // what a round asks for, of the one before
 
-// Edges end at their chords; within a face facets are coarse.
-void divide_edges(const TopoDS_Shape& solid, double deflection) {
+// Edges end at their chords; within a face facets may miss it by `inner` times as much. At 1 Open
+// CASCADE looks for itself how far they do.
+void divide_edges(const TopoDS_Shape& solid, double deflection, double inner) {
   IMeshTools_Parameters wish;
   wish.Deflection = deflection;
-  wish.DeflectionInterior = kInnerShare * deflection;
+  wish.DeflectionInterior = inner * deflection;
   wish.Angle = kAngle;
   wish.AngleInterior = kInnerAngle;
-  wish.ControlSurfaceDeflection = Standard_False;
+  wish.ControlSurfaceDeflection = inner > 1 ? Standard_False : Standard_True;
   BRepTools::Clean(solid);
   const BRepMesh_IncrementalMesh mesher(solid, wish);
 }
@@ -99,24 +102,62 @@ void append(const FaceMesh& mesh, bool is_reversed, SolidFacets& out) {
   }
 }
 
-void add_solid(const TopoDS_Shape& solid, double deflection, SolidFacets& out) {
-  double asked = deflection, edges = 0;
-  for (int round = 0; round < kRounds; ++round, asked *= kFiner) {
-    divide_edges(solid, asked);
-    edges = edge_deviation(solid);
-    if (edges <= deflection) break;
+// Whether each side of a triangle is that of one other, turned round, where points of one place are
+// one.
+bool is_closed(const SolidFacets& facets) {
+  using Point = std::array<float, 3>;
+  std::map<Point, std::uint32_t> places;
+  std::vector<std::uint32_t> place(facets.points.size() / 3);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const Point p{facets.points[3 * i], facets.points[3 * i + 1], facets.points[3 * i + 2]};
+    place[i] = places.emplace(p, std::uint32_t(places.size())).first->second;
   }
-  out.deviation = std::max(out.deviation, edges);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides, turned;
+  for (std::size_t t = 0; t < facets.triangles.size(); t += 3) {
+    const std::uint32_t k[3] = {place[facets.triangles[t]], place[facets.triangles[t + 1]],
+                                place[facets.triangles[t + 2]]};
+    if (k[0] == k[1] || k[1] == k[2] || k[2] == k[0]) continue;
+    for (int i = 0; i < 3; ++i) {
+      sides.emplace_back(k[i], k[(i + 1) % 3]);
+      turned.emplace_back(k[(i + 1) % 3], k[i]);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::sort(turned.begin(), turned.end());
+  return sides == turned && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+}
+
+// Open CASCADE's facets, divided further where they may miss their face by more than `inner` 1.
+SolidFacets facets_of(const TopoDS_Shape& solid, double deflection, double inner) {
+  SolidFacets out;
+  double asked = deflection;
+  for (int round = 0; round < kRounds; ++round, asked *= kFiner) {
+    divide_edges(solid, asked, inner);
+    out.deviation = edge_deviation(solid);
+    if (out.deviation <= deflection) break;
+  }
   for (TopExp_Explorer at(solid, TopAbs_FACE); at.More(); at.Next()) {
     const TopoDS_Face face = TopoDS::Face(at.Current());
     FaceMesh mesh = mesh_of(face);
     const BRepAdaptor_Surface surface(face, Standard_False);
     if (surface.GetType() != GeomAbs_Plane) {
-      refine(surface, deflection, mesh);
+      if (inner > 1) refine(surface, deflection, mesh);
       out.deviation = std::max(out.deviation, deviation_of(surface, mesh));
     }
     append(mesh, face.Orientation() == TopAbs_REVERSED, out);
   }
+  return out;
+}
+
+// Where two sheets of a face lie closer together than the deflection, new points may fall on old
+// ones: then facets stay as Open CASCADE makes them.
+void add_solid(const TopoDS_Shape& solid, double deflection, SolidFacets& out) {
+  SolidFacets facets = facets_of(solid, deflection, kInnerShare);
+  if (!is_closed(facets)) facets = facets_of(solid, deflection, 1);
+  const auto first = static_cast<std::uint32_t>(out.points.size() / 3);
+  out.points.insert(out.points.end(), facets.points.begin(), facets.points.end());
+  for (const std::uint32_t corner : facets.triangles) out.triangles.push_back(corner + first);
+  out.deviation = std::max(out.deviation, facets.deviation);
 }
 
 }  // namespace
