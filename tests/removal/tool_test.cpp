@@ -196,6 +196,46 @@ TEST(Profile, WidthIsTheHeightOfATSlotHead) {
   expect_invalid(slot, "larger than the flute length");
 }
 
+// A thread mill with its neck, two of its teeth, a slot mill, a stepped drill, a groove with a
+// point.
+TEST(Profile, ConvexPiecesTogetherAreTheSolid) {
+  const std::vector<std::vector<ProfilePoint>> profiles = {
+      {{0, 0, 0}, {4, 0, 0}, {5, 0.5, 0}, {4, 1, 0}, {4, 20, 0}},
+      {{0, 0, 0}, {4, 0, 0}, {5, 1, 0}, {4, 2, 0}, {5, 3, 0}, {4, 4, 0}, {2, 4, 0}, {2, 9, 0}},
+      {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {2, 3, 0}, {2, 20, 0}},
+      {{0, 0, 0}, {2, 1, 0}, {2, 6, 0}, {4, 8, 0}, {4, 15, 0}},
+      {{0, 0, 0}, {5, 1, 0}, {3, 4, 0}, {6, 8, 0}, {6, 15, 0}},
+      {{0, 0, 0}, {3, 3, std::tan(kPi / 8)}, {2, 4, 0}, {2, 8, 0}}};
+  for (const auto& points : profiles) {
+    const Profile whole = make_cutter(form(points));
+    ASSERT_FALSE(whole.is_convex());
+    ASSERT_GE(whole.convex_pieces().size(), 2u);
+    Random r(17);
+    for (int k = 0; k < 4000; ++k) {
+      const Vec2 q{r(0, 8), r(-2, 18)};
+      double least = 1e9;
+      for (const Profile& piece : whole.convex_pieces()) {
+        EXPECT_TRUE(piece.is_convex());
+        least = std::min(least, piece.distance(q));
+      }
+      const double d = whole.distance(q);
+      if (d >= 0)
+        EXPECT_NEAR(least, d, 1e-9);
+      else
+        EXPECT_TRUE(least < 0 && least >= d - 1e-9)
+            << q.x << ' ' << q.y << ' ' << least << ' ' << d;
+    }
+  }
+}
+
+TEST(Profile, ConvexPiecesOfHollowArcsAndOfConvexProfilesAreNone) {
+  EXPECT_TRUE(make_cutter(form({{0, 0, 0}, {2, 0, 0}, {5, 3, 0}})).convex_pieces().empty());
+  const double quarter = std::tan(kPi / 8);
+  EXPECT_TRUE(make_cutter(form({{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}}))
+                  .convex_pieces()
+                  .empty());
+}
+
 TEST(ToolShape, RefusesWhatCannotBe) {
   expect_invalid(endmill(0), "diameter is missing");
   expect_invalid(endmill(-1), "negative");

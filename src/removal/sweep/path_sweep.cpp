@@ -9,7 +9,8 @@
 // fewer. About Z, F is convex wherever the lateral distance of p is (Objective::convex_reach), as
 // it never falls with it: only the rest of a turn is left to branch and bound. Where I >= 0 on both
 // sides of a local minimum (the tool is at the bottom of a trough), no place within half a turn is
-// nearer. Other tools: the Lipschitz bound alone.
+// nearer. Other tools are unions of convex ones (Profile::convex_pieces); where they are not, the
+// Lipschitz bound alone is left, which takes 1e4 values about a smooth minimum.
 #include "removal/sweep/path_sweep.h"
 
 #include "core/trig.h"
@@ -24,7 +25,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -156,9 +159,9 @@ PathSample ends(const Objective& F, double begin, double end) {
   return nearer({F(begin).f, begin}, {F(end).f, end});
 }
 
-// A convex tool on an arc or a helix about Z, over [begin, end].
-PathSample search_level(const Objective& F, double begin, double end) {
-  PathSample best = ends(F, begin, end);
+// A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`.
+PathSample search_level(const Objective& F, double begin, double end, PathSample best) {
+  best = nearer(best, ends(F, begin, end));
   const double near = F.to_circle(), reach = F.convex_reach();
   static thread_local std::vector<Interval> open;
   open.clear();
@@ -240,11 +243,17 @@ PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath&
   return search_all(F, tool, path, begin, end, nearer(local.least(), ends(F, begin, end)));
 }
 
-PathSample search(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
-                  double end) {
-  if (!path.arc || !tool.is_convex())
-    return search_all(F, tool, path, begin, end, ends(F, begin, end));
-  return path.level ? search_level(F, begin, end) : search_steep(F, tool, path, begin, end);
+PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                  double end, PathSample best = {std::numeric_limits<double>::infinity()}) {
+  if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty()) {
+    for (const Profile& piece : pieces)
+      best = nearer(best, search(piece, path, p, begin, end, best));
+    return best;
+  }
+  const Objective F(tool, path, p);
+  if (!tool.is_convex()) return search_all(F, tool, path, begin, end, ends(F, begin, end));
+  if (!path.arc) return descend(F, begin, end);
+  return path.level ? search_level(F, begin, end, best) : search_steep(F, tool, path, begin, end);
 }
 
 // The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and
@@ -325,12 +334,11 @@ bool is_two_sided(const ToolPath& arc) {
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (is_slant(tool, path)) return slant_minimum(slant_record(tool, path), p);
   if (const auto least = solved(tool, path, p, 0, path.sweep)) return *least;
-  const Objective F(tool, path, p);
-  if (!path.arc && tool.is_convex()) return descend(F, 0, 1);
+  if (!path.arc && tool.is_convex()) return descend(Objective(tool, path, p), 0, 1);
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
-  if (path.lowest_turn) return search_lowest_turn(F, tool, path);
-  return search(F, tool, path, 0, path.arc ? path.sweep : 1);
+  if (path.lowest_turn) return search_lowest_turn(Objective(tool, path, p), tool, path);
+  return search(tool, path, p, 0, path.arc ? path.sweep : 1);
 }
 
 double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
@@ -360,7 +368,7 @@ PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3
   const auto [begin, end] = branch_ends(path, branch);
   if (const auto least = solved(tool, path, p, begin, end)) return *least;
   if (has_stretches(tool, path)) return helix_branch_minimum(tool, path, p, branch);
-  return search(Objective(tool, path, p), tool, path, begin, end);
+  return search(tool, path, p, begin, end);
 }
 
 }  // namespace mrsim

@@ -146,6 +146,7 @@ void Profile::find_flags() {
   rising_ = open_top_ && !falling;
   find_slab();
   find_disc();
+  if (!is_convex_) pieces_ = std::make_shared<const std::vector<Profile>>(make_pieces());
 }
 
 // Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].

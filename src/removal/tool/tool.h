@@ -13,7 +13,9 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace mrsim {
@@ -72,6 +74,13 @@ class Profile {
   Vec2 corner_direction(int corner) const;
   Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
 
+  /// Convex solids whose union this is, which overlap wherever they meet: the least of their
+  /// distances is this one's outside, 0 on its surface, and no deeper inside. Empty for a convex
+  /// profile, where an arc bends inwards, and where pieces would only touch.
+  std::span<const Profile> convex_pieces() const {
+    return pieces_ ? std::span<const Profile>(*pieces_) : std::span<const Profile>();
+  }
+
   /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
   /// is_unimodal(), a closed top.
   Profile drawn_out(double travel) const;
@@ -120,12 +129,14 @@ class Profile {
   void find_flags();
   void find_slab();
   void find_disc();
+  std::vector<Profile> make_pieces() const;
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i
   bool open_top_ = false, is_convex_ = true, unimodal_ = true, rising_ = true, is_rounded_ = false;
   double max_radius_ = 0, widest_ = 0, bottom_ = 0, top_ = 0, core_ = 0, round_ = 0;
   std::optional<Disc> disc_;
+  std::shared_ptr<const std::vector<Profile>> pieces_;
 };
 
 /// Convex core polygon of an insert, counter-clockwise in (x = X, y = Z), and its thickness.

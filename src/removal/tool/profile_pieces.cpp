@@ -1,0 +1,97 @@
+#include "removal/tool/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLeastOverlap = 1e-6;  // mm, of two pieces along the axis
+
+using Chain = std::vector<ProfileEdge>;
+
+double direction_at(const ProfileEdge& e, Vec2 at) {
+  if (e.radius == 0) return e.direction.x;
+  return (e.convex ? -1 : 1) * (at.y - e.center.y);
+}
+
+// The least height from which on a convex chain is at least r wide; arcs count from their ends.
+double wide_from(const Chain& chain, double r) {
+  for (const ProfileEdge& e : chain) {
+    if (e.a.x >= r) return e.a.y;
+    if (e.b.x < r) continue;
+    if (e.radius > 0 || e.b.y == e.a.y) return e.b.y;
+    return e.a.y + (r - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// The largest height up to which it is.
+double wide_up_to(const Chain& chain, double r) {
+  for (auto e = chain.rbegin(); e != chain.rend(); ++e) {
+    if (std::isinf(e->b.y)) return e->a.x >= r ? e->b.y : e->a.y;
+    if (e->b.x >= r) return e->b.y;
+    if (e->a.x < r) continue;
+    if (e->radius > 0 || e->b.y == e->a.y) return e->a.y;
+    return e->b.y - (r - e->b.x) / (e->a.x - e->b.x) * (e->b.y - e->a.y);
+  }
+  return -std::numeric_limits<double>::infinity();
+}
+
+ProfileEdge straight(Vec2 a, Vec2 b) { return {.a = a, .b = b}; }
+
+// A chain closed by discs at its ends, where they are not on the axis or endless.
+std::optional<Profile> solid_of(Chain chain) {
+  const Vec2 first = chain.front().a, last = chain.back().b;
+  if (first.x > 0) chain.insert(chain.begin(), straight({0, first.y}, first));
+  if (!std::isinf(last.y) && last.x > 0) chain.push_back(straight(last, {0, last.y}));
+  Profile solid(std::move(chain));
+  if (!solid.is_convex()) return std::nullopt;
+  return solid;
+}
+
+// The profile's edges between corners that point into the solid.
+std::vector<Chain> chains_of(const std::vector<ProfileEdge>& edges,
+                             const std::vector<Profile::Corner>& corners) {
+  std::vector<Chain> chains(1);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i > 0 && corners[i] == Profile::Corner::reflex) chains.emplace_back();
+    chains.back().push_back(edges[i]);
+  }
+  return chains;
+}
+
+}  // namespace
+
+std::vector<Profile> Profile::make_pieces() const {
+  if (std::any_of(edges_.begin(), edges_.end(),
+                  [](const ProfileEdge& e) { return e.radius > 0 && !e.convex; }))
+    return {};
+  const std::vector<Chain> chains = chains_of(edges_, corners_);
+  std::vector<Chain> pieces = chains;
+  for (std::size_t k = 0; k + 1 < chains.size(); ++k) {
+    const Vec2 corner = chains[k + 1].front().a;
+    const double low = wide_from(chains[k], corner.x), high = wide_up_to(chains[k + 1], corner.x);
+    const bool comes_in = direction_at(chains[k].back(), corner) < 0;
+    const bool goes_out = direction_at(chains[k + 1].front(), corner) > 0;
+    const double begin = comes_in ? low : corner.y, end = goes_out ? high : corner.y;
+    if (end - begin < kLeastOverlap) return {};
+    const ProfileEdge link = straight({corner.x, begin}, {corner.x, end});
+    if (comes_in && goes_out)
+      pieces.push_back({link});
+    else if (comes_in)
+      pieces[k + 1].insert(pieces[k + 1].begin(), link);
+    else
+      pieces[k].push_back(link);
+  }
+  std::vector<Profile> out;
+  for (Chain& piece : pieces) {
+    std::optional<Profile> solid = solid_of(std::move(piece));
+    if (!solid) return {};
+    out.push_back(std::move(*solid));
+  }
+  return out;
+}
+
+}  // namespace mrsim
