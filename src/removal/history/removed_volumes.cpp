@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// mm: of a height of an arc, where only sums are wanted. A search takes 20 to 100 times as long as
-// its bounds.
-constexpr double kClose = 0.1;
+// Of a height of an arc, where only sums are wanted: mm, and of the stock's height. A search takes
+// 20 to 100 times as long as its bounds.
+constexpr double kClose = 0.1, kCloseShare = 0.01;
 
 // What a sweep removes of one block.
 struct BlockSum {
@@ -92,11 +92,13 @@ std::vector<BlockSums> sums_of_heights(const Task& task) {
   const HeightGrid grid(field.bounds(), task.lattice.voxel);
   const SweepUndersides tools(field.sweeps());
   const std::vector<std::vector<std::uint32_t>> sweeps = grid.sweeps_of_tiles(field.sweeps());
+  const double height = field.bounds().hi.z - field.bounds().lo.z;
+  const double close = task.frames.empty() ? std::min(kClose, kCloseShare * height) : 0;
   std::vector<BlockSums> tiles(sweeps.size());
   for_each_place(tiles.size(), task.threads, task.progress, [&](std::size_t t) {
     if (sweeps[t].empty()) return;
     std::vector<double> removed(sweeps[t].size(), 0.0);
-    HeightWalker walker(field, tools, task.frames, task.frames.empty() ? kClose : 0);
+    HeightWalker walker(field, tools, task.frames, close);
     walker.walk(grid, t, sweeps[t], removed);
     add_removed(field, sweeps[t], removed, walker.extents(), tiles[t]);
   });
