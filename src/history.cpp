@@ -22,6 +22,10 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
+// On helices and tilted arcs, of cutters with a head that is wider than what is above it, whose
+// distances are searched.
+constexpr double kSearchedColumns = 12;
+
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.45;
 // The same, counted once for each sweep over them: up to 0.02 us of one core each, for cones and
@@ -43,12 +47,19 @@ constexpr double kNothing = 1e-3;
 // some 30 MB.
 constexpr PieceRule kPieces{0.5, 2, 64, 60000, true};
 
+// mm. Forms have no diameter.
+double width_of(const Tool& tool) {
+  double width = tool.diameter;
+  for (const ProfilePoint& p : tool.profile) width = std::max(width, 2 * p.r);
+  return width;
+}
+
 // mm^2 in plan that the cutter passes over in all pieces.
 double swept_area(const Motion& m, const Tool& tool, double voxel) {
   const Vec3 way = m.end - m.start;
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
-  return tool.diameter * (length + pieces_of(m, tool, voxel, kPieces) * tool.diameter);
+  return width_of(tool) * (length + pieces_of(m, tool, voxel, kPieces) * width_of(tool));
 }
 
 double bottoms_of(const Tool& tool) {
@@ -68,6 +79,15 @@ double searches_of(const Motion& m, std::span<const Tool> tools) {
                  tool.type == ToolType::bullmill
              ? 1
              : 5;
+}
+
+double columns_of(const Motion& m, const Tool& tool) {
+  const bool is_level = m.rise == 0 && std::fabs(m.axis.z) == 1;
+  if (m.kind != MotionKind::arc || is_level) return 1;
+  return tool.type == ToolType::form || tool.type == ToolType::tslot ||
+                 tool.type == ToolType::lollipop
+             ? kSearchedColumns
+             : 1;
 }
 
 double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
@@ -166,7 +186,7 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
     if (is_turning(tool.type)) continue;
-    area += swept_area(motion, tool, std::max(usual, voxel)), ++count;
+    area += columns_of(motion, tool) * swept_area(motion, tool, std::max(usual, voxel)), ++count;
   }
   const double coarser = std::sqrt(area / (kMostColumns + kColumnsPerCut * count));
   return std::max({usual, coarser, voxel});
