@@ -16,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 TYPE = re.compile(r"^(?:template <.*> *)?(?:class|struct|enum(?: class)?|union) (\w+)(?: final)?[^;]*\{")
+ALIAS = re.compile(r"^using (\w+) = (.*)")
 VALUE = re.compile(r"^(?:inline |static |thread_local |constexpr |constinit |const )+[\w:<>,&* ]*?(\w+)(?:\[\w*\])* *(?:=|\{|;)")
 FUNCTION = re.compile(r"^[\w:<>,&*~\[\] ]+?[ &*](\w+)\((.*)$")
 TEST = re.compile(r"^(?:TEST|TEST_P|TEST_F)\((\w+, \w+)\)")
@@ -27,12 +28,12 @@ def without_comments(text):
 
 
 def parameters(lines, at, rest):
-    """Types of a function's parameters, or None where no body follows."""
+    """The lists of types that a function can be called with, none where no body follows."""
     text = rest
     while text.count("(") >= text.count(")"):
         at += 1
         if at == len(lines):
-            return None
+            return []
         text += " " + lines[at].strip()
     depth, end = 1, 0
     for end, char in enumerate(text):
@@ -41,22 +42,23 @@ def parameters(lines, at, rest):
             break
     tail = text[end + 1 :] + " ".join(lines[at + 1 : at + 3])
     if "{" not in tail.split(";")[0]:
-        return None
-    out, depth, part = [], 0, ""
+        return []
+    out, needed, depth, part = [], 0, 0, ""
     for char in text[:end] + ",":
         depth += {"<": 1, "(": 1, ">": -1, ")": -1}.get(char, 0)
         if char == "," and depth == 0:
+            needed += "=" not in part
             part = re.sub(r"=.*", "", part).strip()
             if part:
                 out.append(re.sub(r"[\s]*\b\w+(\[\w*\])?$", r"\1", part) if " " in part else part)
             part = ""
         else:
             part += char
-    return ", ".join(out)
+    return [", ".join(out[:n]) for n in range(min(needed, len(out)), len(out) + 1)]
 
 
 def names(path):
-    """What a source defines in anonymous namespaces: (name, line)."""
+    """What a source defines in anonymous namespaces: (name, what it stands for, line). Two aliases of one type may meet."""
     lines = without_comments(path.read_text()).split("\n")
     inside = False
     before = path.read_text().split("\n")
@@ -66,16 +68,17 @@ def names(path):
         elif before[number].startswith("}  // namespace") and not before[number][15:].strip():
             inside = False
         elif match := TEST.match(line):
-            yield "test " + match.group(1), number + 1
+            yield "test " + match.group(1), path, number + 1
         elif inside and line and not line[0].isspace():
             if match := TYPE.match(line):
-                yield match.group(1), number + 1
+                yield match.group(1), path, number + 1
+            elif match := ALIAS.match(line):
+                yield match.group(1), match.group(2), number + 1
             elif match := VALUE.match(line):
-                yield match.group(1), number + 1
+                yield match.group(1), path, number + 1
             elif match := FUNCTION.match(line):
-                types = parameters(lines, number, match.group(2))
-                if types is not None:
-                    yield f"{match.group(1)}({types})", number + 1
+                for types in parameters(lines, number, match.group(2)):
+                    yield f"{match.group(1)}({types})", path, number + 1
 
 
 def groups(build):
@@ -90,13 +93,14 @@ def check(build):
     for sources in groups(build):
         seen = collections.defaultdict(list)
         for path in sources:
-            for name, line in names(path):
-                seen[name].append(f"{path.relative_to(ROOT)}:{line}")
+            for name, meaning, line in names(path):
+                seen[name].append((meaning, f"{path.relative_to(ROOT)}:{line}"))
                 count += 1
-        for name, places in sorted(seen.items()):
-            if len({p.split(":")[0] for p in places}) > 1:
+        for name, found in sorted(seen.items()):
+            if len({meaning for meaning, place in found}) > 1:
                 faults += 1
-                print(f"{places[0]}: {name} is also in {', '.join(places[1:])}")
+                first, *others = [place for meaning, place in found]
+                print(f"{first}: {name} is also in {', '.join(others)}")
     print(f"{count} names, {faults} of them twice in a group")
     return count == 0 or faults > 0
 

@@ -8,7 +8,7 @@ namespace {
 
 const InterpOptions kFanuc = at_origin(Dialect::fanuc);
 
-std::string mill(const std::string& text) { return path_text(read_text(text, kFanuc)); }
+std::string milled_path(const std::string& text) { return path_text(read_text(text, kFanuc)); }
 
 std::string notes(const std::string& text) {
   return codes(read_text(text, kFanuc), Severity::note);
@@ -16,12 +16,13 @@ std::string notes(const std::string& text) {
 
 // ":30 T1 M6" of NX is a block that can be started from; ":7" alone is a program.
 TEST(Habits, AColonBeforeWordsNumbersABlock) {
-  EXPECT_EQ(mill("%\nN10 G1 X1. F1\n:0020 T1 M6\nN30 X2.\n:40 T1 M6\nX3.\nM30\n"),
+  EXPECT_EQ(milled_path("%\nN10 G1 X1. F1\n:0020 T1 M6\nN30 X2.\n:40 T1 M6\nX3.\nM30\n"),
             "l1,0,0 l2,0,0 l3,0,0");
-  EXPECT_EQ(mill(":1(PART)\nG1 X1. F1\nM98 P7\nM30\n:7 (SUB)\nX5.\nM99\n"), "l1,0,0 l5,0,0");
-  EXPECT_EQ(mill(":1;\nG1 X1. F1;\nM98 P7;\nM30;\n:0007; X5.;\nM99;\n"), "l1,0,0 l5,0,0");
-  EXPECT_EQ(mill("G1 X1. F1\n#1=0\nWHILE[#1LT2]DO1\n:50 T1 M6\nX[#1+2]\n#1=#1+1\nEND1\nM30\n"),
-            "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(milled_path(":1(PART)\nG1 X1. F1\nM98 P7\nM30\n:7 (SUB)\nX5.\nM99\n"), "l1,0,0 l5,0,0");
+  EXPECT_EQ(milled_path(":1;\nG1 X1. F1;\nM98 P7;\nM30;\n:0007; X5.;\nM99;\n"), "l1,0,0 l5,0,0");
+  EXPECT_EQ(
+      milled_path("G1 X1. F1\n#1=0\nWHILE[#1LT2]DO1\n:50 T1 M6\nX[#1+2]\n#1=#1+1\nEND1\nM30\n"),
+      "l1,0,0 l2,0,0 l3,0,0");
   EXPECT_EQ(
       recognise(Scratch().write("a.nc", ":10 T1 M6 ; main block\nG1 X1 Y1 ; cut\n"), {}).dialect,
       Dialect::sinumerik);
@@ -143,7 +144,7 @@ TEST(Habits, ASlashInABlockSkipsItsRest) {
 }
 
 TEST(Habits, ACommentInACommentIsOneError) {
-  EXPECT_EQ(mill("G1 X50. (to (the end) of the slot) F1.\n"), " | character");
+  EXPECT_EQ(milled_path("G1 X50. (to (the end) of the slot) F1.\n"), " | character");
 }
 
 TEST(Habits, MessagesSayWhatToDo) {
