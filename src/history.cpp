@@ -27,7 +27,7 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 constexpr double kSearchedColumns = 12;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
-constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.45;
+constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.38;
 // The same, counted once for each sweep over them: up to 0.02 us of one core each, for cones and
 // bull-nosed mills half as much again. Short moves of a wide tool side by side reach that; each of
 // them passes over many columns.
