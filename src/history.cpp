@@ -22,17 +22,16 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
-// On helices and tilted arcs, of cutters with a head that is wider than what is above it, whose
-// distances are searched.
+// As so many columns counts one below a cutter with a head that is wider than what is above it, on
+// a helix or a tilted arc: each distance is a search.
 constexpr double kSearchedColumns = 12;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.38;
-// The same, counted once for each sweep over them: up to 0.02 us of one core each, for cones and
-// bull-nosed mills half as much again. Short moves of a wide tool side by side reach that; each of
-// them passes over many columns.
+// The same, counted once for each sweep over them: up to 0.02 us of one core each. Short moves of a
+// wide tool side by side reach that; each of them passes over many columns.
 constexpr double kColumnsSwept = 50e6, kColumnsSweptPerCut = 25;
-
+// As so many sweeps counts one of a cone or a bull-nosed mill, whose bottom takes longer.
 constexpr double kSlowBottom = 1.5;
 
 // Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
@@ -62,6 +61,7 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   return width_of(tool) * (length + pieces_of(m, tool, voxel, kPieces) * width_of(tool));
 }
 
+// How many sweeps each sweep of a tool counts as where they leave heights.
 double bottoms_of(const Tool& tool) {
   const bool is_flat = tool.type == ToolType::endmill && tool.corner_radius == 0;
   return is_flat || tool.type == ToolType::ballmill ? 1 : kSlowBottom;
@@ -81,6 +81,7 @@ double searches_of(const Motion& m, std::span<const Tool> tools) {
              : 5;
 }
 
+// How many columns each column below a motion counts as where the sweeps leave no heights.
 double columns_of(const Motion& m, const Tool& tool) {
   const bool is_level = m.rise == 0 && std::fabs(m.axis.z) == 1;
   if (m.kind != MotionKind::arc || is_level) return 1;
