@@ -85,6 +85,9 @@ bool writes_vdb(const Job& job) {
   return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
 }
 
+// A stock of voxels is read in a copy of this process, made while no threads start (vdb_files.cpp).
+bool opens_voxels_early(const Job& job) { return writes_vdb(job) && !is_vdb(job.stock); }
+
 // What the file of a stock made necessary.
 struct StockFindings {
   std::string accuracy;  // what a surface that was made of voxels is worth
@@ -288,7 +291,8 @@ void simulate(const Job& job, JobResult& result) {
   StageClock clock(result);
   require_address_space(resolve_threads(job.carve.threads));
   check_outputs(job);
-  const std::future<void> opening = writes_vdb(job) ? open_voxel_module() : std::future<void>();
+  const std::future<void> opening =
+      opens_voxels_early(job) ? open_voxel_module() : std::future<void>();
   result.program = interpret(job.program, job.interp);
   protect_program_files(job, result.program.files);
   count_motions(result);

@@ -17,20 +17,25 @@
 namespace mrsim {
 namespace {
 
+constexpr const char* kUnreadable = "vdb-unreadable";
+
 // What goes through the pipe: numbers, then the texts, vertices and triangles.
 struct SurfaceHeader {
   double voxel = 0;
-  std::uint64_t fault = 0, grid = 0, hash = 0, vertices = 0, triangles = 0;
+  std::uint64_t code = 0, fault = 0, grid = 0, hash = 0, vertices = 0, triangles = 0;
 };
 
-void send(const LevelSetSurface& found, const std::string& fault, const ByteSink& sink) {
+void send(const LevelSetSurface& found, const std::string& code, const std::string& fault,
+          const ByteSink& sink) {
   const SurfaceHeader header{found.voxel,
+                             code.size(),
                              fault.size(),
                              found.grid.size(),
                              found.hash.size(),
                              found.surface.vertices.size(),
                              found.surface.triangles.size()};
   sink(&header, sizeof header);
+  sink(code.data(), code.size());
   sink(fault.data(), fault.size());
   sink(found.grid.data(), found.grid.size());
   sink(found.hash.data(), found.hash.size());
@@ -44,7 +49,7 @@ std::optional<LevelSetSurface> receive(const std::string& bytes, const std::stri
   if (bytes.size() < sizeof header) return std::nullopt;
   std::memcpy(&header, bytes.data(), sizeof header);
   LevelSetSurface found;
-  const std::size_t texts = header.fault + header.grid + header.hash;
+  const std::size_t texts = header.code + header.fault + header.grid + header.hash;
   if (bytes.size() != sizeof header + texts + header.vertices * sizeof(found.surface.vertices[0]) +
                           header.triangles * sizeof(found.surface.triangles[0]))
     return std::nullopt;
@@ -53,8 +58,9 @@ std::optional<LevelSetSurface> receive(const std::string& bytes, const std::stri
     at += size;
     return std::string(at - size, size);
   };
-  const std::string fault = take(header.fault);
-  if (!fault.empty()) throw Error("vdb-unreadable", path + ": " + fault);
+  const std::string code = take(header.code), fault = take(header.fault);
+  if (code == kUnreadable) throw Error(code, path + ": " + fault);
+  if (!code.empty()) throw Error(code, fault);
   found.voxel = header.voxel;
   found.grid = take(header.grid);
   found.hash = take(header.hash);
@@ -66,33 +72,34 @@ std::optional<LevelSetSurface> receive(const std::string& bytes, const std::stri
   return found;
 }
 
+// The module is opened there, too: a library that it needs starts threads while it is loaded, and a
+// process that is copied while threads start may wait for ever.
 LevelSetSurface read_voxels(const std::string& path, std::size_t size) {
-  require_voxel_module();
   ChildLimits limits;
   limits.seconds = 60 + static_cast<int>(std::min<std::size_t>(size >> 20, 1000)) * 5;
-  limits.bytes = (std::size_t(1) << 30) + 100 * size;
+  limits.bytes = (std::size_t(3) << 29) + 100 * size;
   const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {
     LevelSetSurface found;
-    std::string fault;
+    std::string code, fault;
     try {
       read_level_set(path, found);
     } catch (const Error& error) {
+      code = error.code();
       fault = error.what();
     }
-    send(found, fault, sink);
+    send(found, code, fault, sink);
   });
   using End = ChildOutcome::End;
   if (outcome.end == End::done)
     if (std::optional<LevelSetSurface> found = receive(outcome.bytes, path))
       return *std::move(found);
-  throw Error(
-      "vdb-unreadable",
-      path +
-          (outcome.end == End::too_long        ? ": OpenVDB takes too long to read it"
-           : outcome.end == End::out_of_memory ? ": OpenVDB takes too much memory to read it"
-                                               : ": the file is damaged: OpenVDB crashed "
-                                                 "while it read it") +
-          "; write it again, or give the stock as a mesh");
+  throw Error(kUnreadable, path +
+                               (outcome.end == End::too_long ? ": OpenVDB takes too long to read it"
+                                : outcome.end == End::out_of_memory
+                                    ? ": OpenVDB takes too much memory to read it"
+                                    : ": the file is damaged: OpenVDB crashed "
+                                      "while it read it") +
+                               "; write it again, or give the stock as a mesh");
 }
 
 std::string accuracy_of(const LevelSetSurface& found) {

@@ -56,8 +56,6 @@ std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockInde
   return std::unique_ptr<VoxelGrid>(voxel_module().sample(field, index, voxel, options));
 }
 
-void require_voxel_module() { voxel_module(); }
-
 void read_level_set(const std::string& path, LevelSetSurface& found) {
   voxel_module().read(path, found);
 }

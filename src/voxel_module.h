@@ -16,9 +16,6 @@ namespace mrsim {
 /// future waits for the thread when it is destroyed.
 std::future<void> open_voxel_module();
 
-/// Opens the module at once. Throws Error "vdb-module", "memory".
-void require_voxel_module();
-
 /// The level set of a .vdb file, or its only grid of floats, with the surface where it is zero. On
 /// this thread alone; OpenVDB gives no guarantee on damaged files. Throws Error "vdb-unreadable",
 /// without the file's name, where there is none; "vdb-module".
