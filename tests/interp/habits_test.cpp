@@ -95,7 +95,7 @@ TEST(Habits, RigidTapsHaveManyNames) {
 TEST(Habits, ToolLifeIsNoGeometry) {
   const Program p = read_text(
       "T7 M6\nG10 L3\nP1 L30 Q1\nT1 H1 D1\nT2 H2 D2\nG11\nG0 X0 Y0 Z0\nG1 X9. F100.\n", kFanuc);
-  EXPECT_EQ(codes(p, Severity::note), "tool-life tool-inferred");
+  EXPECT_EQ(codes(p, Severity::note), "reference-point tool-life tool-inferred");
   EXPECT_EQ(codes(p), "");
   ASSERT_EQ(p.tools.size(), 1U);
   EXPECT_EQ(p.tools[0].id, "7");

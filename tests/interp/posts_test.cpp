@@ -39,7 +39,7 @@ TEST(Posts, RunAsWorkedOut) {
       {"carbide_create.nc", Dialect::ngc, mill, 1, 2, 1, {10, 0, -1}, {60, 10, -1}},
       {"freecad_linuxcnc.ngc", Dialect::ngc, mill, 2, 3, 1, {-3, 0, -2}, {30, 23, -2}},
       {"freecad_grbl.gcode", Dialect::ngc, mill, 5, 2, 0, {5, 5, -4}, {15, 5, -4}},
-      {"powermill_fanuc.nc", Dialect::fanuc, mill, 3, 3, 0, {0, 0, -1.5}, {20, 0, -1}},
+      {"powermill_fanuc.nc", Dialect::fanuc, mill, 2, 3, 0, {0, 0, -1.5}, {20, 0, -1}},
       {"nx_sinumerik.mpf", Dialect::sinumerik, mill, 2, 4, 1, {-10, -20, -4}, {60, 5, 3}},
       // The first hole lies where the tool is: MCALL drills there, too.
       {"fusion_840d.mpf", Dialect::sinumerik, mill, 5, 2, 0, {10, 10, -10}, {30, 10, -10}},
@@ -113,7 +113,7 @@ TEST(Posts, RunAsWorkedOut) {
        {25, 0, -3},
        "live-tool not-supported"},
       // WEAR COMP: D is 0, so that the programmed path is the cutter's.
-      {"mastercam_wear.nc", Dialect::fanuc, mill, 34, 24, 3, {-20, -20, -20}, {58, 48, 5}},
+      {"mastercam_wear.nc", Dialect::fanuc, mill, 33, 24, 3, {-20, -20, -20}, {58, 48, 5}},
       // A slot at each 45 degrees by WHILE and G68, then a circle by G65.
       {"rotated_pattern_macro.nc", Dialect::fanuc, mill, 30, 19, 1, {-40, -40, -4}, {66, 40, -3}},
       {"haas_shrinking_strokes.nc",
@@ -164,7 +164,7 @@ TEST(Posts, RunAsWorkedOut) {
        "register-missing"},
       // Work offsets in E, the level of the cycle in R0, lengths without G43.
       {"fadal.nc", Dialect::fanuc, mill, 4, 4, 0, {-25.4, 0, -12.7}, {50.8, 12.7, -6.35}},
-      {"okuma_osp_mill.min", Dialect::fanuc, mill, 10, 5, 1, {-20, 0, -20}, {60, 40, -3}},
+      {"okuma_osp_mill.min", Dialect::fanuc, mill, 8, 5, 1, {-20, 0, -20}, {60, 40, -3}},
       // Z is unknown behind the tool changes, until the place beside G100.
       {"brother_speedio.nc", Dialect::fanuc, mill, 7, 5, 0, {0, 0, -15}, {30, 20, -2}},
       {"powermill_bullnose.tap", Dialect::fanuc, mill, 2, 4, 0, {10, 10, -0.7}, {50, 10.5, -0.5}},
@@ -252,7 +252,7 @@ TEST(Posts, RunAsWorkedOut) {
       {"haas_engraved_plate.nc",
        Dialect::fanuc,
        mill,
-       24,
+       23,
        25,
        0,
        {-12.7, -12.7, -3.175},
@@ -262,7 +262,7 @@ TEST(Posts, RunAsWorkedOut) {
       {"two_set_ups.nc",
        Dialect::fanuc,
        mill,
-       13,
+       12,
        8,
        0,
        {-10, 10, -28},

@@ -41,6 +41,21 @@ TEST(WordsOfMakers, M25LeavesZUnknownUntilItIsGiven) {
   EXPECT_FALSE(lathe.motions.back().assumed_start);
 }
 
+// The changer takes Z up, so that a rapid aside behind M6 does not run at the depth of the last
+// cut.
+TEST(WordsOfMakers, M6OfAToolChangerTakesZUp) {
+  const auto assumed = [](const std::string& behind, Dialect dialect) {
+    const Program p = read_text("G0 Z-1\nG1 X9 F100\nT2 M6\n" + behind, at_origin(dialect));
+    std::string out;
+    for (const Motion& m : p.motions) out += m.assumed_start ? '?' : '.';
+    return out;
+  };
+  EXPECT_EQ(assumed("G0 X50 Y50\nZ2\nG1 X60\nZ-1\n", Dialect::fanuc), "..??..");
+  EXPECT_EQ(assumed("G1 X50 F100\nG0 X60\n", Dialect::fanuc), "....") << "it goes on at Z-1";
+  EXPECT_EQ(assumed("G1 Z-2 F100\n", Dialect::fanuc), "...");
+  EXPECT_EQ(assumed("G0 X50 Y50\nZ2\n", Dialect::ngc), "....") << "changed by hand";
+}
+
 // OSP: G116 T changes the tool, G71 Z is the level that cycles return to under M53, M54 returns to
 // R.
 TEST(WordsOfMakers, OkumaChangesToolsAndReturnsFromHoles) {
@@ -175,7 +190,7 @@ TEST(WordsOfMakers, G92BehindAToolChangedByHand) {
     EXPECT_EQ(p.motions.back().end.z, -1) << pause;
     EXPECT_NE(codes(p, Severity::note).find("touch-off"), std::string::npos) << pause;
   }
-  EXPECT_EQ(read_text(one + "M6 T2\n" + two, at_origin(Dialect::fanuc)).motions.back().end.z, 19);
+  EXPECT_EQ(read_text(one + "M6 T2\n" + two, at_origin(Dialect::fanuc)).motions.back().end.z, -1);
   EXPECT_EQ(read_text(one + "M0\nG0 Z10\n" + two, at_origin(Dialect::iso)).motions.back().end.z, 9);
 }
 

@@ -109,13 +109,17 @@ void Moves::to_stored(const Vec3& place, unsigned axes, const Word& where) {
 }
 
 void Moves::guess_retract(const Word& where) {
+  const bool change = where.value == 6;
+  if (change && (position_.known & 4U) == 0) return;
   retract_guessed_ = (position_.known & 4U) != 0;
   position_.known &= ~4U;
   note_once("reference-point",
-            fmt::format("{} is read as a retract of Z, as on Centroid and Hurco mills, unless a "
-                        "cut goes on without Z",
-                        text_of(where)),
-            where, "retract");
+            change ? fmt::format("{} takes Z up to where tools are changed, unless a cut is next",
+                                 text_of(where))
+                   : fmt::format("{} is read as a retract of Z, as on Centroid and Hurco mills, "
+                                 "unless a cut is next",
+                                 text_of(where)),
+            where, change ? "change" : "retract");
 }
 
 void Moves::unknown(unsigned axes, const Word& where) {
@@ -286,8 +290,8 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where, feed > 0 || lead != 0 || is_thread(current_motion()));
-  if (kind != MotionKind::rapid && retract_guessed_) {  // a cut that goes on in Z as it was
-    if (!peek('Z')) position_.known |= 4U;
+  if (kind != MotionKind::rapid && retract_guessed_) {  // a cut begins where Z was
+    position_.known |= 4U;
     retract_guessed_ = false;
   }
   Motion m;

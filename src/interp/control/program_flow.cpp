@@ -102,7 +102,10 @@ bool ProgramFlow::m_word(const Word& word) {
   const bool external = m == 198 && is(Dialect::fanuc);
   const bool by_hand = is(Dialect::iso) || is(Dialect::ngc);
   if (m == 0 || (m == 6 && by_hand)) control_.paused = true;
-  if (m == 6) block_.tool_change = true;
+  if (m == 6) {
+    block_.tool_change = true;
+    changer_retracts(word);
+  }
   if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
         true;
@@ -157,6 +160,14 @@ bool ProgramFlow::z_home(const Word& word) {
   block_.home = &word;
   block_.home_guessed = !centroid_;
   return true;
+}
+
+// Z goes up to where the changer is; routers, whose tools are changed by hand, speak other
+// dialects.
+void ProgramFlow::changer_retracts(const Word& word) {
+  if (lathe() || !is(Dialect::fanuc) || block_.home) return;
+  block_.home = &word;
+  block_.home_guessed = true;
 }
 
 // M53 of Okuma: drilling cycles end at the level of G71 Z; M54: at R. False: another control's.

@@ -23,6 +23,7 @@ class ProgramFlow : public ControlPart {
   bool m_word(const Word& word);
   bool call_word(const Word& word, int m);
   bool z_home(const Word& word);
+  void changer_retracts(const Word& word);
   void leave_length();
   bool okuma_return(int m);
   bool linuxcnc_signal(int m);
