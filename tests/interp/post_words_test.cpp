@@ -228,5 +228,39 @@ TEST(PostWords, TwoToolsBesideM6) {
   EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[1].tool)].id, "2");
 }
 
+// WinCNC: [ ] about a line is a comment, which may name the tool.
+TEST(PostWords, RemarksOfWinCncStandInSquareBrackets) {
+  const std::string text = "[Pocket 1]\n[X= 300, Y= 200]\n[T1 6mm endmill]\nT1\nG1 X5 F100\n";
+  for (const Dialect dialect : {Dialect::iso, Dialect::ngc, Dialect::fanuc}) {
+    InterpOptions options = at_origin(dialect);
+    options.table.tools.clear();
+    const Program p = read_text(text, options);
+    EXPECT_EQ(path_text(p), "l5,0,0");
+    ASSERT_EQ(p.tools.size(), 1U);
+    EXPECT_EQ(p.tools[0].diameter, 6);
+  }
+  EXPECT_EQ(codes(read_text("G1 X5 [A] F100\n", at_origin(Dialect::iso))), "not-supported");
+}
+
+TEST(PostWords, SmoothingOfCentroidAndMazak) {
+  EXPECT_EQ(path_text(read_text("G64 ON\nG1 X5 F100\nG64 OFF\nG61.1 ,K50\nX9\n",
+                                at_origin(Dialect::fanuc))),
+            "l5,0,0 l9,0,0");
+  EXPECT_EQ(codes(read_text("G1 ON X5 F100\n", at_origin(Dialect::fanuc))),
+            "address-without-number");
+}
+
+// Marlin's display; T1 of such a text is no tool.
+TEST(PostWords, MessagesOfMarlin) {
+  const Program p =
+      read_text("M117 T1 flat end mill\nM0 Put tool 2\nM1 ; stop\nM118 X9\nG1 X5 F100\n",
+                at_origin(Dialect::iso));
+  EXPECT_EQ(path_text(p), "l5,0,0");
+  EXPECT_EQ(codes(p), "");
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_EQ(p.tools[0].id, "");
+  EXPECT_EQ(path_text(read_text("M0 G1 X5 F100\n", at_origin(Dialect::iso))), "l5,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

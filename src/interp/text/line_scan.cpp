@@ -29,11 +29,23 @@ bool holds_parameter(std::string_view code, std::string_view rest) {
 
 }  // namespace
 
+bool is_remark(std::string_view line, std::size_t from) {
+  const std::size_t end = line.find_last_not_of(" \t\r");
+  if (end == line.npos || end <= from || line[from] != '[' || line[end] != ']') return false;
+  return line.find_first_not_of(" \t") == from;
+}
+
 void scan_line(std::string_view line, LineScan& out) {
   out.code.clear();
   out.comment = {};
   out.comment_kind = '\0';
   out.ends_block = false;
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first != line.npos && is_remark(line, first)) {
+    out.comment = line.substr(first + 1, line.rfind(']') - first - 1);
+    out.comment_kind = '[';
+    return;
+  }
   int depth = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];

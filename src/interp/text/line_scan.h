@@ -10,6 +10,9 @@ namespace mrsim {
 /// number of a block: ":30 T1 M6".
 bool names_program(std::string_view line, std::size_t at);
 
+/// Whether the line is a remark of WinCNC: square brackets about all of it, from `from` on.
+bool is_remark(std::string_view line, std::size_t from);
+
 /// What one line says, comments taken out.
 struct LineScan {
   std::string code;  ///< upper case

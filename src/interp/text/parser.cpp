@@ -164,6 +164,9 @@ bool Parser::head_of_block(Block& block) {
     word.text = line_.substr(p_);
     p_ = line_.size();
     push(block, word, from);
+  } else if (is_remark(line_, p_)) {
+    block.comments.push_back(line_.substr(p_ + 1, line_.rfind(']') - p_ - 1));
+    p_ = line_.size();
   } else if (is_directive()) {
     p_ = line_.size();
     word.column = static_cast<int>(from);
@@ -332,6 +335,7 @@ void Parser::letter_word(Block& block) {
       return;
     }
     push(block, word, from);
+    if (c == 'M' && has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
     return;
   }
   if (language_ && !(c == 'O' && is_letter(n)) && expression_follows(p_)) {
@@ -345,7 +349,7 @@ void Parser::letter_word(Block& block) {
   p_ = from;
   if (statement(block, from) || block_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
-  if (macro_word(block) || okuma_word(block)) return;
+  if (macro_word(block) || okuma_word(block) || skips_switch(block)) return;
   unknown_word(block, from);
 }
 

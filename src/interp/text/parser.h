@@ -52,6 +52,8 @@ class Parser {
   bool macro_word(Block& block);
   bool corner_word(Block& block);
   bool okuma_word(Block& block);
+  bool skips_switch(const Block& block);
+  bool has_message(const Word& word) const;
   bool statement(Block& block, std::size_t from);
   void assignment(Block& block, std::size_t from);
   bool expression(Block& block, Word& word, bool whole);

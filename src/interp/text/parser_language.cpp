@@ -186,15 +186,36 @@ bool Parser::okuma_word(Block& block) {
   return true;
 }
 
+// "G64 ON" and "G64 OFF" of Centroid: smoothing.
+bool Parser::skips_switch(const Block& block) {
+  const std::string name = upper_case(line_.substr(p_, 3));
+  const std::size_t length = name.starts_with("OFF") ? 3 : name.starts_with("ON") ? 2 : 0;
+  if (length == 0 || is_name(at(p_ + length)) || block.words.empty()) return false;
+  const Word& before = block.words.back();
+  if (before.address != letter('G') || before.value != 64) return false;
+  p_ += length;
+  return true;
+}
+
+// Marlin: what stands behind M117 and M118, and as words behind M0, is for its display.
+bool Parser::has_message(const Word& word) const {
+  if (dialect_ != Dialect::iso && dialect_ != Dialect::ngc) return false;
+  if (word.value == 117 || word.value == 118) return true;
+  std::size_t i = p_;
+  while (blank(at(i))) ++i;
+  return (word.value == 0 || word.value == 1) && is_letter(at(i)) && is_letter(at(i + 1));
+}
+
 // FANUC: ,R rounds the corner to the next block, ,C cuts it off, ,A is the angle of a line.
 // Mitsubishi: ,S is the speed of a tap on its way back, ,I and ,J how exactly a place is met.
+// Mazak: ,K beside G61.1 is how exactly its shape is.
 bool Parser::corner_word(Block& block) {
   const std::size_t from = p_;
   std::size_t value = p_ + 1;
   while (value < line_.size() && blank(line_[value])) ++value;
   const char c = upper(at(value));
   if ((dialect_ != Dialect::fanuc && dialect_ != Dialect::iso) ||
-      std::string_view("RCASIJ").find(c) == std::string_view::npos)
+      std::string_view("RCASIJK").find(c) == std::string_view::npos)
     return false;
   ++value;
   while (value < line_.size() && blank(line_[value])) ++value;
