@@ -61,6 +61,11 @@ TEST(Cycles, WaysOut) {
     EXPECT_EQ(run(Dialect::fanuc, std::string("G0 Z5\n") + g + " Z-5 R1 P100 Q0.1 F100\n"),
               "r0,0,5 r0,0,1 l0,0,-5 r0,0,5")
         << g;
+  EXPECT_EQ(path_text(read_text("G0 Z5\nG87 X2 Z-5 R1 F100\nX4\n", at_origin(Dialect::fanuc))),
+            path_text(read_text("G0 Z5\nG88 X2 Z-5 R1 F100\nX4\n", at_origin(Dialect::fanuc))))
+      << "of Haas: a bore, out by hand";
+  EXPECT_EQ(codes(read_text("G0 Z5\nG87 Z-5 R1 Q.5 F100\n", at_origin(Dialect::fanuc))),
+            "not-supported");
   EXPECT_EQ(codes(read_text("G0 Z5\nG87 Z-5 R-8 F100\n", at_origin(Dialect::fanuc))),
             "not-supported");
 }

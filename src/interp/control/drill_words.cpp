@@ -157,10 +157,20 @@ bool DrillWords::run() {
   return ok;
 }
 
+// G87 of Haas bores down, and the tool is taken out by hand; that of FANUC has a shift.
+bool DrillWords::bores_down() const {
+  const Word* level = peek('R');
+  const Word* bottom = peek('Z');
+  const bool shift = peek('Q') || peek('I') || peek('J');
+  return is(Dialect::fanuc) && !lathe() && modal_.plane == 0 && !modal_.incremental && !shift &&
+         level && bottom && bottom->value < level->value;
+}
+
 bool DrillWords::drill() {
   DrillCycle& cycle = modal_.drill;
   const Basis b = basis();
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (cycle.number == 87 && bores_down()) cycle.number = 88;
   if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
     return error("not-supported",
                  fmt::format("G{} ({}) is not supported yet", cycle.number,
