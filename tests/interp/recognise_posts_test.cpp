@@ -219,5 +219,12 @@ TEST(RecogniseDialect, TheEndingCncAloneDecidesOnlyWithoutTools) {
   EXPECT_EQ(dialect("N1 M6\nN2 G36 D5\nN3 G1 X1 F9\n"), static_cast<int>(Dialect::codesys));
 }
 
+// G74 with R alone sets the strokes of a lathe's deep hole; that of a mill taps.
+TEST(RecogniseMachine, G74WithRAloneIsALathes) {
+  const std::string head = "%\nO1\nG21\nT0505 (DRILL 20)\nG0 X0. Z3.\n";
+  EXPECT_EQ(recognised(head + "G74 R1.\nG74 Z-40. Q8000 F.1\nM30\n").machine, MachineKind::lathe);
+  EXPECT_EQ(recognised(head + "G74 Z-40. R2. F1.\nM30\n").machine, MachineKind::automatic);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -240,11 +240,52 @@ TEST(Turning, G10SetsOffsetsOfToolsWithoutL) {
                                 at_origin(Dialect::fanuc, MachineKind::lathe));
     return path_text(p) + " " + codes(p, Severity::note);
   };
-  EXPECT_EQ(run("X100. Z50. R0 Q3"), "r10,0,5 l10,0,0 | not-supported not-supported");
+  EXPECT_EQ(run("X100. Z50. R0 Q3"), "r10,0,5 l10,0,0 tool-length");
   EXPECT_EQ(run("X100. Z50."), "r10,0,5 l10,0,0 tool-length");
   EXPECT_EQ(run("U0.1 W0 R0"), "r10,0,5 l10,0,0 tool-length");
   EXPECT_EQ(run("Z0", "G10 P0 "), "r10,0,5 l10,0,0 tool-length");
   EXPECT_EQ(run("Z-25.", "G10 P0 "), "r10,0,5 l10,0,0 | not-supported not-supported");
+}
+
+// R of G10 P is compared with the nose that cuts.
+TEST(Turning, ANoseOfG10ThatDiffersIsToldOf) {
+  const auto run = [](const std::string& g10) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    return codes(read_text(g10 + "T0101 (CNMG 120408)\nG0 X20. Z5.\nG1 Z0 F.1\n", options));
+  };
+  EXPECT_EQ(run("G10 P1 X0 Z0 R0.8 Q3\n"), "");
+  EXPECT_EQ(run("G10 P10001 X0 Z0 R0.4 Q3\n"), "nose-differs");
+  EXPECT_EQ(run("G10 P2 X0 Z0 R0.4 Q3\n"), "");
+}
+
+// FANUC: of X and U in one block the later one counts.
+TEST(Turning, AnAxisGivenTwiceCountsAsItIsGivenLast) {
+  const auto run = [](const char* text) {
+    return path_text(read_text(std::string("G0 X20. Z5.\nG1 F.1 ") + text,
+                               at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(run("X30. U4. Z0\n"), "r10,0,5 l12,0,0 | address-twice");
+  EXPECT_EQ(run("U4. X30. W-1.\n"), "r10,0,5 l15,0,4 | address-twice");
+}
+
+// Mitsubishi: A is the program that holds the contour.
+TEST(Turning, AContourMayStandInAnotherProgram) {
+  const InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  const std::string shape = "N10 G0 X10.\nG1 Z-5.\nN20 X20.\n";
+  const std::string head = "G0 X20. Z2.\nG71 U3. R1.\n";
+  const Program own =
+      read_text(head + "G71 P10 Q20 U.4 F.2\n" + shape + "G70 P10 Q20\nG0 Z9.\nM30\n", options);
+  const Program other = read_text(head +
+                                      "G71 A100 P10 Q20 U.4 F.2\nG70 A100 P10 Q20\nG0 Z9.\n"
+                                      "M30\nO100\n" +
+                                      shape + "M99\n",
+                                  options);
+  EXPECT_EQ(path_text(own), path_text(other));
+  EXPECT_EQ(codes(other), "");
+  EXPECT_EQ(codes(read_text(head + "G71 A7 P10 Q20 F.2\nM30\n", options)), "subprogram-missing");
+  EXPECT_EQ(codes(read_text(head + "G71 A100 P10 Q20 F.2\nM30\nO100\nM99\n", options)),
+            "jump-target");
 }
 
 }  // namespace

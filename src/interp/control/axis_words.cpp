@@ -124,12 +124,18 @@ bool AxisWords::target(Target& out, const Vec3& from) {
   if (modal_.polar && !block_.suppress_frames) return fanuc_polar_target(out, from);
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
+    const Word* relative = lathe() && is(Dialect::fanuc) ? take("UVW"[i]) : nullptr;
+    if (word && relative) {  // the later one counts
+      const bool last = relative->column > word->column;
+      (last ? word : relative) = nullptr;
+      warning("address-twice",
+              fmt::format("{}: an axis is given absolute and incremental in one block: the word "
+                          "that stands later counts",
+                          text_of(last ? *relative : *word)),
+              last ? *relative : *word);
+    }
     if (word && !axis_word(out, i, *word, false)) return false;
-    if (!lathe() || !is(Dialect::fanuc)) continue;
-    const Word* relative = take("UVW"[i]);
-    if (!relative) continue;
-    if (word) return error("address-twice", "an axis is given absolute and incremental", *relative);
-    if (!axis_word(out, i, *relative, true)) return false;
+    if (relative && !axis_word(out, i, *relative, true)) return false;
   }
   if (find(Address::ap) || find(Address::rp)) return polar_target(out);
   return true;

@@ -102,6 +102,7 @@ bool ContourCycles::run() {
   call_.where = *block_.oneshot;
   call_.first = *first;
   call_.last = *last;
+  if (const Word* program = take('A')) call_.program = *program;
   if ((g == 71 || g == 72) && modal_.turn_settings.depth <= 0)
     return error("value-missing", fmt::format("G{} needs the depth of a pass, U, W or D", g),
                  call_.where);
@@ -112,32 +113,45 @@ bool ContourCycles::run() {
 void ContourCycles::end_block() {
   if (!waits_) return;
   waits_ = false;
-  Place begin, end;
-  const bool found =
-      statements_ && statements_->find_blocks(static_cast<long>(call_.first.value),
-                                              static_cast<long>(call_.last.value), begin, end);
-  if (!found) {
-    error("jump-target",
-          fmt::format("there are no blocks N{:.0f} to N{:.0f} behind one another in this program",
-                      call_.first.value, call_.last.value),
-          call_.first);
-    return;
-  }
+  CallRequest request;
+  if (!find_contour(request)) return;
   file_ = block_.file;
   line_ = block_.line_number;
   site_ = block_.call;
   position_before_ = position_;
   modal_before_ = modal_;
-  CallRequest request;
-  request.file = reader_.file();
-  request.begin = begin;
-  request.end = end.offset;
   const bool finishing = call_.number == 70;
-  if (!finishing && reader_.place_at(0) < end && !reader_.jump(end)) return;
   if (!finishing) request.on_start = [this] { begin_contour(); };
   request.on_end = [this, finishing] { finishing ? finish() : end_contour(); };
   const Word where = call_.where;
   reader_.enter(std::move(request), where);
+}
+
+// The blocks P to Q of this program, which goes on behind them, or of the program A.
+bool ContourCycles::find_contour(CallRequest& request) {
+  const long first = static_cast<long>(call_.first.value),
+             last = static_cast<long>(call_.last.value);
+  Place end;
+  bool found = false;
+  request.file = reader_.file();
+  if (call_.program) {
+    const auto place =
+        reader_.locate({static_cast<long>(call_.program->value), {}}, *call_.program);
+    if (!place) return false;
+    request.file = place->file;
+    found = statements_ && statements_->find_blocks(*place, first, last, request.begin, end);
+  } else {
+    found = statements_ && statements_->find_blocks(first, last, request.begin, end);
+  }
+  request.end = end.offset;
+  if (!found)
+    return error(
+        "jump-target",
+        fmt::format("there are no blocks N{} to N{} behind one another in {}", first, last,
+                    call_.program ? text_of(*call_.program).replace(0, 1, "O") : "this program"),
+        call_.first);
+  const bool jumps = call_.number != 70 && !call_.program && reader_.place_at(0) < end;
+  return !jumps || reader_.jump(end);
 }
 
 void ContourCycles::end_program() {

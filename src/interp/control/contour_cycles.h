@@ -7,6 +7,7 @@
 #include "interp/control/statements.h"
 #include "interp/path/rough_contour.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +31,8 @@ class ContourCycles : public ControlPart {
   struct Call {
     int number = 0;
     Word where, first, last;
-    Vec3 allowance;  ///< mm, X as radius
+    std::optional<Word> program;  ///< A of Mitsubishi: the program that holds the contour
+    Vec3 allowance;               ///< mm, X as radius
   };
   /// A roughing cycle as levels in u, cuts in v; see RoughContour.
   struct Rough {
@@ -41,6 +43,7 @@ class ContourCycles : public ControlPart {
   };
 
   bool settings();
+  bool find_contour(CallRequest& request);
   bool old_words(bool given);
   bool counts_thousandths(std::string_view letters, double least);
   double cycle_unit(const Word& word) const;

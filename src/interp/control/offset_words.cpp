@@ -52,17 +52,13 @@ bool OffsetWords::work_shift(const Word& where) {
   return turned_offset(where);
 }
 
-// G10 P X Z of a lathe: where the tool's tip is, which positions have anyway; R and Q would be its
-// shape.
+// G10 P X Z of a lathe: where the tool's tip is, which positions have anyway. R is its nose, to be
+// compared with that of the tool; Q, on which side the nose lies, follows from the tool.
 bool OffsetWords::turned_offset(const Word& where) {
-  for (const char c : {'R', 'Q'})
-    if (const Word* shape = take(c); shape && shape->value != 0)
-      return error("not-supported",
-                   fmt::format("{} of G10 P (the nose of a tool) is not supported yet: write it "
-                               "into the tool table",
-                               text_of(*shape)),
-                   *shape);
-  for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C'}) take(c);
+  const Word* p = peek('P');
+  if (const Word* r = take('R'); r && p && r->value > 0)
+    control_.told_noses[static_cast<long>(p->value) % 100] = r->value * length_unit(*r);
+  for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C', 'Q'}) take(c);
   note_once("tool-length", "positions are read as those of the tool's tip, whatever its offset",
             where, "length");
   return true;

@@ -272,13 +272,14 @@ bool Statements::find_number_twice(long number) {
   const int section = all.section_at(reader_.place_at(0));
   const Place from = all.section_begin(section), to = all.section_end(section);
   Place first, last;
-  return scan_number(number, from, to, false, first) && scan_number(number, from, to, true, last) &&
-         first != last;
+  const std::string& file = reader_.file();
+  return scan_number(file, number, from, to, false, first) &&
+         scan_number(file, number, from, to, true, last) && first != last;
 }
 
-bool Statements::scan_number(long wanted, const Place& from, const Place& to, bool last,
-                             Place& out) {
-  LineSource source(reader_.file(), std::size_t(1) << 16);
+bool Statements::scan_number(const std::string& file, long wanted, const Place& from,
+                             const Place& to, bool last, Place& out) const {
+  LineSource source(file, std::size_t(1) << 16);
   source.seek(from.offset, from.line);
   std::string_view line;
   bool found = false;
@@ -309,16 +310,18 @@ bool Statements::find_number(long wanted, bool forward, bool backward, Place& ou
   if (fresh) {
     bool& found = known->second.first;
     Place& place = known->second.second;
-    if (forward) found = scan_number(wanted, here, all.section_end(section), false, place);
+    if (forward)
+      found = scan_number(reader_.file(), wanted, here, all.section_end(section), false, place);
     if (!found && backward)
-      found = scan_number(wanted, all.section_begin(section), here, !forward, place);
+      found =
+          scan_number(reader_.file(), wanted, all.section_begin(section), here, !forward, place);
   }
   out = known->second.second;
   return known->second.first;
 }
 
-Place Statements::behind_line(Place at) const {
-  LineSource source(reader_.file(), std::size_t(1) << 16);
+Place Statements::behind_line(const std::string& file, Place at) const {
+  LineSource source(file, std::size_t(1) << 16);
   source.seek(at.offset, at.line);
   std::string_view line;
   source.next(line);
@@ -329,6 +332,19 @@ bool Statements::find_blocks(long first, long last, Place& begin, Place& end) {
   if (!find_number(first, true, true, begin) || !find_number(last, true, true, end)) return false;
   end = behind_line(end);
   return begin < end;
+}
+
+bool Statements::find_blocks(const SubprogramPlace& program, long first, long last, Place& begin,
+                             Place& end) {
+  const Outline& all = outline();
+  const Place top{program.offset, program.line, 0};
+  Place bottom = {std::numeric_limits<std::uint64_t>::max(), 0, 0};
+  if (program.file == reader_.file()) bottom = all.section_end(all.section_at(top));
+  if (!scan_number(program.file, first, top, bottom, false, begin) ||
+      !scan_number(program.file, last, begin, bottom, false, end))
+    return false;
+  end = behind_line(program.file, end);
+  return true;
 }
 
 bool Statements::find_labels(const std::string& first, const std::string& last, Place& begin,

@@ -58,6 +58,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool call_number(const Word& word, long repeats);
   /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
   bool find_blocks(long first, long last, Place& begin, Place& end);
+  /// The same in another program.
+  bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
   /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
   bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
 
@@ -85,7 +87,8 @@ class Statements : public ControlPart, public LanguageReader {
   /// Whether two blocks of the program that is being read have this number.
   bool find_number_twice(long number);
   /// Where the next line begins.
-  Place behind_line(Place at) const;
+  Place behind_line(Place at) const { return behind_line(reader_.file(), at); }
+  Place behind_line(const std::string& file, Place at) const;
   /// Searches block `number` forward from here and then from the top, or one of these.
   bool find_number(long number, bool forward, bool backward, Place& out);
   std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }
@@ -100,7 +103,8 @@ class Statements : public ControlPart, public LanguageReader {
   Evaluator evaluator_;
 
  private:
-  bool scan_number(long number, const Place& from, const Place& to, bool last, Place& out);
+  bool scan_number(const std::string& file, long number, const Place& from, const Place& to,
+                   bool last, Place& out) const;
 
   OutlineForm form_;
   std::map<std::string, std::unique_ptr<Outline>> outlines_;

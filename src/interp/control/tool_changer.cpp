@@ -318,6 +318,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
   tool.id = id;
   use(tool);
   compare_edge(where);
+  compare_nose(tool, where);
   if (given(id)) return;
   const std::string text =
       fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,

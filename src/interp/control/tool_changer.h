@@ -49,6 +49,7 @@ class ToolChanger : public ControlPart {
   bool suffix(const Word& word);
   void compare_offset(const Word& word);
   void compare_edge(const Word& where);
+  void compare_nose(const Tool& tool, const Word& where);
   void tell_second(const std::string& offset, const std::string& id, const Tool& tool,
                    const Word& where);
   std::string id_at_edge() const;

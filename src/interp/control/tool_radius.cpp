@@ -3,11 +3,17 @@
 #include "interp/control/tool_changer.h"
 #include "interp/text/characters.h"
 
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+constexpr double kSameNose = 0.01;  // mm: of radii in inches with three decimals
+
+}  // namespace
 
 bool ToolChanger::only_touches(const Word& where) {
   if (!lathe() || !tool_.chosen || tool_.index >= 0 || given(tool_.current)) return false;
@@ -63,6 +69,19 @@ void ToolChanger::compare_edge(const Word& where) {
   if (first || at->second == modal_.edge) return;
   const std::string edge = fmt::format("D{}", modal_.edge);
   tell_second(edge, fmt::format("{}.{}", tool_.current, edge), tool, where);
+}
+
+// R of G10 P, whose offset is that of T0101.
+void ToolChanger::compare_nose(const Tool& tool, const Word& where) {
+  const auto told = control_.told_noses.find(static_cast<long>(tool_.written) % 100);
+  if (told == control_.told_noses.end() || !is_turning(tool.type)) return;
+  if (std::abs(told->second - tool.nose_radius) < kSameNose) return;
+  reporter_.once(
+      Severity::warning, "nose-differs",
+      fmt::format("G10 gives tool {0} a nose radius of {1:.4g} mm, its data say {2:.4g}, which "
+                  "cuts here: where {1:.4g} is right, say --tool {0}=turning:insert=..,r={1:.4g}",
+                  tool.id, told->second, tool.nose_radius),
+      where, tool.id);
 }
 
 const OffsetRegister* ToolChanger::find_register(const std::string& name) const {

@@ -31,9 +31,10 @@ bool turning_words(const std::string& c) {
 }
 
 // G70 to G75 of a lathe have words of their own; alone, G70 and G71 are the units of Mach and
-// Vectric.
+// Vectric. G74 of a mill taps, but not by R alone.
 bool turning_cycle(const std::string& c, std::string_view g) {
   if (!has_word(c, g)) return false;
+  if (g == "G74") return has_axis(c, 'R') && c.find_first_of("XYZF") == c.npos;
   if (has_axis(c, 'P') && has_axis(c, 'Q')) return true;
   const bool increments = has_axis(c, 'U') || has_axis(c, 'W') || has_axis(c, 'D');
   return g != "G70" && (increments || g == "G75") && has_axis(c, 'R');
@@ -86,7 +87,7 @@ bool sets_data(const std::string& c) {
 }  // namespace
 
 void MachineSigns::fanuc_line(const std::string& c, int n) {
-  for (const std::string_view g : {"G70", "G71", "G72", "G75"})
+  for (const std::string_view g : {"G70", "G71", "G72", "G74", "G75"})
     if (turning_cycle(c, g)) note_first(fanuc_lathe_, g, n);
   if (turning_words(c)) note_first(fanuc_turning_, "a turning word", n);
   if (has_axis(c, 'C')) note_first(rotary_, "C", n);
