@@ -8,8 +8,8 @@ void BlockWords::begin() {
   ++epoch_;
   groups = 0;
   places.clear();
-  motion_code = oneshot = frame_code = ends_cycle = call_word = m98 = home = set_tool = comp_word =
-      pause = nullptr;
+  motion_code = oneshot = frame_code = ends_cycle = lap_begins = call_word = m98 = home = set_tool =
+      comp_word = pause = nullptr;
   motion = Code::unknown;
   turn_cycle = 0;
   suppress_frames = comp_selected = comp_moved = length_changed = false;

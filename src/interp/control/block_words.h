@@ -72,6 +72,7 @@ class BlockWords : public Block {
   const Word* offset_number = nullptr;  ///< P of G54.1, where M98 has another one
   const Word* pause = nullptr;          ///< P of G4, where the block may move as well (LinuxCNC)
   const Word* ends_cycle = nullptr;     ///< G80
+  const Word* lap_begins = nullptr;     ///< G81 or G82 of Okuma's LAP: a contour up to G80
   Code motion{};                        ///< motion of this block alone, else Code::unknown
   Code oneshot_code{};                  ///< counts when `oneshot` is set
   Code frame_op{};                      ///< counts when `frame_code` is set

@@ -78,6 +78,7 @@ double ContourCycles::cycle_unit(const Word& word) const {
 }
 
 bool ContourCycles::run() {
+  if (!block_.contour.empty()) return lap();
   const Word* first = take('P');
   const Word* last = take('Q');
   const int g = block_.turn_cycle;
@@ -111,6 +112,7 @@ bool ContourCycles::run() {
 }
 
 void ContourCycles::end_block() {
+  if (block_.lap_begins) return pass_over_lap();
   if (!waits_) return;
   waits_ = false;
   CallRequest request;
@@ -134,6 +136,11 @@ bool ContourCycles::find_contour(CallRequest& request) {
   Place end;
   bool found = false;
   request.file = reader_.file();
+  if (call_.lap) {
+    request.begin = call_.lap->begin;
+    request.end = call_.lap->end.offset;
+    return true;
+  }
   if (call_.program) {
     const auto place =
         reader_.locate({static_cast<long>(call_.program->value), {}}, *call_.program);
@@ -248,12 +255,14 @@ bool ContourCycles::rough() {
         contour_.front());
     return false;
   }
+  if (call_.lap) orient_allowance();
   const Vec3 from = position_.physical, shift = call_.allowance;
+  const Vec3 top = call_.lap ? from : from + shift;
   Rough r;
   r.u = call_.number == 72 ? 2 : 0;
   r.v = 2 - r.u;
-  r.top = component(from + shift, r.u);
-  r.start = component(from + shift, r.v);
+  r.top = component(top, r.u);
+  r.start = component(top, r.v);
   r.down = -1;
   double farthest = 0;
   for (const Motion& m : contour_) {
@@ -285,7 +294,7 @@ bool ContourCycles::rough() {
                      m);
     return false;
   }
-  go(from + shift, kRapid);
+  go(top, kRapid);
   if (!levels(r, shape)) return false;
   for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
   go(from, kRapid);

@@ -1,8 +1,9 @@
-// G70 to G73 of FANUC lathes: the contour is the blocks N(P) to N(Q). They are read like any others
-// with their motions kept; then the passes follow from them. G70 runs the blocks as they stand.
-// Private to src/interp.
+// G70 to G73 of FANUC lathes: the contour is the blocks N(P) to N(Q), of Okuma's LAP those of a
+// name. They are read like any others with their motions kept; then the passes follow from them.
+// G70 runs the blocks as they stand. Private to src/interp.
 #pragma once
 
+#include "interp/control/lap_contour.h"
 #include "interp/control/moves.h"
 #include "interp/control/statements.h"
 #include "interp/path/rough_contour.h"
@@ -31,8 +32,9 @@ class ContourCycles : public ControlPart {
   struct Call {
     int number = 0;
     Word where, first, last;
-    std::optional<Word> program;  ///< A of Mitsubishi: the program that holds the contour
-    Vec3 allowance;               ///< mm, X as radius
+    std::optional<Word> program;    ///< A of Mitsubishi: the program that holds the contour
+    std::optional<LapContour> lap;  ///< of Okuma
+    Vec3 allowance;                 ///< mm, X as radius
   };
   /// A roughing cycle as levels in u, cuts in v; see RoughContour.
   struct Rough {
@@ -44,6 +46,11 @@ class ContourCycles : public ControlPart {
 
   bool settings();
   bool find_contour(CallRequest& request);
+  bool lap();
+  bool lap_depth();
+  std::optional<LapContour> lap_contour(std::string_view name, const Word& where);
+  void orient_allowance();
+  void pass_over_lap();
   bool old_words(bool given);
   bool counts_thousandths(std::string_view letters, double least);
   double cycle_unit(const Word& word) const;

@@ -27,6 +27,8 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
     modal_.drill.number = modal_.pocket.number;
     return true;
   }
+  if (is(Dialect::fanuc) && lathe())
+    if (const std::optional<bool> lap = okuma_lap(word)) return lap;
   if (is(Dialect::fanuc) && okuma_home(word)) return true;
   if (is(Dialect::fanuc) && !lathe())
     if (const std::optional<bool> local = okuma_frame(word)) return local;
@@ -113,6 +115,26 @@ void MakerWords::warn_of_mixed(const Word& word) {
       return;
     }
   }
+}
+
+// LAP: "G85 NLAP1 D U W" roughs a contour, "G87 NLAP1" finishes it, "NLAP1 G81" begins it.
+std::optional<bool> MakerWords::okuma_lap(const Word& word) {
+  const int g = static_cast<int>(word.value);
+  const bool named = !block_.name.empty() && !peek('X') && !peek('Z') && !peek('F');
+  if (named && g >= 81 && g <= 83) {
+    block_.lap_begins = &word;
+    return true;
+  }
+  if (block_.contour.empty() || g < 85 || g > 88) return std::nullopt;
+  if (g == 86 || g == 88)
+    return error("not-supported",
+                 fmt::format("G{} {} ({} of Okuma's LAP) is not supported yet", g, block_.contour,
+                             g == 86 ? "copy turning" : "threads"),
+                 word);
+  block_.oneshot = &word;
+  block_.oneshot_code = Code::turn_cycle;
+  block_.turn_cycle = g == 85 ? 71 : 70;
+  return true;
 }
 
 // G20 HP=1 and G21 HP=2 go to home positions; HP= stands in P.

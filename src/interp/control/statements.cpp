@@ -347,6 +347,12 @@ bool Statements::find_blocks(const SubprogramPlace& program, long first, long la
   return true;
 }
 
+std::pair<Place, Place> Statements::section() {
+  const Outline& all = outline();
+  const int here = all.section_at(reader_.place_at(0));
+  return {all.section_begin(here), all.section_end(here)};
+}
+
 bool Statements::find_labels(const std::string& first, const std::string& last, Place& begin,
                              Place& end) {
   const Outline& all = outline();

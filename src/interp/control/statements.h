@@ -60,6 +60,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool find_blocks(long first, long last, Place& begin, Place& end);
   /// The same in another program.
   bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
+  /// The program that is being read: where it begins and ends.
+  std::pair<Place, Place> section();
   /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
   bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
 

@@ -93,6 +93,23 @@ const Word* WordIndex::number_of_offset() const {
   return called ? offset : nullptr;
 }
 
+// "G75 X40. L2." and "G76 X40. L2." of Okuma's lathes: a chamfer, a rounding at the end of the
+// line. FANUC's cycles of these numbers have no L.
+void WordIndex::read_okuma_corner() {
+  if (!lathe() || !is(Dialect::fanuc)) return;
+  Word* code = nullptr;
+  Word* size = nullptr;
+  for (Word& word : block_.words) {
+    const auto c = static_cast<char>(word.address);
+    if (c == 'P' || c == 'Q' || c == 'R' || c == 'K' || c == 'D') return;
+    if (c == 'G' && (word.value == 75 || word.value == 76)) code = &word;
+    if (c == 'L') size = &word;
+  }
+  if (!code || !size) return;
+  size->address = code->value == 75 ? Address::chr : Address::rnd;
+  code->address = Address::data;
+}
+
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
 bool WordIndex::run() {
   if (const Word* cycle = dialogue_cycle())
@@ -101,6 +118,7 @@ bool WordIndex::run() {
                              "control convert the program (NC CNV)",
                              text_of(*cycle)),
                  *cycle);
+  read_okuma_corner();
   bool ok = true;
   block_.offset_number = number_of_offset();
   for (std::size_t i = 0; i < block_.words.size(); ++i) {

@@ -17,6 +17,7 @@ class WordIndex : public ControlPart {
  private:
   const Word* dialogue_cycle() const;
   const Word* number_of_offset() const;
+  void read_okuma_corner();
   bool chooses_fixture() const;
   bool use_own_register(Word& word);
   bool refuse_address(const Word& word);

@@ -229,6 +229,7 @@ void DialectSigns::weigh_fanuc_lathe(const std::string& c, int line) {
   const bool lathe_cycle =
       has_any_word(c, {"G70", "G71", "G72", "G73", "G76"}) && has_axis(c, 'P') && has_axis(c, 'Q');
   if (lathe_cycle) add(d, 8, "a turning cycle with P and Q", line);
+  if (calls_lap(c)) add(d, 8, "a cycle of LAP", line);
   if (has_word(c, "G50") && has_axis(c, 'S')) add(d, 6, "G50 S", line);
   if (has_word(c, "G28") && (has_axis(c, 'U') || has_axis(c, 'W'))) add(d, 6, "G28 U W", line);
 }

@@ -99,9 +99,6 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF ") ||
       text.starts_with("DEF WORK"))
     return "an Okuma IGF program";
-  if (text.starts_with("NLAP") || text.starts_with("NAP") || code.starts_with("NAP") ||
-      any_of(code, {"G85 N", "G86 N", "G87 N"}))
-    return "an Okuma lathe's program with LAP cycles";
   if (fagor_turning(code)) return "a Fagor lathe's program with turning cycles";
   if (whole.size() == 2 && whole[0] == '$' && is_digit(whole[1]))
     return "a program of several paths ($1, $2), as of Swiss-type lathes (Citizen, Star)";

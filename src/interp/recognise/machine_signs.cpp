@@ -89,6 +89,7 @@ bool sets_data(const std::string& c) {
 void MachineSigns::fanuc_line(const std::string& c, int n) {
   for (const std::string_view g : {"G70", "G71", "G72", "G74", "G75"})
     if (turning_cycle(c, g)) note_first(fanuc_lathe_, g, n);
+  if (calls_lap(c)) note_first(fanuc_lathe_, "a cycle of LAP", n);
   if (turning_words(c)) note_first(fanuc_turning_, "a turning word", n);
   if (has_axis(c, 'C')) note_first(rotary_, "C", n);
   if (turret_word(c)) note_first(turret_, "a T word of station and offset", n);

@@ -77,7 +77,9 @@ struct Block {
   int skip_level = -1;                   ///< -1 = no "/"
   bool bad = false;                      ///< the parser reported an error
   bool has_number = false;
-  bool no_hole = false;  ///< NCYL of Okuma: the cycle in force makes no hole here
+  std::string_view name;     ///< of the block, where it has one instead of a number
+  std::string_view contour;  ///< NLAP1 behind G85 to G88 of Okuma
+  bool no_hole = false;      ///< NCYL of Okuma: the cycle in force makes no hole here
 };
 
 }  // namespace mrsim

@@ -29,6 +29,15 @@ bool holds_parameter(std::string_view code, std::string_view rest) {
 
 }  // namespace
 
+bool calls_lap(std::string_view code) {
+  for (const std::string_view g : {"G85 N", "G86 N", "G87 N"}) {
+    const std::size_t at = code.find(g);
+    const std::size_t name = at + g.size();
+    if (at != code.npos && name < code.size() && is_letter(code[name])) return true;
+  }
+  return false;
+}
+
 bool is_remark(std::string_view line, std::size_t from) {
   const std::size_t end = line.find_last_not_of(" \t\r");
   if (end == line.npos || end <= from || line[from] != '[' || line[end] != ']') return false;

@@ -63,7 +63,7 @@ void Parser::push(Block& block, Word& word, std::size_t from) {
 bool Parser::next(Block& block, std::size_t& position) {
   block.words.clear();
   block.comments.clear();
-  block.argument = block.function_name = {};
+  block.argument = block.function_name = block.name = block.contour = {};
   block.skip_level = -1;
   block.modal_call = false;
   block.statement = Block::kNoStatement;
@@ -347,7 +347,7 @@ void Parser::letter_word(Block& block) {
   if (n == '!' && c == 'L' && dialect_ == Dialect::codesys) return jump_label();
   if (n == '#' || n == '[' || n == '$') return strange_character(block);
   p_ = from;
-  if (statement(block, from) || block_name(block)) return;
+  if (statement(block, from) || block_name(block) || contour_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
   if (macro_word(block) || okuma_word(block) || skips_switch(block)) return;
   unknown_word(block, from);

@@ -48,6 +48,7 @@ class Parser {
   void codesys_name(Block& block);
   void jump_label();
   bool block_name(Block& block);
+  bool contour_name(Block& block);
   void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);

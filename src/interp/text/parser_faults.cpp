@@ -137,6 +137,21 @@ bool Parser::block_name(Block& block) {
         fmt::format("{} is the name of its block, as on Okuma's controls: left out", name), word,
         "block-name");
   block.has_number = !block.no_hole;
+  if (!block.no_hole) block.name = line_.substr(p_, end - p_);
+  p_ = end;
+  return true;
+}
+
+// "G85 NLAP1 D4" of Okuma: the block that begins the contour.
+bool Parser::contour_name(Block& block) {
+  const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
+    return word.address == letter('G') && word.value >= 85 && word.value <= 88;
+  });
+  std::size_t end = p_ + 1;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  if (dialect_ != Dialect::fanuc || !calls || upper(at(p_)) != 'N' || !is_letter(at(p_ + 1)))
+    return false;
+  block.contour = line_.substr(p_, end - p_);
   p_ = end;
   return true;
 }

@@ -1,0 +1,23 @@
+// The contours of Okuma's LAP in the text of a program: "NLAP1 G81", the blocks of the contour,
+// "G80". Private to src/interp.
+#pragma once
+
+#include "interp/language/outline.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+struct LapContour {
+  int number = 0;  ///< G81 along Z, G82 along X, G83 with the shape of the blank before it
+  Place begin, end;
+  Place behind;  ///< G80
+};
+
+/// The contour of this name between two places of a file.
+std::optional<LapContour> find_lap_contour(const std::string& file, const Place& from,
+                                           const Place& to, std::string_view name);
+
+}  // namespace mrsim
