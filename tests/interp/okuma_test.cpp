@@ -54,5 +54,57 @@ TEST(Okuma, CornersOfLathesStandBehindL) {
             turned("G0 X16 Z0\nG1 F.2\nX20 ,C2\nZ-20 ,R3\nX30\n"));
 }
 
+std::string milled(const std::string& text,
+                   const InterpOptions& options = at_origin(Dialect::fanuc)) {
+  return path_text(read_text(text, options));
+}
+
+TEST(Okuma, VariablesHaveNames) {
+  EXPECT_EQ(milled("VC1=-2 VC2=VC1*3\nN10 DIA = 20\nG1 X=DIA/2 Y=VC2+1 Z=-VC1 F=100+50\nX=5\n"),
+            "l10,-5,2 l5,-5,2");
+  EXPECT_EQ(milled("V1=3\nLP1=V1\nG1 X=LP1*SIN[30] F9\n"), "l1.5,0,0");
+  EXPECT_EQ(milled("G1 X=VC7 F9\n"), " | variable-unset");
+  EXPECT_EQ(milled("G1 X=ABC F9\n"), " | variable-unset");
+  EXPECT_EQ(milled("G1 X=VTOFH[1] F9\n"), " | variable-unset");
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.variables = {{"VC7", "4"}};
+  EXPECT_EQ(milled("G1 X=VC7 F9\n", options), "l4,0,0");
+}
+
+TEST(Okuma, JumpsGoToBlocksByNumberOrName) {
+  EXPECT_EQ(milled("G1 F9\nVC1=0\nNLP X=VC1\nVC1=VC1+1\nIF [VC1 LT 3] NLP\nGOTO NEND\nX99\n"
+                   "NEND Y1\n"),
+            "l1,0,0 l2,0,0 l2,1,0");
+  EXPECT_EQ(milled("G1 F9\nIF [1 EQ 2] N5\nX3\nGOTO N20\nN5 X99\nN20 Y1\n"), "l3,0,0 l3,1,0");
+  EXPECT_EQ(milled("GOTO NOUT\nG1 X1 F9\n"), " | jump-target");
+}
+
+// CALL gives local variables their values; RTS returns; Q counts.
+TEST(Okuma, CallsRunProgramsByNumberOrName) {
+  const std::string subs =
+      "M2\nO100\nG91 G1 X=LN F9\nG90\nRTS\nOTAP (BY NAME)\nG1 Y7 F9\nIF [VC1 EQ 1] NX\nY8\nNX "
+      "RTS\n";
+  EXPECT_EQ(milled("CALL O100 Q2 LN=3\nCALL O0100 LN=-1\n" + subs), "l3,0,0 l6,0,0 l5,0,0");
+  EXPECT_EQ(milled("VC1=1\nCALL OTAP\n" + subs), "l0,7,0");
+  EXPECT_EQ(milled("VC1=2\nCALL OTAP\n" + subs), "l0,7,0 l0,8,0");
+  EXPECT_EQ(milled("LN=9\nCALL O100 LN=1\nG1 Y=LN\n" + subs), "l1,0,0 l1,9,0")
+      << "variables of one program";
+  EXPECT_EQ(milled("CALL O100\n" + subs), " | variable-unset");
+  EXPECT_EQ(milled("CALL O7\n" + subs), " | subprogram-missing");
+  EXPECT_EQ(milled("RTS\n"), " | call-missing");
+  EXPECT_EQ(milled("CALL O100 Q-1 LN=1\n" + subs), " | value-range");
+}
+
+// MODIN: behind each block that moves, up to MODOUT.
+TEST(Okuma, ModalCallsRunBehindEachMove) {
+  EXPECT_EQ(
+      milled("MODIN O200 DP=-3\nG0 X5\nM8\nX9\nMODOUT\nX0\nM2\nO200\nG1 Z=DP F9\nG0 Z0\nRTS\n"),
+      "r5,0,0 l5,0,-3 r5,0,0 r9,0,0 l9,0,-3 r9,0,0 r0,0,0");
+}
+
+TEST(Okuma, PathsByG131HaveWordsOfTheirOwn) {
+  EXPECT_EQ(milled("G131 F1000 J1 D0.01 E0.02\nG1 X5 F9\nG130\n"), "l5,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

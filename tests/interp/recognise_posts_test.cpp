@@ -123,8 +123,8 @@ TEST(RecogniseForeign, NamedAndRefused) {
             std::string::npos);
   EXPECT_EQ(refusal("N10 G54\nN70 TRANS X=R11*(R10-1)\nN80 G1 X1 Y1 F100\n"), "");
   EXPECT_EQ(refusal("G50 S2000\nG85 NAP1 D3 F.3 U.4 W.2\n"), "");
-  EXPECT_NE(refusal("N1 G15 H1\nN6 CALL O100 Q3\n").find("OSP"), std::string::npos);
-  EXPECT_NE(refusal("$A.MIN%\nN10 VC12 = 3\nG1 Z=-VC12\n", "a.MIN").find("VC"), std::string::npos);
+  EXPECT_EQ(recognised("N1 G15 H1\nN6 CALL O100 Q3\nG1 Y1\n").dialect, Dialect::fanuc);
+  EXPECT_EQ(recognised("N10 VC12 = 3\nG1 Z=-VC12 Y1\n", "a.MIN").dialect, Dialect::fanuc);
   EXPECT_EQ(refusal("$A.MIN%\nN10 G15 H1\nG1 X1 Y1 F100\n", "a.MIN"), "");
   EXPECT_NE(refusal("module Part\nprogram\n", "a.simpl").find("SimPL"), std::string::npos);
   EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),

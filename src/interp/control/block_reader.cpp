@@ -159,8 +159,8 @@ bool BlockReader::ends_at_header(const Word* program) {
             *program);
   else
     missing_return();
-  if (!program && !is(Dialect::sinumerik) && !is(Dialect::codesys))
-    end_of_tape(leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos);
+  if (!program && leader && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+    end_of_tape(header->text.find_first_not_of("% \t\r") != std::string_view::npos);
   end_activation(false);
   return true;
 }
@@ -185,7 +185,7 @@ int BlockReader::call_site(int line) {
 std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, const Word& word) {
   std::optional<SubprogramPlace> place = subprograms_.find(name);
   if (place) {
-    if (name.number >= 0) called_.insert(name.number);
+    called_.insert(name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text));
     return place;
   }
   const std::string text =
@@ -280,7 +280,7 @@ void BlockReader::tell_of_others() {
   std::string first;
   while (source.next(line)) {
     const std::string name = section_name(line, control_.dialect);
-    if (name.empty() || called_.contains(std::stol(name.substr(1)))) continue;
+    if (name.empty() || called_.contains(name)) continue;
     if (others++ == 0) first = fmt::format("{} in line {}", name, source.line_number());
   }
   if (others == 0) return;

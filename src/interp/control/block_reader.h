@@ -106,9 +106,9 @@ class BlockReader : public ControlPart {
   Parser parser_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
-  std::size_t levels_ = 0;   ///< calls under way
-  std::uint64_t steps_ = 0;  ///< jumps, calls and repeats
-  std::set<long> called_;    ///< numbers of programs
+  std::size_t levels_ = 0;        ///< calls under way
+  std::uint64_t steps_ = 0;       ///< jumps, calls and repeats
+  std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
   std::map<std::string, std::vector<std::unique_ptr<LineSource>>> idle_;  ///< to be used again
 };
 

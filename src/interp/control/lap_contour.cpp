@@ -18,6 +18,18 @@ bool is_named(std::string_view code, std::string_view name) {
 
 }  // namespace
 
+std::optional<Place> find_named_block(const std::string& file, const Place& from, const Place& to,
+                                      std::string_view name) {
+  const std::string wanted = upper_case(name);
+  LineSource source(file, std::size_t(1) << 16);
+  source.seek(from.offset, from.line);
+  std::string_view line;
+  for (std::uint64_t offset = from.offset; offset < to.offset && source.next(line);
+       offset = source.next_offset())
+    if (is_named(upper_case(line), wanted)) return Place{offset, source.line_number() - 1, 0};
+  return std::nullopt;
+}
+
 std::optional<LapContour> find_lap_contour(const std::string& file, const Place& from,
                                            const Place& to, std::string_view name) {
   const std::string wanted = upper_case(name);

@@ -1,5 +1,5 @@
-// The contours of Okuma's LAP in the text of a program: "NLAP1 G81", the blocks of the contour,
-// "G80". Private to src/interp.
+// Blocks of Okuma that have a name instead of a number, and the contours of its LAP: "NLAP1 G81",
+// the blocks of the contour, "G80". Private to src/interp.
 #pragma once
 
 #include "interp/language/outline.h"
@@ -16,6 +16,9 @@ struct LapContour {
   Place behind;  ///< G80
 };
 
+/// The block of this name between two places of a file: "NEND M9".
+std::optional<Place> find_named_block(const std::string& file, const Place& from, const Place& to,
+                                      std::string_view name);
 /// The contour of this name between two places of a file.
 std::optional<LapContour> find_lap_contour(const std::string& file, const Place& from,
                                            const Place& to, std::string_view name);

@@ -19,6 +19,7 @@ class MacroStatements : public Statements {
 
  protected:
   bool statement(std::size_t p) override;
+  std::size_t end_of_block(std::size_t p) const;
 
  private:
   /// Values of local variables by number.
@@ -41,7 +42,6 @@ class MacroStatements : public Statements {
   bool call_macro(long program, long repeats, const Arguments& arguments, const Word& where);
   bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
-  std::size_t end_of_block(std::size_t p) const;
 
   ModalCall modal_call_;
   std::size_t macro_levels_ = 0;

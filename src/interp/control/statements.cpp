@@ -3,7 +3,7 @@
 #include "core/text_io.h"
 #include "interp/control/codesys_statements.h"
 #include "interp/control/fagor_statements.h"
-#include "interp/control/macro_statements.h"
+#include "interp/control/osp_statements.h"
 #include "interp/control/oword_statements.h"
 #include "interp/control/sinumerik_statements.h"
 #include "interp/language/flow_scan.h"
@@ -27,7 +27,7 @@ constexpr std::size_t kMostNumbers = 10000;   // places of block numbers kept
 std::unique_ptr<Statements> Statements::make(Control& control, BlockReader& reader) {
   switch (control.dialect) {
     case Dialect::fanuc:
-      return std::make_unique<MacroStatements>(control, reader);
+      return std::make_unique<OspStatements>(control, reader);
     case Dialect::ngc:
       return std::make_unique<OwordStatements>(control, reader);
     case Dialect::sinumerik:
@@ -92,7 +92,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const auto c = static_cast<char>(word.address);
   const bool length = word.address < Address::function &&
                       std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
-  const bool steps = length && is(Dialect::fanuc);  // ROUND in a word rounds to least increments
+  const bool steps = length && is(Dialect::fanuc) && !whole;  // ROUND in a word of FANUC's macros
   evaluator_.set_round_step(!steps ? 1 : modal_.inch ? 1e-4 : 1e-3);
   Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);

@@ -69,6 +69,7 @@ std::string section_name(std::string_view line, Dialect dialect) {
   if (dialect == Dialect::sinumerik) return sinumerik_section(line);
   if (line.size() < 2 || (upper(line[0]) != 'O' && !(line[0] == ':' && names_program(line, 0))))
     return {};
+  if (dialect == Dialect::fanuc && names_okuma_program(line, 0)) return upper_case(name_at(line));
   const std::string_view rest = trimmed(line.substr(1));
   std::size_t n = 0;
   while (n < rest.size() && is_digit(rest[n])) ++n;
@@ -97,7 +98,8 @@ void SubprogramIndex::scan(const std::string& file) {
 std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
                                                       const std::vector<std::string>& stems) const {
   static constexpr std::string_view kExtensions[] = {
-      ".MPF", ".SPF", "", ".NC", ".CNC", ".TAP", ".TXT", ".NGC", ".ISO", ".EIA", ".DIN", ".GCODE"};
+      ".MPF", ".SPF", "",     ".NC",    ".CNC", ".TAP", ".TXT", ".NGC",
+      ".ISO", ".EIA", ".DIN", ".GCODE", ".MIN", ".SSB", ".SUB", ".LIB"};
   std::vector<std::string> wanted;
   for (const std::string_view extension : kExtensions)
     for (const std::string& stem : stems)

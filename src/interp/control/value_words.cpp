@@ -176,7 +176,7 @@ bool ValueWords::speed() {
 
 // D: number of a register or of a cutting edge.
 bool ValueWords::edge() {
-  const Word* word = take('D');
+  const Word* word = block_.open(letter('D')) ? take('D') : nullptr;  // G131 D is a tolerance
   if (!word || d_limits_speed()) return true;
   if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;

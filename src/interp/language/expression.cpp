@@ -225,4 +225,23 @@ bool Evaluator::bracketed(Value& out) {
   return true;
 }
 
+// VC1 and V1 of Okuma, whose digits end them, and local names.
+bool Evaluator::plain_variable(std::size_t from, Value& out) {
+  p_ = from;
+  while (is_letter(at(p_))) ++p_;
+  const std::string letters = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 3)));
+  const bool common = letters == "V" || letters == "VC";
+  while (is_digit(at(p_)) || (!common && is_letter(at(p_)))) ++p_;
+  const std::string_view name = line_.substr(from, p_ - from);
+  if (at(p_) == '[')
+    return fail("variable-unset", fmt::format("the system variable {} is not answered here", name),
+                from, p_);
+  std::string why;
+  if (!variables_.named(name, {}, out, why))
+    return fail("variable-unset", std::move(why), from, p_);
+  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  seen(from, out);
+  return true;
+}
+
 }  // namespace mrsim

@@ -73,6 +73,7 @@ class Evaluator {
   bool bare_call(const FunctionRow& row, std::size_t from, Value& out);
   bool hash_variable(Value& out);
   bool word(Value& out);
+  bool plain_variable(std::size_t from, Value& out);
   bool name_variable(std::size_t from, std::string_view name, Value& out);
   bool call(const FunctionRow& row, std::size_t from, Value& out);
   bool frame_call(const FunctionRow& row, std::size_t from, Value& out);

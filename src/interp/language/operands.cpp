@@ -149,7 +149,8 @@ bool Evaluator::word(Value& out) {
   const std::size_t end = p_;
   skip_blanks();
   const FunctionRow* const row = function_named(name);
-  if (at(p_) == rules_.open) {
+  const bool system = rules_.plain_names && name.starts_with('V');  // VTOFH[1] of Okuma
+  if (at(p_) == rules_.open && !system) {
     if (row) return call(*row, from, out);
     return fail("function-unknown", fmt::format("{} is no function of this control", name), from,
                 end);
@@ -160,6 +161,7 @@ bool Evaluator::word(Value& out) {
     out = Value::of(name == "PI" ? kPi : name == "TRUE");
     return true;
   }
+  if (rules_.plain_names) return plain_variable(from, out);
   if (!spelled(Spelling::names))
     return fail("expression", fmt::format("{} is not known in an expression", name), from, end);
   p_ = end;

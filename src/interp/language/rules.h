@@ -108,6 +108,7 @@ struct ExpressionRules {
   bool abbreviated = false;     ///< two letters of a function's name are enough
   bool vacant_is_zero = false;  ///< a vacant operand counts as 0
   bool bare_functions = false;  ///< SIN 30 without brackets
+  bool plain_names = false;     ///< VC1, DIA: variables of Okuma
   bool radians = false;         ///< angles of functions; else degrees
   bool full_turn = false;       ///< the arc tangent of two arguments is 0 to 360
   bool arc_sine_full = false;   ///< ASIN is 270 to 90, written as 0 to 360

@@ -205,6 +205,9 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
                       text);
   else if (plc)
     why = fmt::format("{} is not defined: LET it, or make it a formal of the subprogram", text);
+  else if (form_ == VariableForm::fanuc)
+    why = fmt::format("{} was never set: assign it first{}", text,
+                      is_common(name) ? fmt::format(", or say --set {}=1", text) : "");
   else if (form_ == VariableForm::linuxcnc)
     why = fmt::format("#<{}> was never set: assign it first{}", text,
                       name[0] == '_' ? fmt::format(", or say --set '#<{}>=1'", text) : "");
@@ -338,8 +341,16 @@ bool Variables::fill(std::string_view name, std::span<const Value> indices,
   return true;
 }
 
+bool Variables::is_common(std::string_view name) {
+  const std::size_t digits = name.size() > 1 && upper(name[1]) == 'C' ? 2 : 1;
+  return name.size() > digits && upper(name[0]) == 'V' &&
+         name.find_first_not_of("0123456789", digits) == name.npos;
+}
+
 bool Variables::preset(std::string_view name, const Value& value, std::string& why) {
   if (name.empty()) return false;
+  if (form_ == VariableForm::fanuc && is_common(name))
+    return define(name, VariableType::real, {}, true, why) && assign(name, {}, value, why);
   const bool hash = name.starts_with('#');
   const bool numbers = form_ == VariableForm::linuxcnc || form_ == VariableForm::fanuc;
   const std::string_view rest = name.substr(hash ? 1 : 0);

@@ -65,6 +65,8 @@ class Variables : public VariableReader {
   bool fill(std::string_view name, std::span<const Value> indices, std::span<const Value> values,
             bool repeat, std::string& why);
   bool is_defined(std::string_view name) { return find(name) != nullptr; }
+  /// VC1 and V1 of Okuma, common to all programs.
+  static bool is_common(std::string_view name);
   /// A variable from outside: "R1", "#100", "#<_name>", "NAME". False: not a variable of this
   /// control.
   bool preset(std::string_view name, const Value& value, std::string& why);

@@ -92,6 +92,16 @@ bool speaks_of_tools(std::string_view c, bool center) {
   return has_axis(c, 'T') && !center;
 }
 
+// "VC1=0", "N10 VC12 = VC1+2": a variable of Okuma's OSP.
+bool sets_common_variable(std::string_view c) {
+  std::size_t i = c.find("VC");
+  if (i == c.npos || (i > 0 && is_name(c[i - 1])) || !is_digit(c[std::min(i + 2, c.size() - 1)]))
+    return false;
+  i = c.find_first_not_of("0123456789", i + 2);
+  if (i != c.npos) i = c.find_first_not_of(' ', i);
+  return i != c.npos && c[i] == '=';
+}
+
 // A whole word of a comment.
 bool names(std::string_view comment, std::string_view word) {
   for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
@@ -222,6 +232,14 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   for (std::size_t i = 1; i < c.size(); ++i)
     if (c[i] == 'G' && is_digit(c[i - 1])) add(d, 3, "G codes run together", line);
   weigh_fanuc_lathe(c, line);
+  weigh_okuma(c, line);
+}
+
+void DialectSigns::weigh_okuma(const std::string& c, int line) {
+  constexpr auto d = Dialect::fanuc;
+  if (has(c, "CALL O") || has(c, "MODIN O")) add(d, 12, "a call of Okuma's", line);
+  if (sets_common_variable(c)) add(d, 12, "a variable of Okuma's", line);
+  if (has_any_word(c, {"G15", "G56"}) && has_axis(c, 'H')) add(d, 8, "G15 H or G56 H", line);
 }
 
 void DialectSigns::weigh_fanuc_lathe(const std::string& c, int line) {

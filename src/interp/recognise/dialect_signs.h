@@ -42,6 +42,7 @@ class DialectSigns {
   void add(Dialect dialect, int points, std::string_view sign, int line);
   void weigh_sinumerik(const LineScan& s, int line);
   void weigh_fanuc(const LineScan& s, std::string_view raw, int line);
+  void weigh_okuma(const std::string& c, int line);
   void weigh_fanuc_lathe(const std::string& c, int line);
   void weigh_codesys(const LineScan& s, int line);
   void weigh_ngc(const LineScan& s, std::string_view raw, int line);

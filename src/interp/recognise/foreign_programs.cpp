@@ -37,15 +37,6 @@ bool begins_any(std::string_view text, std::initializer_list<std::string_view> h
                      [&](std::string_view head) { return text.starts_with(head); });
 }
 
-// "VC1=0", "N10 VC12 = VC1+2": a variable of Okuma's mills.
-bool sets_common_variable(std::string_view code) {
-  std::size_t i = code.find("VC");
-  if (i == code.npos || (i > 0 && is_name(code[i - 1]))) return false;
-  i = code.find_first_not_of("0123456789", i + 2);
-  i = code.find_first_not_of(' ', i);
-  return i != code.npos && code[i] == '=';
-}
-
 // Cycles of the 8055 T: G66, G68 and G69 X Z C S E along blocks S to E; G81 and G82 X Z Q R C.
 bool fagor_turning(std::string_view code) {
   const std::string line(code);
@@ -109,9 +100,6 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (whole.size() > 4 && whole.starts_with("%PM") && is_digit(whole[3]))
     return "a program of Philips' and MAHO's controls (%PM)";
   if (any_of(raw, {"@MACRO"})) return "a Syntec macro";
-  if (any_of(code, {"CALL O"})) return "a program of Okuma's OSP (CALL O)";
-  if (ends_with(path, {".MIN", ".SSB"}) && sets_common_variable(code))
-    return "a program of Okuma's OSP with variables (VC)";
   if (ends_with(path, {".SIMPL"})) return "a DATRON SimPL program";
   if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
     return "an APT cutter location file";

@@ -29,6 +29,14 @@ bool holds_parameter(std::string_view code, std::string_view rest) {
 
 }  // namespace
 
+bool names_okuma_program(std::string_view line, std::size_t at) {
+  if (at + 1 >= line.size() || upper(line[at]) != 'O' || !is_letter(line[at + 1])) return false;
+  std::size_t end = at;
+  while (end < line.size() && (is_letter(line[end]) || is_digit(line[end]))) ++end;
+  const std::size_t rest = line.find_first_not_of(" \t\r", end);
+  return rest == line.npos || line[rest] == '(';
+}
+
 bool calls_lap(std::string_view code) {
   for (const std::string_view g : {"G85 N", "G86 N", "G87 N"}) {
     const std::size_t at = code.find(g);

@@ -13,6 +13,9 @@ bool names_program(std::string_view line, std::size_t at);
 /// Whether the line is a remark of WinCNC: square brackets about all of it, from `from` on.
 bool is_remark(std::string_view line, std::size_t from);
 
+/// "OSUB", "OSUB (NAME)": the name of a program of Okuma, and nothing else.
+bool names_okuma_program(std::string_view line, std::size_t at);
+
 /// "G85 NLAP1 D4" of Okuma's lathes: a turning cycle by the name of its contour.
 bool calls_lap(std::string_view code);
 

@@ -313,6 +313,7 @@ void Parser::letter_word(Block& block) {
   const bool early =
       (c == 'O' && dialect_ == Dialect::ngc) || (c == 'G' && dialect_ == Dialect::codesys);
   if (early && statement(block, from)) return;
+  if (block.words.empty() && assigns_name()) return assignment(block, from);
   ++p_;
   if (dialect_ != Dialect::codesys) skip_blanks();
   const bool fadal = c == 'R' && at(p_) == '0' && (at(p_ + 1) == '+' || at(p_ + 1) == '-');
@@ -338,6 +339,13 @@ void Parser::letter_word(Block& block) {
     if (c == 'M' && has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
     return;
   }
+  if (n == '=' && dialect_ == Dialect::fanuc && language_) {  // "X=VC1*2" of Okuma
+    Word word;
+    word.address = letter(c);
+    ++p_;
+    if (expression(block, word, true)) push(block, word, from);
+    return;
+  }
   if (language_ && !(c == 'O' && is_letter(n)) && expression_follows(p_)) {
     Word word;
     word.address = letter(c);
@@ -349,7 +357,7 @@ void Parser::letter_word(Block& block) {
   p_ = from;
   if (statement(block, from) || block_name(block) || contour_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
-  if (macro_word(block) || okuma_word(block) || skips_switch(block)) return;
+  if (macro_word(block) || okuma_word(block) || skips_switch(block) || okuma_program(block)) return;
   unknown_word(block, from);
 }
 

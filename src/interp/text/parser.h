@@ -53,6 +53,8 @@ class Parser {
   bool macro_word(Block& block);
   bool corner_word(Block& block);
   bool okuma_word(Block& block);
+  bool okuma_program(Block& block);
+  bool assigns_name() const;
   bool skips_switch(const Block& block);
   bool has_message(const Word& word) const;
   bool statement(Block& block, std::size_t from);

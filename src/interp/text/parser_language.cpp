@@ -1,6 +1,7 @@
 // Where words meet the control's language: expressions as values, assignments, statements.
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
+#include "interp/text/line_scan.h"
 #include "interp/text/parser.h"
 
 #include <algorithm>
@@ -184,6 +185,31 @@ bool Parser::okuma_word(Block& block) {
   }
   push(block, word, from);
   return true;
+}
+
+// "OSUB" of Okuma: a program with a name.
+bool Parser::okuma_program(Block& block) {
+  if (dialect_ != Dialect::fanuc || !block.words.empty() || !names_okuma_program(line_, p_))
+    return false;
+  const std::size_t from = p_;
+  while (is_letter(at(p_)) || is_digit(at(p_))) ++p_;
+  Word word;
+  word.address = Address::function;
+  word.code = Code::header;
+  word.text = line_.substr(from, p_ - from);
+  push(block, word, from);
+  return true;
+}
+
+// "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
+bool Parser::assigns_name() const {
+  if (dialect_ != Dialect::fanuc || !language_) return false;
+  const bool common = upper(at(p_)) == 'V' && is_digit(at(p_ + 1));
+  if (!common && !is_letter(at(p_ + 1))) return false;
+  std::size_t end = p_;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  while (blank(at(end)) && end < line_.size()) ++end;
+  return at(end) == '=';
 }
 
 // "G64 ON" and "G64 OFF" of Centroid: smoothing.
