@@ -106,5 +106,19 @@ TEST(Okuma, PathsByG131HaveWordsOfTheirOwn) {
   EXPECT_EQ(milled("G131 F1000 J1 D0.01 E0.02\nG1 X5 F9\nG130\n"), "l5,0,0");
 }
 
+// K holes from the angle J on, below 0 clockwise; NCYL: no hole where the cycle is set up.
+TEST(Okuma, BhcIsACircleOfHoles) {
+  const std::string cycle = "G71 Z9\nG0 Z9\nNCYL G81 X0 Y0 R2 Z-5 F99 M53\n";
+  EXPECT_EQ(milled(cycle + "BHC X50 Y40 I10 J90 K2\n"),
+            "r0,0,9 r50,50,9 r50,50,2 l50,50,-5 r50,50,9 r50,30,9 r50,30,2 l50,30,-5 r50,30,9");
+  EXPECT_EQ(milled("G0 Z9\nG85 R2 Z-5 F99 NCYL\nX4\n"),
+            "r0,0,9 r4,0,9 r4,0,2 l4,0,-5 l4,0,2 r4,0,9");
+  EXPECT_EQ(milled(cycle + "BHC X0 Y0 I10 J0 K-4\n").substr(0, 40),
+            "r0,0,9 r10,0,9 r10,0,2 l10,0,-5 r10,0,9 ");
+  EXPECT_NE(milled(cycle + "BHC X0 Y0 I10 J0 K-4\n").find(" r0,-10,9 "), std::string::npos);
+  EXPECT_EQ(milled("LAA X0 Y0 I10 K3 J0\n"), " | not-supported");
+  EXPECT_EQ(milled("PMIL X9 Y9 Z-1 I9 J9 K1\n"), " | not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

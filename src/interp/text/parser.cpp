@@ -357,7 +357,9 @@ void Parser::letter_word(Block& block) {
   p_ = from;
   if (statement(block, from) || block_name(block) || contour_name(block)) return;
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_')) return codesys_name(block);
-  if (macro_word(block) || okuma_word(block) || skips_switch(block) || okuma_program(block)) return;
+  if (macro_word(block) || okuma_word(block) || okuma_pattern(block) || skips_switch(block) ||
+      okuma_program(block))
+    return;
   unknown_word(block, from);
 }
 

@@ -27,6 +27,8 @@ class Parser {
 
  private:
   static constexpr double kLargestNumber = 1e9;
+  static constexpr std::string_view kNoHole = "NCYL";  ///< of Okuma: the cycle makes no hole here
+
   enum class Step { more, end_of_block };
 
   Step step(Block& block);
@@ -54,6 +56,7 @@ class Parser {
   bool corner_word(Block& block);
   bool okuma_word(Block& block);
   bool okuma_program(Block& block);
+  bool okuma_pattern(Block& block);
   bool assigns_name() const;
   bool skips_switch(const Block& block);
   bool has_message(const Word& word) const;

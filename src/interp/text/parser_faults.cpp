@@ -118,7 +118,7 @@ void Parser::check_inner_blanks(const Block&, std::size_t from) {
       static_cast<int>(from), static_cast<int>(run.size()));
 }
 
-// "NAT01 T010101" of Okuma: a block has a name instead of a number. NCYL is a word.
+// "NAT01 T010101" of Okuma: a block has a name instead of a number.
 bool Parser::block_name(Block& block) {
   std::size_t end = p_ + 1;
   while (is_letter(at(end)) || is_digit(at(end))) ++end;
@@ -127,17 +127,15 @@ bool Parser::block_name(Block& block) {
       end - p_ > kLongestBlockName || !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
     return false;
   const std::string name = upper_case(line_.substr(p_, end - p_));
+  if (name == kNoHole) return false;
   Word word;
   word.column = static_cast<int>(p_);
   word.length = static_cast<int>(end - p_);
-  block.no_hole = name == "NCYL";
-  if (!block.no_hole)
-    reporter_.once(
-        Severity::note, "block-name",
-        fmt::format("{} is the name of its block, as on Okuma's controls: left out", name), word,
-        "block-name");
-  block.has_number = !block.no_hole;
-  if (!block.no_hole) block.name = line_.substr(p_, end - p_);
+  reporter_.once(Severity::note, "block-name",
+                 fmt::format("{} is the name of its block, as on Okuma's controls: left out", name),
+                 word, "block-name");
+  block.has_number = true;
+  block.name = line_.substr(p_, end - p_);
   p_ = end;
   return true;
 }
@@ -149,7 +147,8 @@ bool Parser::contour_name(Block& block) {
   });
   std::size_t end = p_ + 1;
   while (is_letter(at(end)) || is_digit(at(end))) ++end;
-  if (dialect_ != Dialect::fanuc || !calls || upper(at(p_)) != 'N' || !is_letter(at(p_ + 1)))
+  if (dialect_ != Dialect::fanuc || !calls || upper(at(p_)) != 'N' || !is_letter(at(p_ + 1)) ||
+      upper_case(line_.substr(p_, end - p_)) == kNoHole)
     return false;
   block.contour = line_.substr(p_, end - p_);
   p_ = end;

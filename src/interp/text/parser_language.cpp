@@ -18,6 +18,11 @@ constexpr std::string_view kHarmlessArrays[] = {
     "SPOS",    "SPOSA",   "POLF",     "POLFMASK", "ACC",     "OVRA",     "FA",  "FL",   "FGREF",
     "VELOLIM", "ACCLIMA", "VELOLIMA", "LIMS",     "JERKLIM", "JERKLIMA", "FXS", "FXST", "FXSW"};
 
+constexpr double kCircleOfHoles = 34;  // G34
+constexpr std::string_view kOkumaPatterns[] = {"LAA",  "ARC",  "GRDX", "GRDY",
+                                               "SQRX", "SQRY", "OMIT", "RSTRT"};
+constexpr std::string_view kOkumaAreas[] = {"FMILR", "FMILF", "PMIL", "PMILR", "RMILO", "RMILI"};
+
 struct GroupOfCodes {
   int group;
   std::initializer_list<double> codes;
@@ -184,6 +189,38 @@ bool Parser::okuma_word(Block& block) {
     return false;
   }
   push(block, word, from);
+  return true;
+}
+
+// "BHC X Y I J K" of Okuma is Mitsubishi's G34: a circle of holes. Its other patterns and its areas
+// are refused by name.
+bool Parser::okuma_pattern(Block& block) {
+  const std::size_t from = p_;
+  std::size_t end = p_;
+  while (is_letter(at(end))) ++end;
+  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 6)));
+  if (dialect_ != Dialect::fanuc) return false;
+  if (name == kNoHole) {
+    p_ = end;
+    block.no_hole = true;
+    return true;
+  }
+  if (name == "BHC") {
+    p_ = end;
+    Word word;
+    word.address = letter('G');
+    word.value = kCircleOfHoles;
+    push(block, word, from);
+    return true;
+  }
+  const auto listed = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  if (!listed(kOkumaPatterns) && !listed(kOkumaAreas)) return false;
+  p_ = end;
+  unsupported(block, line_.substr(from, end - from),
+              listed(kOkumaAreas) ? "an area that Okuma's OSP mills" : "a pattern of Okuma's OSP",
+              from);
   return true;
 }
 
