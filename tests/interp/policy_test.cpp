@@ -188,7 +188,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::iso, "G37 R5 X20"},
       {Dialect::iso, "G68.2 I0"},
 
-      {Dialect::fanuc, "G10 L50"},
+      {Dialect::fanuc, "G10 L70"},
       {Dialect::codesys, "G5 X1"},
       {Dialect::codesys, "G38 D1"},
       {Dialect::iso, "(EXEC P5)"}};

@@ -262,5 +262,36 @@ TEST(PostWords, MessagesOfMarlin) {
   EXPECT_EQ(path_text(read_text("M0 G1 X5 F100\n", at_origin(Dialect::iso))), "l5,0,0");
 }
 
+// G10 L50 to G11 sets parameters of the control, N and R in each of its lines.
+TEST(PostWords, ParametersOfTheControlAreNotRead) {
+  const auto fanuc = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(fanuc("G10 L50\nN1851 P1 R50\nG11\nG1 X5 F100\n"), "l5,0,0 | parameter-set");
+  EXPECT_EQ(fanuc("G10 L52\nN3401 R1\nG11\nG1 X5 F100\n"), "l5,0,0 | parameter-set");
+}
+
+TEST(PostWords, WordsOfSpindlesAndNames) {
+  const auto fanuc = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(fanuc("M19 R90.\nM3 S1=1000\nS2=50\nG5.4 Q1\nSETVN 500[DEPTH]\nG1 X5 F100\nG5.4 Q0\n"),
+            "l5,0,0");
+  const Program p = read_text("M3 S1=1000\nS2=50\nG1 X5 F100\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(p.motions.size(), 1U);
+  EXPECT_EQ(p.motions[0].speed, 1000);
+}
+
+// G284 and G274 of Okuma, G184 of Haas: rigid taps.
+TEST(PostWords, RigidTapsOfOkumaAndHaas) {
+  const auto lead = [](const std::string& cycle, MachineKind machine = MachineKind::mill) {
+    const Program p = read_text("G0 Z5\nS500 M3\n" + cycle, at_origin(Dialect::fanuc, machine));
+    return p.motions.size() > 2 ? p.motions[p.motions.size() - 2].lead : 0;
+  };
+  EXPECT_EQ(lead("G284 X0 Z-5 R2 F500\n"), 1);
+  EXPECT_EQ(lead("G274 X0 Z-5 R2 F500\n"), -1);
+  EXPECT_EQ(lead("G184 X0 Z-5. R2. F500\n"), -1);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -67,7 +67,7 @@ struct Control {
   std::map<std::string, double> bare_wears;
   std::map<long, double> told_noses;  ///< mm, by the number of a lathe's offset
   int register_changes = 0;           ///< how often the program has set one
-  bool tool_life = false;             ///< blocks up to G11 are data of tools' lives
+  bool skips_data = false;            ///< blocks up to G11 set what is not read: lives, parameters
   bool paused = false;                ///< M0, or a tool changed by hand, and no motion since
   bool level_plane = false;           ///< G68.2 without a tilt is in force
   int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes

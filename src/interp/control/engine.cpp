@@ -70,9 +70,9 @@ void Engine::run() {
   cycles_.end_program();
   out_.flush();
   moves_.finish();
-  if (control_.tool_life)
+  if (control_.skips_data)
     reporter_.add_general(Severity::error, "not-supported",
-                          "G10 L3 has no G11: nothing behind it has been read");
+                          "G10 L3 or L50 has no G11: nothing behind it has been read");
   if (out_.cuts() == 0 && reporter_.errors() == 0)
     reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
                           "program-without-cuts",
@@ -89,7 +89,7 @@ void Engine::execute() {
   if (statements_ && statements_->take_block()) return;
   if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;
   if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
-  if (control_.tool_life && !ends_tool_life()) return;
+  if (control_.skips_data && !ends_data()) return;
   if (!index_.run()) block.bad = true;
   if (!block.comments.empty() && !engraving_.holds_text(block)) {
     tools_.read_comments();
@@ -120,10 +120,10 @@ void Engine::execute() {
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
 
-bool Engine::ends_tool_life() {
+bool Engine::ends_data() {
   for (const Word& word : control_.block.words)
-    if (word.address == letter('G') && word.value == 11) control_.tool_life = false;
-  return !control_.tool_life;
+    if (word.address == letter('G') && word.value == 11) control_.skips_data = false;
+  return !control_.skips_data;
 }
 
 // A move, or holes at its end.

@@ -31,7 +31,7 @@ class Engine {
   bool interpret_block();
   bool run_move();
   bool run_turning();
-  bool ends_tool_life();
+  bool ends_data();
 
   const InterpOptions& options_;
   Reporter reporter_;

@@ -10,6 +10,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
+constexpr std::string_view kNames = "SETVN";  // names for the display
 constexpr std::size_t kMostMacroLevels = 4;
 
 // Numbers of probing macros as makers of probes give them: Renishaw 98xx, Haas 9023 and 999x.
@@ -40,7 +41,7 @@ bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
     if (abbreviates(name, whole)) return true;
   for (const std::string_view output : kOutputs)
     if (name == output) return true;
-  return name == "IF" || name == "DO";
+  return name == "IF" || name == "DO" || name == kNames;
 }
 
 std::size_t MacroStatements::end_of_block(std::size_t p) const {
@@ -60,6 +61,10 @@ bool MacroStatements::statement(std::size_t from) {
     const FlowEntry* const entry = entry_at(from);
     if (entry) reader_.set_position(entry->behind);
     return entry != nullptr;
+  }
+  if (name == kNames) {  // SETVN 500[DEPTH]
+    reader_.set_position(end_of_block(p));
+    return true;
   }
   note_once("output-ignored", fmt::format("{} writes to a device: it is not read", name),
             place_word(from, p), "output");

@@ -30,13 +30,23 @@ bool OffsetWords::run() {
   if (kind == 1 || (kind >= 10 && kind <= 13))
     return tool_register(kind, static_cast<int>(number), where);
   if (kind == 3 && is(Dialect::fanuc)) return tool_life(where);
+  if (kind >= 50 && kind <= 52 && is(Dialect::fanuc)) return parameters(where);
   return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
 }
 
 // G10 L3 to G11: groups of tools and how long each of them lasts.
 bool OffsetWords::tool_life(const Word& where) {
-  control_.tool_life = true;
+  control_.skips_data = true;
   note_once("tool-life", "G10 L3: how long tools last is not read, up to G11", where, "life");
+  return true;
+}
+
+// G10 L50 to G11, L52 of newer controls.
+bool OffsetWords::parameters(const Word& where) {
+  control_.skips_data = true;
+  reporter_.once(Severity::warning, "parameter-set",
+                 "the parameters of the control that are set up to G11 are not read", where,
+                 "parameters");
   return true;
 }
 

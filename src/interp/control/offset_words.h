@@ -20,6 +20,7 @@ class OffsetWords : public ControlPart {
   Vec3 shift_to_here(const Vec3& old, const std::string& name);
   void meet_unknown(const Frame& frame);
   bool tool_life(const Word& where);
+  bool parameters(const Word& where);
   bool tool_register(int l, int p, const Word& where);
   std::string work_name(int l, int p) const;
 

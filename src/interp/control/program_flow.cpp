@@ -106,6 +106,7 @@ bool ProgramFlow::m_word(const Word& word) {
     block_.tool_change = true;
     changer_retracts(word);
   }
+  if (m == 19 && !is(Dialect::ngc) && !peek('X') && !peek('Y') && !peek('Z')) take('R');  // angle
   if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
         true;

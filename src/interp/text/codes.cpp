@@ -74,11 +74,12 @@ CodeEntry find_range(Dialect dialect, int number) {
   return {};
 }
 
-// The cycle that a word means: rigid taps are G84 and G74, as G84.2 and G84.3, and G77 and G78 of
-// Brother.
+// The cycle that a word means: rigid taps are G84 and G74, as G84.2 and G84.3, G77 and G78 of
+// Brother, G284 and G274 of Okuma, and G184 of Haas.
 int cycle_of(int number_by_10) {
-  if (number_by_10 == 770 || number_by_10 == 842) return 84;
-  if (number_by_10 == 780 || number_by_10 == 843) return 74;
+  if (number_by_10 == 770 || number_by_10 == 842 || number_by_10 == 2840) return 84;
+  if (number_by_10 == 780 || number_by_10 == 843 || number_by_10 == 2740 || number_by_10 == 1840)
+    return 74;
   return number_by_10 / 10;
 }
 

@@ -330,6 +330,7 @@ void Parser::letter_word(Block& block) {
       return;
     }
     if (!plain && !number(block, word, false)) return;
+    if (c == 'S' && at(p_) == '=' && spindle_speed(block, word)) return push(block, word, from);
     if (glued_blanks_) check_inner_blanks(block, digits);
     if (c == 'N') {
       block.has_number = true;

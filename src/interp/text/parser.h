@@ -54,6 +54,7 @@ class Parser {
   void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);
+  bool spindle_speed(Block& block, Word& word);
   bool okuma_word(Block& block);
   bool okuma_program(Block& block);
   bool okuma_pattern(Block& block);

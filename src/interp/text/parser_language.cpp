@@ -249,6 +249,14 @@ bool Parser::assigns_name() const {
   return at(end) == '=';
 }
 
+// "S1=1000" of Mitsubishi and machines with several spindles: those of others are of no account.
+bool Parser::spindle_speed(Block& block, Word& word) {
+  if (dialect_ != Dialect::fanuc || !starts_number(at(p_ + 1))) return false;
+  if (word.value != 1) word.address = Address::data;
+  ++p_;
+  return number(block, word, false);
+}
+
 // "G64 ON" and "G64 OFF" of Centroid: smoothing.
 bool Parser::skips_switch(const Block& block) {
   const std::string name = upper_case(line_.substr(p_, 3));
