@@ -196,6 +196,25 @@ TEST(Turning, G76InTwoLines) {
 }
 
 // Drive line at X 5, crest 1 inside of it, depths 0.2, 0.4 and the full 0.5 twice.
+// P2: the passes touch the right flank of the groove and its left one in turn; both end at Z - 1
+// tan 30.
+TEST(Turning, G76InfeedsOnBothFlanks) {
+  const auto starts = [](const char* p) {
+    const Program program =
+        lathe(std::string("G0 X24 Z3\nG76 X18 Z-20 K1. D.5 F1.5 A90 ") + p + "\n");
+    std::string out;
+    for (const Motion& m : program.motions)
+      if (m.kind == MotionKind::line) out += fmt::format("{:.3f} ", m.start.z);
+    return out + codes(program);
+  };
+  EXPECT_EQ(starts("P1"), "2.500 2.293 2.134 2.000 ");
+  EXPECT_EQ(starts("P2"), "2.500 1.707 2.134 2.000 ");
+  EXPECT_EQ(starts("P4"), "2.500 2.000 ");
+  EXPECT_EQ(starts("P5"), "value-range");
+  EXPECT_EQ(turned(lathe("G0 X24 Z3\nG76 X18 Z-20 K1000 D500 F1.5 A60\n")),
+            turned(lathe("G0 X24 Z3\nG76 X18 Z-20 K1. D.5 F1.5 A60\n")));
+}
+
 TEST(Turning, G76OfLinuxCnc) {
   const InterpOptions options = at_origin(Dialect::ngc);
   EXPECT_EQ(turned(read_text("G18\nG0 X5 Z2\nG76 P1.5 Z-10 I-1 J0.2 K0.5 R1 H1\nM2\n", options)),

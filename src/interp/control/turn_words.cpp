@@ -12,6 +12,7 @@
 namespace mrsim {
 namespace {
 
+constexpr double kLongThread = 50;  // K920 counts thousandths
 constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
 
 double sign_of(double v) { return v < 0 ? -1 : 1; }
@@ -197,18 +198,27 @@ bool TurnWords::thread() {
 
 // G76 X Z I K D F A P: I taper, K height, D depth of the first pass, A angle, P the way of infeed.
 bool TurnWords::one_line_thread(Thread& t) {
-  const Word* k = take('K');
-  t.height = std::abs(k->value * length_unit(*k));
+  t.height = std::abs(long_or_least(*take('K')));
   if (const Word* d = take('D')) t.first = std::abs(least(*d));
-  if (const Word* i = take('I')) t.taper = i->value * length_unit(*i);
+  if (const Word* i = take('I')) t.taper = long_or_least(*i);
   if (const Word* a = take('A')) t.slope = tangent(a->value / 2);
   if (const Word* p = take('P')) {
-    if (p->value != 1 && p->value != 3)
-      return error("not-supported", "G76: P2 and P4 (infeed on both flanks) are not supported yet",
-                   *p);
-    t.constant_depth = p->value == 3;
+    if (p->value < 1 || p->value > 4 || p->value != std::floor(p->value))
+      return error("value-range", "P of G76, the way of infeed, is 1 to 4", *p);
+    t.constant_depth = p->value > 2;
+    t.both_flanks = p->value == 2 || p->value == 4;
   }
   return true;
+}
+
+// "K920", as D300 beside it: no thread is that high, so it counts least increments.
+double TurnWords::long_or_least(const Word& word) {
+  if (word.point || std::abs(word.value) < kLongThread || options_.least_increments)
+    return word.value * length_unit(word);
+  note_once("number-without-point",
+            fmt::format("{} without a decimal point counts least increments", text_of(word)), word,
+            "K");
+  return least(word);
 }
 
 // Below the crest: first * sqrt(n), each pass at least `least` deeper, then the finishing passes.
@@ -232,13 +242,17 @@ bool TurnWords::thread_depths(const Thread& t, std::vector<double>& depths) {
   return true;
 }
 
-// Each pass: in X to its depth, along the flank in Z; the thread, its chamfer, out and back.
+// Each pass: in X to its depth, along the flank in Z, or the two in turn; the thread, its chamfer,
+// out and back.
 void TurnWords::thread_passes(const Thread& t, const Vec3& from, const Vec3& end,
                               const std::vector<double>& depths) {
   const double out = sign_of(from.x - end.x), along = sign_of(end.z - from.z);
   const double chamfer = std::min(t.chamfer, std::abs(end.z - from.z));
+  bool other = false;
   for (const double depth : depths) {
-    const double x = end.x + out * (t.height - depth), z = from.z + along * depth * t.slope;
+    const double aside = other ? 2 * t.height - depth : depth;
+    const double x = end.x + out * (t.height - depth), z = from.z + along * aside * t.slope;
+    other = t.both_flanks && !other;
     go(from.x, z, kRapid);
     go(x + t.taper, z, kRapid);
     const double length = std::abs(end.z - z);

@@ -33,6 +33,7 @@ class TurnWords : public ControlPart {
     double chamfer = 0;
     int finishes = 1;
     bool constant_depth = false;
+    bool both_flanks = false;  ///< the passes follow one and the other in turn
   };
 
   /// A thread of LinuxCNC's G76, mm; depths are from the crest.
@@ -56,6 +57,7 @@ class TurnWords : public ControlPart {
   bool drive_line(DriveLine& out, double& springs);
   void drive_line_pass(const DriveLine& t, const Vec3& from, double depth);
   bool axis_end(Target& to);
+  double long_or_least(const Word& word);
   double least(const Word& word) const;
   void go(double x, double z, MotionKind kind, double lead = 0);
   const Word& where() const;
