@@ -17,6 +17,19 @@ bool is_running_number(const CommentToken& t) {
          (!t.decimals && !t.fraction && t.unit == 0 && t.value < kFewNumbers);
 }
 
+// "SPOT-10-90": the angle of the point stands behind the size.
+void mark_angle(const ToolKind& kind, std::vector<CommentToken>& tokens, std::size_t at) {
+  using enum ToolTrade;
+  const bool drill = kind.trade == twist_drill;
+  const bool pointed = drill || kind.trade == spot_drill || kind.trade == center_drill ||
+                       kind.trade == countersink || kind.trade == chamfer_mill;
+  if (!pointed || at + 1 != tokens.size() || !tokens[at].is_number()) return;
+  CommentToken& last = tokens[at];
+  const bool whole = !last.decimals && !last.fraction && last.unit == 0;
+  for (const double usual : {60.0, 82.0, 90.0, 118.0, 120.0, 135.0, 140.0, 142.0, 145.0})
+    if (whole && last.value == usual && (!drill || usual > 90)) last.angle = true;
+}
+
 }  // namespace
 
 void part_hyphenated_name(std::vector<CommentToken>& tokens) {
@@ -32,6 +45,7 @@ void part_hyphenated_name(std::vector<CommentToken>& tokens) {
     tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i));
     tokens[i].glued = false;
   }
+  mark_angle(kind, tokens, kind.end + 1);
 }
 
 }  // namespace mrsim

@@ -41,8 +41,11 @@ bool all_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
+// Diameters of round inserts in mm; "43" is a circle of 4/8 inch and 3/16 thick.
+constexpr int kRoundSizes[] = {5, 6, 8, 10, 12, 16, 20, 25};
+
 // "120408": edge 12 mm, thickness 4, nose radius 0.8. "432": inscribed circle 4/8 inch, thickness
-// 3/16, nose radius 2/64. "0803M0" is a round insert of 8 mm.
+// 3/16, nose radius 2/64. "0803M0" is a round insert of 8 mm, and so is "08".
 bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   const auto at = [&](std::size_t i) { return digits[i] - '0'; };
   if (!all_digits(digits)) return false;
@@ -50,6 +53,12 @@ bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   if (digits.size() == 6 || (round && digits.size() == 4)) {
     code.edge_length = 10 * at(0) + at(1);
     code.nose_radius = round ? code.edge_length / 2 : (10 * at(4) + at(5)) / 10.0;
+  } else if (const int size = 10 * at(0) + (digits.size() > 1 ? at(1) : 0);
+             round && digits.size() == 2 &&
+             std::find(std::begin(kRoundSizes), std::end(kRoundSizes), size) !=
+                 std::end(kRoundSizes)) {
+    code.edge_length = size;
+    code.nose_radius = code.edge_length / 2;
   } else if (digits.size() == 3 || (round && digits.size() == 2)) {
     const double circle = at(0) * kMmPerInch / 8;
     code.edge_length = circle * shape.edge_per_circle;
@@ -153,7 +162,8 @@ std::optional<InsertCode> read_code(const std::vector<CommentToken>& tokens, std
   }
   const bool usual =
       std::find(std::begin(kUsual), std::end(kUsual), code.shape) != std::end(kUsual);
-  if (!code.has_size && !usual) return std::nullopt;
+  const bool short_size = number && tokens[size].text.size() == 2;  // "REAM 10H7"
+  if (!usual && (!code.has_size || short_size)) return std::nullopt;
   return code;
 }
 

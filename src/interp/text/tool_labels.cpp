@@ -351,7 +351,7 @@ bool begins_bar_code(const CommentView& view, std::size_t i) {
 
 // "ID GROOVE", "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
 void read_side_words(const CommentView& view, ToolFacts& facts) {
-  bool outside = false, bores = false, turns = false;
+  bool outside = false, bores = false, turns = false, rough = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
     outside |= view.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN", "EXTERIEUR", "ZEWN",
                                "ZEWNETRZNY", "ZUNANJI"});
@@ -359,7 +359,8 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.full_radius |= (view.is(i, "FULL") && view.is_one(i + 1, {"RADIUS", "RAD", "R"})) ||
                          view.is(i, "VOLLRADIUS");
     facts.inside |= begins_bar_code(view, i);
-    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING"});
+    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING", "PROFILE", "PROFILING"});
+    rough |= view.is_one(i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING"});
     facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
                                     "INTERIEUR", "INTERNE", "INTERNO", "INTERNA"}) &&
                     !view.is_one(i + 1, {":", "="});
@@ -369,7 +370,7 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.face_groove |=
         view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
-  facts.turned_side = outside || turns || facts.inside;
+  facts.turned_side = outside || turns || rough || facts.inside;
   facts.bores = bores && !turns && !outside;
   facts.inside = (facts.inside || facts.bores) && !outside;
 }
