@@ -26,7 +26,7 @@ Program interpret(const std::string& path, const InterpOptions& options, MotionS
         Error::Kind::usage);
   program.start_modes = start_mode_names(program.dialect, program.machine);
   sink.begin(program);
-  Engine engine(options, program, found.leader_lines, sink);
+  Engine engine(options, program, found.leader_lines, found.okuma, sink);
   engine.run();
   return program;
 }

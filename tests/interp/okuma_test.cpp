@@ -120,5 +120,51 @@ TEST(Okuma, BhcIsACircleOfHoles) {
   EXPECT_EQ(milled("PMIL X9 Y9 Z-1 I9 J9 K1\n"), " | not-supported");
 }
 
+/// A program of Okuma's lathes by the name of its file.
+std::string osp(const std::string& text) {
+  return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe), "program.MIN"));
+}
+
+// G33 and G31 are passes as FANUC's G92; J threads share the lead.
+TEST(Okuma, G33OfLathesIsAPassOfAThread) {
+  const std::string passes =
+      "r12,0,5 r9.5,0,5 l9.5,0,-20 r12,0,-20 r12,0,5 r9.2,0,5 l9.2,0,-20 "
+      "r12,0,-20 r12,0,5";
+  EXPECT_EQ(osp("G0 X24 Z5\nG33 X19 Z-20 F2 L2\nX18.4\n"), passes);
+  EXPECT_EQ(osp("G0 X24 Z5\nG31 X19 Z-20 F2\nX18.4\n"), passes);
+  EXPECT_EQ(turned("G0 X24 Z5\nG33 X19 Z-20 F2\n"), "r12,0,5 l9.5,0,-20") << "of FANUC";
+  const Program p = read_text("G0 X24 Z5\nG33 X19 Z-20 F25 J10\n",
+                              at_origin(Dialect::fanuc, MachineKind::lathe), "a.MIN");
+  ASSERT_GT(p.motions.size(), 2U);
+  EXPECT_EQ(p.motions[2].lead, 2.5);
+  EXPECT_EQ(osp("G0 X24 Z5\nG33 X19 Z-20 F2 A3\n"), "r12,0,5 | not-supported");
+  EXPECT_EQ(osp("G0 X24 Z5\nG32 X19 Z-20 F2\n"), "r12,0,5 | not-supported");
+}
+
+// Heights and depths of G71 are of the diameter: crest 10, root 9, passes at 0.5 and its roots.
+TEST(Okuma, G71OfLathesIsAThread) {
+  const std::string fanuc = turned("G0 X24 Z5\nG76 X18 Z-20 K1. D.5 F1.5 A60\n");
+  EXPECT_EQ(osp("G0 X24 Z5\nG71 X18 Z-20 B60 D1 U.1 H2 F1.5 M32 M73\n"), fanuc);
+  EXPECT_EQ(osp("G0 X24 Z5\nG71 X18 Z-20 B60 D1 H2 F1.5 M33 M74\n"),
+            turned("G0 X24 Z5\nG76 X18 Z-20 K1. D.5 F1.5 A60 P2\n"));
+  EXPECT_EQ(osp("G0 X24 Z5\nG71 X18 Z-20 D1 F1.5\n"), "r12,0,5 | value-missing");
+  EXPECT_EQ(osp("G0 X24 Z5\nG72 X18 Z-20 D1 W.1 H2 F1.5\n"), "r12,0,5 | not-supported");
+}
+
+// G74 is a deep hole or grooves of a face, G73 grooves of a diameter.
+TEST(Okuma, StrokesOfLathes) {
+  EXPECT_EQ(osp("G0 X0 Z3\nG74 X0 Z-20 D8 L16 F.1 E1\n"),
+            "r0,0,3 l0,0,-5 l0,0,-13 l0,0,-20 r0,0,3");
+  EXPECT_EQ(osp("G0 X40 Z-5\nG73 X34 Z-9 K2.5 D4 F.1\n"),
+            "r20,0,-5 l18,0,-5 l17,0,-5 r20,0,-5 r20,0,-7.5 l18,0,-7.5 l17,0,-7.5 r20,0,-7.5 "
+            "r20,0,-9 l18,0,-9 l17,0,-9 r20,0,-9 r20,0,-5");
+}
+
+// G94 and G90 are modes; the zero is no variable to be set.
+TEST(Okuma, ModesOfLathes) {
+  EXPECT_EQ(osp("G1 X30 Z5 F.2\nG94 X20 F100\nG90 X24 Z-6\n"), "l15,0,5 l10,0,5 l12,0,-6");
+  EXPECT_EQ(osp("VZOFZ=5\nG1 X2 F1\n"), "l1,0,0 | variable-unset");
+}
+
 }  // namespace
 }  // namespace mrsim

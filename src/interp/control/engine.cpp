@@ -6,7 +6,8 @@
 
 namespace mrsim {
 
-Engine::Engine(const InterpOptions& options, Program& program, int leader_lines, MotionSink& sink)
+Engine::Engine(const InterpOptions& options, Program& program, int leader_lines, bool okuma,
+               MotionSink& sink)
     : options_(options),
       reporter_(sink, program),
       control_(options, program, reporter_),
@@ -38,6 +39,8 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
   control_.registers = options.table.offsets;
   control_.place_machine();
   control_.modal = start_modal(program.dialect, program.machine);
+  control_.modal.okuma = okuma;
+  control_.modal.has_increments = okuma;  // G90 of its lathes is no turning cycle
   Position& position = control_.position;
   if (options.start) {
     position.physical = position.programmed = *options.start;

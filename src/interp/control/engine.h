@@ -23,7 +23,9 @@ namespace mrsim {
 class Engine {
  public:
   /// The first `leader_lines` of the file lie before the tape mark and are not read.
-  Engine(const InterpOptions& options, Program& program, int leader_lines, MotionSink& sink);
+  /// `okuma`: the words are those of OSP.
+  Engine(const InterpOptions& options, Program& program, int leader_lines, bool okuma,
+         MotionSink& sink);
   void run();
 
  private:

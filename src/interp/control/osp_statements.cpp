@@ -151,6 +151,9 @@ bool OspStatements::assignment(std::string_view line, std::size_t& p) {
   const std::size_t to = p;
   while (p < line.size() && line[p] != '=') ++p;
   ++p;
+  if (upper(name[0]) == 'V' && !Variables::is_common(name))
+    return fail("variable-unset", fmt::format("the system variable {} cannot be set here", name),
+                from, to);
   Value value;
   if (evaluator_.expression(line, p, value)) return set(name, value, from, to);
   report(evaluator_.fault());

@@ -103,7 +103,7 @@ struct Modal {
   int edge = 1;  ///< D number; CODESYS: see edge_radius
   bool edge_given = false;
   double edge_radius = 0;  ///< CODESYS: D, mm
-  bool okuma = false;      ///< the program has said G15 H: G53 and G56 are lengths of tools
+  bool okuma = false;  ///< words are those of OSP: G53 and G56 H are lengths of tools, G71 a thread
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
   double length_number = 0;  ///< the last H

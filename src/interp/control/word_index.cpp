@@ -1,6 +1,7 @@
 #include "interp/control/word_index.h"
 
 #include "core/text_io.h"
+#include "interp/control/okuma_turning.h"
 
 #include <algorithm>
 
@@ -119,7 +120,7 @@ bool WordIndex::run() {
                              text_of(*cycle)),
                  *cycle);
   read_okuma_corner();
-  bool ok = true;
+  bool ok = OkumaTurning(control_).rewrite();
   block_.offset_number = number_of_offset();
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
     if (block_.words[i].own && !use_own_register(block_.words[i])) ok = false;

@@ -235,6 +235,20 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   weigh_okuma(c, line);
 }
 
+bool names_okuma(const std::string& path) {
+  const std::size_t dot = path.find_last_of('.');
+  const std::string extension = dot == path.npos ? "" : upper_case(path.substr(dot));
+  return extension == ".MIN" || extension == ".SSB";
+}
+
+bool is_okuma(const LineScan& s) {
+  const std::string& c = s.code;
+  const bool header = c.size() > 3 && c[0] == '$' && c.back() == '%';
+  const bool named = c.starts_with("NAT") && c.size() > 3 && is_digit(c[3]);
+  return header || named || calls_lap(c) || has(c, "CALL O") || sets_common_variable(c) ||
+         names(upper_case(s.comment), "OKUMA");
+}
+
 void DialectSigns::weigh_okuma(const std::string& c, int line) {
   constexpr auto d = Dialect::fanuc;
   if (has(c, "CALL O") || has(c, "MODIN O")) add(d, 12, "a call of Okuma's", line);

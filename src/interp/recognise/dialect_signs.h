@@ -11,6 +11,11 @@
 
 namespace mrsim {
 
+/// Whether a file's name, or a line, is of Okuma's OSP, which speaks FANUC's dialect with words of
+/// its own.
+bool names_okuma(const std::string& path);
+bool is_okuma(const LineScan& scan);
+
 /// Points for each dialect, and the strongest sign of each.
 class DialectSigns {
  public:

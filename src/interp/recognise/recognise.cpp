@@ -14,6 +14,7 @@ namespace mrsim {
 namespace {
 
 constexpr int kDialectLines = 20000;  // enough to tell a control; the machine may need the rest
+constexpr int kOkumaLines = 300;      // where Okuma's programs say whose they are
 constexpr std::size_t kLongestScan = 4000;  // bytes of a line
 
 /// Text before the first % of a tape is no program: how many lines, once content follows the mark.
@@ -52,6 +53,7 @@ class Reader {
         wants_machine_(options.machine == MachineKind::automatic),
         foreign_(path) {
     signs_.name(path);
+    okuma_ = names_okuma(path);
   }
   /// False: the rest of the text can not change the answer.
   bool line(std::string_view raw, int number);
@@ -65,6 +67,7 @@ class Reader {
   ForeignPrograms foreign_;
   Leader leader_;
   LineScan scan_;
+  bool okuma_ = false;
 };
 
 bool Reader::line(std::string_view raw, int n) {
@@ -83,6 +86,7 @@ bool Reader::line(std::string_view raw, int n) {
   }
   scan_line(raw.substr(0, kLongestScan), scan_);
   leader_.line(raw, scan_, n);
+  if (n <= kOkumaLines && is_okuma(scan_)) okuma_ = true;
   if (!scan_.code.empty() || !scan_.comment.empty()) empty_ = false;
   if (!told_dialect_) foreign_.line(raw, scan_, n);
   if (wants_dialect) signs_.line(scan_, raw, n);
@@ -103,6 +107,7 @@ Recognition Reader::answer() const {
   }
   if (out.dialect == Dialect::fanuc || out.dialect == Dialect::iso || out.dialect == Dialect::ngc)
     out.leader_lines = leader_.lines();
+  out.okuma = okuma_ && out.dialect == Dialect::fanuc;
   out.machine = options_.machine;
   out.machine_reason = "as told";
   if (wants_machine_) machine_.judge(options_, out);

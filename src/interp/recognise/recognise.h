@@ -13,6 +13,7 @@ struct Recognition {
   std::string dialect_reason;
   MachineKind machine = MachineKind::automatic;  ///< automatic: not to be told
   std::string machine_reason;
+  bool okuma = false;    ///< FANUC's words as Okuma's OSP has them
   int leader_lines = 0;  ///< text before the first % of a FANUC or ISO tape
   bool empty = true;     ///< no word of NC at all
 };
