@@ -160,6 +160,13 @@ TEST(Okuma, StrokesOfLathes) {
             "r20,0,-9 l18,0,-9 l17,0,-9 r20,0,-9 r20,0,-5");
 }
 
+TEST(Okuma, WordsOfItsPrograms) {
+  EXPECT_EQ(osp("NAT0101 T010101\nG1 X20 E.1 F.2\n"), "l10,0,0");
+  EXPECT_EQ(
+      path_text(read_text("G0 Z5\nG83 X2 Z-4 R2 Q4 I1 F9\n", at_origin(Dialect::fanuc), "a.MIN")),
+      path_text(read_text("G0 Z5\nG83 X2 Z-4 R2 Q4 F9\n", at_origin(Dialect::fanuc))));
+}
+
 // G94 and G90 are modes; the zero is no variable to be set.
 TEST(Okuma, ModesOfLathes) {
   EXPECT_EQ(osp("G1 X30 Z5 F.2\nG94 X20 F100\nG90 X24 Z-6\n"), "l15,0,5 l10,0,5 l12,0,-6");

@@ -293,5 +293,16 @@ TEST(PostWords, RigidTapsOfOkumaAndHaas) {
   EXPECT_EQ(lead("G184 X0 Z-5. R2. F500\n"), -1);
 }
 
+TEST(PostWords, OffsetsOfPathPilotAndHomesOfTinyG) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.table.work.push_back({"G54.1P10", {1, 2, 0}});
+  EXPECT_EQ(path_text(read_text("G54.1 P10\nG1 X5 Y0 F100\nM2\n", options)), "l6,2,0");
+  const Program p =
+      read_text("G28.2 X0 Y0\nG0 X5 Y5\nG28.3 X0\nG1 X9 F9\n", at_origin(Dialect::iso));
+  ASSERT_EQ(p.motions.size(), 2U);
+  EXPECT_TRUE(p.motions[0].assumed_start);
+  EXPECT_EQ(p.motions[1].end.x, 14);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -126,6 +126,7 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_EQ(recognised("N1 G15 H1\nN6 CALL O100 Q3\nG1 Y1\n").dialect, Dialect::fanuc);
   EXPECT_EQ(recognised("N10 VC12 = 3\nG1 Z=-VC12 Y1\n", "a.MIN").dialect, Dialect::fanuc);
   EXPECT_EQ(refusal("$A.MIN%\nN10 G15 H1\nG1 X1 Y1 F100\n", "a.MIN"), "");
+  EXPECT_NE(refusal("PROGRAMMKOPF\n#MATERIAL Stahl\n").find("DIN PLUS"), std::string::npos);
   EXPECT_NE(refusal("module Part\nprogram\n", "a.simpl").find("SimPL"), std::string::npos);
   EXPECT_NE(refusal("UNo. MAT INITIAL-Z ATC MODE\n0 CBN STL 50. 0\n").find("Mazatrol"),
             std::string::npos);

@@ -336,7 +336,10 @@ double DrillWords::end_level(double safe, bool up) const {
 bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   const double depth = std::abs(hole.safe - hole.bottom);
   const double along = hole.bottom < hole.safe ? -1 : 1;
-  if (haas_words && !modal_.drill.fagor && peek('I')) read_haas_strokes();
+  if (modal_.okuma)
+    for (const char c : {'I', 'J'}) take(c);  // how far back
+  else if (haas_words && !modal_.drill.fagor && peek('I'))
+    read_haas_strokes();
   if (modal_.drill.first != 0) return haas_pecks(hole);
   const double q = modal_.drill.peck;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();

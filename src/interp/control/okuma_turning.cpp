@@ -48,6 +48,7 @@ bool OkumaTurning::rewrite() {
     if (code.value == 77 || code.value == 78) drop("K");  // where a tap begins
     if (code.value == 94) code.value = 98;                // the feed per minute
   }
+  drop("E");  // the feed along the contour of LAP
   return true;
 }
 

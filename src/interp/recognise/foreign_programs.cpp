@@ -83,6 +83,8 @@ const char* named_control(const std::string& path, std::string_view code, std::s
     return "a ShopMill program (steps of work)";
   if (any_of(code, {" F_HEAD("}) || text.starts_with("F_HEAD("))
     return "a ShopTurn program (steps of work)";
+  if (begins_any(text, {"PROGRAMMKOPF", "PROGRAM HEAD", "ROHTEIL", "FERTIGTEIL", "BEARBEITUNG"}))
+    return "a DIN PLUS program of Heidenhain's CNC PILOT";
   if (begins_any(text, {"UNO.", "UNO ", "UNIT MAT"}) ||
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
       ends_with(path, {".PBG", ".PBD", ".MAZ"}))

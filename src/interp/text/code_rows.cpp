@@ -235,6 +235,8 @@ constexpr Row kIso[] = {
     {200, C::inch_feed, G::units},
     {210, C::metric_feed, G::units},
     {280, C::reference, G::oneshot},
+    {282, C::reference, G::oneshot},  // TinyG homes
+    {283, C::set_position, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {330, C::thread, G::motion},
     {360, C::statement, G::other},
@@ -314,6 +316,7 @@ constexpr Row kNgc[] = {
     {500, C::ignored, G::other},
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::suppress},
+    {541, C::work_extended, G::work},  // PathPilot
     {591, C::work_offset, G::work},
     {592, C::work_offset, G::work},
     {593, C::work_offset, G::work},

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongestBlockName = 6;  // "NAT101" of Okuma: N and at most five signs
+constexpr std::size_t kLongestBlockName = 9;  // "NAT0101" of Okuma
 
 }  // namespace
 
