@@ -133,5 +133,14 @@ TEST(Fagor, PlacesOfACycle) {
   EXPECT_EQ(holes("G80\nG60 X40 K3"), "10,20 not-supported") << "no cycle is in force";
 }
 
+// 8060 to 8070: what changes no path is read over, what does is an error by name.
+TEST(FagorLanguage, InstructionsOfThe8070) {
+  EXPECT_EQ(
+      fagor(
+          "F100\nN10 #HSC ON [CONTERROR 0.01]\nG1 X5\n#MSG[\"HELLO\"]\n#HSC OFF\n#RTCP OFF\nX9\n"),
+      "l5,0,0 l9,0,0");
+  EXPECT_EQ(fagor("#CS ON [1][MODE 1, 0,0,0, 0,45,0]\n"), " | not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -10,7 +10,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
-constexpr std::string_view kNames = "SETVN";  // names for the display
+constexpr std::string_view kSetNames = "SETVN";  // names for the display
 constexpr std::size_t kMostMacroLevels = 4;
 
 // Numbers of probing macros as makers of probes give them: Renishaw 98xx, Haas 9023 and 999x.
@@ -41,7 +41,7 @@ bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
     if (abbreviates(name, whole)) return true;
   for (const std::string_view output : kOutputs)
     if (name == output) return true;
-  return name == "IF" || name == "DO" || name == kNames;
+  return name == "IF" || name == "DO" || name == kSetNames;
 }
 
 std::size_t MacroStatements::end_of_block(std::size_t p) const {
@@ -62,7 +62,7 @@ bool MacroStatements::statement(std::size_t from) {
     if (entry) reader_.set_position(entry->behind);
     return entry != nullptr;
   }
-  if (name == kNames) {  // SETVN 500[DEPTH]
+  if (name == kSetNames) {  // SETVN 500[DEPTH]
     reader_.set_position(end_of_block(p));
     return true;
   }

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostRepeats = 9999;
+constexpr double kMostRunsOfCall = 9999;
 
 // Letters and digits from `p` on.
 std::string_view name_from(std::string_view line, std::size_t p) {
@@ -100,7 +100,8 @@ bool OspStatements::argument(std::size_t& p, Call& out) {
     out.arguments.emplace_back(upper_case(name), value.number);
     return true;
   }
-  if (value.number < 0 || value.number != std::floor(value.number) || value.number > kMostRepeats)
+  if (value.number < 0 || value.number != std::floor(value.number) ||
+      value.number > kMostRunsOfCall)
     return fail("value-range", "Q is how often the program runs", from, p);
   out.repeats = static_cast<long>(value.number);
   return true;

@@ -14,14 +14,14 @@ struct ModeWords {
   int begin, end;
 };
 
-constexpr ModeWords kFanuc[] = {{71, 71},     {121, 131},  {434, 490},  {435, 490},  {542, 542},
-                                {544, 544},   {682, 690},  {683, 690},  {684, 690},  {1070, 1070},
-                                {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
+constexpr ModeWords kFanucModes[] = {
+    {71, 71},   {121, 131}, {434, 490},   {435, 490},   {542, 542},  {544, 544},  {682, 690},
+    {683, 690}, {684, 690}, {1070, 1070}, {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
 constexpr int kLeast = 71;  // of the numbers above
 constexpr int kTiltedPlane = 682;
 constexpr int kRotationOff = 690;
 constexpr int kTiltedMove = 531;  // belongs to the tilted planes
-constexpr std::string_view kSinumerik[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
+constexpr std::string_view kSinumerikModes[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
 constexpr int kTrafoof = 1;  // ends those
 constexpr int kIsoMode = 2910, kSiemensMode = 2900;
 
@@ -35,7 +35,7 @@ int number_by_10(const Word& word) {
 
 // The word that ends the mode in force, or one that says that there is none.
 bool UnreadModes::ends(int g) {
-  for (const ModeWords& mode : kFanuc) {
+  for (const ModeWords& mode : kFanucModes) {
     if (mode.end != g) continue;
     if (mode.begin != g) return control_.unread_end == g;
     for (const char c : {'C', 'P'})
@@ -74,7 +74,7 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   if (g == kRotationOff) control_.level_plane = false;
   const bool ended = ends(g);
   if (ended) control_.unread_end = 0;
-  for (const ModeWords& mode : kFanuc) {
+  for (const ModeWords& mode : kFanucModes) {
     if (mode.begin != g) continue;
     if (!ended) control_.unread_end = mode.end;
     return ended;
@@ -109,7 +109,7 @@ void UnreadModes::note_name(const Word& word) {
   if (word.address != Address::function) return;
   const std::string name = upper_case(word.text);
   if (name == "TRAFOOF") control_.unread_end = 0;
-  for (const std::string_view one : kSinumerik)
+  for (const std::string_view one : kSinumerikModes)
     if (name == one) control_.unread_end = kTrafoof;
 }
 

@@ -363,6 +363,9 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
 }
 
 void DialectSigns::weigh_iso(const LineScan& s, std::string_view raw, int line) {
+  for (const std::string_view sign : {"#HSC", "#MSG", "#SLOPE", "#RTCP", "#CS ", "#TLC"})
+    if (s.code.find(sign) != std::string::npos)
+      add(Dialect::iso, 12, "an instruction of Fagor's", line);
   const bool lower =
       std::any_of(raw.begin(), raw.end(), [](char c) { return c >= 'a' && c <= 'z'; });
   if (lower && s.comment.empty() && s.code.find('=') == std::string::npos && !o_word_)

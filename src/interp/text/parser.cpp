@@ -124,6 +124,8 @@ Parser::Step Parser::step(Block& block) {
     read_comment(block, ')');
   } else if (starts_number(c)) {
     bare_number(block);
+  } else if (c == '#' && fagor_instruction(block)) {
+    return Step::more;
   } else if (language_ && c == (dialect_ == Dialect::sinumerik ? '$' : '#')) {
     assignment(block, p_);
   } else if (!skip_rest(block) && (!block.words.empty() || !head_of_block(block))) {

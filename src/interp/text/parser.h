@@ -56,6 +56,7 @@ class Parser {
   bool corner_word(Block& block);
   bool spindle_speed(Block& block, Word& word);
   bool okuma_word(Block& block);
+  bool fagor_instruction(Block& block);
   bool okuma_program(Block& block);
   bool okuma_pattern(Block& block);
   bool assigns_name() const;

@@ -9,11 +9,6 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-constexpr std::size_t kLongestBlockName = 9;  // "NAT0101" of Okuma
-
-}  // namespace
 
 void Parser::strange_character(Block& block) {
   const std::size_t from = p_;
@@ -116,43 +111,6 @@ void Parser::check_inner_blanks(const Block&, std::size_t from) {
                   "letter?",
                   run.substr(0, 40)),
       static_cast<int>(from), static_cast<int>(run.size()));
-}
-
-// "NAT01 T010101" of Okuma: a block has a name instead of a number.
-bool Parser::block_name(Block& block) {
-  std::size_t end = p_ + 1;
-  while (is_letter(at(end)) || is_digit(at(end))) ++end;
-  const bool first = block.words.empty() && !block.has_number;
-  if (dialect_ != Dialect::fanuc || !first || upper(at(p_)) != 'N' ||
-      end - p_ > kLongestBlockName || !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
-    return false;
-  const std::string name = upper_case(line_.substr(p_, end - p_));
-  if (name == kNoHole) return false;
-  Word word;
-  word.column = static_cast<int>(p_);
-  word.length = static_cast<int>(end - p_);
-  reporter_.once(Severity::note, "block-name",
-                 fmt::format("{} is the name of its block, as on Okuma's controls: left out", name),
-                 word, "block-name");
-  block.has_number = true;
-  block.name = line_.substr(p_, end - p_);
-  p_ = end;
-  return true;
-}
-
-// "G85 NLAP1 D4" of Okuma: the block that begins the contour.
-bool Parser::contour_name(Block& block) {
-  const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
-    return word.address == letter('G') && word.value >= 85 && word.value <= 88;
-  });
-  std::size_t end = p_ + 1;
-  while (is_letter(at(end)) || is_digit(at(end))) ++end;
-  if (dialect_ != Dialect::fanuc || !calls || upper(at(p_)) != 'N' || !is_letter(at(p_ + 1)) ||
-      upper_case(line_.substr(p_, end - p_)) == kNoHole)
-    return false;
-  block.contour = line_.substr(p_, end - p_);
-  p_ = end;
-  return true;
 }
 
 void Parser::unknown_word(Block& block, std::size_t from) {

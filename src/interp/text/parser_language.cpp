@@ -18,10 +18,10 @@ constexpr std::string_view kHarmlessArrays[] = {
     "SPOS",    "SPOSA",   "POLF",     "POLFMASK", "ACC",     "OVRA",     "FA",  "FL",   "FGREF",
     "VELOLIM", "ACCLIMA", "VELOLIMA", "LIMS",     "JERKLIM", "JERKLIMA", "FXS", "FXST", "FXSW"};
 
-constexpr double kCircleOfHoles = 34;  // G34
-constexpr std::string_view kOkumaPatterns[] = {"LAA",  "ARC",  "GRDX", "GRDY",
-                                               "SQRX", "SQRY", "OMIT", "RSTRT"};
-constexpr std::string_view kOkumaAreas[] = {"FMILR", "FMILF", "PMIL", "PMILR", "RMILO", "RMILI"};
+// Instructions of Fagor's 8060 to 8070 that change no path; any of them may be switched off.
+constexpr std::string_view kFagorHarmless[] = {"HSC",    "MSG",   "SLOPE", "FREE",     "DFHOLD",
+                                               "EFHOLD", "ESBLK", "DSBLK", "ROUNDPAR", "ESTOP",
+                                               "DSTOP",  "FLUSH", "ACC",   "FEEDNDES", "TIME"};
 
 struct GroupOfCodes {
   int group;
@@ -169,84 +169,21 @@ bool Parser::macro_word(Block& block) {
   return true;
 }
 
-// Okuma: HA and DA are the registers of the tool in the spindle (HB, HC further ones); HP=1 is the
-// number of a home position.
-bool Parser::okuma_word(Block& block) {
-  const std::size_t from = p_;
-  const char c = upper(at(p_)), n = upper(at(p_ + 1));
-  if (dialect_ != Dialect::fanuc || (c != 'H' && c != 'D')) return false;
-  Word word;
-  word.address = letter(c);
-  if (n >= 'A' && n <= 'C' && !is_name(at(p_ + 2))) {
-    word.own = true;
-    word.value = n - 'A' + 1;
-    p_ += 2;
-  } else if (c == 'H' && n == 'P' && at(p_ + 2) == '=' && starts_number(at(p_ + 3))) {
-    word.address = letter('P');
-    p_ += 3;
-    if (!number(block, word, false)) return true;
-  } else {
-    return false;
-  }
-  push(block, word, from);
-  return true;
-}
-
-// "BHC X Y I J K" of Okuma is Mitsubishi's G34: a circle of holes. Its other patterns and its areas
-// are refused by name.
-bool Parser::okuma_pattern(Block& block) {
-  const std::size_t from = p_;
-  std::size_t end = p_;
-  while (is_letter(at(end))) ++end;
-  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 6)));
-  if (dialect_ != Dialect::fanuc) return false;
-  if (name == kNoHole) {
-    p_ = end;
-    block.no_hole = true;
-    return true;
-  }
-  if (name == "BHC") {
-    p_ = end;
-    Word word;
-    word.address = letter('G');
-    word.value = kCircleOfHoles;
-    push(block, word, from);
-    return true;
-  }
-  const auto listed = [&](const auto& names) {
-    return std::find(std::begin(names), std::end(names), name) != std::end(names);
-  };
-  if (!listed(kOkumaPatterns) && !listed(kOkumaAreas)) return false;
+// "#HSC ON [CONTERROR 0.01]" of Fagor's 8060 to 8070.
+bool Parser::fagor_instruction(Block& block) {
+  if (dialect_ != Dialect::iso || !is_letter(at(p_ + 1))) return false;
+  const std::size_t from = p_++;
+  while (is_letter(at(p_))) ++p_;
+  const std::string name = upper_case(line_.substr(from + 1, p_ - from - 1));
+  const std::size_t end = std::min(line_.find(';', p_), line_.size());
+  const std::string rest = upper_case(line_.substr(p_, end - p_));
+  const bool off = rest.find("OFF") != rest.npos;
+  const bool harmless = std::find(std::begin(kFagorHarmless), std::end(kFagorHarmless), name) !=
+                        std::end(kFagorHarmless);
+  if (!harmless && !off)
+    unsupported(block, line_.substr(from, p_ - from), "an instruction of Fagor's 8070", from);
   p_ = end;
-  unsupported(block, line_.substr(from, end - from),
-              listed(kOkumaAreas) ? "an area that Okuma's OSP mills" : "a pattern of Okuma's OSP",
-              from);
   return true;
-}
-
-// "OSUB" of Okuma: a program with a name.
-bool Parser::okuma_program(Block& block) {
-  if (dialect_ != Dialect::fanuc || !block.words.empty() || !names_okuma_program(line_, p_))
-    return false;
-  const std::size_t from = p_;
-  while (is_letter(at(p_)) || is_digit(at(p_))) ++p_;
-  Word word;
-  word.address = Address::function;
-  word.code = Code::header;
-  word.text = line_.substr(from, p_ - from);
-  push(block, word, from);
-  return true;
-}
-
-// "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
-bool Parser::assigns_name() const {
-  if (dialect_ != Dialect::fanuc || !language_) return false;
-  const bool common = upper(at(p_)) == 'V' && is_digit(at(p_ + 1));
-  if (!common && !is_letter(at(p_ + 1))) return false;
-  std::size_t end = p_;
-  while (is_letter(at(end)) || is_digit(at(end))) ++end;
-  while (blank(at(end)) && end < line_.size()) ++end;
-  return at(end) == '=';
 }
 
 // "S1=1000" of Mitsubishi and machines with several spindles: those of others are of no account.

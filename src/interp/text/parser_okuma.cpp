@@ -1,0 +1,140 @@
+// Words of Okuma's OSP beside those of FANUC: names of blocks and programs, variables, patterns.
+#include "interp/text/characters.h"
+#include "interp/text/codes.h"
+#include "interp/text/line_scan.h"
+#include "interp/text/parser.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kCircleOfHoles = 34;  // G34
+constexpr std::string_view kOkumaPatterns[] = {"LAA",  "ARC",  "GRDX", "GRDY",
+                                               "SQRX", "SQRY", "OMIT", "RSTRT"};
+constexpr std::string_view kOkumaAreas[] = {"FMILR", "FMILF", "PMIL", "PMILR", "RMILO", "RMILI"};
+constexpr std::size_t kLongestBlockName = 9;  // "NAT0101" of Okuma
+
+}  // namespace
+
+// Okuma: HA and DA are the registers of the tool in the spindle (HB, HC further ones); HP=1 is the
+// number of a home position.
+bool Parser::okuma_word(Block& block) {
+  const std::size_t from = p_;
+  const char c = upper(at(p_)), n = upper(at(p_ + 1));
+  if (dialect_ != Dialect::fanuc || (c != 'H' && c != 'D')) return false;
+  Word word;
+  word.address = letter(c);
+  if (n >= 'A' && n <= 'C' && !is_name(at(p_ + 2))) {
+    word.own = true;
+    word.value = n - 'A' + 1;
+    p_ += 2;
+  } else if (c == 'H' && n == 'P' && at(p_ + 2) == '=' && starts_number(at(p_ + 3))) {
+    word.address = letter('P');
+    p_ += 3;
+    if (!number(block, word, false)) return true;
+  } else {
+    return false;
+  }
+  push(block, word, from);
+  return true;
+}
+
+// "BHC X Y I J K" of Okuma is Mitsubishi's G34: a circle of holes. Its other patterns and its areas
+// are refused by name.
+bool Parser::okuma_pattern(Block& block) {
+  const std::size_t from = p_;
+  std::size_t end = p_;
+  while (is_letter(at(end))) ++end;
+  const std::string name = upper_case(line_.substr(p_, std::min<std::size_t>(end - p_, 6)));
+  if (dialect_ != Dialect::fanuc) return false;
+  if (name == kNoHole) {
+    p_ = end;
+    block.no_hole = true;
+    return true;
+  }
+  if (name == "BHC") {
+    p_ = end;
+    Word word;
+    word.address = letter('G');
+    word.value = kCircleOfHoles;
+    push(block, word, from);
+    return true;
+  }
+  const auto listed = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  if (!listed(kOkumaPatterns) && !listed(kOkumaAreas)) return false;
+  p_ = end;
+  unsupported(block, line_.substr(from, end - from),
+              listed(kOkumaAreas) ? "an area that Okuma's OSP mills" : "a pattern of Okuma's OSP",
+              from);
+  return true;
+}
+
+// "OSUB" of Okuma: a program with a name.
+bool Parser::okuma_program(Block& block) {
+  if (dialect_ != Dialect::fanuc || !block.words.empty() || !names_okuma_program(line_, p_))
+    return false;
+  const std::size_t from = p_;
+  while (is_letter(at(p_)) || is_digit(at(p_))) ++p_;
+  Word word;
+  word.address = Address::function;
+  word.code = Code::header;
+  word.text = line_.substr(from, p_ - from);
+  push(block, word, from);
+  return true;
+}
+
+// "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
+bool Parser::assigns_name() const {
+  if (dialect_ != Dialect::fanuc || !language_) return false;
+  const bool common = upper(at(p_)) == 'V' && is_digit(at(p_ + 1));
+  if (!common && !is_letter(at(p_ + 1))) return false;
+  std::size_t end = p_;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  while (blank(at(end)) && end < line_.size()) ++end;
+  return at(end) == '=';
+}
+
+// "NAT01 T010101" of Okuma: a block has a name instead of a number.
+bool Parser::block_name(Block& block) {
+  std::size_t end = p_ + 1;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  const bool first = block.words.empty() && !block.has_number;
+  if (dialect_ != Dialect::fanuc || !first || upper(at(p_)) != 'N' ||
+      end - p_ > kLongestBlockName || !is_letter(at(p_ + 1)) || is_name(at(end)) || at(end) == '=')
+    return false;
+  const std::string name = upper_case(line_.substr(p_, end - p_));
+  if (name == kNoHole) return false;
+  Word word;
+  word.column = static_cast<int>(p_);
+  word.length = static_cast<int>(end - p_);
+  reporter_.once(Severity::note, "block-name",
+                 fmt::format("{} is the name of its block, as on Okuma's controls: left out", name),
+                 word, "block-name");
+  block.has_number = true;
+  block.name = line_.substr(p_, end - p_);
+  p_ = end;
+  return true;
+}
+
+// "G85 NLAP1 D4" of Okuma: the block that begins the contour.
+bool Parser::contour_name(Block& block) {
+  const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
+    return word.address == letter('G') && word.value >= 85 && word.value <= 88;
+  });
+  std::size_t end = p_ + 1;
+  while (is_letter(at(end)) || is_digit(at(end))) ++end;
+  if (dialect_ != Dialect::fanuc || !calls || upper(at(p_)) != 'N' || !is_letter(at(p_ + 1)) ||
+      upper_case(line_.substr(p_, end - p_)) == kNoHole)
+    return false;
+  block.contour = line_.substr(p_, end - p_);
+  p_ = end;
+  return true;
+}
+
+}  // namespace mrsim
