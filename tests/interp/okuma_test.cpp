@@ -167,6 +167,14 @@ TEST(Okuma, WordsOfItsPrograms) {
       path_text(read_text("G0 Z5\nG83 X2 Z-4 R2 Q4 F9\n", at_origin(Dialect::fanuc))));
 }
 
+TEST(Okuma, MacrosOfTheOwnerAreNoWorkOffsets) {
+  EXPECT_EQ(osp_named("G96 S180 G110\nG1 X20 F.2\n"), "l10,0,0");
+  EXPECT_EQ(path_text(read_text("G111 X30 Y20\n", at_origin(Dialect::fanuc), "a.MIN")),
+            " | not-supported");
+  EXPECT_EQ(path_text(read_text("G116 T3\nG1 X30 F9\n", at_origin(Dialect::fanuc), "a.MIN")),
+            "l30,0,0");
+}
+
 // G94 and G90 are modes; the zero is no variable to be set.
 TEST(Okuma, ModesOfLathes) {
   EXPECT_EQ(osp_named("G1 X30 Z5 F.2\nG94 X20 F100\nG90 X24 Z-6\n"), "l15,0,5 l10,0,5 l12,0,-6");

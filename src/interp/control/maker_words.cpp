@@ -19,6 +19,8 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                              "not supported: write those of system A, G90, G92 and G94",
                              text_of(word)),
                  word);
+  if (modal_.okuma && word.value >= 101 && word.value <= 120 && word.value != 116)
+    return okuma_macro(word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
   if (is(Dialect::fanuc) && !lathe() && mirror && names_zero_places()) return haas_mirror(word);
   if (code == Code::absolute || code == Code::incremental) warn_of_mixed(word);
@@ -115,6 +117,18 @@ void MakerWords::warn_of_mixed(const Word& word) {
       return;
     }
   }
+}
+
+// G101 to G120 of Okuma's mills are macros of the machine's owner; G110 and G111 of its lathes say
+// whose turret the constant surface speed follows.
+bool MakerWords::okuma_macro(const Word& word) {
+  if (lathe() && (word.value == 110 || word.value == 111)) return true;
+  return error(
+      "not-supported",
+      fmt::format("{} is not supported: on Okuma's controls it is a macro of the machine's "
+                  "owner{}",
+                  text_of(word), lathe() ? ", or a path on the face of the part" : ""),
+      word);
 }
 
 // LAP: "G85 NLAP1 D U W" roughs a contour, "G87 NLAP1" finishes it, "NLAP1 G81" begins it.

@@ -19,6 +19,7 @@ class MakerWords : public ControlPart {
   bool okuma_offset(const Word& word);
   bool okuma_level();
   bool okuma_home(const Word& word);
+  bool okuma_macro(const Word& word);
   std::optional<bool> okuma_lap(const Word& word);
   void warn_of_mixed(const Word& word);
   std::optional<bool> okuma_frame(const Word& word);
