@@ -21,6 +21,13 @@ TEST(Okuma, LapRoughsAndFinishesAContourByName) {
   EXPECT_EQ(osp_turned(calls + contour + "G0 X99\n"), path + " r49.5,0,9");
 }
 
+TEST(Okuma, OtherDepthsOnTheWayOfLapChangeNoShape) {
+  const std::string contour = "NLAP1 G81\nG0 X20\nG1 Z-5 F.1\nX30\nG80\nG0 X30 Z2\n";
+  const std::string call = "G85 NLAP1 D4 U.4 W.2 F.3";
+  EXPECT_EQ(osp_turned(contour + call + " G84 XA=26 DA=2 FA=0.1 (LESS)\n$ G84 XB=22 DB=1\nG0 Z9\n"),
+            osp_turned(contour + call + "\nG0 Z9\n"));
+}
+
 // U of a bore is left inside, whatever its sign; levels of G82 lie along Z, where D is a depth.
 TEST(Okuma, LapLeavesItsAllowancesWhereThePassesComeFrom) {
   const std::string bore = "NB G81\nG0 X30\nG1 Z-5 F.1\nX20\nG80\nG0 X20 Z2\n";

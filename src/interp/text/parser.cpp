@@ -189,6 +189,9 @@ bool Parser::head_of_block(Block& block) {
   } else if (c == '$' && dialect_ == Dialect::fanuc && p_ + 2 < line_.size() &&
              line_.find_last_not_of(" \t\r") == line_.rfind('%')) {
     p_ = line_.size();  // Okuma: $NAME.MIN%
+  } else if (c == '$' && dialect_ == Dialect::fanuc &&
+             upper_case(line_.substr(p_ + 1, 8)).find("G84") != line_.npos) {
+    p_ = line_.size();  // "$ G84 XB=40 DB=2": more of the line before, see skip_conditions()
   } else {
     return false;
   }
@@ -339,6 +342,7 @@ void Parser::letter_word(Block& block) {
       return;
     }
     push(block, word, from);
+    if (c == 'G' && word.value == 84 && !block.contour.empty()) return skip_conditions(block);
     if (c == 'M' && has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
     return;
   }

@@ -51,6 +51,7 @@ class Parser {
   void jump_label();
   bool block_name(Block& block);
   bool contour_name(Block& block);
+  void skip_conditions(Block& block);
   void unknown_word(Block& block, std::size_t from);
   bool macro_word(Block& block);
   bool corner_word(Block& block);

@@ -122,6 +122,16 @@ bool Parser::block_name(Block& block) {
   return true;
 }
 
+// "G84 XA=80 DA=4 FA=0.2" behind G85: depths and feeds from a place on.
+void Parser::skip_conditions(Block& block) {
+  reporter_.once(
+      Severity::note, "cycle-contour",
+      "G84 of LAP, other depths and feeds on the way, is not read: the shape is the same",
+      block.words.back(), "G84");
+  block.words.pop_back();
+  p_ = std::min(line_.find('(', p_), line_.size());
+}
+
 // "G85 NLAP1 D4" of Okuma: the block that begins the contour.
 bool Parser::contour_name(Block& block) {
   const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
