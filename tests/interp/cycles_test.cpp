@@ -64,6 +64,8 @@ TEST(Cycles, WaysOut) {
   EXPECT_EQ(path_text(read_text("G0 Z5\nG87 X2 Z-5 R1 F100\nX4\n", at_origin(Dialect::fanuc))),
             path_text(read_text("G0 Z5\nG88 X2 Z-5 R1 F100\nX4\n", at_origin(Dialect::fanuc))))
       << "of Haas: a bore, out by hand";
+  EXPECT_EQ(path_text(read_text("G0 Z5\nG83 Z-5 R1 Q-2. F100\n", at_origin(Dialect::fanuc))),
+            path_text(read_text("G0 Z5\nG83 Z-5 R1 Q2. F100\n", at_origin(Dialect::fanuc))));
   EXPECT_EQ(codes(read_text("G0 Z5\nG87 Z-5 R1 Q.5 F100\n", at_origin(Dialect::fanuc))),
             "not-supported");
   EXPECT_EQ(codes(read_text("G0 Z5\nG87 Z-5 R-8 F100\n", at_origin(Dialect::fanuc))),

@@ -111,13 +111,13 @@ bool DrillWords::read_tap() {
                block_.words.front());
 }
 
-// Q; without a point it counts least increments where it is long.
+// Q, whose sign FANUC ignores; without a point it counts least increments where it is long.
 bool DrillWords::peck(const Word& q) {
-  if (q.value < 0 || (q.value == 0 && is(Dialect::ngc)))
+  if (q.value <= 0 && is(Dialect::ngc))
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
-  modal_.drill.peck = q.value * length_unit(q);
+  modal_.drill.peck = std::abs(q.value) * length_unit(q);
   modal_.drill.first = 0;
-  if (q.point || q.value < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
+  if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
     return true;
   modal_.drill.peck *= modal_.inch ? 1e-4 : 1e-3;
   note_once("number-without-point",
