@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "mesh/solid/self_intersection.h"
+#include "mesh/solid/weld.h"
 #include "mesh/surface/cell_levels.h"
 #include "mesh/surface/certify.h"
 #include "mesh/surface/flat_map.h"
@@ -81,6 +82,9 @@ class AdaptiveMesher {
       make_triangles();
     }
     LabelledMesh mesh = label(surface_->mesh());
+    const std::vector<std::uint32_t> used = number_used(mesh.triangles, mesh.vertices.size());
+    for (std::size_t k = 0; k < used.size(); ++k) mesh.vertices[k] = mesh.vertices[used[k]];
+    mesh.vertices.resize(used.size());
     report_.triangles_before = mesh.triangles.size();
     report_.cells = surface_->loops().size();
     surface_.reset();
@@ -120,8 +124,11 @@ class AdaptiveMesher {
     mesh.triangles = base.triangles;
     mesh.labels.reserve(base.crossings.size());
     detail::FlatMap ids;
-    for (const std::int32_t c : base.crossings) {
-      const FieldSample& at = surface_->crossings()[static_cast<std::size_t>(c)].at;
+    auto moved = base.moved.begin();
+    for (std::uint32_t t = 0; t < base.crossings.size(); ++t) {
+      const auto c = static_cast<std::size_t>(base.crossings[t]);
+      const bool is_moved = moved != base.moved.end() && moved->first == t;
+      const FieldSample& at = is_moved ? (moved++)->second : surface_->crossings()[c].at;
       const auto [id, is_new] =
           ids.insert(detail::face_key(at), static_cast<std::int32_t>(mesh.faces.size()));
       if (is_new) mesh.faces.push_back(at);

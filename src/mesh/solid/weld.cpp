@@ -72,21 +72,29 @@ TriMesh weld(const TriMesh& mesh) {
   return out;
 }
 
-void drop_unused_vertices(TriMesh& mesh) {
-  std::vector<std::uint32_t> to(mesh.vertices.size(), 0);
-  for (const auto& t : mesh.triangles)
+std::vector<std::uint32_t> number_used(std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                       std::size_t vertices) {
+  std::vector<std::uint32_t> to(vertices, 0), kept;
+  for (const auto& t : triangles)
     for (const std::uint32_t v : t) to[v] = 1;
-  std::uint32_t kept = 0;
-  for (std::size_t v = 0; v < to.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices; ++v) {
     if (to[v] == 0) continue;
-    mesh.vertices[kept] = mesh.vertices[v];
-    if (!mesh.colors.empty()) mesh.colors[kept] = mesh.colors[v];
-    to[v] = kept++;
+    to[v] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(v);
   }
-  mesh.vertices.resize(kept);
-  if (!mesh.colors.empty()) mesh.colors.resize(kept);
-  for (auto& t : mesh.triangles)
+  for (auto& t : triangles)
     for (std::uint32_t& v : t) v = to[v];
+  return kept;
+}
+
+void drop_unused_vertices(TriMesh& mesh) {
+  const std::vector<std::uint32_t> kept = number_used(mesh.triangles, mesh.vertices.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    mesh.vertices[k] = mesh.vertices[kept[k]];
+    if (!mesh.colors.empty()) mesh.colors[k] = mesh.colors[kept[k]];
+  }
+  mesh.vertices.resize(kept.size());
+  if (!mesh.colors.empty()) mesh.colors.resize(kept.size());
 }
 
 }  // namespace mrsim

@@ -29,6 +29,10 @@ class Welder {
 /// side left out. Colours of merged vertices: the first.
 TriMesh weld(const TriMesh& mesh);
 
+/// Numbers the vertices that triangles name, in their order; their former numbers.
+std::vector<std::uint32_t> number_used(std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                       std::size_t vertices);
+
 /// Without the vertices that no triangle names; the order of the others is kept.
 void drop_unused_vertices(TriMesh& mesh);
 

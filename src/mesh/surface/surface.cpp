@@ -12,12 +12,6 @@
 namespace mrsim::detail {
 namespace {
 
-bool has_face(const SurfacePoint& p, const FieldSample& face) {
-  for (int k = 0; k < p.count; ++k)
-    if (same_face(p.faces[k], face)) return true;
-  return false;
-}
-
 bool is_on(const SurfacePoint& p, const SurfacePoint& crease) {
   return has_face(p, crease.faces[0]) && has_face(p, crease.faces[1]);
 }
@@ -28,6 +22,7 @@ const BaseMesh& DualSurface::make_triangles() {
   mesh_.vertices.clear();
   mesh_.triangles.clear();
   mesh_.crossings.clear();
+  mesh_.moved.clear();
   find_creases();
   place_loops();
   mesh_.vertices.reserve(2 * loops_.size());

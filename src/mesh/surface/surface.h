@@ -5,6 +5,7 @@
 #include "mesh/surface/cell_lists.h"
 #include "mesh/surface/flat_map.h"
 #include "mesh/surface/octree.h"
+#include "mesh/surface/ridge_strip.h"
 #include "mesh/surface/tile.h"
 #include "mesh/surface/vertex.h"
 
@@ -72,6 +73,8 @@ struct BaseMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
+  /// Triangles that lie on another face of the part than their crossing, ascending.
+  std::vector<std::pair<std::uint32_t, FieldSample>> moved;
 };
 
 /// The edges that the surface crosses, and the faces about them.
@@ -136,7 +139,8 @@ class DualSurface {
   /// Options::remember.
   void refine(const Crossing& crossing, Detail detail);
 
-  /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet.
+  /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet, and
+  /// takes away triangles that have no area there; vertices may be left that none uses.
   /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
   void sharpen(const CellOctree& tree);
 
@@ -196,6 +200,11 @@ class DualSurface {
   std::span<const std::int32_t> segments_of(const Loop& loop) const {
     return {loop_segments_.data() + loop.first_segment, loop.segments};
   }
+  std::vector<SurfacePoint> find_tips() const;
+  std::vector<RidgeVertex> find_ridge(const CellOctree& tree) const;
+  SurfacePoint place_of(const Segment& s) const;
+  std::size_t segment_vertices() const;
+  void label_moved(std::span<const std::uint32_t> triangles, const RidgeStrip& strip);
   std::uint64_t key_of(const Segment& s) const;
   std::uint64_t key_of(const Loop& loop) const;
   void add_ends(const Crossing& c, std::vector<Vec3>& out) const;

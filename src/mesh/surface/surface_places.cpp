@@ -230,7 +230,7 @@ void DualSurface::finish_loop(std::int32_t id) {
     }
     const Probe p = probe_within(loop.cell);
     if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
-    if (options_.sharpen && loop.point.count < 2 && creases.empty())
+    if (options_.sharpen && loop.point.count < 2)
       outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);
     if (loop.point.count == 0) {
       std::vector<Vec3> ends;

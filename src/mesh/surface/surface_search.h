@@ -41,6 +41,12 @@ struct SurfacePoint {
   int count = 0;  ///< 1 smooth, 2 crease, 3 corner; 0 = none found
 };
 
+inline bool has_face(const SurfacePoint& p, const FieldSample& face) {
+  for (int k = 0; k < p.count; ++k)
+    if (same_face(p.faces[k], face)) return true;
+  return false;
+}
+
 /// One end of a segment that the surface crosses, with d + kInsideTolerance there, which may be
 /// rounded.
 struct SegmentEnd {

@@ -3,34 +3,16 @@
 // vertices are moved there, where that makes no triangles meet; it is the one step that leaves the
 // envelopes, so it is tested exactly.
 #include "core/parallel.h"
-#include "mesh/solid/exact_predicates.h"
-#include "mesh/solid/self_intersection.h"
+#include "mesh/surface/ridge_strip.h"
 #include "mesh/surface/surface.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 namespace mrsim::detail {
-namespace {
 
-constexpr int kRounds = 6;
-
-}  // namespace
-
-void DualSurface::sharpen(const CellOctree& tree) {
-  std::vector<char> moved(mesh_.vertices.size(), 0);
-  const std::vector<Vec3> before = mesh_.vertices;
-  bool any = false;
-  const auto move = [&](std::size_t v, const SurfacePoint& to) {
-    if (to.count == 0) return;
-    // Other sweeps may matter there than in the cell that it was found from.
-    const std::int32_t cell = tree.locate(to.position);
-    if (tree.node(cell).region != ExactField::Region::mixed ||
-        !probe(cell).is_on_surface(to.position))
-      return;
-    mesh_.vertices[v] = snap(to.position);
-    moved[v] = 1;
-    any = true;
-  };
+// By loop: where its vertex goes; count = 0: nowhere.
+std::vector<SurfacePoint> DualSurface::find_tips() const {
   std::vector<SurfacePoint> tips = outside_;
   parallel_for(
       tips.size(), options_.threads,
@@ -44,43 +26,116 @@ void DualSurface::sharpen(const CellOctree& tree) {
         tips[k] = corner_near(probe(loop.cell), cells_.box(loop.cell), loop.point.position, faces);
       },
       64);
-  for (std::size_t k = 0; k < tips.size(); ++k) move(k, tips[k]);
+  return tips;
+}
+
+std::size_t DualSurface::segment_vertices() const {
+  return static_cast<std::size_t>(std::count_if(segments_.begin(), segments_.end(),
+                                                [](const Segment& s) { return s.vertex >= 0; }));
+}
+
+// The vertices that go to a ridge, and those that lie on one and share a triangle with them.
+std::vector<RidgeVertex> DualSurface::find_ridge(const CellOctree& tree) const {
+  std::vector<RidgeVertex> ridge;
+  std::vector<char> is_near(mesh_.vertices.size(), 0);
+  const auto add_if_moved = [&](std::size_t v, const SurfacePoint& to) {
+    if (to.count == 0) return;
+    // Other sweeps may matter there than in the cell that it was found from.
+    const std::int32_t cell = tree.locate(to.position);
+    if (tree.node(cell).region != ExactField::Region::mixed ||
+        !probe(cell).is_on_surface(to.position))
+      return;
+    ridge.push_back({static_cast<std::uint32_t>(v), to, true});
+    is_near[v] = 1;
+  };
+  const std::vector<SurfacePoint> tips = find_tips();
+  for (std::size_t k = 0; k < tips.size(); ++k) add_if_moved(k, tips[k]);
+  const auto vertex_of = [&](const Crease& c) { return at(segments_, c.segment).vertex; };
   for (const Crease& c : creases_)
-    if (const std::int32_t v = segments_[static_cast<std::size_t>(c.segment)].vertex; v >= 0)
-      move(static_cast<std::size_t>(v), c.outside);
-  std::vector<char> chosen(mesh_.triangles.size());  // triangles that the last round has changed
-  for (std::uint32_t t = 0; t < chosen.size(); ++t)
-    for (const std::uint32_t v : mesh_.triangles[t]) chosen[t] |= moved[v];
-  for (int round = 0; any; ++round) {
-    any = false;
-    std::vector<char> back(mesh_.vertices.size(), 0);
-    const auto put_back = [&](std::uint32_t t) {
-      for (const std::uint32_t v : mesh_.triangles[t])
-        if (moved[v]) {
-          mesh_.vertices[v] = before[v];
-          moved[v] = 0;
-          back[v] = 1;
-          any = true;
-        }
-    };
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const auto& x = mesh_.triangles[t];
-      if ((moved[x[0]] || moved[x[1]] || moved[x[2]]) &&
-          (round == kRounds ||
-           is_degenerate(mesh_.vertices[x[0]], mesh_.vertices[x[1]], mesh_.vertices[x[2]])))
-        put_back(t);
-    }
-    if (round == kRounds) return;
-    for (const auto& [i, j] :
-         self_intersections(mesh_.vertices, mesh_.triangles, options_.threads, chosen)) {
-      put_back(i);
-      put_back(j);
-    }
-    for (std::uint32_t t = 0; t < chosen.size(); ++t) {
-      chosen[t] = 0;
-      for (const std::uint32_t v : mesh_.triangles[t]) chosen[t] |= back[v];
+    if (vertex_of(c) >= 0) add_if_moved(static_cast<std::size_t>(vertex_of(c)), c.outside);
+  if (ridge.empty()) return ridge;
+  const std::vector<char> moved = is_near;
+  const std::size_t first_apex = loops_.size() + segment_vertices();
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto& x = mesh_.triangles[t];
+    if (!(moved[x[0]] || moved[x[1]] || moved[x[2]])) continue;
+    for (const std::uint32_t v : x) {
+      if (v >= first_apex && !is_near[v]) {
+        SurfacePoint apex{mesh_.vertices[v]};
+        apex.faces[0] = at(crossings_, mesh_.crossings[t]).at, apex.count = 1;
+        ridge.push_back({v, apex, false});
+      }
+      is_near[v] = 1;
     }
   }
+  const auto add_if_near = [&](std::size_t v, const SurfacePoint& there) {
+    if (there.count >= 1 && is_near[v] && !moved[v])
+      ridge.push_back({static_cast<std::uint32_t>(v), there, false});
+  };
+  for (std::size_t k = 0; k < loops_.size(); ++k) add_if_near(k, loops_[k].point);
+  for (const Segment& s : segments_)
+    if (s.vertex >= 0) {
+      SurfacePoint there = place_of(s);
+      there.position = mesh_.vertices[static_cast<std::size_t>(s.vertex)];
+      add_if_near(static_cast<std::size_t>(s.vertex), there);
+    }
+  return ridge;
+}
+
+// Of a segment's vertex; count = 0 where that is not known.
+SurfacePoint DualSurface::place_of(const Segment& s) const {
+  if (s.crease >= 0) return at(creases_, s.crease).point;
+  const FieldSample &from = at(crossings_, s.from).at, &to = at(crossings_, s.to).at;
+  SurfacePoint place;
+  if (same_face(from, to)) place.faces[0] = from, place.count = 1;
+  return place;
+}
+
+// Where vertices were joined, what was drawn about an edge on one side of a ridge may lie on the
+// other one.
+void DualSurface::label_moved(std::span<const std::uint32_t> triangles, const RidgeStrip& strip) {
+  std::vector<std::int32_t> segment_of;
+  for (std::size_t k = 0; k < segments_.size(); ++k)
+    if (segments_[k].vertex >= 0) segment_of.push_back(static_cast<std::int32_t>(k));
+  for (const std::uint32_t t : triangles) {
+    const FieldSample& label = at(crossings_, mesh_.crossings[t]).at;
+    SurfacePoint places[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = mesh_.triangles[t][k], s = v - loops_.size();
+      if (const SurfacePoint* there = strip.find(mesh_.triangles[t][k]))
+        places[k] = *there;
+      else if (v < loops_.size())
+        places[k] = loops_[v].point;
+      else if (s < segment_of.size())
+        places[k] = place_of(at(segments_, segment_of[s]));
+      else
+        places[k].faces[0] = label, places[k].count = 1;
+    }
+    const auto holds = [&](const FieldSample& face) {
+      return std::all_of(std::begin(places), std::end(places),
+                         [&](const SurfacePoint& p) { return has_face(p, face); });
+    };
+    if (holds(label)) continue;
+    const std::span<const FieldSample> faces(places[0].faces, places[0].count);
+    if (const auto face = std::find_if(faces.begin(), faces.end(), holds); face != faces.end())
+      mesh_.moved.emplace_back(t, *face);
+  }
+}
+
+void DualSurface::sharpen(const CellOctree& tree) {
+  std::vector<RidgeVertex> ridge = find_ridge(tree);
+  if (ridge.empty()) return;
+  const auto normal_of = [this](std::uint32_t t) {
+    return at(crossings_, mesh_.crossings[t]).normal;
+  };
+  RidgeStrip strip(mesh_.vertices, mesh_.triangles, std::move(ridge), normal_of, options_.threads);
+  strip.join();
+  strip.put_back_crossed();
+  const RidgeStrip::Left left = strip.finish();
+  for (std::size_t k = 0; k < left.triangles.size(); ++k)
+    mesh_.crossings[k] = mesh_.crossings[left.triangles[k]];
+  mesh_.crossings.resize(left.triangles.size());
+  label_moved(left.near, strip);
 }
 
 }  // namespace mrsim::detail

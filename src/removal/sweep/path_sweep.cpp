@@ -371,4 +371,9 @@ PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3
   return search(tool, path, p, begin, end);
 }
 
+PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3& p, int branch) {
+  const auto [begin, end] = path.arc ? branch_ends(path, branch) : std::pair(0.0, 1.0);
+  return search(piece, path, p, begin, end);
+}
+
 }  // namespace mrsim

@@ -141,14 +141,26 @@ std::optional<FacePlane> path_wall(const Profile& tool, const ToolPath& path, co
   return FacePlane{revolved(p, foot.x, foot.y, {1, 0}), rho - tool.core()};
 }
 
+// The place of the path where the tool is nearest to p; of a tool of several pieces, the piece that
+// has the face, which another one may cover there.
+PathSample face_place(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+                      std::int32_t patch) {
+  const ToolPath& path = columns.paths[ref.row];
+  const Profile& tool = columns.cutter(ref);
+  const std::int32_t branch = patch / kBranchPatch, face = patch % kBranchPatch;
+  if (!tool.convex_pieces().empty())
+    return piece_distance(face >= kCornerPatch ? tool.piece_of_corner(face - kCornerPatch)
+                                               : tool.piece_of_patch(face),
+                          path, p, branch);
+  return path.arc ? branch_distance(tool, path, p, branch) : columns.path_sample(ref, p);
+}
+
 FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                     std::int32_t patch) {
   const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
   if (const auto wall = path_wall(tool, path, p, patch)) return *wall;
-  const PathSample at =
-      path.arc ? branch_distance(tool, path, p, patch / kBranchPatch) : columns.path_sample(ref, p);
-  const Contact c = contact_at(path, at.t, p);
+  const Contact c = contact_at(path, face_place(columns, ref, p, patch).t, p);
   const std::int32_t face = patch % kBranchPatch;
   if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
   return {around(c, face_gradient(tool, c.rho, c.q.z, face)),

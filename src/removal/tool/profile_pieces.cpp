@@ -94,4 +94,20 @@ std::vector<Profile> Profile::make_pieces() const {
   return out;
 }
 
+// Chains come first among the pieces.
+const Profile& Profile::piece_of_edge(std::size_t edge) const {
+  const auto begin = corners_.begin() + 1, end = begin + static_cast<std::ptrdiff_t>(edge);
+  return (*pieces_)[static_cast<std::size_t>(std::count(begin, end, Corner::reflex))];
+}
+
+const Profile& Profile::piece_of_patch(std::int32_t patch) const {
+  std::size_t edge = 0;
+  while (edge + 1 < edges_.size() && edges_[edge].patch != patch) ++edge;
+  return piece_of_edge(edge);
+}
+
+const Profile& Profile::piece_of_corner(int corner) const {
+  return piece_of_edge(std::min(static_cast<std::size_t>(corner), edges_.size() - 1));
+}
+
 }  // namespace mrsim

@@ -80,6 +80,9 @@ class Profile {
   std::span<const Profile> convex_pieces() const {
     return pieces_ ? std::span<const Profile>(*pieces_) : std::span<const Profile>();
   }
+  /// The one of them that has a face of this profile. Requires: they are not empty.
+  const Profile& piece_of_patch(std::int32_t patch) const;
+  const Profile& piece_of_corner(int corner) const;
 
   /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
   /// is_unimodal(), a closed top.
@@ -130,6 +133,7 @@ class Profile {
   void find_slab();
   void find_disc();
   std::vector<Profile> make_pieces() const;
+  const Profile& piece_of_edge(std::size_t edge) const;
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i

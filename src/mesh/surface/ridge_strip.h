@@ -1,0 +1,88 @@
+// The strips of triangles in which a mesh of cells ends short of a sharp ridge, drawn out to the
+// ridge: their vertices are moved there, and what then has no area is taken away (docs/mesh.md,
+// Vertices).
+#pragma once
+
+#include "mesh/surface/surface_search.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace mrsim::detail {
+
+/// A vertex that goes to a ridge, or lies on one beside such a vertex; or a smooth point beside it
+/// that the mesh can do without.
+struct RidgeVertex {
+  std::uint32_t vertex = 0;
+  SurfacePoint point;  ///< where it goes or lies; count = 1: a smooth point
+  bool moves = false;
+};
+
+/// A closed mesh without intersections, while vertices of it are moved and joined. What makes
+/// triangles meet is put back, together with all that has been joined to it.
+class RidgeStrip {
+ public:
+  /// Of the face of the part that a triangle, by its number, was made for.
+  using NormalOf = std::function<Vec3(std::uint32_t)>;
+
+  /// Moves the vertices that go.
+  RidgeStrip(std::vector<Vec3>& vertices, std::vector<std::array<std::uint32_t, 3>>& triangles,
+             std::vector<RidgeVertex> ridge, NormalOf normal_of, int threads);
+
+  /// Joins vertices along a ridge where triangles have all their corners on it or have been turned
+  /// over; the shortest sides first. Costs n log n of those triangles.
+  void join();
+  /// Puts back what makes triangles meet; after some rounds, everything. Costs a test of the whole
+  /// mesh.
+  void put_back_crossed();
+
+  struct Left {
+    std::vector<std::uint32_t> triangles;  ///< the numbers of those that are left, ascending
+    std::vector<std::uint32_t> near;       ///< among them, those about ridges, by new numbers
+  };
+  /// Takes away the triangles that have no area.
+  Left finish();
+  /// What is known of a vertex; null where it was put back, and for others.
+  const SurfacePoint* find(std::uint32_t vertex) const;
+
+ private:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::int32_t place(std::uint32_t vertex) const { return place_[vertex]; }
+  const RidgeVertex& of(std::int32_t place) const {
+    return ridge_[static_cast<std::size_t>(place)];
+  }
+  std::uint32_t now(std::uint32_t vertex) const;
+  Triangle now(const Triangle& x) const { return {now(x[0]), now(x[1]), now(x[2])}; }
+  bool is_spoiled(std::uint32_t triangle) const;
+  bool looks_away(std::uint32_t triangle, const Triangle& x) const;
+  void find_stars();
+  std::vector<std::uint32_t> star(std::int32_t place) const;
+  bool join_if(std::int32_t from, std::int32_t to, bool must_be_spoiled);
+  // They return whether anything has changed.
+  bool join_neighbour(std::int32_t place);
+  bool put_back(std::int32_t place);
+  bool put_back_corners(std::uint32_t triangle);
+  bool put_back_flat();
+  bool put_back_doubled();
+  bool put_back_meeting();
+
+  std::vector<Vec3>& vertices_;
+  std::vector<Triangle>& triangles_;
+  std::vector<RidgeVertex> ridge_;
+  NormalOf normal_of_;
+  int threads_;
+  std::vector<std::int32_t> place_;                 ///< by vertex: in `ridge_`, -1 = none
+  std::vector<Vec3> before_;                        ///< by place, as all below
+  std::vector<std::int32_t> joined_;                ///< the one that it has become
+  std::vector<std::vector<std::int32_t>> members_;  ///< those that have become it, and itself
+  std::vector<std::uint32_t> first_, stars_;        ///< triangles about each, before joining
+  std::vector<char> fresh_;                         ///< put back since the last test
+  std::vector<char> is_back_, has_slid_;            ///< to where it was; to its neighbour
+  std::vector<std::uint32_t> near_;                 ///< triangles about all of them, ascending
+};
+
+}  // namespace mrsim::detail

@@ -1,0 +1,122 @@
+// Edges sharper than cells can see: the wedge's end passes between the edges of the grid.
+#include "core/units.h"
+#include "mesh/mesh_part.h"
+#include "removal/part/part_field.h"
+#include "support/cgal_mesh.h"
+#include "support/mesh_asserts.h"
+#include "support/moves.h"
+#include "support/tools.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using testing::expect_closed_manifold;
+using testing::line;
+using testing::mill;
+
+constexpr double kTolerance = 0.0034;
+
+struct Part {
+  TriMesh mesh;
+  MeshReport report;
+};
+
+Part meshed(const std::vector<Motion>& cuts, const Tool& tool, double height, double voxel) {
+  StockShape shape;
+  shape.box = {{-10, -10, -height}, {10, 10, 0}};
+  const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
+  MeshOptions options;
+  options.tolerance = kTolerance;
+  Part part;
+  part.mesh = mesh_part(field, voxel, options, &part.report);
+  return part;
+}
+
+void expect_sharp(const Part& part, std::size_t most_triangles, double volume) {
+  EXPECT_LE(part.report.bound, kTolerance);
+  EXPECT_TRUE(part.report.thin.empty());
+  EXPECT_LE(part.mesh.triangles.size(), most_triangles);
+  expect_closed_manifold(part.mesh);
+  EXPECT_EQ(testing::self_intersections(part.mesh), 0U);
+  if (volume > 0) {
+    EXPECT_NEAR(check_mesh(part.mesh).volume, volume, 1e-3 * volume);
+  }
+}
+
+// Grooves of an engraving cutter, deeper than the flank is wide, that run out at both sides; their
+// bottoms are as sharp as the tip, and so are the ridges between them.
+TEST(Ridge, BottomsOfEngravedGroovesAreSharp) {
+  constexpr double kDepth = 3;
+  for (const double tip : {15.0, 30.0, 45.0, 60.0, 90.0}) {
+    Tool tool = mill(ToolType::chamfer, 20);
+    tool.tip_angle = tip * kPi / 180;
+    const Vec3 from{-22, -8.5, -kDepth}, to{22, 9.5, -kDepth};
+    const double half = kDepth * std::tan(tool.tip_angle / 2);
+    // A strip of that direction over the block, and the wedge of its cross section.
+    const double slope = (to.y - from.y) / (to.x - from.x);
+    const double volume = 20.0 * 20 * 5 - half * kDepth * 20 * std::sqrt(1 + slope * slope);
+    SCOPED_TRACE(tip);
+    expect_sharp(meshed({line(from, to)}, tool, 5, 0.1), 200, volume);
+  }
+}
+
+TEST(Ridge, WedgesBetweenGroovesAreSharp) {
+  for (const double tip : {30.0, 45.0, 60.0}) {
+    Tool tool = mill(ToolType::chamfer, 6);
+    tool.tip_angle = tip * kPi / 180;
+    SCOPED_TRACE(tip);
+    expect_sharp(meshed({line({-12, -5, -3}, {12, 5, -3}), line({-12, -4, -3}, {12, 6, -3}),
+                         line({-12, -3, -3}, {12, 7.3, -3})},
+                        tool, 5, 0.1),
+                 600, 0);
+  }
+}
+
+// The tooth of a form leaves a burr of 26 degrees below the stock's top.
+Tool tooth() {
+  Tool tool = mill(ToolType::form, 0);
+  tool.profile = {{0, 0, 0}, {4, 0, 0}, {5, 0.5, 0}, {4, 1, 0}, {4, 20, 0}};
+  return tool;
+}
+
+TEST(Ridge, BurrsBesideObliqueCutsAreSharp) {
+  expect_sharp(meshed({line({-20, -11, -0.8}, {20, 9, -0.8})}, tooth(), 3, 0.2), 400, 0);
+}
+
+TEST(Ridge, BurrsBesideArcsAreSharp) {
+  Motion arc = line({3, 0, -0.8}, {-3, 0, -0.8});
+  arc.kind = MotionKind::arc;
+  arc.center = {0, 0, -0.8};
+  arc.radius = 3;
+  arc.sweep = kPi;
+  expect_sharp(meshed({arc}, tooth(), 3, 0.2), 2000, 0);
+}
+
+// The corner where the tooth meets the shaft points inwards: each side of it is drawn by a solid of
+// its own, which must not know of the other.
+TEST(Ridge, CrestsOfMilledThreadsAreSharp) {
+  Motion helix = line({3, 0, -2}, {-3, 0, -1.5});
+  helix.kind = MotionKind::arc;
+  helix.center = {0, 0, -2};
+  helix.radius = 3;
+  helix.sweep = kPi;
+  helix.rise = 0.5;
+  StockShape shape;
+  shape.box = {{-10, -10, -3}, {10, 10, 0}};
+  const Tool tool = tooth();
+  const PartField field{StockSolid(shape), SweepTable(std::span(&helix, 1), std::span(&tool, 1))};
+  MeshOptions options;
+  options.tolerance = 0.02;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.5, options, &report);
+  EXPECT_LE(report.bound, options.tolerance);
+  EXPECT_LE(mesh.triangles.size(), 3000U);
+  expect_closed_manifold(mesh);
+}
+
+}  // namespace
+}  // namespace mrsim
