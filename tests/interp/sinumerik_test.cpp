@@ -48,6 +48,7 @@ TEST(Sinumerik, CallsOfIsoModeAreRefused) {
 TEST(Sinumerik, EnvelopeOfPosts) {
   EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
+                "BRISKA(X)\nSOFTA(X,Y)\nDRIVEA(X)\nTCARR=0\nTCOABS\nTOFFL=0\nTOFFR=0.0\n"
                 "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
             "1,0,0 ");
   EXPECT_EQ(run("TRANSMIT\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported")
@@ -55,6 +56,30 @@ TEST(Sinumerik, EnvelopeOfPosts) {
   EXPECT_EQ(run("TRACYL(50)\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
   EXPECT_EQ(run("TRAORI(1)\nF100 G1 X1 A20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
   EXPECT_EQ(run("SETMS(2)\nF100 G1 X1\nSETMS\nX2\n"), "1,0,0 2,0,0 ");
+}
+
+TEST(Sinumerik, SwivelWithoutATilt) {
+  EXPECT_EQ(
+      run("CYCLE800(1,\"TC1\",100000,57,10,20,0,0,0,90,0,0,0,1)\nF9 G1 X5 Y0\nCYCLE800()\nX5 Y0\n"),
+      "10,25,0 5,0,0 ");
+  EXPECT_EQ(run("CYCLE800(0,\"\",0,27,10,0,0,90,0,0,1,2,0,1)\nF9 G1 X5 Y0\n"), "8,6,0 ");
+  EXPECT_EQ(
+      run("CYCLE800(0,\"\",0,57,10,0,0)\nTRANS X5\nCYCLE800(0,\"\",1,57,1,0,0)\nF9 G1 X5 Y0\n"),
+      "21,0,0 ")
+      << "additive, with TRANS";
+  EXPECT_EQ(run("TRANS X5\nCYCLE800()\nF9 G1 X5 Y0\n"), "5,0,0 frame-deleted");
+  EXPECT_EQ(run("TRANS X5\nCYCLE800(0,\"\",0,57,1,0,0)\nF9 G1 X5 Y0\n"), "6,0,0 frame-deleted");
+  EXPECT_EQ(
+      run("F9 G1 X1\nCYCLE800(0,\"\",0,57,0,0,0,0,30)\nX5\nMCALL CYCLE81(9,0,2,-5)\nX7\nMCALL\n"
+          "CYCLE800(0,\"\",0,192,0,0,0,0,0,30)\nX8\nCYCLE800()\nX9\n"),
+      "1,0,0 9,0,0 not-supported not-supported")
+      << "no move is run in a tilted plane";
+}
+
+TEST(Sinumerik, OffsetsOfTheToolByTheProgram) {
+  EXPECT_EQ(run("F100 G1 X1\nTOFFL=2\nX2\n"), "1,0,0 2,0,0 not-supported");
+  EXPECT_EQ(run("F100 G1 X1\nTOFFL=0+2\nX2\n"), "1,0,0 2,0,0 not-supported");
+  EXPECT_EQ(run("F100 G1 X1\nTCARR=1\nX2\n"), "1,0,0 2,0,0 not-supported");
 }
 
 TEST(Sinumerik, DirectionsOfTheToolAreOneError) {

@@ -30,7 +30,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       haas_(control_, axes_, moves_, compensation_, drilling_),
       pockets_(control_, axes_, tools_, moves_),
       engraving_(control_, statements_.get(), axes_, moves_),
-      cycles_(control_, reader_, statements_.get(), holes_, tools_, moves_, out_),
+      cycles_(control_, reader_, statements_.get(), holes_, frames_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
       contours_(control_, reader_, statements_.get(), moves_, out_),
       profiles_(control_, reader_, statements_.get(), axes_, moves_),
@@ -131,7 +131,7 @@ bool Engine::ends_data() {
 
 // A move, or holes at its end.
 bool Engine::run_move() {
-  if (control_.unread_end != 0) {
+  if (control_.unread_end != 0 && !UnreadModes(control_).ends_swivel()) {
     UnreadModes(control_).pass_over();
     return true;
   }

@@ -83,6 +83,27 @@ bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
   return true;
 }
 
+// A new one deletes that in force, and TRANS with its kin.
+void FrameWords::swivel(const Frame& frame, bool adds, const Word& word) {
+  save();
+  if (adds) {
+    frames_.swivel = compose(compose(frames_.swivel, frames_.program), frame);
+  } else {
+    if (!(frames_.program == Frame{}))
+      warning("frame-deleted",
+              "CYCLE800 deletes the frame of TRANS, ROT, SCALE and MIRROR that is in force", word);
+    frames_.swivel = frame;
+  }
+  frames_.program = Frame{};
+  frames_.fine = Vec3{};
+  if (!(frame == Frame{}))
+    note_once("plane-level",
+              "CYCLE800 without a tilt: its zero is shifted by X0 Y0 Z0 and X1 Y1 Z1 and turned "
+              "about Z",
+              word, "CYCLE800");
+  rebuild();
+}
+
 // G11 X Y Z P of Okuma: the zero lies at X Y Z of the work offset, the plane is turned by P. What a
 // second G11 makes of the words that it leaves out is not known.
 bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {

@@ -16,6 +16,7 @@ void FrameWords::rebuild() {
   if (frames_.work_turn != 0)
     total = compose(compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn)),
                     shift_frame(frames_.position_shift + frames_.local));
+  total = compose(total, frames_.swivel);
   total = compose(total, frames_.program);
   total = compose(total, frames_.rotation);
   total = compose(total, frames_.scaling);

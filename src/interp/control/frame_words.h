@@ -23,6 +23,8 @@ class FrameWords : public ControlPart {
   bool select_numbered(const Word& h);
   /// Mirror images, scale and rotation of Fagor. False: an error was reported.
   bool fagor(Code code, const Word& word);
+  /// CYCLE800 without a tilt: a new frame, or one more in the one in force.
+  void swivel(const Frame& frame, bool adds, const Word& word);
   /// The work offset in force may have new values.
   void renew_work();
   /// The frame of this block's points.

@@ -3,6 +3,7 @@
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "interp/control/unread_modes.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -276,13 +277,28 @@ bool SinumerikCycles::pattern(const Call& call) {
   return call.name == "CYCLE801" ? grid(call) : points(call);
 }
 
-// CYCLE800() and a call with angles and shifts of 0 leave the plane where it is.
+// FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1; MODE says in pairs of bits about which axes A B C turn.
 bool SinumerikCycles::swivel(const Call& call) {
-  for (std::size_t i = 4; i <= 12; ++i)
-    if (call.get(i) != 0)
-      return error("not-supported",
-                   "CYCLE800 (a swivelled plane) is supported only without angles and shifts",
-                   where());
+  const auto mode = static_cast<unsigned>(std::clamp(call.get(3), 0.0, 255.0));
+  double angle = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    const double turn = call.get(7 + i);
+    if (turn != 0 && (mode >= 64 || (mode >> (2 * i) & 3U) != 3)) {
+      UnreadModes(control_).begin_swivel();
+      return error(
+          "not-supported",
+          "CYCLE800 with a tilt (a swivelled plane) is not supported: no move is run up to "
+          "the next CYCLE800",
+          where());
+    }
+    angle += turn;
+  }
+  const auto shift = [&](std::size_t i) {
+    return shift_frame(scale() * Vec3{call.get(i), call.get(i + 1), call.get(i + 2)});
+  };
+  const Frame turned = angle != 0 ? rotation_frame(2, angle) : Frame{};
+  frame_words_.swivel(compose(compose(shift(4), turned), shift(10)), call.digit(2, 0) == 1,
+                      where());
   return true;
 }
 

@@ -17,11 +17,12 @@ namespace mrsim {
 class SinumerikCycles : public ControlPart {
  public:
   SinumerikCycles(Control& control, BlockReader& reader, Statements* statements, HoleMaker& holes,
-                  ToolChanger& tools, Moves& moves, MotionEmitter& out)
+                  FrameWords& frames, ToolChanger& tools, Moves& moves, MotionEmitter& out)
       : ControlPart(control),
         reader_(reader),
         statements_(statements),
         holes_(holes),
+        frame_words_(frames),
         dwell_(control),
         mills_(control, tools, moves),
         contours_(control, reader, statements, tools, moves, out),
@@ -65,6 +66,7 @@ class SinumerikCycles : public ControlPart {
   BlockReader& reader_;
   Statements* statements_;
   HoleMaker& holes_;
+  FrameWords& frame_words_;
   DwellTime dwell_;
   MillCycles mills_;
   SinumerikContours contours_;

@@ -23,6 +23,7 @@ constexpr int kRotationOff = 690;
 constexpr int kTiltedMove = 531;  // belongs to the tilted planes
 constexpr std::string_view kSinumerikModes[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
 constexpr int kTrafoof = 1;  // ends those
+constexpr int kSwivel = 2;   // the next CYCLE800 does
 constexpr int kIsoMode = 2910, kSiemensMode = 2900;
 
 int number_by_10(const Word& word) {
@@ -111,6 +112,14 @@ void UnreadModes::note_name(const Word& word) {
   if (name == "TRAFOOF") control_.unread_end = 0;
   for (const std::string_view one : kSinumerikModes)
     if (name == one) control_.unread_end = kTrafoof;
+}
+
+void UnreadModes::begin_swivel() { control_.unread_end = kSwivel; }
+
+bool UnreadModes::ends_swivel() {
+  if (control_.unread_end != kSwivel || block_.function_name != "CYCLE800") return false;
+  control_.unread_end = 0;
+  return true;
 }
 
 void UnreadModes::pass_over() {

@@ -15,6 +15,9 @@ class UnreadModes : public ControlPart {
   bool begins_or_ends(const Word& word);
   /// A block behind G291 of SINUMERIK: none of its words has a meaning before G290.
   bool skips_iso_mode();
+  /// CYCLE800 with a tilt, up to the next CYCLE800: true in its block.
+  void begin_swivel();
+  bool ends_swivel();
   /// A block in such a mode: its words are passed over, and the axes that it names are unknown.
   void pass_over();
 

@@ -109,6 +109,8 @@ constexpr NamedRow kFunctions[] = {
     {"CPRECON", C::ignored, G::other},
     {"CPRECOF", C::ignored, G::other},
     {"BNS", C::ignored, G::other},
+    {"TCOABS", C::ignored, G::other},
+    {"TCOFR", C::ignored, G::other},
     {"ASPLINE", C::unsupported, G::motion},
     {"BSPLINE", C::unsupported, G::motion},
     {"CSPLINE", C::unsupported, G::motion},

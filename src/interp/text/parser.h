@@ -44,6 +44,7 @@ class Parser {
   void program_name(Block& block, std::size_t from, std::string_view name);
   void sinumerik_call(Block& block, std::size_t from, std::string_view name);
   bool sinumerik_value(Block& block, Word& word);
+  bool zero_follows();
   bool sinumerik_form(Block& block, Word& word);
   bool sinumerik_expression_follows() const;
   bool sinumerik_radix(Word& word);

@@ -33,9 +33,13 @@ constexpr std::pair<std::string_view, Form> kForms[] = {
 
 // Calls without effect on geometry; COUP... couples spindles, for parts that change over.
 constexpr std::string_view kHarmlessCalls[] = {
-    "MSG",     "SETMS",   "FGROUP",  "CYCLE832", "WAITM",       "WAITP",    "WAITS",   "INIT",
-    "START",   "CLRINT",  "SPCON",   "SPCOF",    "COMPLETE",    "COUPON",   "COUPONC", "COUPOF",
-    "COUPOFS", "COUPDEF", "COUPDEL", "COUPRES",  "GROUP_BEGIN", "GROUP_END"};
+    "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
+    "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
+    "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
+    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA"};
+
+// The tool carrier and offsets of the tool, which 0 switches off.
+constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)
@@ -113,6 +117,13 @@ void Parser::label(Block& block, std::size_t from, std::size_t end) {
 
 // The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
 // expression.
+bool Parser::zero_follows() {
+  skip_blanks();
+  const std::size_t from = p_;
+  while (at(p_) == '0' || at(p_) == '.') ++p_;
+  return p_ > from && (at(p_) == '\0' || at(p_) == ';' || blank(at(p_)));
+}
+
 bool Parser::sinumerik_value(Block& block, Word& word) {
   skip_blanks();
   const std::size_t from = p_;
@@ -301,6 +312,8 @@ void Parser::sinumerik_name(Block& block) {
       if (sinumerik_value(block, word)) push(block, word, from);
       return;
     }
+    for (const std::string_view off : kOffWithZero)
+      if (name == off && zero_follows()) return;
     return unsupported(block, run, "a variable or an address unknown to this reader", from);
   }
   if (c == '(') return sinumerik_call(block, from, run);
