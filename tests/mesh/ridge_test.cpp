@@ -1,12 +1,15 @@
 // Edges sharper than cells can see: the wedge's end passes between the edges of the grid.
 #include "core/units.h"
 #include "mesh/mesh_part.h"
+#include "mesh/surface/surface.h"
 #include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
 #include "support/tools.h"
 
+#include <cmath>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -116,6 +119,25 @@ TEST(Ridge, CrestsOfMilledThreadsAreSharp) {
   EXPECT_LE(report.bound, options.tolerance);
   EXPECT_LE(mesh.triangles.size(), 3000U);
   expect_closed_manifold(mesh);
+}
+
+// Crossings are kept from round to round by their edges: of the smallest cells, too.
+TEST(Ridge, EdgesOfAllLengthsHaveKeysOfTheirOwn) {
+  std::set<std::uint64_t> keys;
+  std::size_t count = 0;
+  for (const std::int32_t length : {1, 2, 4, 8})
+    for (std::int32_t x = 0; x < 16; x += length)
+      for (std::int32_t y = 0; y < 16; y += length)
+        for (std::int32_t z = 0; z < 16; z += length)
+          for (const std::int8_t axis : {0, 1, 2}) {
+            detail::MinimalEdge edge;
+            edge.start = {x, y, z};
+            edge.length = length;
+            edge.axis = axis;
+            keys.insert(detail::edge_key(edge));
+            ++count;
+          }
+  EXPECT_EQ(keys.size(), count);
 }
 
 }  // namespace

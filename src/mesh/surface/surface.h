@@ -87,6 +87,9 @@ struct CrossedGrid {
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
 CrossedGrid split_badly_crossed(CellOctree& tree);
 
+/// Tells an edge from all others of its lattice. Requires: no more than 2^20 fine units.
+std::uint64_t edge_key(const MinimalEdge& e);
+
 /// Of a list that is counted by signed numbers.
 template <class T>
 const T& at(const std::vector<T>& v, std::int32_t i) {

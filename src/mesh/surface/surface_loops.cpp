@@ -12,14 +12,6 @@
 namespace mrsim::detail {
 namespace {
 
-std::uint64_t edge_key(const MinimalEdge& e) {
-  // The start is a multiple of the length and below 2^21 on each axis: the length's lowest bit
-  // in place of the axis coordinate's tells lengths apart.
-  LatticePoint p = e.start;
-  component(p, e.axis) += e.length / 2;
-  return key(p) | static_cast<std::uint64_t>(e.axis) << 62;
-}
-
 // Of the two ring places about a face, cells come by low and high in the first half of the ring.
 int low_place(int place) { return place < 2 ? place : (place + 1) & 3; }
 int high_place(int place) { return place < 2 ? place + 1 : place; }
@@ -89,6 +81,14 @@ CrossedGrid crossed_grid(const CellOctree& tree) {
 }
 
 }  // namespace
+
+// Lengths are powers of two and starts multiples of them, so twice the middle tells both.
+std::uint64_t edge_key(const MinimalEdge& e) {
+  const auto part = [&](int axis) { return static_cast<std::uint64_t>(component(e.start, axis)); };
+  const std::uint64_t twice = 2 * part(e.axis) + static_cast<std::uint64_t>(e.length);
+  return twice | part((e.axis + 1) % 3) << 21 | part((e.axis + 2) % 3) << 42 |
+         static_cast<std::uint64_t>(e.axis) << 62;
+}
 
 CrossedGrid split_badly_crossed(CellOctree& tree) {
   CrossedGrid grid = crossed_grid(tree);
