@@ -28,6 +28,13 @@ TEST(Habits, AColonBeforeWordsNumbersABlock) {
       Dialect::sinumerik);
 }
 
+TEST(Habits, ASignMayStandApart) {
+  const auto told = [](const char* text) { return codes(read_text(text, kFanuc)); };
+  EXPECT_EQ(told("G1 X+ 2. Y-  .5 F + 20.\n"), "");
+  EXPECT_EQ(told("G1 X - 1 2. F20.\n"), "blank-in-number");
+  EXPECT_EQ(told("G1 95 X1. F20.\n"), "blank-in-number g-unknown");
+}
+
 TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
   const auto told = [](const std::string& text) {
     for (const Diagnostic& d : read_text(text, kFanuc).diagnostics)

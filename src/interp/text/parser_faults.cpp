@@ -101,10 +101,11 @@ bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool expone
   return false;
 }
 
-// FANUC reads "G1 95" as G195; whoever wrote it meant something else.
+// FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
 void Parser::check_inner_blanks(const Block&, std::size_t from) {
   const std::string_view run = line_.substr(from, p_ - from);
-  if (run.find_first_of(" \t") == std::string_view::npos) return;
+  const std::size_t blank = run.find_first_of(" \t", run.find_first_of("0123456789."));
+  if (blank == std::string_view::npos) return;
   reporter_.add(
       Severity::warning, "blank-in-number",
       fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
