@@ -32,6 +32,8 @@ TEST(LatheToolReadings, Inserts) {
       {lathe_mm, "OD FINISH 35 DEG R0.4", "turning, insert 35, nose 0.4"},
       {lathe_mm, "80 DEG ROUGH", "turning, insert 80"},
       {lathe_mm, "35 DEG PROFILE", "turning, insert 35"},
+      {lathe_mm, "35 DEG PROFILE R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_mm, "ROUGHER CNMG 120408", "turning, insert 80, nose 0.8"},
       {lathe_mm, "REAM 10H7", "endmill 10"},
       {lathe_mm, "RCMT 10", "turning, nose 5"},
       {lathe_mm, "RNMG 43", "turning, nose 6.35"},

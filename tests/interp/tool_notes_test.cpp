@@ -137,6 +137,30 @@ TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {
             "tool-unknown");
 }
 
+// A radius of inserts is the tool's, any other one the work's.
+TEST(ToolNotes, NoseBesideTheWork) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const std::pair<const char*, double> rows[] = {
+      {"OD ROUGH R0.8", 0.8},      {"OD ROUGH R.8", 0.8},
+      {"FINISH OD NR 0.4", 0.4},   {"ROUGH TURN .031R", 0.7874},
+      {"OD TURN 1/32 R", 0.79375}, {"DESB. EXT. R0.8", 0.8},
+      {"TURNING R0.8", 0.8},       {"SCHLICHTEN AUSSEN R0.4", 0.4},
+      {"FINISH BORE R0.4", 0.4},   {"TURN R10", 0},
+      {"FINISH R5 FILLET", 0},     {"BORE R20", 0}};
+  for (const auto& [comment, nose] : rows) {
+    const std::string text = std::string("T0101 (") + comment + ")\nG0 X30. Z2.\nG1 Z-5. F.1\n";
+    const Program p = read_text(text, options);
+    ASSERT_EQ(p.tools.size(), 1U) << comment << listing(p);
+    EXPECT_NEAR(p.tools[0].nose_radius, nose, 1e-9) << comment;
+    const bool bores = std::string_view(comment).find("BORE") != std::string_view::npos;
+    EXPECT_EQ(p.tools[0].type, bores ? ToolType::boring : ToolType::turning) << comment;
+  }
+  EXPECT_EQ(codes(read_text("G20\nT0101 (OD ROUGH R0.8)\nG0 X3. Z.2\nG1 Z-.5 F.01\n", options)), "")
+      << "mm in a program in inches";
+}
+
 TEST(ToolNotes, BelowTheCall) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("T1 M6\n(6MM FLAT ENDMILL)\nT2\n" + cut + "T2 M6\n(10MM DRILL)\n" + cut),

@@ -81,11 +81,13 @@ void ToolNotes::add_unnumbered(const ToolHint& hint) {
     add(current_, hint);
 }
 
-// "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)": on a lathe the tool of the
-// block does that. No pointed insert cuts a groove: without its width the blade is asked for.
+// "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)", "T0101 (OD ROUGH R0.8)": on a
+// lathe the tool of the block does that. No pointed insert cuts a groove: without its width the
+// blade is asked for.
 void ToolNotes::name_by_operation(ToolHint& hint) {
-  if (hint.operation != ToolType::turning) hint.type = hint.operation;
-  if (!hint.operation && hint.inside) hint.type = ToolType::boring;
+  if (hint.operation != ToolType::turning || hint.nose) hint.type = hint.operation;
+  if (hint.inside && (!hint.operation || hint.type == ToolType::turning))
+    hint.type = ToolType::boring;
 }
 
 // It counts beside other comments about the tool only.

@@ -56,6 +56,7 @@ class LabelReader {
   Label label_at(std::size_t i) const;
   void read_flutes();
   bool claimed(std::size_t number) const;
+  bool begins_nose(std::size_t i) const;
   bool is_of_kind(std::size_t number) const;
   std::size_t number_behind(const Label& label) const;
   std::size_t number_before(const Label& label) const;
@@ -92,7 +93,7 @@ Label LabelReader::label_at(std::size_t i) const {
   Label label{word.role, word.side, i, i + 1};
   while (label.role != WordRole::none && view_.word(label.end)) {
     const WordRole both = joined(label.role, role(label.end));
-    if (both == WordRole::none) break;
+    if (both == WordRole::none || begins_nose(label.end)) break;
     label.role = both;
     label.side = NumberSide::either;
     ++label.end;
@@ -126,6 +127,13 @@ bool LabelReader::claimed(std::size_t number) const {
   if (next.role == radius_letter) return view_.glued(next.first) && !view_.glued(next.end);
   const std::size_t behind = view_.behind(next.end - 1);
   return !view_.number(behind);
+}
+
+// "FINISH BORE R0.4", "35 DEG PROFILE R.8" of a lathe.
+bool LabelReader::begins_nose(std::size_t i) const {
+  if (!facts_.kinds.empty() && !is_turning(facts_.kinds.front().type)) return false;
+  return i > 0 && view_.is_one(i - 1, {"BORE", "PROFILE"}) && view_.is(i, "R") &&
+         view_.number(i + 1) && !view_.whole(i + 1) && view_[i + 1].value < 1.7;
 }
 
 // "1/8 SHANK 0.8MM DRILL": the 0.8 is the drill's.
@@ -353,14 +361,20 @@ bool begins_bar_code(const CommentView& view, std::size_t i) {
 void read_side_words(const CommentView& view, ToolFacts& facts) {
   bool outside = false, bores = false, turns = false, rough = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
-    outside |= view.is_one(i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN", "EXTERIEUR", "ZEWN",
-                               "ZEWNETRZNY", "ZUNANJI"});
-    bores |= view.is_one(i, {"BORE", "BORING", "ALESAGE", "ALESER", "MANDRINADO", "MANDRINAR"});
+    outside |= view.is_one(
+        i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN", "EXTERIEUR", "ZEWN", "ZEWNETRZNY",
+            "ZUNANJI", "EXTERIOR", "EXTERNO", "EXTERNA", "ESTERNO", "ESTERNA", "EXTERNE"});
+    bores |= view.is_one(i, {"BORE", "BORING", "ALESAGE", "ALESER", "MANDRINADO", "MANDRINAR",
+                             "MANDRILAR", "ALESATURA"});
     facts.full_radius |= (view.is(i, "FULL") && view.is_one(i + 1, {"RADIUS", "RAD", "R"})) ||
                          view.is(i, "VOLLRADIUS");
     facts.inside |= begins_bar_code(view, i);
-    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING", "PROFILE", "PROFILING"});
-    rough |= view.is_one(i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING"});
+    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING", "PROFILE", "PROFILING", "DREHEN",
+                             "PLANEN", "CHARIOTAGE", "DRESSAGE", "TORNEADO", "CILINDRAR",
+                             "CILINDRADO", "REFRENTADO", "FACEAR", "TORNITURA", "SFACCIATURA"});
+    rough |= view.is_one(
+        i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING", "SCHRUPPEN", "SCHLICHTEN", "EBAUCHE",
+            "FINITION", "DESBASTE", "DESB", "ACABADO", "ACABAMENTO", "SGROSSATURA", "FINITURA"});
     facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
                                     "INTERIEUR", "INTERNE", "INTERNO", "INTERNA"}) &&
                     !view.is_one(i + 1, {":", "="});

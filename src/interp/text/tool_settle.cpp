@@ -61,6 +61,7 @@ class Settler {
   void settle_nose();
   void settle_mill();
   bool has_usual_corner() const;
+  void take_nose_of_work();
   void settle_angle();
   void set_angle(double degrees);
   void drop_unclaimed();
@@ -231,7 +232,27 @@ void Settler::settle_type() {
   else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
+  if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
+}
+
+// "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
+// in mm or inches, is no radius of the work.
+void Settler::take_nose_of_work() {
+  constexpr double kMm[] = {0.2, 0.4, 0.8, 1.2, 1.6};
+  constexpr double kInches[] = {1 / 128.0, 1 / 64.0, 1 / 32.0, 3 / 64.0, 1 / 16.0};
+  ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
+  if (!nose || (kind() && (!is_turning(kind()->type) || kind()->type == ToolType::threading)))
+    return;
+  const auto is_any = [&](auto& usual, double tolerance) {
+    return std::any_of(std::begin(usual), std::end(usual),
+                       [&](double u) { return std::abs(nose.value - u) < tolerance; });
+  };
+  const bool inches = is_any(kInches, 0.0013);
+  if (!inches && !is_any(kMm, 1e-9)) return;
+  if (nose.unit == 0) nose.unit = inches ? kMmPerInch : 1;
+  hint_.nose = nose;
+  if (!hint_.operation) hint_.operation = ToolType::turning;
 }
 
 // "80 DEG DIAMOND" is an insert; "GROOVE 3MM", ".093 GROOVE" name the work, and the blade perhaps.
