@@ -1,4 +1,5 @@
 // G12, G13 and G70 to G72 of Haas mills: the motions of the manual's pictures, by hand.
+#include "interp/recognise/recognise.h"
 #include "interp/support.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,22 @@ TEST(HaasCycles, CircularPockets) {
   EXPECT_EQ(haas_path("G13 Z-2. I4. F100. D1\n"), " | value-range");
   EXPECT_EQ(codes(read_text("G13 Z-2. I30. F100. D1\n", at_origin(Dialect::fanuc)), Severity::note),
             "cycle-entry");
+}
+
+// Mach: along X by I, round, and back, at the depth where the tool is.
+TEST(HaasCycles, CircleOfMach) {
+  const auto mach = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::iso)));
+  };
+  EXPECT_EQ(mach("G1 X20 Y20 F9\nG12 I10\nG1 X0\n"),
+            mach("G1 X20 Y20 F9\nG1 X30\nG2 I-10 J0\nG1 X20\nX0\n"));
+  EXPECT_EQ(mach("G20 G1 X2 Y0 F9\nG91 G13 I1.\nG1 X1\n"),
+            mach("G20 G1 X2 Y0 F9\nG1 X3\nG3 I-1. J0\nG1 X2\nX3\n"));
+  EXPECT_EQ(mach("G1 X5 F9\nG12 I0\n"), "l5,0,0 | value-range");
+  EXPECT_EQ(mach("G1 X5 F9\nG12 I5 X9\n"), "l5,0,0 | not-supported");
+  const std::string text = "G21 G90\nM3 S900\nG1 X20 Y20 F9\nG12 I10\nM30\n";
+  EXPECT_EQ(recognise(Scratch().write("a.tap", "(Mach3)\n" + text), {}).dialect, Dialect::iso);
+  EXPECT_EQ(recognise(Scratch().write("a.nc", text), {}).dialect, Dialect::iso);
 }
 
 }  // namespace

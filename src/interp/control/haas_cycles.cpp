@@ -198,9 +198,33 @@ bool HaasCycles::circles(const Pocket& pocket) {
   }
 }
 
+// From the middle, where the tool is, along X by I, whatever the tool's radius, round, and back.
+bool HaasCycles::circle_of_mach() {
+  if (!needs("I")) return false;
+  if (peek('X') || peek('Y') || peek('Z'))
+    return error("not-supported", "G12 and G13 of Mach beside an axis: write the axis before them",
+                 *block_.oneshot);
+  if (!(peek('I')->value > 0))
+    return error("value-range", "G12 and G13 of Mach need I, the radius, above 0", *peek('I'));
+  const Vec3 middle = position_.programmed;
+  Target to;
+  to.programmed = middle;
+  to.programmed.x += length_of('I');
+  to.named = 1;
+  moves_.step(to, *block_.oneshot, MotionKind::line);
+  const Vec2 begin{to.programmed.x, middle.y};
+  if (!half_circle({middle.x, middle.y}, begin, true)) return false;
+  to.programmed = middle;
+  moves_.step(to, *block_.oneshot, MotionKind::line);
+  note_once("mach-circle", "G12 and G13 are Mach's: I is the radius of the tool's own path",
+            *block_.oneshot, "G12");
+  return true;
+}
+
 bool HaasCycles::pocket() {
   if (modal_.plane != 0)
     return error("value-range", "a circular pocket needs the plane G17", *block_.oneshot);
+  if (is(Dialect::iso) && !peek('Z')) return circle_of_mach();
   Pocket pocket;
   if (!read_pocket(pocket)) return false;
   Target center;

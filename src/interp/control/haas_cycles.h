@@ -38,6 +38,7 @@ class HaasCycles : public ControlPart {
   bool pocket();
   bool read_pocket(Pocket& out);
   bool circles(const Pocket& pocket);
+  bool circle_of_mach();
   bool half_circle(Vec2 center, Vec2 to, bool whole);
   bool holes();
   bool needs(std::string_view letters);

@@ -215,6 +215,8 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
        {"G54.1", "G68", "G69", "G51.1", "G50.1", "G187", "G154", "G43.4", "G68.2"})
     if (has_word(c, g)) add(d, 6, g, line);
   if (has_word(c, "G52") && has_any_axis(c, "XYZ")) add(d, 6, "G52", line);
+  if (has_any_word(c, {"G12", "G13"}) && has_axis(c, 'I') && !has_any_axis(c, "ZDKL"))
+    add(Dialect::iso, 12, "G12 or G13 of Mach", line);
   if (has_any_word(c, {"M97", "G65", "M198"}) && has_axis(c, 'P')) add(d, 8, "a call with P", line);
   if (has_any_word(c, {"G20", "G21"}) && !is_codesys_jump(c)) {
     add(d, 3, "G20/G21", line);
