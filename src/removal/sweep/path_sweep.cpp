@@ -119,20 +119,31 @@ Bracket bracket(const Objective& F, double lo, double hi) {
   if (a.slope >= 0) return {lo, lo, a, a};
   Value b = F(hi);
   if (b.slope <= 0) return {hi, hi, b, b};
+  double weight_a = 1, weight_b = 1;
+  int side = 0;  // of the last place, where two in a row lie on it
   for (int i = 0; i < 80; ++i) {
-    const double gain = b.slope - a.slope;
-    const double cut = clamp((a.f - b.f + b.slope * hi - a.slope * lo) / gain, lo, hi);
+    const double cut =
+        clamp((a.f - b.f + b.slope * hi - a.slope * lo) / (b.slope - a.slope), lo, hi);
     const double floor = a.f + a.slope * (cut - lo), best = a.f < b.f ? a.f : b.f;
     if (best - floor <= 1e-13 * (1 + (best < 0 ? -best : best))) break;
-    // Tangents find kinks at once, the secant of the slopes smooth minima; halving bounds both.
-    double t = i % 3 == 0 ? cut : i % 3 == 1 ? lo - a.slope * (hi - lo) / gain : 0.5 * (lo + hi);
+    // Tangents find kinks at once, the secant of the slopes smooth minima (Illinois); halving
+    // bounds both.
+    const double low = weight_a * a.slope, high = weight_b * b.slope;
+    double t = i % 3 == 0   ? cut
+               : i % 9 == 8 ? 0.5 * (lo + hi)
+                            : lo - low * (hi - lo) / (high - low);
     if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
     if (!(t > lo && t < hi)) break;
     const Value m = F(t);
-    if (m.slope < 0)
-      lo = t, a = m;
-    else
-      hi = t, b = m;
+    if (m.slope < 0) {
+      lo = t, a = m, weight_a = 1;
+      weight_b = side < 0 ? 0.5 * weight_b : 1;
+      side = -1;
+    } else {
+      hi = t, b = m, weight_b = 1;
+      weight_a = side > 0 ? 0.5 * weight_a : 1;
+      side = 1;
+    }
     if (m.slope == 0) break;
   }
   return {lo, hi, a, b};
@@ -161,8 +172,10 @@ PathSample ends(const Objective& F, double begin, double end) {
 
 // A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`.
 PathSample search_level(const Objective& F, double begin, double end, PathSample best) {
+  const double near = F.to_circle();
+  if (F.level_bound(0.5 * (begin + end), 0.5 * (end - begin), near) >= best.distance) return best;
   best = nearer(best, ends(F, begin, end));
-  const double near = F.to_circle(), reach = F.convex_reach();
+  const double reach = F.convex_reach();
   static thread_local std::vector<Interval> open;
   open.clear();
   double from = begin;
