@@ -76,6 +76,14 @@ class Objective {
     return mrsim::atan2(std::sqrt(most * most - least * least), least);
   }
 
+  /// The distance of the position that looks at p, `near` in plan, where it is the least one: the
+  /// tool's wall is upright at all heights of the path.
+  std::optional<double> upright_wall(double near, double begin, double end) const {
+    const ProfileSample low = tool_sample(tool_, near, height(begin));
+    if (low.gradient.y != 0 || tool_sample(tool_, near, height(end)).gradient.y != 0) return {};
+    return low.distance;
+  }
+
   double to_circle() const {
     const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
     const double off = std::sqrt(dx * dx + dy * dy) - path_.radius;
@@ -174,12 +182,16 @@ PathSample ends(const Objective& F, double begin, double end) {
 PathSample search_level(const Objective& F, double begin, double end, PathSample best) {
   const double near = F.to_circle();
   if (F.level_bound(0.5 * (begin + end), 0.5 * (end - begin), near) >= best.distance) return best;
+  double first = F.towards();
+  while (first < begin) first += kTwoPi;
+  if (first <= end)
+    if (const auto wall = F.upright_wall(near, begin, end)) return nearer(best, {*wall, first});
   best = nearer(best, ends(F, begin, end));
   const double reach = F.convex_reach();
   static thread_local std::vector<Interval> open;
   open.clear();
   double from = begin;
-  for (double facing = F.towards() - kTwoPi; from < end; facing += kTwoPi) {
+  for (double facing = first - kTwoPi; from < end; facing += kTwoPi) {
     const double lo = clamp(facing - reach, from, end), hi = clamp(facing + reach, lo, end);
     if (lo > from) open.push_back({from, lo});
     from = hi;
@@ -257,12 +269,30 @@ PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath&
 }
 
 PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                  double end, PathSample best = {std::numeric_limits<double>::infinity()}) {
-  if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty()) {
-    for (const Profile& piece : pieces)
-      best = nearer(best, search(piece, path, p, begin, end, best));
-    return best;
+                  double end, PathSample best = {std::numeric_limits<double>::infinity()});
+
+// The piece that may be nearest comes first, so that others need not be searched.
+PathSample search_pieces(std::span<const Profile> pieces, const ToolPath& path, const Vec3& p,
+                         double begin, double end, PathSample best) {
+  std::size_t first = 0;
+  if (path.level) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Objective F(pieces[k], path, p);
+      const double bound = F.level_bound(0.5 * (begin + end), 0.5 * (end - begin), F.to_circle());
+      if (bound < least) least = bound, first = k;
+    }
   }
+  best = search(pieces[first], path, p, begin, end, best);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    if (k != first) best = nearer(best, search(pieces[k], path, p, begin, end, best));
+  return best;
+}
+
+PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                  double end, PathSample best) {
+  if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty())
+    return search_pieces(pieces, path, p, begin, end, best);
   const Objective F(tool, path, p);
   if (!tool.is_convex()) return search_all(F, tool, path, begin, end, ends(F, begin, end));
   if (!path.arc) return descend(F, begin, end);
