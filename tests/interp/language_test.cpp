@@ -114,6 +114,22 @@ TEST(Macro, VariablesFromOutside) {
   EXPECT_EQ(path_of(read_text("G1 F1 X=R1 Y=WIDTH\n", options)), "5,7,0 ");
 }
 
+// Bar feeders: the program begins again for the next part, and nothing in it ends that.
+TEST(Language, JumpsBackWithoutAConditionAreTheNextPart) {
+  const std::pair<Dialect, const char*> rows[] = {
+      {Dialect::fanuc, "N1 G1 X1 F1\n#501=5\nX2\nGOTO1\nM30\n"},
+      {Dialect::fanuc, "N1 G1 X1 F1\nX2\nM99 P1\n"},
+      {Dialect::sinumerik, "START:\nG1 X1 F1\nX2\nGOTOB START\nM30\n"}};
+  for (const auto& [dialect, text] : rows) {
+    const Program p = read_text(text, at_origin(dialect));
+    EXPECT_EQ(path_of(p), "1,0,0 2,0,0 ") << text;
+    EXPECT_EQ(codes(p), "");
+    EXPECT_EQ(codes(p, Severity::note), "program-loops");
+  }
+  EXPECT_EQ(run(Dialect::fanuc, "#1=0\nN1 G1 X#1 F1\n#1=#1+1\nIF[#1GT2]GOTO9\nGOTO1\nN9 M30\n"),
+            "1,0,0 2,0,0 ");
+}
+
 TEST(Language, EndlessProgramsEnd) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.max_steps = 20000;

@@ -78,6 +78,20 @@ TEST(Okuma, VariablesHaveNames) {
   EXPECT_EQ(osp_milled("G1 X=VC7 F9\n", options), "l4,0,0");
 }
 
+// As bar work begins and ends: the blank of the control's own picture, the name of a section before
+// its tool, and the way back to the top, which is the next part.
+TEST(Okuma, ProgramsForBars) {
+  const Program p = read_text(
+      "$PART.MIN%\nM1\nNBAR\nCLEAR\nDEF WORK\nPS LC,[-400,0],[400,19]\nPS LC, [0,0],[46,9],0\nEND\n"
+      "DRAW\nNAT01  (OD AND FACE RGH. TURN .032R)\nG0 X20 Z20\nT010101\nG96 S200 M3\nG0 X10 Z1\n"
+      "G1 Z-5 F.1\nG0 X20\nGOTO NBAR\nM2\n",
+      InterpOptions{});
+  EXPECT_EQ(path_text(p), "r10,0,20 r5,0,1 l5,0,-5 r10,0,-5") << listing(p);
+  ASSERT_EQ(p.tools.size(), 1U);
+  EXPECT_NEAR(p.tools[0].nose_radius, 0.032 * 25.4, 1e-9);
+  EXPECT_NE(codes(p, Severity::note).find("program-loops"), std::string::npos);
+}
+
 TEST(Okuma, JumpsGoToBlocksByNumberOrName) {
   EXPECT_EQ(osp_milled("G1 F9\nVC1=0\nNLP X=VC1\nVC1=VC1+1\nIF [VC1 LT 3] NLP\nGOTO NEND\nX99\n"
                        "NEND Y1\n"),

@@ -142,13 +142,19 @@ TEST(ToolNotes, NoseBesideTheWork) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::lathe;
-  const std::pair<const char*, double> rows[] = {
-      {"OD ROUGH R0.8", 0.8},      {"OD ROUGH R.8", 0.8},
-      {"FINISH OD NR 0.4", 0.4},   {"ROUGH TURN .031R", 0.7874},
-      {"OD TURN 1/32 R", 0.79375}, {"DESB. EXT. R0.8", 0.8},
-      {"TURNING R0.8", 0.8},       {"SCHLICHTEN AUSSEN R0.4", 0.4},
-      {"FINISH BORE R0.4", 0.4},   {"TURN R10", 0},
-      {"FINISH R5 FILLET", 0},     {"BORE R20", 0}};
+  const std::pair<const char*, double> rows[] = {{"OD ROUGH R0.8", 0.8},
+                                                 {"OD ROUGH R.8", 0.8},
+                                                 {"FINISH OD NR 0.4", 0.4},
+                                                 {"ROUGH TURN .031R", 0.7874},
+                                                 {"OD TURN 1/32 R", 0.79375},
+                                                 {"DESB. EXT. R0.8", 0.8},
+                                                 {"TURNING R0.8", 0.8},
+                                                 {"SCHLICHTEN AUSSEN R0.4", 0.4},
+                                                 {"FINISH BORE R0.4", 0.4},
+                                                 {"TURN R10", 0},
+                                                 {"FINISH R5 FILLET", 0},
+                                                 {"OD FACE FIN.015R", 0.381},
+                                                 {"BORE R20", 0}};
   for (const auto& [comment, nose] : rows) {
     const std::string text = std::string("T0101 (") + comment + ")\nG0 X30. Z2.\nG1 Z-5. F.1\n";
     const Program p = read_text(text, options);

@@ -113,13 +113,14 @@ bool MacroStatements::go_to(std::size_t p) {
   p = from;
   double target = 0;
   if (!number(p, target, true)) return false;
+  decided_ = decided_ || !is_digit(at(from));
   reader_.leave_stretches();
   Place to;
   if (!find_number(static_cast<long>(target), true, true, to))
     return fail("jump-target",
                 fmt::format("there is no block N{:.0f} in this program (alarm 128)", target), from,
                 p);
-  return reader_.jump(to);
+  return jump_always(to);
 }
 
 // The words behind G65 as local variables. I J K more than once: argument list II.

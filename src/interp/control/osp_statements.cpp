@@ -20,16 +20,35 @@ std::string_view name_from(std::string_view line, std::size_t p) {
   return line.substr(p, end - p);
 }
 
+// "DEF WORK", "PS LC,[-400,0],[400,19]", "END", "DRAW" and "CLEAR", which draw the blank on the
+// control's screen.
+bool draws_blank(std::string_view line, std::size_t p) {
+  const std::string name = upper_case(name_from(line, p).substr(0, 6));
+  std::size_t behind = p + name.size();
+  while (behind < line.size() && (line[behind] == ' ' || line[behind] == '\t')) ++behind;
+  const std::string next = upper_case(name_from(line, behind).substr(0, 5));
+  if (name == "DEF") return next == "WORK";
+  if (name == "PS") return next == "LC" || next == "RC";
+  const bool alone = behind == line.size() || line[behind] == '(';
+  return alone && (name == "CLEAR" || name == "DRAW" || name == "END");
+}
+
 }  // namespace
 
 bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = upper_case(name_from(line, p).substr(0, 8));
-  return name == "CALL" || name == "RTS" || name == "MODIN" || name == "MODOUT" ||
-         MacroStatements::starts_statement(line, p);
+  return draws_blank(line, p) || name == "CALL" || name == "RTS" || name == "MODIN" ||
+         name == "MODOUT" || MacroStatements::starts_statement(line, p);
 }
 
 bool OspStatements::statement(std::size_t from) {
   std::size_t p = from;
+  if (draws_blank(block_.line, from)) {
+    note_once("simulator-line", "the blank of the control's own picture is not read",
+              place_word(from, block_.line.size()), "DRAW");
+    reader_.set_position(block_.line.size());
+    return true;
+  }
   const std::string name = letters(p);
   if (name == "IF") {
     std::size_t behind = p;
@@ -133,11 +152,11 @@ bool OspStatements::jump(std::size_t p) {
   Place to;
   if (name.size() > 1 && name.find_first_not_of("0123456789", 1) == name.npos) {
     if (find_number(static_cast<long>(parse_number(name.substr(1)).value_or(-1)), true, true, to))
-      return reader_.jump(to);
+      return jump_always(to);
   } else {
     const auto [begin, end] = section();
     if (const auto found = find_named_block(reader_.file(), begin, end, name))
-      return reader_.jump(*found);
+      return jump_always(*found);
   }
   return fail("jump-target", fmt::format("there is no block {} in this program", name), p,
               p + name.size());

@@ -262,10 +262,11 @@ void ProgramFlow::end_block() {
     named_call(*block_.call_word);
   } else if (block_.return_after) {
     const Word* target = block_.loops && statements_ ? find(letter('P')) : nullptr;
+    const bool from_main = reader_.depth() == 1;
     reader_.leave_stretches();
-    if (target && reader_.depth() > 1) reader_.drop_repeats();
-    if (!target || reader_.depth() > 1) reader_.end_activation(block_.loops);
-    if (target) statements_->jump_to_number(*target);
+    if (target && !from_main) reader_.drop_repeats();
+    if (!target || !from_main) reader_.end_activation(block_.loops);
+    if (target) statements_->jump_to_number(*target, from_main);
   }
 }
 

@@ -168,6 +168,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
     p = from;
     if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
     target = upper_case(value.text);
+    decided_ = true;
   }
   const bool forward = word != "GOTOB", backward = word != "GOTOF";
   const Outline& all = outline();
@@ -188,7 +189,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
   }
   if (found) {
     reader_.leave_stretches();
-    return reader_.jump(to);
+    return jump_always(to);
   }
   if (word == "GOTOC") {
     reader_.set_position(block_.line.size());
@@ -206,6 +207,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
 bool SinumerikStatements::case_of(std::size_t p) {
   double value = 0;
   if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
+  decided_ = true;
   std::size_t behind = p;
   if (name_at(behind) != "OF") return fail("statement", "OF is expected here", p, p + 1);
   p = behind;

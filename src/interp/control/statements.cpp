@@ -211,8 +211,17 @@ bool Statements::call_values(std::string_view argument, std::vector<std::optiona
   return fail("value-range", fmt::format("more than {} values", kMostCallValues), from, to);
 }
 
+bool Statements::jump_always(const Place& to) {
+  if (decided_ || reader_.depth() > 1 || to.line + 1 >= block_.line_number) return reader_.jump(to);
+  reporter_.add(Severity::note, "program-loops",
+                "the jump back starts the program again: simulated once", 0, 1);
+  reader_.end_program();
+  return true;
+}
+
 bool Statements::condition(std::size_t& p, bool& out) {
   double value = 0;
+  decided_ = true;
   if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
   out = value != 0;
   return true;
@@ -366,10 +375,11 @@ bool Statements::find_labels(const std::string& first, const std::string& last, 
   return true;
 }
 
-bool Statements::jump_to_number(const Word& word) {
+bool Statements::jump_to_number(const Word& word, bool from_main) {
   Place to;
   reader_.leave_stretches();
-  if (find_number(static_cast<long>(word.value), true, true, to)) return reader_.jump(to);
+  if (find_number(static_cast<long>(word.value), true, true, to))
+    return from_main ? jump_always(to) : reader_.jump(to);
   error("jump-target",
         fmt::format("there is no block N{:.0f} in this program (alarm 128)", word.value), word);
   reader_.stop();

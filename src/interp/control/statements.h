@@ -53,7 +53,7 @@ class Statements : public ControlPart, public LanguageReader {
   bool variable(double number, double& out);
   void set_variable(double number, double value);
   /// M99 P: goes on at a block number of the program that is being read.
-  virtual bool jump_to_number(const Word& word);
+  bool jump_to_number(const Word& word, bool from_main);
   /// M97 P: calls from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
   /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
@@ -75,6 +75,9 @@ class Statements : public ControlPart, public LanguageReader {
   bool fail(const char* code, const std::string& text, std::size_t from, std::size_t to);
   bool report(const Fault& fault);
   bool condition(std::size_t& p, bool& out);
+  /// A jump without a condition of its own; back in a main program where nothing has decided
+  /// anything, it starts the program again for the next part.
+  bool jump_always(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
   /// Values in brackets up to the end: "[1] [#2]".
   bool store(double number, const Value& value, std::size_t from, std::size_t to);
@@ -103,6 +106,7 @@ class Statements : public ControlPart, public LanguageReader {
   SystemValues system_;
   Variables variables_;
   Evaluator evaluator_;
+  bool decided_ = false;  ///< the program has asked for a value that may change its way
 
  private:
   bool scan_number(const std::string& file, long number, const Place& from, const Place& to,

@@ -112,7 +112,7 @@ void ToolChanger::read_comments() {
   else if (!block_.words.empty() && tool_.pending.active)
     called = tool_.pending.id;
   for (const std::string_view comment : block_.comments)
-    notes_.comment(comment, called, block_.words.empty());
+    notes_.comment(comment, called, block_.words.empty(), block_.name.starts_with("NAT"));
   if (const std::string other = notes_.other_nameless(); !other.empty())
     reporter_.add(Severity::error, "tool-unknown",
                   fmt::format("the comment \"{}\" names another tool than the first, and no T word "

@@ -37,7 +37,7 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
   if (!fresh && !repeated) merge_hint(at->second, hint);
 }
 
-void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone) {
+void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone, bool heads) {
   ToolHint hint = read_tool_comment(bytes);
   if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
@@ -51,7 +51,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   }
   if (!alone) return;
   // Behind the first cut it is no list of what the program does.
-  if (lathe_ && cuts_ && !hint && (hint.operation || hint.bores)) name_by_operation(hint);
+  if (lathe_ && (cuts_ || heads) && !hint && (hint.operation || hint.bores))
+    name_by_operation(hint);
   lists_ = lists_ || heads_list(hint.text);
   if (hint.only_corner()) return add_corner(hint);
   if (!(hint || !hint.id.empty())) return;

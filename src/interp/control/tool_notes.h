@@ -23,8 +23,8 @@ class ToolNotes {
   ToolNotes(bool lathe, std::size_t turret_digits) : lathe_(lathe), turret_digits_(turret_digits) {}
 
   /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
-  /// nothing else stands in the block.
-  void comment(std::string_view bytes, const std::string& called, bool alone);
+  /// nothing else stands in the block; `heads`: it names a section of work, as NAT01 of Okuma.
+  void comment(std::string_view bytes, const std::string& called, bool alone, bool heads = false);
   /// A T word names `id`: the comments above it are about this tool.
   void call(const std::string& id);
   /// `id` has come into the spindle.

@@ -89,8 +89,7 @@ const char* named_control(const std::string& path, std::string_view code, std::s
       any_of(code, {"MAZATROL", "INITIAL-Z", "ATC MODE"}) ||
       ends_with(path, {".PBG", ".PBD", ".MAZ"}))
     return "a Mazatrol program";
-  if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF ") ||
-      text.starts_with("DEF WORK"))
+  if (ends_with(path, {".IGF"}) || text == "IGF" || text.starts_with("IGF "))
     return "an Okuma IGF program";
   if (fagor_turning(code)) return "a Fagor lathe's program with turning cycles";
   if (whole.size() == 2 && whole[0] == '$' && is_digit(whole[1]))

@@ -168,7 +168,11 @@ std::size_t LabelReader::number_before(const Label& label) const {
   if (label.side == NumberSide::behind || label.first == 0) return kNone;
   const std::size_t number = label.first - 1;
   if (label.role == WordRole::radius_letter) {  // ".030R", ".031 R"
-    if (!view_.is_size(number) || (view_.whole(number) && !may_be_round())) return kNone;
+    const bool behind_word = number > 0 && view_.number(number) && view_.word(number - 1) &&
+                             view_[number - 1].text.size() > 2 &&
+                             view_[number].text.starts_with('.');  // "FIN.015R"
+    if ((!view_.is_size(number) && !behind_word) || (view_.whole(number) && !may_be_round()))
+      return kNone;
     return !view_.glued(label.end) && !view_.number(label.end) ? number : kNone;
   }
   return view_.is_size(number) ? number : kNone;
@@ -372,9 +376,9 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING", "PROFILE", "PROFILING", "DREHEN",
                              "PLANEN", "CHARIOTAGE", "DRESSAGE", "TORNEADO", "CILINDRAR",
                              "CILINDRADO", "REFRENTADO", "FACEAR", "TORNITURA", "SFACCIATURA"});
-    rough |= view.is_one(
-        i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING", "SCHRUPPEN", "SCHLICHTEN", "EBAUCHE",
-            "FINITION", "DESBASTE", "DESB", "ACABADO", "ACABAMENTO", "SGROSSATURA", "FINITURA"});
+    rough |= view.is_one(i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING", "RGH", "FIN", "SCHRUPPEN",
+                             "SCHLICHTEN", "EBAUCHE", "FINITION", "DESBASTE", "DESB", "ACABADO",
+                             "ACABAMENTO", "SGROSSATURA", "FINITURA"});
     facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
                                     "INTERIEUR", "INTERNE", "INTERNO", "INTERNA"}) &&
                     !view.is_one(i + 1, {":", "="});
