@@ -35,6 +35,16 @@ TEST(Habits, ASignMayStandApart) {
   EXPECT_EQ(told("G1 95 X1. F20.\n"), "blank-in-number g-unknown");
 }
 
+// Lathes of Okuma have no G20: their units are a parameter of the control.
+TEST(Habits, InchesByTheCommentAlone) {
+  const auto told = [](const std::string& text) { return codes(read_text(text, kFanuc)); };
+  EXPECT_EQ(told("(MATERIAL - STEEL INCH - 1030 - 200 BHN)\nG1 X1. F.01\n"), "units-unset");
+  EXPECT_EQ(told("(MATERIAL - STEEL INCH - 1030)\nG20 G1 X1. F.01\n"), "");
+  EXPECT_EQ(told("(UNITS: MM, NOT INCHES)\nG1 X1. F.01\n"), "");
+  EXPECT_EQ(told("(FACE 1 INCH DEEP)\nG1 X1. F.01\n"), "");
+  EXPECT_EQ(told("(UNITS: INCHES)\nG0 X1.\nG4 P1\n"), "program-without-cuts");
+}
+
 TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
   const auto told = [](const std::string& text) {
     for (const Diagnostic& d : read_text(text, kFanuc).diagnostics)

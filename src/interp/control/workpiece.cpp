@@ -8,6 +8,26 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+// "MATERIAL - STEEL INCH - 1030" of Mastercam, "UNITS: INCHES".
+bool says_inches(std::string_view comment) {
+  const std::string text = upper_case(comment.substr(0, 200));
+  bool inches = false, units = false;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string_view word = std::string_view(text).substr(i, end - i);
+    if (word == "MM") return false;
+    inches |= word == "INCH" || word == "INCHES";
+    units |= word == "MATERIAL" || word == "UNIT" || word == "UNITS" || word == "DIMENSIONS" ||
+             word == "PROGRAM";
+    i = end > i ? end : i + 1;
+  }
+  return inches && units;
+}
+
+}  // namespace
 
 // WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) and its round relatives state the stock.
 bool WorkpieceWords::run() {
@@ -77,13 +97,21 @@ bool WorkpieceWords::set(const std::string& type, const std::array<double, 12>& 
 }
 
 void CommentedStock::read_comments() {
-  if (settled_ || lathe()) return;
+  if (settled_) return;
+  for (const std::string_view comment : block_.comments)
+    says_inches_ = says_inches_ || says_inches(comment);
+  if (lathe()) return;
   for (const std::string_view comment : block_.comments)
     comments_.read(comment, block_.line_number);
 }
 
 void CommentedStock::settle() {
   settled_ = true;
+  if (says_inches_ && !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+    reporter_.add(Severity::warning, "units-unset",
+                  "a comment says inches, but the program has no G20: it is read in mm; write G20 "
+                  "at its top",
+                  0, 1);
   const std::optional<Box3> box = comments_.box(scale());
   if (!box || program_.workpiece) return;
   StockShape stock;

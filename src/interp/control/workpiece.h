@@ -29,7 +29,7 @@ class CommentedStock : public ControlPart {
 
  private:
   StockComments comments_;
-  bool settled_ = false;
+  bool settled_ = false, says_inches_ = false;
 };
 
 }  // namespace mrsim
