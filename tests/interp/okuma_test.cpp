@@ -92,6 +92,19 @@ TEST(Okuma, ProgramsForBars) {
   EXPECT_NE(codes(p, Severity::note).find("program-loops"), std::string::npos);
 }
 
+// A line that begins with $ goes on with the block before it, but for the name of the program.
+TEST(Okuma, LinesGoOnBehindADollar) {
+  const auto run = [](const std::string& text) {
+    return path_text(
+        read_text("$PART.MIN%\n" + text, at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(run("G1 X20\n$ Z-5\n  $F.2 (ON)\nX30\n"), "l10,0,-5 l15,0,-5");
+  EXPECT_EQ(run("G1 X20 F.2\nCALL O5 XA=30\n$ ZA=-7\nM2\nO5\nX=XA Z=ZA\nRTS\n"),
+            "l10,0,0 l15,0,-7");
+  EXPECT_EQ(run("G1 F.2\nV1=0\nNLOOP X=V1*2\n$ Z=-V1\nV1=V1+1\nIF [V1 LT 3] GOTO NLOOP\nM2\n"),
+            "l1,0,-1 l2,0,-2");
+}
+
 TEST(Okuma, JumpsGoToBlocksByNumberOrName) {
   EXPECT_EQ(osp_milled("G1 F9\nVC1=0\nNLP X=VC1\nVC1=VC1+1\nIF [VC1 LT 3] NLP\nGOTO NEND\nX99\n"
                        "NEND Y1\n"),

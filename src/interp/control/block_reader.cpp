@@ -39,13 +39,12 @@ bool BlockReader::next() {
   Activation& top = stack_.back();
   for (;;) {
     if (!top.has_line) {
-      top.line_offset = top.source->next_offset();
-      if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
+      if (!read_line(top)) return false;
       top.has_line = true;
       top.position = std::min(std::exchange(top.resume, 0), top.line.size());
     }
     block_.line = top.line;
-    block_.line_number = top.source->line_number();
+    block_.line_number = top.line_number;
     block_.file = top.file;
     block_.call = top.call;
     reporter_.set_place(top.file, block_.line_number, top.call, top.line);
@@ -57,9 +56,45 @@ bool BlockReader::next() {
   }
 }
 
+bool BlockReader::read_line(Activation& top) {
+  top.line_offset = top.source->next_offset();
+  if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
+  top.line_number = top.source->line_number();
+  if (is(Dialect::fanuc) && modal_.okuma) join_lines(top);
+  return true;
+}
+
+// "$ XB=40 DB=1" of Okuma goes on with the block of the line before; "$PART.MIN%" does not.
+void BlockReader::join_lines(Activation& top) {
+  LineSource& source = *top.source;
+  std::vector<char> text(top.line.begin(), top.line.end());
+  const std::size_t alone = text.size();
+  for (;;) {
+    const std::uint64_t offset = source.next_offset();
+    const int number = source.line_number();
+    std::string_view more;
+    const bool read = source.next(more);
+    const std::size_t sign = more.find_first_not_of(" \t");
+    const std::size_t last = more.find_last_not_of(" \t\r");
+    if (!read || sign == more.npos || more[sign] != '$' || more[last] == '%') {
+      source.seek(offset, number);
+      break;
+    }
+    text.push_back(' ');
+    text.insert(text.end(), more.begin() + static_cast<std::ptrdiff_t>(sign) + 1, more.end());
+  }
+  if (text.size() == alone) {  // what was read ahead may have moved it
+    source.seek(top.line_offset, top.line_number - 1);
+    source.next(top.line);
+    return;
+  }
+  top.joined = std::move(text);
+  top.line = {top.joined.data(), top.joined.size()};
+}
+
 Place BlockReader::place_at(std::size_t position) const {
   const Activation& top = stack_.back();
-  return {top.line_offset, top.source->line_number() - 1, position};
+  return {top.line_offset, top.line_number - 1, position};
 }
 
 bool BlockReader::count_step() {

@@ -81,6 +81,8 @@ class BlockReader : public ControlPart {
   struct Activation {
     std::unique_ptr<LineSource> source;
     std::string_view line;
+    int line_number = 0;
+    std::vector<char> joined;  ///< the line, where others continue it
     std::uint64_t line_offset = 0;
     std::size_t position = 0;
     std::size_t resume = 0;  ///< position in the next line where reading goes on
@@ -95,6 +97,8 @@ class BlockReader : public ControlPart {
     std::function<void()> on_start, on_end;
   };
 
+  bool read_line(Activation& top);
+  void join_lines(Activation& top);
   bool count_step();
   void pop();
   std::unique_ptr<LineSource> source_of(const std::string& file);

@@ -55,6 +55,8 @@ bool OspStatements::statement(std::size_t from) {
     bool holds = false;
     if (!condition(behind, holds)) return false;
     behind = skip_blanks(behind);
+    std::size_t next = behind;
+    if (letters(next) == "GOTO" && upper(at(skip_blanks(next))) == 'N') behind = skip_blanks(next);
     if (upper(at(behind)) != 'N') return MacroStatements::statement(from);
     if (holds) return jump(behind);
     reader_.set_position(end_of_block(behind));
