@@ -174,9 +174,10 @@ class AdaptiveMesher {
         timer_.step("sharpen");
         return;
       }
-      if (tree_.split(bad) == 0)
+      if (tree_.split(bad) > 0)
+        find_topology();
+      else if (!surface_->flatten(bad))
         throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
-      find_topology();
     }
   }
 

@@ -79,6 +79,25 @@ TEST(Ridge, WedgesBetweenGroovesAreSharp) {
   }
 }
 
+// The bottoms of two grooves cross in a point, about which a smallest cell holds two pieces of
+// surface, both with that point.
+TEST(Ridge, BottomsOfGroovesMayCrossInAPoint) {
+  Tool tool = mill(ToolType::chamfer, 6);
+  tool.tip_angle = kPi / 4;
+  const std::vector<Motion> cuts{line({-5.918, 3.77, -1}, {-3.536, 3.181, -1}),
+                                 line({-5.035, 2.693, -1}, {-5.562, 5.101, -1})};
+  StockShape shape;
+  shape.box = {{-20, -20, -5}, {20, 20, 0}};
+  const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
+  MeshOptions options;
+  options.tolerance = 0.0068;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, 0.1, options, &report);
+  EXPECT_LE(report.bound, options.tolerance);
+  expect_closed_manifold(mesh);
+  EXPECT_EQ(testing::self_intersections(mesh), 0U);
+}
+
 // The tooth of a form leaves a burr of 26 degrees below the stock's top.
 Tool tooth() {
   Tool tool = mill(ToolType::form, 0);

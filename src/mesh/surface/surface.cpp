@@ -25,6 +25,7 @@ const BaseMesh& DualSurface::make_triangles() {
   mesh_.moved.clear();
   find_creases();
   place_loops();
+  flatten_loops();
   mesh_.vertices.reserve(2 * loops_.size());
   mesh_.triangles.reserve(4 * loops_.size());
   mesh_.crossings.reserve(4 * loops_.size());

@@ -11,6 +11,8 @@
 
 #include <array>
 #include <optional>
+#include <set>
+#include <span>
 #include <vector>
 
 namespace mrsim::detail {
@@ -142,6 +144,11 @@ class DualSurface {
   /// Options::remember.
   void refine(const Crossing& crossing, Detail detail);
 
+  /// Puts the vertices of these cells between their crossings from the next make_triangles() on:
+  /// pieces of surface in one cell hardly meet then, but creases in it are cut off. False where all
+  /// of them lie so.
+  bool flatten(std::span<const std::int32_t> cells);
+
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet, and
   /// takes away triangles that have no area there; vertices may be left that none uses.
   /// Requires: make_triangles(). Costs a test of the whole mesh where there is anything to move.
@@ -197,6 +204,7 @@ class DualSurface {
   std::optional<BorderSearch> owner_border(const Loop& loop) const;
   Vec3 mean_crossing(const Loop& loop) const;
   void finish_loop(std::int32_t loop);
+  void flatten_loops();
   std::span<const std::int32_t> crossings_of(const Loop& loop) const {
     return {loop_crossings_.data() + loop.first_crossing, loop.crossings};
   }
@@ -233,6 +241,7 @@ class DualSurface {
   std::vector<SurfacePoint> outside_;  ///< by loop, to sharpen: a crease beyond the cell
   std::vector<std::uint8_t> loops_in_cell_;
   std::vector<std::int32_t> crowded_;
+  std::set<std::int32_t> flat_cells_;
   FlatMap known_;             ///< crossings of former rounds, by edge
   std::vector<Found> found_;  ///< what is known of them
   PlacedPoints placed_loops_, placed_creases_;

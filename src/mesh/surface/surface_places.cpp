@@ -244,6 +244,23 @@ void DualSurface::finish_loop(std::int32_t id) {
   loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
 }
 
+bool DualSurface::flatten(std::span<const std::int32_t> cells) {
+  const std::size_t before = flat_cells_.size();
+  flat_cells_.insert(cells.begin(), cells.end());
+  return flat_cells_.size() > before;
+}
+
+void DualSurface::flatten_loops() {
+  if (flat_cells_.empty()) return;
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    Loop& loop = loops_[k];
+    if (flat_cells_.count(loop.cell) == 0) continue;
+    loop.point = {mean_crossing(loop), {at(crossings_, crossings_of(loop)[0]).at}, 1};
+    loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
+    if (options_.sharpen) outside_[k] = {};
+  }
+}
+
 void DualSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
   out.push_back(c.low_end());
   out.push_back(c.high_end());
