@@ -95,6 +95,8 @@ TEST(RecogniseMachine, CommentsDecideNothing) {
       {"O1\nG0 X50. Z2.\nG94 X20. Z-1. F.2\nM30\n", MachineKind::lathe},
       {"O1\nG0 X50. Z2.\nG71 U2. R.5\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X20.\nN20 G1 Z-20.\nM30\n",
        MachineKind::lathe},
+      {"O1\nG0 X60 Z5 T010101\nG1 Z-10 F.2\nM2\n", MachineKind::lathe},
+      {"O1\nT123456 M6\nG0 X60 Y0 Z5\nG1 Z-10 F.2\nM2\n", MachineKind::mill},
       {"O1\nG28 U0 W0\nG0 X50. Z2.\nG1 Z-2.\nM30\n", MachineKind::lathe},
       {"O1\n(T0909 LIVE DRILL D=6)\nT0909\nG97 S900 M133\nG0 X30. Z5.\nC90.\nM30\n",
        MachineKind::lathe},

@@ -40,14 +40,18 @@ bool turning_cycle(const std::string& c, std::string_view g) {
   return g != "G70" && (increments || g == "G75") && has_axis(c, 'R');
 }
 
-// T0101: station and offset, and no M6 beside it.
+// T0101, and T010101 of Okuma: station and offset, and no M6 beside it.
 bool turret_word(const std::string& c) {
   for (std::size_t i = c.find('T'); i != std::string::npos; i = c.find('T', i + 1)) {
     if (i > 0 && (is_letter(c[i - 1]) || c[i - 1] == '_')) continue;
     std::size_t end = i + 1;
     while (end < c.size() && is_digit(c[end])) ++end;
-    if (end - i != 5) continue;
+    if (end - i != 5 && end - i != 7) continue;
     const std::string_view station(c.data() + i + 1, 2), offset(c.data() + i + 3, 2);
+    if (end - i == 7) {
+      if (station == offset && offset == std::string_view(c.data() + i + 5, 2)) return true;
+      continue;
+    }
     if (station[0] == '0' || station == offset || offset == "00") return true;
   }
   return false;
