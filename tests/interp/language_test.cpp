@@ -126,6 +126,9 @@ TEST(Language, JumpsBackWithoutAConditionAreTheNextPart) {
     EXPECT_EQ(codes(p), "");
     EXPECT_EQ(codes(p, Severity::note), "program-loops");
   }
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nGOTO3\nN2 X3\nGOTO4\nN3 X2\nGOTO2\nN4 X4\nM30\n"),
+            "1,0,0 2,0,0 3,0,0 4,0,0 ")
+      << "back to what has not run yet";
   EXPECT_EQ(run(Dialect::fanuc, "#1=0\nN1 G1 X#1 F1\n#1=#1+1\nIF[#1GT2]GOTO9\nGOTO1\nN9 M30\n"),
             "1,0,0 2,0,0 ");
 }

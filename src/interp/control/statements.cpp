@@ -10,6 +10,7 @@
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -212,7 +213,18 @@ bool Statements::call_values(std::string_view argument, std::vector<std::optiona
 }
 
 bool Statements::jump_always(const Place& to) {
-  if (decided_ || reader_.depth() > 1 || to.line + 1 >= block_.line_number) return reader_.jump(to);
+  if (decided_ || reader_.depth() > 1) return reader_.jump(to);
+  if (to.line + 1 >= block_.line_number) {
+    jumped_over_.emplace_back(block_.line_number, to.line);
+    return reader_.jump(to);
+  }
+  const auto over = std::find_if(jumped_over_.begin(), jumped_over_.end(), [&](const auto& part) {
+    return part.first <= to.line && to.line < part.second;
+  });
+  if (over != jumped_over_.end()) {  // a part that has not run yet
+    jumped_over_.erase(over);
+    return reader_.jump(to);
+  }
   reporter_.add(Severity::note, "program-loops",
                 "the jump back starts the program again: simulated once", 0, 1);
   reader_.end_program();

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mrsim {
@@ -116,7 +117,8 @@ class Statements : public ControlPart, public LanguageReader {
   std::map<std::string, std::unique_ptr<Outline>> outlines_;
   std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
   std::string numbers_file_;
-  std::deque<std::string> texts_;  ///< that words of the block point to
+  std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
+  std::deque<std::string> texts_;                 ///< that words of the block point to
   std::size_t texts_line_ = 0;
 };
 
