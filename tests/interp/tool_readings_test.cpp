@@ -257,6 +257,8 @@ TEST(ToolCommentReadings, Angles) {
        "? names a face mill of 45 degrees: an endmill cuts upright walls, a taper has its angle to "
        "the axis"},
       {inch, "C-SINK 82 DEG 1/2", "chamfer 12.7, point 82"},
+      {inch, "TOOL - 1  3/4 FLAT ENDMILL VIPER    DIA. OFF. - 1  LEN. - 1  DIA. - .75",
+       "endmill 19.05"},
       {inch, "3/4 82 DEG C'SINK", "chamfer 19.05, point 82"},
       {inch, "1/2\" X 82 C-SINK", "chamfer 12.7, point 82"},
       {inch, "3/4 COUNTERSINK",

@@ -103,6 +103,11 @@ void join_fractions(Tokens& tokens) {
   const auto whole = [&](std::size_t i) {
     return i < tokens.size() && tokens[i].is_number() && !tokens[i].decimals;
   };
+  const auto is_tools = [&](std::size_t i) {  // "TOOL - 1  3/4 FLAT ENDMILL"
+    if (i < 1) return false;
+    const bool sign = tokens[i - 1].is("-") || tokens[i - 1].is(":") || tokens[i - 1].is("=");
+    return numbers_a_tool(tokens[i - (sign && i > 1 ? 2 : 1)]);
+  };
   for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
     if (!tokens[i].is("/") || !whole(i - 1) || !whole(i + 1) || tokens[i + 1].value < 2) continue;
     if (!tokens[i].glued || !tokens[i + 1].glued) continue;
@@ -112,8 +117,8 @@ void join_fractions(Tokens& tokens) {
     fraction.value /= tokens[i + 1].value;
     fraction.fraction = true;
     std::size_t first = i - 1;
-    const bool apart = first >= 1 && whole(first - 1) && tokens[first - 1].value < 10 &&
-                       !(first >= 2 && numbers_a_tool(tokens[first - 2]));
+    const bool apart =
+        first >= 1 && whole(first - 1) && tokens[first - 1].value < 10 && !is_tools(first - 1);
     const bool dash = first >= 2 && tokens[first - 1].is("-") && whole(first - 2) &&
                       tokens[first - 1].glued && fraction.glued && tokens[first - 2].value < 10;
     if (apart || dash) {
