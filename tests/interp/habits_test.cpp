@@ -45,6 +45,13 @@ TEST(Habits, InchesByTheCommentAlone) {
   EXPECT_EQ(told("(UNITS: INCHES)\nG0 X1.\nG4 P1\n"), "program-without-cuts");
 }
 
+// The places of a drilling cycle may be reached from one side.
+TEST(Habits, G60BesideADrillingCycle) {
+  EXPECT_EQ(
+      milled_path("G0 Z9.\nG60 X1. Y0\nG98 G83 Z-3. R2. L0 Q5. F9.\nG60 X5. Y1.\nG80\nG60 X2.\n"),
+      milled_path("G0 Z9.\nX1. Y0\nG98 G83 Z-3. R2. L0 Q5. F9.\nX5. Y1.\nG80\nG0 X2.\n"));
+}
+
 TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
   const auto told = [](const std::string& text) {
     for (const Diagnostic& d : read_text(text, kFanuc).diagnostics)

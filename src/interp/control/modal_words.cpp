@@ -274,11 +274,13 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
       block_.motion_code = &word;
       block_.motion = entry.code;
       return true;
+    case Code::one_way:
+      if (modal_.drill.number != 0) return true;  // places of the cycle
+      [[fallthrough]];
     case Code::dwell:
     case Code::reference:
     case Code::reference_second:
     case Code::reference_check:
-    case Code::one_way:
     case Code::data_setting:
     case Code::position_reset:
     case Code::position_suspend:
