@@ -189,15 +189,99 @@ void join_units(Tokens& tokens) {
   tokens = std::move(out);
 }
 
+struct ForeignWord {
+  std::string_view written, english;
+};
+
+// Chinese words, and Russian ones without their endings; the longer of two comes first.
+constexpr ForeignWord kForeignWords[] = {{"圆鼻刀", "BULLNOSE ENDMILL"},
+                                         {"牛鼻刀", "BULLNOSE ENDMILL"},
+                                         {"球头刀", "BALL ENDMILL"},
+                                         {"球头铣刀", "BALL ENDMILL"},
+                                         {"球刀", "BALL ENDMILL"},
+                                         {"立铣刀", "ENDMILL"},
+                                         {"平底刀", "FLAT ENDMILL"},
+                                         {"平刀", "FLAT ENDMILL"},
+                                         {"面铣刀", "FACE MILL"},
+                                         {"盘铣刀", "FACE MILL"},
+                                         {"铣刀", "ENDMILL"},
+                                         {"中心钻", "CENTER DRILL"},
+                                         {"点钻", "SPOT DRILL"},
+                                         {"定点钻", "SPOT DRILL"},
+                                         {"麻花钻", "DRILL BIT"},
+                                         {"钻头", "DRILL BIT"},
+                                         {"丝锥", "FORM TAP"},
+                                         {"丝攻", "FORM TAP"},
+                                         {"铰刀", "REAMER"},
+                                         {"倒角刀", "CHAMFER MILL"},
+                                         {"直径", "DIA"},
+                                         {"концев", "ENDMILL"},
+                                         {"сферич", "BALL ENDMILL"},
+                                         {"торцев", "FACE MILL"},
+                                         {"фреза", "ENDMILL"},
+                                         {"сверло", "DRILL BIT"},
+                                         {"метчик", "FORM TAP"},
+                                         {"развертк", "REAMER"},
+                                         {"зенковк", "COUNTERSINK"},
+                                         {"центров", "CENTER DRILL"},
+                                         {"отрезн", "PARTING TOOL"},
+                                         {"канавочн", "GROOVING TOOL"},
+                                         {"резьбов", "THREADING TOOL"},
+                                         {"резец", "TURNING TOOL"},
+                                         {"мм", "MM"}};
+
+bool is_cyrillic(std::string_view text) {
+  return text.size() > 1 && (text[0] == '\xD0' || text[0] == '\xD1');
+}
+
+// Capitals of Russian in small ones.
+std::string small_cyrillic(std::string_view utf8) {
+  std::string out(utf8);
+  for (std::size_t i = 0; i + 1 < out.size(); ++i) {
+    const auto second = static_cast<unsigned char>(out[i + 1]);
+    if (out[i] != '\xD0' || second < 0x90 || second > 0xAF) continue;
+    if (second >= 0xA0) out[i] = '\xD1';
+    out[i + 1] = static_cast<char>(second < 0xA0 ? second + 0x20 : second - 0x20);
+    ++i;
+  }
+  return out;
+}
+
+// The English of a word that begins `rest`, in blanks; how long the word is with its ending, or 0.
+std::size_t translate(std::string_view rest, std::string& out) {
+  constexpr std::string_view kTool = "\u53f7\u5200";  // behind the number of the tool
+  if (rest.starts_with(kTool)) {
+    std::size_t first = out.size();
+    while (first > 0 && is_digit(out[first - 1])) --first;
+    out.insert(first, " TOOL ");
+    out += ' ';
+    return kTool.size();
+  }
+  for (const auto& [written, english] : kForeignWords) {
+    if (!rest.starts_with(written)) continue;
+    std::size_t end = written.size();
+    if (is_cyrillic(written))
+      while (is_cyrillic(rest.substr(end))) end += 2;
+    out.append(" ").append(english).append(" ");
+    return end;
+  }
+  return 0;
+}
+
 }  // namespace
 
-std::string fold_comment(std::string_view utf8) {
+std::string fold_comment(std::string_view written) {
+  const std::string utf8 = small_cyrillic(written);
   std::string out;
   for (std::size_t i = 0; i < utf8.size(); ++i) {
     const auto byte = static_cast<unsigned char>(utf8[i]);
     if (byte < 0x80) out += upper(utf8[i]);
     if (byte < 0xC0) continue;
-    const std::string_view rest = utf8.substr(i);
+    const std::string_view rest = std::string_view(utf8).substr(i);
+    if (const std::size_t end = translate(rest, out)) {
+      i += end - 1;
+      continue;
+    }
     const bool degree = rest.starts_with("\xC2\xB0") || rest.starts_with("\xC2\xBA");
     const bool inch = rest.starts_with("\xE2\x80\x9C") || rest.starts_with("\xE2\x80\x9D") ||
                       rest.starts_with("\xE2\x80\xB3");
