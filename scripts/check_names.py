@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TYPE = re.compile(r"^(?:template <.*> *)?(?:class|struct|enum(?: class)?|union) (\w+)(?: final)?[^;]*\{")
 ALIAS = re.compile(r"^using (\w+) = (.*)")
 VALUE = re.compile(r"^(?:inline |static |thread_local |constexpr |constinit |const )+[\w:<>,&* ]*?(\w+)(?:\[\w*\])* *(?:=|\{|;)")
+MORE = re.compile(r", *(k[A-Z]\w*) *(?:=|\{)")
 FUNCTION = re.compile(r"^[\w:<>,&*~\[\] ]+?[ &*](\w+)\((.*)$")
 TEST = re.compile(r"^(?:TEST|TEST_P|TEST_F)\((\w+, \w+)\)")
 
@@ -75,7 +76,8 @@ def names(path):
             elif match := ALIAS.match(line):
                 yield match.group(1), match.group(2), number + 1
             elif match := VALUE.match(line):
-                yield match.group(1), path, number + 1
+                for name in [match.group(1), *MORE.findall(line[match.end() :])]:
+                    yield name, path, number + 1
             elif match := FUNCTION.match(line):
                 for types in parameters(lines, number, match.group(2)):
                     yield f"{match.group(1)}({types})", path, number + 1

@@ -21,7 +21,7 @@ using testing::expect_closed_manifold;
 using testing::line;
 using testing::mill;
 
-constexpr double kTolerance = 0.0034;
+constexpr double kRidgeTolerance = 0.0034;
 
 struct Part {
   TriMesh mesh;
@@ -33,14 +33,14 @@ Part meshed(const std::vector<Motion>& cuts, const Tool& tool, double height, do
   shape.box = {{-10, -10, -height}, {10, 10, 0}};
   const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
   MeshOptions options;
-  options.tolerance = kTolerance;
+  options.tolerance = kRidgeTolerance;
   Part part;
   part.mesh = mesh_part(field, voxel, options, &part.report);
   return part;
 }
 
 void expect_sharp(const Part& part, std::size_t most_triangles, double volume) {
-  EXPECT_LE(part.report.bound, kTolerance);
+  EXPECT_LE(part.report.bound, kRidgeTolerance);
   EXPECT_TRUE(part.report.thin.empty());
   EXPECT_LE(part.mesh.triangles.size(), most_triangles);
   expect_closed_manifold(part.mesh);
