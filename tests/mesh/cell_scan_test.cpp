@@ -12,7 +12,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-constexpr double kEdge = 0.25, kTolerance = 0.02, kDepth = kTolerance / 8;
+constexpr double kEdge = 0.25, kCellTolerance = 0.02, kDepth = kCellTolerance / 8;
 
 // A cell of eight voxels about the middle of the top of a block of 20 x 20 x 10 mm.
 struct TopCell {
@@ -36,7 +36,7 @@ struct TopCell {
             list,   seen,    seen.size() == list.size(), true};
   }
   bool shows(std::span<const std::uint32_t> seen, double bend) const {
-    return shows_more(part, lattice, view(seen), {kTolerance, kDepth, bend});
+    return shows_more(part, lattice, view(seen), {kCellTolerance, kDepth, bend});
   }
 
   static constexpr std::int32_t kVoxels = 8;
@@ -58,16 +58,16 @@ TEST(CellScan, FindsTheSurfaceOnTheEdges) {
     EXPECT_NEAR(p.position.z, 10, 1e-9);
     EXPECT_EQ(p.normal.z, 1);
   }
-  EXPECT_EQ(bend_of(flat.part, flat.list, flat.surface, 2, kTolerance), Bend::even);
+  EXPECT_EQ(bend_of(flat.part, flat.list, flat.surface, 2, kCellTolerance), Bend::even);
 }
 
 TEST(CellScan, TellsFacesThatBendFromFacesThatMeet) {
   const TopCell ball({ball_line({10, 10}, {10, 10}, 3, 12.5)});
-  EXPECT_EQ(bend_of(ball.part, ball.list, ball.surface, 2, kTolerance), Bend::face);
+  EXPECT_EQ(bend_of(ball.part, ball.list, ball.surface, 2, kCellTolerance), Bend::face);
   EXPECT_EQ(bend_of(ball.part, ball.list, ball.surface, 2, 1.0), Bend::even);
   // The wall of a wide slot, straight through the cell.
   const TopCell wall({flat_line({4, 0}, {4, 20}, 6.1, 5)});
-  EXPECT_EQ(bend_of(wall.part, wall.list, wall.surface, 2, kTolerance), Bend::crease);
+  EXPECT_EQ(bend_of(wall.part, wall.list, wall.surface, 2, kCellTolerance), Bend::crease);
 }
 
 TEST(CellScan, SeesWhatIsDeeperThanTheLimitAlone) {
@@ -75,7 +75,7 @@ TEST(CellScan, SeesWhatIsDeeperThanTheLimitAlone) {
     // A slot of 1.2 voxels in the middle of the cell, which no corner is near to.
     const TopCell slot({flat_line({0, 10.1}, {20, 10.1}, 0.6 * kEdge, 10 - deep)});
     EXPECT_EQ(slot.shows({}, kAnyBend), deep > kDepth) << deep;
-    EXPECT_EQ(slot.shows(slot.list, kTolerance), deep > kTolerance) << deep;
+    EXPECT_EQ(slot.shows(slot.list, kCellTolerance), deep > kCellTolerance) << deep;
     EXPECT_FALSE(slot.shows(slot.list, kAnyBend)) << deep;
   }
 }
