@@ -92,6 +92,7 @@ void CellOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out) {
 std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
   std::sort(leaves.begin(), leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  require_room(8 * (kSplitMemory + kSurfaceMemory) * static_cast<double>(leaves.size()));
   std::vector<std::int32_t> pending;
   std::size_t count = 0;
   for (const std::int32_t n : leaves)
