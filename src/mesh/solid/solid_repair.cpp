@@ -153,7 +153,11 @@ TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   refuse_self_intersections(out, name);
   if (is_solid(out)) return out;
   refuse_folds(surface, name);
-  pmp::orient_to_bound_a_volume(surface);
+  try {
+    pmp::orient_to_bound_a_volume(surface);
+  } catch (const CGAL::Failure_exception&) {  // needles alone at the topmost edge
+    return out;
+  }
   return to_mesh(surface);
 }
 
