@@ -5,6 +5,8 @@
 #include "core/vec.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 
 namespace mrsim {
@@ -12,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kNoNeighbor = 0xFFFFFFFFu;
+constexpr double kNeedle = 1e-12;  ///< squared sine of an angle: the triangle is its sides
 
 Vec3 to_vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -39,11 +42,9 @@ TrianglePoint nearest_in_plan_on(const TriangleTree::Corners& k, const Vec3& p) 
   return second.distance2 < first.distance2 ? second : first;
 }
 
-}  // namespace
-
 // Voronoi regions of the corners, edges and the face in turn (Ericson, Real-Time Collision
-// Detection, 5.1.5).
-TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+// Detection, 5.1.5). Infinitely far or no number for some points about a triangle without area.
+TrianglePoint nearest_by_regions(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return at(p, a, 0);
@@ -60,8 +61,33 @@ TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, c
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
     return at(p, b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b), 4);
-  const double scale = 1 / (va + vb + vc);
+  const double square = va + vb + vc;  // of the normal
+  if (!(square > kNeedle * dot(ab, ab) * dot(ac, ac))) return {};
+  const double scale = 1 / square;
   return at(p, a + (vb * scale) * ab + (vc * scale) * ac, kTriangleFace);
+}
+
+TrianglePoint nearest_on_sides(const Vec3& p, const std::array<Vec3, 3>& corners) {
+  TrianglePoint best;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned next = (i + 1) % 3;
+    const Vec3 way = corners[next] - corners[i];
+    const double square = dot(way, way), along = dot(p - corners[i], way);
+    const TrianglePoint point =
+        !(along > 0)      ? at(p, corners[i], TriangleFeature(i))
+        : along >= square ? at(p, corners[next], TriangleFeature(next))
+                          : at(p, corners[i] + (along / square) * way, TriangleFeature(3 + i));
+    if (point.distance2 < best.distance2) best = point;
+  }
+  return best;
+}
+
+}  // namespace
+
+TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const TrianglePoint found = nearest_by_regions(p, a, b, c);
+  return found.distance2 < std::numeric_limits<double>::infinity() ? found
+                                                                   : nearest_on_sides(p, {a, b, c});
 }
 
 TriangleTree::TriangleTree(const TriMesh& mesh)

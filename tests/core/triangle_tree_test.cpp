@@ -4,6 +4,8 @@
 #include "core/vec.h"
 #include "support/shapes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -26,6 +28,24 @@ TEST(TriangleTree, IsExactForABox) {
   for (int i = 0; i < 20000; ++i) {
     const Vec3 p{u(random), u(random), u(random)};
     ASSERT_NEAR(tree.signed_distance(p), box_distance(box, p), 1e-12);
+  }
+}
+
+// Needles and points are their sides: of every order of the corners, and where two or three of
+// these are equal.
+TEST(TriangleTree, TrianglesWithoutAreaHaveDistances) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(-5, 5);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 a{u(random), u(random), u(random)}, way{u(random), u(random), u(random)};
+    const double from = i % 3 == 0 ? 0 : 0.25, to = i % 5 == 0 ? 0 : 1;  // of the line's corners
+    std::array<Vec3, 3> corners{a, a + from * way, a + to * way};
+    std::rotate(corners.begin(), corners.begin() + i % 2, corners.end());
+    const Vec3 p{u(random), u(random), u(random)};
+    const double square = dot(way, way), most = std::max(from, to);
+    const double t = std::min(std::max(dot(p - a, way) / square, 0.0), most);
+    const TrianglePoint found = nearest_on_triangle(p, corners[0], corners[1], corners[2]);
+    ASSERT_NEAR(std::sqrt(found.distance2), distance(p, a + t * way), 1e-6) << i;
   }
 }
 
