@@ -109,24 +109,26 @@ TEST(Ridge, BurrsBesideObliqueCutsAreSharp) {
   expect_sharp(meshed({line({-20, -11, -0.8}, {20, 9, -0.8})}, tooth(), 3, 0.2), 400, 0);
 }
 
-TEST(Ridge, BurrsBesideArcsAreSharp) {
-  Motion arc = line({3, 0, -0.8}, {-3, 0, -0.8});
+// Half a turn of radius 3 about the stock's middle.
+Motion half_turn(double z, double rise) {
+  Motion arc = line({3, 0, z}, {-3, 0, z + rise});
   arc.kind = MotionKind::arc;
-  arc.center = {0, 0, -0.8};
+  arc.center = {0, 0, z};
   arc.radius = 3;
   arc.sweep = kPi;
+  arc.rise = rise;
+  return arc;
+}
+
+TEST(Ridge, BurrsBesideArcsAreSharp) {
+  const Motion arc = half_turn(-0.8, 0);
   expect_sharp(meshed({arc}, tooth(), 3, 0.2), 2000, 0);
 }
 
 // The corner where the tooth meets the shaft points inwards: each side of it is drawn by a solid of
 // its own, which must not know of the other.
 TEST(Ridge, CrestsOfMilledThreadsAreSharp) {
-  Motion helix = line({3, 0, -2}, {-3, 0, -1.5});
-  helix.kind = MotionKind::arc;
-  helix.center = {0, 0, -2};
-  helix.radius = 3;
-  helix.sweep = kPi;
-  helix.rise = 0.5;
+  const Motion helix = half_turn(-2, 0.5);
   StockShape shape;
   shape.box = {{-10, -10, -3}, {10, 10, 0}};
   const Tool tool = tooth();

@@ -11,8 +11,8 @@ constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two
 constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
 constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
-constexpr double kReach = 2;  ///< of a room's diagonal: how far a ridge may lie beyond it
 constexpr double kSharpDeterminant = 0.05;  ///< the same, seen from a crease
+constexpr double kReach = 2;  ///< of a room's diagonal: how far a ridge may lie beyond it
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
   return strictly_inside(p, room, flat) && probe.is_on_surface(p);
@@ -230,7 +230,7 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
 
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
                  const Box3& room, Vec3& p, const FacePlane* planes) {
-  const double reach = 3 * length(room.hi - room.lo);
+  const double reach = (kReach + 1) * length(room.hi - room.lo);
   const Vec3 middle = 0.5 * (room.lo + room.hi);
   const int rows = static_cast<int>(faces.size());
   for (int k = 0; k < kNewtonSteps; ++k) {
