@@ -66,6 +66,7 @@ TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
   EXPECT_EQ(path_text(p), "l5,0,0 l6,0,0");
   EXPECT_TRUE(p.motions[0].assumed_start);
   EXPECT_EQ(p.motions[1].feed, 100);
+  EXPECT_EQ(mill("g15 h1\ng20 hp=1\ng1 x5. y0 z0 f100\n"), "l5,0,0");
   EXPECT_EQ(mill("G15 H1\nG0 Z9\nG81 X1 Z-5 R2 F100 M54\n"), "r0,0,9 r1,0,9 r1,0,2 l1,0,-5 r1,0,2");
 }
 

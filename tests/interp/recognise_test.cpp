@@ -53,5 +53,13 @@ TEST(Recognise, PlainLinesSayWhatTheyWouldInFull) {
   }
 }
 
+// Blanks at the end of a line are no sign: "% " is a tape mark, no header of CODESYS.
+TEST(Recognise, BlanksAtTheEndsOfLinesSayNothing) {
+  const std::vector<std::string> mill{"%  ", "N10 G90 G17 G40 ", "N20 G0 X0. Y0. \t", "N30 M2 "};
+  EXPECT_EQ(std::get<0>(recognised(mill, "")), Dialect::fanuc);
+  const std::vector<std::string> okuma{"$1001.MIN%  ", "G0 X0. Y0."};
+  EXPECT_EQ(std::get<1>(recognised(okuma, "")), "a program name of Okuma in line 1");
+}
+
 }  // namespace
 }  // namespace mrsim

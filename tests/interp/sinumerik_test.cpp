@@ -106,6 +106,13 @@ TEST(Sinumerik, OffsetOfTheContour) {
             "-20,-20,0 -5.5,0,0 -5.5,50,0 -20,50,0 ");
 }
 
+// Blanks may stand on both sides of the sign of an assignment.
+TEST(Sinumerik, BlanksAboutTheSignOfAssignments) {
+  EXPECT_EQ(run("R1 = 5\nR2 =R1 * 2\nF100 G1 X = R1 Y=R2\nR1\t= R1 + 1\nX=R1\n"), "5,10,0 6,10,0 ");
+  EXPECT_EQ(run("F100 G1 CIP X10 Y0 I1 = 5 J1 = 5\n"), run("F100 G1 CIP X10 Y0 I1=5 J1=5\n"));
+  EXPECT_EQ(run("F100 G1\nsub\nM30\n%_n_sub_spf\nx7\nm17\n"), "7,0,0 ");
+}
+
 TEST(Sinumerik, CyclesTakeExpressions) {
   EXPECT_EQ(run("F100 G0 Z50\nCYCLE82(50,0,2,-R1*2,,0.5)\n"),
             run("F100 G0 Z50\nCYCLE82(50,0,2,-6,,0.5)\n"));

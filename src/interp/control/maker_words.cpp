@@ -1,5 +1,7 @@
 #include "interp/control/maker_words.h"
 
+#include "interp/text/characters.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -154,7 +156,8 @@ std::optional<bool> MakerWords::okuma_lap(const Word& word) {
 // G20 HP=1 and G21 HP=2 go to home positions; HP= stands in P.
 bool MakerWords::okuma_home(const Word& word) {
   const Word* p = peek('P');
-  if ((word.value != 20 && word.value != 21) || !p || !text_of(*p).starts_with('H')) return false;
+  if ((word.value != 20 && word.value != 21) || !p || upper(text_of(*p).front()) != 'H')
+    return false;
   block_.oneshot = &word;
   block_.oneshot_code = Code::reference_second;
   return true;

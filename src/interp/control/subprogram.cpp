@@ -43,7 +43,7 @@ std::string codesys_section(std::string_view line) {
 
 // "%_N_POCKET_SPF" is POCKET.
 std::string sinumerik_section(std::string_view line) {
-  if (!line.starts_with("%_N_")) return {};
+  if (upper_case(line.substr(0, 4)) != "%_N_") return {};
   std::string name = upper_case(name_at(line.substr(4)));
   if (name.ends_with("_SPF") || name.ends_with("_MPF")) name.resize(name.size() - 4);
   return name;

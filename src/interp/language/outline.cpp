@@ -73,7 +73,8 @@ Outline::Outline(const std::string& file, OutlineForm form) : names_(1) {
     const Place start{offset, source.line_number() - 1, 0};
     const bool tape = form == OutlineForm::owords && line.starts_with('%');
     if (tape && ++tape_marks == 2) break;  // nothing behind it is read
-    if (form == OutlineForm::sinumerik && line.starts_with("%_N_")) begin_section(start, open);
+    if (form == OutlineForm::sinumerik && upper_case(line.substr(0, 4)) == "%_N_")
+      begin_section(start, open);
     scan_flow(form, line, found);
     for (FoundWord& one : found) {
       FlowEntry entry;

@@ -75,7 +75,10 @@ bool Reader::line(std::string_view raw, int n) {
   if (!empty_ && !wants_dialect && n > 200 && (!wants_machine_ || machine_.settled()) &&
       (told_dialect_ || foreign_.settled()))
     return false;
-  if (raw.find_first_not_of(" \t\r") == std::string_view::npos) return true;
+  const std::size_t first = raw.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return true;
+  if (raw[first] == '%' || raw[first] == '$')  // "% " is a tape mark, no header
+    raw = raw.substr(0, raw.find_last_not_of(" \t\r") + 1);
   PlainLine plain;
   if (n > Leader::kLines && raw.size() <= kLongestScan && read_plain(raw, plain) &&
       (!plain.second || !wants_machine_ || machine_.knows_mill())) {

@@ -82,7 +82,10 @@ void Parser::sinumerik_word(Block& block) {
     return fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
   if (!number(block, word, true)) return;
   if (at(p_) == ':' && block.words.empty()) return short_label(block, from);
-  if (at(p_) == '=') {  // a numbered address: I1= X1= S2= M2= R5=
+  std::size_t sign = p_;
+  while (sign < line_.size() && blank(line_[sign])) ++sign;
+  if (at(sign) == '=' && at(sign + 1) != '=') p_ = sign;  // "R1 = 5"
+  if (at(p_) == '=') {                                    // a numbered address: I1= X1= S2= M2= R5=
     const int index = static_cast<int>(word.value);
     ++p_;
     if (c == 'R' && language_) return assignment(block, from);
