@@ -24,6 +24,23 @@ TEST(LatheHabits, G53IsNoPassOfTheCycleInForce) {
   EXPECT_EQ(lathe_moves("G0 X0 Z2\nG81 Z-10 R1 F.1\nG53 X0 Z0\n"), "r0,0,2 r0,0,1 l0,0,-10 r0,0,2");
 }
 
+// Mastercam posts the lead in E in inches, as the 0T reads it; Haas has E as well. In the format of
+// series 15 it counts the threads in an inch.
+TEST(LatheHabits, TheLeadOfAThreadInE) {
+  const std::string cuts[] = {"G32 Z-1.", "G92 X1. Z-1.",
+                              "G76 P010060 Q50 R0\nG76 X1. Z-1. P500 Q90"};
+  for (const std::string& cut : cuts) {
+    for (const char* lead : {"E.0625", "E16", "F.0625"}) {
+      const Program p = on_lathe("G20 G99\nG0 X1.2 Z.2\n" + cut + " " + lead + "\n");
+      EXPECT_EQ(codes(p), "") << cut << lead;
+      double found = 0;
+      for (const Motion& m : p.motions) found = std::max(found, m.lead);
+      EXPECT_NEAR(found, 1.5875, 1e-12) << cut << lead;
+    }
+  }
+  EXPECT_EQ(lathe_notes("G0 X12 Z2\nG32 Z-10. E1.5\n"), "thread-lead");
+}
+
 // Of the table without tools: T0 ends the offset, the turret stays.
 TEST(LatheHabits, TZeroChangesNoTool) {
   InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);

@@ -132,6 +132,9 @@ class ControlPart {
   const Word* peek(char c) const { return block_.find(letter(c)); }
   std::string text_of(const Word& word) const { return block_.text_of(word); }
 
+  /// mm per revolution of the block's F, or of E where a FANUC lathe has it instead.
+  std::optional<double> thread_lead();
+
   /// False, and reported: the block calls or ends the program, too, behind a cycle with a contour.
   bool goes_on(const Word& cycle);
   /// Reports and returns false.

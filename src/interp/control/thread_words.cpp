@@ -1,11 +1,33 @@
 // The leads of threads and taps that a motion's block gives.
+#include "core/units.h"
 #include "interp/control/moves.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include <fmt/format.h>
+
 namespace mrsim {
+namespace {
+
+constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
+
+}  // namespace
+
+// E of FANUC's lathes is a lead with more digits than F (0T, Haas; so Mastercam posts in inches);
+// in the format of series 10, 11 and 15 it is the number of threads in an inch.
+std::optional<double> ControlPart::thread_lead() {
+  if (const Word* f = take('F')) return f->value * feed_scale();
+  const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;
+  if (!e) return std::nullopt;
+  const bool counts = e->value > kLargestLead[modal_.inch_feed ? 1 : 0];
+  note_once("thread-lead",
+            fmt::format("{} is read as {}", text_of(*e),
+                        counts ? "the number of threads in an inch" : "the lead of the thread"),
+            *e, "lead-in-e");
+  return counts ? kMmPerInch / e->value : e->value * feed_scale();
+}
 
 // Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
 // hand of the thread; that of a cut thread follows from the spindle and the direction.
@@ -18,14 +40,15 @@ bool Moves::thread_values(const Target& to, const Vec3& from) {
     return true;
   }
   if (!is(Dialect::sinumerik)) {
-    const Word* f = take('F');
     if (is(Dialect::fanuc)) take('Q');  // the spindle's angle at the start
+    const Word* other = take('K');
+    std::optional<double> lead = thread_lead();
     if (is(Dialect::iso) && lathe()) {  // L of Fagor's lathes, Q the angle
-      if (const Word* l = take('L')) f = l;
+      if (const Word* l = take('L')) lead = l->value * feed_scale();
       take('Q');
     }
-    if (const Word* k = take('K')) f = f ? f : k;
-    if (f) modal_.lead = f->value * feed_scale();
+    if (other && !lead) lead = other->value * feed_scale();
+    if (lead) modal_.lead = *lead;
   } else {
     const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
     double longest = -1;

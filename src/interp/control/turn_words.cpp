@@ -68,7 +68,10 @@ bool TurnWords::pass() {
   for (const char c : {'R', cycle.number == 94 ? 'K' : 'I'})
     if (const Word* word = take(c)) cycle.taper = word->value * length_unit(*word);
   if (cycle.number == 92) take('Q');  // the spindle's angle at the start
-  if (const Word* f = take('F'); f && cycle.number == 92) cycle.lead = f->value * feed_scale();
+  if (cycle.number != 92)
+    take('F');
+  else if (const auto lead = thread_lead())
+    cycle.lead = *lead;
   const Vec3 from = position_.programmed;
   if (cycle.number == 94) {
     go(from.x, cycle.z + cycle.taper, kRapid);
@@ -175,7 +178,7 @@ bool TurnWords::thread() {
   if ((to.named & 5U) != 5U)
     return error("value-missing", "G76 needs both coordinates of the thread's end", where());
   Thread t;
-  if (const Word* f = take('F')) t.lead = f->value * feed_scale();
+  if (const auto lead = thread_lead()) t.lead = *lead;
   if (t.lead <= 0) return error("thread-lead", "G76 needs the lead F", where());
   if (peek('K')) {
     if (!one_line_thread(t)) return false;
