@@ -67,6 +67,35 @@ TEST(PostWords, SemicolonsPointsAndTurns) {
   EXPECT_NEAR(half.motions.back().sweep, -kPi, 1e-9);
 }
 
+// A ";" may end a block of FANUC or begin a comment: words behind it are told of.
+TEST(PostWords, WordsBehindASemicolonAreToldOf) {
+  const auto said = [](const std::string& line) {
+    return codes(read_text("G1 X0 F100\n" + line + "\n", at_origin(Dialect::fanuc)));
+  };
+  for (const char* doubt : {"G1 X5.;Y6.", "G0 Z5. ;G1 Z-1. F100", "X5. ; Z-3"})
+    EXPECT_EQ(said(doubt), "block-end-sign") << doubt;
+  for (const char* clear : {"G1 X5.;Y6.;", "G1 X5. ; FIRST CUT", ";G1 X5. Y6.", "X5. ; D10 R3",
+                            "X5.;", "X5. ; 10 MM", "X5. ;"})
+    EXPECT_EQ(said(clear), "") << clear;
+}
+
+// The letter O for the digit, and the minus of a word processor.
+TEST(PostWords, LettersForDigits) {
+  const auto said = [](const std::string& line) {
+    const Program p = read_text(line + "\n", at_origin(Dialect::fanuc));
+    return p.diagnostics.empty() ? std::string() : p.diagnostics[0].text;
+  };
+  for (const char* line : {"GO X5.", "GOX5.", "G1 MO3 X5."})
+    EXPECT_NE(said(line).find("a letter O stands where the digit 0 is meant"), std::string::npos)
+        << line;
+  EXPECT_NE(said("G1 X1O Y5").find("is the digit 0 meant?"), std::string::npos);
+  EXPECT_NE(said("G1 X5. Y\xE2\x88\x92"
+                 "3.")
+                .find("no number after Y"),
+            std::string::npos);
+  EXPECT_EQ(said("G1 X1 F100\nIF [1 EQ 1] GOTO 10\nN10"), "");
+}
+
 // Two vises, or two sides of a part, lie one on the other where nothing tells them apart.
 TEST(PostWords, OriginsWithoutAnEntryCoincide) {
   InterpOptions options = at_origin(Dialect::fanuc);

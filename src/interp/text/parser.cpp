@@ -212,6 +212,7 @@ bool Parser::skip_rest(const Block& block) {
 void Parser::read_comment(Block& block, char close) {
   const std::size_t from = p_ + 1;
   if (close == '\0') {
+    doubt_comment(block);
     block.comments.push_back(line_.substr(from));
     p_ = line_.size();
     return;
@@ -319,6 +320,7 @@ void Parser::letter_word(Block& block) {
       (c == 'O' && dialect_ == Dialect::ngc) || (c == 'G' && dialect_ == Dialect::codesys);
   if (early && statement(block, from)) return;
   if (block.words.empty() && assigns_name()) return assignment(block, from);
+  if (zero_as_letter(block)) return;
   ++p_;
   if (dialect_ != Dialect::codesys) skip_blanks();
   const bool fadal = c == 'R' && at(p_) == '0' && (at(p_ + 1) == '+' || at(p_ + 1) == '-');

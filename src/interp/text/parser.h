@@ -78,6 +78,8 @@ class Parser {
   bool is_directive() const;
   void read_comment(Block& block, char close);
   void bare_number(Block& block);
+  void doubt_comment(const Block& block);
+  bool zero_as_letter(Block& block);
   void strange_character(Block& block);
   bool grbl_command(Block& block);
   std::string alarm(const char* fanuc, const char* sinumerik = nullptr) const;

@@ -9,6 +9,65 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+// The minus signs and dashes of typesetting.
+bool is_dash(std::string_view text) {
+  return text.starts_with("\xE2\x88\x92") || text.starts_with("\xE2\x80\x93") ||
+         text.starts_with("\xE2\x80\x94");
+}
+
+// Words of motion alone, one of them an axis or a G word: "G1 X5.Y-3.", "Z-3".
+bool looks_like_block(std::string_view text) {
+  bool moves = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = upper(text[i++]);
+    if (c == ' ' || c == '\t' || c == '\r' || c == ';') continue;
+    if (std::string_view("GMXYZIJKFSN").find(c) == std::string_view::npos) return false;
+    moves = moves || c == 'G' || (c >= 'X' && c <= 'Z');
+    const std::size_t from = i;
+    while (i < text.size() && starts_number(text[i])) ++i;
+    if (i == from) return false;
+  }
+  return moves;
+}
+
+}  // namespace
+
+// FANUC's ";" ends a block, and many write comments behind it: where the line goes on with words,
+// either may be meant. Behind a tool "Z4" counts its flutes.
+void Parser::doubt_comment(const Block& block) {
+  const auto is_tool = [](const Word& word) { return word.address == letter('T'); };
+  if (dialect_ != Dialect::fanuc || block.words.empty() ||
+      std::any_of(block.words.begin(), block.words.end(), is_tool) ||
+      !looks_like_block(line_.substr(p_ + 1)))
+    return;
+  Word sign;
+  sign.column = static_cast<int>(p_);
+  sign.length = static_cast<int>(line_.size() - p_);
+  reporter_.once(
+      Severity::warning, "block-end-sign",
+      "what stands behind ; is read as a comment: a block there needs a line of its own, "
+      "or a ; at the end of the line",
+      sign, "comment-as-block");
+}
+
+// "GO X5", "MO3": the letter where the digit is meant.
+bool Parser::zero_as_letter(Block& block) {
+  const char c = upper(at(p_));
+  if ((c != 'G' && c != 'M') || upper(at(p_ + 1)) != 'O') return false;
+  const std::size_t next = p_ + 2;
+  const bool axis = is_letter(at(next)) && starts_number(at(next + 1));
+  if (is_name(at(next)) && !is_digit(at(next)) && !axis) return false;
+  const std::size_t from = p_;
+  p_ = next;
+  while (is_digit(at(p_))) ++p_;
+  fault(block, "address-without-number",
+        fmt::format("{}: a letter O stands where the digit 0 is meant",
+                    line_.substr(from, p_ - from)),
+        from, p_);
+  return true;
+}
 
 void Parser::strange_character(Block& block) {
   const std::size_t from = p_;
@@ -39,9 +98,12 @@ void Parser::strange_character(Block& block) {
   ++p_;
   if (byte == 0) return fault(block, "character", "a NUL byte: is this a text file?", from, p_);
   if (byte >= 0x80) {
+    const bool dash = is_dash(line_.substr(from));
     while (p_ < line_.size() && static_cast<unsigned char>(line_[p_]) >= 0x80) ++p_;
-    return fault(block, "character", "a character outside of ASCII, allowed only in comments", from,
-                 p_);
+    return fault(block, "character",
+                 fmt::format("a character outside of ASCII, allowed only in comments{}",
+                             dash ? ": a minus is written -" : ""),
+                 from, p_);
   }
   if (byte < 0x20 || byte == 0x7F)
     return fault(block, "character", fmt::format("control character 0x{:02X}", byte), from, p_);
@@ -124,8 +186,11 @@ void Parser::unknown_word(Block& block, std::size_t from) {
                  fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
                              assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
                  from, p_);
+  const bool zero = upper(line_[from]) == 'O' && from > 0 && is_digit(line_[from - 1]);
   fault(block, "address-without-number",
-        fmt::format("no number after {}{}", upper(line_[from]), alarm("005")), from, p_);
+        fmt::format("no number after {}{}{}", upper(line_[from]), alarm("005"),
+                    zero ? ": is the digit 0 meant?" : ""),
+        from, p_);
 }
 
 }  // namespace mrsim
