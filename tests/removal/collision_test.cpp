@@ -162,6 +162,27 @@ TEST(Collisions, InsertThroughTheBar) {
   }
 }
 
+// On the axis a drill is searched for in one half plane; a little beside it, in space.
+TEST(Collisions, DrillOnTheAxisOfTheBar) {
+  for (const double x : {0.0, 1e-7}) {
+    const Moves m = Moves({30, 0, 60})
+                        .rapid({x, 0, 60})
+                        .rapid({x, 0, 52})
+                        .cut({x, 0, 30})
+                        .rapid({x, 0, 55})
+                        .rapid({x, 0, 26})
+                        .cut({x, 0, 60});
+    const CollisionReport report = check(bar(), m.motions, mill(10));
+    expect_one(report, 4, ToolPart::cutter, 4);
+    EXPECT_NEAR(report.lines[0].place.z, 26, 0.01);
+    EXPECT_NEAR(report.lines[0].volume, 4 * kPi * 25, 5);
+  }
+  // A rapid beside the axis into the bar is found, too.
+  const Moves aside =
+      Moves({0, 0, 60}).cut({0, 0, 40}).rapid({0, 0, 60}).rapid({15, 0, 60}).rapid({15, 0, 45});
+  expect_one(check(bar(), aside.motions, mill(10)), 3, ToolPart::cutter, 5);
+}
+
 TEST(Collisions, AssumedStartsAndToollessRapidsAreLeftOut) {
   Moves m = Moves({0, 0, 0}).rapid({50, 30, -5}).rapid({60, 30, -5}).cut({70, 30, -5});
   m.motions[0].assumed_start = true;

@@ -146,5 +146,24 @@ TEST(DefaultBar, HasAWallAroundWhatIsBored) {
   EXPECT_EQ(drilled.box.hi.z, 0);
 }
 
+// A boring bar that goes in with a rapid where nothing was drilled: the raw part is hollow.
+TEST(DefaultBar, IsHollowWhereABoringBarGoesIn) {
+  StockPath pass;
+  pass.rapid({19.04, 0, 2}).rapid({20.5, 0, 2}).cut({20.5, 0, -30}).cut({19.04, 0, -30});
+  pass.rapid({19.04, 0, 2}).rapid({21, 0, 2}).cut({21, 0, -30}).rapid({20.8, 0, -29});
+  const StockShape tube = pass.bar(ToolType::boring);
+  EXPECT_EQ(tube.kind, StockShape::Kind::tube);
+  EXPECT_EQ(tube.inner_radius, 19.1);
+  EXPECT_EQ(tube.description, "around the program's cuts: tube:48,38.2,-33,0");
+  EXPECT_EQ(pass.bar().kind, StockShape::Kind::cylinder);  // outside
+  StockPath groove;
+  groove.rapid({8, 0, 3}).rapid({8, 0, -8}).cut({12, 0, -8}).cut({8, 0, -8}).rapid({8, 0, 3});
+  EXPECT_EQ(groove.bar(ToolType::boring).inner_radius, 8);
+  // From the axis, and out with the feed: nothing tells of a hole.
+  StockPath solid;
+  solid.rapid({0, 0, 3}).cut({0, 0, -20}).cut({5, 0, -20}).cut({5, 0, 3});
+  EXPECT_EQ(solid.bar(ToolType::boring).kind, StockShape::Kind::cylinder);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -8,7 +8,9 @@
 #include "removal/collision/collision_volume.h"
 #include "removal/collision/withdrawals.h"
 #include "removal/field/lattice.h"
+#include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
+#include "removal/sweep/sweep_motion.h"
 
 #include <algorithm>
 #include <atomic>
@@ -83,11 +85,21 @@ CollisionScene Check::scene(std::size_t part) const {
           std::max(0.5 * options_.depth, kFinest * grid_.voxel)};
 }
 
+// Turning tools, and others along the bar's axis: drills of a lathe.
 void Check::find_turned() {
+  const auto is_round = [&](const Motion& m) {
+    return m.tool < 0 || is_turning(tools_[static_cast<std::size_t>(m.tool)].type) ||
+           runs_on_axis(m);
+  };
+  const auto may_move = [&](const Movers& movers) {
+    return std::all_of(movers.motions.begin(), movers.motions.end(), [&](std::int32_t i) {
+      return is_round(motions_[static_cast<std::size_t>(i)]);
+    });
+  };
   turned_ = grid_.field->solid().is_turned() &&
-            std::all_of(motions_.begin(), motions_.end(), [this](const Motion& m) {
-              return m.tool < 0 || is_turning(tools_[static_cast<std::size_t>(m.tool)].type);
-            });
+            std::all_of(motions_.begin(), motions_.end(),
+                        [&](const Motion& m) { return !is_cut(m) || is_round(m); }) &&
+            std::all_of(movers_.begin(), movers_.end(), may_move);
 }
 
 Box3 Check::search_box(const Box3& box, const Box3& bounds) const {

@@ -132,6 +132,27 @@ double entered_radius(std::span<const Motion> motions, std::span<const Tool> too
   return least;
 }
 
+// The largest radius at which the rapids of the first boring bar's first pass go behind `front`,
+// where nothing is drilled before: the raw part has a hole there. 0: none.
+double entered_hole(std::span<const Motion> motions, std::span<const Tool> tools, double front) {
+  double hole = 0;
+  int bar = -1;
+  bool has_cut = false, is_back = false;
+  for (const Motion& m : motions) {
+    if (m.tool < 0 || (bar >= 0 && m.tool != bar)) continue;
+    const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
+    if (is_cut(m) && !is_turning(tool.type)) return 0;
+    if (!is_turning(tool.type) || !is_inside_tool(tool)) continue;
+    bar = m.tool;
+    if (is_cut(m) && is_back) break;
+    has_cut = has_cut || is_cut(m);
+    if (is_cut(m) || m.assumed_start || std::min(m.start.z, m.end.z) > front - kSameLevel) continue;
+    hole = std::max(hole, std::min(std::fabs(m.start.x), std::fabs(m.end.x)));
+    is_back = has_cut;
+  }
+  return hole;
+}
+
 bool rapids_reach(std::span<const Motion> motions, double radius) {
   return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
     return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameLevel;
@@ -178,8 +199,16 @@ StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> to
   shape.box.lo = {-radius, -radius, round_down(cuts.lowest - margin)};
   const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
   shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
-  shape.description = fmt::format("around the program's cuts: cylinder:{:.6g},{:.6g},{:.6g}",
-                                  2 * radius, shape.box.lo.z, shape.box.hi.z);
+  const double hole = round_up(entered_hole(motions, tools, shape.box.hi.z));
+  const bool is_hollow = hole >= kLeastMargin && hole < std::max(cuts.inside, cuts.across);
+  if (is_hollow) {
+    shape.kind = StockShape::Kind::tube;
+    shape.inner_radius = hole;
+  }
+  shape.description = fmt::format("around the program's cuts: {}:{:.6g},{}{:.6g},{:.6g}",
+                                  is_hollow ? "tube" : "cylinder", 2 * radius,
+                                  is_hollow ? fmt::format("{:.6g},", 2 * hole) : "", shape.box.lo.z,
+                                  shape.box.hi.z);
   return shape;
 }
 

@@ -124,13 +124,6 @@ void add_slants(SweepColumns& c) {
   }
 }
 
-// Up and down on the Z axis, as lathes drill.
-bool is_on_axis(const Motion& m) {
-  const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
-  return m.kind != MotionKind::arc && has_no_plan(m.start) && has_no_plan(m.end) &&
-         has_no_plan(m.tool_axis);
-}
-
 }  // namespace
 
 void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
@@ -158,7 +151,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   out.turn_tree = TurnTree(out.turns, out.shapes, std::move(items), threads);
   out.all_turned = std::all_of(program.begin(), program.end(), [&](const Motion& m) {
     const bool counts = m.tool >= 0 && (selection.rapids || m.kind != MotionKind::rapid);
-    return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || is_on_axis(m);
+    return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || runs_on_axis(m);
   });
 }
 

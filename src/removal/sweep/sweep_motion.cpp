@@ -34,6 +34,12 @@ void arc_extent(double c, double u, double v, double rise, double sweep, double&
 
 }  // namespace
 
+bool runs_on_axis(const Motion& m) {
+  const auto has_no_plan = [](const Vec3& v) { return v.x == 0 && v.y == 0; };
+  return m.kind != MotionKind::arc && has_no_plan(m.start) && has_no_plan(m.end) &&
+         has_no_plan(m.tool_axis);
+}
+
 Box3 path_bounds(const LocalMotion& l) {
   Box3 b;
   extend(b, l.start);

@@ -15,6 +15,9 @@ struct LocalMotion {
   double sweep = 0;         ///< radians, positive
 };
 
+/// Up and down on the Z axis, as lathes drill.
+bool runs_on_axis(const Motion& m);
+
 LocalMotion localized(const Motion& m, const Frame* frame);
 
 /// A box around the positions of the tip, in the frame of the tool.
