@@ -88,6 +88,26 @@ TEST(Habits, ProbesAreCalledByM98Too) {
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9732\n"), "subprogram-missing");
 }
 
+// FANUC's 30i names programs, and Haas' M98 takes the path of a file.
+TEST(Habits, ProgramsAreCalledByName) {
+  const Scratch scratch;
+  scratch.write("SUB1.nc", "<SUB1>\nG91 G1 X1. F100\nG90\nM99\n");
+  scratch.write("bore.NC", "%\nO77\nG1 Z-#7 F100\nM99\n%\n");
+  const auto path = [&](const std::string& text) {
+    return path_text(read_program(scratch.write("main.nc", text), kFanuc));
+  };
+  EXPECT_EQ(path("%\n<PART-1>(NAME)\nM98<SUB1>L2\nG65 <BORE> D5.\nG66 <BORE> D6.\nG0 X9.\nG67\n"
+                 "M98 <HERE>\nM30\n<HERE>\nG1 Y3.\nM99\n%\n"),
+            "l1,0,0 l2,0,0 l2,0,-5 r9,0,-5 l9,0,-6 l9,3,-6");
+  EXPECT_EQ(path("O1\nM98 (USB0/PARTS/SUB1.NC) L2\nM98 (FIRST SUB.) P2\nM30\nO2\nG1 Y1.\nM99\n"),
+            "l1,0,0 l2,0,0 l2,1,0");
+  EXPECT_EQ(path("O1\nG1 X1. F1\nM98 (SUB 1)\nM30\n"), "l1,0,0 | call-without-program");
+  EXPECT_EQ(path("O1\nG1 X1. F1\nM98 <NONE>\nM30\n"), "l1,0,0 | subprogram-missing");
+  EXPECT_EQ(path("O1\nG1 X1. F1\nX2. <SUB1>\nM30\n"), "l1,0,0 | not-supported");
+  EXPECT_EQ(recognise(scratch.write("named.txt", "<PART-1>\nG1 X1.\n"), {}).dialect_reason,
+            "the name of a program in < > in line 1");
+}
+
 TEST(Habits, RigidTapsHaveManyNames) {
   const auto lead = [](const std::string& text) {
     const Program p = read_text("G0 Z9.\nS500 M3\n" + text, kFanuc);

@@ -149,11 +149,11 @@ bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
   return true;
 }
 
-bool MacroStatements::call_macro(long program, long repeats, const Arguments& arguments,
-                                 const Word& where) {
+bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
+                                 const Arguments& arguments, const Word& where) {
   if (macro_levels_ >= kMostMacroLevels)
     return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", where);
-  const auto place = reader_.locate({program, {}}, where);
+  const auto place = reader_.locate(program, where);
   if (!place) return false;
   CallRequest request;
   request.file = place->file;
@@ -199,16 +199,21 @@ bool MacroStatements::macro_call(const Word& code) {
     if (word.address == letter('P')) p = &word;
     if (word.address == letter('L')) l = &word;
   }
-  if (!p || p->value < 1 || p->value != std::floor(p->value))
+  if (!p || (!p->string && (p->value < 1 || p->value != std::floor(p->value))))
     return error("call-without-program", "P with the number of the macro is needed", code);
   if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 9999))
     return error("value-range", "L is how often the macro runs", *l);
-  if (code.value == 65 && probing(static_cast<long>(p->value), code)) return true;
+  SubprogramName program;
+  if (p->string)
+    program.text = std::string(p->text);
+  else
+    program.number = static_cast<long>(p->value);
+  if (code.value == 65 && probing(program.number, code)) return true;
   const long repeats = l ? static_cast<long>(l->value) : 1;
   Arguments arguments;
   if (!collect(&code, true, arguments)) return false;
-  if (code.value == 65) return call_macro(static_cast<long>(p->value), repeats, arguments, code);
-  modal_call_ = {true, code.value > 66, static_cast<long>(p->value), repeats, arguments, code};
+  if (code.value == 65) return call_macro(program, repeats, arguments, code);
+  modal_call_ = {true, code.value > 66, program, repeats, arguments, code};
   return true;
 }
 

@@ -29,7 +29,8 @@ class MacroStatements : public Statements {
   };
   struct ModalCall {
     bool active = false, every_block = false;
-    long program = 0, repeats = 1;
+    SubprogramName program;
+    long repeats = 1;
     Arguments arguments;
     Word place;
   };
@@ -39,7 +40,8 @@ class MacroStatements : public Statements {
   bool loop_end(std::size_t at);
   bool go_to(std::size_t p);
   bool collect(const Word* code, bool first, Arguments& out);
-  bool call_macro(long program, long repeats, const Arguments& arguments, const Word& where);
+  bool call_macro(const SubprogramName& program, long repeats, const Arguments& arguments,
+                  const Word& where);
   bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
 

@@ -202,15 +202,30 @@ bool ProgramFlow::five_digits(long number) {
          !reader_.has_subprogram({number % 10000, {}});
 }
 
+// M98 <SUB1> of FANUC's 30i; M98 (USB0/SUB1.NC) of Haas, whose folders are not those here.
+std::string ProgramFlow::program_name(const Word* p) const {
+  if (p) return std::string(p->string ? p->text : std::string_view());
+  if (!is(Dialect::fanuc) || block_.comments.empty()) return {};
+  const std::string_view path = block_.comments.front();
+  const std::size_t last = path.find_last_of("/\\");
+  const std::string_view name = path.substr(last == path.npos ? 0 : last + 1);
+  const std::size_t point = name.find('.');
+  const bool is_file = point != name.npos && point > 0 && point + 1 < name.size() &&
+                       name.find_first_of(" \t") == name.npos;
+  return std::string(is_file ? name : std::string_view());
+}
+
 // M98 P2 L50; M98 P500002: the last four digits are the program, those before them the count.
 bool ProgramFlow::fanuc_call(const Word& word) {
   const Word* p = find(letter('P'));
   const Word* l = find(letter('L'));
+  if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 99999999))
+    return error("value-range", "L is how often the program runs", *l);
+  const std::string name = program_name(p);
+  if (!name.empty()) return call({-1, name}, l ? static_cast<long>(l->value) : 1, p ? *p : word);
   if (!p) return error("call-without-program", "M98 needs P with the number of a program", word);
   if (p->value < 1 || p->value != std::floor(p->value) || p->value > 99999999)
     return error("value-range", "P is the number of a program", *p);
-  if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 99999999))
-    return error("value-range", "L is how often the program runs", *l);
   long number = static_cast<long>(p->value), repeats = 1;
   if (l) {
     repeats = static_cast<long>(l->value);

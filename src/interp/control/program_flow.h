@@ -29,6 +29,7 @@ class ProgramFlow : public ControlPart {
   bool linuxcnc_signal(int m);
   bool take_block(char c);
   bool five_digits(long number);
+  std::string program_name(const Word* p) const;
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);
 

@@ -67,6 +67,8 @@ std::string section_name(std::string_view line, Dialect dialect) {
   line = trimmed(line);
   if (dialect == Dialect::codesys) return codesys_section(line);
   if (dialect == Dialect::sinumerik) return sinumerik_section(line);
+  if (dialect == Dialect::fanuc && line.starts_with('<'))
+    return upper_case(bracketed_name(line, 0));
   if (line.size() < 2 || (upper(line[0]) != 'O' && !(line[0] == ':' && names_program(line, 0))))
     return {};
   if (dialect == Dialect::fanuc && names_okuma_program(line, 0)) return upper_case(name_at(line));

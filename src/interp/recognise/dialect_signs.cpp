@@ -204,6 +204,7 @@ void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line
   const bool header = number && (c[head] == 'O' || (c[0] == ':' && names_program(c, 0)));
   if (header && !o_word_) add(d, 10, "a program number", line);
   if (raw.size() == 1 && raw[0] == '%') add(d, 3, "% alone", line);
+  if (!bracketed_name(c, 0).empty()) add(d, 6, "the name of a program in < >", line);
   if (c.size() > 3 && c[0] == '$' && c.back() == '%') add(d, 10, "a program name of Okuma", line);
   if (s.ends_block) add(d, 3, "; as end of block", line);
   if (has_bracket_value(c)) add(d, 3, "an expression in [ ]", line);

@@ -5,17 +5,7 @@
 namespace mrsim {
 namespace {
 
-/// "X2 Y5;": words of NC and nothing else, so that the ; before it ended a block.
-bool looks_like_block(std::string_view text) {
-  bool any = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ' || text[i] == ';' || text[i] == '\t') continue;
-    if (!is_letter(text[i]) || i + 1 >= text.size() || !starts_number(text[i + 1])) return false;
-    while (i + 1 < text.size() && starts_number(text[i + 1])) ++i;
-    any = true;
-  }
-  return any;
-}
+constexpr std::size_t kLongestProgramName = 32;
 
 /// "X(P1+2)": behind an address, brackets about a parameter of an ISO control.
 bool holds_parameter(std::string_view code, std::string_view rest) {
@@ -29,12 +19,32 @@ bool holds_parameter(std::string_view code, std::string_view rest) {
 
 }  // namespace
 
+bool looks_like_block(std::string_view text) {
+  bool any = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ' || text[i] == ';' || text[i] == '\t') continue;
+    if (!is_letter(text[i]) || i + 1 >= text.size() || !starts_number(text[i + 1])) return false;
+    while (i + 1 < text.size() && starts_number(text[i + 1])) ++i;
+    any = true;
+  }
+  return any;
+}
+
 bool names_okuma_program(std::string_view line, std::size_t at) {
   if (at + 1 >= line.size() || upper(line[at]) != 'O' || !is_letter(line[at + 1])) return false;
   std::size_t end = at;
   while (end < line.size() && (is_letter(line[end]) || is_digit(line[end]))) ++end;
   const std::size_t rest = line.find_first_not_of(" \t\r", end);
   return rest == line.npos || line[rest] == '(';
+}
+
+std::string_view bracketed_name(std::string_view line, std::size_t at) {
+  const std::size_t close = at < line.size() && line[at] == '<' ? line.find('>', at) : line.npos;
+  if (close == line.npos || close < at + 2 || close > at + kLongestProgramName + 1) return {};
+  const std::string_view name = line.substr(at + 1, close - at - 1);
+  for (const char c : name)
+    if (!is_name(c) && c != '-' && c != '+' && c != '.') return {};
+  return name;
 }
 
 bool calls_lap(std::string_view code) {

@@ -13,6 +13,12 @@ bool names_program(std::string_view line, std::size_t at);
 /// Whether the line is a remark of WinCNC: square brackets about all of it, from `from` on.
 bool is_remark(std::string_view line, std::size_t from);
 
+/// Whether the text is words of NC and nothing else: "X2 Y5;".
+bool looks_like_block(std::string_view text);
+
+/// PART-1 of "<PART-1>" at `at`, the name of a program of FANUC's 30i; empty if there is none.
+std::string_view bracketed_name(std::string_view line, std::size_t at);
+
 /// "OSUB", "OSUB (NAME)": the name of a program of Okuma, and nothing else.
 bool names_okuma_program(std::string_view line, std::size_t at);
 

@@ -60,6 +60,7 @@ class Parser {
   bool okuma_word(Block& block);
   bool fagor_instruction(Block& block);
   bool okuma_program(Block& block);
+  bool program_in_brackets(Block& block);
   bool okuma_pattern(Block& block);
   bool assigns_name() const;
   bool skips_switch(const Block& block);

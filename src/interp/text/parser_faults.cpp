@@ -1,6 +1,7 @@
 // What is no word: characters without a meaning, numbers that are none, and numbers that few write.
 #include "core/text_io.h"
 #include "interp/text/characters.h"
+#include "interp/text/line_scan.h"
 #include "interp/text/parser.h"
 
 #include <algorithm>
@@ -17,21 +18,6 @@ bool is_dash(std::string_view text) {
          text.starts_with("\xE2\x80\x94");
 }
 
-// Words of motion alone, one of them an axis or a G word: "G1 X5.Y-3.", "Z-3".
-bool looks_like_block(std::string_view text) {
-  bool moves = false;
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = upper(text[i++]);
-    if (c == ' ' || c == '\t' || c == '\r' || c == ';') continue;
-    if (std::string_view("GMXYZIJKFSN").find(c) == std::string_view::npos) return false;
-    moves = moves || c == 'G' || (c >= 'X' && c <= 'Z');
-    const std::size_t from = i;
-    while (i < text.size() && starts_number(text[i])) ++i;
-    if (i == from) return false;
-  }
-  return moves;
-}
-
 }  // namespace
 
 // FANUC's ";" ends a block, and many write comments behind it: where the line goes on with words,
@@ -40,7 +26,8 @@ void Parser::doubt_comment(const Block& block) {
   const auto is_tool = [](const Word& word) { return word.address == letter('T'); };
   if (dialect_ != Dialect::fanuc || block.words.empty() ||
       std::any_of(block.words.begin(), block.words.end(), is_tool) ||
-      !looks_like_block(line_.substr(p_ + 1)))
+      !looks_like_block(line_.substr(p_ + 1)) ||
+      line_.find_first_of("GXYZgxyz", p_ + 1) == std::string_view::npos)
     return;
   Word sign;
   sign.column = static_cast<int>(p_);
@@ -83,6 +70,7 @@ void Parser::strange_character(Block& block) {
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (program_in_brackets(block)) return;
   if (const std::size_t close = line_.find('>', p_); c == '<' && close != line_.npos) {
     p_ = close + 1;
     return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),

@@ -89,6 +89,26 @@ bool Parser::okuma_program(Block& block) {
   return true;
 }
 
+// "<PART-1>" of FANUC's 30i, as a header; behind a call instead of P.
+bool Parser::program_in_brackets(Block& block) {
+  const std::string_view name = bracketed_name(line_, p_);
+  const std::size_t from = p_;
+  if (dialect_ != Dialect::fanuc || name.empty()) return false;
+  const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
+    return word.address == letter(word.value < 97 ? 'G' : 'M') &&
+           (word.value == 65 || word.value == 66 || word.value == 98 || word.value == 198);
+  });
+  if (!calls && (!block.words.empty() || line_.find_first_not_of(" \t") != from)) return false;
+  p_ += name.size() + 2;
+  Word word;
+  word.address = calls ? letter('P') : Address::function;
+  word.code = calls ? Code::unknown : Code::header;
+  word.string = calls;
+  word.text = name;
+  push(block, word, from);
+  return true;
+}
+
 // "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
 bool Parser::assigns_name() const {
   if (dialect_ != Dialect::fanuc || !language_) return false;
