@@ -88,6 +88,19 @@ TEST(Habits, ProbesAreCalledByM98Too) {
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9732\n"), "subprogram-missing");
 }
 
+// The number of the program stands before its mark, too: what follows is not read as another tape.
+TEST(Habits, ProgramNumbersBeforeTheMark) {
+  const Scratch scratch;
+  const auto told = [&](const std::string& text) {
+    const std::string path = scratch.write("o.nc", text);
+    InterpOptions options = kFanuc;
+    options.dialect = Dialect::automatic;
+    return path_text(read_program(path, options));
+  };
+  EXPECT_EQ(told("O0090 (CONE)\n%\nG90 G17\nG1 X5. F100\nM30\n%\n"), "l5,0,0");
+  EXPECT_EQ(told("O0090\nG1 X5. F100\n%\nG1 X9.\n%\n"), "l5,0,0");
+}
+
 // FANUC's 30i names programs, and Haas' M98 takes the path of a file.
 TEST(Habits, ProgramsAreCalledByName) {
   const Scratch scratch;

@@ -70,6 +70,16 @@ TEST(Macro, ArgumentListsAndLevels) {
             "1,0,0 20,3,0 40,5,0 6,5,0 ");
 }
 
+// More common variables of the 30i; those of Mitsubishi's begin at #400.
+TEST(Macro, MoreCommonVariables) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100\n#98000=1\n#98499=2\n#900000=3\n#907399=4\n#400=5\nM98 P2\n"
+                "X#98000 Y#98499\nX#900000 Y#[907399]\nX#400\nM30\nO2\n#98499=#98499+7\nM99\n"),
+            "1,9,0 3,4,0 5,4,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nX#98001\n"), "1,0,0 variable-unset");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nX#98500\n"), "1,0,0 variable-number");
+}
+
 TEST(Macro, ReturnsAndLocalCalls) {
   EXPECT_EQ(run(Dialect::fanuc,
                 "G1 F100 X1\nM98 P7\nX99\nN50 X2\nM97 P900 L2\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"

@@ -8,7 +8,9 @@ TEST(LatheToolReadings, Inserts) {
   expect_readings({
       {lathe_mm, "80* ROUGH TURNING TOOL", "turning, insert 80"},
       {lathe_mm, "T0101 DREHMEISSEL 80* R0.8", "turning, insert 80, nose 0.8"},
-      {lathe_mm, "80 DEG ROUGH TURNING TOOL .031 R", "turning, insert 80, nose 0.031"},
+      {lathe_mm, "80 DEG ROUGH TURNING TOOL .031 R", "turning, insert 80, nose 0.7874"},
+      {lathe_mm, "tool 1: 80 deg .031TNR", "turning, insert 80, nose 0.7874"},
+      {lathe_inch, "35 DEG TNR .4", "turning, insert 35, nose 0.4"},
       {lathe_inch, "80 DEG DIAMOND .031R", "turning, insert 80, nose 0.7874"},
       {lathe_inch, "OD TURN TOOL 55 DEG .0156 RAD", "turning, insert 55, nose 0.39624"},
       {lathe_inch, ".125 GROOVE TOOL .008R", "grooving, width 3.175"},

@@ -15,6 +15,8 @@ constexpr std::size_t kMostElements = 1'000'000;
 constexpr int kMostR = 32536;
 constexpr int kLinuxcncLast = 5602, kLinuxcncSystem = 5001, kLinuxcncLocals = 30;
 constexpr int kFanucLast = 1000, kFanucLocals = 33;
+// More common variables of FANUC's 30i; as cells they stand behind #999.
+constexpr int kFanucMore[][2] = {{98000, 98499}, {900000, 907399}};
 constexpr int kFagorLast = 2256, kFagorLocals = 25;
 
 int locals_of(VariableForm form) {
@@ -47,11 +49,27 @@ std::string shown(VariableForm form, double number) {
   return fmt::format("{}{:.0f}", letter, number);
 }
 
+// The number of its cell, where the control has more common variables than #100 to #999.
+double folded(VariableForm form, double number) {
+  if (form != VariableForm::fanuc) return number;
+  double behind = kFanucLast;
+  for (const auto& [first, last] : kFanucMore) {
+    if (number >= first && number <= last) return behind + number - first;
+    behind += last - first + 1;
+  }
+  return number;
+}
+
+bool is_system(VariableForm form, double number) {
+  if (form == VariableForm::linuxcnc) return number >= kLinuxcncSystem && number < kLinuxcncLast;
+  return form == VariableForm::fanuc && number >= kFanucLast && folded(form, number) == number;
+}
+
 // The numbers between those of the control, in a sentence; empty: there are none, or `n` is not
 // among them.
 const char* gap(VariableForm form, std::size_t n) {
-  if (form == VariableForm::fanuc && ((n > 33 && n < 100) || (n > 199 && n < 500)))
-    return "#1-#33, #100-#199, #500-#999 and system variables from #1000";
+  if (form == VariableForm::fanuc && ((n > 33 && n < 100) || (n > 199 && n < 400)))
+    return "#1-#33, #100-#199, #400-#999 and system variables from #1000";
   if (form == VariableForm::fagor &&
       ((n > 25 && n < 100) || (n > 299 && n < 1000) || (n > 1255 && n < 2000)))
     return "P0-P25, P100-P299, P1000-P1255, P2000-P2255";
@@ -80,13 +98,14 @@ void Variables::leave_level() {
 Variables::Cell* Variables::cell(double number, std::string& why) {
   const double last = count_of(form_) - 1;
   const bool linuxcnc_zero = form_ == VariableForm::linuxcnc && number == 0;
-  if (!(number >= 0 && number <= last) || linuxcnc_zero) {
+  const double index = folded(form_, number);
+  if (!(number >= 0 && (number <= last || index != number)) || linuxcnc_zero) {
     why = fmt::format("{} is no variable of this control: the numbers go from {} to {:.0f}",
                       shown(form_, number),
                       linuxcnc_zero || form_ == VariableForm::linuxcnc ? 1 : 0, last);
     return nullptr;
   }
-  const auto n = static_cast<std::size_t>(number);
+  const auto n = static_cast<std::size_t>(index);
   if (static_cast<int>(n) <= locals_of(form_)) return &levels_.back()->cells[n];
   if (const std::string_view there = gap(form_, n); !there.empty()) {
     why =
@@ -113,10 +132,7 @@ void Variables::answer(const Cell& cell, double number, Value& out) const {
 }
 
 bool Variables::numbered(double number, Value& out, std::string& why) {
-  const bool system =
-      (form_ == VariableForm::fanuc && number >= kFanucLast) ||
-      (form_ == VariableForm::linuxcnc && number >= kLinuxcncSystem && number < kLinuxcncLast);
-  if (system) {
+  if (is_system(form_, number)) {
     if (system_) return system_->read(number, out, why);
     why = fmt::format("the system variable {} is not answered here", shown(form_, number));
     return false;
@@ -132,10 +148,7 @@ bool Variables::numbered(double number, Value& out, std::string& why) {
 }
 
 bool Variables::assign(double number, const Value& value, std::string& why) {
-  const bool system =
-      (form_ == VariableForm::fanuc && number >= kFanucLast) ||
-      (form_ == VariableForm::linuxcnc && number >= kLinuxcncSystem && number < kLinuxcncLast);
-  if (system) {
+  if (is_system(form_, number)) {
     if (system_) return system_->write(number, value, why);
     why = fmt::format("the system variable {} cannot be set here", shown(form_, number));
     return false;

@@ -19,7 +19,7 @@ namespace mrsim {
 /// How a control's variables are named and how long they live.
 enum class VariableForm : unsigned char {
   linuxcnc,   ///< #1-#30 by call, #31-#5000, #<local>, #<_global>
-  fanuc,      ///< #1-#33 by level, #100-#199, #500-#999
+  fanuc,      ///< #1-#33 by level, #100-#199, #400-#999, #98000-#98499, #900000-#907399
   sinumerik,  ///< R parameters, DEF by program, GUD
   fagor,      ///< P0-P25 by level, P100-P299, P1000-P1255, P2000-P2255
   codesys,    ///< #NAME by subprogram, $NAME$

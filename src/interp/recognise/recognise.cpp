@@ -30,10 +30,13 @@ class Leader {
       lines_ = mark_ - 1;
       done_ = true;
     } else {
-      // A block begins with a word; text in which one occurs is still text.
+      // A block begins with a word; text in which one occurs is still text, and so is the number
+      // of the program before its mark.
       const std::size_t at = s.code.find_first_not_of(" \t/");
       if (at != std::string::npos && at + 1 < s.code.size() &&
-          std::string_view("GMNOTXYZ:").find(s.code[at]) < 9 && is_digit(s.code[at + 1]))
+          std::string_view("GMNOTXYZ:").find(s.code[at]) < 9 && is_digit(s.code[at + 1]) &&
+          (s.code[at] != 'O' ||
+           s.code.find_first_not_of("0123456789 \t", at + 1) != std::string::npos))
         done_ = true;
     }
   }

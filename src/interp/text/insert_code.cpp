@@ -4,6 +4,8 @@
 #include "interp/text/characters.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -183,6 +185,17 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
       first->other = code->shape;
   }
   return first ? first : find_holder_code(tokens);
+}
+
+double usual_nose_unit(double value) {
+  constexpr double kMm[] = {0.2, 0.4, 0.8, 1.2, 1.6};
+  constexpr double kInches[] = {1 / 128.0, 1 / 64.0, 1 / 32.0, 3 / 64.0, 1 / 16.0};
+  const auto is_any = [&](auto& usual, double tolerance) {
+    return std::any_of(std::begin(usual), std::end(usual),
+                       [&](double u) { return std::abs(value - u) < tolerance; });
+  };
+  if (is_any(kInches, 0.0013)) return kMmPerInch;
+  return is_any(kMm, 1e-9) ? 1 : 0;
 }
 
 }  // namespace mrsim

@@ -25,4 +25,7 @@ struct InsertCode {
 /// count for the usual inserts only.
 std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& tokens);
 
+/// The unit, in mm, in which inserts have a nose radius of this value; 0 if they have none.
+double usual_nose_unit(double value);
+
 }  // namespace mrsim

@@ -1,5 +1,6 @@
 // From facts to a tool: the kind says how sizes without a name are to be read.
 #include "core/units.h"
+#include "interp/text/insert_code.h"
 #include "interp/text/tool_facts.h"
 
 #include <algorithm>
@@ -227,7 +228,8 @@ void Settler::settle_type() {
   if (facts_.blade && !facts_.insert && (!hint_.type || is_turning(*hint_.type)) &&
       !(k && k->firm && !is_turning(k->type)))
     hint_.type = facts_.blade->type;
-  if (!k && !hint_.type && facts_.turned_side && has_usual_corner())
+  const bool has_nose = facts_.nose && hint_.diameters.empty();  // "80 DEG .031 TNR"
+  if (!k && !hint_.type && (facts_.turned_side || has_nose) && has_usual_corner())
     hint_.type = ToolType::turning;
   else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
@@ -239,18 +241,12 @@ void Settler::settle_type() {
 // "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
 // in mm or inches, is no radius of the work.
 void Settler::take_nose_of_work() {
-  constexpr double kMm[] = {0.2, 0.4, 0.8, 1.2, 1.6};
-  constexpr double kInches[] = {1 / 128.0, 1 / 64.0, 1 / 32.0, 3 / 64.0, 1 / 16.0};
   ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
   if (!nose || (kind() && (!is_turning(kind()->type) || kind()->type == ToolType::threading)))
     return;
-  const auto is_any = [&](auto& usual, double tolerance) {
-    return std::any_of(std::begin(usual), std::end(usual),
-                       [&](double u) { return std::abs(nose.value - u) < tolerance; });
-  };
-  const bool inches = is_any(kInches, 0.0013);
-  if (!inches && !is_any(kMm, 1e-9)) return;
-  if (nose.unit == 0) nose.unit = inches ? kMmPerInch : 1;
+  const double unit = usual_nose_unit(nose.value);
+  if (unit == 0) return;
+  if (nose.unit == 0) nose.unit = unit;
   hint_.nose = nose;
   if (!hint_.operation) hint_.operation = ToolType::turning;
 }
@@ -329,6 +325,7 @@ void Settler::take_lead_angle() {
 
 void Settler::settle_nose() {
   if (!hint_.nose) hint_.nose = hint_.corner;
+  if (hint_.nose.unit == 0) hint_.nose.unit = usual_nose_unit(hint_.nose.value);
   hint_.corner = {};
   if (facts_.blade && facts_.blade->nose > 0) hint_.nose = {facts_.blade->nose, 1, false};
   if (facts_.full_radius && hint_.type == ToolType::grooving) (hint_.nose = hint_.width).value /= 2;
