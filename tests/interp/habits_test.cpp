@@ -81,11 +81,21 @@ TEST(Habits, OffsetsOfTheMachineAreToldOf) {
             "l5,0,0");
 }
 
+// The 30i has program numbers of eight digits; M98 P910002 calls O0002 91 times where there is
+// none.
+TEST(Habits, ProgramNumbersOfEightDigits) {
+  const auto path = [](const std::string& text) { return path_text(read_text(text, kFanuc)); };
+  EXPECT_EQ(path("M98 P910002 L2\nM98 P910002\nM30\nO910002\nG91 G1 X1. F100\nG90\nM99\n"),
+            "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(path("M98 P20002\nM30\nO2\nG91 G1 X1. F100\nG90\nM99\n"), "l1,0,0 l2,0,0");
+}
+
 TEST(Habits, ProbesAreCalledByM98Too) {
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9832\nG0 X5.\n"), "probe");
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9023\nM98 P9832\n"), "probe");
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9832\nM30\nO9832\nG0 Z9.\nM99\n"), "") << "it is at hand";
   EXPECT_EQ(notes("G1 X1. F1\nM98 P9732\n"), "subprogram-missing");
+  EXPECT_EQ(notes("G1 X1. F1\nG37 Z-100. H1\nG0 Z5.\n"), "probe") << "it measures the tool";
 }
 
 // The number of the program stands before its mark, too: what follows is not read as another tape.

@@ -137,6 +137,10 @@ TEST(Sinumerik, DefinitionsFromFiles) {
   EXPECT_EQ(codes(read_text("F100 G1 X1\n", options)), "statement");
 }
 
+TEST(Sinumerik, SearchPathsAreReadOver) {
+  EXPECT_EQ(run("CALLPATH(\"/_N_WKS_DIR/_N_LIB_WPD\")\nF100 G1 X1\nCALLPATH()\n"), "1,0,0 ");
+}
+
 // Measuring cycles cut nothing; CYCLE978 is none of turning.
 TEST(Sinumerik, MeasuringCyclesAreANote) {
   const std::string text =

@@ -196,10 +196,9 @@ bool ProgramFlow::call_word(const Word& word, int m) {
 // M98 H100 of Mitsubishi and Mazak (Q100 on some): a block of the same program, as M97 P100.
 bool ProgramFlow::take_block(char c) { return !peek('P') && is(Dialect::fanuc) && take(c); }
 
-// Haas numbers programs with five digits: O20002, and no O0002.
-bool ProgramFlow::five_digits(long number) {
-  return number <= 99999 && reader_.has_subprogram({number, {}}) &&
-         !reader_.has_subprogram({number % 10000, {}});
+// Haas numbers programs with five digits, the 30i with eight: O20002, and no O0002.
+bool ProgramFlow::is_whole_number(long number) {
+  return reader_.has_subprogram({number, {}}) && !reader_.has_subprogram({number % 10000, {}});
 }
 
 // M98 <SUB1> of FANUC's 30i; M98 (USB0/SUB1.NC) of Haas, whose folders are not those here.
@@ -229,7 +228,7 @@ bool ProgramFlow::fanuc_call(const Word& word) {
   long number = static_cast<long>(p->value), repeats = 1;
   if (l) {
     repeats = static_cast<long>(l->value);
-  } else if (number > 9999 && !five_digits(number)) {
+  } else if (number > 9999 && !is_whole_number(number)) {
     repeats = number / 10000;
     number %= 10000;
   }

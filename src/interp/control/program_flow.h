@@ -28,7 +28,7 @@ class ProgramFlow : public ControlPart {
   bool okuma_return(int m);
   bool linuxcnc_signal(int m);
   bool take_block(char c);
-  bool five_digits(long number);
+  bool is_whole_number(long number);
   std::string program_name(const Word* p) const;
   bool fanuc_call(const Word& word);
   bool named_call(const Word& word);

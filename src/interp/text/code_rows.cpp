@@ -106,6 +106,7 @@ constexpr Row kFanuc[] = {
     {300, C::reference_second, G::oneshot},
     {301, C::ignored, G::oneshot},
     {310, C::probe, G::oneshot},
+    {370, C::probe, G::oneshot},  // measures the tool
     {411, C::comp_left, G::comp},
     {421, C::comp_right, G::comp},
     {434, C::unsupported, G::length},

@@ -36,7 +36,7 @@ constexpr std::string_view kHarmlessCalls[] = {
     "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
     "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
     "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
-    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA"};
+    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH"};
 
 // The tool carrier and offsets of the tool, which 0 switches off.
 constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR"};
