@@ -262,6 +262,7 @@ TEST(ToolCommentReadings, Angles) {
       {mm, "\u7acb\u94e3\u5200D10", "endmill 10"},
       {mm, "\u63622\u53f7\u5200: \u94bb\u5934\u03c65.5mm", "drill 5.5"},
       {mm, "\u5706\u9f3b\u5200 D16R1", "bullmill 16, corner 1"},
+      {mm, "\u63623\u53f7\u5200: \u6c89\u5934\u5200\u03c69mm\uff0c90\u5ea6", "chamfer 9, point 90"},
       {mm,
        "\u0424\u0420\u0415\u0417\u0410 \u043a\u043e\u043d\u0446\u0435\u0432\u0430\u044f "
        "10\u043c\u043c",

@@ -185,6 +185,21 @@ TEST(TurnCycles, AnAllowanceIntoThePartIsToldOf) {
   EXPECT_EQ(run(shaft, "G71 U2. R1.\nG71 P1 Q2 U-.4 W.1 F.2\n"), "cycle-allowance");
 }
 
+// The radius of the nose does not count on the way back: the contour is finished to its end, also
+// where the way back would meet it in a sharp corner. The next move starts the compensation again.
+TEST(TurnCycles, TheWayBackOfG70IsNotCompensated) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools[0].nose_radius = 0.4;
+  options.table.tools[0].tip = 3;
+  const std::string contour = "M30\nN1 G0 X20.\nN2 G1 Z-20. F.1\n";
+  EXPECT_EQ(path_text(read_text("G0 X40. Z2.\nG42\nG70 P1 Q2\nG40\nG0 X50.\n" + contour, options)),
+            "r20,0,2 r10,0,1.6 l10,0,-20.4 r20,0,2 r25,0,2");
+  EXPECT_EQ(
+      path_text(read_text("G0 X40. Z2.\nG42\nG70 P1 Q2\nG0 X30.\nG1 Z-5. F.1\nG40 X50.\n" + contour,
+                          options)),
+      "r20,0,2 r10,0,1.6 l10,0,-20.4 r20,0,2 r15,0,1.6 l15,0,-5.4 l25,0,-5");
+}
+
 // Along Z alone and outside of the material, Haas goes back so: "N20 G0 G40 Z0.1".
 TEST(TurnCycles, AContourMayGoBackOutsideOfTheMaterial) {
   const auto run = [&](const std::string& end) {

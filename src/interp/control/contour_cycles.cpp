@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -168,11 +169,14 @@ void ContourCycles::end_program() {
   error("program-end-missing", "the program ends inside the contour of this cycle", call_.where);
 }
 
-// G70 ends where it began.
+// G70 ends where it began. Radius compensation is off on the way back and starts again with the
+// next move, as FANUC's manuals say: the contour is finished to its end.
 void ContourCycles::finish() {
   block_.forget_words();
   block_.begin();
+  const Code comp = std::exchange(modal_.comp, Code::comp_off);
   go(position_before_.physical, kRapid);
+  modal_.comp = comp;
 }
 
 void ContourCycles::begin_contour() {
@@ -204,7 +208,7 @@ void ContourCycles::go(const Vec3& to, MotionKind kind) {
   Target target;
   target.programmed = apply_inverse(frames_.total, to);
   target.named = 5;
-  moves_.step(target, call_.where, kind);
+  moves_.compensated_step(target, call_.where, 0, kind);
 }
 
 // G73: the whole contour, each time nearer.
