@@ -24,30 +24,22 @@ constexpr double kToleranceShare = 1.7e-4;
 // Sweeps that tell how large the surface of many more is, where nothing else is asked.
 constexpr std::size_t kEnoughSweeps = 10000;
 
-// Budgets, as measured on two cores: cells of the grid in some two seconds; of a mesh within a
-// tolerance, which is made in a few, its cells and the creases of its blocks (a sweep beside
-// another one leaves one); voxels in whose corners it looks for what its cells may hide.
+// Cells of the grid that take some two seconds of two cores.
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
-constexpr double kMostCells = 4e5, kMostCreases = 2e5;
+// Voxels in whose corners a mesh within a tolerance looks for what its cells may hide.
 constexpr double kMostScanned = 1e5;
-// Sweeps of a block, on average: where more cross, creases lie in creases, and cells are halved
-// until there are too many.
-constexpr double kMostSweepsOfABlock = 12;
-// Up to as many sweeps of a block that leave creases, on average, a part is plain: walls and floors
-// of pockets and holes. However many sweeps share them, as pecks and turns of a helix do, cells are
-// hardly split.
+// Sweeps of a block that leave creases, on average: where more do, creases lie in creases, and
+// cells are halved until there are too many.
+constexpr double kMostCreasing = 20;
+// Sweeps that are asked in all blocks, where they are more than a few in each; helices whose points
+// are searched cost ten times as much.
+constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
+// Up to as many sweeps of a block that leave creases a part is plain: walls and floors of pockets
+// and holes, whose cells take half the time.
 constexpr double kPlainSweeps = 1.5;
-// Sweeps that are asked in all blocks of such a part, and its cells.
-constexpr double kMostPlainSweeps = 4e5, kMostPlainCells = 2e5;
-// Nodes of the octree after which the grid takes its place.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 1'000'000;
-// A helix costs a search for each of its points: fewer sweeps of blocks.
-constexpr double kMostHelixSweeps = 6e4;
-
-// What a cell of a mesh within a tolerance takes: bytes within a factor of three, seconds at least.
-// Where creases lie close together a cell is halved again and again, and takes five times as long;
-// plain parts take a third.
-constexpr double kCellBytes = 7e3, kCellSeconds = 2e-4, kPlainShare = 0.3;
+// Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
+// place.
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 500'000;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
@@ -109,42 +101,49 @@ std::string count_text(double count) {
                      : fmt::format("{:.1f} million", count / 1e6);
 }
 
+bool is_plain(const detail::SurfaceSurvey& survey) { return survey.creasing <= kPlainSweeps; }
+
 // Of all blocks together.
 double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
 }
 
-bool is_plain(const detail::SurfaceSurvey& survey) {
-  return survey.creasing <= kPlainSweeps && sweeps_met(survey) <= kMostPlainSweeps;
-}
-
-bool suits_tolerance(const detail::SurfaceSurvey& survey, double cells, bool has_helix) {
-  if (is_plain(survey)) return cells <= kMostPlainCells;
-  if (has_helix && sweeps_met(survey) > kMostHelixSweeps) return false;
-  if (survey.sweeps > kMostSweepsOfABlock) return false;
-  const double creases = static_cast<double>(survey.blocks) * std::max(0.0, survey.sweeps - 1);
-  return cells <= kMostCells && creases <= kMostCreases;
-}
-
-// What the tolerance would take. Each sweep of a block leaves a crease beside its neighbours, and
-// each crease has cells.
-std::string needs_text(const MeshChoice& choice, const detail::SurfaceSurvey& survey, double cell) {
-  const double share = is_plain(survey) ? kPlainShare : 1;
-  const double area = survey.cells(cell);
-  const double cells = is_plain(survey) ? area : std::max(area, sweeps_met(survey));
-  return fmt::format(
-      "{:.4g} mm, {}, would take about {} cells, {:.2g} GB and at least {:.0f} s of one core: "
-      "--tolerance {:.4g}",
-      choice.tolerance, choice.tolerance_reason, count_text(cells),
-      cells * share * kCellBytes / 1e9, std::ceil(cells * share * kCellSeconds), choice.tolerance);
+// Whether a mesh within the tolerance is worth a try: its octree tells what it takes.
+bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool has_searched_helix) {
+  if (has_searched_helix && sweeps_met(survey) > kMostSearched) return false;
+  if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
+  return survey.creasing <= kMostCreasing;
 }
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
 
-void take_grid(MeshChoice& choice, const std::string& tolerance_reason) {
+// A helix by a tool whose distance there is not a formula's root (helix_sweep.h).
+bool has_searched_helix(const CutList& cuts) {
+  std::vector<char> is_searched;
+  for (const Tool& tool : cuts.tools())
+    is_searched.push_back(!make_tool_shape(tool).cutter.is_rounded());
+  return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
+    return is_helix(motion) && motion.tool >= 0 &&
+           is_searched[static_cast<std::size_t>(motion.tool)];
+  });
+}
+
+// What a mesh within the tolerance takes where creases lie everywhere: bytes and seconds of a cell,
+// as measured on reliefs.
+constexpr double kCellBytes = 5e3, kCellSeconds = 1e-4;
+
+std::string needs_text(const detail::SurfaceSurvey& survey, double cell) {
+  const double cells = std::max(survey.cells(cell), sweeps_met(survey));
+  return fmt::format("would take about {} cells, {:.2g} GB and at least {:.0f} s of one core",
+                     count_text(cells), cells * kCellBytes / 1e9, std::ceil(cells * kCellSeconds));
+}
+
+// `needs`: what the tolerance would take.
+void take_grid(MeshChoice& choice, const std::string& needs) {
+  choice.tolerance_reason = fmt::format("{:.4g} mm, {}, {}: --tolerance {:.4g}", choice.tolerance,
+                                        choice.tolerance_reason, needs, choice.tolerance);
   choice.voxel = choice.fallback_voxel;
   choice.tolerance = 0;
-  choice.tolerance_reason = tolerance_reason;
   choice.measure = true;
 }
 
@@ -164,7 +163,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   const double finest = grid;
   while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
   if (!choice.is_default) choice.fallback_voxel = 0;  // a wish is kept
-  if (!choice.is_default || suits_tolerance(survey, survey.cells(cell), choice.has_helix)) {
+  if (!choice.is_default || may_suit_tolerance(survey, choice.searches_helix)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
@@ -173,7 +172,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, needs_text(choice, survey, cell));
+  take_grid(choice, needs_text(survey, cell));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
@@ -193,7 +192,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   if (choice.voxel != 0) return choice;
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);
-  choice.has_helix = std::ranges::any_of(cuts.motions(), is_helix);
+  choice.searches_helix = has_searched_helix(cuts);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
   choice.voxel_reason = voxel.reason;
@@ -223,8 +222,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
 }
 
 void give_up_tolerance(MeshChoice& choice, const std::string& why) {
-  take_grid(choice, fmt::format("{:.4g} mm, {}, was given up: {}", choice.tolerance,
-                                choice.tolerance_reason, why));
+  take_grid(choice, why);
   choice.voxel_reason = "the grid instead of the tolerance";
 }
 

@@ -18,7 +18,7 @@ struct MeshChoice {
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
   double radius = 0;               ///< mm: the smallest with which a tool cuts, 0 = none has one
-  bool has_helix = false;          ///< a cut is one
+  bool searches_helix = false;     ///< a cut is a helix that costs a search for each point
   bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
   bool is_default = false;         ///< nor was the tolerance: likewise
   bool measure = false;            ///< MeshOptions::measure

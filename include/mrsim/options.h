@@ -117,9 +117,9 @@ struct MeshOptions {
   std::size_t max_memory = 0;
   /// Without a tolerance: measure how far the mesh is from the exact part. simulate() sets it.
   bool measure = false;
-  /// Should a mesh within the tolerance take more than `fallback_cells` nodes of an octree (or
-  /// begin with half of them), or not be possible: the grid of this voxel in mm, measured. 0 =
-  /// none: that is an Error. simulate() sets both.
+  /// Should a mesh within the tolerance take more than `fallback_cells` nodes of an octree, by what
+  /// its first cells tell, or not be possible: the grid of this voxel in mm, measured. 0 = none:
+  /// that is an Error. simulate() sets both.
   double fallback_voxel = 0;
   std::size_t fallback_cells = 250'000;
   Progress progress;

@@ -70,10 +70,13 @@ class AdaptiveMesher {
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     nodes_ = tree_.size();
-    detail::require_cells(nodes_, most_nodes(options_) / 2);  // before the first round
+    detail::require_cells(detail::expected_nodes(report_.memory), most_nodes(options_));
+    first_nodes_ = static_cast<double>(nodes_);
     find_topology();
+    require_few(0);
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
+    require_few(0);
     make_triangles();
     while (split_failed()) {
       if (options_.fallback_voxel > 0 && report_.passes >= kMostRounds)
@@ -242,12 +245,22 @@ class AdaptiveMesher {
       report_.unresolved += !can;
     }
     timer_.step("certify");
+    if (first_nodes_ > 0) require_few(cells.size());
+    first_nodes_ = 0;
     const double nodes = is_late() ? 8 + 16 : 8;  // of each cell, as measured
     detail::require_room(detail::kSplitMemory * nodes * static_cast<double>(cells.size()));
     const std::size_t count = tree_.split(std::move(cells));
     if (is_late()) tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
     timer_.step("tree");
     return count + refined > 0;
+  }
+
+  // Before the first cells that `failed` are split. Where cells had to be split for the surface to
+  // be drawn at all, creases lie closer than cells, and those between them follow.
+  void require_few(std::size_t failed) const {
+    const auto nodes = static_cast<double>(tree_.size());
+    detail::require_cells(nodes * (nodes / first_nodes_) + 8 * static_cast<double>(failed),
+                          most_nodes(options_));
   }
 
   // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
@@ -372,6 +385,7 @@ class AdaptiveMesher {
   StepTimer timer_;
   CellOctree tree_;
   std::size_t nodes_ = 0;               ///< of the tree, for which memory was asked
+  double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };

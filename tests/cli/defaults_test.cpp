@@ -115,6 +115,25 @@ TEST_F(Defaults, HelicalBoresAreMeshedWithinATolerance) {
   EXPECT_LT(j["mesh"]["triangles"], 20000);
 }
 
+// Nor are the passes of deep slots.
+TEST_F(Defaults, SlotsInPassesAreMeshedWithinATolerance) {
+  std::string program = "%\nO1\nG21 G90 G54\nT1 M6\nS9000 M3\nG0 X3. Y-3. Z2.\n";
+  for (int slot = 0; slot < 20; ++slot) {
+    program += "G0 X" + std::to_string(3 + 2.2 * slot) + " Y-3.\n";
+    for (int pass = 1; pass <= 12; ++pass)
+      program += "G1 Z-" + std::to_string(pass) + (pass % 2 ? ". F200\nY63.\n" : ". F200\nY-3.\n");
+    program += "G0 Z2.\n";
+  }
+  write("fins.nc", program + "M30\n%\n");
+  const Outcome o =
+      run("fins.nc --stock box:0,0,-15,56,60,0 --tool 1=endmill:d=1 -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_GT(j["tolerance"]["value"], 0);
+  EXPECT_LT(j["mesh"]["triangles"], 10000);
+  EXPECT_NEAR(j["volume"]["removed"], 20 * 12. * 60, 1e-3);
+}
+
 // A contour at one depth and holes, no stock: all of it is in the part, and no rapid meets it.
 TEST_F(Defaults, StockEndsAtZeroAboveAContourAndHoles) {
   write("part.nc",

@@ -23,6 +23,9 @@ constexpr std::size_t kMostCells = 4096;  ///< that are looked at
 constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 2000;
 constexpr double kCandidate = 6;
 
+// Of all that is expected, for each node that there is in the end, as measured.
+constexpr double kNodeOfAll = 1500;
+
 // How far the surface leaves a plane in a cell of `size` mm, if it turns evenly between the points.
 double sagitta(const CellSurface& surface, double size) {
   double turn = 0;
@@ -92,8 +95,11 @@ void require_memory(double needed, std::size_t available, double tolerance) {
                           tolerance, needed / 1e9, static_cast<double>(available) / 1e9));
 }
 
-void require_cells(std::size_t nodes, std::size_t most) {
-  if (most > 0 && nodes > most) throw Error("mesh-unresolved", "it takes too many cells");
+double expected_nodes(double memory) { return memory / kNodeOfAll; }
+
+void require_cells(double nodes, std::size_t most) {
+  if (most > 0 && nodes > static_cast<double>(most))
+    throw Error("mesh-unresolved", fmt::format("would take more than {} 000 cells", most / 1000));
 }
 
 void require_room(double bytes) {

@@ -25,8 +25,12 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
 void require_memory(double needed, std::size_t available, double tolerance);
 
-/// Throws Error "mesh-unresolved" where the octree has more nodes than `most`; 0 = any number.
-void require_cells(std::size_t nodes, std::size_t most);
+/// Nodes of the octree in the end, once its cells are split, by what expected_memory() says.
+double expected_nodes(double memory);
+
+/// Throws Error "mesh-unresolved" where the octree has more nodes, or will have, than `most`; 0 =
+/// any number.
+void require_cells(double nodes, std::size_t most);
 
 /// As require_memory for what splitting cells takes beyond the estimate, where the thread has a
 /// limit.

@@ -108,7 +108,7 @@ void CellOctree::refine(std::vector<std::int32_t> pending) {
   new_leaves_.clear();
   while (!pending.empty()) {
     require_memory(kNodeMemory * static_cast<double>(size()), limits_.memory, tolerance_);
-    require_cells(size(), limits_.nodes);
+    require_cells(static_cast<double>(size()), limits_.nodes);
     find_regions(pending);
     std::vector<std::int32_t> mixed, next;
     for (const std::int32_t n : pending)
