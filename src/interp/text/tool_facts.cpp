@@ -6,6 +6,7 @@
 #include "interp/text/hyphenated_name.h"
 #include "interp/text/thread_name.h"
 #include "interp/text/tool_labels.h"
+#include "interp/text/tool_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -352,45 +352,4 @@ bool is_corner_line(const CommentView& view) {
   return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 
-// "A20S-SCLCR", "S16Q SDUCR": the holder's code of a bar.
-bool begins_bar_code(const CommentView& view, std::size_t i) {
-  const bool bar = view.is_one(i, {"A", "S", "E", "C"}) && view.has(i + 1) &&
-                   view[i + 1].is_number() && view.glued(i + 1) && view.word(i + 2) &&
-                   view.glued(i + 2) && view[i + 2].text.size() == 1;
-  const std::size_t holder = view.is(i + 3, "-") ? i + 4 : i + 3;
-  return bar && view.word(holder) && view[holder].text.size() == 5;
-}
-
-// "ID GROOVE", "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
-void read_side_words(const CommentView& view, ToolFacts& facts) {
-  bool outside = false, bores = false, turns = false, rough = false;
-  for (std::size_t i = 0; i < view.size(); ++i) {
-    outside |= view.is_one(
-        i, {"OD", "EXT", "EXTERNAL", "OUTSIDE", "AUSSEN", "EXTERIEUR", "ZEWN", "ZEWNETRZNY",
-            "ZUNANJI", "EXTERIOR", "EXTERNO", "EXTERNA", "ESTERNO", "ESTERNA", "EXTERNE"});
-    bores |= view.is_one(i, {"BORE", "BORING", "ALESAGE", "ALESER", "MANDRINADO", "MANDRINAR",
-                             "MANDRILAR", "ALESATURA"});
-    facts.full_radius |= (view.is(i, "FULL") && view.is_one(i + 1, {"RADIUS", "RAD", "R"})) ||
-                         view.is(i, "VOLLRADIUS");
-    facts.inside |= begins_bar_code(view, i);
-    turns |= view.is_one(i, {"TURN", "TURNING", "FACE", "FACING", "PROFILE", "PROFILING", "DREHEN",
-                             "PLANEN", "CHARIOTAGE", "DRESSAGE", "TORNEADO", "CILINDRAR",
-                             "CILINDRADO", "REFRENTADO", "FACEAR", "TORNITURA", "SFACCIATURA"});
-    rough |= view.is_one(i, {"ROUGH", "ROUGHING", "FINISH", "FINISHING", "RGH", "FIN", "SCHRUPPEN",
-                             "SCHLICHTEN", "EBAUCHE", "FINITION", "DESBASTE", "DESB", "ACABADO",
-                             "ACABAMENTO", "SGROSSATURA", "FINITURA"});
-    facts.inside |= view.is_one(i, {"ID", "INT", "INTERNAL", "INSIDE", "INNEN", "INTERIOR",
-                                    "INTERIEUR", "INTERNE", "INTERNO", "INTERNA"}) &&
-                    !view.is_one(i + 1, {":", "="});
-    facts.inside |= view.word(i) && (view[i].text.starts_with("INNEN") ||
-                                     view[i].text.starts_with("WEWN") || view.is(i, "NOTRANJI"));
-    facts.face_groove |= view.word(i) && view[i].text.starts_with("AXIALSTECH");
-    facts.face_groove |=
-        view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
-  }
-  facts.turned_side = outside || turns || rough || facts.inside;
-  facts.bores = bores && !turns && !outside;
-  facts.inside = (facts.inside || facts.bores) && !outside;
-}
-
 }  // namespace mrsim

@@ -11,7 +11,5 @@ void read_tool_labels(CommentView& view, ToolFacts& facts);
 
 /// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
 bool is_corner_line(const CommentView& view);
-/// The side of the work that lathe words name: "ID GROOVE", "OD TURN", "BORE".
-void read_side_words(const CommentView& view, ToolFacts& facts);
 
 }  // namespace mrsim
