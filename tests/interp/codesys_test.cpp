@@ -100,5 +100,21 @@ TEST(CodesysLanguage, LocalVariablesBeginWithAValue) {
   }
 }
 
+TEST(CodesysLanguage, NoAxisMovesUnsaid) {
+  EXPECT_EQ(codesys("N1 G1 F100 X1 A5\n"), " | not-supported");
+  EXPECT_EQ(codesys("N1 G1 F100 X1 C0\n"), "l1,0,0");
+  EXPECT_EQ(codesys("N1 G1 F100 X1 P5 Q1\nN2 X2 P6\n"),
+            "l1,0,0 l2,0,0 | auxiliary-axis auxiliary-axis");
+  EXPECT_EQ(codesys("N1 G1 F100 X1 W0\n"), "l1,0,0");
+}
+
+TEST(CodesysLanguage, WordsThatShapeTheSpeedAreTold) {
+  const Program p =
+      read_text("N1 G1 F100 X1 E30 E-30 S1 FF2000\nN2 X2 EF5\n", at_origin(Dialect::codesys));
+  const auto told = std::count_if(p.diagnostics.begin(), p.diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.code == "dynamics-unread"; });
+  EXPECT_EQ(told, 3);
+}
+
 }  // namespace
 }  // namespace mrsim

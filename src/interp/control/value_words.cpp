@@ -71,6 +71,23 @@ bool ValueWords::rotary_axes() {
   return true;
 }
 
+// CODESYS: what P Q U V W move is the PLC's affair (a gripper, a laser's power), not the program's.
+void ValueWords::auxiliary_axes() {
+  for (const char c : {'P', 'Q', 'U', 'V', 'W'}) {
+    const Word* word = take(c);
+    if (!word) continue;
+    const std::string axis(1, c);
+    if (word->value == 0)
+      note_once("auxiliary-axis", fmt::format("auxiliary axis {} stays at 0", c), *word, axis);
+    else
+      reporter_.once(Severity::warning, "auxiliary-axis",
+                     fmt::format("{} moves an auxiliary axis: it is taken to move neither the tool "
+                                 "nor the part",
+                                 c),
+                     *word, "moved " + axis);
+  }
+}
+
 bool ValueWords::sinumerik() {
   take('H');
   const bool machine_axes = block_.oneshot && (block_.oneshot_code == Code::reference_approach ||
@@ -241,11 +258,28 @@ bool ValueWords::length_register() {
   return true;
 }
 
-// E H L O S: dynamics and switch points, without geometry, but checked.
+// CODESYS: E, S, FF and EF shape the speed, not the path.
+void ValueWords::dynamics() {
+  const Word* acceleration = take('E');
+  if (const Word* more = take(Address::ef); !acceleration) acceleration = more;
+  if (acceleration)
+    note_once("dynamics-unread",
+              "E and EF are accelerations: times are those of the machine's own (--machine-file)",
+              *acceleration, "E");
+  if (const Word* profile = take('S'))
+    note_once("dynamics-unread", "S is the profile of the velocity, not a spindle: not in the time",
+              *profile, "S");
+  if (const Word* rapid = take(Address::ff))
+    note_once("dynamics-unread",
+              "FF is the speed of G0: times are those of the machine's own rapids (--machine-file)",
+              *rapid, "FF");
+}
+
+// Words that only CODESYS has. H, L and O are switch points, without geometry, but checked.
 bool ValueWords::codesys() {
-  for (const char c : {'A', 'B', 'C', 'P', 'Q', 'U', 'V', 'W', 'E', 'S'}) take(c);
-  take(Address::ff);
-  take(Address::ef);
+  if (!rotary_axes()) return false;
+  auxiliary_axes();
+  dynamics();
   int switches = 0, negative = 0, positive = 0;
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.address);

@@ -24,6 +24,8 @@ class ValueWords : public ControlPart {
   bool edge();
   bool take_lengths();
   bool length_register();
+  void auxiliary_axes();
+  void dynamics();
   bool codesys();
   bool sinumerik();
 
