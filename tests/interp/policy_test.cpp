@@ -130,6 +130,18 @@ TEST(Policy, TwoWordsOfAGroup) {
       "line");
 }
 
+// Lines of a megabyte: no character and no word may look at the whole line again, which took
+// minutes.
+TEST(Policy, LongLinesCostTheirLength) {
+  for (const char* part : {"/", ")", "<", "(", "G1", "G5", "G8", "T1"}) {
+    std::string text = "G1 X1 F1 ";
+    while (text.size() < 1'000'000) text += part;
+    for (const Dialect d :
+         {Dialect::iso, Dialect::fanuc, Dialect::codesys, Dialect::ngc, Dialect::sinumerik})
+      EXPECT_FALSE(read_text(text + "\n", at_origin(d)).diagnostics.empty()) << part;
+  }
+}
+
 // SINUMERIK: 512 characters, 5 M words, texts that close on their line.
 TEST(Policy, LimitsOfABlock) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
@@ -143,6 +155,14 @@ TEST(Policy, LimitsOfABlock) {
   EXPECT_EQ(p.motions.size(), 1U);
   EXPECT_EQ(codes(read_text(line(513) + "\n", at_origin(Dialect::iso))), "");
 
+  const auto words = [](std::size_t n) {
+    std::string text = "G1 X1 F1";
+    for (std::size_t i = 3; i < n; ++i) text += " M0";
+    return text + "\n";
+  };
+  const InterpOptions iso = at_origin(Dialect::iso);
+  EXPECT_EQ(codes(read_text(words(4096), iso)).find("block-too-long"), std::string::npos);
+  EXPECT_NE(codes(read_text(words(4097), iso)).find("block-too-long"), std::string::npos);
   EXPECT_EQ(codes(read_text("M3 M8 M7 M41 M10 G1 X1 F1\n", s)), "");
   const Program m = read_text("M3 M8 M7 M41 M10 M11 G1 X1 F1\nG1 X1 F1\n", s);
   EXPECT_EQ(codes(m), "m-words");

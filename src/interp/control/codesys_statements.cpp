@@ -13,6 +13,7 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kMostArguments = 64;
 constexpr std::size_t kMostLabels = 10000;  // places of jump labels kept
 
@@ -21,10 +22,13 @@ std::size_t blanks(std::string_view line, std::size_t p) {
   return p;
 }
 
+// The name at `p`; of one that is too long (80 characters at most) the beginning alone, since each
+// word of a block without blanks looks for a name.
 std::string name_at(std::string_view line, std::size_t& p) {
   const std::size_t from = p = blanks(line, p);
-  while (p < line.size() && is_name(line[p])) ++p;
-  return upper_case(line.substr(from, std::min<std::size_t>(p - from, 81)));
+  const std::size_t end = std::min(line.size(), from + kLongestName + 1);
+  while (p < end && is_name(line[p])) ++p;
+  return upper_case(line.substr(from, p - from));
 }
 
 // The number of a G word at `p`, or -1.

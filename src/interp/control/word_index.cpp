@@ -147,8 +147,6 @@ bool WordIndex::run() {
           word);
     }
   }
-  if (block_.words.size() > 65535)
-    return error("block-too-long", "more than 65535 words in a block", block_.words.back());
   return ok;
 }
 

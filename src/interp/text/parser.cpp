@@ -17,6 +17,7 @@ namespace {
 constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr std::size_t kLongestBlock = 512;  // characters, SINUMERIK
+constexpr std::size_t kMostWords = 4096;    // words of a block
 
 }  // namespace
 
@@ -57,6 +58,10 @@ void Parser::unsupported(Block& block, std::string_view word, std::string_view w
 void Parser::push(Block& block, Word& word, std::size_t from) {
   word.column = static_cast<int>(from);
   word.length = static_cast<int>(p_ - from);
+  if (block.words.size() > kMostWords) return;
+  if (block.words.size() == kMostWords)
+    fault(block, "block-too-long", fmt::format("more than {} words in a block", kMostWords), from,
+          p_);
   block.words.push_back(word);
 }
 

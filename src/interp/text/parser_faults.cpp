@@ -1,4 +1,4 @@
-// What is no word: characters without a meaning, numbers that are none, and numbers that few write.
+// Text that is no word: characters without a meaning, malformed numbers, and unusual numbers.
 #include "core/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
@@ -11,6 +11,9 @@
 
 namespace mrsim {
 namespace {
+
+// Characters within which a partner is looked for: each character of a long line may ask.
+constexpr std::size_t kNearby = 1000;
 
 // The minus signs and dashes of typesetting.
 bool is_dash(std::string_view text) {
@@ -71,10 +74,12 @@ void Parser::strange_character(Block& block) {
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
   if (program_in_brackets(block)) return;
-  if (const std::size_t close = line_.find('>', p_); c == '<' && close != line_.npos) {
-    p_ = close + 1;
-    return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
-                       "the name of a program", from);
+  if (c == '<') {
+    if (const std::size_t close = line_.substr(from, kNearby).find('>'); close != line_.npos) {
+      p_ = from + close + 1;
+      return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
+                         "the name of a program", from);
+    }
   }
   if (c == ',' && corner_word(block)) return;
   if (c == ',' && is_letter(at(p_ + 1)))
@@ -100,7 +105,10 @@ void Parser::strange_character(Block& block) {
     return fault(block, "character", ", has no meaning here: a decimal point is written .", from,
                  p_);
   }
-  const bool nested = c == ')' && line_.rfind('(', from) != std::string_view::npos;
+  const std::string_view before = line_.substr(0, from);
+  const bool nested =
+      c == ')' &&
+      before.substr(before.size() - std::min(kNearby, before.size())).find('(') != before.npos;
   fault(block, "character",
         fmt::format("{} has no meaning here{}", c,
                     nested ? ": a comment ends at its first ), one in another too" : ""),
