@@ -1,6 +1,8 @@
 // Runs the built program as a user does, in a folder of its own.
 #pragma once
 
+#include "support/temp_folder.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,16 +27,12 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-class CliTest : public ::testing::Test {
+class CliTest : public testing::TempFolderTest {
  protected:
   void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "mrsim-cli-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     for (const char* name : {"PRIMER_2F.MPF", "PRIMER_2S.MPF", "block.stl", "bar.stl"})
       std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// `arguments` as typed after "mrsim" in a shell, `variables` before it.
   Outcome run(const std::string& arguments, const std::string& variables = "") {
@@ -71,8 +69,6 @@ class CliTest : public ::testing::Test {
                                 (folder_ / name).string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0) << read(name).substr(0, 2000);
   }
-
-  std::filesystem::path folder_;
 };
 
 /// The number after `label` in a report, its thousands apart.

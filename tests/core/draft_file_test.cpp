@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/text_io.h"
+#include "support/error_code.h"
 #include "support/temp_folder.h"
 
 #include <csignal>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Drafts : public TempFolderTest {
+class Drafts : public testing::TempFolderTest {
  protected:
   std::size_t files() const {
     return std::size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
@@ -118,7 +119,7 @@ TEST_F(Drafts, FailWhereThereIsNoRoom) {
 
 TEST_F(Drafts, AreRefusedWhereNoFileCanBe) {
   const auto code_at = [](const std::string& name) {
-    return code_of([&] { const DraftFile draft(name); });
+    return testing::error_code([&] { const DraftFile draft(name); });
   };
   EXPECT_EQ(code_at(path("no/such/folder")), "output-folder");
   EXPECT_EQ(code_at(folder_.string()), "output-unwritable");

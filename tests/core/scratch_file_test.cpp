@@ -1,5 +1,6 @@
 #include "core/scratch_file.h"
 
+#include "support/error_code.h"
 #include "support/temp_folder.h"
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-class ScratchFileTest : public TempFolderTest {};
+class ScratchFileTest : public testing::TempFolderTest {};
 
 TEST_F(ScratchFileTest, HasNoNameAndOutlivesItsFolder) {
   ScratchFile file(folder_.string());
@@ -37,11 +38,12 @@ TEST_F(ScratchFileTest, BeginsAnew) {
 }
 
 TEST_F(ScratchFileTest, FaultsHaveACode) {
-  EXPECT_EQ(code_of([&] { const ScratchFile file(path("none")); }), "output-unwritable");
+  EXPECT_EQ(testing::error_code([&] { const ScratchFile file(path("none")); }),
+            "output-unwritable");
   ScratchFile file(folder_.string());
   file.append("abc", 3);
   char read[4];
-  EXPECT_EQ(code_of([&] { file.read(0, read, 4); }), "output-unwritable");  // cut short
+  EXPECT_EQ(testing::error_code([&] { file.read(0, read, 4); }), "output-unwritable");  // cut short
 }
 
 }  // namespace

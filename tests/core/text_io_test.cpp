@@ -1,5 +1,6 @@
 #include "core/text_io.h"
 
+#include "support/error_code.h"
 #include "support/temp_folder.h"
 
 #include <filesystem>
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class TextIo : public TempFolderTest {};
+class TextIo : public testing::TempFolderTest {};
 
 TEST(ParseNumber, TakesWhatControlsTake) {
   EXPECT_EQ(parse_number("12"), 12.0);
@@ -60,12 +61,12 @@ TEST_F(TextIo, WritesAllFilesOrNone) {
 }
 
 TEST_F(TextIo, NamesWhatIsWrong) {
-  EXPECT_EQ(code_of([&] { read_file(path("missing")); }), "file-missing");
-  EXPECT_EQ(code_of([&] { read_file(folder_.string()); }), "file-is-directory");
-  EXPECT_EQ(code_of([&] { check_writable(path("no/such/folder")); }), "output-folder");
-  EXPECT_EQ(code_of([&] { check_writable(folder_.string()); }), "output-unwritable");
+  EXPECT_EQ(testing::error_code([&] { read_file(path("missing")); }), "file-missing");
+  EXPECT_EQ(testing::error_code([&] { read_file(folder_.string()); }), "file-is-directory");
+  EXPECT_EQ(testing::error_code([&] { check_writable(path("no/such/folder")); }), "output-folder");
+  EXPECT_EQ(testing::error_code([&] { check_writable(folder_.string()); }), "output-unwritable");
   std::ofstream(path("big")) << std::string(100, 'x');
-  EXPECT_EQ(code_of([&] { read_file(path("big"), 99); }), "file-too-large");
+  EXPECT_EQ(testing::error_code([&] { read_file(path("big"), 99); }), "file-too-large");
 }
 
 TEST(XmlEscaped, LeavesNoMarkupAndNoControlCharacters) {

@@ -73,7 +73,7 @@ std::vector<std::string> cases() {
   return names;
 }
 
-class Golden : public testing::TestWithParam<std::string> {};
+class Golden : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, Trace) {
   const fs::path folder = fs::path(MRSIM_DATA_DIR) / "../tests/golden" / GetParam();
@@ -85,7 +85,7 @@ TEST_P(Golden, Trace) {
   EXPECT_EQ(actual, expected.str());
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& tested) {
+std::string test_name(const ::testing::TestParamInfo<std::string>& tested) {
   std::string name = tested.param;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); },
@@ -93,7 +93,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& tested) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Golden, testing::ValuesIn(cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, Golden, ::testing::ValuesIn(cases()), test_name);
 
 }  // namespace
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "interp/recognise/recognise.h"
 
-#include <filesystem>
+#include "support/temp_folder.h"
+
 #include <fstream>
 #include <random>
 #include <string>
@@ -8,21 +9,18 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mrsim {
 namespace {
 
 auto recognised(const std::vector<std::string>& lines, const std::string& behind) {
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() /
-      ("recognise-" + std::to_string(::getpid()) + "-" + std::to_string(behind.size()) + ".nc");
+  const testing::TempFolder folder;
+  const std::string path = folder.path("program.nc");
   std::ofstream out(path);
   for (const std::string& line : lines)
     out << line << (line.find('%') == std::string::npos ? behind : "") << '\n';
   out.close();
-  const Recognition r = recognise(path.string(), {});
-  std::filesystem::remove(path);
+  const Recognition r = recognise(path, {});
   return std::tuple(r.dialect, r.dialect_reason, r.machine, r.machine_reason, r.leader_lines,
                     r.empty);
 }

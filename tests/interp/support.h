@@ -4,15 +4,14 @@
 #include "core/units.h"
 #include "interp/interpreter.h"
 #include "interp/show/motion_text.h"
+#include "support/temp_folder.h"
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace mrsim {
 
@@ -33,21 +32,14 @@ class CollectingSink : public MotionSink {
 /// A folder of its own that is removed at the end.
 class Scratch {
  public:
-  Scratch() {
-    static int count = 0;
-    folder_ = std::filesystem::temp_directory_path() /
-              ("mrsim-interp-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(folder_);
-  }
-  ~Scratch() { std::filesystem::remove_all(folder_); }
   std::string write(const std::string& name, const std::string& text) const {
-    const std::string path = (folder_ / name).string();
+    const std::string path = folder_.path(name);
     std::ofstream(path, std::ios::binary) << text;
     return path;
   }
 
  private:
-  std::filesystem::path folder_;
+  testing::TempFolder folder_;
 };
 
 inline Program read_program(const std::string& path, const InterpOptions& options) {

@@ -37,8 +37,8 @@ class MeshDistance {
   Tree tree_;
 };
 
-MeshOptions with_tolerance(double tolerance) {
-  MeshOptions o;
+MeshPlan with_tolerance(double tolerance) {
+  MeshPlan o;
   o.tolerance = tolerance;
   o.threads = 1;
   return o;

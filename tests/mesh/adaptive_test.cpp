@@ -46,8 +46,8 @@ void expect_solid(const TriMesh& mesh) {
   EXPECT_EQ(mesh.owners.size(), mesh.triangles.size());
 }
 
-MeshOptions with_tolerance(double tolerance, int threads = 1) {
-  MeshOptions o;
+MeshPlan with_tolerance(double tolerance, int threads = 1) {
+  MeshPlan o;
   o.tolerance = tolerance;
   o.threads = threads;
   return o;

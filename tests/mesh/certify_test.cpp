@@ -21,7 +21,7 @@ using namespace mrsim::testing;
 using testing::line;
 
 MeshReport report_of(const PartField& field, double tolerance) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   MeshReport report;
   expect_closed_manifold(mesh_part(field, 0.4, options, &report));

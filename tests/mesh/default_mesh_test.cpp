@@ -78,7 +78,7 @@ TEST(DefaultMesh, SurveyTellsSweepsThatLeaveCreases) {
 
 TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {
   const PartField field = slot(ballmill(6));
-  MeshOptions options;
+  MeshPlan options;
   options.measure = true;
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, options, &report);
@@ -93,7 +93,7 @@ TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {
 
 TEST(DefaultMesh, AGridTakesThePlaceOfAToleranceThatTakesTooMuch) {
   const PartField field = slot(ballmill(6));
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = 0.001;
   options.max_memory = 100000;
   EXPECT_THROW(mesh_part(field, 0.5, options), Error);

@@ -24,7 +24,7 @@ namespace {
 using namespace mrsim::testing;
 using Json = nlohmann::json;
 
-class Foreign : public TempFolderTest {};
+class Foreign : public testing::TempFolderTest {};
 
 TriMesh part() {
   TriMesh m = tube_mesh(64, 10, 5, 0.1, 7);

@@ -231,7 +231,7 @@ TEST(MeshFile, FormatsAreToldByExtension) {
 }
 
 TEST(MeshFile, IsWrittenWholeAndReadBack) {
-  const TempFolder temporary;
+  const testing::TempFolder temporary;
   const std::filesystem::path& folder = temporary.folder();
   for (const char* end : {".stl", ".obj", ".ply", ".off", ".3mf"}) {
     const std::string path = (folder / "part").string() + end;

@@ -80,7 +80,7 @@ std::vector<Motion> circles(int count) {
 }
 
 TriMesh mesh_of(const PartField& part, int threads = 2, double tolerance = kTolerance) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   options.threads = threads;
   return mesh_part(part, kVoxel, options);

@@ -89,7 +89,7 @@ class Generator {
 };
 
 void expect_sound(const PartField& part, double voxel, double tolerance, std::uint64_t seed) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   options.threads = 1;
   TriMesh mesh;

@@ -32,7 +32,7 @@ Part meshed(const std::vector<Motion>& cuts, const Tool& tool, double height, do
   StockShape shape;
   shape.box = {{-10, -10, -height}, {10, 10, 0}};
   const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = kRidgeTolerance;
   Part part;
   part.mesh = mesh_part(field, voxel, options, &part.report);
@@ -89,7 +89,7 @@ TEST(Ridge, BottomsOfGroovesMayCrossInAPoint) {
   StockShape shape;
   shape.box = {{-20, -20, -5}, {20, 20, 0}};
   const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = 0.0068;
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.1, options, &report);
@@ -133,7 +133,7 @@ TEST(Ridge, CrestsOfMilledThreadsAreSharp) {
   shape.box = {{-10, -10, -3}, {10, 10, 0}};
   const Tool tool = tooth();
   const PartField field{StockSolid(shape), SweepTable(std::span(&helix, 1), std::span(&tool, 1))};
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = 0.02;
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, options, &report);

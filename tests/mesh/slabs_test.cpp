@@ -68,7 +68,7 @@ class CountingSpill final : public MeshSink {
 TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
   const PartField part = crossed_part(0);
   for (const int threads : {1, 2}) {
-    MeshOptions options;
+    MeshPlan options;
     options.threads = threads;
     MeshReport report;
     const TriMesh whole = mesh_part(part, kCrossedVoxel, options, &report);

@@ -34,7 +34,7 @@ struct Made {
 };
 
 Made made(const AnalyticField& part, double tolerance, double voxel = kVoxel) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   Made out;
   out.mesh = mesh_part(part, voxel, options, &out.report);

@@ -43,7 +43,7 @@ MeshReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& to
   StockShape shape;
   shape.box = {{0, 0, 0}, {20, 20, 8}};
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, options, &report);
@@ -160,7 +160,7 @@ TEST(Tolerance, GroovesOfASharpTipTakeFewTriangles) {
   shape.box = {{0, 0, 0}, {20, 20, 8}};
   const Motion cut = line({-10, 9.7, 6}, {30, 9.7, 6});
   const PartField field(StockSolid(shape), SweepTable(std::span(&cut, 1), std::span(&vee, 1)));
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = 0.005;
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, options, &report);
@@ -197,7 +197,7 @@ TEST(Tolerance, TrianglesLieAlongTheirFaces) {
   StockShape shape;
   shape.box = {{0, 0, -20}, {120, 80, 0}};
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = 0.0204;
   const TriMesh mesh = mesh_part(field, 0.5, options);
   for (const auto& t : mesh.triangles) {

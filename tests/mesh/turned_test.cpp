@@ -43,8 +43,8 @@ Tool insert(const char* shape, double nose) {
   return tool;
 }
 
-MeshOptions within(double tolerance, int threads = 1) {
-  MeshOptions options;
+MeshPlan within(double tolerance, int threads = 1) {
+  MeshPlan options;
   options.tolerance = tolerance;
   options.threads = threads;
   return options;

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 // The mesh that mrsim writes; none where it finds errors in the program.
 std::optional<TriMesh> mesh_of(const std::string& arguments) {
-  const TempFolder folder;
+  const testing::TempFolder folder;
   const std::string out = folder.path("part.stl");
   const std::string command = "cd '" MRSIM_DATA_DIR "' && '" MRSIM_PROGRAM "' " + arguments +
                               " -q -o '" + out + "' 2>/dev/null";

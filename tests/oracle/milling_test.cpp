@@ -91,7 +91,7 @@ PartField field_of(const Milled& part) {
 void expect_volume(const Milled& part, const PartField& field,
                    const std::map<double, ExactRegion>& levels, double voxel, double tolerance,
                    const std::string& name, MeshReport& found) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   const TriMesh mesh = mesh_part(field, voxel, options, &found);
   if (!found.thin.empty()) return;  // a wall below the voxel may be missing, and is reported

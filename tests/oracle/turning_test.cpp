@@ -116,7 +116,7 @@ void expect_membership(const Turned& part, const ExactRegion& region, const Part
 // the outline's arcs.
 void expect_volume(const Turned& part, const ExactRegion& region, const PartField& field,
                    double voxel, double tolerance, const std::string& name, MeshReport& found) {
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   const TriMesh mesh = mesh_part(field, voxel, options, &found);
   if (!found.thin.empty()) return;

@@ -186,7 +186,7 @@ void hash_mesh(const std::string& path, const StockShape& stock, double voxel, d
   Collector found;
   const Program program = interpret(path, {}, found);
   const PartField field(StockSolid(stock), SweepTable(found.motions, program.tools));
-  MeshOptions options;
+  MeshPlan options;
   options.tolerance = tolerance;
   options.threads = 1;
   const TriMesh mesh = mesh_part(field, voxel, options);

@@ -306,7 +306,8 @@ std::vector<float> one_step(const CandidateKernels& kernels, const Table& table,
                                            : kernels.arc)(c, n, args.at, rows);
   const PlanBeaters j = kernels.plan(rows, n, least, 1.5f);
   const auto beater = [&](std::size_t k) {
-    return Beater{rows.squared[k], rows.x[k], rows.y[k], rows.z[k], rows.level[k], c[kIdColumn][k]};
+    return Beater{rows.squared[k],       rows.x[k],      rows.y[k], rows.z[k],
+                  rows.height_number[k], c[kIdColumn][k]};
   };
   args.plan = form > 0, args.rising = true, args.limit = least.distance + 1.2f, args.beyond = 9;
   args.beaters = 2, args.beater[0] = beater(j.nearest), args.beater[1] = beater(j.lowest);

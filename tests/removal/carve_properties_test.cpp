@@ -124,7 +124,7 @@ TEST(CarveProperties, TwoProgramsAreTheirUnion) {
     std::vector<Motion> ab = a, ba = b;
     ab.insert(ab.end(), b.begin(), b.end());
     ba.insert(ba.end(), a.begin(), a.end());
-    const CarveOptions options{.voxel = 1};
+    const CarvePlan options{.voxel = 1};
     const StockShape shape = stock_of(turning);
     const Stock first = carve(shape, a, tools, options), second = carve(shape, b, tools, options);
     const Stock both = carve(shape, ab, tools, options), other = carve(shape, ba, tools, options);

@@ -308,10 +308,10 @@ TEST(Carve, SamplesNothingThatIsNotKept) {
   const StockShape shape = box_stock({0, 0, 0}, {20, 10, 5});
   const Stock kept = carve(shape, motions, tools, {.voxel = 0.25});
   EXPECT_GT(kept.active_voxels(), 0u);
-  CarveOptions slabs{.voxel = 0.25, .threads = 1, .grid_mesh = true, .no_slabs = ""};
+  CarvePlan slabs{.voxel = 0.25, .threads = 1, .grid_mesh = true, .no_slabs = ""};
   slabs.max_memory =
       static_cast<std::size_t>(carve(shape, motions, tools, slabs).memory_whole()) - 1;
-  for (const CarveOptions& options : {CarveOptions{.voxel = 0.25, .keep_grid = false}, slabs}) {
+  for (const CarvePlan& options : {CarvePlan{.voxel = 0.25, .keep_grid = false}, slabs}) {
     const Stock stock = carve(shape, motions, tools, options);
     EXPECT_EQ(stock.in_slabs(), options.keep_grid);
     EXPECT_EQ(stock.active_voxels(), 0u);

@@ -52,7 +52,7 @@ inline CollisionReport check(const StockShape& stock, const std::vector<Motion>&
                              const Tool& tool, double voxel = 0.5, int threads = 0,
                              double depth = 0.01) {
   const std::vector<Tool> tools{tool};
-  CarveOptions carving;
+  CarvePlan carving;
   carving.voxel = voxel;
   CollisionOptions options;
   options.threads = threads;

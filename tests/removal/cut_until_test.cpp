@@ -33,7 +33,7 @@ struct UntilScene {
   std::vector<Motion> motions;
 
   Stock part(std::size_t motions_until, double voxel) const {
-    CarveOptions options;
+    CarvePlan options;
     options.voxel = voxel;
     return carve(stock, std::span(motions).first(motions_until), tools, options);
   }

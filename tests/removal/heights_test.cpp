@@ -182,7 +182,7 @@ TEST(Heights, OfLevelMovesAreBoundsOverARing) {
     squared[0] = round % 4 == 0 ? kNone : squared[0];
     CandidateRows rows{};
     rows.squared = squared, rows.z = z;
-    const float upper = candidate_kernels().level_heights(
+    const float upper = candidate_kernels().horizontal_heights(
         rows, n, square({0, 0, 0}, wide, height_tool(tool)), lower);
     double most = kNone;  // the least of what each is at most
     for (std::size_t k = 0; k < n; ++k) {
@@ -227,7 +227,7 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
     const auto run = [&](const CandidateKernels& kernels) {
       Result x;
       x.least = kernels.piece_heights(columns.columns(), n, args, x.lower.data());
-      x.least_level = kernels.level_heights(rows, n, args, x.level.data());
+      x.least_level = kernels.horizontal_heights(rows, n, args, x.level.data());
       x.count = kernels.keep_low(x.lower.data(), n, 1, columns.columns(), x.kept.data(),
                                  PieceColumns::kStride);
       return x;

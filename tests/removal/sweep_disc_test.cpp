@@ -57,7 +57,7 @@ TEST(Discs, PlacesAndPiecesAgree) {
     const Motion m = any_helix(r);
     const Profile cutter = make_cutter(any_disc(r));
     ToolPath path = path_of(m);
-    path.level = true, path.rise = {0, 0, m.rise / path.sweep};
+    path.horizontal = true, path.rise = {0, 0, m.rise / path.sweep};
     path.disc = is_disc_helix(cutter, path);
     ASSERT_TRUE(path.disc);
     for (int k = 0; k < 10; ++k) {

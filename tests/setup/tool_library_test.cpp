@@ -143,7 +143,7 @@ TEST(ToolLibrary, OtherTablesAreNamed) {
   EXPECT_EQ(why("[offsets.D3]\nradius = 5\n"), "");
 }
 
-using ToolLibraryFiles = TempFolderTest;
+using ToolLibraryFiles = testing::TempFolderTest;
 
 TEST_F(ToolLibraryFiles, FreeCad) {
   const auto write = [&](const std::string& name, const std::string& text) {

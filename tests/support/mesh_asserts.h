@@ -3,6 +3,7 @@
 
 #include "core/text_io.h"
 #include "mesh/solid/check.h"
+#include "support/error_code.h"
 #include <mrsim/types.h>
 
 #include <functional>
@@ -19,16 +20,6 @@ inline std::string bytes_of(const std::function<void(const ByteSink&)>& writer) 
     bytes.append(static_cast<const char*>(data), size);
   });
   return bytes;
-}
-
-/// Code of the Error that `body` throws, "" when it throws none.
-inline std::string error_code(const std::function<void()>& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
 }
 
 /// The triangles by the coordinates of their corners: what stays the same when vertices are

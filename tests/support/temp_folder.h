@@ -1,17 +1,14 @@
-// A folder of its own for each test, gone with it; and the code of the error that a call throws.
+// A folder of its own for each test, gone with it.
 #pragma once
 
-#include "core/error.h"
-
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 /// A folder that is removed with this object.
 class TempFolder {
@@ -42,14 +39,4 @@ class TempFolderTest : public ::testing::Test {
   const std::filesystem::path& folder_ = temporary_.folder();
 };
 
-/// Empty where none is thrown.
-inline std::string code_of(const std::function<void()>& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return {};
-}
-
-}  // namespace mrsim
+}  // namespace mrsim::testing
