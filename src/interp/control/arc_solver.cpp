@@ -1,5 +1,6 @@
 #include "interp/control/arc_solver.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -214,7 +215,7 @@ std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double rad
 bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
   const double off = std::abs(std::abs(arc.sweep) - kPi);
   const bool exact = off < 1e-6;
-  if (is(Dialect::fanuc) && lathe() && std::abs(arc.sweep) >= kPi - 1e-9)
+  if (is(Dialect::fanuc) && lathe() && std::abs(arc.sweep) >= kPi - kTurnRounding)
     return error("arc-half-circle", "an arc of 180 degrees or more needs its centre on this lathe",
                  word);
   if (off > radians(2.0) || (exact && !is(Dialect::fanuc))) return true;

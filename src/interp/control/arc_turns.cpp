@@ -1,4 +1,5 @@
 // How many turns an arc makes: P, TURN=, the pitch of a helix.
+#include "core/rounding.h"
 #include "core/units.h"
 #include "interp/control/arc_solver.h"
 
@@ -31,7 +32,7 @@ bool ArcSolver::add_p_turns(SolvedArc& arc) {
   if (is(Dialect::iso) && !add_pitch_turns(arc)) return false;
   const Word* word = take('P');
   if (!word) return true;
-  const bool beside = is(Dialect::fanuc) && std::abs(arc.sweep) < kTwoPi - 1e-9;
+  const bool beside = is(Dialect::fanuc) && std::abs(arc.sweep) < kTwoPi - kTurnRounding;
   const double least = beside ? 0 : 1;
   if (word->value < least || word->value > 999 || word->value != std::floor(word->value))
     return error("arc-turns", "P is the number of turns, a whole number from 1 to 999", *word);

@@ -1,5 +1,6 @@
 #include "interp/control/axis_words.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -275,7 +276,7 @@ bool AxisWords::angle_target(Target& out, const Vec3& from) {
                  *ang);
   const double given = has_u ? e.x - s.x : e.y - s.y;
   const double along = has_u ? direction.x : direction.y;
-  if (std::abs(along) < 1e-9)
+  if (std::abs(along) < kTurnRounding)
     return error("angle-parallel",
                  "the line runs square to the given coordinate and never reaches it", *ang);
   const double t = given / along;

@@ -1,5 +1,6 @@
 #include "interp/control/compensation_words.h"
 
+#include "core/rounding.h"
 #include "core/tip_orientation.h"
 #include "core/units.h"
 #include "interp/path/outside_corner.h"
@@ -69,7 +70,7 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   const Basis b = stock_basis();
   const Vec2 travel = in_plane(b, motion.end - motion.start);
   const bool straight = motion.kind != MotionKind::arc;
-  const bool moves = !straight || length(travel) > 1e-9;  // full circles, too
+  const bool moves = !straight || length(travel) > kRounding;  // full circles, too
   block_.comp_moved = moves && straight;
   if (modal_.comp != Code::comp_off && !started_) {
     if (!straight && !is(Dialect::ngc))

@@ -1,5 +1,6 @@
 #include "interp/control/contour_cycles.h"
 
+#include "core/rounding.h"
 #include "interp/control/hole_maker.h"
 
 #include <algorithm>
@@ -204,7 +205,7 @@ void ContourCycles::end_contour() {
 }
 
 void ContourCycles::go(const Vec3& to, MotionKind kind) {
-  if (distance(to, position_.physical) <= 1e-9) return;
+  if (distance(to, position_.physical) <= kRounding) return;
   Target target;
   target.programmed = apply_inverse(frames_.total, to);
   target.named = 5;
@@ -234,8 +235,8 @@ void ContourCycles::leave_out_return() {
   const int u = call_.number == 72 ? 2 : 0, v = 2 - u;
   const Vec3 from = position_.physical, begin = contour_.front().end;
   const double out = component(from, u) - component(begin, u);  // away from the contour
-  const bool level = std::abs(component(last.end - last.start, u)) < 1e-9;
-  const bool outside = (component(last.start, u) - component(from, u)) * out > -1e-9;
+  const bool level = std::abs(component(last.end - last.start, u)) < kRounding;
+  const bool outside = (component(last.start, u) - component(from, u)) * out > -kRounding;
   const bool back = component(last.end - last.start, v) * component(last.start - from, v) < 0;
   if (last.kind != kRapid || !level || !outside || !back) return;
   reporter_.add_at(Severity::warning, "cycle-contour",
@@ -276,7 +277,7 @@ bool ContourCycles::rough() {
     r.down = travel > 0 ? 1 : -1;
   }
   r.run = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
-  if (component(shift, r.u) * r.down > 1e-9)
+  if (component(shift, r.u) * r.down > kRounding)
     warning("cycle-allowance",
             fmt::format("{} of G{} leads into the finished shape, which is cut too deep: of a bore "
                         "it is below 0",
@@ -312,7 +313,7 @@ bool ContourCycles::levels(const Rough& r, const RoughContour& shape) {
   if (whole / depth > static_cast<double>(kMostStrokes))
     return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
   std::vector<std::pair<double, FreeStretch>> pockets;
-  for (int i = 1; i * depth < whole - 1e-9; ++i) {
+  for (int i = 1; i * depth < whole - kRounding; ++i) {
     const double at = r.top + r.down * i * depth;
     for (const FreeStretch& stretch : shape.free_at(at)) {
       if (stretch.first)
@@ -335,7 +336,7 @@ bool ContourCycles::levels(const Rough& r, const RoughContour& shape) {
 
 // To the level, along it to the contour, off at 45 degrees, back.
 void ContourCycles::pass(const Rough& r, double at, double end) {
-  if ((end - r.start) * r.run <= 1e-9) return;
+  if ((end - r.start) * r.run <= kRounding) return;
   Vec3 p = position_.physical;
   component(p, r.u) = at;
   go(p, contour_.front().kind);
@@ -348,7 +349,7 @@ void ContourCycles::pass(const Rough& r, double at, double end) {
 // Over the pocket at the height of the start, down to the pass before, into the material.
 void ContourCycles::pocket_pass(const Rough& r, double at, const FreeStretch& stretch) {
   const TurnSettings& set = modal_.turn_settings;
-  if ((stretch.to - stretch.from) * r.run <= 1e-9) return;
+  if ((stretch.to - stretch.from) * r.run <= kRounding) return;
   Vec3 p = position_.physical;
   component(p, r.u) = r.top;
   go(p, kRapid);

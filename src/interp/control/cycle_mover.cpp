@@ -1,12 +1,15 @@
 #include "interp/control/cycle_mover.h"
 
+#include "core/rounding.h"
+
 namespace mrsim {
 
 void CycleMover::go(Vec2 to, double height, MotionKind kind, double feed) {
   const Basis b = basis();
   Target target;
   target.programmed = from_plane(b, to, height);
-  if (length(target.programmed - position_.programmed) <= 1e-9 && position_.known == 7U) return;
+  if (length(target.programmed - position_.programmed) <= kRounding && position_.known == 7U)
+    return;
   for (int i = 0; i < 3; ++i)
     if (component(target.programmed, i) != component(position_.programmed, i))
       target.named |= 1U << i;
@@ -19,7 +22,7 @@ bool CycleMover::target(Vec2 to, Target& out) const {
   out.programmed = from_plane(b, to, height());
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) == 0) out.named |= 1U << i;
-  return length(to - place()) > 1e-9 || (position_.known & out.named) != out.named;
+  return length(to - place()) > kRounding || (position_.known & out.named) != out.named;
 }
 
 void CycleMover::rapid(Vec2 to) {
@@ -38,7 +41,7 @@ void CycleMover::rapid_height(double to) {
   target.programmed = from_plane(b, place(), to);
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) != 0) target.named |= 1U << i;
-  if (std::abs(to - height()) > 1e-9 || (position_.known & target.named) != target.named)
+  if (std::abs(to - height()) > kRounding || (position_.known & target.named) != target.named)
     moves_.step(target, where_, MotionKind::rapid);
 }
 

@@ -1,5 +1,6 @@
 #include "interp/control/drill_words.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -193,7 +194,7 @@ bool DrillWords::drill() {
   Target to;
   if (!axes_.target(to, from)) return false;
   if (!fill(hole)) return false;
-  if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > 1e-9)
+  if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > kRounding)
     warning("cycle-not-run",
             "0 repeats: the tool stays where it is; some controls go to the point without drilling",
             where);
@@ -353,7 +354,7 @@ bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
   if (depth / q > static_cast<double>(kMostStrokes))
     return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
                  where);
-  for (std::size_t i = 1; static_cast<double>(i) * q < depth - 1e-9; ++i)
+  for (std::size_t i = 1; static_cast<double>(i) * q < depth - kRounding; ++i)
     hole.strokes.push_back(hole.safe + along * static_cast<double>(i) * q);
   return true;
 }
@@ -380,7 +381,7 @@ bool DrillWords::haas_pecks(Hole& hole) {
   if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
       depth / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
     return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
-  for (double at = stroke; at < depth - 1e-9; at += stroke) {
+  for (double at = stroke; at < depth - kRounding; at += stroke) {
     hole.strokes.push_back(hole.safe + along * at);
     stroke = std::max(stroke - cycle.less, cycle.least);
   }

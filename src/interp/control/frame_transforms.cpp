@@ -1,4 +1,5 @@
 // Frames that a program turns, scales and mirrors by G words: FANUC's and Fagor's.
+#include "core/rounding.h"
 #include "interp/control/frame_words.h"
 
 #include <cmath>
@@ -137,7 +138,7 @@ void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& w
   const Vec3 before = frames_.local;
   for (int i = 0; i < 3; ++i)
     if (named >> i & 1U) component(frames_.local, i) = component(values, i);
-  if (frames_.rotation_angle != 0 && distance(before, frames_.local) > 1e-9)
+  if (frames_.rotation_angle != 0 && distance(before, frames_.local) > kRounding)
     warning("rotation-shift",
             "G52 while G68 is in force, which controls forbid: read as a shift along the axes that "
             "are not turned; write G52 before G68",
@@ -248,7 +249,7 @@ bool FrameWords::fagor_turn(const Word& word) {
   Vec3 center;
   if (const Word* i = take('I')) center = center + i->value * length_unit(*i) * b.u;
   if (const Word* j = take('J')) center = center + j->value * length_unit(*j) * b.v;
-  if (q && frames_.rotation_angle != 0 && distance(center, frames_.rotation_at) > 1e-9)
+  if (q && frames_.rotation_angle != 0 && distance(center, frames_.rotation_at) > kRounding)
     return error("not-supported",
                  "G73 about another centre while a rotation is in force: write G73 alone before it",
                  word);

@@ -1,5 +1,6 @@
 #include "interp/control/haas_cycles.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 
 #include <cmath>
@@ -148,7 +149,7 @@ bool HaasCycles::read_pocket(Pocket& out) {
                  "a circular pocket needs I larger than the tool's radius and less than K, and Q "
                  "above 0",
                  *i);
-  if (out.first > 2 * tool + 1e-9 && tool > 0)
+  if (out.first > 2 * tool + kRounding && tool > 0)
     note_once("cycle-entry",
               "I is larger than the tool's diameter: the way in, a half circle that ends towards "
               "+X, cuts where the control's own may lie elsewhere",
@@ -188,7 +189,7 @@ bool HaasCycles::circles(const Pocket& pocket) {
     const Vec2 at = middle + Vec2{r, 0};
     if (r == pocket.first && !half_circle(middle + Vec2{r / 2, 0}, at, false)) return false;
     if (!half_circle(middle, at, true)) return false;
-    if (r >= pocket.last - 1e-9) return half_circle(middle + Vec2{r / 2, 0}, middle, false);
+    if (r >= pocket.last - kRounding) return half_circle(middle + Vec2{r / 2, 0}, middle, false);
     r = std::min(r + pocket.step, pocket.last);
     Target next;
     next.programmed = position_.programmed;

@@ -1,5 +1,6 @@
 #include "interp/control/linuxcnc_turning.h"
 
+#include "core/rounding.h"
 #include "interp/path/arc.h"
 
 #include <algorithm>
@@ -169,7 +170,7 @@ bool LinuxCncTurning::move_to(const Word& place) {
   if (!axes_.target(to, at_)) return false;
   to.programmed.y = at_.y;
   piece.arc = is_circular(modal_.motion);
-  if (length(to.programmed - at_) <= 1e-9) return true;
+  if (length(to.programmed - at_) <= kRounding) return true;
   const double unit = 1 / scale();
   if (piece.arc) {
     SolvedArc arc;
@@ -255,7 +256,7 @@ void LinuxCncTurning::run_move(const ProfileMove& move) {
   const Vec2 from = mover_.place(), end = scale() * move.end;
   if (move.kind == ProfileMove::Kind::arc) {
     modal_.motion = move.ccw ? Code::arc_ccw : Code::arc_cw;
-    if (length(end - from) <= 1e-9) return;
+    if (length(end - from) <= kRounding) return;
     const Vec2 center = bisector_center(from, end, scale() * move.center);
     const PlaneArc arc = arc_about(from, end, center, move.ccw);
     mover_.piece({true, from, end, center, arc.radius, arc.sweep}, 0, 0);

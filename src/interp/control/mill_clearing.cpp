@@ -1,5 +1,6 @@
 // How the areas of milling cycles are cleared: level by level, loop by loop; spigots, faces, open
 // slots and threads.
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/control/mill_cycles.h"
@@ -223,10 +224,10 @@ bool MillCycles::open_slot() {
     return fail("not-supported", "CYCLE899: a reference point other than the centre");
   const double unit = scale(), length = std::abs(value(list_->length)) * unit;
   const double b = std::abs(value(list_->width)) * unit / 2 - radius_ - (l.finish ? 0 : l.side);
-  if (length <= 0 || b < -1e-9)
+  if (length <= 0 || b < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   const double half = length / 2 + radius_ + std::abs(l.safe - l.reference);
-  const int n = b < 1e-9 ? 0 : steps_of(2 * b, l.width);
+  const int n = b < kRounding ? 0 : steps_of(2 * b, l.width);
   const auto place = [&](double u, double v) { return at + turned({u, v}, value(list_->start)); };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (int i = 0; i <= n; ++i) {
@@ -247,7 +248,7 @@ bool MillCycles::thread() {
   const double nominal = std::abs(call_->get(5)) * unit / 2;
   const double wall = outside ? std::abs(call_->get(6)) * unit / 2 + radius_ : nominal - radius_;
   if (pitch <= 0) return fail("thread-lead", "CYCLE90 needs the pitch of the thread, PIT");
-  if (wall <= 1e-9) return fail("value-range", "the cutter is too large for the thread");
+  if (wall <= kRounding) return fail("value-range", "the cutter is too large for the thread");
   const double feed = value(list_->feed) * feed_scale();
   const double down = l.bottom < l.reference ? -1 : 1;
   // Whole turns that begin above the face.

@@ -1,6 +1,7 @@
 // What the values of a milling cycle mean, and the areas that they describe.
 #include "interp/control/mill_cycles.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -134,7 +135,7 @@ bool MillCycles::center(double length, double width, double degrees, Vec2& out) 
 std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, double degrees,
                                      const std::function<Loop(double)>& make) {
   last = std::max(0.0, last);
-  const int n = last < 1e-9 ? 0 : steps_of(last, l.width);
+  const int n = last < kRounding ? 0 : steps_of(last, l.width);
   std::vector<Loop> loops;
   for (int k = 0; k <= n; ++k) {
     const Loop loop = make(n == 0 ? 0 : last * k / n);
@@ -159,7 +160,7 @@ bool MillCycles::rectangle() {
   const double a = length / 2 - radius_, b = width / 2 - radius_;
   const double corner = std::min(std::abs(value(list_->corner)) * unit, width / 2);
   const double round = std::max(0.0, corner - radius_);
-  if (b - l.side < -1e-9)
+  if (b - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   Area area;
   area.entry = at;
@@ -184,7 +185,7 @@ bool MillCycles::circle() {
                 "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
                 "is not supported yet: write the list up to DP1, with a radius");
   const double reach = std::abs(value(list_->radius)) * scale() - radius_;
-  if (reach - l.side < -1e-9)
+  if (reach - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   Area area;
   area.entry = at;
@@ -215,7 +216,7 @@ bool MillCycles::slots() {
   const double b = width / 2 - radius_, a = length / 2 - radius_;
   const int from = list_->gmode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->gmode), 3);
   if (n == 0 || from > 5) return fail("value-range", "the number of slots is 1 to 10000");
-  if (b - l.side < -1e-9 || length < width)
+  if (b - l.side < -kRounding || length < width)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   if (list_->name == "SLOT1") l.helix = std::abs(value(23));  // STA2: the angle of swinging
   // The centre of the slot: behind its inner end, or as GMODE says.
@@ -249,7 +250,7 @@ bool MillCycles::arc_slots() {
   const double b = std::abs(value(list_->width)) * unit / 2 - radius_;
   const double angle = radians(std::abs(value(list_->length)));
   if (n == 0) return fail("value-range", "the number of slots is 1 to 10000");
-  if (b - l.side < -1e-9)
+  if (b - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   if (angle <= 0 || angle > 2 * kPi || b >= round)
     return fail("value-range", "AFSL is an angle up to 360 and RAD larger than half the width");

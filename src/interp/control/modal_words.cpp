@@ -1,5 +1,6 @@
 #include "interp/control/modal_words.h"
 
+#include "core/rounding.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -391,7 +392,7 @@ bool ModalWords::select_normal(const Word& word) {
   Vec3 normal;
   for (int i = 0; i < 3; ++i)
     if (const Word* w = take("IJK"[i])) component(normal, i) = w->value;
-  if (length(normal) < 1e-9)
+  if (length(normal) < kTurnRounding)
     return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
   modal_.normal = normalized(normal);
   modal_.plane = 3;

@@ -1,5 +1,6 @@
 #include "interp/control/motion_emitter.h"
 
+#include "core/rounding.h"
 #include "interp/control/tool_changer.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   motion.end.z += modal_.length_offset;
   motion.center.z += modal_.length_offset;
   last_length_ = modal_.length_offset;
-  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= 1e-9) {
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= kRounding) {
     for (const Address a : {Address::rnd, Address::chr, Address::chf})
       if (const Word* word = find(a); word && corner.kind != CornerSpec::Kind::none)
         warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",

@@ -1,5 +1,6 @@
 #include "interp/control/moves.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 
 #include <algorithm>
@@ -167,7 +168,7 @@ bool Moves::spline(const Vec3& from, const Frame& frame) {
 bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame, double feed) {
   const Vec3 u = turn(frame, arc.u), v = turn(frame, arc.v);
   const double su = length(u), sv = length(v);
-  if (std::abs(su - sv) > 1e-9 * su || std::abs(dot(u, v)) > 1e-9 * su * sv)
+  if (std::abs(su - sv) > kTurnRounding * su || std::abs(dot(u, v)) > kTurnRounding * su * sv)
     return error("arc-scaled-unequally",
                  arc.spatial
                      ? std::string("the frame scales the arc's plane unequally: it would be an "
@@ -267,7 +268,7 @@ bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& fra
   const Vec2 d1{a.cos, a.sin}, d2{c.cos, c.sin};
   const Vec2 s = in_plane(b, from), e = in_plane(b, to.programmed);
   const double det = cross(d1, d2);
-  if (std::abs(det) < 1e-9)
+  if (std::abs(det) < kTurnRounding)
     return error("angle-parallel", "the two lines are parallel and have no corner", ang);
   const double t = cross(e - s, d2) / det, rest = cross(d1, e - s) / det;
   if (t < 0 || rest < 0) return error("angle-behind", "the two lines meet behind their ends", ang);
@@ -361,7 +362,7 @@ void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   if (motion.kind != MotionKind::arc) {
     const Vec3 d = end - motion.start;
     const double l = length(d);
-    if (l > 1e-9) {
+    if (l > kRounding) {
       position_.tangent = (1 / l) * d;
       position_.has_tangent = true;
     }

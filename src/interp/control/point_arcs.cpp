@@ -1,5 +1,7 @@
 #include "interp/control/point_arcs.h"
 
+#include "core/rounding.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -75,7 +77,7 @@ bool PointArcs::tangent(const ArcBlock& arc, SolvedArc& out) {
                  *arc.where);
   const Vec2 t = in_plane(arc.basis, turn_inverse(arc.frame, position_.tangent));
   const double l = length(t);
-  if (l < 1e-9)
+  if (l < kRounding)
     return error(
         "arc-no-tangent",
         "the element before CT runs square to the plane: there is no tangent (alarm 14045)",
@@ -84,7 +86,7 @@ bool PointArcs::tangent(const ArcBlock& arc, SolvedArc& out) {
     return error("arc-points-coincide", "CT needs an end point other than its start", *arc.where);
   const Vec2 unit = (1 / l) * t;
   const Vec2 chord = arc.end - arc.start;
-  if (std::abs(cross(unit, chord)) <= 1e-9 * length(chord) && dot(unit, chord) < 0)
+  if (std::abs(cross(unit, chord)) <= kTurnRounding * length(chord) && dot(unit, chord) < 0)
     return error("arc-no-tangent",
                  "the end lies straight behind: no circle reaches it (alarm 14045)", *arc.where);
   const std::optional<PlaneArc> solved = arc_by_tangent(arc.start, unit, arc.end);

@@ -1,6 +1,7 @@
 // Where a contour stands, how it is kept, and milling along it.
 #include "interp/control/sinumerik_contours.h"
 
+#include "core/rounding.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "interp/path/arc.h"
@@ -120,7 +121,7 @@ void SinumerikContours::end_contour() {
 }
 
 void SinumerikContours::go(const Vec3& to, MotionKind kind, double feed) {
-  if (distance(to, position_.physical) <= 1e-9) return;
+  if (distance(to, position_.physical) <= kRounding) return;
   Target target;
   target.programmed = apply_inverse(frames_.total, to);
   target.named = lathe() ? 5 : 7;
@@ -233,7 +234,7 @@ void SinumerikContours::approach(const Along& l, double level, double from, bool
     mover_.rapid_height(from);
     mover_.line_height(level, l.plunge);
   }
-  if ((kind == 2 || kind == 3) && reach > 1e-9)
+  if ((kind == 2 || kind == 3) && reach > kRounding)
     mover_.piece(arc, 0, l.feed);
   else
     mover_.line(leaving ? far : at, l.feed);

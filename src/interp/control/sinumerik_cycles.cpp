@@ -1,5 +1,6 @@
 #include "interp/control/sinumerik_cycles.h"
 
+#include "core/rounding.h"
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
@@ -220,7 +221,7 @@ bool SinumerikCycles::strokes(const Call& call, double reference, Hole& hole) {
     return error("value-range", "CYCLE83: the first drilling depth must lie below RFP", where());
   const double smallest = dam > 0 ? std::max(dam * unit, least) : least;
   double at = 0;
-  while (at + stroke < total - 1e-9) {
+  while (at + stroke < total - kRounding) {
     at += stroke;
     hole.strokes.push_back(reference + down * at);
     if (hole.strokes.size() > kMostStrokes)
@@ -314,7 +315,7 @@ bool SinumerikCycles::row(const Call& call) {
     list.push_back({call.get(0) * unit + along * sc.cos, call.get(1) * unit + along * sc.sin});
   }
   const Vec2 from = in_plane(basis(), position_.programmed);  // it begins at the end that is nearer
-  if (!list.empty() && length(list.back() - from) < length(list.front() - from) - 1e-9)
+  if (!list.empty() && length(list.back() - from) < length(list.front() - from) - kRounding)
     std::reverse(list.begin(), list.end());
   return at_points(list);
 }

@@ -1,4 +1,5 @@
 // CYCLE95 turns down to a contour.
+#include "core/rounding.h"
 #include "interp/control/sinumerik_contours.h"
 
 #include <algorithm>
@@ -137,7 +138,7 @@ void SinumerikContours::levels(const Removal& r, const RoughContour& shape, doub
   const double feed = modal_.feed;
   Vec3 p = position_.physical;
   for (const auto& [at, stretch] : reliefs) {
-    if ((stretch.to - stretch.from) * r.run <= 1e-9) continue;
+    if ((stretch.to - stretch.from) * r.run <= kRounding) continue;
     p = position_.physical;
     component(p, r.u) = r.top - r.down * r.clear;
     go(p, MotionKind::rapid, 0);
@@ -158,7 +159,7 @@ void SinumerikContours::levels(const Removal& r, const RoughContour& shape, doub
 // One pass: to the level, along it to the contour, off at 45 degrees, back.
 void SinumerikContours::level(const Removal& r, double at, double from, double to) {
   const double travel = (to - from) * r.run;
-  if (travel <= 1e-9) return;
+  if (travel <= kRounding) return;
   Vec3 p = position_.physical;
   component(p, r.u) = at;
   go(p, MotionKind::rapid, 0);

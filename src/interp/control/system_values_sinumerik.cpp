@@ -1,4 +1,5 @@
 // System variables of SINUMERIK: data of tools, positions, frames.
+#include "core/rounding.h"
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
@@ -154,7 +155,7 @@ bool turned_about_z(const Frame& frame, double& angle) {
   for (int i = 0; i < 3; ++i) {
     Vec3 axis;
     component(axis, i) = 1;
-    if (distance(turn(frame, axis), turn(same, axis)) > 1e-9) return false;
+    if (distance(turn(frame, axis), turn(same, axis)) > kTurnRounding) return false;
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #include "interp/control/turn_cycles.h"
 
+#include "core/rounding.h"
 #include "core/tip_orientation.h"
 #include "interp/path/clearing.h"
 
@@ -42,7 +43,7 @@ void TurnCycles::to(double x, double z, MotionKind kind, double lead) {
   Target target;
   target.programmed = {x, position_.programmed.y, z};
   target.named = 5;
-  if (length(target.programmed - position_.programmed) > 1e-9)
+  if (length(target.programmed - position_.programmed) > kRounding)
     moves_.step(target, where_, kind, lead, 0);
 }
 
@@ -177,7 +178,7 @@ bool TurnCycles::blade(Groove& g, double low, double high) {
                 "CYCLE93 needs a grooving tool and its width: give --tool or "
                 "--tools");
   const double w = tool->width;
-  if (w > high - low + 1e-9)
+  if (w > high - low + kRounding)
     return fail("value-range", "CYCLE93: the tool is wider than the groove (alarm 61602)");
   const int tip = tip_orientation(*tool);
   const bool inside = g.bottom > g.top;
@@ -217,7 +218,7 @@ bool TurnCycles::groove() {
   const double begin = g.first + aside, end = g.last - aside;
   if (std::abs(end - begin) > kMostPasses * g.step) return fail("value-range", "too many passes");
   to(g.clear, position_.programmed.z, MotionKind::rapid);
-  const int n = std::abs(end - begin) < 1e-9 ? 0 : steps_of(std::abs(end - begin), g.step);
+  const int n = std::abs(end - begin) < kRounding ? 0 : steps_of(std::abs(end - begin), g.step);
   for (int i = 0; i <= n; ++i)
     plunge(g, n == 0 ? begin : begin + (end - begin) * i / n, g.bottom - in * g.base_allowance);
   if (g.base_allowance == 0 && g.flank_allowance == 0) return true;

@@ -1,6 +1,7 @@
 #include "interp/control/turn_words.h"
 
 #include "core/exponential.h"
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "interp/control/hole_maker.h"
 
@@ -45,7 +46,8 @@ void TurnWords::go(double x, double z, MotionKind kind, double lead) {
   Target to;
   to.programmed = {x, position_.programmed.y, z};
   to.named = 5;
-  if (length(to.programmed - position_.programmed) > 1e-9) moves_.step(to, where(), kind, lead, 0);
+  if (length(to.programmed - position_.programmed) > kRounding)
+    moves_.step(to, where(), kind, lead, 0);
 }
 
 // X and Z stay in force, as the start of the cycle does.
@@ -139,7 +141,7 @@ void TurnWords::grooves(const Vec3& from, const Vec3& to, double shift, double s
     const double done = shift > 0 ? std::min(n * shift, width) : n > 0 ? width : 0;
     const double side = side0 + aside * done;
     at(side, top, kRapid);
-    for (int i = 1; stroke > 0 && i * stroke < depth - 1e-9; ++i) {
+    for (int i = 1; stroke > 0 && i * stroke < depth - kRounding; ++i) {
       at(side, top + down * i * stroke, kLine);
       at(side, top + down * (i * stroke - std::min(modal_.turn_settings.peck_return, i * stroke)),
          kRapid);
@@ -148,7 +150,7 @@ void TurnWords::grooves(const Vec3& from, const Vec3& to, double shift, double s
     const double away = width > 0 ? side - aside * relief : side - relief;
     at(away, bottom, kRapid);
     at(away, top, kRapid);
-    if (done >= width - 1e-9) break;
+    if (done >= width - kRounding) break;
   }
   at(side0, top, kRapid);
 }
@@ -233,7 +235,7 @@ bool TurnWords::thread_depths(const Thread& t, std::vector<double>& depths) {
                  where());
   const double rough = std::max(0.0, t.height - t.finish);
   double depth = 0;
-  for (int n = 1; depth < rough - 1e-9; ++n) {
+  for (int n = 1; depth < rough - kRounding; ++n) {
     const double next = t.constant_depth ? n * t.first : std::sqrt(n) * t.first;
     depth = std::min(rough, std::max(next, depth + t.least));
     depths.push_back(depth);

@@ -1,5 +1,6 @@
 #include "interp/path/arc.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -69,7 +70,8 @@ PlaneArc arc_by_angle(Vec2 start, Vec2 end, double angle, bool ccw) {
 std::optional<PlaneArc> arc_by_tangent(Vec2 start, Vec2 tangent, Vec2 end) {
   const Vec2 chord = end - start;
   const double across = cross(tangent, chord), l2 = dot(chord, chord);
-  if (std::abs(across) <= 1e-9 * std::sqrt(l2) && dot(tangent, chord) > 0) return std::nullopt;
+  if (std::abs(across) <= kTurnRounding * std::sqrt(l2) && dot(tangent, chord) > 0)
+    return std::nullopt;
   const double signed_radius = l2 / (2 * across);  // > 0: the centre lies left of the tangent
   PlaneArc arc;
   arc.center = start + signed_radius * Vec2{-tangent.y, tangent.x};

@@ -1,5 +1,6 @@
 #include "interp/path/clearing.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -9,11 +10,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kShortest = 1e-9;  // mm
 constexpr double kMostSteps = 1e5;
 
 void add_line(Loop& loop, Vec2 from, Vec2 to) {
-  if (length(to - from) < kShortest) return;
+  if (length(to - from) < kRounding) return;
   PlanePiece piece;
   piece.start = from;
   piece.end = to;
@@ -28,7 +28,7 @@ void add_arc(Loop& loop, Vec2 from, Vec2 to, Vec2 center, double sweep) {
   piece.center = center;
   piece.radius = length(from - center);
   piece.sweep = sweep;
-  if (piece.radius > kShortest) loop.push_back(piece);
+  if (piece.radius > kRounding) loop.push_back(piece);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // inside corner ends where the moved elements meet, and an element that has no room left is void.
 #include "interp/path/compensation.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 #include "interp/path/offset_contour.h"
 
@@ -42,7 +43,7 @@ void CompensationStage::push(const PathMove& move) {
 // A frame may turn or mirror the plane's axes on the way; corners need both elements in the same.
 void CompensationStage::same_axes(PathMove& move) const {
   const Basis& b = move.basis;
-  if (length(b.w - basis_.w) > 1e-9) return;
+  if (length(b.w - basis_.w) > kTurnRounding) return;
   if (dot(cross(b.u, b.v), cross(basis_.u, basis_.v)) < 0) move.comp.side = -move.comp.side;
   move.basis = basis_;
 }
@@ -103,7 +104,8 @@ void CompensationStage::send(PathMove move, const PlanePiece& piece, double end_
   shown.end = piece.end - tip;
   shown.center = piece.center - tip;
   const double from = dot(at_, b.w);
-  if (!shown.arc && length(shown.end - shown.start) <= 1e-9 && std::abs(end_height - from) <= 1e-9)
+  if (!shown.arc && length(shown.end - shown.start) <= kRounding &&
+      std::abs(end_height - from) <= kRounding)
     return;
   const Vec3 start = at_;
   from_piece(shown, b, from, end_height, move.motion);
@@ -169,7 +171,7 @@ void CompensationStage::leave_or_shift() {
     at_ = at_ + (height(first, first.motion.end) - dot(at_, w)) * w;
     first.motion.start = start;
     first.motion.end = at_;
-    if (distance(start, at_) > 1e-9) next_(first);
+    if (distance(start, at_) > kRounding) next_(first);
     return;
   }
   if (first.comp.side == 0) {
@@ -178,7 +180,7 @@ void CompensationStage::leave_or_shift() {
     if (arc) send_line(first, in_plane(first.basis, first.motion.start), dot(at_, w));
     first.motion.start = at_;
     at_ = first.motion.end;
-    if (arc || distance(first.motion.start, at_) > 1e-9) next_(first);
+    if (arc || distance(first.motion.start, at_) > kRounding) next_(first);
     return;
   }
   const Vec3 shift = at_ - first.motion.start;

@@ -1,5 +1,6 @@
 #include "interp/path/corners.h"
 
+#include "core/rounding.h"
 #include "interp/path/arc.h"
 #include "interp/path/plane_piece.h"
 
@@ -25,7 +26,7 @@ bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool fro
   if (!piece.arc) {
     out = from_end ? corner - distance * end_tangent(piece)
                    : corner + distance * start_tangent(piece);
-    return distance <= length(piece.end - piece.start) + 1e-9;
+    return distance <= length(piece.end - piece.start) + kRounding;
   }
   PlanePiece ring;
   ring.arc = true;
@@ -37,7 +38,7 @@ bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool fro
   for (int i = 0; i < n; ++i) {
     const double along = position_on(piece, hits[static_cast<std::size_t>(i)]);
     const double gap = from_end ? extent(piece) - along : along;
-    if (gap < -1e-9 || gap > extent(piece) + 1e-9 || gap >= best) continue;
+    if (gap < -kRounding || gap > extent(piece) + kRounding || gap >= best) continue;
     best = gap;
     out = hits[static_cast<std::size_t>(i)];
   }
@@ -55,13 +56,13 @@ Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
 
 bool on_piece(const PlanePiece& piece, Vec2 p) {
   const double along = position_on(piece, p);
-  return along >= -1e-9 && along <= extent(piece) + 1e-9;
+  return along >= -kRounding && along <= extent(piece) + kRounding;
 }
 
 // Contacts of an arc of radius r; false when it does not fit on the elements.
 bool round_contacts(const PlanePiece& a, const PlanePiece& b, double side, double r, Contact& out) {
   const PlanePiece oa = offset_piece(a, side * r), ob = offset_piece(b, side * r);
-  if ((oa.arc && oa.radius <= 1e-9) || (ob.arc && ob.radius <= 1e-9)) return false;
+  if ((oa.arc && oa.radius <= kRounding) || (ob.arc && ob.radius <= kRounding)) return false;
   std::array<Vec2, 2> hits;
   const int n = intersect(oa, ob, hits);
   double best = 1e300;
@@ -83,7 +84,7 @@ bool contacts(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, 
   double leg = size;
   if (spec.kind == CornerSpec::Kind::cut) {
     const Vec2 t = end_tangent(a) + start_tangent(b);  // |t| = 2 cos(half the turn)
-    leg = size / std::max(length(t), 1e-9);
+    leg = size / std::max(length(t), kRounding);
   }
   return at_distance(a, a.end, leg, true, out.first) &&
          at_distance(b, b.start, leg, false, out.second);
@@ -102,8 +103,8 @@ double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece
 
 // False: the corner has taken the whole element.
 bool travels(const Motion& motion) {
-  return distance(motion.start, motion.end) > 1e-9 ||
-         (motion.kind == MotionKind::arc && motion.radius * std::abs(motion.sweep) > 1e-9);
+  return distance(motion.start, motion.end) > kRounding ||
+         (motion.kind == MotionKind::arc && motion.radius * std::abs(motion.sweep) > kRounding);
 }
 
 // The piece is in coordinates of `basis`; that of the move may be turned against it.

@@ -1,5 +1,6 @@
 #include "interp/path/outside_corner.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/path/arc.h"
@@ -68,7 +69,7 @@ void round(CornerWay& way, const Compensation& comp, Vec2 corner, const PlanePie
 }  // namespace
 
 void CornerWay::add_line(Vec2 from, Vec2 to) {
-  if (length(to - from) <= 1e-9) return;
+  if (length(to - from) <= kRounding) return;
   PlanePiece line;
   line.start = from;
   line.end = to;
@@ -81,7 +82,7 @@ CornerWay outside_corner(const Compensation& comp, Vec2 corner, const PlanePiece
   way.end = piece.end;
   way.entry = next.start;
   const double turn = std::abs(fold_sweep(end_tangent(piece), start_tangent(next), comp.side < 0));
-  const bool meets = !comp.arcs && turn <= comp.sharpest + 1e-9;
+  const bool meets = !comp.arcs && turn <= comp.sharpest + kTurnRounding;
   if (comp.two_points && !comp.arcs)
     along_tangents(way, piece, next, comp.radius * (meets ? half_tangent(turn) : 1), meets);
   else if (meets && run_on(piece, next, way.end))

@@ -1,5 +1,6 @@
 #include "interp/path/plane_piece.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/path/arc.h"
@@ -30,7 +31,7 @@ int line_circle(const PlanePiece& line, const PlanePiece& circle, std::array<Vec
   const Vec2 foot = line.start + dot(circle.center - line.start, unit) * unit;
   const double h2 = dot(circle.center - foot, circle.center - foot),
                r2 = circle.radius * circle.radius;
-  if (h2 > r2 * (1 + 1e-9)) return 0;
+  if (h2 > r2 * (1 + kTurnRounding)) return 0;
   const double half = std::sqrt(std::max(0.0, r2 - h2));
   out[0] = foot - half * unit;
   out[1] = foot + half * unit;
@@ -43,7 +44,7 @@ int circle_circle(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>&
   if (l <= 1e-12) return 0;
   const double along = (l * l + a.radius * a.radius - b.radius * b.radius) / (2 * l);
   const double h2 = a.radius * a.radius - along * along;
-  if (h2 < -1e-9 * a.radius * a.radius) return 0;
+  if (h2 < -kTurnRounding * a.radius * a.radius) return 0;
   const double h = std::sqrt(std::max(0.0, h2));
   const Vec2 unit = (1 / l) * d, foot = a.center + along * unit;
   out[0] = foot - h * left_of(unit);
@@ -67,12 +68,12 @@ PlanePiece to_plane(const Motion& motion, const Basis& basis) {
 
 bool is_infeed(const PathMove& move) {
   if (move.motion.kind == MotionKind::arc) return false;
-  return length(in_plane(move.basis, move.motion.end - move.motion.start)) <= 1e-9;
+  return length(in_plane(move.basis, move.motion.end - move.motion.start)) <= kRounding;
 }
 
 bool is_tilted(const PathMove& move) {
   return move.motion.kind == MotionKind::arc &&
-         std::abs(dot(move.motion.axis, move.basis.w)) < 1 - 1e-9;
+         std::abs(dot(move.motion.axis, move.basis.w)) < 1 - kTurnRounding;
 }
 
 Vec2 start_tangent(const PlanePiece& p) {

@@ -1,5 +1,7 @@
 #include "interp/path/spline.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -74,7 +76,7 @@ class Approximation {
   static void add(Vec2 from, Vec2 tangent, Vec2 to, std::vector<CurvePiece>& pieces) {
     CurvePiece piece{to, {}};
     const double chord = length(to - from);
-    if (chord < 1e-9) return;
+    if (chord < kRounding) return;
     const bool flat = std::abs(cross(tangent, to - from)) < 1e-7 * chord;
     if (!flat)
       if (const auto arc = arc_by_tangent(from, tangent, to)) piece.arc = *arc;
@@ -170,7 +172,7 @@ class NurbsStretch {
 std::vector<CurvePiece> bezier_arcs(const std::array<Vec2, 4>& control, double tolerance) {
   double extent = 0;
   for (const Vec2 p : control) extent = std::max(extent, length(p - control[0]));
-  if (extent < 1e-9) return {};
+  if (extent < kRounding) return {};
   Approximation made(bezier(control), tolerance);
   made.span(0, 1, 0);
   return made.out;
@@ -180,7 +182,7 @@ std::vector<CurvePiece> nurbs_arcs(const std::vector<NurbsPoint>& control, int o
                                    double tolerance) {
   double extent = 0;
   for (const NurbsPoint& p : control) extent = std::max(extent, length(p.at - control[0].at));
-  if (extent < 1e-9) return {};
+  if (extent < kRounding) return {};
   std::vector<CurvePiece> out;
   for (std::size_t i = 0; i + static_cast<std::size_t>(order) <= control.size(); ++i) {
     const NurbsStretch stretch(control, order, i);

@@ -1,5 +1,6 @@
 #include "interp/path/turn_profile.h"
 
+#include "core/rounding.h"
 #include "interp/path/turn_levels.h"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ Vec2 nearer(Vec2 to, Vec2 a, Vec2 b) { return length(a - to) < length(b - to) ? 
 Vec2 lines_meet(const ProfilePiece& a, const ProfilePiece& b) {
   const Vec2 d = a.end - a.start, e = b.end - b.start;
   const double det = cross(d, e);
-  if (std::abs(det) <= 1e-9 * length(d) * length(e)) return middle(a.end, b.start);
+  if (std::abs(det) <= kTurnRounding * length(d) * length(e)) return middle(a.end, b.start);
   return a.start + (cross(b.start - a.start, e) / det) * d;
 }
 

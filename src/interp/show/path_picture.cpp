@@ -1,5 +1,6 @@
 #include "interp/show/path_picture.h"
 
+#include "core/rounding.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -36,7 +37,7 @@ std::string svg_point(const PathView& view, const Vec3& p) {
 std::string svg_arc(const PathView& view, const Motion& m) {
   std::string out;
   const double facing = dot(m.axis, view.towards());
-  if (std::abs(facing) < 1 - 1e-9) {
+  if (std::abs(facing) < 1 - kTurnRounding) {
     const int n = arc_steps(m);
     for (int i = 1; i <= n; ++i)
       out += fmt::format("L{}", svg_point(view, arc_point(m, double(i) / n)));

@@ -1,0 +1,13 @@
+// Below what size a difference of doubles is rounding, and no geometry.
+#pragma once
+
+namespace mrsim {
+
+/// mm: lengths and gaps up to this are none. Coordinates up to 10 m are rounded by 1e-12, sums of
+/// some of them by 1e-11; no control reads steps below 1e-5.
+inline constexpr double kRounding = 1e-9;
+
+/// Radians, and products of unit vectors: turns up to this are none.
+inline constexpr double kTurnRounding = 1e-9;
+
+}  // namespace mrsim
