@@ -34,15 +34,10 @@ TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
     return std::move(saved.surface);
   }
   const StockRecipe& recipe = *saved.recipe;
-  CarveOptions carve_options;
-  carve_options.voxel = recipe.voxel;
-  carve_options.threads = threads;
-  carve_options.keep_grid = false;
+  const CarvePlan plan{.voxel = recipe.voxel, .threads = threads, .keep_grid = false};
   const CutHistory& cuts = recipe.shape.history;
-  const Stock stock = carve(recipe.shape, cuts.motions, cuts.tools, carve_options);
-  MeshOptions mesh_options;
-  mesh_options.threads = threads;
-  TriMesh mesh = extract_mesh(stock, mesh_options);
+  const Stock stock = carve(recipe.shape, cuts.motions, cuts.tools, plan);
+  TriMesh mesh = extract_mesh(stock, {.threads = threads});
   mesh.origin = owner_table(owners_of(MemoryMesh(mesh)), CutList(cuts));
   if (note != nullptr)
     *note = fmt::format("{}: meshed with its voxel of {:.4g} mm", path, recipe.voxel);

@@ -21,10 +21,10 @@ struct MeshChoice {
   bool searches_helix = false;     ///< a cut is a helix that costs a search for each point
   bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
   bool is_default = false;         ///< nor was the tolerance: likewise
-  bool measure = false;            ///< MeshOptions::measure
-  double fallback_voxel = 0;       ///< MeshOptions::fallback_voxel
-  std::size_t fallback_cells = 0;  ///< MeshOptions::fallback_cells
-  double cut_cells = 0;            ///< CarveOptions::cut_cells
+  bool measure = false;            ///< MeshPlan::measure
+  double fallback_voxel = 0;       ///< MeshPlan::fallback_voxel
+  std::size_t fallback_cells = 0;  ///< MeshPlan::fallback_cells
+  double cut_cells = 0;            ///< CarvePlan::cut_cells
 };
 
 /// What was given; else what the size of stock and cutters suggests.

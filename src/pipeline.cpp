@@ -156,11 +156,11 @@ StockShape choose_stock(const Job& job, JobResult& result) {
 }
 
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
-double volume_before(const StockShape& shape, CarveOptions options, const MeshOptions& mesh) {
+double volume_before(const StockShape& shape, CarvePlan plan, const MeshPlan& mesh) {
   if (!shape.history.motions.empty()) {
-    options.keep_grid = false;  // of a stock that only its volume is asked of
+    plan.keep_grid = false;  // of a stock that only its volume is asked of
     MeshReport found;
-    const Stock stock = carve(shape, shape.history.motions, shape.history.tools, options);
+    const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
     MeshAudit audit(mesh.threads);
     extract_mesh(stock, mesh, audit, &found);
     return audit.summary().volume - found.volume_excess;
@@ -185,10 +185,10 @@ std::string no_slabs(const Job& job, double tolerance) {
 }
 
 Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, MeshChoice& choice) {
-  CarveOptions options = job.carve;
-  options.keep_grid = writes_vdb(job);  // nothing else reads the samples
-  return carve(shape, cuts.motions(), cuts.tools(), options,
-               [&](const ExactField& field, CarveOptions& chosen) {
+  CarvePlan plan = carve_plan(job.carve);
+  plan.keep_grid = writes_vdb(job);  // nothing else reads the samples
+  return carve(shape, cuts.motions(), cuts.tools(), plan,
+               [&](const ExactField& field, CarvePlan& chosen) {
                  fit_mesh(field, job.mesh.threads, choice);
                  chosen.voxel = choice.voxel;
                  chosen.grid_mesh = choice.tolerance == 0;
@@ -197,23 +197,23 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                });
 }
 
-MeshOptions mesh_options(const Job& job, const MeshChoice& choice) {
-  MeshOptions options = job.mesh;
-  options.tolerance = choice.tolerance;
-  options.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
-  options.fallback_voxel = choice.fallback_voxel;
-  options.fallback_cells = choice.fallback_cells;
-  return options;
+MeshPlan chosen_plan(const Job& job, const MeshChoice& choice) {
+  MeshPlan plan = mesh_plan(job.mesh);
+  plan.tolerance = choice.tolerance;
+  plan.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
+  plan.fallback_voxel = choice.fallback_voxel;
+  plan.fallback_cells = choice.fallback_cells;
+  return plan;
 }
 
 // Makes the mesh, which is checked as it comes. Returns what it holds more than the exact part,
 // mm^3.
 double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoice& choice,
                  PartMesh& part) {
-  MeshOptions options = mesh_options(job, choice);
-  options.max_memory = stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
+  MeshPlan plan = chosen_plan(job, choice);
+  plan.max_memory = stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
   MeshReport found;
-  extract_mesh(stock, options, part, &found);
+  extract_mesh(stock, plan, part, &found);
   if (part.source().triangles() == 0) refuse_empty(stock.field(), stock.voxel());
   if (!found.given_up.empty()) give_up_tolerance(choice, found.given_up);
   tell_choice(result, choice);
@@ -223,7 +223,7 @@ double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoi
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
   result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + found.memory);
-  result.stock_volume = volume_before(result.stock, job.carve, options);
+  result.stock_volume = volume_before(result.stock, carve_plan(job.carve), plan);
   return found.volume_excess;
 }
 

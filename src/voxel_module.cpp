@@ -52,7 +52,7 @@ std::future<void> open_voxel_module() {
 }
 
 std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
-                                         double voxel, const CarveOptions& options) {
+                                         double voxel, const CarvePlan& options) {
   return std::unique_ptr<VoxelGrid>(voxel_module().sample(field, index, voxel, options));
 }
 

@@ -229,7 +229,7 @@ struct JobResult {
   History history;                  ///< what the motions remove
   Play play;                        ///< the stock at every moment, where Job::play asks for it
   std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
-  std::size_t active_voxels = 0;    ///< 0 where none were sampled: CarveOptions::keep_grid
+  std::size_t active_voxels = 0;    ///< 0 where none were sampled: a .vdb alone needs them
   CollisionReport collisions;       ///< each a warning among the diagnostics as well
   TriMesh mesh;                     ///< empty where the run was done in slabs
   std::size_t triangles = 0;        ///< of the part

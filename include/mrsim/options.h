@@ -83,17 +83,6 @@ struct CarveOptions {
   /// Bytes of memory the run may take, 0 = what the machine has free. A run whose estimate is above
   /// it is done in slabs, or refused where it can not be.
   std::size_t max_memory = 0;
-  // simulate() sets the following.
-  /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
-  bool grid_mesh = false;
-  /// Voxels that the cut surface passes, about, for the estimate of such a mesh; 0 = not known.
-  double cut_cells = 0;
-  /// Sample the part into a narrow band and keep it, unless the run is done in slabs: without it
-  /// no voxel is sampled. simulate() wants it for a .vdb: meshes come from the exact part.
-  bool keep_grid = true;
-  /// What keeps a run that does not fit from being done in slabs, a sentence for its refusal;
-  /// empty: it can be.
-  std::string no_slabs = "the stock is wanted as a whole";
   Progress progress;
 };
 
@@ -112,16 +101,6 @@ struct MeshOptions {
   /// simulate() then takes 0.017 % of the longest side unless the voxel is given.
   double tolerance = 0;
   int threads = 0;
-  /// Bytes of memory that a mesh with a tolerance may take while it is made, 0 = any amount; more,
-  /// by an estimate from its first cells, is an Error "memory". simulate() sets it.
-  std::size_t max_memory = 0;
-  /// Without a tolerance: measure how far the mesh is from the exact part. simulate() sets it.
-  bool measure = false;
-  /// Should a mesh within the tolerance take more than `fallback_cells` nodes of an octree, by what
-  /// its first cells tell, or not be possible: the grid of this voxel in mm, measured. 0 = none:
-  /// that is an Error. simulate() sets both.
-  double fallback_voxel = 0;
-  std::size_t fallback_cells = 250'000;
   Progress progress;
 };
 

@@ -48,7 +48,7 @@ constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take th
 
 class AdaptiveMesher {
  public:
-  AdaptiveMesher(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
+  AdaptiveMesher(const ExactField& field, const Lattice& lattice, const MeshPlan& options,
                  MeshReport& report)
       : field_(field),
         options_(options),
@@ -106,7 +106,7 @@ class AdaptiveMesher {
   }
 
  private:
-  static std::size_t most_nodes(const MeshOptions& options) {
+  static std::size_t most_nodes(const MeshPlan& options) {
     return options.fallback_voxel > 0 ? options.fallback_cells : 0;
   }
 
@@ -380,7 +380,7 @@ class AdaptiveMesher {
   }
 
   const ExactField& field_;
-  const MeshOptions& options_;
+  const MeshPlan& options_;
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
@@ -392,8 +392,8 @@ class AdaptiveMesher {
 
 }  // namespace
 
-std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel,
-                                     const MeshOptions& options, MeshReport& report) {
+std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, const MeshPlan& options,
+                                     MeshReport& report) {
   const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
   try {
     return AdaptiveMesher(field, Lattice(field.bounds(), voxel, levels), options, report).run();

@@ -2,9 +2,9 @@
 // within it (docs/mesh.md). What it guarantees stands in mesh/mesh_part.h.
 #pragma once
 
+#include "mesh/solid/mesh_plan.h"
 #include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
-#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace mrsim {
 /// smaller ones. None where it takes more cells, splits or memory than are allowed and
 /// options.fallback_voxel says that a grid may take its place: `report` then holds the reason
 /// alone. Without a fallback throws "mesh-unresolved", "memory", and "cancelled" always.
-std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel,
-                                     const MeshOptions& options, MeshReport& report);
+std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, const MeshPlan& options,
+                                     MeshReport& report);
 
 }  // namespace mrsim

@@ -2,12 +2,11 @@
 
 namespace mrsim {
 
-TriMesh extract_mesh(const Stock& stock, const MeshOptions& options, MeshReport* report) {
+TriMesh extract_mesh(const Stock& stock, const MeshPlan& options, MeshReport* report) {
   return mesh_part(stock.field(), stock.voxel(), options, report);
 }
 
-void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
-                  MeshReport* report) {
+void extract_mesh(const Stock& stock, const MeshPlan& options, MeshSink& sink, MeshReport* report) {
   mesh_part(stock.field(), stock.voxel(), options, sink, report);
 }
 

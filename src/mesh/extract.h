@@ -2,19 +2,19 @@
 #pragma once
 
 #include "mesh/mesh_part.h"
+#include "mesh/solid/mesh_plan.h"
 #include "removal/part/stock.h"
-#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 namespace mrsim {
 
 /// The part's surface: closed, oriented, 2-manifold, with the owner of each face. Throws as
 /// refuse_empty() does where it has none.
-TriMesh extract_mesh(const Stock& stock, const MeshOptions& options = {},
+TriMesh extract_mesh(const Stock& stock, const MeshPlan& options = {},
                      MeshReport* report = nullptr);
 
 /// The same in blocks (mesh/mesh_part.h).
-void extract_mesh(const Stock& stock, const MeshOptions& options, MeshSink& sink,
+void extract_mesh(const Stock& stock, const MeshPlan& options, MeshSink& sink,
                   MeshReport* report = nullptr);
 
 }  // namespace mrsim

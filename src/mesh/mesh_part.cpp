@@ -20,7 +20,7 @@ constexpr int kMostGrids = 4;  ///< that are tried where pieces in a cell meet
 
 // By default a grid whose cells can not be split far enough gives way to one that is a little
 // finer.
-void mesh_grid(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+void mesh_grid(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,
                MeshReport& report) {
   const std::string given_up = report.given_up;
   for (int k = 1;; ++k) {
@@ -40,7 +40,7 @@ void mesh_grid(const ExactField& field, double voxel, const MeshOptions& options
 
 }  // namespace
 
-void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,
                MeshReport* report) {
   if (!(voxel > 0) || !std::isfinite(voxel))
     throw Error("voxel-invalid", fmt::format("a voxel of {} mm is not a positive length", voxel));
@@ -58,13 +58,13 @@ void mesh_part(const ExactField& field, double voxel, const MeshOptions& options
   if (options.tolerance > 0)
     if (const std::optional<TriMesh> mesh = adaptive_mesh(field, voxel, options, out))
       return sink.take(whole_block(*mesh));
-  MeshOptions grid = options;
+  MeshPlan grid = options;
   grid.tolerance = 0;
   grid.measure = options.measure || options.tolerance > 0;
   mesh_grid(field, options.tolerance > 0 ? options.fallback_voxel : voxel, grid, sink, out);
 }
 
-TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options,
+TriMesh mesh_part(const ExactField& field, double voxel, const MeshPlan& options,
                   MeshReport* report) {
   MeshCollector collector;
   mesh_part(field, voxel, options, collector, report);

@@ -12,9 +12,9 @@
 #pragma once
 
 #include "mesh/solid/mesh_block.h"
+#include "mesh/solid/mesh_plan.h"
 #include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
-#include <mrsim/options.h>
 #include <mrsim/types.h>
 
 namespace mrsim {
@@ -23,12 +23,12 @@ namespace mrsim {
 /// resolve, and the edge of all cells where options.tolerance is 0. Throws as refuse_empty() does,
 /// "voxel-invalid", "tolerance-invalid", "memory" (options.max_memory); "mesh-unresolved" rather
 /// than give a mesh that breaks a guarantee.
-TriMesh mesh_part(const ExactField& field, double voxel, const MeshOptions& options = {},
+TriMesh mesh_part(const ExactField& field, double voxel, const MeshPlan& options = {},
                   MeshReport* report = nullptr);
 
 /// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
 /// memory as a whole. Does not throw where the part is empty: there are no triangles then.
-void mesh_part(const ExactField& field, double voxel, const MeshOptions& options, MeshSink& sink,
+void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,
                MeshReport* report = nullptr);
 
 /// Ends a run whose mesh has no triangles: Error "part-empty", or "part-thin" where something is

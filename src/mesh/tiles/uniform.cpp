@@ -48,10 +48,10 @@ struct TileMaker {
   DualSurface surface;
 };
 
-class UniformContour {
+class UniformMesher {
  public:
-  UniformContour(const ExactField& field, const Lattice& lattice, const MeshOptions& options,
-                 MeshReport& report)
+  UniformMesher(const ExactField& field, const Lattice& lattice, const MeshPlan& options,
+                MeshReport& report)
       : field_(field),
         lattice_(lattice),
         options_(options),
@@ -371,7 +371,7 @@ class UniformContour {
 
   const ExactField& field_;
   const Lattice lattice_;
-  const MeshOptions& options_;
+  const MeshPlan& options_;
   MeshReport& report_;
   StepTimer timer_;
   std::mutex mutex_;
@@ -385,9 +385,9 @@ class UniformContour {
 
 }  // namespace
 
-void mesh_uniform(const ExactField& field, double voxel, int fine_levels,
-                  const MeshOptions& options, MeshSink& sink, MeshReport& report) {
-  UniformContour(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options, report)
+void mesh_uniform(const ExactField& field, double voxel, int fine_levels, const MeshPlan& options,
+                  MeshSink& sink, MeshReport& report) {
+  UniformMesher(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options, report)
       .run(sink);
 }
 

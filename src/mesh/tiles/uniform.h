@@ -3,16 +3,16 @@
 #pragma once
 
 #include "mesh/solid/mesh_block.h"
+#include "mesh/solid/mesh_plan.h"
 #include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
-#include <mrsim/options.h>
 
 namespace mrsim::detail {
 
 /// The surface over cells of one voxel, in blocks as it is made; cells in which two pieces of
 /// surface meet are split, at most `fine_levels` times. Memory: about 20 MB a thread. Throws Error
 /// "mesh-unresolved", "mesh-too-large".
-void mesh_uniform(const ExactField& field, double voxel, int fine_levels,
-                  const MeshOptions& options, MeshSink& sink, MeshReport& report);
+void mesh_uniform(const ExactField& field, double voxel, int fine_levels, const MeshPlan& options,
+                  MeshSink& sink, MeshReport& report);
 
 }  // namespace mrsim::detail

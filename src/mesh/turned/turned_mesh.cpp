@@ -210,8 +210,7 @@ enum class Care : std::uint8_t { none, sides, all };
 
 class TurnedMesher {
  public:
-  TurnedMesher(const ExactField& field, double voxel, const MeshOptions& options,
-               MeshReport& report)
+  TurnedMesher(const ExactField& field, double voxel, const MeshPlan& options, MeshReport& report)
       : field_(field),
         voxel_(voxel),
         options_(options),
@@ -282,7 +281,7 @@ class TurnedMesher {
 
   const ExactField& field_;
   double voxel_;
-  const MeshOptions& options_;
+  const MeshPlan& options_;
   MeshReport& report_;
   StepTimer timer_;
   double limit_ = 0;  ///< mm: the tolerance, less the rounding of coordinates
@@ -290,8 +289,8 @@ class TurnedMesher {
 
 }  // namespace
 
-std::optional<TriMesh> turned_mesh(const ExactField& field, double voxel,
-                                   const MeshOptions& options, MeshReport& report) {
+std::optional<TriMesh> turned_mesh(const ExactField& field, double voxel, const MeshPlan& options,
+                                   MeshReport& report) {
   return TurnedMesher(field, voxel, options, report).run();
 }
 

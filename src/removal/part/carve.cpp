@@ -14,7 +14,7 @@ namespace {
 // are theirs.
 constexpr double kMostBlocks = 64;
 
-double index_voxel(const StockSolid& solid, const CarveOptions& options) {
+double index_voxel(const StockSolid& solid, const CarvePlan& options) {
   if (options.keep_grid) return options.voxel;
   const Vec3 size = solid.bounds().hi - solid.bounds().lo;
   return std::max(options.voxel, std::max({size.x, size.y, size.z}) / (kMostBlocks * kBlockVoxels));
@@ -23,7 +23,7 @@ double index_voxel(const StockSolid& solid, const CarveOptions& options) {
 }  // namespace
 
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
-            const CarveOptions& options, const VoxelDecision& decide) {
+            const CarvePlan& options, const VoxelDecision& decide) {
   auto grid = std::make_unique<StockGrid>();
   StockSolid solid(shape);
   const SweepSelection cuts{.top = solid.bounds().hi.z};
@@ -31,7 +31,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   SweepTable sweeps(motions, tools, cuts, options.threads);
   grid->field = std::make_unique<PartField>(std::move(solid), std::move(sweeps), options.threads);
   const PartField& field = *grid->field;
-  CarveOptions chosen = options;
+  CarvePlan chosen = options;
   if (decide) decide(field, chosen);
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;

@@ -31,7 +31,7 @@ struct TurnedCuts {
 // Whether the next move cuts on towards the chuck: then a move across at constant Z is an approach.
 bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
   return motions[i].start.z == motions[i].end.z && i + 1 < motions.size() &&
-         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameLevel;
+         is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameHeight;
 }
 
 TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
@@ -41,7 +41,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     const Motion& m = motions[i];
     if (!is_cut(m)) continue;
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
-    const bool inwards = m.end.z < m.start.z - kSameLevel;
+    const bool inwards = m.end.z < m.start.z - kSameHeight;
     cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
     cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
     const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
@@ -51,7 +51,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
       cuts.across = std::max(cuts.across, wide);
       continue;
     }
-    if (!is_turning(type) && wide < kSameLevel) {  // a drill
+    if (!is_turning(type) && wide < kSameHeight) {  // a drill
       cuts.inside = std::max(cuts.inside, radii[tool]);
       continue;
     }
@@ -60,7 +60,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
-    if (to < from - kSameLevel && !goes_on_inwards(motions, i))
+    if (to < from - kSameHeight && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
   }
   return cuts;
@@ -72,7 +72,7 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
   for (const Motion& m : motions) {
     if (m.kind != MotionKind::rapid || m.assumed_start) continue;
     for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
-      if (r > cuts.along + kSameLevel) least = std::min(least, r);
+      if (r > cuts.along + kSameHeight) least = std::min(least, r);
   }
   return least;
 }
@@ -88,7 +88,7 @@ class CutPlaces {
   }
   bool may_be_cut(const Vec3& p) const {
     return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-      return p.z > place.low && p.z < place.high && std::fabs(p.x) > place.radius - kSameLevel;
+      return p.z > place.low && p.z < place.high && std::fabs(p.x) > place.radius - kSameHeight;
     });
   }
 
@@ -115,7 +115,7 @@ bool works_outside(const Motion& m, std::span<const Tool> tools) {
 // thinner. Radii at which nothing of a groove or of the part is left say nothing.
 double entered_radius(std::span<const Motion> motions, std::span<const Tool> tools,
                       const TurnedCuts& cuts, double front) {
-  const double part = std::max(cuts.along, cuts.narrowest) + kSameLevel;
+  const double part = std::max(cuts.along, cuts.narrowest) + kSameHeight;
   double least = -kNoHeight;
   CutPlaces places;
   for (const Motion& m : motions) {
@@ -125,7 +125,7 @@ double entered_radius(std::span<const Motion> motions, std::span<const Tool> too
     }
     const double radius = std::fabs(m.end.x);
     if (m.kind == MotionKind::rapid && !m.assumed_start && works_outside(m, tools) &&
-        m.end.z < front - kSameLevel && radius > part && radius < least &&
+        m.end.z < front - kSameHeight && radius > part && radius < least &&
         !places.may_be_cut(m.end))
       least = radius;
   }
@@ -155,7 +155,7 @@ double entered_hole(std::span<const Motion> motions, std::span<const Tool> tools
 
 bool rapids_reach(std::span<const Motion> motions, double radius) {
   return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
-    return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameLevel;
+    return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameHeight;
   });
 }
 
@@ -165,14 +165,14 @@ double clear_front(std::span<const Motion> motions, const TurnedCuts& cuts, doub
   for (const Motion& m : motions) {
     if (m.kind != MotionKind::rapid || m.assumed_start) continue;
     for (const Vec3& p : {m.start, m.end})
-      if (std::fabs(p.x) < radius && p.z > cuts.face + kSameLevel) least = std::min(least, p.z);
+      if (std::fabs(p.x) < radius && p.z > cuts.face + kSameHeight) least = std::min(least, p.z);
   }
   return least;
 }
 
 // Most programs have their zero on the finished face; what they face is there to be cut.
 double front_of(const TurnedCuts& cuts, double clearance, double zero) {
-  if (cuts.face < zero - kSameLevel && cuts.lowest < zero - kSameLevel)
+  if (cuts.face < zero - kSameHeight && cuts.lowest < zero - kSameHeight)
     return cuts.turned > zero + 5 * kLeastMargin ? cuts.highest : zero;  // zero in the chuck
   if (cuts.face == kNoHeight || clearance == -kNoHeight) return cuts.highest;
   return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
@@ -186,7 +186,7 @@ StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> to
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
-  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameLevel;
+  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameHeight;
   const double edge =
       std::min(is_thinner ? clear : cuts.widest, entered_radius(motions, tools, cuts, zero));
   const double outer =

@@ -30,7 +30,8 @@ struct Heights {
 
   // Whether no cut lies above z and one below.
   bool reach_below(double z) const {
-    return (lateral != kNoHeight ? entered : hole_end) < z + kSameLevel && deepest < z - kSameLevel;
+    return (lateral != kNoHeight ? entered : hole_end) < z + kSameHeight &&
+           deepest < z - kSameHeight;
   }
 };
 
@@ -64,7 +65,7 @@ class HeightsReader {
       heights_.hole_end = std::max(heights_.hole_end, m.end.z);
       return;
     }
-    is_entry_ = is_entry_ && m.end.z < m.start.z - kSameLevel;
+    is_entry_ = is_entry_ && m.end.z < m.start.z - kSameHeight;
     if (is_entry_) entry_end_ = m.end.z;
     heights_.entered = std::max(heights_.entered, way_out_);
     way_out_ = kNoHeight;
@@ -72,7 +73,7 @@ class HeightsReader {
     add_height(path.lo.z, heights_.entered);
     add_height(m.start.z, heights_.entered);
     add_height(m.end.z, leaves ? way_out_ : heights_.entered);
-    if (path.hi.z <= std::max(m.start.z, m.end.z) + kSameLevel) return;
+    if (path.hi.z <= std::max(m.start.z, m.end.z) + kSameHeight) return;
     heights_.lateral = std::max(heights_.lateral, path.hi.z);  // over the top of an arch
     heights_.entered = std::max(heights_.entered, path.hi.z);
   }
@@ -80,16 +81,16 @@ class HeightsReader {
   // A feed to the place above which a way down through the zero begins: "G0 Z2", "G1 X10", "G1
   // Z-3".
   bool waits_above(const Motion& m, const Box3& path) {
-    const bool level = path.hi.z - path.lo.z <= kSameLevel;
-    const bool first = waiting_ == kNoHeight || std::fabs(waiting_ - path.lo.z) <= kSameLevel;
-    if (level && first && is_entry_ && entry_end_ == kNoHeight && path.lo.z > zero_ + kSameLevel) {
+    const bool level = path.hi.z - path.lo.z <= kSameHeight;
+    const bool first = waiting_ == kNoHeight || std::fabs(waiting_ - path.lo.z) <= kSameHeight;
+    if (level && first && is_entry_ && entry_end_ == kNoHeight && path.lo.z > zero_ + kSameHeight) {
       waiting_ = path.lo.z;
       return true;
     }
     if (waiting_ == kNoHeight) return false;
-    if (m.end.z < zero_ - kSameLevel)
+    if (m.end.z < zero_ - kSameHeight)
       waiting_ = kNoHeight;
-    else if (m.end.z >= m.start.z - kSameLevel)
+    else if (m.end.z >= m.start.z - kSameHeight)
       count_waiting();
     return false;
   }
@@ -132,7 +133,7 @@ double clearance_above(std::span<const Motion> motions, double z) {
     const bool upright = m.start.x == m.end.x && m.start.y == m.end.y;
     const bool again = std::exchange(in_hole, upright && (in_hole || is_cut(m))) && upright;
     const double height = is_rapid ? m.end.z : m.start.z;
-    if ((is_rapid || is_cut(m)) && !again && height > z + kSameLevel)
+    if ((is_rapid || is_cut(m)) && !again && height > z + kSameHeight)
       least = std::min(least, height);
   }
   return least;
@@ -141,7 +142,7 @@ double clearance_above(std::span<const Motion> motions, double z) {
 // Height of the top where it is not the program's zero.
 double top_of_cuts(std::span<const Motion> motions, const Heights& h, double margin) {
   if (h.lateral == kNoHeight) return h.hole_mouth;
-  if (h.lateral - h.lowest > kSameLevel) return h.lateral;
+  if (h.lateral - h.lowest > kSameHeight) return h.lateral;
   return std::min(h.lateral + margin, clearance_above(motions, h.lateral));  // cut into something
 }
 
@@ -169,7 +170,7 @@ bool is_cut_before(std::span<const Motion> motions, std::size_t index, double ra
   for (std::size_t i = index; i-- > 0;) {  // most often the last move
     const Motion& m = motions[i];
     if (is_cut(m) && distance_in_plan(m, place) < radius &&
-        (!is_straight || std::min(m.start.z, m.end.z) < place.z + kSameLevel))
+        (!is_straight || std::min(m.start.z, m.end.z) < place.z + kSameHeight))
       return true;
   }
   return false;
@@ -185,13 +186,14 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
     const bool goes_on = is_beside && m.end.z <= m.start.z;
     is_beside = false;
     if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 ||
-        !(m.end.z < m.start.z || goes_on) || m.end.z > top - kSameLevel)
+        !(m.end.z < m.start.z || goes_on) || m.end.z > top - kSameHeight)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
     if (!(radius > 0) || is_cut_before(motions, i, radius)) continue;
     is_beside = true;
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
-      return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) < (goes_on ? kSameLevel : radius);
+      return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) <
+             (goes_on ? kSameHeight : radius);
     });
     if (!known) ways.push_back({m.end, radius});
   }
@@ -246,14 +248,14 @@ class SideKeeper {
     const auto along = [&](const Vec3& p) { return sign * (side < 2 ? p.x : p.y); };
     double lost = 0;
     for (const Motion& m : motions_) {
-      if (!is_cut(m) || m.tool < 0 || std::min(m.start.z, m.end.z) > top_ - kSameLevel) continue;
+      if (!is_cut(m) || m.tool < 0 || std::min(m.start.z, m.end.z) > top_ - kSameHeight) continue;
       const bool arc = m.kind == MotionKind::arc;
       const double way = arc ? std::fabs(m.sweep) * m.radius : length(m.end - m.start);
       const double from = arc ? along(m.center) - m.radius : along(m.start);
       const double to = arc ? along(m.center) + m.radius : along(m.end);
       const double end = sign * at - radii_[static_cast<std::size_t>(m.tool)];
       const double low = std::min(from, to), span = std::fabs(to - from);
-      lost += way * std::clamp((end - low) / std::max(span, kSameLevel), 0.0, 1.0);
+      lost += way * std::clamp((end - low) / std::max(span, kSameHeight), 0.0, 1.0);
     }
     return lost;
   }
@@ -271,7 +273,7 @@ void set_top(Box3& box, std::span<const Motion> motions, std::span<const double>
   if (heights.reach_below(zero)) {
     Box3 narrowed = box;
     if (SideKeeper(motions, radii, zero).keep_beside(narrowed) ||
-        heights.first > zero - kSameLevel) {
+        heights.first > zero - kSameHeight) {
       box = narrowed;
       box.hi.z = zero;
       return;

@@ -30,10 +30,10 @@ constexpr double kTileCell = 700;      ///< of the tiles that are being made and
 constexpr double kTilesAThread = 2;    ///< of them
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 60;
-constexpr double kTile = 400;         ///< what is kept of each, by the sizes of its records
-constexpr double kMostColumns = 1e9;  ///< of surface voxels; the triangles of a mesh are twice that
-constexpr double kMoreCells = 1.4;    ///< than are expected, where tiles are full of them
-constexpr std::size_t kSample = 4096;  ///< motions that tell how much the sweeps of all take
+constexpr double kTile = 400;          ///< what is kept of each, by the sizes of its records
+constexpr double kMostColumns = 1e9;   ///< surface voxels; a mesh has twice as many triangles
+constexpr double kMoreCells = 1.4;     ///< factor on the expected cells, where tiles are full
+constexpr std::size_t kSample = 4096;  ///< motions from which the memory of all sweeps is estimated
 
 std::size_t free_memory() {
   const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGE_SIZE);
@@ -41,7 +41,7 @@ std::size_t free_memory() {
                                : std::size_t(4) << 30;
 }
 
-// The tiles of the mesh that hold surface, about: those of the stock's own, or all.
+// About how many tiles of the mesh hold surface: those of the stock's own surface, at most all.
 double surface_tiles(const StockSolid& stock, double voxel) {
   const double tile = voxel * kTileVoxels;
   const Vec3 size = stock.bounds().hi - stock.bounds().lo;
@@ -49,8 +49,8 @@ double surface_tiles(const StockSolid& stock, double voxel) {
   return std::min(stock.area() / (tile * tile) + 1, all);
 }
 
-// The same, tiles that the stock fills in part counting as that part: how many hold the surface,
-// were all of them as full of it as those within.
+// The same in whole tiles: one that sticks out of the stock counts by the share inside it. Cells
+// divided by this number are those of a full tile.
 double whole_tiles(const StockSolid& stock, double voxel) {
   const double tile = voxel * kTileVoxels;
   const Vec3 size = stock.bounds().hi - stock.bounds().lo;
@@ -58,8 +58,8 @@ double whole_tiles(const StockSolid& stock, double voxel) {
   return std::min(surface_tiles(stock, voxel), along(size.x) * along(size.y) * along(size.z));
 }
 
-// The tiles of the mesh that a cut across the longest axis meets, were it the stock's whole
-// section.
+// The tiles of the mesh on a cut across the stock's longest axis. Tiles are made along that axis,
+// so no more of them wait for their neighbours.
 double section_tiles(const StockSolid& stock, double voxel) {
   const Vec3 size = stock.bounds().hi - stock.bounds().lo;
   double sides[3] = {size.x, size.y, size.z};
@@ -77,12 +77,12 @@ struct Need {
   const StockSolid& stock;
   const SweepTable& sweeps;
   std::size_t motions;
-  const CarveOptions& options;
+  const CarvePlan& options;
 
-  /// With room for more cells where the user has set a limit, which holds.
+  /// With room for more cells where the user has set a limit: that must hold, an estimate may err.
   double at_most(double voxel, bool in_slabs) const {
     if (options.max_memory == 0) return (*this)(voxel, in_slabs);
-    CarveOptions more = options;
+    CarvePlan more = options;
     more.cut_cells *= kMoreCells;
     return Need{stock, sweeps, motions, more}(voxel, in_slabs);
   }
@@ -110,7 +110,7 @@ struct Need {
   }
 };
 
-// A coarser voxel may need more, where it makes tiles larger that stand side by side.
+// Searches upwards: tiles grow with the voxel, so a slightly coarser one may need more memory.
 [[noreturn]] void refuse(const Need& need, double voxel, double available, bool may_slab) {
   const Vec3 size = need.stock.bounds().hi - need.stock.bounds().lo;
   const double coarsest = std::max({size.x, size.y, size.z});
@@ -151,7 +151,7 @@ void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                  fmt::format("what the tools sweep along {} motions", motions.size()));
 }
 
-MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options) {
+MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarvePlan& options) {
   if (!(options.voxel > 0) || !std::isfinite(options.voxel))
     throw Error("voxel-invalid",
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),

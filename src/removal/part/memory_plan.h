@@ -3,8 +3,8 @@
 // (mesh/surface/mesh_memory.h).
 #pragma once
 
+#include "removal/part/carve_plan.h"
 #include "removal/part/part_field.h"
-#include <mrsim/options.h>
 
 #include <cstddef>
 #include <span>
@@ -26,6 +26,6 @@ void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
 /// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "voxel-too-small"
 /// where the stock's surface has too many voxels; "memory" where the run does not fit, with what
 /// would.
-MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveOptions& options);
+MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarvePlan& options);
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "removal/part/part_field.h"
 
 #include "core/parallel.h"
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/field/face_range.h"
 #include "removal/prune/list_candidates.h"
@@ -14,9 +15,6 @@
 
 namespace mrsim {
 namespace {
-
-// Rounding of coordinates up to 1e4 mm in a distance, with room to spare.
-constexpr double kRounding = 1e-9;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box

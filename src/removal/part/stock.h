@@ -4,7 +4,7 @@
 #pragma once
 
 #include "removal/field/field.h"
-#include <mrsim/options.h>
+#include "removal/part/carve_plan.h"
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -53,7 +53,7 @@ VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 double round_down_voxel(double voxel);
 
 /// Sees the exact part before anything depends on the options of its voxels, and may change these.
-using VoxelDecision = std::function<void(const ExactField& field, CarveOptions& options)>;
+using VoxelDecision = std::function<void(const ExactField& field, CarvePlan& options)>;
 
 /// Subtracts every cutting motion from the stock; samples what is left where the grid is to be
 /// kept. Cost: that of the sweeps and their index, and of the samples, which grows with the
@@ -61,6 +61,6 @@ using VoxelDecision = std::function<void(const ExactField& field, CarveOptions& 
 /// "voxel-invalid", "memory" (the estimate is above the limit, in slabs too), and what SweepTable
 /// and sample_voxels throw.
 Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<const Tool> tools,
-            const CarveOptions& options = {}, const VoxelDecision& decide = {});
+            const CarvePlan& options = {}, const VoxelDecision& decide = {});
 
 }  // namespace mrsim

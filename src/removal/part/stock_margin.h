@@ -8,8 +8,8 @@
 
 namespace mrsim {
 
-constexpr double kLeastMargin = 1;   // mm
-constexpr double kSameLevel = 1e-6;  // mm: heights nearer than this are one
+constexpr double kLeastMargin = 1;    // mm
+constexpr double kSameHeight = 1e-6;  // mm: heights nearer than this are one
 
 /// Between the cuts and the sides of the stock.
 double margin_of(const Box3& cuts);

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "removal/part/block_index.h"
+#include "removal/part/carve_plan.h"
 #include "removal/part/part_field.h"
-#include <mrsim/options.h>
 
 #include <cstddef>
 #include <memory>
@@ -36,6 +36,6 @@ class VoxelGrid {
 /// surface. Cost: grows with the surface. Throws Error "cancelled"; "vdb-module" where the module
 /// cannot be opened.
 std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
-                                         double voxel, const CarveOptions& options);
+                                         double voxel, const CarvePlan& options);
 
 }  // namespace mrsim

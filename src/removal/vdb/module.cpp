@@ -9,7 +9,7 @@ extern "C" MRSIM_API mrsim::FindRest mrsim_find_rest_1;
 
 mrsim::VoxelGrid* mrsim_sample_voxels_2(const mrsim::PartField& field,
                                         const mrsim::BlockIndex& index, double voxel,
-                                        const mrsim::CarveOptions& options) {
+                                        const mrsim::CarvePlan& options) {
   return mrsim::sample_voxels(field, index, voxel, options).release();
 }
 

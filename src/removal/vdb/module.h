@@ -14,7 +14,7 @@ namespace mrsim {
 
 /// sample_voxels; the caller owns what it gives.
 using SampleVoxels = VoxelGrid*(const PartField& field, const BlockIndex& index, double voxel,
-                                const CarveOptions& options);
+                                const CarvePlan& options);
 
 /// read_level_set into `found`.
 using ReadLevelSet = void(const std::string& path, LevelSetSurface& found);

@@ -225,7 +225,7 @@ std::unique_ptr<VdbGrid> collect(std::vector<std::vector<LeafPair>>& blocks, dou
 }  // namespace
 
 std::unique_ptr<VoxelGrid> sample_voxels(const PartField& field, const BlockIndex& index,
-                                         double voxel, const CarveOptions& options) {
+                                         double voxel, const CarvePlan& options) {
   openvdb::initialize();
   std::vector<std::vector<LeafPair>> blocks(index.size());
   std::unique_ptr<VdbGrid> grid;

@@ -1,0 +1,30 @@
+// What the mesher is asked for: the options of the user, and what a run has decided about them.
+#pragma once
+
+#include <mrsim/options.h>
+
+#include <cstddef>
+
+namespace mrsim {
+
+struct MeshPlan {
+  double tolerance = 0;  ///< MeshOptions::tolerance; 0 = a mesh on the grid of the voxels
+  int threads = 0;       ///< MeshOptions::threads
+  /// Bytes of memory that a mesh with a tolerance may take while it is made, 0 = any amount; more,
+  /// by an estimate from its first cells, is an Error "memory".
+  std::size_t max_memory = 0;
+  /// Without a tolerance: measure how far the mesh is from the exact part.
+  bool measure = false;
+  /// The grid of this voxel in mm, measured, takes the place of a mesh within the tolerance that is
+  /// not possible or takes more than `fallback_cells` nodes of an octree, by what its first cells
+  /// tell. 0 = none: that is an Error.
+  double fallback_voxel = 0;
+  std::size_t fallback_cells = 250'000;
+  Progress progress;
+};
+
+inline MeshPlan mesh_plan(const MeshOptions& options) {
+  return {.tolerance = options.tolerance, .threads = options.threads, .progress = options.progress};
+}
+
+}  // namespace mrsim

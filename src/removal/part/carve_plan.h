@@ -1,0 +1,35 @@
+// What carve() is asked for: the options of the user, and what a run has decided about its mesh.
+#pragma once
+
+#include <mrsim/options.h>
+
+#include <cstddef>
+#include <string>
+
+namespace mrsim {
+
+struct CarvePlan {
+  double voxel = 0;            ///< CarveOptions::voxel
+  int threads = 0;             ///< CarveOptions::threads
+  std::size_t max_memory = 0;  ///< CarveOptions::max_memory
+  /// The mesh will be made on the voxels, without a tolerance: it counts in the estimate.
+  bool grid_mesh = false;
+  /// About how many voxels the cut surface passes, for the estimate of such a mesh; 0 = not known.
+  double cut_cells = 0;
+  /// Sample the part into a narrow band and keep it, unless the run is done in slabs. Only a .vdb
+  /// needs that: meshes come from the exact part.
+  bool keep_grid = true;
+  /// Why a run that does not fit cannot be done in slabs, a sentence for its refusal; empty: it
+  /// can.
+  std::string no_slabs = "the stock is wanted as a whole";
+  Progress progress;
+};
+
+inline CarvePlan carve_plan(const CarveOptions& options) {
+  return {.voxel = options.voxel,
+          .threads = options.threads,
+          .max_memory = options.max_memory,
+          .progress = options.progress};
+}
+
+}  // namespace mrsim
