@@ -29,7 +29,7 @@ ROOMS = {
     "setup": CORE,
     "removal/field": CORE,
     "removal/tool": CORE + ("removal/field/",),
-    "removal/simd": CORE + ("removal/tool/",),
+    "removal/simd": CORE + ("removal/field/", "removal/tool/"),
     "removal/stock": CORE + ("removal/field/",),
     "removal/sweep": CORE + ("removal/field/", "removal/tool/", "removal/simd/"),
     "removal/prune": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/"),

@@ -3,6 +3,7 @@
 // (docs/collisions.md).
 #pragma once
 
+#include "core/rounding.h"
 #include "removal/collision/collision_movers.h"
 #include "removal/part/block_index.h"
 #include "removal/part/part_field.h"
@@ -21,7 +22,7 @@ struct CollisionScene {
   double finest = 0;     ///< mm: half diagonal of the boxes that are not halved again
 
   double rounding() const {
-    return 2 * (part.sweeps().max_error() + movers.sweeps.max_error()) + 1e-9;
+    return 2 * (part.sweeps().max_error() + movers.sweeps.max_error()) + kRounding;
   }
 };
 

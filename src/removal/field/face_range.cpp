@@ -1,5 +1,7 @@
 #include "removal/field/face_range.h"
 
+#include "removal/field/record_slots.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,9 @@ namespace {
 double squared(Vec2 a) { return dot(a, a); }
 double squared(const Vec3& a) { return dot(a, a); }
 
-Vec2 in_plan(const Vec3& p, const double* c) { return {p.x - c[0], p.y - c[1]}; }
+Vec2 in_plan(const Vec3& p, const double* c) {
+  return {p.x - c[LineSlot::x], p.y - c[LineSlot::y]};
+}
 
 // The interpolation of a C1 function whose second derivatives are at most `bend`.
 Envelope bent_envelope(const std::array<double, 3>& at, double strays) {
@@ -47,12 +51,13 @@ SmallestCircle smallest_circle(const Corners2& t) {
 FaceRange range_of(const std::array<double, 3>& linear) { return {least(linear), most(linear)}; }
 
 ArcView arc_view(const double* c, std::span<const Vec2> w) {
-  const double cosine = c[5], sine = c[6];
+  const double cosine = c[ArcSlot::cosine], sine = c[ArcSlot::sine];
   if (sine == 0 && cosine < 0) return {ArcView::Part::arc, 0};
   bool left = true, right = true, under_left = true, under_right = true, beyond_left = true,
        beyond_right = true;
   for (const Vec2& q : w) {
-    const double along = q.x * c[3] + q.y * c[4], off = c[3] * q.y - c[4] * q.x;
+    const double along = q.x * c[ArcSlot::mx] + q.y * c[ArcSlot::my],
+                 off = c[ArcSlot::mx] * q.y - c[ArcSlot::my] * q.x;
     const double past_left = cosine * off - sine * along, past_right = -cosine * off - sine * along;
     left = left && off >= 0, right = right && off <= 0;
     under_left = under_left && past_left <= kBorder;
@@ -68,8 +73,9 @@ ArcView arc_view(const double* c, std::span<const Vec2> w) {
 }
 
 Vec2 arc_end(const double* c, int side) {
-  const double a = c[2] * c[5], b = side * c[2] * c[6];
-  return {a * c[3] - b * c[4], a * c[4] + b * c[3]};
+  const double a = c[ArcSlot::radius] * c[ArcSlot::cosine],
+               b = side * c[ArcSlot::radius] * c[ArcSlot::sine];
+  return {a * c[ArcSlot::mx] - b * c[ArcSlot::my], a * c[ArcSlot::my] + b * c[ArcSlot::mx]};
 }
 
 Envelope length_envelope(const Corners2& w) {
@@ -83,7 +89,7 @@ Envelope length_envelope(const Corners2& w) {
 }
 
 Envelope line_envelope(const double* c, const Corners3& t) {
-  const Vec2 way{c[2], c[3]};
+  const Vec2 way{c[LineSlot::dx], c[LineSlot::dy]};
   const double size = dot(way, way), border = kBorder * std::sqrt(size);
   Corners2 w;
   bool between = true, left = true, right = true;
@@ -118,7 +124,7 @@ Envelope arc_envelope(const double* c, const Corners3& t, bool is_signed, int si
   const Corners2 from_end{w[0] - end, w[1] - end, w[2] - end};
   if (view.part == ArcView::Part::end) return length_envelope(from_end);
   Envelope e = length_envelope(w);
-  const double radius = c[2], nearest = least(e.low);
+  const double radius = c[ArcSlot::radius], nearest = least(e.low);
   const bool outside = nearest >= radius, inside = most(e.high) <= radius;
   if (view.part == ArcView::Part::arc) {
     if (!is_signed && !outside && !inside) return {};

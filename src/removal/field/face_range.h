@@ -52,7 +52,7 @@ FaceRange convex_range(const std::array<V, 3>& t, const std::array<double, 3>& v
 inline constexpr double kBorder = 1e-5;
 
 /// Whether the plan directions w (from an arc's centre) see the arc, the far side of one of its
-/// ends, or both. `c` as in sweep_lanes.inl: centre, radius, middle, cosine and sine of half.
+/// ends, or both. `c`: ArcSlot.
 struct ArcView {
   enum class Part { arc, end, both, unknown } part = Part::unknown;
   int side = 0;  ///< which end: 1 or -1

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::int32_t kAligned = 8;
 
-// Writes the voxels of walks into the array. Walks write different voxels, so that several may.
+// Writes the voxels of walks into the array. Walks write different voxels, so several may run at
+// once.
 class ArraySink final : public CutSink {
  public:
   explicit ArraySink(CutVolume& volume) : volume_(volume) {}

@@ -109,13 +109,14 @@ class RunWriter {
     const SweepPack& pack = columns_.packs[number];
     const PackColumns& children = columns_.packs.children(number);
     const double* chord = columns_.packs.chord(number).c;
-    float common[PackColumns::kColumns] = {static_cast<float>(chord[0] - origin_.x),
-                                           static_cast<float>(chord[1] - origin_.y)};
+    float common[PackColumns::kColumns] = {static_cast<float>(chord[BallSlot::x] - origin_.x),
+                                           static_cast<float>(chord[BallSlot::y] - origin_.y)};
     if (form_ == SweepClass::Form::strip) {
-      common[2] = static_cast<float>(chord[2] - origin_.z);
+      common[StripColumn::z] = static_cast<float>(chord[BallSlot::z] - origin_.z);
     } else {
-      common[5] = static_cast<float>(chord[4] - chord[6] - origin_.z);
-      common[6] = static_cast<float>(level_of(pack.first));
+      common[LineColumn::z] =
+          static_cast<float>(chord[LineSlot::low] - chord[LineSlot::round] - origin_.z);
+      common[LineColumn::height_number] = static_cast<float>(height_number_of(pack.first));
     }
     spread_ = std::max(spread_, pack.spread);
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
@@ -150,10 +151,13 @@ class RunWriter {
   void add_pieces(std::uint32_t id) {
     for (std::uint32_t k = columns_.first_piece[id]; k < columns_.first_piece[id + 1]; ++k) {
       const double* c = columns_.pieces[k].c;
-      const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
-      put({x, y, z, c[3], c[4], c[5], c[6], c[7]});
+      const double x = c[BallSlot::x] - origin_.x, y = c[BallSlot::y] - origin_.y,
+                   z = c[BallSlot::z] - origin_.z;
+      put({x, y, z, c[BallSlot::ux], c[BallSlot::uy], c[BallSlot::length], c[BallSlot::slope],
+           c[BallSlot::error]});
       widen(x, y, z);
-      widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5]);
+      widen(x + c[BallSlot::ux] * c[BallSlot::length], y + c[BallSlot::uy] * c[BallSlot::length],
+            z + c[BallSlot::slope] * c[BallSlot::length]);
       put(kIdColumn, id);
       ++slot_;
     }
@@ -171,31 +175,39 @@ class RunWriter {
   }
 
   void strip(const double* c) {
-    const double s = c[6];
-    put({c[0] - origin_.x, c[1] - origin_.y, c[2] - origin_.z, c[3], c[4], c[5], s,
-         1 / (1 + s * s)});
+    const double s = c[BallSlot::slope];
+    put({c[BallSlot::x] - origin_.x, c[BallSlot::y] - origin_.y, c[BallSlot::z] - origin_.z,
+         c[BallSlot::ux], c[BallSlot::uy], c[BallSlot::length], s, 1 / (1 + s * s)});
   }
   void widen_strip(const double* c) {
-    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[2] - origin_.z;
+    const double x = c[BallSlot::x] - origin_.x, y = c[BallSlot::y] - origin_.y,
+                 z = c[BallSlot::z] - origin_.z;
     widen(x, y, z);
-    widen(x + c[3] * c[5], y + c[4] * c[5], z + c[6] * c[5]);
+    widen(x + c[BallSlot::ux] * c[BallSlot::length], y + c[BallSlot::uy] * c[BallSlot::length],
+          z + c[BallSlot::slope] * c[BallSlot::length]);
   }
   void line(const double* c, std::uint32_t id) {
-    put({c[0] - origin_.x, c[1] - origin_.y, c[2], c[3],
-         1 / std::max(c[2] * c[2] + c[3] * c[3], 1e-30), c[4] - c[6] - origin_.z, level_of(id)});
+    put({c[LineSlot::x] - origin_.x, c[LineSlot::y] - origin_.y, c[LineSlot::dx], c[LineSlot::dy],
+         1 / std::max(c[LineSlot::dx] * c[LineSlot::dx] + c[LineSlot::dy] * c[LineSlot::dy], 1e-30),
+         c[LineSlot::low] - c[LineSlot::round] - origin_.z, height_number_of(id)});
   }
   void widen_line(const double* c) {
-    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[4] - c[6] - origin_.z;
+    const double x = c[LineSlot::x] - origin_.x, y = c[LineSlot::y] - origin_.y,
+                 z = c[LineSlot::low] - c[LineSlot::round] - origin_.z;
     widen(x, y, z);
-    widen(x + c[2], y + c[3], z);
+    widen(x + c[LineSlot::dx], y + c[LineSlot::dy], z);
   }
   void arc(const double* c, std::uint32_t id) {
-    const double x = c[0] - origin_.x, y = c[1] - origin_.y, z = c[7] - c[9] - origin_.z;
-    put({x, y, c[2], c[3], c[4], c[5], c[6], z, level_of(id)});
-    widen(std::fabs(x) + c[2], std::fabs(y) + c[2], z);
+    const double x = c[ArcSlot::x] - origin_.x, y = c[ArcSlot::y] - origin_.y,
+                 z = c[ArcSlot::low] - c[ArcSlot::round] - origin_.z;
+    put({x, y, c[ArcSlot::radius], c[ArcSlot::mx], c[ArcSlot::my], c[ArcSlot::cosine],
+         c[ArcSlot::sine], z, height_number_of(id)});
+    widen(std::fabs(x) + c[ArcSlot::radius], std::fabs(y) + c[ArcSlot::radius], z);
   }
 
-  double level_of(std::uint32_t id) const { return sweep_level(columns_.levels[id]); }
+  double height_number_of(std::uint32_t id) const {
+    return height_number(columns_.height_numbers[id]);
+  }
   template <std::size_t N>
   void put(const double (&values)[N]) {
     float* to = to_ + slot_;

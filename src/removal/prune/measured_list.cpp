@@ -114,8 +114,10 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
     out.z[k] = static_cast<float>(f.offset.z);
     out.rest[k] =
         f.convex ? static_cast<float>(region_.radius * region_.radius * 1.00001) : kInfinity;
-    out.level[k] =
-        columns_.levels.empty() ? 0 : static_cast<float>(sweep_level(columns_.levels[s.ids[k]]));
+    out.height_number[k] =
+        columns_.height_numbers.empty()
+            ? 0
+            : static_cast<float>(height_number(columns_.height_numbers[s.ids[k]]));
     least.distance = std::min(least.distance, out.distance[k]);
     least.squared = std::min(least.squared, out.squared[k]);
     least.z = std::min(least.z, out.z[k]);
@@ -193,12 +195,12 @@ void MeasuredList::measure_heights() {
     if (is_bounded(i))
       heights_.add(kernels_.piece_heights(in_.columns(run.first), run.count,
                                           heights_.args(type(i).heights), lower));
-    else if (is_measured_level(i))
+    else if (is_measured_horizontal(i))
       heights_.add(
-          kernels_.level_heights(rows(i), run.count, heights_.args(type(i).heights), lower));
+          kernels_.horizontal_heights(rows(i), run.count, heights_.args(type(i).heights), lower));
   }
   for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i)
-    if (is_measured_level(i)) drop_high(i);
+    if (is_measured_horizontal(i)) drop_high(i);
 }
 
 void MeasuredList::drop_high(std::size_t i) {

@@ -2,6 +2,7 @@
 // centre, and which of those distances is the least. prune() then drops what is beaten.
 #pragma once
 
+#include "core/rounding.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/heights.h"
 #include "removal/prune/region_args.h"
@@ -95,7 +96,7 @@ class MeasuredList {
            (type(run).form == SweepClass::Form::piece && !by_heights_);
   }
   // Its rows tell heights.
-  bool is_measured_level(std::size_t run) const {
+  bool is_measured_horizontal(std::size_t run) const {
     return !type(run).packs &&
            (type(run).form == SweepClass::Form::line || type(run).form == SweepClass::Form::arc);
   }
@@ -135,8 +136,6 @@ inline std::size_t end_of(const CandidateList::Run& run) { return run.first + ru
 inline float lateral(const RegionArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }
 
 /// mm: what rounding may change in a difference of two distances.
-inline double distance_slack(const SweepTable& table) {
-  return 2 * table.max_error() + kPruneRounding;
-}
+inline double distance_slack(const SweepTable& table) { return 2 * table.max_error() + kRounding; }
 
 }  // namespace mrsim

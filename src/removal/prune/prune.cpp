@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// A run of level moves: a point below the tool's tip is at least (tip.z - z) away from each.
-bool is_level(const SweepClass& type) {
+// A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
+bool is_horizontal(const SweepClass& type) {
   return type.form == SweepClass::Form::line || type.form == SweepClass::Form::arc;
 }
 
@@ -84,7 +84,7 @@ class Keeper {
     float id = in_.column(kIdColumn)[in_.runs()[run].first + k];
     if (type(run).packs)
       id = std::bit_cast<float>(columns_.packs[in_.number(in_.runs()[run], k)].last);
-    return {r.squared[k], r.x[k], r.y[k], r.z[k], r.level[k], id};
+    return {r.squared[k], r.x[k], r.y[k], r.z[k], r.height_number[k], id};
   }
 
   void keep_pieces(std::size_t from, std::size_t to, CandidateList& out) {
@@ -129,7 +129,7 @@ class Keeper {
       float* to_slot = out.column(0) + out.open_run(run.of, run.numbers);
       at_.tool = type(i).tool;
       args.within = args.plan ? top() + within_band() : surely_within(at_, region_, reach_);
-      bool reaches = reaches_ || !(is_strip(type(i)) || is_level(type(i)));
+      bool reaches = reaches_ || !(is_strip(type(i)) || is_horizontal(type(i)));
       const std::size_t kept = kernels_.keep(args, rows(i), in_.columns(run.first), run.count,
                                              columns, to_slot, out.stride(), reaches);
       reaches_ = reaches_ || (reaches && kept > 0);

@@ -1,6 +1,7 @@
 #include "removal/prune/prune_strips.h"
 
 #include "core/heap.h"
+#include "core/rounding.h"
 #include "removal/prune/region_args.h"
 #include "removal/sweep/sweep_columns.h"
 
@@ -51,7 +52,7 @@ bool prune_strips(const SweepTable& table, const PruneRegion& region, double rea
   const double delta = at.delta, round = at.tool.round;
   const double least = std::sqrt(double(beater.squared)) - round + delta;
   if (least < -reach) return false;
-  const double slack = 2 * columns.max_error + kPruneRounding;
+  const double slack = 2 * columns.max_error + kRounding;
   const double limit = kept_within(least, 2 * delta, region, reach, slack) + delta + round;
   if (limit < 0) return true;
   const double band = reach - region.radius;

@@ -1,5 +1,6 @@
 #include "removal/prune/prune_turned.h"
 
+#include "core/rounding.h"
 #include "removal/prune/region_args.h"
 #include "removal/sweep/sweep_columns.h"
 
@@ -17,7 +18,7 @@ TurnRegion turn_region(const PruneRegion& region) {
   const double near_x = std::max(x - h, 0.0), near_y = std::max(y - h, 0.0);
   const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
   const double farthest = std::sqrt((x + h) * (x + h) + (y + h) * (y + h));
-  r.half.x = std::max(rho - nearest, farthest - rho) + kPruneRounding;
+  r.half.x = std::max(rho - nearest, farthest - rho) + kRounding;
   return r;
 }
 
@@ -38,7 +39,7 @@ bool expand_turned(const SweepTable& table, const PruneRegion& region, double re
   }
   TurnTree::Nearest best;
   for (const std::uint32_t pack : packs) tree.nearest(pack, at.center.x, at.center.y, best);
-  tree.members(at, best, reach, 2 * table.max_error() + kPruneRounding, packs, members);
+  tree.members(at, best, reach, 2 * table.max_error() + kRounding, packs, members);
   if (members.size() > most) return false;
   ids.resize(plain);
   for (const TurnTree::Member& m : members) ids.push_back(m.sweep);

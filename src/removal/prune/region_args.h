@@ -9,8 +9,6 @@
 namespace mrsim {
 
 inline constexpr double kHalfUlp = 1.0 / (1 << 24);  ///< of a float, relative
-inline constexpr double kPruneRounding = 1e-9;  ///< mm: of coordinates up to 10 m in a distance,
-                                                ///< with room
 
 /// About the list's origin; without errors.
 inline RegionArgs region_args(const PruneRegion& region, const Vec3& origin) {

@@ -39,7 +39,7 @@ static void ball_line_least_of(double radius, const LineRecord* records, const s
                                const std::uint32_t* ids, std::size_t n, PointColumns& points) {
   double scales[kSquares];
   for (std::size_t i = 0; i < n; ++i) {
-    const double s = records[rows[i]].c[6];
+    const double s = records[rows[i]].c[BallSlot::slope];
     scales[i] = 1.0 / (1.0 + s * s);
   }
   std::size_t k = 0;
@@ -58,11 +58,12 @@ static void ball_line_least_mixed(const LineRecord* records, const std::uint32_t
       const double* r = records[rows[i]].c;
       V c[8];
       for (std::size_t j = 0; j < 8; ++j) c[j] = splat(r[j]);
-      const V scale = splat(1.0 / (1.0 + r[6] * r[6]));
+      const V scale = splat(1.0 / (1.0 + r[BallSlot::slope] * r[BallSlot::slope]));
       const V squared = strip_foot(c, scale, x, y, z).squared;
-      const V reach = vmax(least + c[7], splat(0.0));
+      const V reach = vmax(least + c[BallSlot::radius], splat(0.0));
       if (bits(less_equal(squared, reach * reach * splat(1 + 1e-14))) == 0) continue;
-      take_closer(vsqrt(squared) - c[7], splat(static_cast<double>(ids[i])), least, nearest);
+      take_closer(vsqrt(squared) - c[BallSlot::radius], splat(static_cast<double>(ids[i])), least,
+                  nearest);
     }
     store(points.least + k, least), store(points.nearest + k, nearest);
   }
@@ -72,9 +73,10 @@ static void ball_line_least(const LineRecord* records, const std::uint32_t* rows
                             const std::uint32_t* ids, std::size_t n, PointColumns& points) {
   for (std::size_t from = 0; from < n; from += kSquares) {
     const std::size_t some = n - from < kSquares ? n - from : kSquares;
-    const double radius = records[rows[from]].c[7];
+    const double radius = records[rows[from]].c[BallSlot::radius];
     bool one = true;
-    for (std::size_t i = from; i < from + some; ++i) one = one && records[rows[i]].c[7] == radius;
+    for (std::size_t i = from; i < from + some; ++i)
+      one = one && records[rows[i]].c[BallSlot::radius] == radius;
     if (one)
       ball_line_least_of(radius, records, rows + from, ids + from, some, points);
     else

@@ -1,14 +1,8 @@
 // The loops of pruning over columns of sweeps, for the best instruction set of this machine.
 //
-// Columns by form, lengths in mm about the list's origin:
-//   strip  ax ay az ux uy L s 1/(1+s^2)          ball centre at the start, direction and length in
-//                                                plan, slope
-//   line   ax ay dx dy 1/(dx^2+dy^2) - tip level path in plan, height of the tip and its number
-//   arc    cx cy R mx my cos sin tip level       as in sweep_lanes.inl
-//   piece  ax ay az ux uy L m eps                a straight piece of a slanted path: the tip at its
-//                                                lower end, direction and length in plan, slope,
-//                                                and how far the path may be from it
-// A level number is equal for two sweeps just when their tips are equally high in double; NaN
+// Columns by form, lengths in mm about the list's origin: StripColumn, LineColumn, ArcColumn; of a
+// straight piece of a slanted path, BallSlot (removal/field/record_slots.h).
+// A height number is equal for two sweeps just when their tips are equally high in double; NaN
 // equals nothing. The last column holds the bits of the sweep's index, which compare as they do;
 // for a pack that of its first sweep, and the column before it the pack's number.
 #pragma once
@@ -73,7 +67,8 @@ struct RegionArgs {
 struct CandidateRows {
   float *distance, *squared;  ///< to the sweep; to its skeleton
   float *x, *y, *z;           ///< nearest point of the skeleton less the centre; plan: z of the tip
-  float *rest, *level;        ///< what dominance has to exceed besides the linear term, with margin
+  float *rest,
+      *height_number;  ///< what dominance has to exceed besides the linear term, with margin
 };
 struct LeastDistance {
   float distance, squared, z;
@@ -81,7 +76,7 @@ struct LeastDistance {
 
 /// A sweep that may beat others, and the limits of one run.
 struct Beater {
-  float squared, x, y, z, level, id;
+  float squared, x, y, z, height_number, id;
 };
 struct KeepArgs {
   RegionArgs at;
@@ -120,7 +115,7 @@ struct CandidateKernels {
                       float inside);
   /// Copies what is not beaten to `out` (same stride rules); how many. Writes up to a register
   /// more. `reaches` is set where the region comes within a.within of a skeleton that is kept,
-  /// which must be convex; of level moves, where the tip of one that is kept is no higher.
+  /// which must be convex; of horizontal moves, where the tip of one that is kept is no higher.
   std::size_t (*keep)(const KeepArgs& a, const CandidateRows& rows, const CandidateColumns& in,
                       std::size_t n, std::size_t columns, float* out, std::size_t out_stride,
                       bool& reaches);
@@ -129,9 +124,9 @@ struct CandidateKernels {
   /// not come, and returns what the least one is at most (height_lanes.inl). Of pieces of paths:
   float (*piece_heights)(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
                          float* lower);
-  /// Of level moves, by rows that line() or arc() has filled:
-  float (*level_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
-                         float* lower);
+  /// Of horizontal moves, by rows that line() or arc() has filled:
+  float (*horizontal_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
+                              float* lower);
 
   /// Copies the eight columns and the number of those entries whose `lower` is at most `limit`.
   std::size_t (*keep_low)(const float* lower, std::size_t n, float limit,

@@ -2,7 +2,7 @@
 // with V (floats), M (mask), kLanes and the operations on them in scope.
 
 struct Row {
-  V distance, squared, x, y, z, rest, level;
+  V distance, squared, x, y, z, rest, height_number;
 };
 
 MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
@@ -42,9 +42,11 @@ MRSIM_LANE V short_rest(const RegionArgs& a, V g, V raw, V t, V inverse, V size,
 
 MRSIM_LANE Row strip_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), one = splat(1);
-  const V ux = load(c[3] + k), uy = load(c[4] + k), end = load(c[5] + k), s = load(c[6] + k),
-          inverse = load(c[7] + k), az = load(c[2] + k);
-  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k), w = splat(a.z) - az;
+  const V ux = load(c[StripColumn::ux] + k), uy = load(c[StripColumn::uy] + k),
+          end = load(c[StripColumn::length] + k), s = load(c[StripColumn::slope] + k),
+          inverse = load(c[StripColumn::inverse] + k), az = load(c[StripColumn::z] + k);
+  const V dx = splat(a.x) - load(c[StripColumn::x] + k),
+          dy = splat(a.y) - load(c[StripColumn::y] + k), w = splat(a.z) - az;
   const V u = dx * ux + dy * uy, v = dx * uy - dy * ux;
   const V uc = clamped(u, zero, end), du = u - uc;
   const V raw = (u + s * w) * inverse, t = clamped(raw, zero, end);
@@ -63,7 +65,7 @@ MRSIM_LANE Row strip_row(const CandidateColumns& c, std::size_t k, const RegionA
   const M below = less_equal(splat(a.z + a.tall + 2 * a.delta), az + vmin(zero, s * end));
   const V segment = short_rest(a, reach_of(a, ux, uy, s), raw, t, inverse, one + s * s, end);
   r.rest = above(select(below, vmin(segment, wide), wide)) + margin(a, r.squared, root);
-  r.level = zero;
+  r.height_number = zero;
   return r;
 }
 
@@ -81,11 +83,14 @@ MRSIM_LANE V slab(const RegionArgs& a, V rho, V tip) {
 
 MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), one = splat(1);
-  const V px = load(c[2] + k), py = load(c[3] + k), inverse = load(c[4] + k);
-  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
+  const V px = load(c[LineColumn::dx] + k), py = load(c[LineColumn::dy] + k),
+          inverse = load(c[LineColumn::inverse] + k);
+  const V dx = splat(a.x) - load(c[LineColumn::x] + k),
+          dy = splat(a.y) - load(c[LineColumn::y] + k);
   const V raw = (dx * px + dy * py) * inverse, t = clamped(raw, zero, one);
   Row r;
-  r.x = t * px - dx, r.y = t * py - dy, r.z = load(c[5] + k), r.level = load(c[6] + k);
+  r.x = t * px - dx, r.y = t * py - dy, r.z = load(c[LineColumn::z] + k),
+  r.height_number = load(c[LineColumn::height_number] + k);
   r.squared = r.x * r.x + r.y * r.y;
   const V root = vsqrt(r.squared);
   r.distance = slab(a, root, r.z);
@@ -97,9 +102,10 @@ MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionAr
 
 MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
   const V zero = splat(0), infinite = splat(kInfinity);
-  const V radius = load(c[2] + k), mx = load(c[3] + k), my = load(c[4] + k);
-  const V cosine = load(c[5] + k), sine = load(c[6] + k);
-  const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k);
+  const V radius = load(c[ArcColumn::radius] + k), mx = load(c[ArcColumn::mx] + k),
+          my = load(c[ArcColumn::my] + k);
+  const V cosine = load(c[ArcColumn::cosine] + k), sine = load(c[ArcColumn::sine] + k);
+  const V dx = splat(a.x) - load(c[ArcColumn::x] + k), dy = splat(a.y) - load(c[ArcColumn::y] + k);
   const V along = dx * mx + dy * my, off = dy * mx - dx * my, side = vabs(off);
   const V n = vsqrt(dx * dx + dy * dy);
   const M facing = less_equal(cosine * side - sine * along, zero);
@@ -110,7 +116,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
   const V root = select(facing, vabs(n - radius), vsqrt(ex * ex + ey * ey));
   Row r;
   r.x = select(facing, scale * dx, ex), r.y = select(facing, scale * dy, ey);
-  r.z = load(c[7] + k), r.level = load(c[8] + k);
+  r.z = load(c[ArcColumn::z] + k), r.height_number = load(c[ArcColumn::height_number] + k);
   r.distance = slab(a, root, r.z);
   // Facing the arc, |c - s|^2 = s_i^2 + n / R |s - q|^2 on the whole circle; beyond an end of at
   // most half a turn, the end is the nearest point of the arc's hull. Near the centre the nearest
@@ -139,7 +145,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
       r.z = select(real, r.z, infinite);                                                          \
       store(out.distance + k, r.distance), store(out.squared + k, r.squared);                     \
       store(out.x + k, r.x), store(out.y + k, r.y), store(out.z + k, r.z);                        \
-      store(out.rest + k, r.rest), store(out.level + k, r.level);                                 \
+      store(out.rest + k, r.rest), store(out.height_number + k, r.height_number);                 \
       distance = vmin(distance, r.distance), squared = vmin(squared, r.squared);                  \
       z = vmin(z, r.z);                                                                           \
     }                                                                                             \
@@ -183,9 +189,9 @@ static PlanBeaters plan_beaters(const CandidateRows& rows, std::size_t n,
 
 // Whether j may beat a plan sweep: its tip is lower, or as high and the index is lower or the walls
 // differ strictly.
-MRSIM_LANE M tip_allows(const KeepArgs& a, const Beater& j, V z, V level, M first) {
+MRSIM_LANE M tip_allows(const KeepArgs& a, const Beater& j, V z, V number, M first) {
   const M lower = both(splat_mask(a.rising), less(splat(j.z), z));
-  return either(lower, both(equal(level, splat(j.level)), first));
+  return either(lower, both(equal(number, splat(j.height_number)), first));
 }
 
 static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const CandidateColumns& in,
@@ -196,7 +202,8 @@ static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const Cand
     M stay = less_equal(load(rows.distance + k), splat(a.limit));
     if (!any(stay)) continue;
     const V squared = load(rows.squared + k), x = load(rows.x + k), y = load(rows.y + k),
-            z = load(rows.z + k), level = load(rows.level + k), id = load(in[kIdColumn] + k);
+            z = load(rows.z + k), number = load(rows.height_number + k),
+            id = load(in[kIdColumn] + k);
     const V gap = squared - load(rows.rest + k);
     for (int i = 0; i < a.beaters; ++i) {
       const Beater& j = a.beater[i];
@@ -205,12 +212,12 @@ static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const Cand
       M beaten = less(above(far + far), gap - splat(j.squared));
       if (a.plan) {
         const M first = either(less(splat(j.id), id), less(splat(a.beyond), squared));
-        beaten = both(beaten, tip_allows(a, j, z, level, first));
+        beaten = both(beaten, tip_allows(a, j, z, number, first));
       }
       stay = without(stay, beaten);
     }
     if (a.has_cover)
-      stay = without(stay, tip_allows(a, a.cover, z, level, less(splat(a.cover.id), id)));
+      stay = without(stay, tip_allows(a, a.cover, z, number, less(splat(a.cover.id), id)));
     if (!reaches)
       reaches = any(both(stay, a.plan ? less_equal(z, splat(a.within))
                                       : comes_within(a.at, a.within, squared, x, y, z)));
@@ -273,5 +280,5 @@ static std::size_t strip_ids(const CandidateColumns& c, std::size_t n, const Reg
 #include "removal/simd/height_lanes.inl"
 
 static const CandidateKernels kKernels = {
-    near_strip,    near_line,     near_arc, find,           plan_beaters, keep,
-    piece_heights, level_heights, keep_low, strip_quarters, strip_beater, strip_ids};
+    near_strip,    near_line,          near_arc, find,           plan_beaters, keep,
+    piece_heights, horizontal_heights, keep_low, strip_quarters, strip_beater, strip_ids};

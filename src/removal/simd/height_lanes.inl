@@ -62,9 +62,10 @@ static float piece_heights(const CandidateColumns& c, std::size_t n, const Heigh
   const V zero = splat(0), infinite = splat(kInfinity);
   V least = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
-    const V dx = splat(a.x) - load(c[0] + k), dy = splat(a.y) - load(c[1] + k), az = load(c[2] + k),
-            ux = load(c[3] + k), uy = load(c[4] + k), end = load(c[5] + k), m = load(c[6] + k),
-            eps = load(c[7] + k);
+    const V dx = splat(a.x) - load(c[BallSlot::x] + k), dy = splat(a.y) - load(c[BallSlot::y] + k),
+            az = load(c[BallSlot::z] + k), ux = load(c[BallSlot::ux] + k),
+            uy = load(c[BallSlot::uy] + k), end = load(c[BallSlot::length] + k),
+            m = load(c[BallSlot::slope] + k), eps = load(c[BallSlot::error] + k);
     const V u = dx * ux + dy * uy, v = vabs(dx * uy - dy * ux), vv = v * v;
     const V wide = splat(a.wide) + eps, error = splat(a.error) + eps;
     const M real = first_lanes(n - k);
@@ -102,10 +103,10 @@ static float piece_heights(const CandidateColumns& c, std::size_t n, const Heigh
   return least_lane(least);
 }
 
-// The same of level moves, whose rows hold the squared distance in plan (infinite where it is not
-// known) and the height of the tip.
-static float level_heights(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
-                           float* lower) {
+// The same of horizontal moves, whose rows hold the squared distance in plan (infinite where it is
+// not known) and the height of the tip.
+static float horizontal_heights(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
+                                float* lower) {
   const HeightTool& t = a.tool;
   const V zero = splat(0), infinite = splat(kInfinity);
   V least = infinite;

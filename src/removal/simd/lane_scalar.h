@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/lane_scalar.h"
+#include "core/rounding.h"
+#include "removal/field/record_slots.h"
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"

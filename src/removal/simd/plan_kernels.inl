@@ -8,17 +8,17 @@
 // The first columns of a record tell the distance in plan, the four after them
 // the tool's section at its height.
 MRSIM_LANE V plan_rho(const LineRecord& r, V x, V y) {
-  V c[4];
-  for (std::size_t j = 0; j < 4; ++j) c[j] = splat(r.c[j]);
+  V c[LineSlot::low];
+  for (std::size_t j = 0; j < LineSlot::low; ++j) c[j] = splat(r.c[j]);
   return line_rho(c, x, y);
 }
 MRSIM_LANE V plan_rho(const ArcRecord& r, V x, V y) {
-  V c[7];
-  for (std::size_t j = 0; j < 7; ++j) c[j] = splat(r.c[j]);
+  V c[ArcSlot::low];
+  for (std::size_t j = 0; j < ArcSlot::low; ++j) c[j] = splat(r.c[j]);
   return arc_rho(c, x, y);
 }
-static const double* section_of(const LineRecord& r) { return r.c + 4; }
-static const double* section_of(const ArcRecord& r) { return r.c + 7; }
+static const double* section_of(const LineRecord& r) { return r.c + LineSlot::low; }
+static const double* section_of(const ArcRecord& r) { return r.c + ArcSlot::low; }
 
 // rounded_slab of one section at heights z.
 struct Section {

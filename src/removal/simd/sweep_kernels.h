@@ -2,6 +2,8 @@
 // instruction set of this machine. All of them give the same bits.
 #pragma once
 
+#include "core/rounding.h"
+#include "removal/field/record_slots.h"
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
@@ -13,12 +15,12 @@
 
 namespace mrsim {
 
-/// Coefficients of one sweep, in the order told in sweep_lanes.inl; whole cache lines.
+/// Coefficients of one sweep by BallSlot, LineSlot, BoreSlot or ArcSlot; whole cache lines.
 struct alignas(64) LineRecord {
   double c[8] = {};
 };
 struct alignas(64) ArcRecord {
-  double c[16] = {};  ///< c[11]: length of the arc, mm
+  double c[16] = {};
 };
 
 /// Points by columns, with the nearest sweep so far and its distance.

@@ -27,8 +27,7 @@ MRSIM_LANE V rounded_slab(V rho, V z, V low, V core, V round, V top) {
 }
 
 // Ball end reaching up, any straight line: distance to the segment's upward strip, minus R.
-// c = ax ay az (ball centre at the start), ux uy (unit horizontal direction), length in plan,
-// slope, R.
+// c: BallSlot.
 struct StripFoot {
   V squared;  // distance to the strip, squared
   V along;    // horizontal parameter of the foot
@@ -37,62 +36,70 @@ struct StripFoot {
 MRSIM_LANE V strip_scale(V slope) { return splat(1.0) / (splat(1.0) + slope * slope); }
 MRSIM_LANE StripFoot strip_foot(const V* c, V scale, V px, V py, V pz) {
   const V zero = splat(0.0);
-  const V dx = px - c[0], dy = py - c[1], w = pz - c[2];
-  const V u = dx * c[3] + dy * c[4], v = dx * c[4] - dy * c[3];
-  const V uc = vmin(vmax(u, zero), c[5]), du = u - uc;
-  const V t = vmin(vmax((u + c[6] * w) * scale, zero), c[5]);
-  const V eu = u - t, ew = w - c[6] * t;
-  const M above = less_equal(c[6] * uc, w);
+  const V dx = px - c[BallSlot::x], dy = py - c[BallSlot::y], w = pz - c[BallSlot::z];
+  const V u = dx * c[BallSlot::ux] + dy * c[BallSlot::uy],
+          v = dx * c[BallSlot::uy] - dy * c[BallSlot::ux];
+  const V uc = vmin(vmax(u, zero), c[BallSlot::length]), du = u - uc;
+  const V t = vmin(vmax((u + c[BallSlot::slope] * w) * scale, zero), c[BallSlot::length]);
+  const V eu = u - t, ew = w - c[BallSlot::slope] * t;
+  const M above = less_equal(c[BallSlot::slope] * uc, w);
   return {v * v + select(above, du * du, eu * eu + ew * ew), select(above, uc, t),
-          select(above, pz, c[2] + c[6] * t)};
+          select(above, pz, c[BallSlot::z] + c[BallSlot::slope] * t)};
 }
 MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
-  return vsqrt(strip_foot(c, strip_scale(c[6]), px, py, pz).squared) - c[7];
+  return vsqrt(strip_foot(c, strip_scale(c[BallSlot::slope]), px, py, pz).squared) -
+         c[BallSlot::radius];
 }
 
 // Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].
-// c = ax ay dx dy (from start to end), low core round top. An upright move has d = 0.
+// c: LineSlot. An upright move has dx = dy = 0.
 struct PlanLineFoot {
   V squared, t;
 };
 MRSIM_LANE PlanLineFoot line_foot(const V* c, V px, V py) {
   const V zero = splat(0.0), one = splat(1.0);
-  const V dx = px - c[0], dy = py - c[1];
-  const V size = c[2] * c[2] + c[3] * c[3];
-  const V t = vmin(vmax((dx * c[2] + dy * c[3]) / vmax(size, splat(1e-300)), zero), one);
-  const V ex = dx - t * c[2], ey = dy - t * c[3];
+  const V dx = px - c[LineSlot::x], dy = py - c[LineSlot::y];
+  const V size = c[LineSlot::dx] * c[LineSlot::dx] + c[LineSlot::dy] * c[LineSlot::dy];
+  const V t = vmin(
+      vmax((dx * c[LineSlot::dx] + dy * c[LineSlot::dy]) / vmax(size, splat(1e-300)), zero), one);
+  const V ex = dx - t * c[LineSlot::dx], ey = dy - t * c[LineSlot::dy];
   return {ex * ex + ey * ey, t};
 }
 MRSIM_LANE V line_rho(const V* c, V px, V py) { return vsqrt(line_foot(c, px, py).squared); }
 MRSIM_LANE V plane_line(const V* c, V px, V py, V pz) {
-  return rounded_slab(line_rho(c, px, py), pz, c[4], c[5], c[6], c[7]);
+  return rounded_slab(line_rho(c, px, py), pz, c[LineSlot::low], c[LineSlot::core],
+                      c[LineSlot::round], c[LineSlot::top]);
 }
 
 // Horizontal arc of up to a full turn: distance in plan to the arc, folded about its middle.
-// c = cx cy R mx my (unit vector to the middle) cos sin (of half the sweep), low core round top.
+// c: ArcSlot.
 MRSIM_LANE V arc_rho(const V* c, V px, V py) {
-  const V dx = px - c[0], dy = py - c[1];
-  const V a = dx * c[3] + dy * c[4], b = vabs(dx * c[4] - dy * c[3]);
-  const V ea = a - c[2] * c[5], eb = b - c[2] * c[6];
-  const V within = vabs(vsqrt(dx * dx + dy * dy) - c[2]);
+  const V dx = px - c[ArcSlot::x], dy = py - c[ArcSlot::y];
+  const V a = dx * c[ArcSlot::mx] + dy * c[ArcSlot::my],
+          b = vabs(dx * c[ArcSlot::my] - dy * c[ArcSlot::mx]);
+  const V ea = a - c[ArcSlot::radius] * c[ArcSlot::cosine],
+          eb = b - c[ArcSlot::radius] * c[ArcSlot::sine];
+  const V within = vabs(vsqrt(dx * dx + dy * dy) - c[ArcSlot::radius]);
   const V beyond = vsqrt(ea * ea + eb * eb);
-  return select(less_equal(c[5] * b - c[6] * a, splat(0.0)), within, beyond);
+  return select(less_equal(c[ArcSlot::cosine] * b - c[ArcSlot::sine] * a, splat(0.0)), within,
+                beyond);
 }
 MRSIM_LANE V plane_arc(const V* c, V px, V py, V pz) {
-  return rounded_slab(arc_rho(c, px, py), pz, c[7], c[8], c[9], c[10]);
+  return rounded_slab(arc_rho(c, px, py), pz, c[ArcSlot::low], c[ArcSlot::core], c[ArcSlot::round],
+                      c[ArcSlot::top]);
 }
 
 // Lowest whole turn of a helix: over it some position looks at p, and no other is nearer in plan.
 // Where the mill is as far from p at its highest tip as at its lowest one, that position is the
 // best, whatever its height: the bore's wall decides.
-// c = cx cy R core round, low at the first and at the last position.
+// c: BoreSlot.
 struct Bore {
   V distance;
   M decided;
 };
 MRSIM_LANE Bore bore(const V* c, V px, V py, V pz) {
-  const V dx = px - c[0], dy = py - c[1];
-  const V dr = vabs(vsqrt(dx * dx + dy * dy) - c[2]) - c[3];
-  const V last = slab(dr, c[6] - pz, c[4]);
-  return {last, less_equal(slab(dr, c[5] - pz, c[4]), last)};
+  const V dx = px - c[BoreSlot::x], dy = py - c[BoreSlot::y];
+  const V dr = vabs(vsqrt(dx * dx + dy * dy) - c[BoreSlot::radius]) - c[BoreSlot::core];
+  const V last = slab(dr, c[BoreSlot::last_low] - pz, c[BoreSlot::round]);
+  return {last, less_equal(slab(dr, c[BoreSlot::first_low] - pz, c[BoreSlot::round]), last)};
 }

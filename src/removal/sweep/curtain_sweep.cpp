@@ -13,7 +13,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLevelEnd = 1e-9;  // of the radius: rounding of ends at the height of the centre
+constexpr double kHorizontalEnd =
+    1e-9;  // of the radius: rounding of ends at the height of the centre
 
 bool on_arc(const Curtain& c, double x, double y) {
   const double along = x * c.mid_x + y * c.mid_y, off = c.mid_x * y - c.mid_y * x;
@@ -117,7 +118,7 @@ BallArcFoot ball_arc_foot(const BallArc& s, const Curtain& part, const Vec3& p) 
 
 bool is_valley(const Curtain& c) {
   return c.cos_half >= 0 && c.mid_y < 0 && std::all_of(c.hems, c.hems + c.hem_count, [&c](Vec2 h) {
-           return h.y <= kLevelEnd * c.radius;
+           return h.y <= kHorizontalEnd * c.radius;
          });
 }
 
@@ -125,7 +126,7 @@ bool is_valley(const Curtain& c) {
 // is nearest.
 FaceRange hill_range(const BallArc& s, const Curtain& part, const Corners3& t) {
   if (!std::all_of(part.hems, part.hems + part.hem_count,
-                   [&](Vec2 h) { return h.y >= -kLevelEnd * part.radius; }))
+                   [&](Vec2 h) { return h.y >= -kHorizontalEnd * part.radius; }))
     return {};
   Corners2 q;
   std::array<double, 3> beside;

@@ -77,7 +77,7 @@ class DiscPath {
 }  // namespace
 
 bool is_disc_helix(const Profile& tool, const ToolPath& path) {
-  return tool.disc() && path.arc && path.level && path.rise.z != 0;
+  return tool.disc() && path.arc && path.horizontal && path.rise.z != 0;
 }
 
 PathSample disc_minimum(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,

@@ -18,14 +18,14 @@ constexpr double kMostPieces = 256;  // of one path
 constexpr double kUpright = 64;      // slope from which a move is cut at kShort mm in plan
 constexpr double kShort = 0.02;
 
-bool is_level(const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; }
+bool is_horizontal(const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; }
 bool is_upright(const ProfileEdge& e) { return e.radius == 0 && e.direction.x == 0; }
 
 // Disc, fillet and cone, where the profile begins with them; what comes after them.
 std::size_t read_underside(const std::vector<ProfileEdge>& edges, HeightTool& t) {
   std::size_t next = 0;
   double core = 0, steepest = 0;
-  if (is_level(edges[0])) core = edges[0].b.x, next = 1;
+  if (is_horizontal(edges[0])) core = edges[0].b.x, next = 1;
   t.core = static_cast<float>(core);
   if (next < edges.size() && edges[next].radius > 0) {
     const ProfileEdge& arc = edges[next];
@@ -57,11 +57,12 @@ void add(std::vector<LineRecord>& out, Vec3 a, Vec3 b, double eps) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
   const bool point = length < kTiny || b.z - a.z > kUpright * length;
   LineRecord record;
-  record.c[0] = a.x, record.c[1] = a.y, record.c[2] = a.z;
-  record.c[3] = length > 0 ? dx / length : 1, record.c[4] = length > 0 ? dy / length : 0;
-  record.c[5] = point ? 0 : length;
-  record.c[6] = point ? 0 : (b.z - a.z) / length;
-  record.c[7] = eps + (point ? length : 0);
+  record.c[BallSlot::x] = a.x, record.c[BallSlot::y] = a.y, record.c[BallSlot::z] = a.z;
+  record.c[BallSlot::ux] = length > 0 ? dx / length : 1,
+  record.c[BallSlot::uy] = length > 0 ? dy / length : 0;
+  record.c[BallSlot::length] = point ? 0 : length;
+  record.c[BallSlot::slope] = point ? 0 : (b.z - a.z) / length;
+  record.c[BallSlot::error] = eps + (point ? length : 0);
   out.push_back(record);
 }
 
@@ -97,7 +98,7 @@ HeightTool height_tool(const Profile& tool) {
       tool.is_convex() && tool.bottom() == 0 ? read_underside(edges, t) : edges.size();
   t.radius = static_cast<float>(tool.max_radius());
   // What follows has to be the wall, or the flat top.
-  const bool ends = next < edges.size() && (is_upright(edges[next]) || is_level(edges[next]));
+  const bool ends = next < edges.size() && (is_upright(edges[next]) || is_horizontal(edges[next]));
   double widest = tool.widest();
   if (!ends) {
     t = HeightTool{.core = t.radius, .radius = t.radius};
@@ -128,16 +129,19 @@ bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
 bool append_pieces(const ProfileRow& row, std::vector<LineRecord>& out) {
   const double* c = row.c;
   if (!row.arc) {
-    add(out, {c[0], c[1], row.z}, {c[0] + c[2], c[1] + c[3], row.z}, 0);
+    add(out, {c[LineSlot::x], c[LineSlot::y], row.z},
+        {c[LineSlot::x] + c[LineSlot::dx], c[LineSlot::y] + c[LineSlot::dy], row.z}, 0);
     return true;
   }
-  const double sweep = c[2] > 0 ? row.length / c[2] : 0;
-  const int count = arc_pieces(c[2], sweep);
+  const double sweep = c[ArcSlot::radius] > 0 ? row.length / c[ArcSlot::radius] : 0;
+  const int count = arc_pieces(c[ArcSlot::radius], sweep);
   if (count == 0) return false;
-  add_all(out, count, arc_error(c[2], sweep, count), [&](double t) {
+  add_all(out, count, arc_error(c[ArcSlot::radius], sweep, count), [&](double t) {
     const SinCos at = sincos((t - 0.5) * sweep);
-    return Vec3{c[0] + c[2] * (at.cos * c[3] - at.sin * c[4]),
-                c[1] + c[2] * (at.cos * c[4] + at.sin * c[3]), row.z};
+    return Vec3{
+        c[ArcSlot::x] + c[ArcSlot::radius] * (at.cos * c[ArcSlot::mx] - at.sin * c[ArcSlot::my]),
+        c[ArcSlot::y] + c[ArcSlot::radius] * (at.cos * c[ArcSlot::my] + at.sin * c[ArcSlot::mx]),
+        row.z};
   });
   return true;
 }

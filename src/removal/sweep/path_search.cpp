@@ -52,7 +52,7 @@ class Objective {
   /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
   /// `near`, and heights differ by at most the rise, against which a convex tool's distance is
   /// convex. Ends the search among the turns of a helix early.
-  double level_bound(double t, double half, double near) const {
+  double horizontal_bound(double t, double half, double near) const {
     const double z = p_.z - path_.center.z - t * path_.rise.z;
     const double rise = (path_.rise.z < 0 ? -path_.rise.z : path_.rise.z) * half;
     const ProfileSample s = tool_sample(tool_, near, z);
@@ -60,9 +60,9 @@ class Objective {
     return s.distance - (tool_.is_convex() ? slope : 1) * rise;
   }
 
-  /// On a level path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex up to
-  /// this angle on both sides of the position that looks at p, and then has no minimum before that
-  /// of the next turn.
+  /// On a horizontal path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex
+  /// up to this angle on both sides of the position that looks at p, and then has no minimum before
+  /// that of the next turn.
   double convex_reach() const {
     const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
     const double d = std::sqrt(dx * dx + dy * dy);
@@ -173,9 +173,10 @@ PathSample ends(const Objective& F, double begin, double end) {
 }
 
 // A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`.
-PathSample search_level(const Objective& F, double begin, double end, PathSample best) {
+PathSample search_horizontal(const Objective& F, double begin, double end, PathSample best) {
   const double near = F.to_circle();
-  if (F.level_bound(0.5 * (begin + end), 0.5 * (end - begin), near) >= best.distance) return best;
+  if (F.horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), near) >= best.distance)
+    return best;
   double first = F.towards();
   while (first < begin) first += kTwoPi;
   if (first <= end)
@@ -190,7 +191,7 @@ PathSample search_level(const Objective& F, double begin, double end, PathSample
     if (lo > from) open.push_back({from, lo});
     from = hi;
     const double half = 0.5 * (hi - lo);
-    if (hi <= lo || F.level_bound(lo + half, half, near) >= best.distance) continue;
+    if (hi <= lo || F.horizontal_bound(lo + half, half, near) >= best.distance) continue;
     const PathSample least = descend(F, lo, hi);
     if (least.distance < best.distance) best = least;
   }
@@ -200,7 +201,7 @@ PathSample search_level(const Objective& F, double begin, double end, PathSample
     open.pop_back();
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
     const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
-    if (F.level_bound(mid, half, nearest) >= best.distance - kPathError) continue;
+    if (F.horizontal_bound(mid, half, nearest) >= best.distance - kPathError) continue;
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     if (plane_bound(m, half) >= best.distance - kPathError) continue;
@@ -218,7 +219,7 @@ PathSample search_level(const Objective& F, double begin, double end, PathSample
 // Branch and bound over [begin, end], for something nearer than `best`.
 PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
                       double end, PathSample best) {
-  if (path.level) {
+  if (path.horizontal) {
     const double guess = F.towards();
     for (double t = guess; t < end; t += kTwoPi) {
       if (t < begin) continue;
@@ -233,7 +234,8 @@ PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& p
   while (depth > 0) {
     const Interval in = stack[--depth];
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    if (path.level && F.level_bound(mid, half, F.to_circle()) >= best.distance - kPathError)
+    if (path.horizontal &&
+        F.horizontal_bound(mid, half, F.to_circle()) >= best.distance - kPathError)
       continue;
     const Value m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
@@ -249,7 +251,7 @@ PathSample search_all(const Objective& F, const Profile& tool, const ToolPath& p
                 descend(F, clamp(best.t - finest, begin, end), clamp(best.t + finest, begin, end)));
 }
 
-// A convex tool on an arc in any plane but a level one, over [begin, end].
+// A convex tool on an arc in any plane but a horizontal one, over [begin, end].
 PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath& path, double begin,
                         double end) {
   if (end - begin > kPi) {
@@ -269,11 +271,12 @@ PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, doub
 PathSample search_pieces(std::span<const Profile> pieces, const ToolPath& path, const Vec3& p,
                          double begin, double end, PathSample best) {
   std::size_t first = 0;
-  if (path.level) {
+  if (path.horizontal) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const Objective F(pieces[k], path, p);
-      const double bound = F.level_bound(0.5 * (begin + end), 0.5 * (end - begin), F.to_circle());
+      const double bound =
+          F.horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), F.to_circle());
       if (bound < least) least = bound, first = k;
     }
   }
@@ -290,7 +293,8 @@ PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, doub
   const Objective F(tool, path, p);
   if (!tool.is_convex()) return search_all(F, tool, path, begin, end, ends(F, begin, end));
   if (!path.arc) return descend(F, begin, end);
-  return path.level ? search_level(F, begin, end, best) : search_steep(F, tool, path, begin, end);
+  return path.horizontal ? search_horizontal(F, begin, end, best)
+                         : search_steep(F, tool, path, begin, end);
 }
 
 }  // namespace

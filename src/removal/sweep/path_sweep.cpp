@@ -37,7 +37,7 @@ PathPoint path_point(const ToolPath& path, double t) {
 bool is_two_sided(const ToolPath& arc) {
   constexpr double kUpright = 1e-9;
   const double normal_z = arc.u.x * arc.v.y - arc.u.y * arc.v.x, square = arc.radius * arc.radius;
-  return arc.level || (arc.rise == Vec3{} && std::abs(normal_z) <= kUpright * square);
+  return arc.horizontal || (arc.rise == Vec3{} && std::abs(normal_z) <= kUpright * square);
 }
 
 PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {

@@ -20,8 +20,8 @@ struct ToolPath {
   Vec3 center, u, v, rise;       ///< arc; rise in mm per radian
   double sweep = 0;              ///< radians, positive
   double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
-  bool level = false;            ///< arc in a horizontal plane, or helix about Z
-  bool lowest_turn = false;      ///< level and falling, at most one turn, tool rising
+  bool horizontal = false;       ///< arc in a horizontal plane, or helix about Z
+  bool lowest_turn = false;      ///< horizontal and falling, at most one turn, tool rising
   bool bored = false;            ///< a whole lowest turn, tool with is_rounded()
   LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)

@@ -9,37 +9,42 @@ namespace {
 
 PlanFoot line_foot(const double* c, const Vec3& p) {
   const lane::PlanLineFoot f = lane::line_foot(c, p.x, p.y);
-  return {c[0] + f.t * c[2], c[1] + f.t * c[3], std::sqrt(f.squared), 0};
+  return {c[LineSlot::x] + f.t * c[LineSlot::dx], c[LineSlot::y] + f.t * c[LineSlot::dy],
+          std::sqrt(f.squared), 0};
 }
 
 PlanFoot arc_foot(const double* c, const Vec3& p, Half wanted) {
-  const double dx = p.x - c[0], dy = p.y - c[1];
-  const double a = dx * c[3] + dy * c[4], off = dy * c[3] - dx * c[4];
+  const double dx = p.x - c[ArcSlot::x], dy = p.y - c[ArcSlot::y];
+  const double a = dx * c[ArcSlot::mx] + dy * c[ArcSlot::my],
+               off = dy * c[ArcSlot::mx] - dx * c[ArcSlot::my];
   PlanFoot f;
   f.rho = lane::arc_rho(c, p.x, p.y);
   f.half = wanted == Half::any ? (off > 0 ? 1 : 0) : wanted == Half::second ? 1 : 0;
-  const bool within = c[5] * (off < 0 ? -off : off) - c[6] * a <= 0;
+  const bool within = c[ArcSlot::cosine] * (off < 0 ? -off : off) - c[ArcSlot::sine] * a <= 0;
   const double n = std::sqrt(dx * dx + dy * dy);
   if (within && n > 0) {
-    f.x = c[0] + c[2] / n * dx, f.y = c[1] + c[2] / n * dy;
+    f.x = c[ArcSlot::x] + c[ArcSlot::radius] / n * dx,
+    f.y = c[ArcSlot::y] + c[ArcSlot::radius] / n * dy;
     return f;
   }
-  const double ea = c[2] * c[5], eb = c[2] * c[6] * (f.half == 1 ? 1 : -1);
-  f.x = c[0] + ea * c[3] - eb * c[4], f.y = c[1] + ea * c[4] + eb * c[3];
+  const double ea = c[ArcSlot::radius] * c[ArcSlot::cosine],
+               eb = c[ArcSlot::radius] * c[ArcSlot::sine] * (f.half == 1 ? 1 : -1);
+  f.x = c[ArcSlot::x] + ea * c[ArcSlot::mx] - eb * c[ArcSlot::my],
+  f.y = c[ArcSlot::y] + ea * c[ArcSlot::my] + eb * c[ArcSlot::mx];
   return f;
 }
 
 }  // namespace
 
-LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
-  LevelView v;
+HorizontalView horizontal_view(const SweepColumns& c, const SweepRef& ref) {
+  HorizontalView v;
   if (ref.kind == SweepKind::plane_line) {
     v.plan = c.plane_lines[ref.row].c;
-    v.z = v.plan[4] - v.plan[6];
+    v.z = v.plan[LineSlot::low] - v.plan[LineSlot::round];
   } else if (ref.kind == SweepKind::plane_arc) {
     v.arc = true;
     v.plan = c.plane_arcs[ref.row].c;
-    v.z = v.plan[7] - v.plan[9];
+    v.z = v.plan[ArcSlot::low] - v.plan[ArcSlot::round];
   } else {
     const ProfileRow& row = c.profiles[ref.row];
     v.arc = row.arc;
@@ -49,7 +54,7 @@ LevelView level_view(const SweepColumns& c, const SweepRef& ref) {
   return v;
 }
 
-PlanFoot plan_foot(const LevelView& v, const Vec3& p, Half half) {
+PlanFoot plan_foot(const HorizontalView& v, const Vec3& p, Half half) {
   return v.arc ? arc_foot(v.plan, p, half) : line_foot(v.plan, p);
 }
 

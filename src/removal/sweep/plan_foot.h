@@ -17,13 +17,13 @@ struct PlanFoot {
 enum class Half { any = -1, first = 0, second = 1 };
 
 /// A horizontal or upright move of any tool: plan path, its lowest tip height, vertical travel.
-struct LevelView {
+struct HorizontalView {
   bool arc = false;
   const double* plan = nullptr;
   double z = 0;  // of the tip
 };
 
-LevelView level_view(const SweepColumns& columns, const SweepRef& ref);
-PlanFoot plan_foot(const LevelView& v, const Vec3& p, Half half);
+HorizontalView horizontal_view(const SweepColumns& columns, const SweepRef& ref);
+PlanFoot plan_foot(const HorizontalView& v, const Vec3& p, Half half);
 
 }  // namespace mrsim

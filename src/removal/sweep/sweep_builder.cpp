@@ -2,6 +2,7 @@
 #include "removal/sweep/sweep_builder.h"
 
 #include "core/error.h"
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/sweep/disc_sweep.h"
@@ -29,7 +30,7 @@ bool is_upright(const LocalMotion& l) {
   const Vec3 axis = cross(l.u, l.v);  // length: radius squared
   const double size = length(axis);
   return l.arc && dot(l.rise, l.rise) == 0 && size > 0 &&
-         std::fabs(axis.z) * std::sqrt(size) <= kLevel * size;
+         std::fabs(axis.z) * std::sqrt(size) <= kNoTravel * size;
 }
 
 void set_upright(ToolPath& path, const Profile& tool) {
@@ -130,18 +131,19 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   if (local == nullptr) ref.shape = opened(ref.shape, lowest_tip(l));
   const Profile& cutter = columns_.cutter(ref);
   const double dz = l.end.z - l.start.z, lean = dz < 0 ? -dz : dz;
-  const bool about_z = l.arc && l.u.z * l.u.z + l.v.z * l.v.z < kLevel * kLevel;
+  const bool about_z = l.arc && l.u.z * l.u.z + l.v.z * l.v.z < kNoTravel * kNoTravel;
   const double rise = l.rise.z * l.sweep;
   const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
   allow(kClosedError);
   const std::int32_t shape = ref.shape;
-  if (l.arc ? about_z && rise > -kLevel && rise < kLevel : lean < kLevel)
+  if (l.arc ? about_z && rise > -kNoTravel && rise < kNoTravel : lean < kNoTravel)
     add_level(ref, l, cutter);
-  else if (!l.arc && dx * dx + dy * dy < kLevel * kLevel)
+  else if (!l.arc && dx * dx + dy * dy < kNoTravel * kNoTravel)
     add_upright(ref, l, cutter);
   else
     add_path(ref, l, cutter);
-  bool two_sided = l.arc ? ref.kind == SweepKind::profile : dx * dx + dy * dy >= kLevel * kLevel;
+  bool two_sided =
+      l.arc ? ref.kind == SweepKind::profile : dx * dx + dy * dy >= kNoTravel * kNoTravel;
   if (l.arc && ref.kind == SweepKind::path) two_sided = is_two_sided(columns_.paths[ref.row]);
   ref.grooves = two_sided && columns_.shapes[shape].cutter.has_sharp_tip();
   if (ref.kind != SweepKind::ball_line && ref.kind != SweepKind::plane_line)
@@ -163,24 +165,28 @@ void SweepBuilder::add_level(SweepRef& ref, const LocalMotion& l, const Profile&
     row.arc = l.arc;
     row.z = z;
     l.arc ? arc_in_plan(l, row.c) : line_in_plan(l.start, l.end, row.c);
-    row.length = l.arc ? row.c[2] * l.sweep : std::sqrt(row.c[2] * row.c[2] + row.c[3] * row.c[3]);
+    row.length = l.arc ? row.c[ArcSlot::radius] * l.sweep
+                       : std::sqrt(row.c[LineSlot::dx] * row.c[LineSlot::dx] +
+                                   row.c[LineSlot::dy] * row.c[LineSlot::dy]);
     ref.kind = SweepKind::profile;
     ref.row = static_cast<std::uint32_t>(columns_.profiles.size());
     columns_.profiles.push_back(row);
   } else if (l.arc) {
     ArcRecord row;
     arc_in_plan(l, row.c);
-    row.c[7] = z + tool.round(), row.c[8] = tool.core(), row.c[9] = tool.round();
-    row.c[10] = z + tool.top();
-    row.c[11] = row.c[2] * l.sweep;
+    row.c[ArcSlot::low] = z + tool.round(), row.c[ArcSlot::core] = tool.core(),
+    row.c[ArcSlot::round] = tool.round();
+    row.c[ArcSlot::top] = z + tool.top();
+    row.c[ArcSlot::length] = row.c[ArcSlot::radius] * l.sweep;
     ref.kind = SweepKind::plane_arc;
     ref.row = static_cast<std::uint32_t>(columns_.plane_arcs.size());
     columns_.plane_arcs.push_back(row);
   } else {
     LineRecord row;
     line_in_plan(l.start, l.end, row.c);
-    row.c[4] = z + tool.round(), row.c[5] = tool.core(), row.c[6] = tool.round();
-    row.c[7] = z + tool.top();
+    row.c[LineSlot::low] = z + tool.round(), row.c[LineSlot::core] = tool.core(),
+    row.c[LineSlot::round] = tool.round();
+    row.c[LineSlot::top] = z + tool.top();
     ref.kind = SweepKind::plane_line;
     ref.row = static_cast<std::uint32_t>(columns_.plane_lines.size());
     columns_.plane_lines.push_back(row);
@@ -274,12 +280,13 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     LineRecord row;
     const double dx = l.end.x - l.start.x, dy = l.end.y - l.start.y;
     const double n = std::sqrt(dx * dx + dy * dy);
-    row.c[0] = l.start.x, row.c[1] = l.start.y;
-    row.c[2] = (n > kLevel ? l.start.z : std::min(l.start.z, l.end.z)) + tool.round();
-    row.c[3] = n > kLevel ? dx / n : 1, row.c[4] = n > kLevel ? dy / n : 0;
-    row.c[5] = n > kLevel ? n : 0;
-    row.c[6] = n > kLevel ? (l.end.z - l.start.z) / n : 0;
-    row.c[7] = tool.round();
+    row.c[BallSlot::x] = l.start.x, row.c[BallSlot::y] = l.start.y;
+    row.c[BallSlot::z] = (n > kNoTravel ? l.start.z : std::min(l.start.z, l.end.z)) + tool.round();
+    row.c[BallSlot::ux] = n > kNoTravel ? dx / n : 1,
+    row.c[BallSlot::uy] = n > kNoTravel ? dy / n : 0;
+    row.c[BallSlot::length] = n > kNoTravel ? n : 0;
+    row.c[BallSlot::slope] = n > kNoTravel ? (l.end.z - l.start.z) / n : 0;
+    row.c[BallSlot::radius] = tool.round();
     ref.kind = SweepKind::ball_line;
     ref.row = static_cast<std::uint32_t>(columns_.ball_lines.size());
     columns_.ball_lines.push_back(row);
@@ -288,9 +295,9 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
   ToolPath path;
   path.arc = l.arc;
   if (l.arc) {
-    path.level = l.u.z * l.u.z + l.v.z * l.v.z < kLevel * kLevel &&
-                 l.rise.x * l.rise.x + l.rise.y * l.rise.y < kLevel * kLevel;
-    path.lowest_turn = path.level && tool.is_rising();
+    path.horizontal = l.u.z * l.u.z + l.v.z * l.v.z < kNoTravel * kNoTravel &&
+                      l.rise.x * l.rise.x + l.rise.y * l.rise.y < kNoTravel * kNoTravel;
+    path.lowest_turn = path.horizontal && tool.is_rising();
     if (path.lowest_turn) keep_lowest_turn(l);
     path.center = l.center, path.u = l.u, path.v = l.v, path.rise = l.rise, path.sweep = l.sweep;
     path.radius = length(l.u);
@@ -317,7 +324,7 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
 
 void SweepBuilder::add_turning(SweepRef ref, const Motion& m, const Tool& tool) {
   const double off = std::max({std::fabs(m.start.y), std::fabs(m.end.y), std::fabs(m.center.y)});
-  if (off > 1e-9) unsupported(m, tool, "a turning tool moves in the plane of X and Z only");
+  if (off > kRounding) unsupported(m, tool, "a turning tool moves in the plane of X and Z only");
   const InsertOutline& insert = columns_.shapes[ref.shape].insert;
   const Vec2 start = {m.start.x, m.start.z};
   allow(kClosedError);

@@ -19,8 +19,8 @@ struct SweepClass {
   Form form = Form::other;
   Kind kind = Kind::none;
   std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
-  bool packs = false;     ///< of packs of such sweeps (sweep_packs.h), which the form's chords tell
-  double spread = 0;      ///< of these packs, the largest, mm
+  bool packs = false;  ///< entries are packs of such sweeps (sweep_packs.h), stored as their chords
+  double spread = 0;   ///< of these packs, the largest, mm
   double open_below = 0;  ///< the same
   ToolColumns tool;
   HeightTool heights;  ///< milling tools in the stock's frame

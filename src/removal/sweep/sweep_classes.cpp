@@ -55,9 +55,9 @@ SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, SweepClass
 
 // The height that decides the tip of a plan sweep; sweeps of one tool agree in it just when they
 // agree in their tips.
-double level_height(const SweepColumns& c, const SweepRef& ref) {
-  if (ref.kind == SweepKind::plane_line) return c.plane_lines[ref.row].c[4];
-  if (ref.kind == SweepKind::plane_arc) return c.plane_arcs[ref.row].c[7];
+double tip_height(const SweepColumns& c, const SweepRef& ref) {
+  if (ref.kind == SweepKind::plane_line) return c.plane_lines[ref.row].c[LineSlot::low];
+  if (ref.kind == SweepKind::plane_arc) return c.plane_arcs[ref.row].c[ArcSlot::low];
   return c.profiles[ref.row].z;
 }
 
@@ -74,7 +74,7 @@ int pack_grade(const SweepPack& pack) {
   return 2 * (grade + 16) + (pack.count > 0 ? 1 : 0);
 }
 
-class LevelNumbers {
+class HeightNumbers {
  public:
   std::uint32_t of(double height) {
     if (!numbers_.empty() && height == last_) return number_;
@@ -89,7 +89,7 @@ class LevelNumbers {
   std::uint32_t number_ = 0;
 };
 
-// All sweeps are of one class, which has no levels.
+// All sweeps are of one class, which has no height numbers.
 bool are_alike(const SweepColumns& c, int threads) {
   const std::vector<SweepRef>& refs = c.refs;
   if (refs.empty() || is_plan(refs[0])) return false;
@@ -137,7 +137,7 @@ void classify(SweepColumns& c, int threads) {
     if (added) found.push_back(k);
     return at->second;
   };
-  LevelNumbers numbers;
+  HeightNumbers numbers;
   Key last{-2, {}, 0, 0};
   std::uint32_t last_class = 0;
   const std::size_t told = are_alike(c, threads) ? 1 : c.refs.size();  // one tells all
@@ -149,8 +149,8 @@ void classify(SweepColumns& c, int threads) {
     if (key != last) last = key, last_class = number_of(key, class_of_sweep(c, ref, form));
     c.class_of[i] = last_class;
     if (!is_plan(ref)) continue;
-    if (c.levels.empty()) c.levels.resize(c.refs.size());
-    c.levels[i] = numbers.of(level_height(c, ref));
+    if (c.height_numbers.empty()) c.height_numbers.resize(c.refs.size());
+    c.height_numbers[i] = numbers.of(tip_height(c, ref));
   }
   const std::size_t sweep_classes = found.size();
   for (SweepPack& pack : c.packs.all()) {

@@ -8,8 +8,8 @@ namespace mrsim {
 /// Cuts the paths of tools with heights into pieces: fills `pieces` and `first_piece`.
 void cut_pieces(SweepColumns& columns);
 
-/// Fills `classes`, `class_of` and `levels` of finished columns (cut_pieces too), and the classes
-/// of their packs. Same result for any number of threads.
+/// Fills `classes`, `class_of` and `height_numbers` of finished columns (cut_pieces too), and the
+/// classes of their packs. Same result for any number of threads.
 void classify(SweepColumns& columns, int threads);
 
 }  // namespace mrsim

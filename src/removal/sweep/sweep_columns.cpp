@@ -33,11 +33,15 @@ Box3 SweepColumns::bounds_of_line(const SweepRef& ref, const LineRecord& record)
   const double* c = record.c;
   Box3 path;
   if (ref.kind == SweepKind::ball_line) {
-    extend(path, Vec3{c[0], c[1], c[2] - c[7]});
-    extend(path, Vec3{c[0] + c[3] * c[5], c[1] + c[4] * c[5], c[2] - c[7] + c[6] * c[5]});
+    extend(path, Vec3{c[BallSlot::x], c[BallSlot::y], c[BallSlot::z] - c[BallSlot::radius]});
+    extend(path,
+           Vec3{c[BallSlot::x] + c[BallSlot::ux] * c[BallSlot::length],
+                c[BallSlot::y] + c[BallSlot::uy] * c[BallSlot::length],
+                c[BallSlot::z] - c[BallSlot::radius] + c[BallSlot::slope] * c[BallSlot::length]});
   } else {
-    extend(path, Vec3{c[0], c[1], c[4] - c[6]});
-    extend(path, Vec3{c[0] + c[2], c[1] + c[3], c[4] - c[6]});
+    extend(path, Vec3{c[LineSlot::x], c[LineSlot::y], c[LineSlot::low] - c[LineSlot::round]});
+    extend(path, Vec3{c[LineSlot::x] + c[LineSlot::dx], c[LineSlot::y] + c[LineSlot::dy],
+                      c[LineSlot::low] - c[LineSlot::round]});
   }
   return sweep_bounds(tool, path, ref.frame > 0 ? &frames[ref.frame - 1] : nullptr);
 }
@@ -79,7 +83,7 @@ SweepColumns::Foot SweepColumns::foot(const SweepRef& ref, const Vec3& p) const 
     return {f.squared, f.point - p, false};
   }
   if (ref.kind != SweepKind::profile) return {};
-  const PlanFoot f = plan_foot(level_view(*this, ref), p, Half::any);
+  const PlanFoot f = plan_foot(horizontal_view(*this, ref), p, Half::any);
   return {f.rho * f.rho, {f.x - p.x, f.y - p.y, profiles[ref.row].z - p.z}, !profiles[ref.row].arc};
 }
 

@@ -41,14 +41,14 @@ enum class SweepKind : std::uint8_t {
 inline constexpr std::size_t kSweepKinds = 7;
 
 /// The number of a tip's height as a column holds it: exact, or NaN, which equals nothing.
-inline double sweep_level(std::uint32_t number) {
+inline double height_number(std::uint32_t number) {
   return number < (1u << 24) ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A horizontal path in plan: line_rho of c[0..3] or arc_rho of c[0..6].
+/// A horizontal path in plan: the slots of LineSlot or ArcSlot before `low`.
 struct ProfileRow {
   bool arc = false;
-  double c[7] = {};
+  double c[ArcSlot::low] = {};
   double z = 0;       ///< height of the tip
   double length = 0;  ///< of the path in plan, mm
 };
@@ -91,13 +91,13 @@ struct SweepColumns {
   std::vector<SweepClass> classes;  ///< in the order of their groups
   TurnTree turn_tree;
   SweepPacks packs;
-  std::vector<LineRecord> pieces;          ///< of paths and profiles (height_pieces.h)
-  std::vector<std::uint32_t> first_piece;  ///< by sweep, and the end; empty when there are none
-  std::vector<std::uint32_t> class_of;     ///< by sweep; empty when all are of the first class
-  std::vector<std::uint32_t> levels;  ///< by sweep: number of the tip's height; empty when none
-                                      ///< is compared by it
-  bool uniform = false;               ///< all of one kind, in the stock's frame: row i is sweep i
-  bool all_turned = false;            ///< all are the same at every angle about the Z axis
+  std::vector<LineRecord> pieces;             ///< of paths and profiles (height_pieces.h)
+  std::vector<std::uint32_t> first_piece;     ///< by sweep, and the end; empty when there are none
+  std::vector<std::uint32_t> class_of;        ///< by sweep; empty when all are of the first class
+  std::vector<std::uint32_t> height_numbers;  ///< by sweep: number of the tip's height; empty when
+                                              ///< none is compared by it
+  bool uniform = false;     ///< all of one kind, in the stock's frame: row i is sweep i
+  bool all_turned = false;  ///< all are the same at every angle about the Z axis
   double max_error = 0;
   double smallest_radius = 0;
 

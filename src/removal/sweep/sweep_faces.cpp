@@ -28,24 +28,25 @@ double face_distance(const Profile& tool, double rho, double z, std::int32_t pat
   return slab_face_distance(tool, rho, z, patch);
 }
 
-SweepSample level_sample(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
-  const LevelView v = level_view(c, ref);
+SweepSample horizontal_sample(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {
+  const HorizontalView v = horizontal_view(c, ref);
   const PlanFoot f = plan_foot(v, p, Half::any);
   const Profile& tool = c.cutter(ref);
   const ProfileSample s = tool_sample(tool, f.rho, p.z - v.z);
   return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
 }
 
-// Where the face `patch` of a level sweep looks at p from.
-PlanFoot face_foot(const LevelView& v, const SweepRef& ref, const Vec3& p, std::int32_t patch) {
+// Where the face `patch` of a horizontal sweep looks at p from.
+PlanFoot face_foot(const HorizontalView& v, const SweepRef& ref, const Vec3& p,
+                   std::int32_t patch) {
   Half half = Half::any;
   if (ref.split) half = patch >= kBranchPatch ? Half::second : Half::first;
   return plan_foot(v, p, half);
 }
 
-FacePlane level_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
-                     std::int32_t patch) {
-  const LevelView v = level_view(c, ref);
+FacePlane horizontal_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
+                          std::int32_t patch) {
+  const HorizontalView v = horizontal_view(c, ref);
   const PlanFoot f = face_foot(v, ref, p, patch);
   const double rho =
       std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the asked half
@@ -56,11 +57,14 @@ FacePlane level_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
 }
 
 FacePlane ball_face(const double* c, const Vec3& p) {
-  const lane::StripFoot f = lane::strip_foot(c, lane::strip_scale(c[6]), p.x, p.y, p.z);
-  const Vec3 g = p - Vec3{c[0] + f.along * c[3], c[1] + f.along * c[4], f.z};
+  const lane::StripFoot f =
+      lane::strip_foot(c, lane::strip_scale(c[BallSlot::slope]), p.x, p.y, p.z);
+  const Vec3 g = p - Vec3{c[BallSlot::x] + f.along * c[BallSlot::ux],
+                          c[BallSlot::y] + f.along * c[BallSlot::uy], f.z};
   const double n = std::sqrt(f.squared);
   // On the skeleton itself: any direction across it.
-  return {n > 0 ? (1 / n) * g : Vec3{-c[4], c[3], 0}, n - c[7]};
+  return {n > 0 ? (1 / n) * g : Vec3{-c[BallSlot::uy], c[BallSlot::ux], 0},
+          n - c[BallSlot::radius]};
 }
 
 // Path sweeps. Where a corner of the profile draws the surface, its normal is that of the surface
@@ -124,7 +128,7 @@ double facing_angle(const ToolPath& path, const Vec3& p, double from, double to)
 std::optional<FacePlane> path_wall(const Profile& tool, const ToolPath& path, const Vec3& p,
                                    std::int32_t patch) {
   constexpr std::int32_t kWall = 1;  // of a tool with is_rounded() without a fillet
-  const bool has_plan = path.arc ? path.level : path.travel.x != 0 || path.travel.y != 0;
+  const bool has_plan = path.arc ? path.horizontal : path.travel.x != 0 || path.travel.y != 0;
   if (!has_plan || !tool.is_rounded() || !tool.is_rising() || tool.round() > 0 ||
       patch % kBranchPatch != kWall)
     return std::nullopt;
@@ -169,13 +173,13 @@ FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3
 
 // The circle of a corner that moves along a slanted line or a helix cuts each level in itself: the
 // surface is a sheared cylinder, and its normal and its distance, to first order, need no search.
-// None where the path is nearly level.
+// None where the path is nearly horizontal.
 std::optional<FacePlane> sheared_cylinder(const SweepColumns& columns, const SweepRef& ref,
                                           const Vec3& p, std::int32_t patch) {
   constexpr double kLeastSlope = 1e-4;
   const ToolPath& path = columns.paths[ref.row];
   const std::int32_t face = patch % kBranchPatch;
-  if ((path.arc && !path.level) || face < kCornerPatch) return std::nullopt;
+  if ((path.arc && !path.horizontal) || face < kCornerPatch) return std::nullopt;
   const double rise = path.arc ? path.rise.z : path.travel.z;
   const double plan2 = path.arc ? path.radius * path.radius
                                 : path.travel.x * path.travel.x + path.travel.y * path.travel.y;
@@ -213,7 +217,7 @@ FacePlane local_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
       return {turn_gradient(c.turns[ref.row], p, patch),
               turn_face_distance(c.turns[ref.row], p, patch)};
     default:
-      return level_face(c, ref, p, patch);
+      return horizontal_face(c, ref, p, patch);
   }
 }
 
@@ -245,7 +249,7 @@ SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
     case SweepKind::turn:
       return turn_sample(c.turns[ref.row], p);
     default:
-      return level_sample(c, ref, p);
+      return horizontal_sample(c, ref, p);
   }
 }
 
@@ -290,7 +294,7 @@ std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size
     return std::nullopt;
   const Profile& tool = c.cutter(ref);
   if (!tool.is_rounded() || !tool.is_rising()) return std::nullopt;
-  const LevelView v = level_view(c, ref);
+  const HorizontalView v = horizontal_view(c, ref);
   return SweepTable::FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
 }
 
@@ -310,12 +314,13 @@ GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p
     const ToolPath& path = c.paths[ref.row];
     const Vec3 &at = path.center, normal = cross(path.u, path.v);
     if (!path.arc) return beside_line(path.start.x, path.start.y, path.travel.x, path.travel.y);
-    if (path.level) return beside_circle(at.x, at.y, path.radius);
+    if (path.horizontal) return beside_circle(at.x, at.y, path.radius);
     return beside_line(at.x, at.y, -normal.y, normal.x);
   }
   const ProfileRow& row = c.profiles[ref.row];
-  return row.arc ? beside_circle(row.c[0], row.c[1], row.c[2])
-                 : beside_line(row.c[0], row.c[1], row.c[2], row.c[3]);
+  return row.arc ? beside_circle(row.c[ArcSlot::x], row.c[ArcSlot::y], row.c[ArcSlot::radius])
+                 : beside_line(row.c[LineSlot::x], row.c[LineSlot::y], row.c[LineSlot::dx],
+                               row.c[LineSlot::dy]);
 }
 
 SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point) {

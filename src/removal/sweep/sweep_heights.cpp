@@ -25,8 +25,9 @@ Underside::Slant seen_from(double dx, double dy, double ux, double uy) {
 }
 
 Underside::Slant seen_from(double x, double y, const double* piece) {
-  Underside::Slant at = seen_from(x - piece[0], y - piece[1], piece[3], piece[4]);
-  at.length = piece[5], at.slope = piece[6];
+  Underside::Slant at = seen_from(x - piece[BallSlot::x], y - piece[BallSlot::y],
+                                  piece[BallSlot::ux], piece[BallSlot::uy]);
+  at.length = piece[BallSlot::length], at.slope = piece[BallSlot::slope];
   return at;
 }
 
@@ -83,18 +84,20 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
   Row row{.sweep = sweep, .tool = &tools_[ref.shape]};
   if (ref.kind == SweepKind::ball_line) {
     const double* r = c.ball_lines[ref.row].c;
-    const Vec3 start{r[0], r[1], r[2] - r[7]};
-    set_slant(row, start, start + r[5] * Vec3{r[3], r[4], r[6]});
+    const Vec3 start{r[BallSlot::x], r[BallSlot::y], r[BallSlot::z] - r[BallSlot::radius]};
+    set_slant(
+        row, start,
+        start + r[BallSlot::length] * Vec3{r[BallSlot::ux], r[BallSlot::uy], r[BallSlot::slope]});
   } else if (ref.kind == SweepKind::plane_line) {
     const double* r = c.plane_lines[ref.row].c;
-    row.form = Form::level, row.z = r[4] - r[6];
+    row.form = Form::horizontal, row.z = r[LineSlot::low] - r[LineSlot::round];
   } else if (ref.kind == SweepKind::plane_arc) {
     const double* r = c.plane_arcs[ref.row].c;
-    row.form = Form::level, row.z = r[7] - r[9];
+    row.form = Form::horizontal, row.z = r[ArcSlot::low] - r[ArcSlot::round];
   } else if (ref.kind == SweepKind::ball_arc) {
     set_pieces(row, path_of(c.ball_arcs[ref.row]));
   } else if (ref.kind == SweepKind::profile) {
-    row.form = Form::level, row.z = c.profiles[ref.row].z;
+    row.form = Form::horizontal, row.z = c.profiles[ref.row].z;
   } else if (ref.kind == SweepKind::path) {
     const ToolPath& path = c.paths[ref.row];
     if (!path.arc && row.tool->is_convex()) set_slant(row, path.start, path.start + path.travel);
@@ -122,7 +125,7 @@ void SweepHeights::set_pieces(Row& row, const ToolPath& path) {
   row.count = pieces_.size() - row.first;
 }
 
-// Distance in plan from the path of a level move.
+// Distance in plan from the path of a horizontal move.
 double SweepHeights::rho(const Row& row, double x, double y) const {
   const SweepColumns& c = sweeps_.columns();
   const SweepRef& ref = c.refs[row.sweep];
@@ -134,7 +137,7 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
 
 double SweepHeights::bottom(std::uint32_t place, double x, double y, double below) const {
   const Row& row = rows_[place];
-  if (row.form == Form::level) return row.z + row.tool->height(rho(row, x, y));
+  if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
     Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
     at.length = row.length, at.slope = row.slope;
@@ -150,7 +153,7 @@ double SweepHeights::bottom(std::uint32_t place, double x, double y, double belo
 Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r,
                                        double below) const {
   const Row& row = rows_[place];
-  if (row.form == Form::level) {
+  if (row.form == Form::horizontal) {
     const double from = rho(row, x, y);
     return {row.z + row.tool->height(std::max(from - r, 0.0)), row.z + row.tool->height(from + r)};
   }
@@ -176,7 +179,7 @@ Underside::Bounds SweepHeights::piece_bounds(const Row& row, double x, double y,
   Underside::Bounds out;
   for (std::size_t k = row.first; k < row.first + row.count; ++k) {
     const double* piece = pieces_[k].c;
-    const double z = piece[2], eps = piece[7] + kSlack;
+    const double z = piece[BallSlot::z], eps = piece[BallSlot::error] + kSlack;
     const Underside::Bounds found =
         row.tool->bounds(seen_from(x, y, piece), r + eps, std::min(below, out.upper) + eps - z);
     out.lower = std::min(out.lower, z + found.lower - eps);

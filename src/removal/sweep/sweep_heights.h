@@ -1,6 +1,6 @@
 // Sweeps as heights: an upright cutter that reaches above all that is asked and nowhere narrows
-// removes, at each place in plan, all above its bottom. Closed forms for straight and level moves
-// and for helices of flat mills; other arcs lie near their chords and are found between those
+// removes, at each place in plan, all above its bottom. Closed forms for straight and horizontal
+// moves and for helices of flat mills; other arcs lie near their chords and are found between those
 // bounds by their distances.
 #pragma once
 
@@ -59,12 +59,12 @@ class SweepHeights {
                            double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  enum class Form : std::uint8_t { level, slant, helix, pieces, other };
+  enum class Form : std::uint8_t { horizontal, slant, helix, pieces, other };
   struct Row {
     Form form = Form::other;
     std::uint32_t sweep = 0;
     const Underside* tool = nullptr;
-    double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; level: height
+    double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; horizontal: height
     double ux = 1, uy = 0;             // slant: direction in plan
     double length = 0, slope = 0;      // slant: in plan, mm
     std::size_t first = 0, count = 0;  // pieces

@@ -104,22 +104,22 @@ Box3 sweep_bounds(const Profile& tool, Box3 b, const Frame* frame) {
 
 void line_in_plan(const Vec3& a, const Vec3& b, double* c) {
   const double dx = b.x - a.x, dy = b.y - a.y;
-  const bool moves = dx * dx + dy * dy > kLevel * kLevel;
-  c[0] = a.x, c[1] = a.y;
-  c[2] = moves ? dx : 0, c[3] = moves ? dy : 0;
+  const bool moves = dx * dx + dy * dy > kNoTravel * kNoTravel;
+  c[LineSlot::x] = a.x, c[LineSlot::y] = a.y;
+  c[LineSlot::dx] = moves ? dx : 0, c[LineSlot::dy] = moves ? dy : 0;
 }
 
 void arc_in_plan(const LocalMotion& l, double* c) {
   const double r = std::sqrt(l.u.x * l.u.x + l.u.y * l.u.y);
-  c[0] = l.center.x, c[1] = l.center.y, c[2] = r;
+  c[ArcSlot::x] = l.center.x, c[ArcSlot::y] = l.center.y, c[ArcSlot::radius] = r;
   const double turn = std::min(l.sweep, kTwoPi);
   const SinCos mid = sincos(turn / 2);
   const double inverse = r > 0 ? 1 / r : 0;
-  c[3] = inverse * (mid.cos * l.u.x + mid.sin * l.v.x);
-  c[4] = inverse * (mid.cos * l.u.y + mid.sin * l.v.y);
+  c[ArcSlot::mx] = inverse * (mid.cos * l.u.x + mid.sin * l.v.x);
+  c[ArcSlot::my] = inverse * (mid.cos * l.u.y + mid.sin * l.v.y);
   // Half the sweep is measured from the middle, so its sine and cosine are those of turn / 2.
-  c[5] = turn < kTwoPi ? mid.cos : -1;
-  c[6] = turn < kTwoPi ? mid.sin : 0;
+  c[ArcSlot::cosine] = turn < kTwoPi ? mid.cos : -1;
+  c[ArcSlot::sine] = turn < kTwoPi ? mid.sin : 0;
 }
 
 void keep_lowest_turn(LocalMotion& l) {

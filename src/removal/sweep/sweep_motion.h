@@ -5,7 +5,7 @@
 
 namespace mrsim {
 
-inline constexpr double kLevel = 1e-11;  ///< mm: less rise or travel than this is none
+inline constexpr double kNoTravel = 1e-11;  ///< mm: less rise or travel than this is none
 
 /// A motion in the frame of its tool.
 struct LocalMotion {

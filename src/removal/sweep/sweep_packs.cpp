@@ -35,13 +35,16 @@ Item item_of(const SweepColumns& c, std::uint32_t sweep) {
   item.shape = c.refs[sweep].shape;
   if (form == 0) {
     const double* r = c.ball_lines[row].c;
-    item.start = {r[0], r[1], r[2]};
-    item.end = {r[0] + r[3] * r[5], r[1] + r[4] * r[5], r[2] + r[6] * r[5]};
+    item.start = {r[BallSlot::x], r[BallSlot::y], r[BallSlot::z]};
+    item.end = {r[BallSlot::x] + r[BallSlot::ux] * r[BallSlot::length],
+                r[BallSlot::y] + r[BallSlot::uy] * r[BallSlot::length],
+                r[BallSlot::z] + r[BallSlot::slope] * r[BallSlot::length]};
     item.form = form;
   } else if (form == 1) {
     const double* r = c.plane_lines[row].c;
-    item.start = {r[0], r[1], r[4]};
-    item.end = {r[0] + r[2], r[1] + r[3], r[4]};
+    item.start = {r[LineSlot::x], r[LineSlot::y], r[LineSlot::low]};
+    item.end = {r[LineSlot::x] + r[LineSlot::dx], r[LineSlot::y] + r[LineSlot::dy],
+                r[LineSlot::low]};
     item.form = form;
   }
   return item;
@@ -67,11 +70,12 @@ LineRecord chord_of(const SweepColumns& c, const Item& first, const Vec3& b) {
   LineRecord chord = first.form == 0 ? c.ball_lines[row] : c.plane_lines[row];
   const double dx = b.x - first.start.x, dy = b.y - first.start.y;
   if (first.form == 1) {
-    chord.c[2] = dx, chord.c[3] = dy;
+    chord.c[LineSlot::dx] = dx, chord.c[LineSlot::dy] = dy;
     return chord;
   }
   const double n = std::sqrt(dx * dx + dy * dy);
-  chord.c[3] = dx / n, chord.c[4] = dy / n, chord.c[5] = n, chord.c[6] = (b.z - first.start.z) / n;
+  chord.c[BallSlot::ux] = dx / n, chord.c[BallSlot::uy] = dy / n, chord.c[BallSlot::length] = n,
+  chord.c[BallSlot::slope] = (b.z - first.start.z) / n;
   return chord;
 }
 
@@ -84,12 +88,17 @@ void put_child(PackColumns& to, std::size_t k, std::uint32_t form, const double*
     std::size_t i = 0;
     for (const double v : values) to.c[i++][k] = static_cast<float>(v);
   };
-  const double x = child[0] - chord[0], y = child[1] - chord[1];
+  const double x = child[BallSlot::x] - chord[BallSlot::x],
+               y = child[BallSlot::y] - chord[BallSlot::y];
   if (form == 0)
-    put({x, y, child[2] - chord[2], child[3], child[4], child[5], child[6],
-         1 / (1 + child[6] * child[6])});
+    put({x, y, child[BallSlot::z] - chord[BallSlot::z], child[BallSlot::ux], child[BallSlot::uy],
+         child[BallSlot::length], child[BallSlot::slope],
+         1 / (1 + child[BallSlot::slope] * child[BallSlot::slope])});
   else
-    put({x, y, child[2], child[3], 1 / std::max(child[2] * child[2] + child[3] * child[3], 1e-30),
+    put({x, y, child[LineSlot::dx], child[LineSlot::dy],
+         1 / std::max(child[LineSlot::dx] * child[LineSlot::dx] +
+                          child[LineSlot::dy] * child[LineSlot::dy],
+                      1e-30),
          0, 0});
 }
 

@@ -31,8 +31,8 @@ struct SweepPack {
 };
 
 /// The children of a pack as a list has them (candidate_kernels.h), less what they have in common:
-/// strip about the start of the chord; line the same, tip and level 0. Unused lanes hold nothing of
-/// use.
+/// strip about the start of the chord; line the same, tip and height number 0. Unused lanes hold
+/// nothing of use.
 struct PackColumns {
   static constexpr std::size_t kColumns = 8, kLanes = 8;
   alignas(32) float c[kColumns][kLanes] = {};

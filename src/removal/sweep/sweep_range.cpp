@@ -85,14 +85,16 @@ class RangeOf {
       case SweepKind::turn:
         return turn_face_range(columns_.turns[ref_.row], local_, patch_);
       case SweepKind::plane_line:
-        return level(false, columns_.plane_lines[ref_.row].c,
-                     columns_.plane_lines[ref_.row].c[4] - columns_.plane_lines[ref_.row].c[6]);
+        return horizontal(false, columns_.plane_lines[ref_.row].c,
+                          columns_.plane_lines[ref_.row].c[LineSlot::low] -
+                              columns_.plane_lines[ref_.row].c[LineSlot::round]);
       case SweepKind::plane_arc:
-        return level(true, columns_.plane_arcs[ref_.row].c,
-                     columns_.plane_arcs[ref_.row].c[7] - columns_.plane_arcs[ref_.row].c[9]);
+        return horizontal(true, columns_.plane_arcs[ref_.row].c,
+                          columns_.plane_arcs[ref_.row].c[ArcSlot::low] -
+                              columns_.plane_arcs[ref_.row].c[ArcSlot::round]);
       case SweepKind::profile: {
         const ProfileRow& row = columns_.profiles[ref_.row];
-        return level(row.arc, row.c, row.z);
+        return horizontal(row.arc, row.c, row.z);
       }
     }
     return {};
@@ -110,7 +112,7 @@ class RangeOf {
   }
 
   // A function of the distance in plan from the path and of the height above the tip.
-  FaceRange level(bool arc, const double* c, double z) const {
+  FaceRange horizontal(bool arc, const double* c, double z) const {
     const Profile& tool = columns_.cutter(ref_);
     const std::int32_t face = patch_ & (kBranchPatch - 1);
     const std::array<double, 3> height = heights(local_, z);
@@ -134,7 +136,7 @@ class RangeOf {
   // Beyond an end of its path a convex tool stands still: that is convex, too.
   ArcView view_of(const double* c) const {
     Corners2 w;
-    for (int k = 0; k < 3; ++k) w[k] = {local_[k].x - c[0], local_[k].y - c[1]};
+    for (int k = 0; k < 3; ++k) w[k] = {local_[k].x - c[ArcSlot::x], local_[k].y - c[ArcSlot::y]};
     return arc_view(c, w);
   }
 
@@ -142,9 +144,10 @@ class RangeOf {
   // second derivatives are at most 1 / s, and, about the arc's axis, 1 / w. s^2 less the square of
   // the place is concave, whatever the core is, which bounds s from below.
   FaceRange bent(const double* c, double round) const {
-    const Envelope w = length_envelope({Vec2{local_[0].x - c[0], local_[0].y - c[1]},
-                                        {local_[1].x - c[0], local_[1].y - c[1]},
-                                        {local_[2].x - c[0], local_[2].y - c[1]}});
+    const Envelope w =
+        length_envelope({Vec2{local_[0].x - c[ArcSlot::x], local_[0].y - c[ArcSlot::y]},
+                         {local_[1].x - c[ArcSlot::x], local_[1].y - c[ArcSlot::y]},
+                         {local_[2].x - c[ArcSlot::x], local_[2].y - c[ArcSlot::y]}});
     const double circle = smallest_circle(t_).squared;
     std::array<double, 3> value, squares;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -115,9 +115,9 @@ class SweepTable {
   /// What the table is made of, for pruning.
   const SweepColumns& columns() const { return *columns_; }
 
-  /// What sweep i has cleared above p's column, where it is a level or upright move of a cutter
-  /// with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None for
-  /// others.
+  /// What sweep i has cleared above p's column, where it is a horizontal or upright move of a
+  /// cutter with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None
+  /// for others.
   struct FlatFloor {
     double z = 0, inside = 0;
   };

@@ -4,6 +4,7 @@
 #include "removal/tool/tool.h"
 
 #include "core/error.h"
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -14,17 +15,16 @@ namespace mrsim {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTiny = 1e-9;  // mm: shorter pieces are left out
 
 class Outline {
  public:
   explicit Outline(Vec2 start) : at_(start) {}
   void line(Vec2 to) {
-    if (length(to - at_) > kTiny) edges_.push_back({.a = at_, .b = to});
+    if (length(to - at_) > kRounding) edges_.push_back({.a = at_, .b = to});
     at_ = to;
   }
   void arc(Vec2 to, Vec2 center, double radius, bool convex) {
-    if (length(to - at_) > kTiny)
+    if (length(to - at_) > kRounding)
       edges_.push_back({.a = at_, .b = to, .center = center, .radius = radius, .convex = convex});
     at_ = to;
   }
@@ -51,7 +51,7 @@ Vec2 at_height(const ProfileEdge& e, double z) {
 Profile finish(Outline&& outline, double h) {
   const Vec2 end = outline.at();
   if (h <= 0) {
-    if (end.x > kTiny) outline.line({end.x, kInfinity});
+    if (end.x > kRounding) outline.line({end.x, kInfinity});
     return Profile(std::move(outline).edges());
   }
   if (end.y < h) outline.line({end.x, h});
@@ -61,7 +61,7 @@ Profile finish(Outline&& outline, double h) {
     if (e.b.y > h) e.b = at_height(e, h);
     kept.push_back(e);
   }
-  if (kept.back().b.x > kTiny) kept.push_back({.a = kept.back().b, .b = {0, kept.back().b.y}});
+  if (kept.back().b.x > kRounding) kept.push_back({.a = kept.back().b, .b = {0, kept.back().b.y}});
   return Profile(std::move(kept));
 }
 
@@ -197,7 +197,7 @@ void form_arc(const Tool& tool, Outline& o, Vec2 b, double bulge) {
   const double radius = length(a - center);
   // Going down starts or ends where the tangent points down.
   const double way = bulge > 0 ? 1 : -1;
-  require(way * (a.x - center.x) >= -kTiny && way * (b.x - center.x) >= -kTiny, tool,
+  require(way * (a.x - center.x) >= -kRounding && way * (b.x - center.x) >= -kRounding, tool,
           "the profile goes down (an arc beyond its lowest or highest point)");
   o.arc(b, center, radius, bulge > 0);
 }

@@ -1,5 +1,7 @@
 #include "removal/tool/underside.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAllSteps = 60, kBoundSteps = 4;
 constexpr double kContact = 1e-9;  // mm: the height changes by its square
-constexpr double kRounding = 1e-9;
 
 double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
 
