@@ -43,7 +43,7 @@ void send(const LevelSetSurface& found, const std::string& code, const std::stri
   sink(found.surface.triangles.data(), bytes_of(found.surface.triangles));
 }
 
-// Nothing where the bytes are not what their header says: a process that died while it wrote.
+// Empty where the bytes are fewer than their header says: the process died while it wrote.
 std::optional<LevelSetSurface> receive(const std::string& bytes, const std::string& path) {
   SurfaceHeader header;
   if (bytes.size() < sizeof header) return std::nullopt;

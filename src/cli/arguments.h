@@ -39,8 +39,8 @@ struct Arguments {
 };
 
 /// Reads the command line. Throws Error of kind usage for anything it does not understand, with the
-/// word that was probably meant; what --tools throws for its file. `refused`, where given, then has
-/// the files that were named.
+/// word that was probably meant, and what reading --tools throws. `refused`, where given, then
+/// holds the files that were named, so that the refusal can be written to them.
 Arguments parse_arguments(int argc, const char* const* argv, Arguments* refused = nullptr);
 
 }  // namespace mrsim::cli

@@ -124,7 +124,7 @@ void MeshAudit::take(const MeshBlock& block) {
   triangles_ += block.triangles.size();
 }
 
-// A node for each component within the block; open vertices say which ones are one.
+// A node for each component within the block; components that share an open vertex are joined.
 void MeshAudit::add_components(const MeshBlock& block) {
   std::vector<std::uint32_t> component;
   const std::size_t count = find_components(block.triangles, block.points.size(), component);

@@ -78,7 +78,7 @@ std::vector<std::uint32_t> solids_around(const SurfaceComponent& cavity,
   return out;
 }
 
-// The solid that each cavity lies in; none only where the mesh is not what was asked for.
+// The solid that each cavity lies in; a cavity of a faulty mesh may have none.
 std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit,
                                                           const MeshSource& mesh) {
   const std::vector<SurfaceComponent>& surfaces = audit.components();

@@ -25,8 +25,8 @@ struct CellSurface {
 CellSurface surface_of(const ExactField& field, std::span<const std::uint32_t> candidates,
                        const Box3& cell, const double (&corners)[8]);
 
-/// How the surface turns in a cell of `size` mm: little enough for the tolerance; where faces meet;
-/// by a face. `candidates`: what can decide d in the cell.
+/// How the surface bends in a cell of `size` mm: by less than the tolerance; because two faces meet
+/// in it; because one face is bent. `candidates`: what can decide d in the cell.
 enum class Bend : std::uint8_t { even, crease, face };
 Bend bend_of(const ExactField& field, std::span<const std::uint32_t> candidates,
              const CellSurface& surface, double size, double tolerance);

@@ -54,7 +54,7 @@ bool CutMesh::cut_edge(std::uint32_t h, const Vec3& at) {
     return false;
   const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
                       ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
-  const bool moves = !is_level({a, b, c, d}, at);
+  const bool moves = !is_horizontal({a, b, c, d}, at);
   const std::uint32_t v = add_vertex(at), t2 = add_copy(t, moves), u2 = add_copy(u, moves);
   mesh.triangles[t] = {a, v, c};
   mesh.triangles[t2] = {v, b, c};
@@ -77,7 +77,7 @@ bool CutMesh::cut_triangle(std::uint32_t t, const Vec3& at) {
       !may_replace(t, place(c), place(a), at))
     return false;
   const std::uint32_t bc = opposites_[3 * t + 1], ca = opposites_[3 * t + 2];
-  const bool moves = !is_level({a, b, c}, at);
+  const bool moves = !is_horizontal({a, b, c}, at);
   const std::uint32_t v = add_vertex(at), t2 = add_copy(t, moves), t3 = add_copy(t, moves);
   mesh.triangles[t] = {a, b, v};
   mesh.triangles[t2] = {b, c, v};
@@ -94,7 +94,8 @@ bool CutMesh::flip_edge(std::uint32_t h) {
   const std::uint32_t o = opposites_[h];
   if (!is_half_edge(o)) return false;
   const std::uint32_t a = from(h), b = to(h), c = apex(h), d = apex(o), t = h / 3, u = o / 3;
-  if (!is_level({a, b, c}, place(d)) || !circle_holds(place(a), place(b), place(c), place(d)) ||
+  if (!is_horizontal({a, b, c}, place(d)) ||
+      !circle_holds(place(a), place(b), place(c), place(d)) ||
       !may_replace(t, place(a), place(d), place(c)) ||
       !may_replace(t, place(d), place(b), place(c)))
     return false;
@@ -116,7 +117,7 @@ bool CutMesh::may_replace(std::uint32_t t, const Vec3& a, const Vec3& b, const V
   return height_of(a, b, c) > least && dot(cross(b - a, c - a), normal(t)) > 0;
 }
 
-bool CutMesh::is_level(std::initializer_list<std::uint32_t> corners, const Vec3& at) const {
+bool CutMesh::is_horizontal(std::initializer_list<std::uint32_t> corners, const Vec3& at) const {
   for (int axis = 0; axis < 3; ++axis)
     if (std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
           return component(place(v), axis) == component(at, axis);

@@ -46,7 +46,7 @@ class CutMesh {
 
  private:
   bool may_replace(std::uint32_t t, const Vec3& a, const Vec3& b, const Vec3& c) const;
-  bool is_level(std::initializer_list<std::uint32_t> corners, const Vec3& at) const;
+  bool is_horizontal(std::initializer_list<std::uint32_t> corners, const Vec3& at) const;
   std::uint32_t add_vertex(const Vec3& p);
   std::uint32_t add_copy(std::uint32_t t, bool moves);
   void join(std::uint32_t h, std::uint32_t o);

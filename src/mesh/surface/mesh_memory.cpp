@@ -14,12 +14,12 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr std::size_t kMostCells = 4096;  ///< that are looked at
+constexpr std::size_t kMostCells = 4096;  ///< cells from which the memory is estimated
 
-// Bytes, as measured. Of a cell that the surface passes: crossings, loops, vertices, triangles, and
-// what is remembered of them for the next round. More where three faces meet in it, which share no
-// crease; much more where these turn by more than the tolerance, since it will be split; and where
-// the distance from a face is sampled, which splits cells along its bends.
+// Bytes, as measured, for a cell that the surface passes: crossings, loops, vertices, triangles,
+// and what is kept of them for the next round. A cell takes more where three faces meet in it; much
+// more where these bend by more than the tolerance, since it will be split; and more where the
+// distance from a face is sampled, since cells are then split along its bends.
 constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 2000;
 constexpr double kCandidate = 6;
 

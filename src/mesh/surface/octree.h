@@ -36,7 +36,7 @@ struct OctreePart {
   const CommonLists* common = nullptr;  ///< of cells that do not take the part's, null = none
 };
 
-/// What the nodes of an octree may take: bytes, and how many they may be; 0 = any amount.
+/// Limits on the nodes of an octree: their memory in bytes, and their number; 0 = no limit.
 struct OctreeLimits {
   std::size_t memory = 0, nodes = 0;
 };
@@ -44,11 +44,11 @@ struct OctreeLimits {
 class CellOctree final : public SurfaceCells {
  public:
   /// With a tolerance (mm), cells above a voxel may stay where one smooth face passes; without, all
-  /// cells that the surface may pass are voxels. Throws Error "memory" or "mesh-unresolved", when
-  /// it is split as well, once its nodes go beyond the limits.
+  /// cells that the surface may pass are voxels. Throws Error "memory" or "mesh-unresolved" once
+  /// its nodes exceed the limits; split() does so, too.
   CellOctree(const ExactField& field, const Lattice& lattice, double tolerance, int threads,
              const OctreeLimits& limits = {});
-  /// One part of it, without a tolerance.
+  /// The octree of one part of the grid, without a tolerance.
   CellOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part);
 
   const OctreeNode& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
@@ -63,7 +63,7 @@ class CellOctree final : public SurfaceCells {
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
   bool is_complete(std::int32_t cell) const override;
-  /// Knows the cell's own edges alone.
+  /// True where all corners of the cell lie on one side: the surface may still pass between them.
   bool is_far(std::int32_t cell) const override { return !node(cell).signs_differ; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
   bool is_owned(const LatticePoint& edge_start) const {
@@ -101,7 +101,7 @@ class CellOctree final : public SurfaceCells {
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
   bool must_split(std::int32_t node);
-  /// What of the part shows itself in a cell.
+  /// What the samples of a cell show of the part.
   struct Sight {
     bool one_face = false, owners_seen = false, stock_seen = false;
     bool is_alone = false;  ///< nothing but the centre's owner can decide d

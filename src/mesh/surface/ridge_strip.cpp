@@ -83,7 +83,8 @@ void RidgeStrip::find_stars() {
       if (const std::int32_t p = place(v); p >= 0) stars_[next[static_cast<std::size_t>(p)]++] = t;
 }
 
-// What is left of the triangles about a vertex and those that have become it; some come twice.
+// The remaining triangles about a vertex and about all that were joined into it, some of them
+// twice.
 std::vector<std::uint32_t> RidgeStrip::star(std::int32_t p) const {
   std::vector<std::uint32_t> out;
   for (const std::int32_t m : members_[static_cast<std::size_t>(p)])
@@ -133,7 +134,7 @@ void RidgeStrip::join() {
     const Side s = sides.top();
     sides.pop();
     const Side t = side(joined_[static_cast<std::size_t>(s.a)],
-                        joined_[static_cast<std::size_t>(s.b)]);  // as far as by now
+                        joined_[static_cast<std::size_t>(s.b)]);  // lengthened by joins since
     if (t.a == t.b) continue;
     if (t.squared > s.squared) {
       sides.push(t);
@@ -184,8 +185,8 @@ bool RidgeStrip::join_if(std::int32_t from, std::int32_t to, bool must_be_spoile
   return true;
 }
 
-// A vertex that makes triangles meet where it has gone may do so where the next one on the ridge
-// is; once.
+// A vertex whose new place makes triangles meet is joined into its nearest neighbour on the ridge,
+// where it may fit. Tried once for each vertex.
 bool RidgeStrip::join_neighbour(std::int32_t p) {
   const auto k = static_cast<std::size_t>(p);
   if (of(p).point.count != 2 || !of(p).moves || has_slid_[k]) return false;
@@ -241,7 +242,7 @@ bool RidgeStrip::put_back_flat() {
   return any;
 }
 
-// What was put back may leave two triangles on one side of an edge.
+// After vertices were put back, two triangles may lie on one side of an edge: theirs go back, too.
 bool RidgeStrip::put_back_doubled() {
   struct Edge {
     std::uint32_t a, b, triangle;
@@ -263,8 +264,8 @@ bool RidgeStrip::put_back_doubled() {
   return any;
 }
 
-// Tests the triangles about what was put back last; at first, all that have changed. Of each pair
-// that meets, the vertex goes back that has a part in most of them.
+// Tests the triangles about the vertices put back last; at first, all that have changed. Of each
+// pair that meets, the vertex goes back that takes part in most such pairs.
 bool RidgeStrip::put_back_meeting() {
   std::vector<Triangle> alive;
   std::vector<std::uint32_t> numbers;

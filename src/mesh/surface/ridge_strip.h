@@ -21,22 +21,22 @@ struct RidgeVertex {
   bool moves = false;
 };
 
-/// A closed mesh without intersections, while vertices of it are moved and joined. What makes
-/// triangles meet is put back, together with all that has been joined to it.
+/// A closed mesh without intersections, while some of its vertices are moved and joined. A vertex
+/// that makes triangles meet is put back, together with all that were joined into it.
 class RidgeStrip {
  public:
-  /// Of the face of the part that a triangle, by its number, was made for.
+  /// Normal of the face of the part that a triangle, by its number, was made for.
   using NormalOf = std::function<Vec3(std::uint32_t)>;
 
-  /// Moves the vertices that go.
+  /// Moves the vertices of `ridge` that `moves` says to their points.
   RidgeStrip(std::vector<Vec3>& vertices, std::vector<std::array<std::uint32_t, 3>>& triangles,
              std::vector<RidgeVertex> ridge, NormalOf normal_of, int threads);
 
   /// Joins vertices along a ridge where triangles have all their corners on it or have been turned
   /// over; the shortest sides first. Costs n log n of those triangles.
   void join();
-  /// Puts back what makes triangles meet; after some rounds, everything. Costs a test of the whole
-  /// mesh.
+  /// Puts vertices back until no triangles meet; after some rounds, all vertices. Costs a test of
+  /// the whole mesh.
   void put_back_crossed();
 
   struct Left {
@@ -75,10 +75,10 @@ class RidgeStrip {
   std::vector<RidgeVertex> ridge_;
   NormalOf normal_of_;
   int threads_;
-  std::vector<std::int32_t> place_;                 ///< by vertex: in `ridge_`, -1 = none
+  std::vector<std::int32_t> place_;                 ///< by vertex: its index in `ridge_`, -1 = none
   std::vector<Vec3> before_;                        ///< by place, as all below
-  std::vector<std::int32_t> joined_;                ///< the one that it has become
-  std::vector<std::vector<std::int32_t>> members_;  ///< those that have become it, and itself
+  std::vector<std::int32_t> joined_;                ///< the place that it was joined into
+  std::vector<std::vector<std::int32_t>> members_;  ///< all places joined into it, and itself
   std::vector<std::uint32_t> first_, stars_;        ///< triangles about each, before joining
   std::vector<char> fresh_;                         ///< put back since the last test
   std::vector<char> is_back_, has_slid_;            ///< to where it was; to its neighbour

@@ -21,8 +21,8 @@ struct TileSet {
   std::vector<Tile> tiles;
 };
 
-/// The tiles that the surface may pass, their order along the part's axes by length, the longest
-/// one last to grow. The same for any number of threads.
+/// The tiles that the surface may pass, sorted layer by layer along the part's longest axis, so
+/// that few wait for neighbours. The same for any number of threads.
 TileSet find_tiles(const ExactField& field, const Lattice& lattice, int threads);
 
 }  // namespace mrsim::detail
