@@ -343,7 +343,7 @@ void Parser::letter_word(Block& block) {
     }
     if (!plain && !number(block, word, false)) return;
     if (c == 'S' && at(p_) == '=' && spindle_speed(block, word)) return push(block, word, from);
-    if (glued_blanks_) check_inner_blanks(block, digits);
+    if (glued_blanks_) check_inner_blanks(digits);
     if (c == 'N') {
       block.has_number = true;
       return;

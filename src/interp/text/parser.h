@@ -70,7 +70,7 @@ class Parser {
   bool expression(Block& block, Word& word, bool whole);
   bool expression_follows(std::size_t from) const;
   bool operator_follows() const;
-  void check_inner_blanks(const Block& block, std::size_t from);
+  void check_inner_blanks(std::size_t from);
   bool plain_number(Word& word, bool exponent);
   bool number(Block& block, Word& word, bool exponent);
   bool number_slow(Block& block, Word& word, std::size_t from, bool exponent);

@@ -160,7 +160,7 @@ bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool expone
 }
 
 // FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
-void Parser::check_inner_blanks(const Block&, std::size_t from) {
+void Parser::check_inner_blanks(std::size_t from) {
   const std::string_view run = line_.substr(from, p_ - from);
   const std::size_t blank = run.find_first_of(" \t", run.find_first_of("0123456789."));
   if (blank == std::string_view::npos) return;
