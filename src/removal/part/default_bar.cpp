@@ -146,7 +146,8 @@ double entered_hole(std::span<const Motion> motions, std::span<const Tool> tools
     bar = m.tool;
     if (is_cut(m) && is_back) break;
     has_cut = has_cut || is_cut(m);
-    if (is_cut(m) || m.assumed_start || std::min(m.start.z, m.end.z) > front - kSameHeight) continue;
+    if (is_cut(m) || m.assumed_start || std::min(m.start.z, m.end.z) > front - kSameHeight)
+      continue;
     hole = std::max(hole, std::min(std::fabs(m.start.x), std::fabs(m.end.x)));
     is_back = has_cut;
   }
