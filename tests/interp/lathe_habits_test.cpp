@@ -271,6 +271,18 @@ TEST(LatheHabits, XBelowZeroIsTheOtherSideOfTheAxis) {
   EXPECT_EQ(path_text(run("G0 X-40. Z2.\nG1 Z-5. F.2\n")), "r-20,0,2 l-20,0,-5");
 }
 
+TEST(LatheHabits, WidthsAsOfBladesAreAskedFor) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  options.table.tools.clear();
+  const auto told = [&](const std::string& comment) {
+    return codes(read_text("T0303 (" + comment + ")\nG0 X30. Z-5.\nG1 X20. F.1\nX32.\n", options));
+  };
+  for (const char* blade : {"LAMA 3MM", "Corte 2.5 mm", "KNIFE 6MM"})
+    EXPECT_EQ(told(blade), "tool-unknown") << blade;
+  for (const char* other : {"KNIFE 20MM", "OP 2 5MM", "SIDE 2", "CNMG 120408 3MM"})
+    EXPECT_EQ(told(other), "") << other;
+}
+
 // The insert that tools without data are taken to have bored through the part.
 TEST(LatheHabits, DrillsWithoutDataAreAskedFor) {
   InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);

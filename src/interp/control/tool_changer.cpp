@@ -20,6 +20,19 @@ std::size_t digits_of(std::string_view text) {
   return std::size_t(std::count_if(text.begin(), text.end(), is_digit));
 }
 
+// "LAMA 3MM": one number, of a few mm.
+bool tells_blade_width(std::string_view comment) {
+  constexpr double kThinnest = 1, kWidest = 6;  // mm
+  const std::size_t first = comment.find_first_of("0123456789");
+  if (first == comment.npos) return false;
+  const std::size_t end = std::min(comment.find_first_not_of("0123456789.", first), comment.size());
+  const std::optional<double> width = parse_number(comment.substr(first, end - first));
+  std::string_view unit = comment.substr(end);
+  while (unit.starts_with(' ')) unit.remove_prefix(1);
+  const bool mm = unit.starts_with("MM") || unit.starts_with("mm");
+  return mm && width && *width >= kThinnest && *width <= kWidest && digits_of(unit) == 0;
+}
+
 // Words for --tool with what is known of the tool already.
 std::string example_of(const Tool& read, bool lathe) {
   if (read.type == ToolType::grooving && lathe)
@@ -268,6 +281,12 @@ bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why,
   }
   if (!lathe() || !why.empty()) return false;
   out = {};
+  if (const std::string comment = notes_.not_understood(id); tells_blade_width(comment)) {
+    out.type = ToolType::grooving;
+    why = fmt::format("the comment \"{}\" tells a width as blades have, and no kind of tool",
+                      comment);
+    return false;
+  }
   out.type = ToolType::turning;
   out.origin = fmt::format(
       "{} a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm", kNoToolData);
