@@ -70,7 +70,9 @@ class PairTest {
           ++shared;
         }
     if (shared == 0) return meet_apart(s, t);
-    if (shared == 1) return opposite_meets(s, a[0], t) || opposite_meets(t, b[0], s);
+    if (shared == 1)
+      return !is_opposite_apart(s, t, b[0]) &&
+             (opposite_meets(s, a[0], t) || opposite_meets(t, b[0], s));
     if (shared == 2) return folded(s, a, t, b);
     return true;
   }
@@ -90,6 +92,11 @@ class PairTest {
     const int x = orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 0));
     return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 1)) &&
            x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 2));
+  }
+  // The same of two that share a corner of t.
+  bool is_opposite_apart(const Triangle& s, const Triangle& t, int shared) const {
+    const int x = orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 1));
+    return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 2));
   }
   bool meet_apart(const Triangle& s, const Triangle& t) const {
     if (is_apart(s, t) || is_apart(t, s)) return false;

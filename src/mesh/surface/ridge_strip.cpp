@@ -47,6 +47,8 @@ RidgeStrip::RidgeStrip(std::vector<Vec3>& vertices, std::vector<Triangle>& trian
       joined_(ridge_.size()),
       members_(ridge_.size()),
       fresh_(ridge_.size()),
+      touched_(ridge_.size()),
+      reset_(ridge_.size()),
       is_back_(ridge_.size()),
       has_slid_(ridge_.size()) {
   for (std::size_t k = 0; k < ridge_.size(); ++k) {
@@ -199,11 +201,24 @@ bool RidgeStrip::join_neighbour(std::int32_t p) {
   std::sort(next.begin(), next.end());
   for (const auto& [far, q] : next)
     if (!is_back_[static_cast<std::size_t>(q)] && join_if(p, q, false)) {
-      for (const std::int32_t m : members_[static_cast<std::size_t>(q)])
-        fresh_[static_cast<std::size_t>(m)] = 1;
+      touch(members_[static_cast<std::size_t>(q)]);
       return true;
     }
   return false;
+}
+
+void RidgeStrip::touch(std::span<const std::int32_t> places) {
+  for (const std::int32_t p : places) {
+    const auto k = static_cast<std::size_t>(p);
+    fresh_[k] = touched_[k] = reset_[k] = 1;
+  }
+}
+
+bool RidgeStrip::has_corner(std::uint32_t triangle, std::span<const char> flags) const {
+  const Triangle& x = triangles_[triangle];
+  return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
+    return place(v) >= 0 && flags[static_cast<std::size_t>(place(v))];
+  });
 }
 
 bool RidgeStrip::put_back(std::int32_t p) {
@@ -219,8 +234,7 @@ bool RidgeStrip::put_back(std::int32_t p) {
     if (r.moves) vertices_[r.vertex] = before_[k], is_back_[k] = 1;
     r.moves = false;
   }
-  if (any)
-    for (const std::int32_t m : members) fresh_[static_cast<std::size_t>(m)] = 1;
+  if (any) touch(members);
   return any;
 }
 
@@ -235,7 +249,7 @@ bool RidgeStrip::put_back_flat() {
   bool any = false;
   for (const std::uint32_t t : near_) {
     const Triangle x = now(triangles_[t]);
-    if (is_gone(x)) continue;
+    if (is_gone(x) || !has_corner(t, touched_)) continue;
     const Vec3 &a = vertices_[x[0]], &b = vertices_[x[1]], &c = vertices_[x[2]];
     if (is_degenerate(a, b, c)) any = put_back_corners(t) || any;
   }
@@ -247,12 +261,21 @@ bool RidgeStrip::put_back_doubled() {
   struct Edge {
     std::uint32_t a, b, triangle;
   };
+  // One of the two has a corner that was put back.
+  std::vector<char> is_corner(vertices_.size(), 0);
+  bool is_back = false;
+  for (const std::uint32_t t : near_)
+    if (has_corner(t, reset_)) {
+      for (const std::uint32_t v : now(triangles_[t])) is_corner[v] = 1;
+      is_back = true;
+    }
+  if (!is_back) return false;
   std::vector<Edge> edges;
-  edges.reserve(3 * near_.size());
   for (const std::uint32_t t : near_) {
     const Triangle x = now(triangles_[t]);
     if (is_gone(x)) continue;
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back({x[k], x[(k + 1) % 3], t});
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_corner[x[k]] && is_corner[x[(k + 1) % 3]]) edges.push_back({x[k], x[(k + 1) % 3], t});
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& s, const Edge& t) {
     return std::tie(s.a, s.b, s.triangle) < std::tie(t.a, t.b, t.triangle);
@@ -275,9 +298,7 @@ bool RidgeStrip::put_back_meeting() {
     if (is_gone(x)) continue;
     alive.push_back(x);
     numbers.push_back(t);
-    chosen.push_back(std::any_of(triangles_[t].begin(), triangles_[t].end(), [&](std::uint32_t v) {
-      return place(v) >= 0 && fresh_[static_cast<std::size_t>(place(v))];
-    }));
+    chosen.push_back(has_corner(t, fresh_));
   }
   std::fill(fresh_.begin(), fresh_.end(), 0);
   const auto pairs = self_intersections(vertices_, alive, threads_, chosen);
@@ -305,7 +326,8 @@ bool RidgeStrip::put_back_meeting() {
 }
 
 void RidgeStrip::put_back_crossed() {
-  std::fill(fresh_.begin(), fresh_.end(), 1);
+  for (std::size_t k = 0; k < ridge_.size(); ++k)
+    fresh_[k] = touched_[k] = ridge_[k].moves || joined_[k] != static_cast<std::int32_t>(k);
   for (int round = 0; round < kRounds; ++round) {
     while (put_back_flat() || put_back_doubled()) {
     }

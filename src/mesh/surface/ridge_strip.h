@@ -60,6 +60,8 @@ class RidgeStrip {
   bool is_spoiled(std::uint32_t triangle) const;
   bool looks_away(std::uint32_t triangle, const Triangle& x) const;
   void find_stars();
+  void touch(std::span<const std::int32_t> places);
+  bool has_corner(std::uint32_t triangle, std::span<const char> flags) const;
   std::vector<std::uint32_t> star(std::int32_t place) const;
   bool join_if(std::int32_t from, std::int32_t to, bool must_be_spoiled);
   // They return whether anything has changed.
@@ -80,9 +82,10 @@ class RidgeStrip {
   std::vector<std::int32_t> joined_;                ///< the place that it was joined into
   std::vector<std::vector<std::int32_t>> members_;  ///< all places joined into it, and itself
   std::vector<std::uint32_t> first_, stars_;        ///< triangles about each, before joining
-  std::vector<char> fresh_;                         ///< put back since the last test
-  std::vector<char> is_back_, has_slid_;            ///< to where it was; to its neighbour
-  std::vector<std::uint32_t> near_;                 ///< triangles about all of them, ascending
+  std::vector<char> fresh_;               ///< moved, joined or put back since the last test
+  std::vector<char> touched_, reset_;     ///< at any time; put back at any time
+  std::vector<char> is_back_, has_slid_;  ///< to where it was; to its neighbour
+  std::vector<std::uint32_t> near_;       ///< triangles about all of them, ascending
 };
 
 }  // namespace mrsim::detail
