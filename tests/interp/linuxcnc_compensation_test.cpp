@@ -1,6 +1,8 @@
 // Radius compensation as LinuxCNC's interpreter does it, where other controls do otherwise.
 #include "interp/support.h"
 
+#include <cmath>
+
 namespace mrsim {
 namespace {
 
@@ -53,9 +55,23 @@ TEST(LinuxCncCompensation, AnArcMayBeginIt) {
   EXPECT_EQ(entry("G3 X10 Y10 J10\nG1 Y20\n"), "a9,10,0 l9,20,0");
   EXPECT_EQ(entry("G2 X10 Y-10 J-10\nG1 Y-20\n"), "a11,-10,0 l11,-20,0");
   EXPECT_NE(entry("G2 J-5\nG1 X10\n").find("comp-entry"), std::string::npos);
+  EXPECT_EQ(entry("G3 X10 Y-1 I10 J49.5\nG1 X20\n"), "l10,0,0 l20,0,0");  // along its end
   const Program p =
       read_text("F9\nG41.1 D2\nG3 X10 Y10 J10\nG1 Y20\nM2\n", at_origin(Dialect::ngc));
   expect_near(p.motions[0].center, {-95.0 / 90, 10, 0});
+}
+
+// The nose of a lathe's tool stands at the end of its entry.
+TEST(LinuxCncCompensation, AnEntryThatLeadsNowhereIsAnError) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.machine = MachineKind::lathe;
+  Tool tool;
+  tool.type = ToolType::turning;
+  tool.nose_radius = 0.4;
+  options.table.tools.push_back(tool);
+  const Program p = read_text("F9\nG42 D1\nG2 I1\nG1 X5 Z-11.4\nM2\n", options);
+  for (const Motion& motion : p.motions) EXPECT_TRUE(std::isfinite(motion.end.z + motion.radius));
+  EXPECT_NE(path_text(p).find("comp-"), std::string::npos);
 }
 
 // What its interpreter, and that of Mach, refuse between G41 and G40.

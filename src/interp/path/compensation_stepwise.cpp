@@ -1,5 +1,6 @@
 // Radius compensation as LinuxCNC does it: an element sees the next one alone, so that nothing is
 // left out, and an element that two inside corners use up is an error.
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "interp/path/arc.h"
 #include "interp/path/compensation.h"
@@ -43,9 +44,16 @@ bool meets_inside(const PlanePiece& piece, const PlanePiece& next, Vec2& out) {
   return true;
 }
 
-// The arc from `start` that ends where the moved one does, and in its direction.
-void lead_to_end(PlanePiece& piece, Vec2 start) {
+// The arc from `start` that ends where the moved one does, and in its direction: a line where that
+// leads there. False where the tool is there already.
+bool lead_to_end(PlanePiece& piece, Vec2 start) {
   const Vec2 inwards = (1 / piece.radius) * (piece.center - piece.end), chord = start - piece.end;
+  if (length(chord) <= kTouch) return false;
+  if (std::abs(dot(chord, inwards)) <= kRounding * length(chord)) {
+    piece.start = start;
+    piece.arc = false;
+    return true;
+  }
   const double turns = std::floor(std::abs(piece.sweep) / kTwoPi) * kTwoPi;
   const bool left = piece.sweep > 0;
   const double radius = dot(chord, chord) / (2 * dot(chord, inwards));
@@ -54,6 +62,7 @@ void lead_to_end(PlanePiece& piece, Vec2 start) {
   piece.radius = std::abs(radius);
   piece.sweep = fold_sweep(piece.start - piece.center, piece.end - piece.center, left);
   piece.sweep += left ? turns : -turns;
+  return true;
 }
 
 }  // namespace
@@ -72,8 +81,8 @@ void CompensationStage::enter_beside(double h) {
                      first.motion);
   PlanePiece piece = moved(first);
   if (piece.arc) {
-    if (travel <= first.comp.radius || is_void(piece)) return leave_void(first, h);
-    lead_to_end(piece, start);
+    if (travel <= first.comp.radius || is_void(piece) || !lead_to_end(piece, start))
+      return leave_void(first, h);
   }
   cursor_ = piece.arc ? start : piece.start - kFarBack * end_tangent(piece);
   const CornerWay way = choose_end(piece);
