@@ -119,6 +119,11 @@ TEST(Okuma, CallsRunProgramsByNumberOrName) {
       "M2\nO100\nG91 G1 X=LN F9\nG90\nRTS\nOTAP (BY NAME)\nG1 Y7 F9\nIF [VC1 EQ 1] NX\nY8\nNX "
       "RTS\n";
   EXPECT_EQ(osp_milled("CALL O100 Q2 LN=3\nCALL O0100 LN=-1\n" + subs), "l3,0,0 l6,0,0 l5,0,0");
+  EXPECT_EQ(
+      osp_milled("CALL O101 Q2 PX=1 LEN=3\nCALL O101 PX=2 LE1 = 5 LEN=1\nM2\nO101\nG91 G1 X=PX "
+                 "Y=LEN\nG90\nRTS\n"),
+      "l1,3,0 l2,6,0 l4,7,0")
+      << "no LE of N";
   EXPECT_EQ(osp_milled("VC1=1\nCALL OTAP\n" + subs), "l0,7,0");
   EXPECT_EQ(osp_milled("VC1=2\nCALL OTAP\n" + subs), "l0,7,0 l0,8,0");
   EXPECT_EQ(osp_milled("LN=9\nCALL O100 LN=1\nG1 Y=LN\n" + subs), "l1,0,0 l1,9,0")

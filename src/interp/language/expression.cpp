@@ -101,10 +101,18 @@ bool Evaluator::usable(Value& value, std::size_t from) {
   return true;
 }
 
+// "CALL O300 PX=3 LEN=20": LEN is no LE.
+bool Evaluator::assigned_here() const {
+  std::size_t end = p_;
+  while (is_name(at(end))) ++end;
+  while (at(end) == ' ' || at(end) == '\t') ++end;
+  return at(end) == '=';
+}
+
 const OperatorRow* Evaluator::operator_here(std::size_t& length) const {
   const char c = upper(at(p_));
   const OperatorRow* best = nullptr;
-  if (is_letter(c)) {
+  if (is_letter(c) && !(rules_.plain_names && assigned_here())) {
     std::size_t end = p_;
     while (is_letter(at(end)) || at(end) == '_') ++end;
     for (const OperatorRow& row : rules_.operators) {
@@ -116,7 +124,7 @@ const OperatorRow* Evaluator::operator_here(std::size_t& length) const {
       for (std::size_t i = 1; i < n && same; ++i) same = upper(line_[p_ + i]) == row.name[i];
       if (same) best = &row;
     }
-  } else {
+  } else if (!is_letter(c)) {
     for (const OperatorRow& row : rules_.operators) {
       if (row.name[0] != c || (row.name.size() == 2 && at(p_ + 1) != row.name[1])) continue;
       if (!best || row.name.size() > best->name.size()) best = &row;

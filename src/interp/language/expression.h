@@ -82,6 +82,7 @@ class Evaluator {
   bool combine(const OperatorRow& row, std::size_t from, Value& left, Value& right);
   bool usable(Value& value, std::size_t from);
   bool spelled(Spelling spelling) const { return rules_.spelling == spelling; }
+  bool assigned_here() const;
   const OperatorRow* operator_here(std::size_t& length) const;
   const FunctionRow* function_named(std::string_view name) const;
   void seen(std::size_t from, const Value& value);
