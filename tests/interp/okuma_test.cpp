@@ -120,7 +120,7 @@ TEST(Okuma, CallsRunProgramsByNumberOrName) {
       "RTS\n";
   EXPECT_EQ(osp_milled("CALL O100 Q2 LN=3\nCALL O0100 LN=-1\n" + subs), "l3,0,0 l6,0,0 l5,0,0");
   EXPECT_EQ(
-      osp_milled("CALL O101 Q2 PX=1 LEN=3\nCALL O101 PX=2 LE1 = 5 LEN=1\nM2\nO101\nG91 G1 X=PX "
+      osp_milled("CALL O101 Q2 PX=1 LEN=3\nCALL O101 PX=2 LE1 = 5 LEN=1\nM2\nO101\nG91 G1 X=PX F9 "
                  "Y=LEN\nG90\nRTS\n"),
       "l1,3,0 l2,6,0 l4,7,0")
       << "no LE of N";
