@@ -174,6 +174,7 @@ class AdaptiveMesher {
       const std::vector<std::int32_t> bad = crossed_cells();
       timer_.step("check");
       if (bad.empty()) {
+        require_room(detail::kSharpenMemory);
         surface_->sharpen(tree_);
         timer_.step("sharpen");
         return;
@@ -183,6 +184,11 @@ class AdaptiveMesher {
       else if (!surface_->flatten(bad))
         throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
     }
+  }
+
+  void require_room(double bytes_of_a_triangle) const {
+    const auto triangles = static_cast<double>(surface_->mesh().triangles.size());
+    detail::require_room(bytes_of_a_triangle * triangles);
   }
 
   // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
@@ -212,6 +218,7 @@ class AdaptiveMesher {
   // split.
   bool split_failed() {
     const BaseMesh& base = surface_->mesh();
+    require_room(detail::kCertifyMemory);
     const LabelledMesh mesh = label(base);
     const double limit = kBaseShare * options_.tolerance;
     std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());

@@ -17,6 +17,9 @@ inline constexpr double kNodeMemory = 320;
 /// made of the surface in it.
 inline constexpr double kSplitMemory = 450, kSurfaceMemory = 500;
 
+/// Bytes of a triangle while a round is certified, and while ridges are tested for what meets.
+inline constexpr double kCertifyMemory = 260, kSharpenMemory = 130;
+
 /// Bytes at the mesher's peak, an estimate: within a factor of 1.5 where it was measured. Looks at
 /// some thousands of the cells. Requires: a tree as it was made, before any split().
 double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
