@@ -7,6 +7,7 @@
 #include "mesh/surface/cell_levels.h"
 #include "mesh/surface/certify.h"
 #include "mesh/surface/flat_map.h"
+#include "mesh/surface/guilty_cells.h"
 #include "mesh/surface/mesh_memory.h"
 #include "mesh/surface/owner_borders.h"
 #include "mesh/surface/piece_hash.h"
@@ -36,7 +37,6 @@ using detail::PlaceHash;
 using detail::StepTimer;
 using detail::TriangleBound;
 
-constexpr double kExact = 1e-4;     ///< mm: a vertex farther off its face has missed a crease
 constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
 constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
 constexpr double kBorderShare = 1.0 / 8;               ///< of the voxel, for borders between owners
@@ -44,7 +44,6 @@ constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two piec
 constexpr double kSecondsPerByte = 3e-8;   ///< of one core: both go with the cells and their faces
 constexpr std::size_t kMostRounds = 24;    ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
-constexpr int kCreaseCells = 8;            ///< on both sides of one that has missed it
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
 class AdaptiveMesher {
@@ -232,7 +231,8 @@ class AdaptiveMesher {
           const double bound = certified(mesh, t, limit).distance;
           if (bound <= limit) return;
           if (!misses_crease(mesh, t)) wanted[t] = detail_for(base, t, bound / limit);
-          if (wanted[t] == Detail::flat) failed[t] = guilty_cells(mesh, base, t);
+          if (wanted[t] == Detail::flat)
+            failed[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
         },
         64);
     std::size_t refined = 0;
@@ -302,50 +302,6 @@ class AdaptiveMesher {
     hash.add(mesh.faces[mesh.labels[t]]);
     for (const std::uint32_t v : mesh.triangles[t]) hash.add(mesh.vertices[v]);
     return hash.value();
-  }
-
-  // The cell whose vertex has missed the face of the part; else the largest about the edge.
-  std::vector<std::int32_t> guilty_cells(const LabelledMesh& mesh, const BaseMesh& base,
-                                         std::size_t t) const {
-    std::vector<std::int32_t> cells;
-    const auto& loops = surface_->loops();
-    for (const std::uint32_t v : mesh.triangles[t])
-      if (v < loops.size() &&
-          std::abs(field_.patch_distance(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > kExact)
-        cells.push_back(loops[v].cell);
-    if (!cells.empty()) {
-      if (is_late()) add_along_crease(mesh, t, cells);
-      return cells;
-    }
-    const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
-    std::int32_t largest = 0;
-    for (const std::int32_t cell : c.edge.cells) largest = std::max(largest, tree_.node(cell).size);
-    for (const std::int32_t cell : c.edge.cells)
-      if (tree_.node(cell).size == largest) cells.push_back(cell);
-    return cells;
-  }
-
-  // A crease that such a cell has missed, and that finer cells beside it have shown, goes on in the
-  // next cells along it, one round for each.
-  void add_along_crease(const LabelledMesh& mesh, std::size_t t,
-                        std::vector<std::int32_t>& cells) const {
-    for (std::size_t k = 0, count = cells.size(); k < count; ++k) {
-      const std::int32_t c = cells[k];
-      const Box3 box = tree_.box(c);
-      const Vec3 center = 0.5 * (box.lo + box.hi);
-      const Vec3 along = cross(field_.gradient(center, mesh.faces[mesh.labels[t]]),
-                               field_.gradient(center, field_.sample(center, tree_.candidates(c))));
-      const Vec3 size{std::abs(along.x), std::abs(along.y), std::abs(along.z)};
-      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-      for (const int way : {-1, 1})
-        for (int step = 1; step <= kCreaseCells; ++step) {
-          Vec3 p = center;
-          component(p, axis) += way * step * (box.hi.x - box.lo.x);
-          const std::int32_t n = tree_.locate(p, c);
-          if (!tree_.node(n).signs_differ || tree_.node(n).size != tree_.node(c).size) break;
-          cells.push_back(n);
-        }
-    }
   }
 
   // mm: how far chords may leave the borders between owners on plane faces.
