@@ -115,6 +115,37 @@ def drilled(moves):
     return p
 
 
+def fins(moves):
+    """Slots side by side, as deep as twelve times their width, a millimetre a pass."""
+    slots = max(1, moves // 24)
+    p = Program(f"box:0,0,-15,{4 + 2.2 * slots:.1f},60,0", "endmill:d=1")
+    for k in range(slots):
+        x = 3 + 2.2 * k
+        p.rapid(x=x, y=-3)
+        p.rapid(z=1)
+        for depth in range(1, 13):
+            p.cut(x=x, z=-depth)
+            p.cut(y=63 if depth % 2 else -3)
+        p.rapid(z=2)
+    return p
+
+
+def wheel(moves):
+    """A toothed contour of short moves at four depths."""
+    p = Program("box:-45,-45,-8,45,45,0", "endmill:d=2")
+    points = max(24, moves // 4)
+    for depth in range(1, 5):
+        p.rapid(x=42, y=0)
+        p.rapid(z=1)
+        p.cut(z=-2 * depth)
+        for k in range(1, points + 1):
+            at = 2 * math.pi * k / points
+            radius = 36 + 3 * math.tanh(3 * math.sin(24 * at))
+            p.cut(x=radius * math.cos(at), y=radius * math.sin(at))
+        p.rapid(z=2)
+    return p
+
+
 def programs(more=1):
     """Makers by name; `more` times the moves."""
     found = {f"wave-{name}": lambda tool=tool: wave(tool, 20000 * more) for name, tool in WAVE_TOOLS.items()}
@@ -122,6 +153,8 @@ def programs(more=1):
     found["letters"] = lambda: letters(6000 * more)
     found["ramps"] = lambda: ramps(2000 * more)
     found["drilled"] = lambda: drilled(2400 * more)
+    found["fins"] = lambda: fins(576 * more)
+    found["wheel"] = lambda: wheel(2400 * more)
     return found
 
 
