@@ -61,6 +61,11 @@ void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, M
   MeshPlan grid = options;
   grid.tolerance = 0;
   grid.measure = options.measure || options.tolerance > 0;
+  // A stage of its own: how long it takes is not told by how long the mesh was tried.
+  if (!out.given_up.empty() && options.progress)
+    grid.progress = [&](const char*, double share) {
+      return options.progress("grid meshing", share);
+    };
   mesh_grid(field, options.tolerance > 0 ? options.fallback_voxel : voxel, grid, sink, out);
 }
 

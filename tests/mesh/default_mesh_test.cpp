@@ -10,6 +10,7 @@
 #include "support/moves.h"
 #include "support/tools.h"
 
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -98,9 +99,18 @@ TEST(DefaultMesh, AGridTakesThePlaceOfAToleranceThatTakesTooMuch) {
   options.max_memory = 100000;
   EXPECT_THROW(mesh_part(field, 0.5, options), Error);
   options.fallback_voxel = 1;
+  std::string stage;
+  options.progress = [&](const char* name, double share) {
+    if (stage != name) {
+      EXPECT_EQ(share, 0) << name;  // what is announced counts from here
+    }
+    stage = name;
+    return true;
+  };
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, options, &report);
   EXPECT_FALSE(report.given_up.empty());
+  EXPECT_EQ(stage, "grid meshing");
   EXPECT_GT(report.bound, options.tolerance);
   EXPECT_LE(testing::largest_distance(field, mesh), report.bound + 1e-5);
 }
