@@ -99,7 +99,7 @@ double expected_nodes(double memory) { return memory / kNodeOfAll; }
 
 void require_cells(double nodes, std::size_t most) {
   if (most > 0 && nodes > static_cast<double>(most))
-    throw Error("mesh-unresolved", fmt::format("would take more than {} 000 cells", most / 1000));
+    throw Error("mesh-unresolved", fmt::format("it takes more than {} 000 cells", most / 1000));
 }
 
 void require_room(double bytes) {
