@@ -222,14 +222,17 @@ class BorderCutter {
   std::optional<Vec3> change(const PlaceAt& place, Owned from, Owned to, std::int32_t cell,
                              const Vec3& shift) const {
     const auto owner = [&](double s) { return face_at(place(s), cell); };
-    if (!halve_between(place, from, to) || !is_owner(owner(from.at), from.owner) ||
-        !is_owner(owner(to.at), to.owner))
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (from.at + to.at);
-        const std::optional<FieldSample> s = owner(middle);
-        if (!s) return {};
-        (s->owner == from.owner ? from : to).at = middle;
-      }
+    Owned first = from, last = to;
+    const bool is_seen = halve_between(place, first, last) &&
+                         is_owner(owner(first.at), from.owner) &&
+                         is_owner(owner(last.at), to.owner);
+    if (is_seen) from = first, to = last;
+    for (int i = 0; !is_seen && i < kHalvings; ++i) {  // a third owner lies between
+      const double middle = 0.5 * (from.at + to.at);
+      const std::optional<FieldSample> s = owner(middle);
+      if (!s) return {};
+      (s->owner == from.owner ? from : to).at = middle;
+    }
     const Vec3 p = place(0.5 * (from.at + to.at)) + shift;
     return face_at(p, cell) ? std::optional<Vec3>(p) : std::nullopt;
   }
@@ -237,8 +240,8 @@ class BorderCutter {
     return face && face->owner == owner;
   }
 
-  // The same as far as these two owners go, who are asked alone: a hundredth of the cost. False,
-  // and nothing done, where neither is on the surface.
+  // Halves the way between the two with no other sweep asked. False where neither is on the surface
+  // at a point of it.
   template <class PlaceAt>
   bool halve_between(const PlaceAt& place, Owned& from, Owned& to) const {
     std::uint32_t both[2];
@@ -246,15 +249,13 @@ class BorderCutter {
     for (const std::int32_t owner : {from.owner, to.owner})
       if (owner != kStockOwner) both[count++] = field_.candidate(owner);
     std::sort(both, both + count);
-    Owned first = from, last = to;
     for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (first.at + last.at);
+      const double middle = 0.5 * (from.at + to.at);
       const Vec3 p = place(middle);
       const FieldSample s = field_.sample(p, {both, count});
       if (std::abs(s.distance) > surface_band(p)) return false;
-      (s.owner == from.owner ? first : last).at = middle;
+      (s.owner == from.owner ? from : to).at = middle;
     }
-    from = first, to = last;
     return true;
   }
 
