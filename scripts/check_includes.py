@@ -15,16 +15,31 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 # Folder of src -> the other folders (or single headers) that its files may include; each folder may include itself.
 # Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles.
 CORE = ("core/",)
+LANGUAGE = CORE + ("interp/motion_sink.h", "interp/text/", "interp/path/", "interp/language/")
+CONTROL = LANGUAGE + ("interp/control/",)
+WORDS = CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/", "interp/words/")
+CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
 SOLID = CORE + ("removal/field/",)
 ROOMS = {
     "core": (),
     "interp/text": CORE + ("interp/motion_sink.h",),
     "interp/path": CORE + ("interp/text/",),
     "interp/language": CORE + ("interp/text/", "interp/path/"),
-    "interp/control": CORE + ("interp/motion_sink.h", "interp/text/", "interp/path/", "interp/language/"),
     "interp/recognise": CORE + ("interp/text/",),
     "interp/show": CORE + ("interp/text/", "interp/path/"),
-    "interp": CORE + ("interp/text/", "interp/path/", "interp/control/", "interp/recognise/", "interp/show/"),
+    "interp/control": LANGUAGE,
+    "interp/frames": CONTROL,
+    "interp/tools": CONTROL,
+    "interp/moves": CONTROL + ("interp/frames/", "interp/tools/"),
+    "interp/words": CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/"),
+    "interp/calls": CONTROL,
+    "interp/statements": WORDS + ("interp/calls/",),
+    "interp/cycles": WORDS + ("interp/calls/",),
+    "interp/drilling": WORDS + ("interp/calls/", "interp/cycles/"),
+    "interp/milling": CYCLES,
+    "interp/turning": CYCLES,
+    "interp/sinumerik": CYCLES + ("interp/drilling/", "interp/milling/", "interp/turning/"),
+    "interp": CORE + ("interp/",),
     "timing": CORE,
     "setup": CORE,
     "removal/field": CORE,

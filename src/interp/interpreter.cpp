@@ -1,7 +1,7 @@
 #include "interp/interpreter.h"
 
-#include "interp/control/engine.h"
 #include "interp/control/start_modes.h"
+#include "interp/engine.h"
 #include "interp/recognise/recognise.h"
 
 #include <fmt/format.h>

@@ -1,0 +1,339 @@
+#include "interp/calls/block_reader.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+std::size_t depth_limit(Dialect dialect) {
+  if (dialect == Dialect::fanuc) return 10;
+  if (dialect == Dialect::iso) return 15;
+  return dialect == Dialect::codesys ? 14 : 16;
+}
+
+constexpr std::size_t kMostStretches = 200;  // calls and repeated parts inside one another
+
+}  // namespace
+
+BlockReader::BlockReader(Control& control)
+    : ControlPart(control),
+      parser_(control.dialect, control.reporter),
+      subprograms_(control.program.files.front(), control.options.search_path, control.dialect) {
+  parser_.set_skip(control.options.block_skip);
+}
+
+void BlockReader::open(int leader_lines) {
+  stack_.emplace_back();
+  stack_.back().source = std::make_unique<LineSource>(program_.files.front());
+  std::string_view leader;
+  for (int i = 0; i < leader_lines; ++i) stack_.back().source->next(leader);
+}
+
+bool BlockReader::next() {
+  Activation& top = stack_.back();
+  for (;;) {
+    if (!top.has_line) {
+      if (!read_line(top)) return false;
+      top.has_line = true;
+      top.position = std::min(std::exchange(top.resume, 0), top.line.size());
+    }
+    block_.line = top.line;
+    block_.line_number = top.line_number;
+    block_.file = top.file;
+    block_.call = top.call;
+    reporter_.set_place(top.file, block_.line_number, top.call, top.line);
+    if (parser_.next(block_, top.position)) {
+      if (block_.statement != Block::kNoStatement) top.started = true;
+      return true;
+    }
+    top.has_line = false;
+  }
+}
+
+bool BlockReader::read_line(Activation& top) {
+  top.line_offset = top.source->next_offset();
+  if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
+  top.line_number = top.source->line_number();
+  if (is(Dialect::fanuc) && modal_.okuma) join_lines(top);
+  return true;
+}
+
+// "$ XB=40 DB=1" of Okuma goes on with the block of the line before; "$PART.MIN%" does not.
+void BlockReader::join_lines(Activation& top) {
+  LineSource& source = *top.source;
+  std::vector<char> text(top.line.begin(), top.line.end());
+  const std::size_t alone = text.size();
+  for (;;) {
+    const std::uint64_t offset = source.next_offset();
+    const int number = source.line_number();
+    std::string_view more;
+    const bool read = source.next(more);
+    const std::size_t sign = more.find_first_not_of(" \t");
+    const std::size_t last = more.find_last_not_of(" \t\r");
+    if (!read || sign == more.npos || more[sign] != '$' || more[last] == '%') {
+      source.seek(offset, number);
+      break;
+    }
+    text.push_back(' ');
+    text.insert(text.end(), more.begin() + static_cast<std::ptrdiff_t>(sign) + 1, more.end());
+  }
+  if (text.size() == alone) {  // what was read ahead may have moved it
+    source.seek(top.line_offset, top.line_number - 1);
+    source.next(top.line);
+    return;
+  }
+  top.joined = std::move(text);
+  top.line = {top.joined.data(), top.joined.size()};
+}
+
+Place BlockReader::place_at(std::size_t position) const {
+  const Activation& top = stack_.back();
+  return {top.line_offset, top.line_number - 1, position};
+}
+
+bool BlockReader::count_step() {
+  reporter_.set_repeating();
+  if (++steps_ <= options_.max_steps) return true;
+  reporter_.add(
+      Severity::error, "program-endless",
+      fmt::format("stopped after {} steps of loops and calls (--max-steps)", options_.max_steps), 0,
+      1);
+  stop();
+  return false;
+}
+
+bool BlockReader::jump(const Place& to) {
+  if (!count_step()) return false;
+  Activation& top = stack_.back();
+  if (to.offset == top.line_offset && top.has_line) {
+    top.position = std::min(to.position, top.line.size());
+    return true;
+  }
+  top.source->seek(to.offset, to.line);
+  top.has_line = false;
+  top.resume = to.position;
+  return true;
+}
+
+// Files stay open for the next call, with what was read of them.
+std::unique_ptr<LineSource> BlockReader::source_of(const std::string& file) {
+  const auto at = idle_.find(file);
+  if (at == idle_.end() || at->second.empty())
+    return std::make_unique<LineSource>(file, std::size_t(1) << 16);
+  std::unique_ptr<LineSource> source = std::move(at->second.back());
+  at->second.pop_back();
+  return source;
+}
+
+bool BlockReader::enter(CallRequest request, const Word& word) {
+  const std::size_t limit = depth_limit(control_.dialect);
+  if (request.level && levels_ >= limit)
+    return error("subprogram-depth",
+                 fmt::format("more than {} subprograms inside one another{}", limit,
+                             is(Dialect::fanuc)       ? " (alarm 077)"
+                             : is(Dialect::sinumerik) ? " (alarm 14012)"
+                                                      : ""),
+                 word);
+  if (request.repeats <= 0) return true;
+  if (!count_step()) return false;
+  if (stack_.size() > kMostStretches)
+    return error("subprogram-depth", "too many repeats inside one another", word);
+  Activation next;
+  next.call = request.level ? call_site(block_.line_number) : stack_.back().call;
+  next.file = file_index(request.file);
+  next.source = source_of(request.file);
+  next.source->seek(request.begin.offset, request.begin.line);
+  next.resume = request.begin.position;
+  next.begin = request.begin;
+  next.end = request.end;
+  next.level = request.level;
+  next.started = !request.level;
+  next.repeats = static_cast<int>(std::min<long>(request.repeats - 1, 100'000'000));
+  next.on_start = std::move(request.on_start);
+  next.on_end = std::move(request.on_end);
+  levels_ += next.level ? 1U : 0U;
+  if (next.on_start) next.on_start();
+  stack_.push_back(std::move(next));
+  return true;
+}
+
+void BlockReader::pop() {
+  reporter_.forget_text();
+  Activation& top = stack_.back();
+  levels_ -= top.level ? 1U : 0U;
+  idle_[program_.files[static_cast<std::size_t>(top.file)]].push_back(std::move(top.source));
+  stack_.pop_back();
+}
+
+void BlockReader::leave_stretches() {
+  while (stack_.size() > 1 && !stack_.back().level) pop();
+}
+
+bool BlockReader::ends_at_header(const Word* program) {
+  Activation& top = stack_.back();
+  const Word* header = nullptr;
+  for (const Word& word : block_.words)
+    if (word.address == Address::function && word.code == Code::header) header = &word;
+  const bool leader = header && !header->text.empty() && header->text[0] == '%';
+  const bool section = program || (header && !section_name(block_.line, control_.dialect).empty());
+  if (!top.started || !(section || (leader && !is(Dialect::codesys)))) {
+    if (!leader) top.started = true;
+    return false;
+  }
+  if (leader && upper_case(header->text.substr(1, 4)) == "WAIT") return false;  // CNCjs: it pauses
+  if (program)
+    warning("program-end-missing",
+            fmt::format("the program before O{:g} has no {}: it is taken to end here",
+                        program->value, top.call < 0 ? "M30" : "M99"),
+            *program);
+  else
+    missing_return();
+  if (!program && leader && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+    end_of_tape(header->text.find_first_not_of("% \t\r") != std::string_view::npos);
+  end_activation(false);
+  return true;
+}
+
+int BlockReader::call_site(int line) {
+  const Activation& top = stack_.back();
+  const CallSite site{top.file, line, top.call};
+  if (!program_.calls.empty()) {  // a call in a loop of calls is the same place each time
+    const CallSite& last = program_.calls.back();
+    if (last.file == site.file && last.line == site.line && last.outer == site.outer)
+      return static_cast<int>(program_.calls.size()) - 1;
+  }
+  for (std::size_t i = program_.calls.size(), n = 0; i > 0 && n < 64; --i, ++n) {
+    const CallSite& old = program_.calls[i - 1];
+    if (old.file == site.file && old.line == site.line && old.outer == site.outer)
+      return static_cast<int>(i - 1);
+  }
+  program_.calls.push_back(site);
+  return static_cast<int>(program_.calls.size()) - 1;
+}
+
+std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, const Word& word) {
+  std::optional<SubprogramPlace> place = subprograms_.find(name);
+  if (place) {
+    called_.insert(name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text));
+    return place;
+  }
+  const std::string text =
+      name.text.empty() ? fmt::format("O{:04}", name.number) : to_utf8(name.text.substr(0, 80));
+  error("subprogram-missing",
+        fmt::format("subprogram {} is neither in the program's file nor beside it{}{}", text,
+                    is(Dialect::fanuc)       ? " (alarm 076)"
+                    : is(Dialect::sinumerik) ? " (alarm 14011)"
+                                             : "",
+                    is(Dialect::sinumerik) ? missing_equal_sign(name.text) : ""),
+        word);
+  return place;
+}
+
+bool BlockReader::call(const SubprogramName& name, long repeats, const Word& word) {
+  const std::optional<SubprogramPlace> place = locate(name, word);
+  if (!place) return false;
+  CallRequest request;
+  request.file = place->file;
+  request.begin = {place->offset, place->line, 0};
+  request.repeats = repeats;
+  return enter(std::move(request), word);
+}
+
+int BlockReader::file_index(const std::string& file) {
+  std::size_t i = 0;
+  while (i < program_.files.size() && program_.files[i] != file) ++i;
+  if (i == program_.files.size()) program_.files.push_back(file);
+  return static_cast<int>(i);
+}
+
+void BlockReader::end_of_text() {
+  missing_return();
+  end_activation(false);
+}
+
+// A FANUC subprogram whose text ends without M99.
+void BlockReader::missing_return() {
+  if (!is(Dialect::fanuc) || stack_.size() < 2 || !stack_.back().level) return;
+  if (stack_.back().end != std::numeric_limits<std::uint64_t>::max()) return;  // a contour
+  reporter_.forget_text();
+  Word place;
+  place.length = 1;
+  reporter_.once(Severity::warning, "program-end-missing",
+                 "the subprogram ends without M99: it is taken to return here", place,
+                 fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin.offset));
+}
+
+// Behind the second % nothing is read. With text beside it, it may be meant for a comment.
+void BlockReader::end_of_tape(bool commented) {
+  Activation& top = stack_.back();
+  if (stack_.size() > 1) return;
+  std::string_view line;
+  while (top.source->next(line))
+    if (line.find_first_not_of(" \t\r%") != std::string_view::npos) {
+      reporter_.forget_text();
+      reporter_.add(commented ? Severity::warning : Severity::note, "tape-end",
+                    fmt::format("the % here ends the tape: the text behind it is not read{}",
+                                commented ? "; a comment is written ( )" : ""),
+                    0, 1);
+      return;
+    }
+}
+
+void BlockReader::end_activation(bool loops) {
+  Activation& top = stack_.back();
+  if (stack_.size() == 1) {
+    if (loops)
+      reporter_.add(Severity::note, "program-loops",
+                    "M99 in the main program starts it again: simulated once", 0, 1);
+    return end_program();
+  }
+  if (top.on_end) top.on_end();
+  if (top.repeats > 0) {
+    if (!count_step()) return;
+    --top.repeats;
+    if (top.on_start) top.on_start();
+    top.source->seek(top.begin.offset, top.begin.line);
+    top.has_line = false;
+    top.started = !top.level;
+    top.resume = top.begin.position;
+    return;
+  }
+  pop();
+}
+
+// Programs behind the end of the first one, as two jobs in one file, that nothing has called.
+void BlockReader::tell_of_others() {
+  LineSource& source = *stack_.front().source;
+  std::string_view line;
+  int others = 0;
+  std::string first;
+  while (source.next(line)) {
+    const std::string name = section_name(line, control_.dialect);
+    if (name.empty() || called_.contains(name)) continue;
+    if (others++ == 0) first = fmt::format("{} in line {}", name, source.line_number());
+  }
+  if (others == 0) return;
+  reporter_.forget_text();
+  reporter_.add(Severity::note, "program-not-run",
+                fmt::format("the program ends here: {}{} is not called, and not run", first,
+                            others == 1 ? "" : fmt::format(" (and {} more)", others - 1)),
+                0, 1);
+}
+
+void BlockReader::end_program() {
+  if (is(Dialect::fanuc)) tell_of_others();
+  stop();
+}
+
+void BlockReader::stop() {
+  reporter_.forget_text();
+  stack_.clear();
+}
+
+}  // namespace mrsim

@@ -1,0 +1,119 @@
+// Where blocks come from: the program and the subprograms under way, their repeats and ends.
+// Private to src/interp.
+#pragma once
+
+#include "interp/calls/subprogram.h"
+#include "interp/control/control.h"
+#include "interp/language/outline.h"
+#include "interp/text/parser.h"
+#include "interp/text/source.h"
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace mrsim {
+
+/// A stretch of text to be run, and what is to happen about it.
+struct CallRequest {
+  std::string file;
+  Place begin;
+  std::uint64_t end = std::numeric_limits<std::uint64_t>::max();  ///< offset where it ends
+  long repeats = 1;
+  bool level = true;  ///< counts as a call: in the depth, and in the places of findings
+  std::function<void()> on_start;  ///< before every run
+  std::function<void()> on_end;    ///< after every run
+};
+
+class BlockReader : public ControlPart {
+ public:
+  explicit BlockReader(Control& control);
+  void set_language(LanguageReader* language) { parser_.set_language(language); }
+
+  /// Opens the main program; its first `leader_lines` lines lie before the tape mark.
+  void open(int leader_lines);
+  /// The next block of what is being read. False: its text ends.
+  bool next();
+  /// The main program has ended.
+  bool finished() const { return stack_.empty(); }
+  /// Subprograms under way, the main program included.
+  std::size_t depth() const { return stack_.size(); }
+
+  /// Tape marks and headers: whether a new program begins in this block, which ends the one being
+  /// read. `program`: its O word, or null.
+  bool ends_at_header(const Word* program);
+  /// Goes on with a subprogram, `repeats` times. False: an error was reported.
+  bool call(const SubprogramName& name, long repeats, const Word& word);
+  /// The place of a call in this line, as an index into Program::calls.
+  int call_site(int line);
+  /// Where a subprogram is; reports what is missing.
+  std::optional<SubprogramPlace> locate(const SubprogramName& name, const Word& word);
+  bool has_subprogram(const SubprogramName& name) { return subprograms_.find(name).has_value(); }
+  /// Goes on with a stretch of text. False: an error was reported.
+  bool enter(CallRequest request, const Word& word);
+  /// Where `position` of the line being read is.
+  Place place_at(std::size_t position) const;
+  std::size_t position() const { return stack_.back().position; }
+  /// Goes on in the line being read.
+  void set_position(std::size_t position) { stack_.back().position = position; }
+  /// Goes on at a place of the file being read. False: too many steps of loops and calls.
+  bool jump(const Place& to);
+  const std::string& file() const {
+    return program_.files[static_cast<std::size_t>(stack_.back().file)];
+  }
+  /// No further runs of what is being read.
+  void drop_repeats() { stack_.back().repeats = 0; }
+  /// Ends stretches that are no calls (repeated parts of a program) about what is being read.
+  void leave_stretches();
+  /// The text ended without a word that says so.
+  void end_of_text();
+  /// The end of what is being read: the next run of a subprogram, or its caller. `loops`: by M99.
+  void end_activation(bool loops);
+  /// The main program has come to its end.
+  void end_program();
+  void stop();
+
+ private:
+  /// A program being read: the main one, or a subprogram under way.
+  struct Activation {
+    std::unique_ptr<LineSource> source;
+    std::string_view line;
+    int line_number = 0;
+    std::vector<char> joined;  ///< the line, where others continue it
+    std::uint64_t line_offset = 0;
+    std::size_t position = 0;
+    std::size_t resume = 0;  ///< position in the next line where reading goes on
+    bool has_line = false;
+    bool started = false;  ///< a block was executed
+    int file = 0;
+    int call = -1;
+    int repeats = 0;  ///< further runs after this one
+    Place begin;
+    std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
+    bool level = true;
+    std::function<void()> on_start, on_end;
+  };
+
+  bool read_line(Activation& top);
+  void join_lines(Activation& top);
+  bool count_step();
+  void pop();
+  std::unique_ptr<LineSource> source_of(const std::string& file);
+  int file_index(const std::string& file);
+  void missing_return();
+  void end_of_tape(bool commented);
+  void tell_of_others();
+
+  Parser parser_;
+  SubprogramIndex subprograms_;
+  std::vector<Activation> stack_;
+  std::size_t levels_ = 0;        ///< calls under way
+  std::uint64_t steps_ = 0;       ///< jumps, calls and repeats
+  std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
+  std::map<std::string, std::vector<std::unique_ptr<LineSource>>> idle_;  ///< to be used again
+};
+
+}  // namespace mrsim

@@ -1,0 +1,93 @@
+#include "interp/cycles/hole_maker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+
+double HoleMaker::level() const { return dot(position_.programmed, basis().w); }
+
+void HoleMaker::approach(const Vec3& point, unsigned named, const Word& where) {
+  Target to;
+  to.programmed = point;
+  to.named = named;
+  moves_.step(to, where, MotionKind::rapid);
+}
+
+void HoleMaker::to_level(double level, MotionKind kind, double lead, double feed) {
+  const Basis b = basis();
+  const double now = dot(position_.programmed, b.w);
+  Target to;
+  to.programmed = position_.programmed + (level - now) * b.w;
+  for (int i = 0; i < 3; ++i)
+    if (component(b.w, i) != 0) {
+      to.named |= 1U << i;
+      if (modal_.plane != 3) component(to.programmed, i) = level;
+    }
+  moves_.step(to, *where_, kind, lead, feed);
+}
+
+void HoleMaker::rise(double level, const Word& where) {
+  where_ = &where;
+  to_level(level, MotionKind::rapid, 0, 0);
+}
+
+// The strokes before the last. The level of the deepest.
+double HoleMaker::strokes(const Hole& hole, double down) {
+  constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
+  for (const double stroke : hole.strokes) {
+    to_level(stroke, kLine, hole.lead, hole.feed);
+    moves_.dwell(hole.dwell_stroke);
+    if (hole.lead != 0) {
+      to_level(hole.safe, kLine, hole.lead, hole.feed);
+    } else if (hole.chips_out) {
+      to_level(hole.safe, kRapid, 0, 0);
+      moves_.dwell(hole.dwell_safe);
+      const double back = stroke - down * hole.clearance;
+      if ((back - hole.safe) * down > 0) to_level(back, kRapid, 0, 0);
+    } else {
+      to_level(stroke - down * std::min(hole.clearance, std::abs(stroke - hole.safe)), kRapid, 0,
+               0);
+    }
+  }
+  return hole.strokes.empty() ? hole.safe : hole.strokes.back();
+}
+
+void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& where) {
+  const int line = block_.line_number, file = block_.file, call = block_.call;
+  const bool elsewhere = place.line != line || place.file != file;
+  where_ = &where;
+  if (elsewhere) {  // the cycle is called from the point
+    block_.call = reader_.call_site(line);
+    block_.file = place.file;
+    block_.line_number = place.line;
+  }
+  constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
+  to_level(hole.safe, kRapid, 0, 0);
+  const double reached = strokes(hole, hole.bottom < hole.safe ? -1 : 1);
+  if (hole.bottom != reached) to_level(hole.bottom, kLine, hole.lead, hole.feed);
+  moves_.dwell(hole.dwell);
+  if (length(hole.lift) > 0) {
+    Target to;
+    to.programmed = position_.programmed + hole.lift;
+    to.named = 7;
+    moves_.step(to, where, kRapid);
+  }
+  if (hole.feed_out) {
+    to_level(hole.feed_to_end ? hole.end : hole.safe, kLine, hole.lead, hole.feed_back);
+    moves_.dwell(hole.dwell_out);
+  }
+  to_level(hole.end, kRapid, 0, 0);
+  if (length(hole.lift) > 0) {
+    const Basis b = basis();
+    Target to;
+    to.programmed = position_.programmed - (hole.lift - dot(hole.lift, b.w) * b.w);
+    to.named = 7;
+    moves_.step(to, where, kRapid);
+  }
+  block_.line_number = line;
+  block_.file = file;
+  block_.call = call;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,399 @@
+#include "interp/drilling/drill_words.h"
+
+#include "core/rounding.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr long kMostRepeats = 99'999;
+constexpr double kLeastLead = 0.1;  // mm: of a tap
+constexpr double kLongPeck = 50;    // Q5000 counts thousandths
+
+}  // namespace
+
+bool DrillWords::wants_block() const {
+  if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code || block_.suppress_frames)
+    return false;
+  for (const char c : {'X', 'Y', 'Z', 'R', '@', '^'})
+    if (block_.open(letter(c))) return true;
+  if (block_.open(Address::ap)) return true;
+  return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
+}
+
+void DrillWords::read_level(const Word* word, CycleLevel& out) {
+  if (word) out = {word->value * length_unit(*word), modal_.incremental, true};
+}
+
+// I of G73 and G83 beside R or K is Haas's first stroke.
+bool DrillWords::depth_in_i() const {
+  const int g = modal_.drill.number;
+  return peek('I') && g > 80 && (g != 83 || (peek('J') && !peek('K') && !peek('R')));
+}
+
+// Fagor: Z is the level of R, I the depth; G83 makes J strokes of I. K dwells, R is the kind of a
+// tap.
+bool DrillWords::read_fagor(const Basis& b) {
+  DrillCycle& cycle = modal_.drill;
+  cycle.fagor = true;
+  for (int i = 0; i < 3; ++i)
+    if (component(b.w, i) != 0) read_level(take("XYZ"[i]), cycle.safe);
+  take('R');
+  if (const Word* q = peek('Q'))
+    return error("not-supported",
+                 "Q (a polar angle) beside the data of a cycle is not supported yet: write the "
+                 "place into a block of its own",
+                 *q);
+  if (const Word* k = take('K')) cycle.dwell = dwell_.of_cycle(*k);
+  const Word* depth = take('I');
+  const Word* strokes = take('J');
+  if (depth && cycle.number == 83) {
+    if (!strokes || strokes->value < 1 || strokes->value > static_cast<double>(kMostStrokes) ||
+        strokes->value != std::floor(strokes->value))
+      return error("value-missing", "G83 with I needs J, the number of strokes", *depth);
+    const double stroke = depth->value * length_unit(*depth);
+    cycle.peck = std::abs(stroke);
+    cycle.bottom = {stroke * strokes->value, true, true};
+  } else {
+    read_level(depth, cycle.bottom);
+  }
+  return true;
+}
+
+// R, the level along the normal, Q and P: each is kept for the points that follow.
+bool DrillWords::read_words(const Basis& b) {
+  DrillCycle& cycle = modal_.drill;
+  if (is(Dialect::iso) && (cycle.fagor || depth_in_i())) return read_fagor(b);
+  read_level(take('R'), cycle.safe);
+  for (int i = 0; i < 3; ++i) {
+    if (component(b.w, i) == 0) continue;
+    read_level(take("XYZ"[i]), cycle.bottom);
+    if (cycle.plane < 0) continue;
+    if (i == 0 && peek('X')) cycle.bottom.value = axis_value(0, *peek('X'), modal_.incremental);
+    const Word* relative = take("UVW"[i]);
+    if (relative) cycle.bottom = {axis_value(i, *relative, true), true, true};
+  }
+  if (const Word* p = take('P')) cycle.dwells = true, cycle.dwell = dwell_.of_cycle(*p);
+  const int g = cycle.number;
+  if ((g == 74 || g == 84) && !is(Dialect::ngc) && !read_tap()) return false;
+  if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
+    return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
+  const Word* q = take('Q');
+  return !q || peck(*q);
+}
+
+// Brother's G77 and G78: I or J, and L, the speed on the way back. J of Haas is how many times as
+// fast the way back is. Under ,R1 of Mitsubishi, a rigid tap, F may be the lead.
+bool DrillWords::read_tap() {
+  DrillCycle& cycle = modal_.drill;
+  const Word* rigid = take(Address::rnd);
+  if (!cycle.pitched) {
+    if (rigid && rigid->value == 1 && is_no_lead(tapping_lead())) cycle.lead = modal_.feed;
+    take('J');
+    return true;
+  }
+  take('L');
+  const Word* lead = take('I');
+  const Word* threads = take('J');
+  for (const Word* word : {lead, threads})
+    if (word && !(word->value > 0))
+      return error("thread-lead", "the lead of a tap must be above 0", *word);
+  if (lead) cycle.lead = lead->value * length_unit(*lead);
+  if (threads) cycle.lead = kMmPerInch / threads->value;
+  if (peek('Q'))
+    return error("not-supported", "a tap in strokes (Q) is not supported yet", *peek('Q'));
+  return cycle.lead > 0 ||
+         error("value-missing", "the tap needs I, its lead, or J, threads per inch",
+               block_.words.front());
+}
+
+// Q, whose sign FANUC ignores; without a point it counts least increments where it is long.
+bool DrillWords::peck(const Word& q) {
+  if (q.value <= 0 && is(Dialect::ngc))
+    return error("value-range", "Q, the depth of a stroke, must be above 0", q);
+  modal_.drill.peck = std::abs(q.value) * length_unit(q);
+  modal_.drill.first = 0;
+  if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
+    return true;
+  modal_.drill.peck *= modal_.inch ? 1e-4 : 1e-3;
+  note_once("number-without-point",
+            fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
+  return true;
+}
+
+// K (FANUC) or L: how often the block is run.
+bool DrillWords::repeats(long& count) {
+  if (modal_.drill.fagor)
+    if (const auto n = block_.number_after(block_.words.front())) {
+      count = *n;
+      return (count > 0 && count <= kMostRepeats) ||
+             error("value-range", fmt::format("N repeats from 1 to {} times", kMostRepeats),
+                   block_.words.front());
+    }
+  const bool pitched = modal_.drill.pitched;  // their I is the lead, L a speed
+  const Word* word = pitched ? nullptr : take('L');
+  if (!is(Dialect::ngc) && (!peek('I') || pitched) && !modal_.drill.fagor)
+    if (const Word* k = take('K')) word = k;
+  if (!word) return true;
+  const double least = is(Dialect::ngc) ? 1 : 0;
+  if (word->value < least || word->value != std::floor(word->value) || word->value > kMostRepeats)
+    return error(
+        "value-range",
+        fmt::format("the number of repeats is a whole number from {:g} to {}", least, kMostRepeats),
+        *word);
+  count = static_cast<long>(word->value);
+  return true;
+}
+
+bool DrillWords::run() {
+  const int plane = modal_.plane;
+  if (modal_.drill.plane >= 0) modal_.plane = modal_.drill.plane;
+  const bool ok = drill();
+  modal_.plane = plane;
+  return ok;
+}
+
+// G87 of Haas bores down, and the tool is taken out by hand; that of FANUC has a shift.
+bool DrillWords::bores_down() const {
+  const Word* level = peek('R');
+  const Word* bottom = peek('Z');
+  const bool shift = peek('Q') || peek('I') || peek('J');
+  return is(Dialect::fanuc) && !lathe() && modal_.plane == 0 && !modal_.incremental && !shift &&
+         level && bottom && bottom->value < level->value;
+}
+
+bool DrillWords::drill() {
+  DrillCycle& cycle = modal_.drill;
+  const Basis b = basis();
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (cycle.number == 87 && bores_down()) cycle.number = 88;
+  if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
+    return error("not-supported",
+                 fmt::format("G{} ({}) is not supported yet", cycle.number,
+                             cycle.number == 87 ? "back boring" : "boring with a way out by hand"),
+                 where);
+  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != 0)
+    return error("not-supported",
+                 fmt::format("G{} outside of G17: LinuxCNC exchanges its axes, and does not tap "
+                             "where the hole is",
+                             cycle.number),
+                 where);
+  if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
+    return error("cycle-compensation", "a canned cycle under radius compensation", where);
+  if (!cycle.begun) cycle.initial = holes_.level();
+  cycle.begun = true;
+  long count = 1;
+  Hole hole;
+  if (!read_words(b) || !repeats(count)) return false;
+  const Vec3 from = position_.programmed;
+  Target to;
+  if (!axes_.target(to, from)) return false;
+  if (!fill(hole)) return false;
+  if (count == 0 && length(to.programmed - from - dot(to.programmed - from, b.w) * b.w) > kRounding)
+    warning("cycle-not-run",
+            "0 repeats: the tool stays where it is; some controls go to the point without drilling",
+            where);
+  const Vec3 step = to.programmed - from;
+  for (long i = 0; i < count; ++i) {
+    unsigned named = to.named;
+    leave_low_level(hole, named, where);
+    Vec3 point = to.programmed;
+    if (modal_.incremental && (modal_.polar || find(Address::ap)) &&
+        i > 0) {  // the angle counts from the last one
+      to = {};
+      if (!axes_.target(to, position_.programmed)) return false;
+      point = to.programmed;
+    } else if (modal_.incremental && i > 0) {
+      point = from + static_cast<double>(i + 1) * step;
+    }
+    point = point + (level_aside(hole) - dot(point, b.w)) * b.w;
+    if (named) holes_.approach(point, named, where);
+    if (!block_.no_hole) holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
+  }
+  return true;
+}
+
+// Where the tool goes aside to the next hole: LinuxCNC at R or above, in G98 where the first began.
+double DrillWords::level_aside(const Hole& hole) const {
+  if (!is(Dialect::ngc)) return holes_.level();
+  const bool initial = modal_.hole_return == HoleReturn::initial;
+  return std::max(initial ? modal_.drill.initial : holes_.level(), hole.safe);
+}
+
+// LinuxCNC, from below that level: straight up where R lies above the level before the first cycle,
+// else on the way to the hole, whose axes are `named`.
+void DrillWords::leave_low_level(const Hole& hole, unsigned& named, const Word& where) {
+  if (holes_.level() >= level_aside(hole)) return;
+  if (named == 0 || hole.safe > modal_.drill.initial) return holes_.rise(level_aside(hole), where);
+  const Vec3 normal = basis().w;
+  for (int i = 0; i < 3; ++i)
+    if (component(normal, i) != 0) named |= 1U << i;
+}
+
+bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, bool own_p) {
+  DrillCycle& cycle = modal_.drill;
+  const Basis b = basis();
+  if (cycle.number == 0 || cycle.number == 87)
+    return error("value-missing", "a pattern of holes needs a drilling cycle in force", where);
+  if (!cycle.begun) cycle.initial = holes_.level();
+  cycle.begun = true;
+  Hole hole;
+  const DrillCycle before = cycle;
+  if (!read_words(b)) return false;
+  if (own_p) {
+    cycle.dwells = before.dwells;
+    cycle.dwell = before.dwell;
+  }
+  if (!fill(hole, false)) return false;
+  for (const Vec3& point : points) {
+    holes_.approach(point + (holes_.level() - dot(point, b.w)) * b.w, 3, where);
+    holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
+  }
+  return true;
+}
+
+// The levels: in G91 R counts from the level before the first cycle, Z from R. LinuxCNC keeps the
+// numbers of both, and reads them anew in each block as G90 and G91 say there.
+bool DrillWords::fill(Hole& hole, bool haas_words) {
+  const DrillCycle& cycle = modal_.drill;
+  const auto relative = [&](const CycleLevel& level) {
+    return is(Dialect::ngc) ? modal_.incremental : level.incremental;
+  };
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (!cycle.bottom.given)
+    return error("value-missing", fmt::format("G{} needs the depth of the hole", cycle.number),
+                 where);
+  if (!cycle.safe.given && is(Dialect::ngc))
+    return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
+  const bool from_initial =
+      relative(cycle.safe) || cycle.plane == 2 || (cycle.plane == 0 && cycle.safe.value <= 0);
+  if (cycle.plane == 0 && cycle.safe.value > 0 && !relative(cycle.safe))
+    note_once("cycle-level",
+              "R above 0 is read as a level, as Haas does; others count it from the start", where,
+              "R");
+  hole.safe = !cycle.safe.given ? cycle.initial
+              : from_initial    ? cycle.initial + cycle.safe.value
+                                : cycle.safe.value;
+  hole.bottom = relative(cycle.bottom) ? hole.safe + cycle.bottom.value : cycle.bottom.value;
+  const bool up = hole.bottom > hole.safe;
+  hole.end = end_level(hole.safe, up);
+  if (is(Dialect::ngc) && !modal_.return_told && cycle.initial > hole.safe)
+    note_once("cycle-level",
+              "neither G98 nor G99 is given: the tool returns to R, as LinuxCNC and Mach do", where,
+              "return");
+  if (up && is(Dialect::ngc))
+    return error("value-range", "R lies below the bottom of the hole", where);
+  if (up && modal_.plane == 0 && !lathe())  // across the spindle either way is down
+    reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
+  const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
+  hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
+  hole.feed_to_end = hole.feed_out && g != 85 && is(Dialect::ngc);
+  if (g == 74 || g == 84) {
+    hole.lead = tapping_lead() * (g == 74 ? -1 : 1);
+    if (is(Dialect::fanuc) && is_no_lead(tapping_lead()))
+      reporter_.once(
+          Severity::warning, "tap-lead",
+          fmt::format("feed and speed make a lead of {:.2g} mm: where F is the lead, G95 "
+                      "stands before it",
+                      tapping_lead()),
+          where, "tap-lead");
+  }
+  if (g == 76)
+    note_once("cycle-shift", "G76: the shift by Q at the bottom is not run, its side is not known",
+              where, "G76");
+  fill_dwells(g, hole);
+  if (g != 73 && g != 83) return true;
+  hole.chips_out = g == 83;
+  return fill_pecks(hole, haas_words);
+}
+
+// Which cycles know P; FANUC taps wait at R, too.
+void DrillWords::fill_dwells(int g, Hole& hole) const {
+  const bool taps = g == 74 || g == 84, pecks = g == 73 || g == 83;
+  const bool bores = g == 76 || g == 82 || g == 86 || g == 88 || g == 89 || (g == 85 && lathe());
+  if (!bores && !taps && (!pecks || is(Dialect::ngc))) return;
+  hole.dwell = modal_.drill.dwell;
+  if (taps && is(Dialect::fanuc)) hole.dwell_out = hole.dwell;
+}
+
+// Where the tool ends, with the hole below R or (`up`) above it: never nearer to it than R.
+double DrillWords::end_level(double safe, bool up) const {
+  const double initial = modal_.drill.initial;
+  switch (modal_.hole_return) {
+    case HoleReturn::safe:
+      return safe;
+    case HoleReturn::level:
+      return *modal_.return_level;
+    default:
+      return up ? std::min(initial, safe) : std::max(initial, safe);
+  }
+}
+
+bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
+  if (modal_.okuma)
+    for (const char c : {'I', 'J'}) take(c);  // how far back
+  else if (haas_words && !modal_.drill.fagor && peek('I'))
+    read_haas_strokes();
+  if (modal_.drill.first != 0) return haas_pecks(hole);
+  const double q = modal_.drill.peck;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (q <= 0) {
+    if (is(Dialect::ngc))
+      return error("value-missing", fmt::format("G{} needs Q", modal_.drill.number), where);
+    reporter_.once(Severity::warning, "value-missing", "no Q: the hole is drilled in one stroke",
+                   where, "Q");
+    return true;
+  }
+  if (depth / q > static_cast<double>(kMostStrokes))
+    return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
+                 where);
+  for (std::size_t i = 1; static_cast<double>(i) * q < depth - kRounding; ++i)
+    hole.strokes.push_back(hole.safe + along * static_cast<double>(i) * q);
+  return true;
+}
+
+// Haas: the first stroke is I, each next one less by J, the least K. They hold for the points that
+// follow, too.
+void DrillWords::read_haas_strokes() {
+  DrillCycle& cycle = modal_.drill;
+  const auto value = [&](char c, double otherwise) {
+    const Word* word = take(c);
+    return word ? word->value * length_unit(*word) : otherwise;
+  };
+  cycle.first = value('I', 0);
+  cycle.less = value('J', 0);
+  cycle.least = value('K', cycle.first);
+}
+
+bool DrillWords::haas_pecks(Hole& hole) {
+  const DrillCycle& cycle = modal_.drill;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
+  double stroke = cycle.first;
+  if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
+      depth / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
+    return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
+  for (double at = stroke; at < depth - kRounding; at += stroke) {
+    hole.strokes.push_back(hole.safe + along * at);
+    stroke = std::max(stroke - cycle.less, cycle.least);
+  }
+  return true;
+}
+
+bool DrillWords::is_no_lead(double lead) { return lead > 0 && lead < kLeastLead; }
+
+double DrillWords::tapping_lead() const {
+  if (modal_.drill.lead > 0) return modal_.drill.lead;
+  if (modal_.feed_unit == FeedUnit::mm_per_rev) return modal_.feed;
+  return modal_.speed > 0 ? modal_.feed / modal_.speed : 0;
+}
+
+}  // namespace mrsim

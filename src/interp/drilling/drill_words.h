@@ -1,0 +1,50 @@
+// Drilling, tapping and boring cycles G73, G74, G76, G81 to G89 of FANUC, ISO and LinuxCNC: what
+// their words say, and at which points they run. The motions are HoleMaker's.
+// Private to src/interp.
+#pragma once
+
+#include "interp/cycles/hole_maker.h"
+#include "interp/words/dwell_time.h"
+
+namespace mrsim {
+
+class DrillWords : public ControlPart {
+ public:
+  DrillWords(Control& control, AxisWords& axes, HoleMaker& holes)
+      : ControlPart(control), axes_(axes), holes_(holes), dwell_(control) {}
+
+  /// A cycle is in force, and the block has words for it.
+  bool wants_block() const;
+  /// Holes at the points of the block. False: an error was reported.
+  bool run();
+  /// Holes of the cycle in force at `points`; they have the level of now. `own_p`: the block's P is
+  /// the pattern's, no dwell. False: as above.
+  bool at_points(const std::vector<Vec3>& points, const Word& where, bool own_p = false);
+
+ private:
+  bool drill();
+  bool bores_down() const;
+  void read_level(const Word* word, CycleLevel& out);
+  bool depth_in_i() const;
+  bool read_fagor(const Basis& b);
+  bool read_words(const Basis& b);
+  bool peck(const Word& q);
+  bool read_tap();
+  bool repeats(long& count);
+  double level_aside(const Hole& hole) const;
+  void leave_low_level(const Hole& hole, unsigned& named, const Word& where);
+  bool fill(Hole& hole, bool haas_words = true);
+  void fill_dwells(int g, Hole& hole) const;
+  double end_level(double safe, bool up) const;
+  bool fill_pecks(Hole& hole, bool haas_words);
+  void read_haas_strokes();
+  bool haas_pecks(Hole& hole);
+  double tapping_lead() const;
+  static bool is_no_lead(double lead);
+
+  AxisWords& axes_;
+  HoleMaker& holes_;
+  DwellTime dwell_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,189 @@
+#include "interp/engine.h"
+
+#include "interp/control/start_modes.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+Engine::Engine(const InterpOptions& options, Program& program, int leader_lines, bool okuma,
+               MotionSink& sink)
+    : options_(options),
+      reporter_(sink, program),
+      control_(options, program, reporter_),
+      reader_(control_),
+      statements_(Statements::make(control_, reader_)),
+      flow_(control_, reader_, statements_.get()),
+      iso_(control_),
+      index_(control_),
+      axes_(control_),
+      frames_(control_),
+      tools_(control_),
+      compensation_(control_, tools_),
+      out_(control_, compensation_, sink),
+      moves_(control_, axes_, frames_, tools_, compensation_, out_),
+      modes_(control_, frames_, compensation_),
+      values_(control_, tools_),
+      oneshots_(control_, axes_, frames_, moves_),
+      holes_(control_, reader_, moves_),
+      drilling_(control_, axes_, holes_),
+      haas_(control_, axes_, moves_, compensation_, drilling_),
+      pockets_(control_, axes_, tools_, moves_),
+      engraving_(control_, statements_.get(), axes_, moves_),
+      cycles_(control_, reader_, statements_.get(), holes_, frames_, tools_, moves_, out_),
+      turning_(control_, axes_, moves_),
+      contours_(control_, reader_, statements_.get(), moves_, out_),
+      profiles_(control_, reader_, statements_.get(), axes_, moves_),
+      stock_(control_) {
+  control_.work = options.table.work;
+  control_.registers = options.table.offsets;
+  control_.place_machine();
+  control_.modal = start_modal(program.dialect, program.machine);
+  control_.modal.okuma = okuma;
+  control_.modal.has_increments = okuma;  // G90 of its lathes is no turning cycle
+  Position& position = control_.position;
+  if (options.start) {
+    position.physical = position.programmed = *options.start;
+    position.known = 7;
+  }
+  if (program.machine == MachineKind::lathe) position.known |= 2;  // a lathe has no Y to give
+  frames_.start();
+  if (statements_) statements_->set_tools(tools_);
+  reader_.set_language(statements_.get());
+  reader_.open(leader_lines);
+}
+
+void Engine::run() {
+  while (!reader_.finished()) {
+    if (!reader_.next()) {
+      if (statements_ && reader_.depth() == 1) statements_->end_of_main();
+      reader_.end_of_text();
+      continue;
+    }
+    if (++executed_ > options_.max_blocks) {
+      reporter_.add(Severity::error, "program-endless",
+                    fmt::format("stopped after {} blocks", options_.max_blocks), 0, 1);
+      reader_.stop();
+      break;
+    }
+    execute();
+  }
+  contours_.end_program();
+  profiles_.end_program();
+  cycles_.end_program();
+  out_.flush();
+  moves_.finish();
+  if (control_.skips_data)
+    reporter_.add_general(Severity::error, "not-supported",
+                          "G10 L3 or L50 has no G11: nothing behind it has been read");
+  if (out_.cuts() == 0 && reporter_.errors() == 0)
+    reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
+                          "program-without-cuts",
+                          "the program has no G1, G2 or G3 move: nothing is cut");
+  reporter_.finish();
+}
+
+void Engine::execute() {
+  BlockWords& block = control_.block;
+  if (block.skip_level >= 0 && (options_.block_skip >> block.skip_level & 1U) != 0) return;
+  block.begin();
+  if (control_.unread_end != 0 && UnreadModes(control_).skips_iso_mode()) return;
+  if (block.statement != Block::kNoStatement) return statements_->run();
+  if (statements_ && statements_->take_block()) return;
+  if (profiles_.reads_contour() && !profiles_.rewrite_increments()) block.bad = true;
+  if (control_.dialect == Dialect::iso && !iso_.rewrite()) block.bad = true;
+  if (control_.skips_data && !ends_data()) return;
+  if (!index_.run()) block.bad = true;
+  if (!block.comments.empty() && !engraving_.holds_text(block)) {
+    tools_.read_comments();
+    stock_.read_comments();
+  }
+  if (block.bad) return;
+  if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
+  ++block.number;
+  if (profiles_.reads_contour()) return profiles_.contour_block();
+  const Modal modal = control_.modal;
+  const Position position = control_.position;
+  control_.saved_tool.reset();
+  control_.saved_frames.reset();
+  if (!interpret_block()) {  // it leaves no trace
+    control_.modal = modal;
+    control_.position = position;
+    if (control_.saved_frames) control_.frames = *control_.saved_frames;
+    if (control_.saved_tool) control_.tool = *control_.saved_tool;
+    return;
+  }
+  if (moved_) control_.paused = false;
+  if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();
+  tools_.end_block();
+  flow_.end_block();
+  contours_.end_block();
+  profiles_.end_block();
+  cycles_.end_block();
+  if (statements_ && !reader_.finished()) statements_->end_block(moved_);
+}
+
+bool Engine::ends_data() {
+  for (const Word& word : control_.block.words)
+    if (word.address == letter('G') && word.value == 11) control_.skips_data = false;
+  return !control_.skips_data;
+}
+
+// A move, or holes at its end.
+bool Engine::run_move() {
+  if (control_.unread_end != 0 && !UnreadModes(control_).ends_swivel()) {
+    UnreadModes(control_).pass_over();
+    return true;
+  }
+  if (haas_.wants_block()) return haas_.run();
+  if (pockets_.wants_block()) return pockets_.run();
+  if (!control_.block.places.empty())
+    return drilling_.at_points(control_.block.places, control_.block.words.front(), false);
+  if (engraving_.wants_block()) return engraving_.run();
+  if (drilling_.wants_block()) return drilling_.run();
+  if (control_.block.turn_cycle != 0) return run_turning();
+  if (turning_.wants_block()) return turning_.pass();
+  if (control_.block.modal_call) return cycles_.modal_call();
+  if (!control_.block.function_name.empty() && SinumerikCycles::knows(control_.block.function_name))
+    return cycles_.run();
+  if (!axes_.has_move()) return true;
+  const Vec3 from = control_.position.programmed;
+  moved_ = true;
+  return moves_.run() && cycles_.run_modal(from);
+}
+
+// Each cycle in a block of its own that moves, or a line of values for it.
+bool Engine::run_turning() {
+  if (control_.block.turn_cycle > 73) return turning_.run();
+  return control_.dialect == Dialect::ngc ? profiles_.run() : contours_.run();
+}
+
+bool Engine::interpret_block() {
+  const BlockWords& block = control_.block;
+  moved_ = false;
+  if (!modes_.apply() || !frames_.select_fixture()) return false;
+  if (block.function_name == "WORKPIECE" && !WorkpieceWords(control_).run()) return false;
+  if (!flow_.begin_block()) return false;
+  if (reader_.finished()) return true;
+  if (!flow_.m_words()) return false;
+  if (!compensation_.allows_block()) return false;
+  if (block.home && block.home_guessed)
+    moves_.guess_retract(*block.home);
+  else if (block.home)
+    moves_.to_place(&options_.places.reference, 4, *block.home);
+  const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
+  if (!dwells && !values_.apply()) return false;
+  oneshots_.settle_tip();
+  if (block.pause) moves_.dwell(DwellTime(control_).of_cycle(*block.pause));
+  if (block.oneshot && !oneshots_.run()) return false;
+  if (!dwells) {
+    if (block.frame_code && !frames_.run()) return false;
+    if (control_.dialect == Dialect::iso && !iso_.check_polar()) return false;
+    if (!run_move()) return false;
+    compensation_.end_block(moves_.waits());
+  }
+  index_.report_unused();
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,69 @@
+// The interpreter proper: one Engine reads one program, block after block. It owns the parts and
+// says in which order they see a block; what words mean is theirs. Private to src/interp.
+#pragma once
+
+#include "interp/drilling/drill_words.h"
+#include "interp/drilling/haas_cycles.h"
+#include "interp/milling/engraving.h"
+#include "interp/milling/fagor_pockets.h"
+#include "interp/sinumerik/sinumerik_cycles.h"
+#include "interp/statements/program_flow.h"
+#include "interp/turning/contour_cycles.h"
+#include "interp/turning/linuxcnc_turning.h"
+#include "interp/turning/turn_words.h"
+#include "interp/words/iso_words.h"
+#include "interp/words/modal_words.h"
+#include "interp/words/oneshot_words.h"
+#include "interp/words/value_words.h"
+#include "interp/words/word_index.h"
+#include "interp/words/workpiece.h"
+
+namespace mrsim {
+
+class Engine {
+ public:
+  /// The first `leader_lines` of the file lie before the tape mark and are not read.
+  /// `okuma`: the words are those of OSP.
+  Engine(const InterpOptions& options, Program& program, int leader_lines, bool okuma,
+         MotionSink& sink);
+  void run();
+
+ private:
+  void execute();
+  bool interpret_block();
+  bool run_move();
+  bool run_turning();
+  bool ends_data();
+
+  const InterpOptions& options_;
+  Reporter reporter_;
+  Control control_;
+  BlockReader reader_;
+  std::unique_ptr<Statements> statements_;  ///< null: a control without a language here
+  ProgramFlow flow_;
+  IsoWords iso_;
+  WordIndex index_;
+  AxisWords axes_;
+  FrameWords frames_;
+  ToolChanger tools_;
+  CompensationWords compensation_;
+  MotionEmitter out_;
+  Moves moves_;
+  ModalWords modes_;
+  ValueWords values_;
+  OneShotWords oneshots_;
+  HoleMaker holes_;
+  DrillWords drilling_;
+  HaasCycles haas_;
+  FagorPockets pockets_;
+  Engraving engraving_;
+  SinumerikCycles cycles_;
+  TurnWords turning_;
+  ContourCycles contours_;
+  LinuxCncTurning profiles_;
+  CommentedStock stock_;
+  std::size_t executed_ = 0;
+  bool moved_ = false;  ///< the block had a motion
+};
+
+}  // namespace mrsim

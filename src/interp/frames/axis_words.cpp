@@ -1,0 +1,298 @@
+#include "interp/frames/axis_words.h"
+
+#include "core/rounding.h"
+#include "core/trig.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// A coordinate without a point from which on its author may have meant least increments.
+constexpr double kLongWithoutPoint = 500;
+constexpr double kFarWithoutPoint = 10'000;  // mm: no machine travels so far
+
+}  // namespace
+
+bool AxisWords::has_move() const {
+  if (block_.frame_code || (block_.oneshot && block_.oneshot_code != Code::tap_floating))
+    return false;
+  const auto open = [&](Address a) { return block_.open(a); };
+  const auto any = [&](std::initializer_list<Address> list) {
+    return std::any_of(list.begin(), list.end(), open);
+  };
+  if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, angle_address(),
+           letter('@'), letter('^')}))
+    return true;
+  if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
+  const Code code = current_motion();
+  if (code == Code::nurbs_end) return block_.motion_code != nullptr;
+  if (code == Code::nurbs) return block_.motion_code || open(letter('P'));
+  if (code == Code::spline_cubic || code == Code::spline_quadratic)
+    return any({letter('I'), letter('J'), letter('P'), letter('Q')});
+  if (!is_circular(code)) return false;
+  if (is(Dialect::codesys) && open(letter('T'))) return true;
+  return any({letter('I'), letter('J'), letter('K'), letter('R'), Address::cr, Address::ar,
+              Address::i1, Address::j1, Address::k1, Address::turn});
+}
+
+// X50000 is 50 m where 50 mm may be meant; sheets of 2.5 m are cut by numbers without points.
+void AxisWords::tell_of_point(const Word& word) {
+  const double size = std::abs(word.value);
+  if (word.point || !is(Dialect::fanuc) || options_.least_increments || size < kLongWithoutPoint)
+    return;
+  const bool far = modal_.inch || size >= kFarWithoutPoint;
+  reporter_.once(
+      far ? Severity::warning : Severity::note, "number-without-point",
+      fmt::format("{} without a decimal point is read as {:g} {}; on a control that counts "
+                  "least increments say --least-increments",
+                  text_of(word), word.value, modal_.inch ? "inch" : "mm"),
+      word, far ? "point far" : "point");
+}
+
+// LinuxCNC starts in G8; Mach's lathes may be set to diameters without a word. Lathes of no named
+// control may be either's.
+void AxisWords::tell_of_radius(int axis, const Word& word) {
+  if (axis != 0 || !lathe() || modal_.diameter_told || word.value == 0) return;
+  if (is(Dialect::iso))
+    note_once("diameter-assumed",
+              fmt::format("{} is read as a diameter: where the program means radii, as LinuxCNC "
+                          "does without G7, say --dialect ngc",
+                          text_of(word)),
+              word, "diameter");
+  if (!is(Dialect::ngc)) return;
+  note_once("radius-assumed",
+            fmt::format("{} is read as a radius: LinuxCNC does so until G7. Where the program "
+                        "means diameters (Mach's lathes), write G7 at its head; G8 says that it "
+                        "means radii",
+                        text_of(word)),
+            word, "radius");
+}
+
+bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremental_word) {
+  bool incremental = modal_.incremental || incremental_word;
+  if (word.form == Form::ac || word.form == Form::dac || word.form == Form::rac)
+    incremental = false;
+  if (word.form == Form::ic || word.form == Form::dic || word.form == Form::ric) incremental = true;
+  const bool home = word.value == 0 && block_.oneshot;  // G28 U0 V0 W0
+  if (lathe() && axis == 1 && !home) {
+    if (options_.machine == MachineKind::automatic)
+      throw Error("machine-unclear",
+                  fmt::format("{}:{}: Y moves in a program that looked like a lathe's ({}): say "
+                              "--machine mill or --machine lathe",
+                              program_.files.front(), block_.line_number, program_.machine_reason),
+                  Error::Kind::usage);
+    if (word.value != 0)
+      return error("not-supported", "a Y axis on a lathe is not supported yet", word);
+  }
+  tell_of_point(word);
+  tell_of_radius(axis, word);
+  const double value = axis_value(axis, word, incremental);
+  double base = 0;
+  if (incremental) {
+    base = component(out.programmed, axis);
+    // SD42440 = 1: the first increment after a change of frame travels the new offset too.
+    if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !block_.suppress_frames)
+      base = component(position_.retained, axis);
+    const bool known = (position_.known >> axis & 1U) != 0;
+    if (!known && !block_.oneshot && word.value == 0) return true;  // "G28 U0", and "W0" behind it
+    // G28 G91 Z0: where from is of no matter.
+    if (!known && !block_.oneshot)
+      reporter_.once(Severity::warning, "start-unknown",
+                     "an increment from a position that was never given: it is counted from 0; say "
+                     "--start X,Y,Z",
+                     word, "start");
+  } else {
+    out.absolute |= 1U << axis;
+  }
+  const double result = base + value;
+  if (!(result >= -1e9 && result <= 1e9))
+    return error("number-too-large", "the position is more than 1e9 mm away", word);
+  component(out.programmed, axis) = result;
+  out.named |= 1U << axis;
+  if (!out.first || word.column < out.first->column) out.first = &word;
+  return true;
+}
+
+bool AxisWords::target(Target& out, const Vec3& from) {
+  out.programmed = from;
+  if (is(Dialect::ngc) && (peek('@') || peek('^'))) return ngc_polar_target(out, from);
+  if (modal_.polar && !block_.suppress_frames) return fanuc_polar_target(out, from);
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    const Word* relative = lathe() && is(Dialect::fanuc) ? take("UVW"[i]) : nullptr;
+    if (word && relative) {  // the later one counts
+      const bool last = relative->column > word->column;
+      (last ? word : relative) = nullptr;
+      warning("address-twice",
+              fmt::format("{}: an axis is given absolute and incremental in one block: the word "
+                          "that stands later counts",
+                          text_of(last ? *relative : *word)),
+              last ? *relative : *word);
+    }
+    if (word && !axis_word(out, i, *word, false)) return false;
+    if (relative && !axis_word(out, i, *relative, true)) return false;
+  }
+  if (find(Address::ap) || find(Address::rp)) return polar_target(out);
+  return true;
+}
+
+// LinuxCNC: @ distance and ^ angle about the zero of G17; what is not given stays.
+bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
+  const Word* radius = take('@');
+  const Word* angle = take('^');
+  const Word& where = radius ? *radius : *angle;
+  if (modal_.plane != 0)
+    return error("polar-mixed", "@ and ^ (polar coordinates) need the plane G17", where);
+  if (peek('X') || peek('Y'))
+    return error("polar-mixed", "@ or ^ and an axis of the plane in one block", where);
+  const Word* height = take('Z');
+  if (height && !axis_word(out, 2, *height, false)) return false;
+  const Vec2 s{from.x, from.y};
+  const double old = length(s), turn = modal_.incremental ? 1 : 0;
+  if (old == 0 && (!angle || modal_.incremental))
+    return error("value-missing",
+                 "the tool stands at the zero of the polar coordinates, from where no direction "
+                 "is known: give ^ in G90",
+                 where);
+  const double r = radius ? radius->value * scale() + turn * old : old;
+  const double now = degrees(mrsim::atan2(s.y, s.x));
+  const SinCos sc = sincos_deg(angle ? angle->value + turn * now : now);
+  out.programmed.x = r * sc.cos;
+  out.programmed.y = r * sc.sin;
+  out.named |= 3U;
+  out.absolute |= out.named;
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
+// AP= RP= about the pole, in the plane.
+bool AxisWords::polar_target(Target& out) {
+  const Word* ap = take(Address::ap);
+  const Word* rp = take(Address::rp);
+  const Word& where = ap ? *ap : *rp;
+  const Basis b = basis();
+  for (int i = 0; i < 3; ++i) {
+    const bool in = std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0;
+    if (in && (out.named >> i & 1U))
+      return error("polar-mixed", "AP= RP= and an axis of the plane in one block (alarm 14280)",
+                   where);
+  }
+  if (rp) {
+    const double base = rp->form == Form::ic ? last_polar_radius(b) : 0;  // G91 does not matter
+    position_.polar_radius = base + rp->value * scale();
+    position_.has_polar_radius = true;
+    if (position_.polar_radius < 0)
+      return error("polar-radius", "RP must not be negative (alarm 14200)", *rp);
+  }
+  if (ap) {
+    const bool relative = ap->form == Form::ic || (modal_.incremental && ap->form == Form::plain);
+    if (ap->value < -360 || ap->value > 360)
+      return error("value-range", "AP is -360 to 360 degrees", *ap);
+    position_.polar_angle = ap->value + (relative ? last_polar_angle(b) : 0);
+    position_.has_polar_angle = true;
+  }
+  if (!position_.has_polar_radius) {  // G2 and G3 may leave it out: the pole is the centre
+    position_.polar_radius = last_polar_radius(b);
+    position_.has_polar_radius = true;
+  }
+  if (!position_.has_polar_angle)
+    return error("value-missing", "AP= was not given since the pole was set (alarm 14270)", where);
+  const SinCos sc = sincos_deg(position_.polar_angle);
+  const Vec2 pole = in_plane(b, position_.pole);
+  const Vec2 end = pole + position_.polar_radius * Vec2{sc.cos, sc.sin};
+  out.programmed = from_plane(b, end, dot(out.programmed, b.w));
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) {
+      out.named |= 1U << i;
+      out.absolute |= 1U << i;
+    }
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
+double AxisWords::last_polar_angle(const Basis& b) const {
+  if (position_.has_polar_angle) return position_.polar_angle;
+  const Vec2 d = in_plane(b, position_.programmed - position_.pole);
+  return degrees(mrsim::atan2(d.y, d.x));
+}
+
+double AxisWords::last_polar_radius(const Basis& b) const {
+  if (position_.has_polar_radius) return position_.polar_radius;
+  return length(in_plane(b, position_.programmed - position_.pole));
+}
+
+// G16: the plane's first axis is the radius, the second the angle. G91 counts from the position.
+bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
+  const Basis b = basis();
+  static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
+  const Word* radius = take("XYZ"[kFirst[modal_.plane]]);
+  const Word* angle = take("XYZ"[kSecond[modal_.plane]]);
+  const Word* height = take("XYZ"[kNormal[modal_.plane]]);
+  if (height && !axis_word(out, kNormal[modal_.plane], *height, false)) return false;
+  if (!radius && !angle) return true;
+  const Word& where = radius ? *radius : *angle;
+  Vec2 pole;
+  if (modal_.incremental && radius) pole = in_plane(b, from);
+  if (angle)
+    position_.polar_angle = angle->value + (modal_.incremental ? last_polar_angle(b) : 0);
+  else if (!position_.has_polar_angle)
+    position_.polar_angle = last_polar_angle(b);
+  position_.has_polar_angle = true;
+  double r = position_.has_polar_radius ? position_.polar_radius : length(in_plane(b, from));
+  if (radius) r = radius->value * length_unit(*radius);
+  position_.has_polar_radius = true;
+  position_.polar_radius = r;
+  const SinCos sc = sincos_deg(position_.polar_angle);
+  out.programmed = from_plane(b, pole + r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
+  out.named |= (1U << kFirst[modal_.plane]) | (1U << kSecond[modal_.plane]);
+  out.absolute |= out.named;
+  if (!out.first || where.column < out.first->column) out.first = &where;
+  return true;
+}
+
+const Word* AxisWords::motion_word(const Target& to) const {
+  if (block_.motion_code) return block_.motion_code;
+  if (block_.oneshot) return block_.oneshot;
+  return to.first ? to.first : &block_.words.front();
+}
+
+// ANG= with one coordinate: the other follows.
+bool AxisWords::angle_target(Target& out, const Vec3& from) {
+  const Word* ang = take(angle_address());
+  const Basis b = basis();
+  const SinCos sc = sincos_deg(ang->value);
+  const Vec2 direction{sc.cos, sc.sin}, s = in_plane(b, from), e = in_plane(b, out.programmed);
+  const bool has_u = named_along(out, b.u), has_v = named_along(out, b.v);
+  if (has_u == has_v)
+    return error("angle-coordinates",
+                 "the angle needs exactly one coordinate of the plane, or the two "
+                 "blocks of a corner",
+                 *ang);
+  const double given = has_u ? e.x - s.x : e.y - s.y;
+  const double along = has_u ? direction.x : direction.y;
+  if (std::abs(along) < kTurnRounding)
+    return error("angle-parallel",
+                 "the line runs square to the given coordinate and never reaches it", *ang);
+  const double t = given / along;
+  if (t < 0)
+    return error("angle-behind", "the line reaches the given coordinate behind its start", *ang);
+  out.programmed = from_plane(b, s + t * direction, dot(out.programmed, b.w));
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) out.named |= 1U << i;
+  if (!out.first) out.first = ang;
+  return true;
+}
+
+bool named_along(const Target& out, const Vec3& direction) {
+  for (int i = 0; i < 3; ++i)
+    if ((out.named >> i & 1U) && component(direction, i) != 0) return true;
+  return false;
+}
+
+}  // namespace mrsim

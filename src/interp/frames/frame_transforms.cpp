@@ -1,0 +1,262 @@
+// Frames that a program turns, scales and mirrors by G words: FANUC's and Fagor's.
+#include "core/rounding.h"
+#include "interp/frames/frame_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+// G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
+bool FrameWords::fanuc(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  Vec3 values = position_.programmed;
+  unsigned named = 0;
+  const bool cancels = block_.frame_op == Code::rotation_off ||
+                       block_.frame_op == Code::scaling_off ||
+                       block_.frame_op == Code::local_turned_off;
+  if (!cancels) arguments(values, named, true);
+  switch (block_.frame_op) {
+    case Code::rotation_on: {
+      if (word.value != 68) return level_plane(values, named, word);
+      const Word* r = take('R');
+      if (!r) return error("value-missing", "G68 needs the angle R", word);
+      if (turns_in_space())
+        return error("not-supported",
+                     "G68 with I J K turns about an axis in space, which is not supported yet",
+                     word);
+      if (!center_of_mach(values, word)) return false;
+      const bool adds = modal_.incremental || take('I');
+      turn_about(r->value, kNormal[modal_.plane], values, adds, word);
+      break;
+    }
+    case Code::rotation_off:
+      frames_.rotation = Frame{};
+      frames_.rotation_angle = 0;
+      break;
+    case Code::scaling_on:
+      if (!fanuc_scaling(word, values)) return false;
+      break;
+    case Code::scaling_off:
+      frames_.scaling = Frame{};
+      break;
+    case Code::local_shift:
+      shift_locally(values, named, word);
+      break;
+    case Code::local_turned:
+      if (!turn_locally(values, named, word)) return false;
+      break;
+    case Code::local_turned_off:
+      frames_.program = Frame{};
+      frames_.local_turned = 0;
+      break;
+    case Code::mirror_on:
+    case Code::mirror_off:
+      for (int i = 0; i < 3; ++i)
+        if (named >> i & 1U) component(frames_.mirror_at, i) = component(values, i);
+      if (block_.frame_op == Code::mirror_on)
+        frames_.mirrored |= named;
+      else
+        frames_.mirrored &= named ? ~named : 0U;
+      set_mirror();
+      break;
+    default:
+      break;
+  }
+  rebuild();
+  return true;
+}
+
+// G68.2 whose angles tilt nothing: its X Y Z are the zero, its angles turn about Z.
+bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
+  double angle = 0;
+  for (const char c : {'I', 'J', 'K'})
+    if (const Word* w = take(c)) angle += w->value;
+  for (const char c : {'P', 'Q'}) take(c);
+  for (int i = 0; i < 3; ++i)
+    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+  frames_.rotation_angle = angle;
+  frames_.rotation = compose(shift_frame(zero), rotation_frame(2, angle));
+  note_once("plane-level", "G68.2 without a tilt: its zero is shifted by X Y Z and turned about Z",
+            word, "G68.2");
+  rebuild();
+  return true;
+}
+
+// A new one deletes that in force, and TRANS with its kin.
+void FrameWords::swivel(const Frame& frame, bool adds, const Word& word) {
+  save();
+  if (adds) {
+    frames_.swivel = compose(compose(frames_.swivel, frames_.program), frame);
+  } else {
+    if (!(frames_.program == Frame{}))
+      warning("frame-deleted",
+              "CYCLE800 deletes the frame of TRANS, ROT, SCALE and MIRROR that is in force", word);
+    frames_.swivel = frame;
+  }
+  frames_.program = Frame{};
+  frames_.fine = Vec3{};
+  if (!(frame == Frame{}))
+    note_once("plane-level",
+              "CYCLE800 without a tilt: its zero is shifted by X0 Y0 Z0 and X1 Y1 Z1 and turned "
+              "about Z",
+              word, "CYCLE800");
+  rebuild();
+}
+
+// G11 X Y Z P of Okuma: the zero lies at X Y Z of the work offset, the plane is turned by P. What a
+// second G11 makes of the words that it leaves out is not known.
+bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  const Word* angle = take('P');
+  if (angle) named |= 8U;
+  if (modal_.incremental || (frames_.local_turned & ~named) != 0)
+    return error("not-supported",
+                 modal_.incremental
+                     ? "G11 (Okuma's local coordinates) in G91 is not supported: write it in G90"
+                     : "G11 again without words of the G11 in force is not supported: write them "
+                       "all, or G10 before it",
+                 word);
+  for (int i = 0; i < 3; ++i)
+    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+  frames_.program =
+      compose(shift_frame(zero), rotation_frame(kNormal[modal_.plane], angle ? angle->value : 0));
+  frames_.local_turned = named;
+  return true;
+}
+
+// The manuals forbid G52 between G68 and G69; what machines make of it differs.
+void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
+  if (is(Dialect::ngc)) {  // the shift of G92, which G92.1 to G92.3 act on
+    const double x = modal_.diameter == Code::diameter_on ? values.x / 2 : values.x;
+    for (int i = 0; i < 3; ++i)
+      if (named >> i & 1U) component(frames_.position_shift, i) = i == 0 ? x : component(values, i);
+    frames_.position_memory = frames_.position_shift;
+    return;
+  }
+  const Vec3 before = frames_.local;
+  for (int i = 0; i < 3; ++i)
+    if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+  if (frames_.rotation_angle != 0 && distance(before, frames_.local) > kRounding)
+    warning("rotation-shift",
+            "G52 while G68 is in force, which controls forbid: read as a shift along the axes that "
+            "are not turned; write G52 before G68",
+            word);
+}
+
+// I J K of G68, the direction of an axis: that of Z turns the plane G17 as no words do.
+bool FrameWords::turns_in_space() {
+  if (peek('A') || peek('B') || !(peek('I') || peek('J') || peek('K'))) return false;
+  const auto value = [&](char c) {
+    const Word* w = take(c);
+    return w ? w->value : 0;
+  };
+  const double i = value('I'), j = value('J'), k = value('K');
+  return i != 0 || j != 0 || k <= 0 || modal_.plane != 0;
+}
+
+// G68 A12 B25 R45 of Mach: A and B are the centre.
+bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
+  const Word* a = take('A');
+  const Word* b = take('B');
+  if (!a && !b) return true;
+  if (!a || !b) return error("value-missing", "G68 of Mach needs A and B, its centre", word);
+  if (modal_.plane != 0) return error("not-supported", "G68 A B of Mach is read in G17 only", word);
+  center = {a->value * scale(), b->value * scale(), 0};
+  return true;
+}
+
+// In G91, and beside I of Mach, the angle adds to the rotation in force, where there is one.
+void FrameWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
+                            const Word& word) {
+  if (adds && frames_.rotation_angle != 0) {
+    angle += frames_.rotation_angle;
+    note_once("rotation-adds", "G68 in G91 or with I adds its angle to the rotation in force", word,
+              "G68");
+  }
+  frames_.rotation_angle = angle;
+  frames_.rotation = about(rotation_frame(axis, angle), center);
+}
+
+// G51 P for all axes or I J K for each. Without a decimal point a factor counts thousandths from 10
+// on, and so does a computed one (P[1500+500]); below, it is the factor, as Centroid and Okuma have
+// it: FANUC's 0.002 would leave nothing of the part.
+bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
+  Vec3 factors{1, 1, 1};
+  const auto factor = [&](const Word& w) {
+    const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
+    const bool counts = (computed || !w.point) && std::abs(w.value) >= 10;
+    if (!computed && !w.point && !counts && w.value != 1)
+      reporter_.once(Severity::warning, "number-without-point",
+                     fmt::format("{} is read as a factor of {:g}; on a control that counts "
+                                 "thousandths it is {:g}",
+                                 text_of(w), w.value, w.value / 1000),
+                     w, "factor");
+    if (computed && counts)
+      note_once("number-without-point",
+                fmt::format("{} = {:g} is read as thousandths", text_of(w), w.value), w, "factor");
+    return counts ? w.value / 1000 : w.value;
+  };
+  if (!peek('P') && !peek('I') && !peek('J') && !peek('K'))
+    return error("value-missing",
+                 "G51 needs P, or I J K: without them the factor is a parameter of the control, or "
+                 "X Y Z are factors (Mach)",
+                 word);
+  if (const Word* p = take('P')) factors = {factor(*p), factor(*p), factor(*p)};
+  for (int i = 0; i < 3; ++i)
+    if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
+  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+    return error("value-range", "a scale factor must not be 0", word);
+  frames_.scaling = about(scale_frame(factors), center);
+  return true;
+}
+
+void FrameWords::set_mirror() {
+  frames_.mirror = Frame{};
+  if (!frames_.mirrored) return;
+  Vec3 factors{1, 1, 1};
+  for (int i = 0; i < 3; ++i)
+    if (frames_.mirrored >> i & 1U) component(factors, i) = -1;
+  frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
+}
+
+// G11 to G13 mirror X, Y or Z about the zero, one beside the other, G10 ends that; G72 S scales.
+bool FrameWords::fagor(Code code, const Word& word) {
+  save();
+  if (code == Code::fagor_mirror) {
+    const int g = static_cast<int>(word.value);
+    frames_.mirrored = g == 10 ? 0U : frames_.mirrored | 1U << (g - 11);
+    frames_.mirror_at = {};
+    set_mirror();
+  } else if (code == Code::fagor_scale) {
+    const double factor = take('S')->value;
+    if (!(factor > 1e-6 && factor < 1e6))
+      return error("value-range", "S of G72 is the scale, above 0", word);
+    frames_.scaling = scale_frame({factor, factor, factor});
+  } else if (!fagor_turn(word)) {
+    return false;
+  }
+  rebuild();
+  return true;
+}
+
+// G73 Q turns the plane further, about I J or the zero; alone it ends the rotation.
+bool FrameWords::fagor_turn(const Word& word) {
+  static constexpr int kNormal[] = {2, 1, 0, 2};
+  const Word* q = take('Q');
+  const Basis b = basis();
+  Vec3 center;
+  if (const Word* i = take('I')) center = center + i->value * length_unit(*i) * b.u;
+  if (const Word* j = take('J')) center = center + j->value * length_unit(*j) * b.v;
+  if (q && frames_.rotation_angle != 0 && distance(center, frames_.rotation_at) > kRounding)
+    return error("not-supported",
+                 "G73 about another centre while a rotation is in force: write G73 alone before it",
+                 word);
+  frames_.rotation_angle = q ? frames_.rotation_angle + q->value : 0;
+  frames_.rotation_at = center;
+  frames_.rotation = about(rotation_frame(kNormal[modal_.plane], frames_.rotation_angle), center);
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,30 @@
+// G10: work offsets and registers set by the program. What it sets lies over the tool table.
+// Private to src/interp.
+#pragma once
+
+#include "interp/frames/frame_words.h"
+
+namespace mrsim {
+
+class OffsetWords : public ControlPart {
+ public:
+  OffsetWords(Control& control, FrameWords& frames) : ControlPart(control), frame_words_(frames) {}
+  /// G10 L P of the block. False: an error was reported.
+  bool run();
+
+ private:
+  bool work(int l, int p);
+  void tell_of_machine(const WorkOffset& offset);
+  bool work_shift(const Word& where);
+  bool turned_offset(const Word& where);
+  Vec3 shift_to_here(const Vec3& old, const std::string& name);
+  void meet_unknown(const Frame& frame);
+  bool tool_life(const Word& where);
+  bool parameters(const Word& where);
+  bool tool_register(int l, int p, const Word& where);
+  std::string work_name(int l, int p) const;
+
+  FrameWords& frame_words_;
+};
+
+}  // namespace mrsim

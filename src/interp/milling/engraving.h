@@ -1,0 +1,45 @@
+// G47 of Haas mills: a text, or the serial number of #599, cut in letters. The places, heights and
+// depths are the program's, the letters those of a plain font. Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_mover.h"
+#include "interp/statements/statements.h"
+
+#include <optional>
+#include <string>
+
+namespace mrsim {
+
+class Engraving : public ControlPart {
+ public:
+  Engraving(Control& control, Statements* statements, AxisWords& axes, Moves& moves)
+      : ControlPart(control), statements_(statements), axes_(axes), mover_(control, moves) {}
+
+  /// The comment of the block is a text to engrave.
+  bool wants_block() const { return block_.oneshot && block_.oneshot_code == Code::engrave; }
+  /// The same before the meaning of the words is read.
+  static bool holds_text(const BlockWords& block);
+  /// False: an error was reported.
+  bool run();
+
+ private:
+  /// Lengths in mm, levels along Z.
+  struct Text {
+    std::string letters;
+    double height = 0, turn = 0;
+    double retract = 0, depth = 0;
+    double plunge = 0;  ///< feed; 0: the one in force
+  };
+
+  bool allowed();
+  bool read(Text& out);
+  bool read_letters(Text& out);
+  bool serial_number(std::string_view form, std::string& out);
+  void cut(const Text& text);
+
+  Statements* statements_;  ///< null: a control without a language
+  AxisWords& axes_;
+  CycleMover mover_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,60 @@
+#include "interp/milling/fagor_pockets.h"
+
+#include <cmath>
+
+namespace mrsim {
+
+bool FagorPockets::wants_block() const {
+  const FagorPocket& pocket = modal_.pocket;
+  if (pocket.number == 0 || pocket.number != modal_.drill.number) return false;
+  if (block_.oneshot || block_.frame_code) return false;
+  if (!pocket.begun) return true;
+  for (const char c : {'X', 'Y', 'Z'})
+    if (block_.open(letter(c))) return true;
+  return block_.open(Address::ap);
+}
+
+// To the place at the level of now, then the pocket.
+bool FagorPockets::run() {
+  FagorPocket& pocket = modal_.pocket;
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (!pocket.begun) pocket.initial = mover_.height();
+  pocket.begun = true;
+  const Word where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  mover_.begin(where);
+  mover_.rapid(in_plane(basis(), to.programmed));
+  return mills_.run(call(pocket), where, true);
+}
+
+// Z counts from the level before the cycle in G91, I from Z; D lies between Z and the part.
+CycleCall FagorPockets::call(const FagorPocket& pocket) const {
+  const auto level = [](const CycleLevel& from, double base) {
+    return !from.given ? base : from.incremental ? base + from.value : from.value;
+  };
+  const double reference = level(pocket.reference, pocket.initial);
+  const double bottom =
+      pocket.depth.incremental ? reference + pocket.depth.value : pocket.depth.value;
+  const double surface = reference + (bottom < reference ? -pocket.above : pocket.above);
+  const double top = modal_.hole_return == HoleReturn::safe ? reference : pocket.initial;
+  const bool round = pocket.number == 88;
+  CycleCall call;
+  call.name = round ? "POCKET4" : "POCKET3";
+  call.written = round ? "G88" : "G87";
+  call.values.resize(18);
+  const auto set = [&](std::size_t at, double value) { call.values[at] = Value::of(value); };
+  const double unit = scale();
+  set(0, top / unit);
+  set(1, surface / unit);
+  set(2, pocket.above / unit);
+  set(3, bottom / unit);
+  set(4, (round ? pocket.half_length : 2 * pocket.half_length) / unit);
+  if (!round) set(5, 2 * pocket.half_width / unit);
+  set(round ? 7 : 10, pocket.infeed / unit);
+  set(round ? 12 : 15, pocket.clockwise ? 1 : 0);
+  set(round ? 13 : 16, 11);  // down with the feed
+  set(round ? 14 : 17, pocket.width / unit);
+  return call;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,28 @@
+// G87 and G88 of Fagor's 8055, pockets about the place of their block and of those that follow.
+// They have the shape of POCKET3 and POCKET4, and are cut as these are. Private to src/interp.
+#pragma once
+
+#include "interp/frames/axis_words.h"
+#include "interp/milling/mill_cycles.h"
+
+namespace mrsim {
+
+class FagorPockets : public ControlPart {
+ public:
+  FagorPockets(Control& control, AxisWords& axes, ToolChanger& tools, Moves& moves)
+      : ControlPart(control), axes_(axes), mover_(control, moves), mills_(control, tools, moves) {}
+
+  /// A pocket is in force, and the block is its first or goes to another place.
+  bool wants_block() const;
+  /// False: an error was reported.
+  bool run();
+
+ private:
+  CycleCall call(const FagorPocket& pocket) const;
+
+  AxisWords& axes_;
+  CycleMover mover_;
+  MillCycles mills_;
+};
+
+}  // namespace mrsim

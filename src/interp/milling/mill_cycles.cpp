@@ -1,0 +1,270 @@
+// What the values of a milling cycle mean, and the areas that they describe.
+#include "interp/milling/mill_cycles.h"
+
+#include "core/rounding.h"
+#include "core/trig.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// Loops no farther apart than this share of the radius leave nothing between them, not even where
+// a corner is sharp: the square root of 2, a little less.
+constexpr double kWidest = 1.4;
+constexpr double kMostSlots = 10'000;
+
+Vec2 polar(double radius, double degrees) {
+  const SinCos sc = sincos_deg(degrees);
+  return {radius * sc.cos, radius * sc.sin};
+}
+
+}  // namespace
+
+bool MillCycles::knows(std::string_view name) { return find_mill_list(name) != nullptr; }
+
+bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position) {
+  call_ = &call;
+  list_ = find_mill_list(call.name);
+  where_ = where;
+  at_position_ = at_position;
+  mover_.begin(where);
+  if (modal_.comp != Code::comp_off)
+    return fail("cycle-compensation", "a milling cycle under radius compensation: G40 before it");
+  radius_ = tools_.radius_for(call.shown(), modal_.edge, where_);
+  if (radius_ <= 0) return false;
+  if (call.name == "POCKET1" || call.name == "POCKET3") return rectangle();
+  if (call.name == "POCKET2" || call.name == "POCKET4") return circle();
+  if (call.name == "SLOT1" || call.name == "LONGHOLE") return slots();
+  if (call.name == "SLOT2") return arc_slots();
+  if (call.name == "CYCLE76" || call.name == "CYCLE77") return spigot();
+  if (call.name == "CYCLE899") return open_slot();
+  return call.name == "CYCLE90" ? thread() : face();
+}
+
+bool MillCycles::depth(Levels& l) {
+  const double unit = scale();
+  if (!call_->given(0) || !call_->given(1) || (!call_->given(3) && value(list_->dpr) == 0))
+    return fail("value-missing",
+                fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->shown()));
+  l.top = call_->get(0) * unit;
+  l.reference = call_->get(1) * unit;
+  const double down = l.top < l.reference ? 1 : -1;
+  l.safe = l.reference - down * std::abs(call_->get(2)) * unit;
+  const int amode = list_->amode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->amode), 0);
+  const double dpr = value(list_->dpr);
+  l.bottom = call_->get(3) * unit;
+  if (amode == 1) l.bottom = l.reference + down * std::abs(call_->get(3)) * unit;
+  if (amode == 0 && dpr != 0) l.bottom = l.reference + down * std::abs(dpr) * unit;
+  if ((l.bottom - l.reference) * down <= 0)
+    return fail("value-range",
+                fmt::format("{}: the depth does not lie below the reference plane (alarm 61101)",
+                            call_->shown()));
+  return true;
+}
+
+// The unit of MODE says what is cut, its ten how the tool goes down; POCKET1, POCKET2 and slots
+// know 0, both roughing and finishing.
+bool MillCycles::modes(Levels& l) {
+  const int kind = static_cast<int>(value(list_->mode)) % 10;
+  if (kind == 5)
+    return fail("not-supported", fmt::format("{}: chamfering is not supported yet", call_->name));
+  l.rough = kind <= 1;
+  l.finish = kind != 1;
+  if (list_->mode < 0 || kind == 0) l.rough = l.finish = true;
+  if (kind == 4) l.floor = 0;
+  l.entry = static_cast<int>(value(list_->mode)) / 10 % 10;
+  if (list_->helix < 0) l.entry = list_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
+  if (l.entry > 3) return fail("value-range", "the way of going down is 0 to 3");
+  l.helix = value(list_->helix);
+  l.helix_lead = value(list_->helix < 0 ? -1 : list_->helix + 1) * scale();
+  const int direction = static_cast<int>(value(list_->direction));
+  l.clockwise = direction == 1 || direction == 2;
+  return true;
+}
+
+bool MillCycles::levels(Levels& l) {
+  if (!depth(l)) return false;
+  const double unit = scale();
+  l.infeed = std::abs(value(list_->infeed)) * unit;
+  l.finish_infeed = std::abs(value(list_->finish_infeed)) * unit;
+  l.side = std::abs(value(list_->side)) * unit;
+  l.floor = std::abs(value(list_->floor)) * unit;
+  l.feed = value(list_->feed) * feed_scale();
+  l.plunge = value(list_->plunge) * feed_scale();
+  if (l.plunge <= 0) l.plunge = l.feed;
+  double width = std::abs(value(list_->width_step)) * unit;
+  const bool share =
+      list_->amode >= 0 && call_->digit(static_cast<std::size_t>(list_->amode), 1) == 1;
+  if (share) width = width / unit * radius_ / 50;  // per cent of the diameter
+  l.width = width > 0 ? std::clamp(width, 0.02 * radius_, kWidest * radius_) : kWidest * radius_;
+  if (l.feed < 0 || l.plunge < 0) return fail("feed-range", "the feeds must be above 0");
+  if (std::abs(l.bottom - l.reference) <= l.floor)
+    return fail("value-range", "the allowance at the floor is larger than the depth");
+  return modes(l);
+}
+
+// PA PO; by MCALL without them the place of the tool.
+bool MillCycles::reference_place(Vec2& out) {
+  const auto at = static_cast<std::size_t>(list_->at);
+  out = {call_->get(at) * scale(), call_->get(at + 1) * scale()};
+  const bool given = call_->get(at) != 0 || call_->get(at + 1) != 0;
+  if (at_position_ && given)
+    return fail("not-supported",
+                fmt::format("MCALL {} with a place of its own is not supported yet", call_->name));
+  if (at_position_ || (!call_->given(at) && !call_->given(at + 1))) out = mover_.place();
+  return true;
+}
+
+// The centre, where a corner or an end is given.
+bool MillCycles::center(double length, double width, double degrees, Vec2& out) {
+  if (!reference_place(out)) return false;
+  const int from = list_->gmode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->gmode), 3);
+  if (from > 5) return fail("value-range", "GMODE: the reference point is 0 to 5");
+  if (from < 2) return true;
+  const double x = from % 2 == 0 ? 0.5 : -0.5, y = from < 4 ? 0.5 : -0.5;
+  const Vec2 along = polar(x * length, degrees), across = polar(y * width, degrees + 90);
+  out = out + along + across;
+  return true;
+}
+
+std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, double degrees,
+                                     const std::function<Loop(double)>& make) {
+  last = std::max(0.0, last);
+  const int n = last < kRounding ? 0 : steps_of(last, l.width);
+  std::vector<Loop> loops;
+  for (int k = 0; k <= n; ++k) {
+    const Loop loop = make(n == 0 ? 0 : last * k / n);
+    if (!loop.empty()) loops.push_back(placed(l.clockwise ? reversed(loop) : loop, at, degrees));
+  }
+  return loops;
+}
+
+bool MillCycles::rectangle() {
+  Levels l;
+  if (!levels(l)) return false;
+  const double unit = scale(), degrees = value(list_->start);
+  double length = value(list_->length) * unit, width = value(list_->width) * unit, turn = degrees;
+  if (length <= 0 || width <= 0)
+    return fail("value-range", "the length and the width of a pocket must be above 0");
+  Vec2 at;
+  if (!center(length, width, degrees, at)) return false;
+  if (width > length) {
+    std::swap(length, width);
+    turn += 90;
+  }
+  const double a = length / 2 - radius_, b = width / 2 - radius_;
+  const double corner = std::min(std::abs(value(list_->corner)) * unit, width / 2);
+  const double round = std::max(0.0, corner - radius_);
+  if (b - l.side < -kRounding)
+    return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
+  Area area;
+  area.entry = at;
+  area.degrees = turn;
+  area.swing = a - b;
+  area.helix = b;
+  area.loops = [=](double aside) {
+    return nested(l, b - aside, at, turn, [=](double half) {
+      const double in = b - half;
+      return rounded_rectangle(a - in, half, std::min(std::max(0.0, round - in), half));
+    });
+  };
+  return clear(l, area);
+}
+
+bool MillCycles::circle() {
+  Levels l;
+  Vec2 at;
+  if (!levels(l) || !reference_place(at)) return false;
+  if (list_->name == "POCKET4" && value(23) >= 100)
+    return fail("not-supported",
+                "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
+                "is not supported yet: write the list up to DP1, with a radius");
+  const double reach = std::abs(value(list_->radius)) * scale() - radius_;
+  if (reach - l.side < -kRounding)
+    return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
+  Area area;
+  area.entry = at;
+  area.helix = reach;
+  area.loops = [=](double aside) { return nested(l, reach - aside, at, 0, circle_loop); };
+  return clear(l, area);
+}
+
+int MillCycles::count(double& first, double& step, double whole) {
+  const double number = call_->given(static_cast<std::size_t>(list_->num)) ? value(list_->num) : 1;
+  if (number < 1 || number > kMostSlots) return 0;
+  const int n = static_cast<int>(number);
+  first = value(list_->start);
+  step = value(list_->step);
+  if (step == 0) step = whole / n;
+  return n;
+}
+
+// Slots along the radii of a circle, their inner ends on it; LONGHOLE's are as wide as the cutter.
+bool MillCycles::slots() {
+  Levels l;
+  Vec2 middle;
+  if (!levels(l) || !reference_place(middle)) return false;
+  double first = 0, step = 0;
+  const int n = count(first, step, 360);
+  const double unit = scale(), length = std::abs(value(list_->length)) * unit;
+  const double width = list_->width < 0 ? 2 * radius_ : std::abs(value(list_->width)) * unit;
+  const double b = width / 2 - radius_, a = length / 2 - radius_;
+  const int from = list_->gmode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->gmode), 3);
+  if (n == 0 || from > 5) return fail("value-range", "the number of slots is 1 to 10000");
+  if (b - l.side < -kRounding || length < width)
+    return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
+  if (list_->name == "SLOT1") l.helix = std::abs(value(23));  // STA2: the angle of swinging
+  // The centre of the slot: behind its inner end, or as GMODE says.
+  static constexpr double kEnd[] = {1, 0, 1, -1, 1, -1};
+  const double inset = from == 2 || from == 3 ? width / 2 : 0;
+  const double out = std::abs(value(list_->radius)) * unit + kEnd[from] * (length / 2 - inset);
+  for (int i = 0; i < n; ++i) {
+    const double turn = first + i * step;
+    Area area;
+    area.entry = middle + polar(out, turn);
+    area.degrees = turn;
+    area.swing = a - b;
+    const Vec2 at = area.entry;
+    area.loops = [=](double aside) {
+      return nested(l, b - aside, at, turn,
+                    [=](double half) { return rounded_rectangle(a - b + half, half, half); });
+    };
+    if (!clear(l, area)) return false;
+  }
+  return true;
+}
+
+// Slots along a circle; AFSL is the angle between the centres of their ends.
+bool MillCycles::arc_slots() {
+  Levels l;
+  Vec2 middle;
+  if (!levels(l) || !reference_place(middle)) return false;
+  double first = 0, step = 0;
+  const int n = count(first, step, 360);
+  const double unit = scale(), round = std::abs(value(list_->radius)) * unit;
+  const double b = std::abs(value(list_->width)) * unit / 2 - radius_;
+  const double angle = radians(std::abs(value(list_->length)));
+  if (n == 0) return fail("value-range", "the number of slots is 1 to 10000");
+  if (b - l.side < -kRounding)
+    return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
+  if (angle <= 0 || angle > 2 * kPi || b >= round)
+    return fail("value-range", "AFSL is an angle up to 360 and RAD larger than half the width");
+  for (int i = 0; i < n; ++i) {
+    const double turn = first + i * step;
+    Area area;
+    area.entry = middle + polar(round, turn);
+    area.loops = [=](double aside) {
+      return nested(l, b - aside, middle, turn,
+                    [=](double half) { return arc_slot(round, angle, half); });
+    };
+    if (!clear(l, area)) return false;
+  }
+  return true;
+}
+
+}  // namespace mrsim

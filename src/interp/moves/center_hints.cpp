@@ -1,0 +1,88 @@
+#include "interp/moves/center_hints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kAgree = 0.01;                             // mm: two radii are one
+constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};  // axes of G17, G18, G19
+
+}  // namespace
+
+void CenterHints::full_circle(const ArcBlock& arc, Vec2 center) {
+  if (modal_.plane > 2 || modal_.center_absolute) return;
+  sign(arc, center);
+  if (!is(Dialect::sinumerik) && !modal_.center_told) place(arc, center);
+}
+
+// A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
+// centre at X25; I-12.5 would close on X0".
+void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
+  const Vec2 d = center - arc.start, zero = arc.start - d;
+  const double far = length(center);
+  if (length(zero) > kSamePoint || far <= kSamePoint) return;
+  const bool first = std::abs(d.x) >= std::abs(d.y);
+  const int axis = first ? kFirst[modal_.plane] : kSecond[modal_.plane];
+  const double word = first ? d.x : d.y, at = first ? center.x : center.y;
+  note_once("arc-center-sign",
+            fmt::format("{0}{1:.6g} puts the centre at {2}{3:.6g}; {0}{4:.6g} would close on {2}0",
+                        "IJK"[axis], word, "XYZ"[axis], at, -word),
+            *arc.where, fmt::format("{}:{}", block_.file, block_.line_number));
+}
+
+// I and J name the place that the tool comes from: the middle of the hole that it is in. As offsets
+// they are about a point where it never was.
+void CenterHints::place(const ArcBlock& arc, Vec2 center) {
+  const Vec2 at = center - arc.start, from = in_plane(arc.basis, position_.before);
+  const double radius = length(at);
+  if (!position_.has_before || length(from - at) > kAgree) return;
+  if (length(arc.start) <= kAgree) return;                         // offset and place are one
+  if (std::abs(length(from - center) - radius) <= kAgree) return;  // across the circle
+  const char first = "XYZ"[kFirst[modal_.plane]], second = "XYZ"[kSecond[modal_.plane]];
+  reporter_.once(
+      Severity::warning, "arc-center-place",
+      fmt::format("the circle is read about {0}{2:.6g} {1}{3:.6g}, radius {4:.6g}; the tool comes "
+                  "from {0}{5:.6g} {1}{6:.6g}: if that is the centre, write {7} before it (radius "
+                  "{8:.6g})",
+                  first, second, center.x, center.y, radius, at.x, at.y, place_mode(),
+                  length(arc.start - at)),
+      *arc.where, "arc-center-place");
+}
+
+const char* CenterHints::place_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }
+
+// "I12.5 puts the centre at X25; I-12.5 would close on X0": what makes the radii agree, which
+// differ by `apart`: a sign, or the centre as a place.
+std::string CenterHints::for_radii(const ArcBlock& arc, Vec2 c, double apart) const {
+  const Vec2 d = c - arc.start;
+  const int first = kFirst[modal_.plane % 3], second = kSecond[modal_.plane % 3];
+  const auto radii = [&](Vec2 center) {
+    return std::pair(length(arc.start - center), length(arc.end - center));
+  };
+  const auto [place_start, place_end] = radii(d);
+  if (!is(Dialect::sinumerik) && !modal_.center_absolute &&
+      std::abs(place_start - place_end) <= kAgree)
+    return fmt::format(
+        "; about {}{:.6g} {}{:.6g} both would be {:.6g}: do {} and {} say where the centre is "
+        "({})?",
+        "XYZ"[first], d.x, "XYZ"[second], d.y, place_start, "IJK"[first], "IJK"[second],
+        place_mode());
+  for (const Vec2 flip : {Vec2{-1, 1}, Vec2{1, -1}, Vec2{-1, -1}}) {
+    const Vec2 other = arc.start + Vec2{flip.x * d.x, flip.y * d.y};
+    const auto [rs, re] = radii(other);
+    if (std::abs(rs - re) > std::min(0.02 * rs, apart / 4)) continue;
+    std::string words;
+    if (flip.x < 0 && d.x != 0) words += fmt::format("{}{:.6g}", "IJK"[first], -d.x);
+    if (flip.y < 0 && d.y != 0)
+      words += fmt::format("{}{}{:.6g}", words.empty() ? "" : " ", "IJK"[second], -d.y);
+    return fmt::format("; {} would give {:.6g} and {:.6g}, is a sign wrong?", words, rs, re);
+  }
+  return {};
+}
+
+}  // namespace mrsim

@@ -1,0 +1,253 @@
+#include "interp/moves/motion_emitter.h"
+
+#include "core/rounding.h"
+#include "interp/tools/tool_changer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kAllBlocks = static_cast<std::size_t>(-1);
+constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
+constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
+
+}  // namespace
+
+MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
+    : ControlPart(control),
+      words_(compensation),
+      sink_(sink),
+      corners_(control.reporter, [this](const PathMove& m) { compensation_.push(m); }),
+      compensation_(control.reporter, [this](const PathMove& m) { give(m); }),
+      captured_corners_(control.reporter,
+                        [this](const PathMove& m) { captured_->push_back(m.motion); }) {}
+
+void MotionEmitter::capture(std::vector<Motion>* contour) {
+  if (!contour) captured_corners_.flush();
+  captured_ = contour;
+}
+
+void MotionEmitter::flush() {
+  corners_.flush();
+  compensation_.flush();
+  give_dwells(kAllBlocks);
+}
+
+void MotionEmitter::dwell(double seconds) {
+  if (captured_ || !(seconds > 0) || !std::isfinite(seconds)) return;
+  const Dwell dwell{0, seconds, control_.tool.index, block_.file, block_.line_number, block_.call};
+  if (idle_) return sink_.dwell(dwell);
+  if (!dwells_.empty() && !moved_ && dwells_.back().dwell.tool == dwell.tool) {
+    dwells_.back().dwell.seconds += seconds;  // a loop of them takes no memory
+    return;
+  }
+  dwells_.push_back({block_.number, dwell});
+  moved_ = false;
+}
+
+// A dwell comes before the motions of the blocks behind it.
+void MotionEmitter::give(const PathMove& move) {
+  if (!dwells_.empty()) give_dwells(move.block);
+  sink_.motion(move.motion);
+}
+
+void MotionEmitter::give_dwells(std::size_t block) {
+  std::size_t given = 0;
+  for (; given < dwells_.size() && dwells_[given].block < block; ++given)
+    sink_.dwell(dwells_[given].dwell);
+  dwells_.erase(dwells_.begin(), dwells_.begin() + static_cast<std::ptrdiff_t>(given));
+}
+
+void MotionEmitter::emit(const Motion& motion) {
+  emit(motion, motion.kind == MotionKind::rapid ? CornerSpec{} : corner_spec());
+}
+
+void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
+  position_.new_tool = false;
+  position_.told_axes = 0;
+  if (captured_) {
+    if (captured_->size() >= kMostCaptured) return;
+    PathMove path;
+    path.motion = motion;
+    path.basis = stock_basis();
+    path.corner = corner;
+    path.block = block_.number;
+    return captured_corners_.push(path);
+  }
+  if (lathe()) turn_to_plus(motion);
+  if (motion.kind != MotionKind::rapid) {
+    note_zero();
+    motion.tool = control_.tool.index;
+    if (lathe()) refuse_live_tool(motion);
+    if (position_.known == 7U)
+      unknown_starts_ = 0;
+    else
+      warn_unknown_start(motion);
+  }
+  if (lathe()) refuse_undescribed_drill(motion);
+  motion.start.z += last_length_;
+  motion.end.z += modal_.length_offset;
+  motion.center.z += modal_.length_offset;
+  last_length_ = modal_.length_offset;
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= kRounding) {
+    for (const Address a : {Address::rnd, Address::chr, Address::chf})
+      if (const Word* word = find(a); word && corner.kind != CornerSpec::Kind::none)
+        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
+                *word);
+    return;
+  }
+  const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
+  if (plain && idle_) return sink_.motion(motion);
+  PathMove path;
+  path.motion = motion;
+  path.basis = stock_basis();
+  path.corner = corner;
+  path.comp = words_.for_move();
+  path.block = block_.number;
+  moved_ = true;
+  corners_.push(path);
+  idle_ = corners_.idle() && compensation_.idle();
+  if (idle_) give_dwells(kAllBlocks);
+}
+
+// An insert that works at X below 0, beyond the axis as seen from the others, points to +X. Turned
+// about the axis by half a turn it cuts the same, as a tool at X above 0: so inserts need to be
+// known for one side only.
+void MotionEmitter::turn_to_plus(Motion& motion) {
+  ToolState& tool = control_.tool;
+  const bool before = tool.below;
+  if (motion.end.x > kBeyondAxis)
+    tool.below = false;
+  else if (motion.kind == MotionKind::rapid && motion.end.x < -kBeyondAxis && may_stand_below())
+    tool.below = true;
+  const bool whole = motion.kind == MotionKind::arc;
+  const bool turned = before || (tool.below && motion.start.x < 0);  // where another tool left it
+  if (whole ? tool.below : turned) motion.start.x = -motion.start.x;
+  if (!tool.below) return;
+  motion.end.x = -motion.end.x;
+  motion.center.x = -motion.center.x;
+  motion.sweep = -motion.sweep;
+  if (!before)
+    note_once("x-below-zero",
+              fmt::format("tool {} works at X below 0: its moves are read as those at X above 0, "
+                          "which cut the same",
+                          tool.current.empty() ? "(none named)" : tool.current),
+              block_.words.front(), tool.current);
+}
+
+// A tip that the tool table gives is that on the side where the tool works.
+bool MotionEmitter::may_stand_below() const {
+  const ToolState& state = control_.tool;
+  if (state.index >= 0 && !is_turning(program_.tools[static_cast<std::size_t>(state.index)].type))
+    return false;
+  const std::vector<Tool>& given = options_.table.tools;
+  return std::none_of(given.begin(), given.end(), [&](const Tool& tool) {
+    return (tool.id == state.current || tool.id.empty()) && tool.tip > 0;
+  });
+}
+
+// On a lathe TRANS and G52 lead from the chuck to the part's face, on a mill to a place on the
+// part.
+void MotionEmitter::note_zero() {
+  double height = frames_.work.z + frames_.position_shift.z;
+  if (lathe() && frames_.program.plain) height += frames_.program.shift.z + frames_.local.z;
+  program_.zero_height = cuts_ == 0 ? height : std::max(program_.zero_height, height);
+  ++cuts_;
+}
+
+// Cuts from an unknown place are not swept. One alone is the way to the first point.
+void MotionEmitter::warn_unknown_start(const Motion& motion) {
+  if (++unknown_starts_ != 2 || reporter_.errors() > 0) return;
+  std::string axes;
+  for (int i = 0; i < 3; ++i)
+    if ((position_.known >> i & 1U) == 0)
+      axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "XYZ"[i]);
+  reporter_.once_at(Severity::warning, "start-unknown",
+                    fmt::format("cuts are left out here, because where {} {} was never given: say "
+                                "--start X,Y,Z",
+                                axes, axes.size() > 1 ? "are" : "is"),
+                    motion, "start");
+}
+
+// In along the axis with the feed and back: a drill, which the insert that tools without data are
+// taken to have is not.
+void MotionEmitter::refuse_undescribed_drill(const Motion& motion) {
+  const double away = motion.end.z - motion.start.z;
+  const bool axial = std::abs(motion.start.x) < kOnAxis && std::abs(motion.end.x) < kOnAxis;
+  const bool drilled = bored_ && axial && away > 0;
+  bored_ = axial && away < -kOnAxis && motion.kind == MotionKind::line && !motion.assumed_start;
+  if (!drilled || motion.tool < 0) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
+  if (!is_turning(tool.type) || !tool.origin.starts_with(kNoToolData)) return;
+  reporter_.once_at(
+      Severity::error, "tool-unknown",
+      fmt::format("tool {0} goes in and out along the axis, as a drill does, but there are no data "
+                  "for it: give --tool {0}=drill:d=10, or say in a comment what it is (T{0} BAR "
+                  "STOP)",
+                  tool.id),
+      control_.tool.place, "drill:" + tool.id);
+}
+
+// A cutter that turns by itself leaves a body of revolution on the axis only.
+void MotionEmitter::refuse_live_tool(const Motion& motion) {
+  if (motion.tool < 0) return;
+  const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
+  if (is_turning(tool.type) || tool.diameter == 0) return;  // without data: told at its T word
+  const double beside =
+      std::max(motion.assumed_start ? 0.0 : std::abs(motion.start.x), std::abs(motion.end.x));
+  if (beside <= kOnAxis) return;
+  reporter_.once_at(
+      Severity::error, "live-tool",
+      fmt::format("{}{} cuts {:.4g} mm beside the axis of a lathe: a live tool is not supported "
+                  "yet; for a bar that bores give --tool {}boring:..., for a mill --machine mill",
+                  tool.id.empty() ? "" : fmt::format("tool {}: ", tool.id), tool_summary(tool),
+                  beside, tool.id.empty() ? "" : tool.id + "="),
+      motion, "live-tool:" + tool.id);
+}
+
+// FANUC lathes: R, or C and (in the direction of the next block) I and K, without a comma, beside
+// one axis. In cycles they have meanings of their own.
+void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
+  if (modal_.turn.number != 0 || modal_.drill.number != 0 || block_.turn_cycle != 0) return;
+  const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
+  if (x == z) return;
+  round = take('R');
+  leg = take('C');
+  if (!leg) leg = take(z ? 'I' : 'K');
+}
+
+CornerSpec MotionEmitter::corner_spec() {
+  CornerSpec spec;
+  const Word* round = take(Address::rnd);
+  const Word* leg = take(Address::chr);
+  const Word* cut = take(Address::chf);
+  const Word* feed = take(Address::frc);
+  if (lathe() && is(Dialect::fanuc) && current_motion() == Code::line && !round && !leg)
+    turned_corner(round, leg);
+  using Kind = CornerSpec::Kind;
+  const auto size = [&](const Word& word) {  // I and K have the sign of the direction
+    const bool directed = word.address < Address::function;
+    return (directed ? std::abs(word.value) : word.value) * length_unit(word);
+  };
+  if (round) {
+    spec = {Kind::round, size(*round), 0};
+  } else if (leg) {
+    spec = {Kind::leg, size(*leg), 0};
+  } else if (cut) {
+    spec = {Kind::cut, cut->value * scale(), 0};
+  } else if (modal_.rndm > 0) {
+    spec = {Kind::round, modal_.rndm, 0};
+  }
+  for (const Word* word : {round, leg, cut})
+    if (word && word->value < 0 && word->address >= Address::function)
+      warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
+  if (spec.size <= 0) spec.kind = Kind::none;
+  spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
+  return spec;
+}
+
+}  // namespace mrsim

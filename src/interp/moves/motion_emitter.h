@@ -1,0 +1,66 @@
+// The way out for finished moves: tool length, corner rounding, radius compensation, sink.
+// Private to src/interp.
+#pragma once
+
+#include "interp/motion_sink.h"
+#include "interp/path/compensation.h"
+#include "interp/tools/compensation_words.h"
+
+#include <vector>
+
+namespace mrsim {
+
+class MotionEmitter : public ControlPart {
+ public:
+  MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink);
+
+  /// Gives a move on, with the corner words of its block.
+  void emit(const Motion& motion);
+  void emit(Motion motion, const CornerSpec& corner);
+  /// The tool stays behind the motions so far, those of contours excepted.
+  void dwell(double seconds);
+  /// RND CHF CHR of the block, else RNDM.
+  CornerSpec corner_spec();
+  /// What is held back goes out: the program ends.
+  void flush();
+  /// Motions of a contour that are kept.
+  static constexpr std::size_t kMostCaptured = 1'000'000;
+  /// From now on motions go to `contour`, corners inserted and without compensation; null: they go
+  /// on again. Motions before it are given on.
+  void capture(std::vector<Motion>* contour);
+  bool captures() const { return captured_ != nullptr; }
+  /// Lines and arcs given on.
+  std::size_t cuts() const { return cuts_; }
+
+ private:
+  void note_zero();
+  void turn_to_plus(Motion& motion);
+  bool may_stand_below() const;
+  void refuse_undescribed_drill(const Motion& motion);
+  void refuse_live_tool(const Motion& motion);
+  void warn_unknown_start(const Motion& motion);
+  void give(const PathMove& move);
+  void give_dwells(std::size_t block);
+  void turned_corner(const Word*& round, const Word*& leg);
+
+  CompensationWords& words_;
+  MotionSink& sink_;
+  CornerStage corners_;
+  CompensationStage compensation_;
+  std::vector<Motion>* captured_ = nullptr;
+  CornerStage captured_corners_;
+  /// A dwell behind motions that are held back.
+  struct HeldDwell {
+    std::size_t block = 0;
+    Dwell dwell;
+  };
+  std::vector<HeldDwell> dwells_;
+  bool moved_ = false;  ///< since the last of them
+  bool idle_ = true;
+  double last_length_ = 0;
+  bool bored_ = false;  ///< the last motion fed along the axis of a lathe
+  std::size_t cuts_ = 0;
+  int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
+};
+
+}  // namespace mrsim

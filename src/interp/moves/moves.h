@@ -1,0 +1,95 @@
+// From the words of a block to Motions: lines, rapids, threads, arcs, and what every motion
+// carries. Moves the position. Private to src/interp.
+#pragma once
+
+#include "interp/frames/frame_words.h"
+#include "interp/moves/arc_solver.h"
+#include "interp/moves/motion_emitter.h"
+#include "interp/moves/spline_words.h"
+
+namespace mrsim {
+
+class Moves : public ControlPart {
+ public:
+  Moves(Control& control, AxisWords& axes, FrameWords& frames, ToolChanger& tools,
+        CompensationWords& compensation, MotionEmitter& out)
+      : ControlPart(control),
+        axes_(axes),
+        frame_words_(frames),
+        tools_(tools),
+        compensation_(compensation),
+        out_(out),
+        arcs_(control, axes),
+        splines_(control, axes) {}
+
+  /// The move of the block. False: an error was reported.
+  bool run();
+  /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
+  /// force.
+  void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  /// The same; compensation may begin or end with it.
+  bool compensated_step(const Target& to, const Word& where, double feed,
+                        MotionKind kind = MotionKind::line);
+  /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
+  /// error was reported.
+  bool solved_arc(const SolvedArc& arc, double feed = 0) {
+    return emit_arc(arc, frame_words_.now(), feed);
+  }
+  /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
+  /// force; its place in the text stays.
+  void follow(const Motion& like, const Vec3& shift, const Word& where);
+  /// A rapid of `axes` to a place in machine coordinates, or to where only the machine knows.
+  void to_place(const Vec3* place, unsigned axes, const Word& where);
+  /// The same, to a place in the stock's coordinates.
+  void to_stored(const Vec3& place, unsigned axes, const Word& where);
+  /// `axes` went to where only the machine knows.
+  void unknown(unsigned axes, const Word& where);
+  /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.
+  void guess_retract(const Word& where);
+  /// The tool stays where it is; no time where `seconds` is not above 0.
+  void dwell(double seconds) { out_.dwell(seconds); }
+  /// The position becomes `to`, without a path.
+  void jump(const Target& to);
+  /// A block ANG= waits for the next one.
+  bool waits() const { return pending_angle_.active; }
+  /// The program ends.
+  void finish();
+
+ private:
+  /// The first of two blocks ANG=: it waits for the second.
+  struct PendingAngle {
+    bool active = false;
+    double angle = 0;
+    Motion motion;
+    CornerSpec corner;
+  };
+
+  bool machine_move();
+  bool probe();
+  bool line(const Target& to, const Frame& frame);
+  bool arc(const Vec3& from, const Frame& frame);
+  bool spline(const Vec3& from, const Frame& frame);
+  bool emit_arc(const SolvedArc& arc, const Frame& frame, double feed = 0);
+  bool hold_angle(const Word& ang);
+  bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
+  bool thread_values(const Target& to, const Vec3& from);
+  void sinumerik_lead(const Vec3& path);
+  Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
+  void begin_cut(const Word& where, bool has_feed);
+  void compare_origins(const Word& where);
+  void commit(const Target& to, const Frame& frame, Motion& motion);
+
+  AxisWords& axes_;
+  FrameWords& frame_words_;
+  ToolChanger& tools_;
+  CompensationWords& compensation_;
+  MotionEmitter& out_;
+  ArcSolver arcs_;
+  SplineWords splines_;
+  PendingAngle pending_angle_;
+  std::string assumed_origin_;  ///< the first work offset that cuts without an entry
+  bool feed_warned_ = false;
+  bool retract_guessed_ = false;  ///< by M25, see guess_retract()
+};
+
+}  // namespace mrsim

@@ -1,0 +1,35 @@
+// LinuxCNC's splines in the plane: G5 (cubic), G5.1 (quadratic), and NURBS (G5.2 to G5.3), as arcs
+// within a micrometre.
+// Private to src/interp.
+#pragma once
+
+#include "interp/moves/point_arcs.h"
+#include "interp/path/spline.h"
+
+namespace mrsim {
+
+class SplineWords : public ControlPart {
+ public:
+  SplineWords(Control& control, AxisWords& axes) : ControlPart(control), axes_(axes) {}
+  /// The lines and arcs of the block's spline. False: an error was reported.
+  bool solve(const Vec3& from, std::vector<SolvedArc>& out);
+
+  /// A block of a NURBS: G5.2 and those behind it give control points.
+  bool control_point(const Vec3& from);
+  /// G5.3: the lines and arcs of the NURBS.
+  bool close(const Vec3& from, std::vector<SolvedArc>& out);
+  /// A NURBS has been opened and not closed.
+  bool open() const { return !nurbs_.empty(); }
+  void forget() { nurbs_.clear(); }
+
+ private:
+  void pieces(const std::vector<CurvePiece>& curve, const Target& to, const Vec3& from,
+              const Word& where, std::vector<SolvedArc>& out);
+  bool offset(char first, char second, const Word& where, Vec2& out);
+
+  AxisWords& axes_;
+  std::vector<NurbsPoint> nurbs_;
+  int order_ = 3;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,76 @@
+// The leads of threads and taps that a motion's block gives.
+#include "core/units.h"
+#include "interp/moves/moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
+
+}  // namespace
+
+// E of FANUC's lathes is a lead with more digits than F (0T, Haas; so Mastercam posts in inches);
+// in the format of series 10, 11 and 15 it is the number of threads in an inch.
+std::optional<double> ControlPart::thread_lead() {
+  if (const Word* f = take('F')) return f->value * feed_scale();
+  const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;
+  if (!e) return std::nullopt;
+  const bool counts = e->value > kLargestLead[modal_.inch_feed ? 1 : 0];
+  note_once("thread-lead",
+            fmt::format("{} is read as {}", text_of(*e),
+                        counts ? "the number of threads in an inch" : "the lead of the thread"),
+            *e, "lead-in-e");
+  return counts ? kMmPerInch / e->value : e->value * feed_scale();
+}
+
+// Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
+// hand of the thread; that of a cut thread follows from the spindle and the direction.
+bool Moves::thread_values(const Target& to, const Vec3& from) {
+  const Code code = current_motion();
+  take(Address::sf);
+  const Vec3 d = to.programmed - from;
+  if (code == Code::tap_floating) {
+    modal_.lead = modal_.speed > 0 ? modal_.feed / modal_.speed : 0;
+    return true;
+  }
+  if (!is(Dialect::sinumerik)) {
+    if (is(Dialect::fanuc)) take('Q');  // the spindle's angle at the start
+    const Word* other = take('K');
+    std::optional<double> lead = thread_lead();
+    if (is(Dialect::iso) && lathe()) {  // L of Fagor's lathes, Q the angle
+      if (const Word* l = take('L')) lead = l->value * feed_scale();
+      take('Q');
+    }
+    if (other && !lead) lead = other->value * feed_scale();
+    if (lead) modal_.lead = *lead;
+  } else {
+    const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    double longest = -1;
+    const Word* used = nullptr;
+    for (int i = 0; i < 3; ++i) {
+      const Word* lead = take("IJK"[i]);
+      if (!lead || along[i] <= longest) continue;
+      longest = along[i];
+      used = lead;
+      modal_.lead = lead->value * scale();
+    }
+    if (used && longest < *std::max_element(std::begin(along), std::end(along)))
+      warning("thread-lead", "the lead belongs to the axis of the longer path, and this is another",
+              *used);
+  }
+  if (modal_.lead == 0)
+    return error("thread-lead", "a thread needs its lead",
+                 block_.motion_code ? *block_.motion_code : *to.first);
+  if (modal_.lead < 0 && code != Code::tap_in && code != Code::tap_out)
+    return error("thread-lead", "the lead of a cut thread is above 0",
+                 block_.motion_code ? *block_.motion_code : *to.first);
+  return true;
+}
+
+}  // namespace mrsim

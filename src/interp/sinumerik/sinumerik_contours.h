@@ -1,0 +1,88 @@
+// SINUMERIK cycles along a contour of the program: CYCLE62 names it, CYCLE72 mills along it,
+// CYCLE95 turns down to it. The contour's blocks are read like any others with their motions kept;
+// then the passes follow from them. Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_call.h"
+#include "interp/cycles/cycle_mover.h"
+#include "interp/path/rough_contour.h"
+#include "interp/statements/statements.h"
+
+#include <vector>
+
+namespace mrsim {
+
+class SinumerikContours : public ControlPart {
+ public:
+  SinumerikContours(Control& control, BlockReader& reader, Statements* statements,
+                    ToolChanger& tools, Moves& moves, MotionEmitter& out)
+      : ControlPart(control),
+        reader_(reader),
+        statements_(statements),
+        tools_(tools),
+        moves_(moves),
+        mover_(control, moves),
+        out_(out) {}
+
+  static bool knows(std::string_view name);
+  /// False: an error was reported.
+  bool run(const CycleCall& call, const Word& where);
+  /// The blocks now read are the contour of a cycle.
+  bool reads_contour() const { return out_.captures(); }
+  /// Goes on with the contour, after the block is done.
+  void end_block();
+  /// The program ends.
+  void end_program();
+
+ private:
+  /// CYCLE72 along the contour: where it is, in the plane and along its normal.
+  struct Along {
+    double top = 0, reference = 0, safe = 0, bottom = 0, infeed = 0;
+    double side = 0;  ///< 1 the cutter is to the left, -1 right, 0 on the contour
+    double aside = 0, allowance = 0;
+    double feed = 0, plunge = 0;
+  };
+  /// CYCLE95: levels in u, cuts in v.
+  struct Removal {
+    int u = 0, v = 2;
+    double down = -1, run = -1;
+    double clear = 1;           ///< mm
+    double top = 0, start = 0;  ///< the first level's u less a pass; v where passes begin
+    Vec3 allowance;
+    bool rough = true, finish = true;
+  };
+
+  bool find_contour(const std::string& name, CallRequest& request);
+  void begin_contour();
+  void end_contour();
+  bool mill_along();
+  bool mill_levels(Along& out);
+  void pass_along(const Along& along, double from, double level);
+  void approach(const Along& along, double level, double from, bool leaving);
+  bool turn_down();
+  bool turn_modes(Removal& out);
+  void orient(const Removal& r);
+  bool roughing(Removal& r);
+  void levels(const Removal& r, const RoughContour& shape, double whole, int n);
+  void level(const Removal& r, double at, double from, double to);
+  void follow_contour(const Vec3& shift);
+  void go(const Vec3& physical, MotionKind kind, double feed);
+
+  BlockReader& reader_;
+  Statements* statements_;
+  ToolChanger& tools_;
+  Moves& moves_;
+  CycleMover mover_;
+  MotionEmitter& out_;
+  CycleCall call_;
+  Word where_;
+  std::string named_;  ///< by CYCLE62
+  CallRequest request_;
+  bool waits_ = false;  ///< the contour of call_ comes next
+  std::vector<Motion> contour_;
+  Modal modal_before_;
+  Position position_before_;
+  std::size_t errors_before_ = 0;
+};
+
+}  // namespace mrsim

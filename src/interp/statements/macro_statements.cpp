@@ -1,0 +1,245 @@
+#include "interp/statements/macro_statements.h"
+
+#include "interp/text/characters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
+constexpr std::string_view kSetNames = "SETVN";  // names for the display
+constexpr std::size_t kMostMacroLevels = 4;
+
+// Numbers of probing macros as makers of probes give them: Renishaw 98xx, Haas 9023 and 999x.
+bool is_probing(long number) {
+  return (number >= 9800 && number <= 9899) || number == 9023 || (number >= 9994 && number <= 9996);
+}
+
+// Argument list I: the local variable of each letter; 0 = no argument.
+int local_of(char c) {
+  static constexpr std::array<int, 26> kLocals = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                  0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  return c >= 'A' && c <= 'Z' ? kLocals[static_cast<std::size_t>(c - 'A')] : 0;
+}
+
+bool abbreviates(const std::string& name, std::string_view whole) {
+  return name.size() >= 2 && whole.starts_with(name);
+}
+
+}  // namespace
+
+MacroStatements::MacroStatements(Control& control, BlockReader& reader)
+    : Statements(control, reader, fanuc_rules(), VariableForm::fanuc, OutlineForm::macro) {}
+
+bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
+  const std::string name = letters_of(line, p);
+  if (name.size() < 2) return false;
+  for (const std::string_view whole : {"GOTO", "WHILE", "END"})
+    if (abbreviates(name, whole)) return true;
+  for (const std::string_view output : kOutputs)
+    if (name == output) return true;
+  return name == "IF" || name == "DO" || name == kSetNames;
+}
+
+std::size_t MacroStatements::end_of_block(std::size_t p) const {
+  for (; p < block_.line.size() && block_.line[p] != ';'; ++p)
+    if (block_.line[p] == '(') p = std::min(block_.line.find(')', p), block_.line.size() - 1);
+  return p;
+}
+
+bool MacroStatements::statement(std::size_t from) {
+  std::size_t p = from;
+  const std::string name = letters(p);
+  if (name == "IF") return if_statement(p);
+  if (abbreviates(name, "WHILE")) return while_statement(from, p);
+  if (abbreviates(name, "GOTO")) return go_to(p);
+  if (abbreviates(name, "END")) return loop_end(from);
+  if (name == "DO") {
+    const FlowEntry* const entry = entry_at(from);
+    if (entry) reader_.set_position(entry->behind);
+    return entry != nullptr;
+  }
+  if (name == kSetNames) {  // SETVN 500[DEPTH]
+    reader_.set_position(end_of_block(p));
+    return true;
+  }
+  note_once("output-ignored", fmt::format("{} writes to a device: it is not read", name),
+            place_word(from, p), "output");
+  reader_.set_position(end_of_block(p));
+  return true;
+}
+
+// IF [...] GOTO 10, IF [...] THEN #1 = 2
+bool MacroStatements::if_statement(std::size_t p) {
+  bool holds = false;
+  if (!condition(p, holds)) return false;
+  std::size_t behind = p;
+  const std::string word = letters(behind);
+  if (abbreviates(word, "GOTO")) {
+    if (holds) return go_to(behind);
+  } else if (abbreviates(word, "THEN")) {
+    if (holds) {
+      reader_.set_position(behind);
+      return true;
+    }
+  } else {
+    return fail("statement", "GOTO or THEN is expected here", p, p + 1);
+  }
+  reader_.set_position(end_of_block(behind));
+  return true;
+}
+
+bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
+  const FlowEntry* const entry = entry_at(from);
+  if (!entry) return false;
+  bool holds = false;
+  if (!condition(p, holds)) return false;
+  if (!holds) return jump_behind(outline().entry(entry->last));
+  reader_.set_position(entry->behind);
+  return true;
+}
+
+bool MacroStatements::loop_end(std::size_t from) {
+  const FlowEntry* const entry = entry_at(from);
+  if (!entry || entry->first < 0) return false;
+  return reader_.jump(outline().entry(entry->first).at);
+}
+
+bool MacroStatements::go_to(std::size_t p) {
+  const std::size_t from = skip_blanks(p);
+  p = from;
+  double target = 0;
+  if (!number(p, target, true)) return false;
+  decided_ = decided_ || !is_digit(at(from));
+  reader_.leave_stretches();
+  Place to;
+  if (!find_number(static_cast<long>(target), true, true, to))
+    return fail("jump-target",
+                fmt::format("there is no block N{:.0f} in this program (alarm 128)", target), from,
+                p);
+  return jump_always(to);
+}
+
+// The words behind G65 as local variables. I J K more than once: argument list II.
+bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
+  int triples = 0;
+  char last = 'Z';
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.address);
+    if (&word == code || (first && (c == 'P' || c == 'L')) || c == 'N' || c == 'O') continue;
+    int local = local_of(c);
+    if (c == 'G') local = first ? -1 : 0;
+    if (c == 'L' || c == 'P') local = 0;
+    if (c >= 'I' && c <= 'K') {
+      if (triples == 0 || c <= last) ++triples;
+      last = c;
+      local = 4 + 3 * (triples - 1) + (c - 'I');
+    }
+    if (local > 33) return error("macro-arguments", "more than ten groups I J K (alarm 129)", word);
+    if (local < 0 || (local == 0 && first))
+      return error("macro-arguments",
+                   fmt::format("{} is no argument of a macro (alarm 129)", text_of(word)), word);
+    if (local == 0) continue;
+    out.values[static_cast<std::size_t>(local)] = word.value;
+    out.given |= std::uint64_t(1) << local;
+  }
+  return true;
+}
+
+bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
+                                 const Arguments& arguments, const Word& where) {
+  if (macro_levels_ >= kMostMacroLevels)
+    return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", where);
+  const auto place = reader_.locate(program, where);
+  if (!place) return false;
+  CallRequest request;
+  request.file = place->file;
+  request.begin = {place->offset, place->line, 0};
+  request.repeats = repeats;
+  request.on_start = [this, arguments] {
+    ++macro_levels_;
+    variables_.enter_level();
+    std::string ignored;
+    for (int i = 1; i < Variables::kLocals; ++i)
+      if ((arguments.given >> i & 1U) != 0)
+        variables_.assign(i, Value::of(arguments.values[static_cast<std::size_t>(i)]), ignored);
+  };
+  request.on_end = [this] {
+    --macro_levels_;
+    variables_.leave_level();
+  };
+  return reader_.enter(std::move(request), where);
+}
+
+// A macro of a probe that is not at hand: it cuts nothing, and where it ends only the machine
+// knows.
+bool MacroStatements::probing(long number, const Word& code) {
+  if (!is_probing(number) || reader_.has_subprogram({number, {}})) return false;
+  position_.known = lathe() ? 2 : 0;
+  note_once("probe",
+            fmt::format("O{} is a macro of a probe: it is not run, and the axes' position is "
+                        "unknown until they are given again",
+                        number),
+            code, "probing");
+  return true;
+}
+
+bool MacroStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
+  return probing(name.number, word) || Statements::call_program(name, repeats, word);
+}
+
+// G65 P9010 L2 A1 B2; G66 and G66.1 the same, later.
+bool MacroStatements::macro_call(const Word& code) {
+  const Word* p = nullptr;
+  const Word* l = nullptr;
+  for (const Word& word : block_.words) {
+    if (word.address == letter('P')) p = &word;
+    if (word.address == letter('L')) l = &word;
+  }
+  if (!p || (!p->string && (p->value < 1 || p->value != std::floor(p->value))))
+    return error("call-without-program", "P with the number of the macro is needed", code);
+  if (l && (l->value < 0 || l->value != std::floor(l->value) || l->value > 9999))
+    return error("value-range", "L is how often the macro runs", *l);
+  SubprogramName program;
+  if (p->string)
+    program.text = std::string(p->text);
+  else
+    program.number = static_cast<long>(p->value);
+  if (code.value == 65 && probing(program.number, code)) return true;
+  const long repeats = l ? static_cast<long>(l->value) : 1;
+  Arguments arguments;
+  if (!collect(&code, true, arguments)) return false;
+  if (code.value == 65) return call_macro(program, repeats, arguments, code);
+  modal_call_ = {true, code.value > 66, program, repeats, arguments, code};
+  return true;
+}
+
+bool MacroStatements::take_block() {
+  for (const Word& word : block_.words) {
+    if (word.address != letter('G')) continue;
+    if (word.value == 65 || word.value == 66 || word.value == 66.1) {
+      macro_call(word);
+      return true;
+    }
+    if (word.value == 67) modal_call_.active = false;
+  }
+  if (!modal_call_.active || !modal_call_.every_block || macro_levels_ > 0 ||
+      block_.words.empty() || block_.words[0].address == letter('M'))
+    return false;
+  Arguments arguments = modal_call_.arguments;  // G66.1: the words of the block are arguments
+  if (collect(nullptr, false, arguments))
+    call_macro(modal_call_.program, modal_call_.repeats, arguments, block_.words.front());
+  return true;
+}
+
+// G66: the macro runs at the end of every block that moves.
+void MacroStatements::end_block(bool moved) {
+  if (moved && modal_call_.active && !modal_call_.every_block && macro_levels_ == 0)
+    call_macro(modal_call_.program, modal_call_.repeats, modal_call_.arguments,
+               block_.words.front());
+}
+
+}  // namespace mrsim

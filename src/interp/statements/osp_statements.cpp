@@ -1,0 +1,204 @@
+#include "interp/statements/osp_statements.h"
+
+#include "core/text_io.h"
+#include "interp/statements/lap_contour.h"
+#include "interp/text/characters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kMostRunsOfCall = 9999;
+
+// Letters and digits from `p` on.
+std::string_view name_from(std::string_view line, std::size_t p) {
+  std::size_t end = p;
+  while (end < line.size() && (is_letter(line[end]) || is_digit(line[end]))) ++end;
+  return line.substr(p, end - p);
+}
+
+// "DEF WORK", "PS LC,[-400,0],[400,19]", "END", "DRAW" and "CLEAR", which draw the blank on the
+// control's screen.
+bool draws_blank(std::string_view line, std::size_t p) {
+  const std::string name = upper_case(name_from(line, p).substr(0, 6));
+  std::size_t behind = p + name.size();
+  while (behind < line.size() && (line[behind] == ' ' || line[behind] == '\t')) ++behind;
+  const std::string next = upper_case(name_from(line, behind).substr(0, 5));
+  if (name == "DEF") return next == "WORK";
+  if (name == "PS") return next == "LC" || next == "RC";
+  const bool alone = behind == line.size() || line[behind] == '(';
+  return alone && (name == "CLEAR" || name == "DRAW" || name == "END");
+}
+
+}  // namespace
+
+bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
+  const std::string name = upper_case(name_from(line, p).substr(0, 8));
+  return draws_blank(line, p) || name == "CALL" || name == "RTS" || name == "MODIN" ||
+         name == "MODOUT" || MacroStatements::starts_statement(line, p);
+}
+
+bool OspStatements::statement(std::size_t from) {
+  std::size_t p = from;
+  if (draws_blank(block_.line, from)) {
+    note_once("simulator-line", "the blank of the control's own picture is not read",
+              place_word(from, block_.line.size()), "DRAW");
+    reader_.set_position(block_.line.size());
+    return true;
+  }
+  const std::string name = letters(p);
+  if (name == "IF") {
+    std::size_t behind = p;
+    bool holds = false;
+    if (!condition(behind, holds)) return false;
+    behind = skip_blanks(behind);
+    std::size_t next = behind;
+    if (letters(next) == "GOTO" && upper(at(skip_blanks(next))) == 'N') behind = skip_blanks(next);
+    if (upper(at(behind)) != 'N') return MacroStatements::statement(from);
+    if (holds) return jump(behind);
+    reader_.set_position(end_of_block(behind));
+    return true;
+  }
+  if (name == "GOTO" && upper(at(skip_blanks(p))) == 'N') return jump(skip_blanks(p));
+  if (name == "RTS") {
+    if (reader_.depth() < 2)
+      return fail("call-missing", "RTS in a program that is no subprogram", from, p);
+    reader_.leave_stretches();
+    reader_.end_activation(false);
+    return true;
+  }
+  if (name != "CALL" && name != "MODIN" && name != "MODOUT")
+    return MacroStatements::statement(from);
+  reader_.set_position(end_of_block(p));
+  modal_ = name == "CALL" ? modal_ : std::nullopt;
+  if (name == "MODOUT") return true;
+  Call call;
+  if (!read_call(p, call)) return false;
+  if (name == "CALL") return enter(call);
+  modal_ = std::move(call);
+  return true;
+}
+
+// "O100 Q3 XA=5 LP=VC1*2"
+bool OspStatements::read_call(std::size_t p, Call& out) {
+  p = skip_blanks(p);
+  const std::string_view name = name_from(block_.line, p);
+  if (name.size() < 2 || upper(name[0]) != 'O')
+    return fail("call-without-program", "O with the name of a program is expected here", p, p + 1);
+  out.place = place_word(p, p + name.size());
+  const auto number = parse_number(name.substr(1));
+  const bool numbered = name.find_first_not_of("0123456789", 1) == name.npos && number;
+  out.program = {
+      numbered ? static_cast<long>(*number) : -1, numbered ? std::string() : upper_case(name), {}};
+  p = skip_blanks(p + name.size());
+  const std::size_t end = end_of_block(p);
+  while (p < end) {
+    if (!argument(p, out)) return false;
+    p = skip_blanks(p);
+    if (at(p) == '(') p = end;
+  }
+  return true;
+}
+
+// Q3, Q=VC1, XA=5
+bool OspStatements::argument(std::size_t& p, Call& out) {
+  const std::size_t from = p;
+  std::string_view name = name_from(block_.line, p);
+  const bool repeats = upper(at(p)) == 'Q' && name.find_first_not_of("0123456789", 1) == name.npos;
+  if (repeats) name = name.substr(0, 1);
+  p = skip_blanks(p + name.size());
+  const bool assigned = at(p) == '=';
+  if (name.empty() || (!assigned && !repeats))
+    return fail("macro-arguments", "a variable and = are expected here: NAME=1", from, from + 1);
+  if (assigned) ++p;
+  Value value;
+  if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+  if (!value.is_number()) return fail("expression", "a number is needed here", from, p);
+  if (!repeats) {
+    out.arguments.emplace_back(upper_case(name), value.number);
+    return true;
+  }
+  if (value.number < 0 || value.number != std::floor(value.number) ||
+      value.number > kMostRunsOfCall)
+    return fail("value-range", "Q is how often the program runs", from, p);
+  out.repeats = static_cast<long>(value.number);
+  return true;
+}
+
+bool OspStatements::enter(const Call& call) {
+  const auto place = reader_.locate(call.program, call.place);
+  if (!place) return false;
+  CallRequest request;
+  request.file = place->file;
+  request.begin = {place->offset, place->line, 0};
+  request.repeats = call.repeats;
+  request.on_start = [this, arguments = call.arguments] {
+    ++levels_;
+    variables_.enter_level();
+    for (const auto& [name, value] : arguments) set(name, Value::of(value), 0, 0);
+  };
+  request.on_end = [this] {
+    --levels_;
+    variables_.leave_level();
+  };
+  return reader_.enter(std::move(request), call.place);
+}
+
+// To block N100, or to the block of a name.
+bool OspStatements::jump(std::size_t p) {
+  const std::string_view name = name_from(block_.line, p);
+  reader_.leave_stretches();
+  Place to;
+  if (name.size() > 1 && name.find_first_not_of("0123456789", 1) == name.npos) {
+    if (find_number(static_cast<long>(parse_number(name.substr(1)).value_or(-1)), true, true, to))
+      return jump_always(to);
+  } else {
+    const auto [begin, end] = section();
+    if (const auto found = find_named_block(reader_.file(), begin, end, name))
+      return jump_always(*found);
+  }
+  return fail("jump-target", fmt::format("there is no block {} in this program", name), p,
+              p + name.size());
+}
+
+// VC1=2, DIA=VC1+3. "#1=2" is FANUC's.
+bool OspStatements::assignment(std::string_view line, std::size_t& p) {
+  if (line[p] == '#') return MacroStatements::assignment(line, p);
+  const std::size_t from = p;
+  const std::string_view name = name_from(line, p);
+  p += name.size();
+  const std::size_t to = p;
+  while (p < line.size() && line[p] != '=') ++p;
+  ++p;
+  if (upper(name[0]) == 'V' && !Variables::is_common(name))
+    return fail("variable-unset", fmt::format("the system variable {} cannot be set here", name),
+                from, to);
+  Value value;
+  if (evaluator_.expression(line, p, value)) return set(name, value, from, to);
+  report(evaluator_.fault());
+  value.kind = Value::Kind::faulty;
+  set(name, value, from, to);
+  return false;
+}
+
+bool OspStatements::set(std::string_view name, const Value& value, std::size_t from,
+                        std::size_t to) {
+  std::string why;
+  const bool common = Variables::is_common(name);
+  if (!variables_.is_defined(name) && !variables_.define(name, VariableType::real, {}, common, why))
+    return fail("variable-number", why, from, to);
+  return store(name, {}, value, from, to);
+}
+
+// MODIN: the program runs behind every block that moves.
+void OspStatements::end_block(bool moved) {
+  if (moved && modal_ && levels_ == 0)
+    enter(*modal_);
+  else
+    MacroStatements::end_block(moved);
+}
+
+}  // namespace mrsim

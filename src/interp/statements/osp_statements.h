@@ -1,0 +1,43 @@
+// What Okuma's OSP adds to the macros of FANUC: CALL, MODIN, MODOUT, RTS, IF [ ] NAME, GOTO NAME,
+// and variables by name: VC1 and V1 of all programs, others of one. Private to src/interp.
+#pragma once
+
+#include "interp/statements/macro_statements.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+
+class OspStatements : public MacroStatements {
+ public:
+  using MacroStatements::MacroStatements;
+
+  bool starts_statement(std::string_view line, std::size_t p) override;
+  bool assignment(std::string_view line, std::size_t& p) override;
+  void end_block(bool moved) override;
+
+ protected:
+  bool statement(std::size_t p) override;
+
+ private:
+  /// A program, how often it runs, and the local variables that it begins with.
+  struct Call {
+    SubprogramName program;
+    long repeats = 1;
+    std::vector<std::pair<std::string, double>> arguments;
+    Word place;
+  };
+
+  bool read_call(std::size_t p, Call& out);
+  bool argument(std::size_t& p, Call& out);
+  bool enter(const Call& call);
+  bool jump(std::size_t p);
+  bool set(std::string_view name, const Value& value, std::size_t from, std::size_t to);
+
+  std::optional<Call> modal_;  ///< MODIN
+  int levels_ = 0;             ///< calls under way
+};
+
+}  // namespace mrsim

@@ -1,0 +1,44 @@
+// Program flow in the words of a block: headers, calls, M words. Private to src/interp.
+#pragma once
+
+#include "interp/statements/statements.h"
+
+namespace mrsim {
+
+class ProgramFlow : public ControlPart {
+ public:
+  /// `statements`: null where the control has no language.
+  ProgramFlow(Control& control, BlockReader& reader, Statements* statements)
+      : ControlPart(control), reader_(reader), statements_(statements) {}
+
+  /// Headers, and which word is a call. False: an error was reported.
+  bool begin_block();
+  /// The M words. False: errors were reported.
+  bool m_words();
+  /// Calls, returns and ends, after all else in the block.
+  void end_block();
+
+ private:
+  bool alone(const Word& call);
+  bool m_word(const Word& word);
+  bool call_word(const Word& word, int m);
+  bool z_home(const Word& word);
+  void changer_retracts(const Word& word);
+  void leave_length();
+  bool okuma_return(int m);
+  bool linuxcnc_signal(int m);
+  bool take_block(char c);
+  bool is_whole_number(long number);
+  std::string program_name(const Word* p) const;
+  bool fanuc_call(const Word& word);
+  bool named_call(const Word& word);
+
+  bool local_call(const Word& word);
+  bool call(const SubprogramName& name, long repeats, const Word& word);
+
+  BlockReader& reader_;
+  Statements* statements_;
+  bool centroid_ = false;  ///< the program has said M25 beside G49
+};
+
+}  // namespace mrsim

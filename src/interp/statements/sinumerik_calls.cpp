@@ -1,0 +1,261 @@
+// SINUMERIK: assignments, DEF, and calls with parameters.
+#include "core/text_io.h"
+#include "interp/language/operations.h"
+#include "interp/statements/sinumerik_statements.h"
+#include "interp/statements/sinumerik_text.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kMostValues = 10'000;  // of SET( )
+
+}  // namespace
+
+bool SinumerikStatements::indices(std::string_view line, std::size_t& p, std::vector<Value>& out) {
+  const std::size_t from = p;
+  do {
+    ++p;
+    Value value;
+    if (!evaluator_.expression(line, p, value)) return report(evaluator_.fault());
+    out.push_back(std::move(value));
+    p = blanks(line, p);
+  } while (at(p) == ',' && out.size() < 3);
+  if (at(p) != ']') return fail("bracket", "the [ here is not closed with ]", from, from + 1);
+  ++p;
+  return true;
+}
+
+// R1=..., R[n]=..., NAME=..., NAME[n]=SET(1,2), $P_PFRAME=...
+bool SinumerikStatements::assignment(std::string_view line, std::size_t& p) {
+  const std::size_t from = p;
+  if (at(p) == '$') ++p;
+  while (is_name(at(p))) ++p;
+  const std::string name(line.substr(from, p - from));
+  std::vector<Value> at_index;
+  p = blanks(line, p);
+  if (at(p) == '[' && !indices(line, p, at_index)) return false;
+  const std::size_t to = p;
+  p = blanks(line, p);
+  if (at(p) != '=') return fail("assignment", "= is expected here (alarm 12080)", p, p + 1);
+  p = blanks(line, p + 1);
+  return assign_all(line, p, name, at_index, from, to);
+}
+
+bool SinumerikStatements::assign_all(std::string_view line, std::size_t& p, std::string_view name,
+                                     std::span<const Value> at_index, std::size_t from,
+                                     std::size_t to) {
+  std::size_t q = p;
+  const std::string word = word_at(line, q);
+  const bool list = (word == "SET" || word == "REP") && at(q) == '(';
+  const bool bare = at(p) == '(' && variables_.is_defined(name) && !at_index.empty();
+  const bool r = upper(name[0]) == 'R' &&
+                 name.find_first_not_of("0123456789", 1) == std::string_view::npos &&
+                 (name.size() > 1) != (at_index.size() == 1);
+  std::vector<Value> values;
+  if (list) {
+    p = q;
+    do {
+      ++p;
+      values.emplace_back();
+      if (!evaluator_.expression(line, p, values.back())) return report(evaluator_.fault());
+      p = blanks(line, p);
+    } while (at(p) == ',' && values.size() < kMostValues);
+    if (at(p) != ')') return fail("bracket", "the ( here is not closed with )", q, q + 1);
+    ++p;
+    std::string why;
+    return variables_.fill(name, at_index, values, word == "REP", why) ||
+           fail("variable-unset", why, from, p);
+  }
+  (void)bare;
+  Value value;
+  if (!evaluator_.expression(line, p, value)) {
+    report(evaluator_.fault());
+    value = {};
+    value.kind = Value::Kind::faulty;
+    std::string ignored;
+    if (!r) variables_.assign(name, at_index, value, ignored);
+    if (r && at_index.empty())
+      variables_.assign(parse_number(name.substr(1)).value_or(-1), value, ignored);
+    return false;
+  }
+  if (!r) return store(name, at_index, value, from, to);
+  const double number =
+      at_index.empty() ? parse_number(name.substr(1)).value_or(-1) : at_index[0].number;
+  if (number != std::floor(number))
+    return fail("variable-number", "the number of an R parameter is a whole number", from, to);
+  return store(number, value, from, to);
+}
+
+// DEF REAL A, B=2, C[3,2]; DEF STRING[20] NAME
+bool SinumerikStatements::define(std::size_t p) {
+  return definitions(p, false) && end_statement(p);
+}
+
+// NCK, CHAN, SYNR ...: who shares a variable; PHU 1, LLI 0, APRP 7 ...: unit, limits and rights.
+std::string SinumerikStatements::behind_attributes(std::size_t& p, bool& global) {
+  static constexpr std::string_view kPlain[] = {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW"};
+  static constexpr std::string_view kCounted[] = {"PHU",  "LLI",  "ULI",  "APR", "APW",
+                                                  "APRP", "APWP", "APRB", "APWB"};
+  for (;;) {
+    std::size_t q = p;
+    const std::string word = name_at(q);
+    const bool plain = std::find(std::begin(kPlain), std::end(kPlain), word) != std::end(kPlain);
+    const bool counted =
+        std::find(std::begin(kCounted), std::end(kCounted), word) != std::end(kCounted);
+    if (!plain && !counted) return word;
+    p = q;
+    global = global || word == "NCK" || word == "CHAN";
+    double ignored = 0;
+    if (counted && !number(p, ignored, false)) return {};
+  }
+}
+
+bool SinumerikStatements::definitions(std::size_t& p, bool global) {
+  const std::string word = behind_attributes(p, global);
+  const std::size_t from = p = skip_blanks(p);
+  const std::optional<VariableType> type = type_named(word);
+  if (!type)
+    return fail("statement", "REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME is expected here", from,
+                p + 1);
+  name_at(p);
+  if (*type == VariableType::text && at(p) == '[') {
+    std::vector<Value> length;
+    if (!indices(block_.line, p, length)) return false;
+  }
+  behind_attributes(p, global);
+  for (;;) {
+    if (!define_one(p, *type, global)) return false;
+    p = skip_blanks(p);
+    if (at(p) != ',') return true;
+    ++p;
+  }
+}
+
+// Files of definitions (UGUD.DEF) among the search path: their variables live as long as the run.
+void SinumerikStatements::read_definitions() {
+  for (const std::string& file : options_.search_path) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none)) continue;
+    program_.files.push_back(file);
+    const int index = static_cast<int>(program_.files.size()) - 1;
+    LineSource source(file, std::size_t(1) << 14);
+    std::string_view line;
+    while (source.next(line)) {
+      block_.line = line;
+      reporter_.set_place(index, source.line_number(), -1, line);
+      std::size_t p = 0;
+      if (name_at(p) == "DEF") definitions(p, true);
+    }
+    block_.line = {};
+    reporter_.forget_text();
+  }
+}
+
+bool SinumerikStatements::define_one(std::size_t& p, VariableType type, bool global) {
+  p = skip_blanks(p);
+  const std::size_t from = p;
+  const std::string name = name_at(p);
+  if (name.size() < 2 || is_digit(name[0]))
+    return fail("statement", "a name of at least two characters is expected here", from, p + 1);
+  std::array<int, 3> dimensions{};
+  if (at(p) == '[') {
+    std::vector<Value> sizes;
+    if (!indices(block_.line, p, sizes)) return false;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      if (!(sizes[i].number >= 1) || sizes[i].number > 1e6)
+        return fail("value-range", "the size of an array is 1 and more", from, p);
+      dimensions[i] = static_cast<int>(sizes[i].number);
+    }
+  }
+  const std::size_t to = p;
+  std::string why;
+  if (!variables_.define(name, type, dimensions, global, why))
+    return fail("variable-defined", why, from, to);
+  p = skip_blanks(p);
+  if (at(p) != '=') return true;
+  p = skip_blanks(p + 1);
+  std::size_t q = p;
+  const std::string word = name_at(q);
+  if (dimensions[0] == 0 || word == "SET" || word == "REP")
+    return assign_all(block_.line, p, name, {}, from, to);
+  const bool listed = at(p) == '(';
+  if (listed) ++p;
+  std::vector<Value> values;
+  do {
+    values.emplace_back();
+    if (!evaluator_.expression(block_.line, p, values.back())) return report(evaluator_.fault());
+    p = skip_blanks(p);
+  } while (listed && at(p) == ',' && ++p && values.size() < kMostValues);
+  if (listed && at(p) != ')') return fail("bracket", "the ( here is not closed", q, q + 1);
+  if (listed) ++p;
+  return variables_.fill(name, {}, values, !listed, why) || fail("variable-unset", why, from, p);
+}
+
+// The values between brackets; one may be left out.
+bool SinumerikStatements::arguments(std::size_t& p, std::vector<Argument>& out) {
+  p = skip_blanks(p);
+  const std::size_t from = p;
+  do {
+    p = skip_blanks(p + 1);
+    Argument argument;
+    if (at(p) == ')' && out.empty()) break;
+    if (at(p) != ',' && at(p) != ')') {
+      std::size_t q = p;
+      std::string name = name_at(q);
+      const char behind = at(skip_blanks(q));
+      if (behind == ',' || behind == ')') argument.variable = name;
+      Value value;
+      if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+      argument.value = std::move(value);
+      p = skip_blanks(p);
+    }
+    out.push_back(std::move(argument));
+  } while (at(p) == ',' && out.size() < 128);
+  if (at(p) != ')')
+    return fail("bracket", "the ( here is not closed (alarm 12080)", from, from + 1);
+  ++p;
+  return true;
+}
+
+// NAME(1, 2), NAME(1) P3, CALL variable
+bool SinumerikStatements::call_statement(std::size_t from, std::size_t p) {
+  SubprogramName name;
+  std::size_t q = from;
+  name.text = name_at(q);
+  std::vector<Argument> given;
+  if (name.text == "CALL") {
+    Value value;
+    if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+    if (value.kind != Value::Kind::text)
+      return fail("expression", "CALL needs the name of a program as text", from, p);
+    name.text = value.text;
+  } else if (!arguments(p, given)) {
+    return false;
+  }
+  double runs = 1;
+  q = p;
+  const std::string word = name_at(q);
+  if (word.size() > 1 && word[0] == 'P') {
+    runs = parse_number(word.substr(1)).value_or(-1);
+    if (!(runs >= 1 && runs <= 9999) || runs != std::floor(runs))
+      return fail("value-range", "P is 1 to 9999 runs", p, q);
+    p = q;
+  }
+  if (!end_statement(p)) return false;
+  call(name, given, static_cast<long>(runs), place_word(from, p));
+  return true;
+}
+
+bool SinumerikStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
+  return call(name, {}, repeats, word);
+}
+
+}  // namespace mrsim

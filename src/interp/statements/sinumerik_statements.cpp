@@ -1,0 +1,311 @@
+#include "interp/statements/sinumerik_statements.h"
+
+#include "core/text_io.h"
+#include "interp/language/operations.h"
+#include "interp/text/characters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::string_view kKeywords[] = {
+    "IF",      "ELSE",   "ENDIF",   "WHILE", "ENDWHILE", "FOR",  "ENDFOR", "LOOP",
+    "ENDLOOP", "REPEAT", "REPEATB", "UNTIL", "CASE",     "GOTO", "GOTOF",  "GOTOB",
+    "GOTOC",   "DEF",    "EXTERN",  "MCALL", "PROC",     "SETAL"};
+
+}  // namespace
+
+SinumerikStatements::SinumerikStatements(Control& control, BlockReader& reader)
+    : Statements(control, reader, sinumerik_rules(), VariableForm::sinumerik,
+                 OutlineForm::sinumerik) {
+  read_definitions();
+}
+
+std::string SinumerikStatements::name_at(std::size_t& p) const {
+  p = skip_blanks(p);
+  const std::size_t from = p;
+  while (is_name(at(p))) ++p;
+  return upper_case(block_.line.substr(from, std::min<std::size_t>(p - from, 64)));
+}
+
+// A keyword, CALL of a variable, or a subprogram with arguments.
+bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p) {
+  const std::size_t from = p;
+  while (p < line.size() && is_name(line[p])) ++p;
+  const std::string name = upper_case(line.substr(from, std::min<std::size_t>(p - from, 33)));
+  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  const char next = p < line.size() ? line[p] : '\0';
+  if (name == "MCALL") {  // of a cycle: not a matter of the language
+    SubprogramName called;
+    while (p < line.size() && is_name(line[p])) called.text += upper(line[p++]);
+    return called.text.empty() ? modal_call_.active : reader_.has_subprogram(called);
+  }
+  for (const std::string_view keyword : kKeywords)
+    if (name == keyword) return true;
+  if (name == "CALL") return is_letter(next) || next == '(';
+  if (next != '(' || name.size() < 2 || find_function(name).code != Code::unknown) return false;
+  SubprogramName wanted;
+  wanted.text = name;
+  return reader_.has_subprogram(wanted);
+}
+
+bool SinumerikStatements::end_statement(std::size_t p) {
+  p = skip_blanks(p);
+  if (p < block_.line.size() && at(p) != ';')
+    return fail("statement", "the end of the block is expected here (alarm 12080)", p, p + 1);
+  reader_.set_position(p);
+  return true;
+}
+
+bool SinumerikStatements::statement(std::size_t from) {
+  std::size_t p = from;
+  const std::string name = name_at(p);
+  if (name == "IF" || name == "ELSE" || name == "ENDIF") return branch(from, p);
+  if (name.starts_with("GOTO")) return go_to(name, p);
+  if (name == "CASE") return case_of(p);
+  if (name == "DEF") return define(p);
+  if (name == "MCALL") return modal_call(p);
+  if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
+    if (name == "SETAL")
+      note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
+    if (name == "PROC" && reader_.depth() == 1) take_initial_values(p);
+    reader_.set_position(block_.line.size());
+    return true;
+  }
+  const std::size_t next = skip_blanks(p);
+  const bool whole = next >= block_.line.size() || at(next) == ';';
+  if (name == "REPEATB" || (name == "REPEAT" && !whole)) return repeat_part(name, p);
+  for (const std::string_view keyword : kKeywords) {
+    if (name != keyword) continue;
+    const FlowEntry* const entry = entry_at(from);
+    if (!entry) return false;
+    const bool ends = entry->word == FlowWord::loop_end || entry->word == FlowWord::loop_until;
+    return ends ? loop_end(*entry, p) : loop(*entry, p);
+  }
+  return call_statement(from, p);
+}
+
+// IF ... GOTOF, or the structure IF ELSE ENDIF.
+bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
+  bool holds = false;
+  const bool asks = upper(at(from)) == 'I';
+  if (asks && !condition(p, holds)) return false;
+  if (asks) {
+    std::size_t behind = p;
+    const std::string word = name_at(behind);
+    if (word.starts_with("GOTO")) {
+      if (holds) return go_to(word, behind);
+      reader_.set_position(block_.line.size());
+      return true;
+    }
+  }
+  const FlowEntry* const entry = entry_at(from);
+  if (!entry) return false;
+  if (entry->word == FlowWord::branch_else) return jump_behind(outline().entry(entry->last));
+  if (asks && !holds) return jump_behind(outline().entry(entry->next));
+  return end_statement(p);
+}
+
+bool SinumerikStatements::loop(const FlowEntry& entry, std::size_t p) {
+  if (entry.word == FlowWord::loop_for) return for_loop(entry, p, !std::exchange(stepping_, false));
+  bool holds = true;
+  if (entry.word == FlowWord::loop_while && !condition(p, holds)) return false;
+  if (!holds) return jump_behind(outline().entry(entry.last));
+  return end_statement(p);
+}
+
+// FOR variable = first TO last
+bool SinumerikStatements::for_loop(const FlowEntry& entry, std::size_t p, bool first) {
+  const std::size_t from = p = skip_blanks(p);
+  std::string name = name_at(p);
+  std::vector<Value> at_index;
+  if (at(p) == '[' && !indices(block_.line, p, at_index)) return false;
+  const std::size_t to = p;
+  p = skip_blanks(p);
+  if (name.empty() || at(p) != '=')
+    return fail("statement", "FOR variable = first TO last (alarm 12080)", from, p);
+  ++p;
+  double begin = 0, end = 0;
+  if (!evaluator_.number_expression(block_.line, p, begin)) return report(evaluator_.fault());
+  std::size_t behind = p;
+  if (name_at(behind) != "TO") return fail("statement", "TO is expected here", p, p + 1);
+  p = behind;
+  if (!evaluator_.number_expression(block_.line, p, end)) return report(evaluator_.fault());
+  if (!first) {
+    std::size_t q = from;
+    if (!evaluator_.number_operand(block_.line, q, begin)) return report(evaluator_.fault());
+    begin += 1;
+  }
+  std::size_t target = from;
+  const bool r = name.size() > 1 && name[0] == 'R' && is_digit(name[1]);
+  const bool stored =
+      r ? store(parse_number(name.substr(1)).value_or(-1), Value::of(begin), target, to)
+        : store(name, at_index, Value::of(begin), target, to);
+  if (!stored) return false;
+  if (begin > end) return jump_behind(outline().entry(entry.last));
+  return end_statement(p);
+}
+
+bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
+  const FlowEntry& first = outline().entry(entry.first);
+  bool done = false;
+  if (entry.word == FlowWord::loop_until && !condition(p, done)) return false;
+  if (done) return end_statement(p);
+  stepping_ = first.word == FlowWord::loop_for;
+  return reader_.jump(first.at);
+}
+
+// GOTOF forward, GOTOB backward, GOTO both, GOTOC without an alarm: a label, N10, or a text.
+bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
+  p = skip_blanks(p);
+  const std::size_t from = p;
+  std::string target = name_at(p);
+  if (variables_.is_defined(target) || at(from) == '"' || at(from) == '(') {
+    Value value;
+    p = from;
+    if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+    target = upper_case(value.text);
+    decided_ = true;
+  }
+  const bool forward = word != "GOTOB", backward = word != "GOTOF";
+  const Outline& all = outline();
+  const Place here = reader_.place_at(from);
+  const int section = all.section_at(here);
+  Place to;
+  bool found = false;
+  const bool block = target.size() > 1 && target[0] == 'N' &&
+                     target.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (block) {
+    const double n = parse_number(target.substr(1)).value_or(-1);
+    found = n < 1e9 && find_number(static_cast<long>(n), forward, backward, to);
+  } else {
+    int i = forward ? all.find_label(target, here, all.section_end(section), false) : -1;
+    if (i < 0 && backward) i = all.find_label(target, all.section_begin(section), here, !forward);
+    found = i >= 0;
+    if (found) to = all.entry(i).at;
+  }
+  if (found) {
+    reader_.leave_stretches();
+    return jump_always(to);
+  }
+  if (word == "GOTOC") {
+    reader_.set_position(block_.line.size());
+    return true;
+  }
+  return fail("jump-target",
+              fmt::format("there is no label {} {} (alarm 14080)", to_utf8(target.substr(0, 40)),
+                          !backward  ? "behind this block"
+                          : !forward ? "before this block"
+                                     : "in this program"),
+              from, p);
+}
+
+// CASE (expression) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
+bool SinumerikStatements::case_of(std::size_t p) {
+  double value = 0;
+  if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
+  decided_ = true;
+  std::size_t behind = p;
+  if (name_at(behind) != "OF") return fail("statement", "OF is expected here", p, p + 1);
+  p = behind;
+  for (;;) {
+    p = skip_blanks(p);
+    if (p >= block_.line.size() || at(p) == ';') break;
+    behind = p;
+    bool taken = name_at(behind) == "DEFAULT";
+    if (taken) {
+      p = behind;
+    } else {
+      double constant = 0;
+      if (!number(p, constant, false)) return false;
+      taken = constant == value;
+    }
+    const std::string word = name_at(p);
+    if (!word.starts_with("GOTO"))
+      return fail("statement", "GOTOF or GOTOB is expected here", p, p + 1);
+    if (taken) return go_to(word, p);
+    name_at(p);  // the label
+  }
+  reader_.set_position(p);
+  return true;
+}
+
+// A block of words under MCALL ends with the call, where it moved.
+void SinumerikStatements::end_block(bool moved) {
+  if (!moved || !modal_call_.active || in_modal_call_ || reader_.depth() > 1) return;
+  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front());
+}
+
+bool SinumerikStatements::modal_call(std::size_t p) {
+  std::string name = name_at(p);
+  modal_call_ = {};
+  if (name.empty()) return end_statement(p);
+  if (at(skip_blanks(p)) == '(' && !arguments(p, modal_call_.arguments)) return false;
+  modal_call_.name.text = name;
+  if (!reader_.locate(modal_call_.name, place_word(p - name.size(), p))) return false;
+  modal_call_.active = true;
+  return end_statement(p);
+}
+
+// REPEAT A, REPEAT A B, REPEATB A, each with P=n.
+bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
+  const std::size_t from = p;
+  std::vector<std::string> labels;
+  double runs = 1;
+  for (;;) {
+    p = skip_blanks(p);
+    if (p >= block_.line.size() || at(p) == ';') break;
+    const std::size_t begin = p;
+    const std::string name = name_at(p);
+    if (name.empty()) return fail("statement", "a label or P= is expected here", p, p + 1);
+    const std::size_t next = skip_blanks(p);
+    if (name == "P" && at(next) == '=') {
+      p = next + 1;
+      if (!evaluator_.number_expression(block_.line, p, runs)) return report(evaluator_.fault());
+    } else if (name[0] == 'P' && name.size() > 1 && is_digit(name[1])) {
+      runs = parse_number(name.substr(1)).value_or(1);
+    } else if (labels.size() < (word == "REPEATB" ? 1U : 2U)) {
+      labels.push_back(name);
+    } else {
+      return fail("statement", "too many labels", begin, p);
+    }
+  }
+  const Outline& all = outline();
+  const Place here = reader_.place_at(0);
+  const int section = all.section_at(here);
+  const Place top = all.section_begin(section), bottom = all.section_end(section);
+  std::vector<Place> places;
+  for (const std::string& label : labels) {
+    int i = all.find_label(label, places.empty() ? top : places[0], here, places.empty());
+    if (i < 0) i = all.find_label(label, here, bottom, false);
+    if (i < 0)
+      return fail("jump-target",
+                  fmt::format("there is no label {} (alarm 14080)", to_utf8(label.substr(0, 40))),
+                  from, p);
+    places.push_back(all.entry(i).at);
+  }
+  if (places.empty()) return fail("statement", "a label is expected here", from, p);
+  CallRequest request;
+  request.file = reader_.file();
+  request.begin = places[0];
+  const int closing = all.find_label("ENDLABEL", places[0], bottom, false);
+  Place end = here;
+  if (places.size() == 2) {
+    end = behind_line(places[1]);
+  } else if (word == "REPEATB") {
+    end = behind_line(places[0]);
+  } else if (closing >= 0) {
+    end = all.entry(closing).at;
+    if (end.position > 0) end = behind_line(end);
+  }
+  request.end = end.offset;
+  request.repeats = static_cast<long>(std::min(std::max(0.0, runs), 1e8));
+  request.level = false;
+  reader_.set_position(p);
+  return reader_.enter(std::move(request), place_word(from, p));
+}
+
+}  // namespace mrsim

@@ -1,0 +1,413 @@
+#include "interp/statements/statements.h"
+
+#include "core/text_io.h"
+#include "interp/language/flow_scan.h"
+#include "interp/language/operations.h"
+#include "interp/statements/codesys_statements.h"
+#include "interp/statements/fagor_statements.h"
+#include "interp/statements/osp_statements.h"
+#include "interp/statements/oword_statements.h"
+#include "interp/statements/sinumerik_statements.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLargest = 1e9;              // of a word
+constexpr std::size_t kMostCallValues = 128;  // of a call
+constexpr std::size_t kMostTexts = 100;       // of a block
+constexpr std::size_t kMostNumbers = 10000;   // places of block numbers kept
+
+}  // namespace
+
+std::unique_ptr<Statements> Statements::make(Control& control, BlockReader& reader) {
+  switch (control.dialect) {
+    case Dialect::fanuc:
+      return std::make_unique<OspStatements>(control, reader);
+    case Dialect::ngc:
+      return std::make_unique<OwordStatements>(control, reader);
+    case Dialect::sinumerik:
+      return std::make_unique<SinumerikStatements>(control, reader);
+    case Dialect::iso:
+      return std::make_unique<FagorStatements>(control, reader);
+    case Dialect::codesys:
+      return std::make_unique<CodesysStatements>(control, reader);
+    default:
+      return nullptr;
+  }
+}
+
+Statements::Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
+                       VariableForm variables, OutlineForm outline)
+    : ControlPart(control),
+      reader_(reader),
+      system_(control),
+      variables_(variables),
+      evaluator_(rules, variables_),
+      form_(outline) {
+  variables_.set_system(&system_);
+  for (const auto& [name, text] : options_.variables) {
+    const std::optional<double> given = parse_number(text, true);
+    std::string why;
+    if (!variables_.preset(name, given ? Value::of(*given) : Value::of_text(text), why))
+      throw Error("variable-unknown", fmt::format("--set {}={}: {}", name, text, why),
+                  Error::Kind::usage);
+  }
+}
+
+bool Statements::fail(const char* code, const std::string& text, std::size_t from, std::size_t to) {
+  reporter_.add(Severity::error, code, text, static_cast<int>(from),
+                static_cast<int>(to > from ? to - from : 1));
+  return false;
+}
+
+bool Statements::report(const Fault& fault) {
+  if (fault.code[0] != '\0') return fail(fault.code, fault.text, fault.from, fault.to);
+  return false;
+}
+
+Word Statements::place_word(std::size_t from, std::size_t to) const {
+  Word word;
+  word.column = static_cast<int>(from);
+  word.length = static_cast<int>(to > from ? to - from : 1);
+  return word;
+}
+
+std::size_t Statements::skip_blanks(std::size_t p) const {
+  while (at(p) == ' ' || at(p) == '\t' || at(p) == '\r') ++p;
+  return p;
+}
+
+std::string Statements::letters_of(std::string_view line, std::size_t& p) {
+  return letters_at(line, p);
+}
+
+LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, Word& word,
+                                         bool whole) {
+  const std::size_t from = p;
+  const auto c = static_cast<char>(word.address);
+  const bool length = word.address < Address::function &&
+                      std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
+  const bool steps = length && is(Dialect::fanuc) && !whole;  // ROUND in a word of FANUC's macros
+  evaluator_.set_round_step(!steps ? 1 : modal_.inch ? 1e-4 : 1e-3);
+  Value out;
+  const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
+  evaluator_.set_round_step(1);
+  if (!ok) {
+    report(evaluator_.fault());
+    return Answer::failed;
+  }
+  switch (out.kind) {
+    case Value::Kind::vacant:
+      return Answer::vacant;
+    case Value::Kind::text:
+      if (texts_.size() > kMostTexts) texts_.pop_front();
+      texts_.push_back(std::move(out.text));
+      word.string = true;
+      word.text = texts_.back();
+      return Answer::value;
+    case Value::Kind::number:
+      break;
+    default:
+      fail("expression", "a number is needed here", from, p);
+      return Answer::failed;
+  }
+  if (!(std::abs(out.number) <= kLargest)) {
+    fail("number-too-large",
+         fmt::format("{} is too large (limit 1e9){}", value_text(out.number),
+                     evaluator_.values_read()),
+         from, p);
+    return Answer::failed;
+  }
+  word.value = out.number;
+  const double tenth = nearest_whole(out.number * 10);
+  if ((c == 'G' || c == 'M') && std::abs(out.number * 10 - tenth) < 1e-6) word.value = tenth / 10;
+  return Answer::value;
+}
+
+bool Statements::starts_function(std::string_view line, std::size_t p) const {
+  const std::string name = letters_of(line, p);
+  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  if (p >= line.size() || line[p] != '[' || name.size() < 2) return false;
+  for (const FunctionRow& row : evaluator_.rules().functions)
+    if (row.name == name) return true;
+  return false;
+}
+
+bool Statements::variable(double number, double& out) {
+  Value value;
+  std::string why;
+  if (!variables_.numbered(number, value, why) || !value.is_number()) return false;
+  out = value.number;
+  return true;
+}
+
+void Statements::set_variable(double number, double value) {
+  std::string why;
+  variables_.assign(number, Value::of(value), why);
+}
+
+bool Statements::store(double number, const Value& value, std::size_t from, std::size_t to) {
+  std::string why;
+  if (!variables_.assign(number, value, why)) return fail("variable-number", why, from, to);
+  if (options_.trace_variables && value.kind != Value::Kind::faulty)
+    reporter_.assignment(block_.line.substr(from, to - from), value_shown(value));
+  return true;
+}
+
+bool Statements::store(std::string_view name, std::span<const Value> indices, const Value& value,
+                       std::size_t from, std::size_t to) {
+  std::string why;
+  if (!variables_.assign(name, indices, value, why)) return fail("variable-unset", why, from, to);
+  if (options_.trace_variables && value.kind != Value::Kind::faulty)
+    reporter_.assignment(block_.line.substr(from, to - from), value_shown(value));
+  return true;
+}
+
+// #target = expression. LinuxCNC has assignments of its own, see OwordStatements.
+bool Statements::assignment(std::string_view line, std::size_t& p) {
+  const std::size_t from = p;
+  ++p;
+  double index = 0;
+  if (!evaluator_.number_operand(line, p, index)) return report(evaluator_.fault());
+  const std::size_t to = p;
+  p = skip_blanks(p);
+  if (at(p) != '=')
+    return fail("assignment", "= is expected here: a variable is read only behind an address", p,
+                p + 1);
+  ++p;
+  Value value;
+  if (!evaluator_.expression(line, p, value)) {
+    report(evaluator_.fault());
+    Value faulty;
+    faulty.kind = Value::Kind::faulty;
+    std::string ignored;
+    variables_.assign(nearest_whole(index), faulty, ignored);
+    return false;
+  }
+  return store(nearest_whole(index), value, from, to);
+}
+
+bool Statements::call_values(std::string_view argument, std::vector<std::optional<Value>>& out) {
+  const auto from = static_cast<std::size_t>(argument.data() - block_.line.data());
+  const std::size_t to = from + argument.size();
+  std::size_t p = skip_blanks(from);
+  while (out.size() < kMostCallValues) {
+    out.emplace_back();
+    if (p < to && at(p) != ',') {
+      Value value;
+      if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+      out.back() = std::move(value);
+      p = skip_blanks(p);
+    }
+    if (p >= to) return true;
+    if (at(p) != ',') return fail("bracket", "a comma is expected here (alarm 12080)", p, p + 1);
+    p = skip_blanks(p + 1);
+  }
+  return fail("value-range", fmt::format("more than {} values", kMostCallValues), from, to);
+}
+
+bool Statements::jump_always(const Place& to) {
+  if (decided_ || reader_.depth() > 1) return reader_.jump(to);
+  if (to.line + 1 >= block_.line_number) {
+    jumped_over_.emplace_back(block_.line_number, to.line);
+    return reader_.jump(to);
+  }
+  const auto over = std::find_if(jumped_over_.begin(), jumped_over_.end(), [&](const auto& part) {
+    return part.first <= to.line && to.line < part.second;
+  });
+  if (over != jumped_over_.end()) {  // a part that has not run yet
+    jumped_over_.erase(over);
+    return reader_.jump(to);
+  }
+  reporter_.add(Severity::note, "program-loops",
+                "the jump back starts the program again: simulated once", 0, 1);
+  reader_.end_program();
+  return true;
+}
+
+bool Statements::condition(std::size_t& p, bool& out) {
+  double value = 0;
+  decided_ = true;
+  if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
+  out = value != 0;
+  return true;
+}
+
+bool Statements::number(std::size_t& p, double& out, bool whole) {
+  const std::size_t from = p;
+  if (!evaluator_.number_operand(block_.line, p, out)) return report(evaluator_.fault());
+  if (whole && std::abs(out - nearest_whole(out)) > 1e-6)
+    return fail("value-range", "a whole number is needed here", from, p);
+  if (whole) out = nearest_whole(out);
+  return std::abs(out) <= kLargest || fail("number-too-large", "too large", from, p);
+}
+
+void Statements::run() {
+  if (!statement(block_.statement) && !reader_.finished()) reader_.stop();
+}
+
+Outline& Statements::outline() { return outline(reader_.file()); }
+
+Outline& Statements::outline(const std::string& file) {
+  std::unique_ptr<Outline>& found = outlines_[file];
+  if (!found) found = std::make_unique<Outline>(file, form_);
+  return *found;
+}
+
+bool Statements::saved_modes(int m, const Word& word) {
+  return error("not-supported", fmt::format("M{} is not a word of this control", m), word);
+}
+
+bool Statements::call_sub(const std::string& name, CallRequest, const Word& word) {
+  return error("subprogram-missing", "there is no subprogram " + name, word);
+}
+
+const FlowEntry* Statements::entry_at(std::size_t p) {
+  Outline& all = outline();
+  const Place here = reader_.place_at(p);
+  const int i = all.find(here);
+  if (const OutlineFault* wrong = all.fault_in(all.section_at(here))) {
+    reporter_.set_place(block_.file, wrong->at.line + 1, block_.call, {});
+    fail("structure", wrong->text, wrong->at.position, wrong->at.position + 1);
+    return nullptr;
+  }
+  if (i >= 0) return &all.entry(i);
+  fail("structure", "this statement stands where the control does not look for it", p, p + 1);
+  return nullptr;
+}
+
+bool Statements::jump_behind(const FlowEntry& entry) {
+  Place to = entry.at;
+  to.position = entry.behind;
+  return reader_.jump(to);
+}
+
+bool Statements::find_number_twice(long number) {
+  const Outline& all = outline();
+  const int section = all.section_at(reader_.place_at(0));
+  const Place from = all.section_begin(section), to = all.section_end(section);
+  Place first, last;
+  const std::string& file = reader_.file();
+  return scan_number(file, number, from, to, false, first) &&
+         scan_number(file, number, from, to, true, last) && first != last;
+}
+
+bool Statements::scan_number(const std::string& file, long wanted, const Place& from,
+                             const Place& to, bool last, Place& out) const {
+  LineSource source(file, std::size_t(1) << 16);
+  source.seek(from.offset, from.line);
+  std::string_view line;
+  bool found = false;
+  for (std::uint64_t offset = from.offset; offset < to.offset && source.next(line);
+       offset = source.next_offset()) {
+    for (std::size_t p = 0; p < line.size();) {
+      long n = -1;
+      if (behind_number(line, p, n) > p && n == wanted) {
+        out = {offset, source.line_number() - 1, p};
+        found = true;
+        if (!last) return true;
+      }
+      p = form_ == OutlineForm::macro ? line.find(';', p) : line.size();
+      if (p < line.size()) ++p;
+    }
+  }
+  return found;
+}
+
+bool Statements::find_number(long wanted, bool forward, bool backward, Place& out) {
+  const Outline& all = outline();
+  const Place here = reader_.place_at(0);
+  const int section = all.section_at(reader_.place_at(0));
+  if (numbers_file_ != reader_.file() || numbers_.size() > kMostNumbers) numbers_.clear();
+  numbers_file_ = reader_.file();
+  const long mode = forward && backward ? 0 : forward ? 1 : 2;
+  const auto [known, fresh] = numbers_.try_emplace({here.offset, wanted * 4 + mode});
+  if (fresh) {
+    bool& found = known->second.first;
+    Place& place = known->second.second;
+    if (forward)
+      found = scan_number(reader_.file(), wanted, here, all.section_end(section), false, place);
+    if (!found && backward)
+      found =
+          scan_number(reader_.file(), wanted, all.section_begin(section), here, !forward, place);
+  }
+  out = known->second.second;
+  return known->second.first;
+}
+
+Place Statements::behind_line(const std::string& file, Place at) const {
+  LineSource source(file, std::size_t(1) << 16);
+  source.seek(at.offset, at.line);
+  std::string_view line;
+  source.next(line);
+  return {source.next_offset(), source.line_number(), 0};
+}
+
+bool Statements::find_blocks(long first, long last, Place& begin, Place& end) {
+  if (!find_number(first, true, true, begin) || !find_number(last, true, true, end)) return false;
+  end = behind_line(end);
+  return begin < end;
+}
+
+bool Statements::find_blocks(const SubprogramPlace& program, long first, long last, Place& begin,
+                             Place& end) {
+  const Outline& all = outline();
+  const Place top{program.offset, program.line, 0};
+  Place bottom = {std::numeric_limits<std::uint64_t>::max(), 0, 0};
+  if (program.file == reader_.file()) bottom = all.section_end(all.section_at(top));
+  if (!scan_number(program.file, first, top, bottom, false, begin) ||
+      !scan_number(program.file, last, begin, bottom, false, end))
+    return false;
+  end = behind_line(program.file, end);
+  return true;
+}
+
+std::pair<Place, Place> Statements::section() {
+  const Outline& all = outline();
+  const int here = all.section_at(reader_.place_at(0));
+  return {all.section_begin(here), all.section_end(here)};
+}
+
+bool Statements::find_labels(const std::string& first, const std::string& last, Place& begin,
+                             Place& end) {
+  const Outline& all = outline();
+  const int section = all.section_at(reader_.place_at(0));
+  const Place bottom = all.section_end(section);
+  const int from = all.find_label(first, all.section_begin(section), bottom, false);
+  const int to = from < 0 ? -1 : all.find_label(last, all.entry(from).at, bottom, false);
+  if (to < 0) return false;
+  begin = all.entry(from).at;
+  end = behind_line(all.entry(to).at);
+  return true;
+}
+
+bool Statements::jump_to_number(const Word& word, bool from_main) {
+  Place to;
+  reader_.leave_stretches();
+  if (find_number(static_cast<long>(word.value), true, true, to))
+    return from_main ? jump_always(to) : reader_.jump(to);
+  error("jump-target",
+        fmt::format("there is no block N{:.0f} in this program (alarm 128)", word.value), word);
+  reader_.stop();
+  return false;
+}
+
+bool Statements::call_number(const Word& word, long repeats) {
+  Place to;
+  if (!find_number(static_cast<long>(word.value), true, true, to))
+    return error("jump-target",
+                 fmt::format("there is no block N{:.0f} in this program", word.value), word);
+  CallRequest request;
+  request.file = reader_.file();
+  request.begin = to;
+  request.repeats = repeats;
+  return reader_.enter(std::move(request), word);
+}
+
+}  // namespace mrsim

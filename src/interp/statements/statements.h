@@ -1,0 +1,125 @@
+// The language of a control while a program runs: values of expressions, assignments, and the
+// statements that decide which block comes next. What the controls share; each control's own
+// statements are in a class that derives from this one. Private to src/interp.
+#pragma once
+
+#include "interp/calls/block_reader.h"
+#include "interp/language/variables.h"
+#include "interp/statements/system_values.h"
+#include "interp/text/language_reader.h"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+
+class Statements : public ControlPart, public LanguageReader {
+ public:
+  /// Null: this control has no language here.
+  static std::unique_ptr<Statements> make(Control& control, BlockReader& reader);
+
+  Answer value(std::string_view line, std::size_t& p, Word& word, bool whole) override;
+  bool assignment(std::string_view line, std::size_t& p) override;
+  bool starts_function(std::string_view line, std::size_t p) const override;
+  bool is_variable(std::string_view name) override { return variables_.is_defined(name); }
+
+  /// Carries out the statement of the block. One that fails ends the program.
+  void run();
+  /// Before the words of a block are looked at. True: it is done with.
+  virtual bool take_block() { return false; }
+  /// M70 to M73: modes that are saved and restored. False: reported.
+  virtual bool saved_modes(int m, const Word& word);
+  /// The main program's text ends without a word that says so.
+  virtual void end_of_main() {}
+  /// After a block of words; `moved`: it had a motion.
+  virtual void end_block(bool moved) { (void)moved; }
+  /// A call by number or name without arguments. False: reported.
+  virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
+    return reader_.call(name, repeats, word);
+  }
+  /// A subprogram of the control's language without arguments; `request` says what happens about
+  /// it. False: reported.
+  virtual bool call_sub(const std::string& name, CallRequest request, const Word& word);
+  /// Who knows the data of the tool in the spindle.
+  void set_tools(ToolChanger& tools) { system_.set_tools(tools); }
+  /// The values of a call whose text between the brackets is `argument`, a part of the block's
+  /// line; one may be left out. False: reported.
+  bool call_values(std::string_view argument, std::vector<std::optional<Value>>& out);
+  /// The value of a numbered variable. False: it has none, or no number.
+  bool variable(double number, double& out);
+  void set_variable(double number, double value);
+  /// M99 P: goes on at a block number of the program that is being read.
+  bool jump_to_number(const Word& word, bool from_main);
+  /// M97 P: calls from a block number on. False: reported.
+  bool call_number(const Word& word, long repeats);
+  /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
+  bool find_blocks(long first, long last, Place& begin, Place& end);
+  /// The same in another program.
+  bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
+  /// The program that is being read: where it begins and ends.
+  std::pair<Place, Place> section();
+  /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
+  bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
+
+ protected:
+  Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
+             VariableForm variables, OutlineForm outline);
+
+  /// The statement at `p` of block_.line. False: reported, or nothing can go on.
+  virtual bool statement(std::size_t p) = 0;
+
+  bool fail(const char* code, const std::string& text, std::size_t from, std::size_t to);
+  bool report(const Fault& fault);
+  bool condition(std::size_t& p, bool& out);
+  /// A jump without a condition of its own; back in a main program where nothing has decided
+  /// anything, it starts the program again for the next part.
+  bool jump_always(const Place& to);
+  bool number(std::size_t& p, double& out, bool whole);
+  /// Values in brackets up to the end: "[1] [#2]".
+  bool store(double number, const Value& value, std::size_t from, std::size_t to);
+  bool store(std::string_view name, std::span<const Value> indices, const Value& value,
+             std::size_t from, std::size_t to);
+
+  Outline& outline();
+  Outline& outline(const std::string& file);
+  /// The entry of the statement at `p`; reports what is wrong with the structure.
+  const FlowEntry* entry_at(std::size_t p);
+  bool jump_behind(const FlowEntry& entry);
+  /// Whether two blocks of the program that is being read have this number.
+  bool find_number_twice(long number);
+  /// Where the next line begins.
+  Place behind_line(Place at) const { return behind_line(reader_.file(), at); }
+  Place behind_line(const std::string& file, Place at) const;
+  /// Searches block `number` forward from here and then from the top, or one of these.
+  bool find_number(long number, bool forward, bool backward, Place& out);
+  std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }
+  static std::string letters_of(std::string_view line, std::size_t& p);
+  char at(std::size_t p) const { return p < block_.line.size() ? block_.line[p] : '\0'; }
+  std::size_t skip_blanks(std::size_t p) const;
+  Word place_word(std::size_t from, std::size_t to) const;
+
+  BlockReader& reader_;
+  SystemValues system_;
+  Variables variables_;
+  Evaluator evaluator_;
+  bool decided_ = false;  ///< the program has asked for a value that may change its way
+
+ private:
+  bool scan_number(const std::string& file, long number, const Place& from, const Place& to,
+                   bool last, Place& out) const;
+
+  OutlineForm form_;
+  std::map<std::string, std::unique_ptr<Outline>> outlines_;
+  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
+  std::string numbers_file_;
+  std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
+  std::deque<std::string> texts_;                 ///< that words of the block point to
+  std::size_t texts_line_ = 0;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,221 @@
+// FANUC's numbered variables: positions, offsets of tools, modal codes and addresses.
+#include "core/text_io.h"
+#include "interp/statements/system_values.h"
+#include "interp/tools/tool_changer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+double motion_number(Code motion) {
+  switch (motion) {
+    case Code::rapid:
+      return 0;
+    case Code::arc_cw:
+      return 2;
+    case Code::arc_ccw:
+      return 3;
+    case Code::thread:
+      return 33;
+    default:
+      return 1;
+  }
+}
+
+double comp_number(Code comp) {
+  return comp == Code::comp_left ? 41 : comp == Code::comp_right ? 42 : 40;
+}
+
+double feed_number(FeedUnit unit) {
+  return unit == FeedUnit::inverse_time ? 93 : unit == FeedUnit::mm_per_min ? 94 : 95;
+}
+
+// #4001 to #4130: the code in force of a modal group, and the last value of an address. Those of
+// the block before, 200 and 400 on, are the same here.
+bool SystemValues::fanuc_modal(int number, double& out) const {
+  const int n = (number - 4000) % 200;
+  if (n > 100) return fanuc_address(n - 100, out);
+  switch (n) {
+    case 1:
+      out = motion_number(modal_.motion);
+      if (modal_.turn.number != 0) out = modal_.turn.number;
+      if (lathe() && modal_.motion == Code::thread) out = 32;
+      return true;
+    case 6:
+      out = modal_.inch ? 20 : 21;
+      return true;
+    case 7:
+      out = comp_number(modal_.comp);
+      return true;
+    case 14:
+      out = frames_.work_name.starts_with("G54.1P") ? 54.1 : work_number();
+      return true;
+    default:
+      return lathe() ? lathe_group(n, out) : mill_group(n, out);
+  }
+}
+
+bool SystemValues::mill_group(int group, double& out) const {
+  const auto choose = [&](bool first, double yes, double no) {
+    out = first ? yes : no;
+    return true;
+  };
+  switch (group) {
+    case 2:
+      out = 17 + std::min(modal_.plane, 2);
+      return true;
+    case 3:
+      return choose(modal_.incremental, 91, 90);
+    case 5:
+      out = feed_number(modal_.feed_unit);
+      return true;
+    case 8:
+      return choose(modal_.length == Code::length_off, 49,
+                    modal_.length == Code::length_minus ? 44 : 43);
+    case 9:
+      return choose(modal_.drill.number != 0, modal_.drill.number, 80);
+    case 10:
+      return choose(modal_.hole_return == HoleReturn::initial, 98, 99);
+    case 11:
+      return choose(frames_.scaling == Frame{}, 50, 51);
+    case 13:
+      return choose(modal_.surface_speed, 96, 97);
+    case 16:
+      return choose(frames_.rotation == Frame{}, 69, 68);
+    case 17:
+      return choose(modal_.polar, 16, 15);
+    default:
+      return false;
+  }
+}
+
+// Of code system A.
+bool SystemValues::lathe_group(int group, double& out) const {
+  switch (group) {
+    case 2:
+      out = modal_.surface_speed ? 96 : 97;
+      return true;
+    case 5:
+      out = modal_.feed_unit == FeedUnit::mm_per_min ? 98 : 99;
+      return true;
+    case 16:
+      out = 17 + std::min(modal_.plane, 2);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SystemValues::fanuc_address(int number, double& out) const {
+  switch (number) {
+    case 7:  // D
+      out = modal_.edge;
+      return true;
+    case 9:
+      out = modal_.feed / feed_scale();
+      return true;
+    case 11:  // H
+      out = modal_.length_number;
+      return true;
+    case 19:
+      out = modal_.surface_speed ? modal_.cutting_speed / (modal_.inch_feed ? 0.3048 : 1.0)
+                                 : modal_.speed;
+      return true;
+    case 20:
+      out = control_.tool.written;
+      return out >= 0;
+    case 30: {  // P of G54.1
+      const std::string_view name = frames_.work_name;
+      out = name.starts_with("G54.1P") ? parse_number(name.substr(6)).value_or(0) : 0;
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+// #5001 end of the block before, #5021 machine, #5041 now, #5081 length offset of the tool.
+bool SystemValues::fanuc_position(int number, double& out, std::string& why) const {
+  const int kind = (number - 5001) / 20, axis = axis_numbered((number - 5001) % 20);
+  if (axis < 0 || kind == 3 || kind > 4) return false;
+  if (kind == 4) {
+    out = axis == 2 && !lathe() ? modal_.length_offset / scale() : 0;
+    return !lathe();
+  }
+  if (kind == 1 && !control_.machine_known) {
+    why = fmt::format("#{} is a place of the machine: say where its zero is ([machine] of a job)",
+                      number);
+    return false;
+  }
+  if ((position_.known >> axis & 1U) == 0) {
+    why =
+        fmt::format("#{}: where {} is, is not known here: say --start X,Y,Z", number, "XYZ"[axis]);
+    return false;
+  }
+  out = kind == 1 ? machine_position(axis) : work_position(axis);
+  return true;
+}
+
+// Offset memory C of mills: #10001 wear and #11001 length of H, #12001 wear and #13001 radius of D.
+bool SystemValues::fanuc_register(int number, double& out, std::string& why) const {
+  const int kind = number / 1000;
+  if (lathe() || kind < 10 || kind > 13 || number % 1000 == 0 || !tools_) return false;
+  const std::string name = fmt::format("{}{}", kind < 12 ? 'H' : 'D', number % 1000);
+  const OffsetRegister* reg = tools_->find_register(name);
+  if (!reg && kind == 12 && control_.bare_wears.contains(name)) {
+    out = control_.bare_wear(name) / scale();
+    return true;
+  }
+  if (!reg) {
+    why = fmt::format("#{}: {} is not in the tool table", number, name);
+    return false;
+  }
+  out = (kind % 2 == 0 ? reg->wear : kind == 11 ? reg->length : reg->radius) / scale();
+  return true;
+}
+
+// Lengths, #10001 and #11001, are those of the real tools.
+bool SystemValues::write_fanuc_register(double number, const Value& value) {
+  const int kind = static_cast<int>(number / 1000), index = static_cast<int>(number) % 1000;
+  if (lathe() || (kind != 12 && kind != 13) || index == 0 || !value.is_number()) return false;
+  const std::string name = fmt::format("D{}", index);
+  double& place = kind == 12 ? control_.change_wear(name) : control_.change_register(name).radius;
+  place = value.number * scale();
+  return true;
+}
+
+bool SystemValues::read_fanuc(int number, Value& out, std::string& why) const {
+  double value = 0;
+  bool known = false;
+  if (const auto given = outside_.find(number); given != outside_.end()) {
+    value = given->second;
+    known = true;
+  } else if (number >= 4000 && number < 4600) {
+    known = fanuc_modal(number, value);
+  } else if (number > 5000 && number < 5101) {
+    known = fanuc_position(number, value, why);
+  } else {
+    known = fanuc_register(number, value, why);
+  }
+  out = Value::of(value);
+  if (!known && why.empty())
+    why = fmt::format("the system variable #{0} is not answered here: say --set '#{0}=1'", number);
+  return known;
+}
+
+bool SystemValues::write_fanuc(double number, const Value& value, std::string& why) {
+  if (!tools_ && value.is_number()) {  // before the program runs: --set
+    outside_[static_cast<int>(number)] = value.number;
+    return true;
+  }
+  if (number >= 3001 && number <= 3007) return true;  // clock, stops, messages
+  if (write_fanuc_register(number, value)) return true;
+  why = number == 3000
+            ? fmt::format("the program stops with its own alarm #3000 = {:g}", value.number)
+            : fmt::format("the system variable #{:.0f} cannot be set here", number);
+  return false;
+}
+
+}  // namespace mrsim

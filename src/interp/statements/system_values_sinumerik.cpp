@@ -1,0 +1,203 @@
+// System variables of SINUMERIK: data of tools, positions, frames.
+#include "core/rounding.h"
+#include "core/text_io.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/frames/frame_words.h"
+#include "interp/statements/system_values.h"
+#include "interp/text/characters.h"
+#include "interp/tools/tool_changer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+// Lengths of settable frames and of tools: G700 makes them inches, G70 does not.
+double SystemValues::data_scale() const { return feed_scale(); }
+
+// $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
+bool SystemValues::tool_value(std::string_view name, std::span<const Value> indices,
+                              double& out) const {
+  if (name == "$P_TOOLNO") {
+    const auto id = parse_number(control_.tool.current);
+    out = id.value_or(0);
+    return id.has_value() || control_.tool.current.empty();
+  }
+  if (name == "$P_TOOL") {
+    out = modal_.edge;
+    return true;
+  }
+  if (name == "$P_TOOLR") {
+    out = tool_radius() / data_scale();
+    return true;
+  }
+  if (indices.size() != 2 || (name != "$TC_DP3" && name != "$TC_DP6")) return false;
+  const std::string id = fmt::format("{:g}", indices[0].number);
+  const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
+  for (const OffsetRegister& reg : control_.registers)
+    if (reg.name == wanted) {
+      out = (name == "$TC_DP3" ? reg.length : reg.radius) / data_scale();
+      return true;
+    }
+  for (const Tool& tool : options_.table.tools)
+    if (tool.id == id && name == "$TC_DP6") {
+      out = (tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius) / data_scale();
+      return true;
+    }
+  return false;
+}
+
+bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) const {
+  if (name == "$P_EP" || name == "$AA_IW" || name == "$AA_MW")
+    out = work_position(axis);
+  else if (name == "$AA_IM" || name == "$AA_IB" || name == "$P_APR")
+    out = machine_position(axis);
+  else
+    return false;
+  return true;
+}
+
+// $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, and one component: $P_PFRAME[X,TR]
+bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
+                               Value& out) const {
+  Frame frame;
+  double turned = 0;
+  const bool programmed = name == "$P_PFRAME" || name == "$P_ACTFRAME";
+  const double unit = programmed ? scale() : data_scale();
+  if (name == "$P_IFRAME") {
+    frame = compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn));
+  } else if (name == "$P_PFRAME") {
+    frame = frames_.program;
+  } else if (name == "$P_ACTFRAME") {
+    frame = frames_.total;
+  } else if (name == "$P_UIFR" && !indices.empty() && indices[0].is_number()) {
+    const double n = indices[0].number;
+    const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
+    turned = work_turn(wanted);
+    frame = compose(shift_frame(work_shift(wanted)), rotation_frame(2, turned));
+    indices = indices.subspan(1);
+  } else {
+    return false;
+  }
+  if (indices.empty()) {
+    frame.shift = (1 / unit) * frame.shift;
+    out = Value::of_frame(frame);
+    return true;
+  }
+  if (name == "$P_UIFR" && indices.size() == 2 && indices[1].text == "RT" &&
+      indices[0].text == "Z") {
+    out = Value::of(turned);
+    return true;
+  }
+  if (indices.size() != 2 || indices[1].text != "TR" || axis_named(indices[0].text) < 0)
+    return false;
+  out = Value::of(component(frame.shift, axis_named(indices[0].text)) / unit);
+  return true;
+}
+
+// The tool's data: radius and its wear decide the compensation; lengths are those of the real
+// tools.
+bool SystemValues::write_tool(std::string_view key, std::span<const Value> indices,
+                              const Value& value) {
+  if (!value.is_number() || indices.size() != 2 || !indices[0].is_number() ||
+      !indices[1].is_number())
+    return false;
+  if (!key.starts_with("$TC_DP")) return false;
+  const double number = parse_number(key.substr(6)).value_or(0);
+  if (number < 1 || number > 25 || number != std::floor(number)) return false;
+  if (number == 2 && lathe()) return false;  // the tip's orientation is that of the tool table
+  const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);
+  const double mm = value.number * data_scale();
+  const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),
+                               [&](const OffsetRegister& reg) { return reg.name == name; });
+  if (number == 15 && mm != 0 && at == control_.registers.end()) return false;  // wear of what?
+  if (number == 6) control_.change_register(name).radius = mm;
+  if (number == 15 && at != control_.registers.end()) control_.change_register(name).wear = mm;
+  return true;
+}
+
+// $P_PFRAME = CTRANS(...), $P_PFRAME[X,TR] = 5
+bool SystemValues::write_program_frame(std::span<const Value> indices, const Value& value) {
+  Frame frame = frames_.program;
+  if (indices.empty() && value.kind == Value::Kind::frame) {
+    frame = *value.frame;
+    frame.shift = scale() * frame.shift;
+  } else if (indices.size() == 2 && indices[1].text == "TR" && value.is_number() &&
+             axis_named(indices[0].text) >= 0) {
+    component(frame.shift, axis_named(indices[0].text)) = value.number * scale();
+  } else {
+    return false;
+  }
+  FrameWords frames(control_);
+  frames.save();
+  frames_.program = frame;
+  frames.rebuild();
+  return true;
+}
+
+double SystemValues::work_turn(const std::string& name) const {
+  const auto turn = control_.work_turns.find(name);
+  return turn == control_.work_turns.end() ? 0 : turn->second;
+}
+
+namespace {
+
+// Whether the frame shifts and turns about Z alone, and by how much in degrees.
+bool turned_about_z(const Frame& frame, double& angle) {
+  const Vec3 x = turn(frame, {1, 0, 0});
+  angle = degrees(atan2(x.y, x.x));
+  const double whole = std::round(angle * 1e9) / 1e9;  // the angle as it was written
+  angle = whole;
+  const Frame same = rotation_frame(2, angle);
+  for (int i = 0; i < 3; ++i) {
+    Vec3 axis;
+    component(axis, i) = 1;
+    if (distance(turn(frame, axis), turn(same, axis)) > kTurnRounding) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30
+bool SystemValues::write_work_frame(std::span<const Value> indices, const Value& value) {
+  if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
+      indices[0].number >= 100)
+    return false;
+  const double n = indices[0].number;
+  const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
+  Vec3 shift = work_shift(wanted);
+  double angle = work_turn(wanted);
+  if (indices.size() == 3 && indices[2].text == "RT" && value.is_number()) {
+    const bool about_z = indices[1].text == "Z";
+    if (!about_z && (value.number != 0 || axis_named(indices[1].text) < 0)) return false;
+    if (about_z) angle = value.number;
+  } else if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
+             axis_named(indices[1].text) >= 0) {
+    component(shift, axis_named(indices[1].text)) = value.number * data_scale();
+  } else if (indices.size() == 1 && value.kind == Value::Kind::frame &&
+             turned_about_z(*value.frame, angle)) {
+    shift = data_scale() * value.frame->shift;
+  } else {
+    return false;
+  }
+  control_.work_turns[wanted] = angle;
+  set_work(wanted, shift);
+  return true;
+}
+
+bool SystemValues::write(std::string_view name, std::span<const Value> indices, const Value& value,
+                         std::string& why) {
+  const std::string key = upper_case(name);
+  if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
+  if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
+  if (write_tool(key, indices, value)) return true;
+  why = fmt::format("the system variable {} cannot be set here{}", to_utf8(name.substr(0, 60)),
+                    key == "$P_UIFR" ? " (a settable frame shifts, and turns about Z)" : "");
+  return false;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,49 @@
+// Radius compensation as the program switches it: start, end, radius in force. The offset itself is
+// made by CompensationStage. Private to src/interp.
+#pragma once
+
+#include "interp/path/corners.h"
+#include "interp/tools/tool_changer.h"
+
+namespace mrsim {
+
+class CompensationWords : public ControlPart {
+ public:
+  CompensationWords(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
+
+  /// G40 G41 G42 and what says how the path is moved. False: another word.
+  bool select(Code code, const Word& word);
+  /// LinuxCNC and Mach: what must not change while the path is moved. False: an error was reported.
+  bool allows_block();
+  /// Before a move is given on: G40 G41 G42 take effect with a straight move in the plane.
+  /// False: an error was reported.
+  bool begin_move(const Motion& motion, const Word& where);
+  /// After the block. SINUMERIK: G41 and G42 count only in a block that moves in the plane.
+  void end_block(bool move_waits);
+  /// What CompensationStage needs to know about the next move.
+  Compensation for_move() const;
+  bool started() const { return started_; }
+  /// The tool's radius by the register in force, mm.
+  double register_radius(const Word& where) {
+    tools_.require(where, true);
+    set_radius();
+    return radius_;
+  }
+
+ private:
+  void set_radius();
+  bool work_selected() const;
+  std::string edge_name() const;
+  const Tool* tool_of_edge() const;
+  Vec2 tip_vector(const Tool& tool) const;
+
+  ToolChanger& tools_;
+  bool started_ = false;
+  double radius_ = 0;
+  Vec2 tip_;
+  std::string key_;  ///< register and tool that `radius_` was made of
+  int changes_ = 0;  ///< Control::register_changes when radius_ was found
+  int tool_ = -2;
+};
+
+}  // namespace mrsim

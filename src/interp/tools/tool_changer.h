@@ -1,0 +1,83 @@
+// Tools: T words and names, what comments say of them, registers. Adds the tools that the program
+// uses to Program::tools. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+#include "interp/tools/tool_notes.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace mrsim {
+
+class ToolChanger : public ControlPart {
+ public:
+  explicit ToolChanger(Control& control);
+
+  /// Comments come before the words of their block: a hint may be for the T in it.
+  void read_comments();
+  /// T and M6 of the block.
+  bool apply();
+  /// A block with words was read.
+  void end_block() { notes_.end_block(); }
+  /// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
+  /// when it cuts.
+  void require(const Word& where, bool cuts);
+  /// The tool of a lathe that comments call a bar stop, a gripper or a probe: its feeds cut
+  /// nothing.
+  bool only_touches(const Word& where);
+  /// The tool in the spindle, or null.
+  const Tool* current() const {
+    return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
+  }
+  /// The tool of the table with this number or name, or null.
+  const Tool* given(const std::string& id) const;
+  const OffsetRegister* find_register(const std::string& name) const;
+  /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
+  /// 0 without a tool. `edge` below 0: the tool's own.
+  double radius(int edge);
+  /// The same; a radius that is missing is an error, told once for each tool.
+  double radius_for(const std::string& cycle, int edge, const Word& where);
+  /// What the comments about the tool say of its register: "WEAR COMP", "CONTROL COMP".
+  CompRadius commented_radius() const;
+
+ private:
+  bool cancels_offset(const Word& word);
+  bool select(const Word& word);
+  bool suffix(const Word& word);
+  void compare_offset(const Word& word);
+  void compare_edge(const Word& where);
+  void compare_nose(const Tool& tool, const Word& where);
+  void tell_second(const std::string& offset, const std::string& id, const Tool& tool,
+                   const Word& where);
+  std::string id_at_edge() const;
+  void change();
+  void take_commented(const Word& where);
+  std::string id_of(const Word& word);
+  std::size_t turret_digits() const;
+  std::string mach_station(long number, std::size_t digits, const std::string& text,
+                           const Word& word);
+  bool repeats_name(const std::string& comment, const std::string& id) const;
+  bool of_unknown_unit(const ToolHint& hint) const;
+  bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
+  bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
+  void missing(const Word& where, const std::string& why, const Tool& read);
+  void use(Tool tool);
+
+  ToolState& tool_;
+  ToolNotes notes_;
+  std::unordered_map<std::string, std::size_t> given_;  ///< id -> tool of the table, the first
+  std::unordered_map<std::string, int> used_;           ///< id -> tool of the program
+  std::unordered_map<std::string, double> suffixes_;    ///< id -> T word with a suffix
+  std::unordered_map<std::string, long> offsets_;       ///< id -> the first offset that it had
+};
+
+/// How Tool::origin begins where a turning tool is taken to be the usual one.
+inline constexpr std::string_view kNoToolData = "no data:";
+
+/// "end mill 5 mm"
+std::string tool_summary(const Tool& tool);
+
+}  // namespace mrsim

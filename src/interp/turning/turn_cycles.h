@@ -1,0 +1,76 @@
+// SINUMERIK's turning cycles without a contour: CYCLE93 cuts a groove, CYCLE951 removes a corner,
+// CYCLE97, CYCLE98 and CYCLE99 cut threads. docs/sinumerik_cycles.md says what is read and what is
+// refused. Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_call.h"
+#include "interp/moves/moves.h"
+#include "interp/tools/tool_changer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+class TurnCycles : public ControlPart {
+ public:
+  TurnCycles(Control& control, ToolChanger& tools, Moves& moves)
+      : ControlPart(control), tools_(tools), moves_(moves) {}
+
+  static bool knows(std::string_view name);
+  /// False: an error was reported.
+  bool run(const CycleCall& call, const Word& where);
+
+ private:
+  /// A thread through points, X as radius; pitch i leads from point i to the next. Lengths in mm.
+  struct Thread {
+    std::vector<Vec3> points;
+    std::vector<double> pitches;
+    double run_in = 0, run_out = 0, clear = 1, flank = 0;  ///< flank in degrees
+    std::vector<double> depths;
+    int starts = 1;
+    bool inside = false;
+  };
+  /// CYCLE951: a rectangle between two corners; levels in u, cuts in v.
+  struct Corner {
+    Vec3 start, end, allowance;
+    int u = 0, v = 2;
+    double down = -1, run = -1;  ///< signs of the infeed and of the cut
+    double clear = 0, depth = 0;
+  };
+  /// CYCLE93: places of the blade along Z, X as radius.
+  struct Groove {
+    double first = 0, last = 0;  ///< of the tool, at the two flanks, the side of SPL first
+    double top = 0, bottom = 0, clear = 0;
+    double base_allowance = 0, flank_allowance = 0;
+    double infeed = 0, retract = 1, step = 0;
+    double dwell = 0;  ///< at the bottom of each plunge, s
+  };
+
+  bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
+  bool refuse(const char* what);
+  void to(double x, double z, MotionKind kind, double lead = 0);
+  bool corner();
+  bool corner_values(Corner& out);
+  void corner_rough(const Corner& c);
+  void corner_finish(const Corner& c);
+  bool groove();
+  bool groove_values(Groove& out);
+  bool blade(Groove& out, double low, double high);
+  void plunge(const Groove& g, double z, double bottom);
+  bool thread_cycle();
+  bool thread_list();
+  bool thread_chain();
+  bool thread_turning();
+  bool thread_depths(Thread& out, std::size_t at, std::size_t cuts, int kind, bool rough,
+                     bool finish);
+  bool thread(const Thread& thread);
+
+  ToolChanger& tools_;
+  Moves& moves_;
+  CycleCall call_;
+  Word where_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,402 @@
+#include "interp/words/modal_words.h"
+
+#include "core/rounding.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+bool ModalWords::apply() {
+  bool ok = true;
+  block_.comp_before = modal_.comp;
+  for (const Word& word : block_.words) {
+    if (word.address != letter('G') && word.address != Address::function) continue;
+    if (unread_.begins_or_ends(word)) continue;
+    const CodeEntry entry = lookup(word);
+    if (!claim_group(word, entry) || !apply_code(word, entry)) ok = false;
+  }
+  return ok;
+}
+
+CodeEntry ModalWords::lookup(const Word& word) const {
+  if (word.address == Address::function) {
+    CodeEntry entry = is(Dialect::sinumerik) ? find_function(upper_case(word.text)) : CodeEntry{};
+    entry.code = word.code;
+    return entry;
+  }
+  const double by_10 = word.value * 10;
+  if (by_10 < 0 || by_10 >= 1e5 || by_10 != std::floor(by_10)) return {};
+  const int number = static_cast<int>(by_10);
+  if (number % 10 == 0 && number < 10000) return codes_[static_cast<std::size_t>(number / 10)];
+  return find_g_code(control_.dialect, program_.machine, number);
+}
+
+// Two words of one modal group contradict each other; what happens then is the dialect's.
+bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
+  if (entry.code == Code::motion_off || entry.code == Code::cycle_off) return true;
+  const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
+  if (entry.group == Group::none || entry.group == Group::other ||
+      (dynamics && !is(Dialect::sinumerik)))
+    return true;
+  const std::uint64_t bit = std::uint64_t(1) << static_cast<unsigned>(entry.group);
+  if ((block_.groups & bit) == 0) {
+    block_.groups |= bit;
+    return true;
+  }
+  if (is(Dialect::fanuc)) return true;
+  if (is(Dialect::sinumerik))
+    return error("group-twice",
+                 entry.group == Group::frame
+                     ? "two frame words in one block (alarm 12070)"
+                     : "two words of one G group in one block (alarm 12060)",
+                 word);
+  if (is(Dialect::ngc)) return error("group-twice", "two words of one G group in one block", word);
+  warning("group-twice", "two words of one G group in one block: the last one counts", word);
+  return true;
+}
+
+// G92 and G94 of a lathe. Without an axis G92 S limits the speed, and G94 is the feed per minute of
+// code systems B and C, which write G77 G78 G79 for the cycles.
+bool ModalWords::select_turning(const Word& word, int number) {
+  if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
+  const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
+  if (!axes && number == 94) return apply_feed_mode(Code::per_minute, word);
+  if (!axes && number == 92) return for_oneshot(word, Code::set_position);
+  if (modal_.turn.number != number) modal_.turn = {};
+  modal_.turn.number = number;
+  modal_.drill.number = 0;
+  return true;
+}
+
+bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
+  if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
+    return error("not-supported",
+                 fmt::format("{} with N (a call or a jump of Fagor's 8025) is not supported yet",
+                             text_of(word)),
+                 word);
+  if (const std::optional<bool> read = makers_.read(word, entry.code)) return *read;
+  switch (entry.code) {
+    case Code::dwell:
+      if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
+      return (block_.pause = take('P')) || error("value-missing", "G4 needs P, its seconds", word);
+    case Code::unknown:
+      return error("g-unknown",
+                   fmt::format("G{:g} is not known to this control{}", word.value,
+                               is(Dialect::sinumerik) ? " (alarm 12470)"
+                               : is(Dialect::fanuc)   ? " (alarm 010)"
+                                                      : ""),
+                   word);
+    case Code::turn_pass:
+      return select_turning(word, entry.number);
+    case Code::turn_cycle:
+      if (units_of_mach(word)) return true;
+      block_.turn_cycle = entry.number;
+      return for_oneshot(word, entry.code);
+    case Code::statement:
+    case Code::unsupported:
+      return refuse(word);
+    case Code::fagor_mirror:
+    case Code::fagor_scale:
+    case Code::fagor_turn:
+      return frame_words_.fagor(entry.code, word);
+    case Code::engrave:
+      if (!peek('P')) return refuse(word);
+      [[fallthrough]];
+    case Code::circle_pocket:
+      return for_oneshot(word, entry.code);
+    case Code::hole_pattern:
+      if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
+        return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+      return for_oneshot(word, entry.code);
+    case Code::reference_store:
+      if (position_.known == 7)
+        control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
+      return true;
+    case Code::ignored:
+      return is(Dialect::sinumerik) || path_control(word);
+    case Code::ignored_words:
+      for (const Word& other : block_.words)
+        if (other.address != letter('G') && other.address != letter('M')) take(other.address);
+      return true;
+    case Code::high_speed:
+      return high_speed(word);
+    case Code::drill_cycle:
+      select_cycle(word, entry.number);
+      return true;
+    case Code::cycle_off:
+    case Code::motion_off:
+      modal_.drill.number = 0;
+      block_.ends_cycle = &word;
+      if (entry.code == Code::motion_off && !block_.motion_code) modal_.motion = entry.code;
+      return true;
+    case Code::return_initial:
+    case Code::return_r:
+      modal_.return_told = true;
+      modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
+      return true;
+    case Code::probe:
+      if (!peek('X') && !peek('Y') && !peek('Z'))
+        return error("motion-missing", "a probing move needs an axis", word);
+      if (!is(Dialect::ngc)) return for_one_block(word, entry.code);  // G31
+      [[fallthrough]];
+    case Code::arc_point:
+    case Code::arc_tangent:
+      if (is(Dialect::iso)) return for_one_block(word, entry.code);
+      [[fallthrough]];
+    case Code::rapid:
+    case Code::line:
+    case Code::arc_cw:
+    case Code::arc_ccw:
+    case Code::thread:
+    case Code::thread_growing:
+    case Code::thread_shrinking:
+    case Code::tap_in:
+    case Code::tap_out:
+    case Code::tap_return:
+    case Code::spline_cubic:
+    case Code::spline_quadratic:
+    case Code::nurbs:
+    case Code::nurbs_end:
+      modal_.drill.number = 0;
+      modal_.turn.number = 0;
+      block_.motion_code = &word;
+      modal_.motion = entry.code;
+      return true;
+    default:
+      return apply_modal_code(word, entry);
+  }
+}
+
+// G64 P Q of Mach and LinuxCNC; R belongs to it where no motion of the block can use it.
+bool ModalWords::path_control(const Word& word) {
+  if (word.value != 61 && word.value != 64) return true;
+  if (word.value == 64)
+    for (const char c : {'P', 'Q'}) take(c);
+  const Word* r = is(Dialect::ngc) ? peek('R') : nullptr;
+  if (!r || peek('X') || peek('Y') || peek('Z')) return true;
+  if (word.value == 61) return error("word-unexpected", "R with no word that uses it", *r);
+  if (orients_spindle())
+    return error("word-unexpected", "R is G64's or M19's: write them on two lines", *r);
+  take('R');
+  return true;
+}
+
+bool ModalWords::orients_spindle() const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('M') && word.value == 19;
+  });
+}
+
+bool ModalWords::for_oneshot(const Word& word, Code code) {
+  block_.oneshot = &word;
+  block_.oneshot_code = code;
+  return true;
+}
+
+// A motion of this block alone; then that before it holds again.
+bool ModalWords::for_one_block(const Word& word, Code code) {
+  block_.motion_code = &word;
+  block_.motion = code;
+  return true;
+}
+
+// Mach and Vectric write G70 and G71 for the units; LinuxCNC's cycles of these numbers have words.
+bool ModalWords::units_of_mach(const Word& word) {
+  if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
+  return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+}
+
+bool ModalWords::refuse(const Word& word) {
+  const std::string_view what =
+      word.address == letter('G')
+          ? unsupported_code(control_.dialect, static_cast<int>(word.value * 10 + 0.5))
+          : std::string_view();
+  return error("not-supported",
+               what.empty() ? fmt::format("{} is not supported yet", text_of(word))
+                            : fmt::format("{} ({}) is not supported yet", text_of(word), what),
+               word);
+}
+
+// G5 P10000, G5.1 Q1, G8 P1 look ahead; the same words with axes are splines.
+bool ModalWords::high_speed(const Word& word) {
+  for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
+    if (peek(c))
+      return error(
+          "not-supported",
+          fmt::format("{} with axes is a spline, which is not supported yet", text_of(word)), word);
+  for (const char c : {'P', 'Q', 'R'}) take(c);
+  return true;
+}
+
+// A cycle behind another keeps its values (LinuxCNC: R), and the level before the first of them.
+void ModalWords::select_cycle(const Word& word, int number) {
+  modal_.turn.number = 0;
+  DrillCycle& cycle = modal_.drill;
+  if (cycle.number == 0) cycle = {};
+  if (is(Dialect::ngc) && cycle.number != number) {  // only R is kept for another cycle
+    cycle.bottom.given = cycle.dwells = false;
+    cycle.peck = 0;
+  }
+  cycle.number = number;
+  cycle.first = cycle.lead = 0;
+  cycle.pitched = word.value == 77 || word.value == 78;
+  // FANUC lathes drill along Z, or along X from the side, whatever the plane.
+  const bool turned = lathe() && is(Dialect::fanuc);
+  cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? 2 : 0;
+  cycle.file = block_.file;
+  cycle.line = block_.line_number;
+  cycle.call = block_.call;
+}
+
+bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
+  if (apply_mode(entry.code, word) || compensation_.select(entry.code, word)) return true;
+  switch (entry.code) {
+    case Code::plane_xy:
+    case Code::plane_2d:
+      return select_plane(0, word);
+    case Code::plane_zx:
+      return select_plane(1, word);
+    case Code::plane_yz:
+      return select_plane(2, word);
+    case Code::plane_normal:
+      return select_normal(word);
+    case Code::absolute:
+    case Code::incremental:
+      return select_distance(entry.code, word);
+    case Code::work_off:
+    case Code::work_offset:
+    case Code::work_extended:
+      return frame_words_.select_work(entry, word);
+    case Code::tap_floating:
+      block_.motion_code = &word;
+      block_.motion = entry.code;
+      return true;
+    case Code::one_way:
+      if (modal_.drill.number != 0) return true;  // places of the cycle
+      [[fallthrough]];
+    case Code::dwell:
+    case Code::reference:
+    case Code::reference_second:
+    case Code::reference_check:
+    case Code::data_setting:
+    case Code::position_reset:
+    case Code::position_suspend:
+    case Code::position_resume:
+    case Code::reference_approach:
+    case Code::fixed_point:
+    case Code::set_position:
+    case Code::position_jump:
+    case Code::decoder_length:
+      return for_oneshot(word, entry.code);
+    default:
+      block_.frame_code = &word;
+      block_.frame_op = entry.code;
+      return true;
+  }
+}
+
+// Units, feeds and other modes that cannot fail. False: not one of them.
+bool ModalWords::apply_mode(Code code, const Word& word) {
+  if (apply_feed_mode(code, word)) return true;
+  Modal& m = modal_;
+  m.units_given |= code == Code::inch || code == Code::metric || code == Code::inch_feed ||
+                   code == Code::metric_feed;
+  if (code == Code::inch || code == Code::metric) {
+    m.inch = code == Code::inch;
+    m.inch_feed = false;  // one group with G700 and G710
+  } else if (code == Code::inch_feed || code == Code::metric_feed) {
+    m.inch = m.inch_feed = code == Code::inch_feed;
+  } else if (code == Code::center_absolute || code == Code::center_relative) {
+    m.center_absolute = code == Code::center_absolute;
+    m.center_told = true;
+  } else if (code == Code::polar_on || code == Code::polar_off) {
+    m.polar = code == Code::polar_on;
+  } else if (code == Code::diameter_on || code == Code::diameter_off ||
+             code == Code::diameter_absolute) {
+    m.diameter = code;
+    m.diameter_told = true;
+  } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off ||
+             code == Code::length_dynamic || code == Code::length_add) {
+    m.length = code;
+    block_.length_changed = true;
+  } else if (code == Code::path_smoothing) {
+    if (word.value > 50)
+      warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
+    if (word.value > 50) take('D');
+  } else if (code == Code::suppress_frames) {
+    block_.suppress_frames = true;
+  } else if (code == Code::program_return) {
+    block_.return_after = true;
+  } else if (code != Code::header && code != Code::diameter_cycles_off) {
+    return false;
+  }
+  return true;
+}
+
+// What F and S mean. False: another word.
+bool ModalWords::apply_feed_mode(Code code, const Word& word) {
+  Modal& m = modal_;
+  if (code == Code::inverse_time || code == Code::per_minute || code == Code::per_revolution) {
+    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
+                  : code == Code::per_minute ? FeedUnit::mm_per_min
+                                             : FeedUnit::mm_per_rev;
+    if (is(Dialect::sinumerik)) m.surface_speed = false;
+  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
+    m.surface_speed = code == Code::surface_speed;
+    if (word.value == 961 || word.value == 971)
+      m.feed_unit = FeedUnit::mm_per_min;
+    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
+      m.feed_unit = FeedUnit::mm_per_rev;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// On FANUC lathes G90 with axes is a turning cycle of code system A. Beside a motion word of the
+// same group it cannot be one, nor in a program that has said G91, which only systems B and C and
+// Okuma have.
+bool ModalWords::select_distance(Code code, const Word& word) {
+  modal_.has_increments |= code == Code::incremental;
+  if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
+    const bool moves = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
+      return w.address == letter('G') && lookup(w).group == Group::motion;
+    });
+    if (!moves && !modal_.has_increments) return select_turning(word, 90);
+    note_once("code-system", "G90 and G91 are read as absolute and incremental (code systems B, C)",
+              word, "code-system");
+  }
+  modal_.incremental = code == Code::incremental;
+  return true;
+}
+
+bool ModalWords::select_plane(int plane, const Word& word) {
+  if (plane != modal_.plane && modal_.comp != Code::comp_off && compensation_.started())
+    return error("comp-plane",
+                 fmt::format("the plane must not change under radius compensation{}",
+                             is(Dialect::sinumerik) ? " (alarm 10757)"
+                             : is(Dialect::fanuc)   ? " (alarm 037)"
+                                                    : ""),
+                 word);
+  if (plane != modal_.plane) position_.has_polar_angle = false;
+  modal_.plane = plane;
+  return true;
+}
+
+// CODESYS G16 I J K: the plane by its normal.
+bool ModalWords::select_normal(const Word& word) {
+  Vec3 normal;
+  for (int i = 0; i < 3; ++i)
+    if (const Word* w = take("IJK"[i])) component(normal, i) = w->value;
+  if (length(normal) < kTurnRounding)
+    return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
+  modal_.normal = normalized(normal);
+  modal_.plane = 3;
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,50 @@
+// G words that last: which mode each sets. Private to src/interp.
+#pragma once
+
+#include "interp/tools/compensation_words.h"
+#include "interp/words/maker_words.h"
+#include "interp/words/unread_modes.h"
+
+namespace mrsim {
+
+class ModalWords : public ControlPart {
+ public:
+  ModalWords(Control& control, FrameWords& frames, CompensationWords& compensation)
+      : ControlPart(control),
+        codes_(code_table(control.dialect, control.program.machine)),
+        frame_words_(frames),
+        compensation_(compensation),
+        makers_(control, frames),
+        unread_(control) {}
+
+  /// All function words of the block, in order. False: errors were reported.
+  bool apply();
+
+ private:
+  CodeEntry lookup(const Word& word) const;
+  bool claim_group(const Word& word, const CodeEntry& entry);
+  bool apply_code(const Word& word, const CodeEntry& entry);
+  bool units_of_mach(const Word& word);
+  bool refuse(const Word& word);
+  bool for_oneshot(const Word& word, Code code);
+  bool for_one_block(const Word& word, Code code);
+  bool path_control(const Word& word);
+  bool orients_spindle() const;
+  bool high_speed(const Word& word);
+  void select_cycle(const Word& word, int number);
+  bool select_turning(const Word& word, int number);
+  bool apply_modal_code(const Word& word, const CodeEntry& entry);
+  bool apply_mode(Code code, const Word& word);
+  bool apply_feed_mode(Code code, const Word& word);
+  bool select_distance(Code code, const Word& word);
+  bool select_plane(int plane, const Word& word);
+  bool select_normal(const Word& word);
+
+  const CodeTable& codes_;
+  FrameWords& frame_words_;
+  CompensationWords& compensation_;
+  MakerWords makers_;
+  UnreadModes unread_;
+};
+
+}  // namespace mrsim

@@ -1,0 +1,127 @@
+#include "interp/words/okuma_turning.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+Word* OkumaTurning::in_block(char c) {
+  for (Word& word : block_.words)
+    if (word.address == letter(c)) return &word;
+  return nullptr;
+}
+
+// Words that do not change the shape.
+void OkumaTurning::drop(std::string_view letters) {
+  for (Word& word : block_.words)
+    if (word.address < Address::function &&
+        letters.find(static_cast<char>(word.address)) != letters.npos)
+      word.address = Address::data;
+}
+
+void OkumaTurning::move_to(char from, char to, double factor) {
+  Word* const word = in_block(from);
+  if (!word) return;
+  word->address = letter(to);
+  word->value *= factor;
+  word->point = true;  // no least increments
+}
+
+bool OkumaTurning::refuse(const Word& code, std::string_view what) {
+  return error("not-supported",
+               fmt::format("{} of Okuma's lathes ({}) is not supported yet", text_of(code), what),
+               code);
+}
+
+bool OkumaTurning::rewrite() {
+  if (!lathe() || !is(Dialect::fanuc) || !modal_.okuma) return true;
+  if (in_block('P') && in_block('Q')) return true;  // a contour by its blocks: FANUC's
+  for (std::size_t i = 0; i < block_.words.size(); ++i) {
+    Word& code = block_.words[i];
+    if (code.address != letter('G')) continue;
+    if (code.value == 31 || code.value == 33) return thread(code);
+    if (code.value == 32) return refuse(code, "threads on a face");
+    if (code.value == 34 || code.value == 35) return refuse(code, "threads with a growing lead");
+    if (code.value == 71) return compound_thread(code);
+    if (code.value == 72) return refuse(code, "threads on a face");
+    if (code.value == 73) grooves(code);
+    if (code.value == 74) deep_hole();
+    if (code.value == 77 || code.value == 78) drop("K");  // where a tap begins
+    if (code.value == 94) code.value = 98;                // the feed per minute
+  }
+  drop("E");  // the feed along the contour of LAP
+  return true;
+}
+
+// A taper by I or A.
+bool OkumaTurning::has_taper(Word& code) {
+  for (const char c : {'I', 'A'})
+    if (const Word* word = in_block(c); word && word->value != 0)
+      return !refuse(code, "a tapered thread");
+  drop("IA");
+  return false;
+}
+
+// J threads on the length of F.
+void OkumaTurning::share_lead() {
+  Word* const lead = in_block('F');
+  if (const Word* threads = in_block('J'); threads && lead && threads->value > 0)
+    lead->value /= threads->value;
+  drop("J");
+}
+
+// "G33 X Z F", and X alone for the next passes: to X, the thread, out and back, as G92.
+bool OkumaTurning::thread(Word& code) {
+  if (has_taper(code)) return false;
+  share_lead();
+  drop("EKLC");  // phases, and the run-out
+  code.value = 92;
+  return true;
+}
+
+// "G71 X Z B D U H F M33 M73": H is the height and D the first depth, of the diameter, B the angle
+// of the tip; M33 infeeds on both flanks. U and the order of depths change no shape.
+bool OkumaTurning::compound_thread(Word& code) {
+  if (!in_block('X') && !in_block('Z')) return true;  // no cycle
+  const Word* const growth = in_block('E');
+  if (growth && growth->value != 0) return refuse(code, "a thread with a growing lead");
+  if (has_taper(code)) return false;
+  if (!in_block('H') || !in_block('D'))
+    return error("value-missing", "G71 needs H, the height of the thread, and D, its first depth",
+                 code);
+  share_lead();
+  drop("UELQ");
+  bool both = false;
+  for (Word& word : block_.words)
+    if (word.address == letter('M') &&
+        ((word.value >= 32 && word.value <= 34) || (word.value >= 73 && word.value <= 75))) {
+      both |= word.value == 33;
+      word.address = Address::data;
+    }
+  move_to('H', 'K', 0.5);
+  move_to('D', 'D', 0.5);
+  move_to('B', 'A', 1);
+  code.value = 76;
+  if (!both) return true;
+  Word pattern = code;
+  pattern.address = letter('P');
+  pattern.value = 2;
+  block_.words.push_back(pattern);
+  return true;
+}
+
+// "G73 X Z K D L F": strokes of D, of the diameter, at places K apart, as G75.
+void OkumaTurning::grooves(Word& code) {
+  if (!in_block('X') && !in_block('Z')) return;
+  drop("ILET");
+  move_to('D', 'I', 0.5);
+  code.value = 75;
+}
+
+// "G74 X Z I D L F": strokes of D at places I apart, of the diameter; out of the hole behind L.
+void OkumaTurning::deep_hole() {
+  drop("KLET");
+  move_to('D', 'K', 1);
+  move_to('I', 'I', 0.5);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,208 @@
+#include "interp/words/oneshot_words.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+bool OneShotWords::run() {
+  switch (block_.oneshot_code) {
+    case Code::dwell:
+      return dwell();
+    case Code::reference:
+    case Code::reference_second:
+      return reference();
+    case Code::reference_approach:
+    case Code::fixed_point:
+      return reference_sinumerik();
+    case Code::reference_check:
+    case Code::one_way:
+      return rapid_to();
+    case Code::data_setting:
+      return offsets_.run();
+    case Code::position_reset:
+    case Code::position_suspend:
+    case Code::position_resume:
+      return suspend_position();
+    case Code::set_position:
+      return set_position();
+    case Code::position_jump:
+      return position_jump();
+    case Code::decoder_length:
+      for (const char c : {'I', 'J', 'K'}) take(c);
+      note_once("tool-length", "G43: positions are read as those of the tool's tip",
+                *block_.oneshot, "G43");
+      return true;
+    default:
+      return true;
+  }
+}
+
+// G4: the words mean seconds or turns, not axes or feeds.
+bool OneShotWords::dwell() {
+  if (is(Dialect::sinumerik)) {
+    for (const char c : {'X', 'Y', 'Z'})
+      if (const Word* axis = peek(c))
+        return error("call-not-alone", "G4 stands alone in its block, without axes", *axis);
+  }
+  moves_.dwell(dwell_.of_block());
+  return true;
+}
+
+// G28 G30: a rapid to the intermediate point, then to the reference point; without axes all of them
+// go there (LinuxCNC, Haas).
+bool OneShotWords::reference() {
+  const Word* p = take('P');
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  const bool first = block_.oneshot_code == Code::reference;
+  if (const std::optional<Vec3>& stored = control_.stored_places[first ? 0 : 1]; stored) {
+    moves_.to_stored(*stored, reference_axes(to.named), *block_.oneshot);
+    return true;
+  }
+  const MachinePlaces& places = options_.places;
+  const Vec3* second = places.second && (!p || p->value == 2) ? &*places.second : nullptr;
+  moves_.to_place(first ? &places.reference : second, reference_axes(to.named), *block_.oneshot);
+  return true;
+}
+
+// The axes named, or all; "G28 H0": the spindle's axis alone.
+unsigned OneShotWords::reference_axes(unsigned named) const {
+  const std::string_view others = "ABCHUVW";
+  const bool all = named == 0 && std::none_of(others.begin(), others.end(),
+                                              [&](char c) { return peek(c) != nullptr; });
+  return !all ? named : lathe() ? 5U : 7U;
+}
+
+// G74 G75: to the reference point, to a fixed point.
+bool OneShotWords::reference_sinumerik() {
+  unsigned axes = 0;
+  for (const char c : {'X', 'Y', 'Z'})
+    if (take(c)) axes |= 1U << (c - 'X');
+  for (const Word& word : block_.words) {
+    const auto c = static_cast<char>(word.code);
+    if (word.address == Address::data && c >= 'X' && c <= 'Z') axes |= 1U << (c - 'X');
+  }
+  const MachinePlaces& places = options_.places;
+  const Vec3* second = places.second ? &*places.second : nullptr;
+  moves_.to_place(block_.oneshot_code == Code::reference_approach ? &places.reference : second,
+                  axes, *block_.oneshot);
+  return true;
+}
+
+// G92 (lathe G50): the position gets new coordinates, nothing moves. S alone is a speed limit.
+bool OneShotWords::set_position() {
+  frame_words_.save();
+  if (lathe() && peek('S'))  // the least speed (Mitsubishi), and which spindle (Mazak)
+    for (const char c : {'P', 'Q', 'R'}) take(c);
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = take("XYZ"[i]);
+    if (!word) continue;
+    const double value = axis_value(i, *word, false);
+    const bool is_known = (position_.known >> i & 1U) != 0;
+    const bool of_tool = states_tip();
+    if (is_known && of_tool) note_tip(*word);
+    if (is_known && control_.paused)
+      note_once("touch-off",
+                fmt::format("G92 behind a pause: {} may have been moved by hand. It is taken to be "
+                            "where G92 says, and the zero stays as it was",
+                            "XYZ"[i]),
+                *word, fmt::format("touch-off {}", i));
+    if (!is_known || control_.paused || of_tool) {  // the first position that the program states
+      component(position_.physical, i) = value + component(frames_.total.shift, i);
+      component(position_.programmed, i) = value;
+      position_.known |= 1U << i;
+      continue;
+    }
+    if (is(Dialect::fanuc) && modal_.incremental && value != 0)
+      reporter_.once(Severity::warning, "position-added",
+                     "G92 in G91 is read as the place where the tool is; newer controls add its "
+                     "words to the position",
+                     *word, "G92");
+    if (position_.told_axes == 0) position_.shift_before = frames_.position_shift;
+    position_.told_axes |= 1U << i;
+    component(position_.told, i) = value;
+    component(frames_.position_shift, i) += component(position_.programmed, i) - value;
+  }
+  for (int i = 0; lathe() && i < 3; i += 2)  // U W: the coordinates grow by as much
+    if (const Word* more = take("UVW"[i]))
+      component(frames_.position_shift, i) -= axis_value(i, *more, true);
+  frames_.position_memory = frames_.position_shift;
+  frame_words_.rebuild();
+  return true;
+}
+
+// Old lathes have no offsets of tools' geometry: each tool's part of the program begins with a G50
+// that says where its tip is while the turret stands at one place for all. The zero stays.
+bool OneShotWords::states_tip() const {
+  return lathe() && is(Dialect::fanuc) && position_.new_tool;
+}
+
+void OneShotWords::note_tip(const Word& word) {
+  note_once("touch-off",
+            fmt::format("G50 beside the change to tool {} is taken to say where its tip is: the "
+                        "zero stays as it was",
+                        control_.tool.current),
+            word, "tip");
+}
+
+// The tool comes in a block behind G50.
+void OneShotWords::settle_tip() {
+  if (!states_tip() || position_.told_axes == 0) return;
+  frame_words_.save();
+  for (int i = 0; i < 3; ++i)
+    if (position_.told_axes >> i & 1U)
+      component(frames_.position_shift, i) = component(position_.shift_before, i);
+  frames_.position_memory = frames_.position_shift;
+  frame_words_.rebuild();
+  for (int i = 0; i < 3; ++i) {
+    if ((position_.told_axes >> i & 1U) == 0) continue;
+    component(position_.programmed, i) = component(position_.told, i);
+    component(position_.physical, i) =
+        component(position_.told, i) + component(frames_.total.shift, i);
+  }
+  position_.told_axes = 0;
+  note_tip(block_.words.front());
+}
+
+// G27 and G60 arrive with a rapid; from where G60 arrives makes no difference to the part.
+bool OneShotWords::rapid_to() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  return true;
+}
+
+// G92.1 forgets the shift of G92, G92.2 sets it aside, G92.3 takes it back.
+bool OneShotWords::suspend_position() {
+  if (is(Dialect::fanuc) || is(Dialect::iso))
+    for (const char c : {'X', 'Y', 'Z'}) take(c);  // the axes meant
+  frame_words_.save();
+  if (block_.oneshot_code == Code::position_resume) {
+    frames_.position_shift = frames_.position_memory;
+  } else {
+    if (block_.oneshot_code == Code::position_reset) frames_.position_memory = {};
+    frames_.position_shift = {};
+  }
+  frame_words_.rebuild();
+  if (is(Dialect::ngc)) block_.oneshot = nullptr;  // axes beside it are those of a motion
+  return true;
+}
+
+// CODESYS G92: the position jumps, without a path.
+bool OneShotWords::position_jump() {
+  Target to;
+  if (!axes_.target(to, position_.programmed)) return false;
+  moves_.jump(to);
+  return true;
+}
+
+}  // namespace mrsim

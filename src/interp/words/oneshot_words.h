@@ -1,0 +1,43 @@
+// Functions of one block: dwell, reference points, setting the position. Private to src/interp.
+#pragma once
+
+#include "interp/frames/offset_words.h"
+#include "interp/moves/moves.h"
+#include "interp/words/dwell_time.h"
+
+namespace mrsim {
+
+class OneShotWords : public ControlPart {
+ public:
+  OneShotWords(Control& control, AxisWords& axes, FrameWords& frames, Moves& moves)
+      : ControlPart(control),
+        axes_(axes),
+        frame_words_(frames),
+        moves_(moves),
+        offsets_(control, frames),
+        dwell_(control) {}
+  /// The one-shot word of the block. False: an error was reported.
+  bool run();
+  /// A tool that comes behind the G50 that is meant for it.
+  void settle_tip();
+
+ private:
+  bool dwell();
+  bool reference();
+  unsigned reference_axes(unsigned named) const;
+  bool reference_sinumerik();
+  bool rapid_to();
+  bool suspend_position();
+  bool states_tip() const;
+  void note_tip(const Word& word);
+  bool set_position();
+  bool position_jump();
+
+  AxisWords& axes_;
+  FrameWords& frame_words_;
+  Moves& moves_;
+  OffsetWords offsets_;
+  DwellTime dwell_;
+};
+
+}  // namespace mrsim

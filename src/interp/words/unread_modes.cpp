@@ -1,0 +1,133 @@
+#include "interp/words/unread_modes.h"
+
+#include "interp/text/characters.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+/// G numbers * 10. A mode that its own word ends says so with C0 or P0.
+struct ModeWords {
+  int begin, end;
+};
+
+constexpr ModeWords kFanucModes[] = {
+    {71, 71},   {121, 131}, {434, 490},   {435, 490},   {542, 542},  {544, 544},  {682, 690},
+    {683, 690}, {684, 690}, {1070, 1070}, {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
+constexpr int kLeast = 71;  // of the numbers above
+constexpr int kTiltedPlane = 682;
+constexpr int kRotationOff = 690;
+constexpr int kTiltedMove = 531;  // belongs to the tilted planes
+constexpr std::string_view kSinumerikModes[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
+constexpr int kTrafoof = 1;  // ends those
+constexpr int kSwivel = 2;   // the next CYCLE800 does
+constexpr int kIsoMode = 2910, kSiemensMode = 2900;
+
+int number_by_10(const Word& word) {
+  return word.address == letter('G') && word.value >= 0 && word.value < 1e4
+             ? static_cast<int>(word.value * 10 + 0.5)
+             : -1;
+}
+
+}  // namespace
+
+// The word that ends the mode in force, or one that says that there is none.
+bool UnreadModes::ends(int g) {
+  for (const ModeWords& mode : kFanucModes) {
+    if (mode.end != g) continue;
+    if (mode.begin != g) return control_.unread_end == g;
+    for (const char c : {'C', 'P'})
+      if (const Word* value = peek(c); value && value->value == 0) return take(c) != nullptr;
+  }
+  return false;
+}
+
+// G68.2 with the angles of Euler (about Z, X, Z) or, behind P1, about X, Y and Z: the second one,
+// or the first two, tilt.
+bool UnreadModes::is_level() const {
+  if (lathe()) return false;
+  const auto zero = [&](char c) {
+    const Word* w = peek(c);
+    return w && w->value == 0;
+  };
+  const Word* p = peek('P');
+  return zero('J') && (!p || p->value == 0 || (p->value == 1 && zero('I')));
+}
+
+bool UnreadModes::begins_or_ends(const Word& word) {
+  if (is(Dialect::ngc) || is(Dialect::codesys)) return false;
+  if (is(Dialect::sinumerik)) {
+    note_name(word);
+    return begins_iso_mode(word);
+  }
+  const int g = number_by_10(word);
+  if (g < kLeast) return false;
+  if (g == kTiltedPlane && is_level()) {
+    control_.level_plane = true;
+    block_.frame_code = &word;
+    block_.frame_op = Code::rotation_on;
+    return true;
+  }
+  if (g == kTiltedMove && (control_.unread_end != 0 || control_.level_plane)) return true;
+  if (g == kRotationOff) control_.level_plane = false;
+  const bool ended = ends(g);
+  if (ended) control_.unread_end = 0;
+  for (const ModeWords& mode : kFanucModes) {
+    if (mode.begin != g) continue;
+    if (!ended) control_.unread_end = mode.end;
+    return ended;
+  }
+  return false;
+}
+
+// What stands between G291 and G290 is FANUC's, down to its characters.
+bool UnreadModes::begins_iso_mode(const Word& word) {
+  if (number_by_10(word) != kIsoMode) return false;
+  error("not-supported",
+        fmt::format("{} ({}) is not supported yet: nothing is read up to G290", text_of(word),
+                    unsupported_code(control_.dialect, kIsoMode)),
+        word);
+  control_.unread_end = kSiemensMode;
+  position_.known = lathe() ? 2U : 0U;
+  reporter_.set_muted(true);
+  return true;
+}
+
+bool UnreadModes::skips_iso_mode() {
+  if (control_.unread_end != kSiemensMode) return false;
+  for (const Word& word : block_.words)
+    if (number_by_10(word) == kSiemensMode) {
+      control_.unread_end = 0;
+      reporter_.set_muted(false);
+    }
+  return true;
+}
+
+void UnreadModes::note_name(const Word& word) {
+  if (word.address != Address::function) return;
+  const std::string name = upper_case(word.text);
+  if (name == "TRAFOOF") control_.unread_end = 0;
+  for (const std::string_view one : kSinumerikModes)
+    if (name == one) control_.unread_end = kTrafoof;
+}
+
+void UnreadModes::begin_swivel() { control_.unread_end = kSwivel; }
+
+bool UnreadModes::ends_swivel() {
+  if (control_.unread_end != kSwivel || block_.function_name != "CYCLE800") return false;
+  control_.unread_end = 0;
+  return true;
+}
+
+void UnreadModes::pass_over() {
+  for (const Word& word : block_.words) {
+    take(word.address);
+    const auto c = static_cast<char>(word.address);
+    if ((c >= 'U' && c <= 'W') || (c >= 'X' && c <= 'Z')) position_.known &= lathe() ? 2U : 0U;
+  }
+}
+
+}  // namespace mrsim

@@ -1,0 +1,165 @@
+#include "interp/words/word_index.h"
+
+#include "core/text_io.h"
+#include "interp/words/okuma_turning.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+WordIndex::WordIndex(Control& control) : ControlPart(control) {
+  const std::string_view letters = is(Dialect::sinumerik) ? "ABCDFGHIJKLMNOPSTXYZ"
+                                   : is(Dialect::codesys) || is(Dialect::ngc)
+                                       ? "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                   : is(Dialect::iso) ? "ABCDFGHIJKLMNOPQRSTXYZ"
+                                   : lathe()          ? "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      : "ABCDFGHIJKLMNOPQRSTXYZ";
+  for (const char c : letters) legal_[static_cast<std::size_t>(c)] = true;
+  if (is(Dialect::ngc)) legal_['@'] = legal_['^'] = legal_['$'] = true;
+  for (auto a = static_cast<std::size_t>(Address::function); a < legal_.size(); ++a)
+    legal_[a] = true;
+}
+
+// Reports an address that this control does not know.
+bool WordIndex::refuse_address(const Word& word) {
+  const auto c = static_cast<char>(word.address);
+  if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
+    for (const Word& other : block_.words)
+      if (other.address == letter('G') && other.value == 4) return true;
+  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G131 and G187 are, the depth feed of G47
+    for (const Word& other : block_.words)
+      if (other.address == letter('G') &&
+          (other.value == 131 || other.value == 187 || other.value == 47))
+        return true;
+  if (is(Dialect::sinumerik) && c == 'R')
+    return error("not-supported",
+                 "R is a variable of SINUMERIK, which is not supported yet; "
+                 "for a radius write CR=",
+                 word);
+  if (c == 'E' && chooses_fixture()) return true;
+  return error("address-unknown",
+               fmt::format("unknown address {}{}", c, is(Dialect::fanuc) ? " (alarm 009)" : ""),
+               word);
+}
+
+// E of Fadal and Centroid, a work offset: never beside a feed.
+bool WordIndex::chooses_fixture() const {
+  return is(Dialect::fanuc) && !lathe() &&
+         std::none_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+           return word.address == letter('G') && word.value >= 1 && word.value <= 3;
+         });
+}
+
+// HA and DA of Okuma: the register of the number of the tool in the spindle. HB and HC are further
+// ones of that tool, which the tool table does not have.
+bool WordIndex::use_own_register(Word& word) {
+  const std::optional<double> tool = parse_number(control_.tool.current);
+  if (word.value == 1 && tool) {
+    word.value = *tool;
+    word.own = false;
+    return true;
+  }
+  return error("value-missing",
+               fmt::format("{} is a register of the tool in the spindle (Okuma), {}: write its "
+                           "number",
+                           text_of(word),
+                           word.value == 1 ? "where no tool with a number is"
+                                           : "of which the tool table has the first alone"),
+               word);
+}
+
+// G1040T1.L20.: four digits begin a cycle of FANUC's dialogue, whose addresses are its own.
+const Word* WordIndex::dialogue_cycle() const {
+  if (!is(Dialect::fanuc)) return nullptr;
+  for (const Word& word : block_.words)
+    if (word.address == letter('G') && word.value >= 1000 && word.value < 3000) return &word;
+  return nullptr;
+}
+
+// G54.1 P2 M98 P5001: each P right behind its own word. The offset's one, or null.
+const Word* WordIndex::number_of_offset() const {
+  if (!is(Dialect::fanuc) && !is(Dialect::iso)) return nullptr;
+  const Word* offset = nullptr;
+  bool called = false;
+  for (std::size_t i = 1; i < block_.words.size(); ++i) {
+    if (block_.words[i].address != letter('P')) continue;
+    const Word& owner = block_.words[i - 1];
+    const double v = owner.value;
+    if (owner.address == letter('G') && (v == 54 || v == 54.1 || v == 154))
+      offset = &block_.words[i];
+    called = called || (owner.address == letter('M') && (v == 97 || v == 98 || v == 198));
+  }
+  return called ? offset : nullptr;
+}
+
+// "G75 X40. L2." and "G76 X40. L2." of Okuma's lathes: a chamfer, a rounding at the end of the
+// line. FANUC's cycles of these numbers have no L.
+void WordIndex::read_okuma_corner() {
+  if (!lathe() || !is(Dialect::fanuc)) return;
+  Word* code = nullptr;
+  Word* size = nullptr;
+  for (Word& word : block_.words) {
+    const auto c = static_cast<char>(word.address);
+    if (c == 'P' || c == 'Q' || c == 'R' || c == 'K' || c == 'D') return;
+    if (c == 'G' && (word.value == 75 || word.value == 76)) code = &word;
+    if (c == 'L') size = &word;
+  }
+  if (!code || !size) return;
+  size->address = code->value == 75 ? Address::chr : Address::rnd;
+  code->address = Address::data;
+}
+
+// Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
+bool WordIndex::run() {
+  if (const Word* cycle = dialogue_cycle())
+    return error("not-supported",
+                 fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
+                             "control convert the program (NC CNV)",
+                             text_of(*cycle)),
+                 *cycle);
+  read_okuma_corner();
+  bool ok = OkumaTurning(control_).rewrite();
+  block_.offset_number = number_of_offset();
+  for (std::size_t i = 0; i < block_.words.size(); ++i) {
+    if (block_.words[i].own && !use_own_register(block_.words[i])) ok = false;
+    const Word& word = block_.words[i];
+    if (&word == block_.offset_number) continue;
+    if (!legal_[static_cast<std::size_t>(word.address)] && !refuse_address(word)) ok = false;
+    const auto c = static_cast<char>(word.address);
+    const bool repeats = c == 'G' || c == 'M' || word.address == Address::function ||
+                         word.address == Address::data || (is(Dialect::sinumerik) && c == 'H') ||
+                         (is(Dialect::fanuc) && c == 'T') ||
+                         (is(Dialect::codesys) && (c == 'E' || c == 'H' || c == 'L' || c == 'O'));
+    if (!block_.add(i, repeats) && !repeats) {
+      const bool axis = (c >= 'I' && c <= 'K') || (c >= 'X' && c <= 'Z');
+      const std::string alarm =
+          is(Dialect::sinumerik) ? axis ? " (alarm 16420)" : " (alarm 12010)" : "";
+      ok = error(
+          "address-twice",
+          fmt::format("{} is given twice in the block{}",
+                      word.address < Address::function
+                          ? std::string(1, c)
+                          : std::string(block_.line.substr(static_cast<std::size_t>(word.column),
+                                                           static_cast<std::size_t>(word.length))),
+                      alarm),
+          word);
+    }
+  }
+  return ok;
+}
+
+// A known address that nothing in its block wanted.
+void WordIndex::report_unused() {
+  for (const Word& word : block_.words) {
+    if (!block_.open(word.address)) continue;
+    warning("word-without-effect",
+            fmt::format("{} has no effect in this block",
+                        block_.line.substr(static_cast<std::size_t>(word.column),
+                                           static_cast<std::size_t>(std::min(word.length, 40)))),
+            word);
+  }
+}
+
+}  // namespace mrsim

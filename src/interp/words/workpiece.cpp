@@ -1,0 +1,127 @@
+#include "interp/words/workpiece.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// "MATERIAL - STEEL INCH - 1030" of Mastercam, "UNITS: INCHES".
+bool says_inches(std::string_view comment) {
+  const std::string text = upper_case(comment.substr(0, 200));
+  bool inches = false, units = false;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string_view word = std::string_view(text).substr(i, end - i);
+    if (word == "MM") return false;
+    inches |= word == "INCH" || word == "INCHES";
+    units |= word == "MATERIAL" || word == "UNIT" || word == "UNITS" || word == "DIMENSIONS" ||
+             word == "PROGRAM";
+    i = end > i ? end : i + 1;
+  }
+  return inches && units;
+}
+
+}  // namespace
+
+// WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) and its round relatives state the stock.
+bool WorkpieceWords::run() {
+  Word where;
+  const std::size_t at = block_.line.find('(');
+  where.column = at == std::string_view::npos ? 0 : static_cast<int>(at) - 9;
+  where.length = 9;
+  std::array<double, 12> v{};
+  std::string type;
+  std::size_t count = 0, field = 0;
+  std::string_view rest = block_.argument;
+  for (bool more = true; more; ++field) {
+    const std::size_t comma = rest.find(',');
+    more = comma != std::string_view::npos;
+    std::string text;
+    for (const char c : rest.substr(0, comma))
+      if (c != ' ' && c != '"') text += c;
+    if (more) rest.remove_prefix(comma + 1);
+    if (field == 3) type = upper_case(text);
+    if (field < 4 || count >= v.size()) continue;
+    const std::optional<double> value = text.empty() ? 0.0 : parse_number(text);
+    if (!value)
+      return error("not-supported", "an expression in WORKPIECE is not supported yet", where);
+    v[count] = *value * (count == 0 ? 1 : scale());
+    ++count;
+  }
+  return set(type, v, where);
+}
+
+bool WorkpieceWords::set(const std::string& type, const std::array<double, 12>& v,
+                         const Word& where) {
+  const auto mask = static_cast<unsigned>(v[0] < 0 ? 0 : v[0]);
+  const double top = v[1], bottom = (mask & 64U) ? v[2] : v[1] + v[2];
+  StockShape stock;
+  if (type.empty()) return true;
+  stock.box.lo.z = std::min(top, bottom);
+  stock.box.hi.z = std::max(top, bottom);
+  if (type == "BOX") {
+    const double x1 = (mask & 16U) ? v[6] : v[4] + v[6], y1 = (mask & 32U) ? v[7] : v[5] + v[7];
+    stock.box.lo.x = std::min(v[4], x1);
+    stock.box.hi.x = std::max(v[4], x1);
+    stock.box.lo.y = std::min(v[5], y1);
+    stock.box.hi.y = std::max(v[5], y1);
+  } else if (type == "RECTANGLE") {
+    stock.box.lo = {-v[4] / 2, -v[5] / 2, stock.box.lo.z};
+    stock.box.hi = {v[4] / 2, v[5] / 2, stock.box.hi.z};
+  } else if (type == "CYLINDER" || type == "PIPE") {
+    stock.kind = type == "PIPE" ? StockShape::Kind::tube : StockShape::Kind::cylinder;
+    stock.outer_radius = v[4] / 2;
+    if (type == "PIPE") stock.inner_radius = v[5] / 2;
+    stock.box.lo = {-v[4] / 2, -v[4] / 2, stock.box.lo.z};
+    stock.box.hi = {v[4] / 2, v[4] / 2, stock.box.hi.z};
+  } else {
+    return error("not-supported", fmt::format("WORKPIECE of type {} is not supported yet", type),
+                 where);
+  }
+  const Vec3 shift = frames_.total.shift;
+  stock.box.lo += shift;
+  stock.box.hi += shift;
+  stock.axis_point = {shift.x, shift.y, 0};
+  if (!(stock.box.lo.x < stock.box.hi.x && stock.box.lo.y < stock.box.hi.y &&
+        stock.box.lo.z < stock.box.hi.z))
+    return error("value-range", "the WORKPIECE has no volume", where);
+  stock.description = fmt::format("WORKPIECE {} in line {}", type, block_.line_number);
+  program_.workpiece = stock;
+  return true;
+}
+
+void CommentedStock::read_comments() {
+  if (settled_) return;
+  for (const std::string_view comment : block_.comments)
+    says_inches_ = says_inches_ || says_inches(comment);
+  if (lathe()) return;
+  for (const std::string_view comment : block_.comments)
+    comments_.read(comment, block_.line_number);
+}
+
+void CommentedStock::settle() {
+  settled_ = true;
+  if (says_inches_ && !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+    reporter_.add(Severity::warning, "units-unset",
+                  "a comment says inches, but the program has no G20: it is read in mm; write G20 "
+                  "at its top",
+                  0, 1);
+  const std::optional<Box3> box = comments_.box(scale());
+  if (!box || program_.workpiece) return;
+  StockShape stock;
+  const Vec3 zero = frames_.work + frames_.position_shift;
+  stock.box = {box->lo + zero, box->hi + zero};
+  const Vec3 &lo = stock.box.lo, &hi = stock.box.hi;
+  stock.description =
+      fmt::format("of the comment in line {}: box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
+                  comments_.line(), lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  program_.workpiece = stock;
+}
+
+}  // namespace mrsim
