@@ -15,7 +15,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 # Folder of src -> the other folders (or single headers) that its files may include; each folder may include itself.
 # Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles.
 CORE = ("core/",)
-LANGUAGE = CORE + ("interp/motion_sink.h", "interp/text/", "interp/path/", "interp/language/")
+LANGUAGE = CORE + ("interp/motion_sink.h", "interp/text/", "interp/comments/", "interp/path/", "interp/language/")
 CONTROL = LANGUAGE + ("interp/control/",)
 WORDS = CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/", "interp/words/")
 CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
@@ -23,9 +23,10 @@ SOLID = CORE + ("removal/field/",)
 ROOMS = {
     "core": (),
     "interp/text": CORE + ("interp/motion_sink.h",),
+    "interp/comments": CORE + ("interp/text/",),
     "interp/path": CORE + ("interp/text/",),
-    "interp/language": CORE + ("interp/text/", "interp/path/"),
-    "interp/recognise": CORE + ("interp/text/",),
+    "interp/language": CORE + ("interp/text/", "interp/comments/", "interp/path/"),
+    "interp/recognise": CORE + ("interp/text/", "interp/comments/", "interp/language/"),
     "interp/show": CORE + ("interp/text/", "interp/path/"),
     "interp/control": LANGUAGE,
     "interp/frames": CONTROL,

@@ -1,8 +1,8 @@
 // Whole programs: recognition, tools from comments, subprograms, flow, the seeds, the JSON lines.
+#include "interp/comments/tool_comment.h"
 #include "interp/recognise/recognise.h"
 #include "interp/show/path_picture.h"
 #include "interp/support.h"
-#include "interp/text/tool_comment.h"
 
 namespace mrsim {
 namespace {

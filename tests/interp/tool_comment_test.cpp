@@ -1,5 +1,5 @@
 // Tool comments as posts write them: the data of the tool, or a reason why there is none.
-#include "interp/text/tool_comment.h"
+#include "interp/comments/tool_comment.h"
 
 #include "core/units.h"
 

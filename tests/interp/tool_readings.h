@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "interp/text/tool_comment.h"
+#include "interp/comments/tool_comment.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "interp/recognise/dialect_signs.h"
 
-#include "interp/text/bracket_statement.h"
+#include "interp/language/bracket_statement.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "interp/recognise/machine_signs.h"
 
+#include "interp/comments/tool_comment.h"
 #include "interp/text/characters.h"
-#include "interp/text/tool_comment.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "core/text_io.h"
 #include "core/units.h"
+#include "interp/comments/form_outline.h"
+#include "interp/comments/turret_name.h"
 #include "interp/text/characters.h"
-#include "interp/text/form_outline.h"
-#include "interp/text/turret_name.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // it).
 #pragma once
 
-#include "interp/text/tool_comment.h"
+#include "interp/comments/tool_comment.h"
 
 #include <map>
 #include <string>

@@ -2,8 +2,8 @@
 // src/interp.
 #pragma once
 
+#include "interp/comments/stock_comment.h"
 #include "interp/control/control.h"
-#include "interp/text/stock_comment.h"
 
 #include <array>
 

@@ -1,0 +1,59 @@
+// The tokens of a comment about a tool, and which of them have been explained.
+#pragma once
+
+#include "core/units.h"
+#include "interp/comments/comment_tokens.h"
+#include "interp/comments/tool_comment.h"
+
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mrsim {
+
+class CommentView {
+ public:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  explicit CommentView(std::vector<CommentToken> tokens)
+      : tokens_(std::move(tokens)), taken_(tokens_.size(), false) {}
+
+  std::size_t size() const { return tokens_.size(); }
+  const CommentToken& operator[](std::size_t i) const { return tokens_[i]; }
+  const std::vector<CommentToken>& tokens() const { return tokens_; }
+  bool has(std::size_t i) const { return i < tokens_.size(); }
+  bool word(std::size_t i) const { return has(i) && tokens_[i].kind == CommentToken::Kind::word; }
+  bool is(std::size_t i, std::string_view what) const { return has(i) && tokens_[i].is(what); }
+  bool is_one(std::size_t i, std::initializer_list<std::string_view> words) const;
+  bool glued(std::size_t i) const { return has(i) && tokens_[i].glued; }
+
+  bool taken(std::size_t i) const { return has(i) && taken_[i]; }
+  void take(std::size_t i) { taken_[i] = true; }
+  void take(std::size_t first, std::size_t end);
+
+  /// A number that nothing has explained yet.
+  bool number(std::size_t i) const { return has(i) && tokens_[i].is_number() && !taken_[i]; }
+  /// One without a point, a fraction, a unit or a degree sign.
+  bool whole(std::size_t i) const;
+  /// Whether the number there is that of a piece of work: "PART 7", "SIDE 2".
+  bool numbers_work(std::size_t i) const;
+  /// A number that may be a size: not behind a letter, a "#", an "=" or a sign of its own.
+  bool is_size(std::size_t i) const;
+  /// A bare number that nothing has explained, as angles of tools are: "90", "118".
+  bool may_be_angle(std::size_t i) const;
+  /// Behind a name, over "=", ":", "-": "DIA. - 10.", "D=6".
+  std::size_t behind(std::size_t i) const;
+  /// The number there; kNone: there is none, or it is an angle.
+  std::size_t value_behind(std::size_t i) const;
+
+  void say_inches(std::size_t i) { tokens_[i].unit = kMmPerInch; }
+  ToolLength length(std::size_t i) const;
+
+ private:
+  std::vector<CommentToken> tokens_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace mrsim

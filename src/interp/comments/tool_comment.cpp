@@ -1,0 +1,26 @@
+#include "interp/comments/tool_comment.h"
+
+#include "core/text_io.h"
+#include "interp/comments/comment_tokens.h"
+#include "interp/comments/tool_facts.h"
+#include "interp/comments/tool_listing.h"
+#include "interp/comments/turret_name.h"
+
+namespace mrsim {
+
+ToolHint read_tool_comment(std::string_view bytes) {
+  ToolHint hint;
+  if (bytes.size() > 400) bytes = bytes.substr(0, 400);
+  hint.text = to_utf8(bytes);
+  while (!hint.text.empty() && hint.text.front() == ' ') hint.text.erase(0, 1);
+  while (!hint.text.empty() && hint.text.back() == ' ') hint.text.pop_back();
+  std::string text = fold_comment(hint.text);
+  spell_sides(text);
+  if (!read_listed_tool(text, hint)) settle_tool(read_tool_facts(comment_tokens(text)), hint);
+  hint.diameter = hint.diameters.empty() ? 0 : hint.diameters.front().value;
+  hint.corner_radius = hint.corner.value;
+  hint.nose_radius = hint.nose.value;
+  return hint;
+}
+
+}  // namespace mrsim

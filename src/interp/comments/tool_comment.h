@@ -1,0 +1,74 @@
+// What comments say about tools: "Steblasto frezalo Ø5", "T1 D=6. CR=0. - FLAT END MILL",
+// "T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10.", "OD ROUGH - CNMG 120408".
+//
+// Guarantees: only whole words count; a register (D239 beside H239, DIA. OFF. - 41) is no diameter;
+// where two readings of a comment differ no tool is made and the reason is told. Does not know the
+// units of the program: fill_tool() is given them.
+#pragma once
+
+#include "interp/comments/tool_kind.h"
+#include <mrsim/types.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// A length as it was written.
+struct ToolLength {
+  double value = 0;
+  double unit = 0;            ///< mm per unit where the comment says so, 0 = the program's units
+  bool fraction = false;      ///< "1/4": inches, unless something else is said
+  bool letter_point = false;  ///< "D.10": 0.10, or D. 10
+  bool inch_style = false;    ///< ".1875": thousandths without a 0 before the point
+  explicit operator bool() const { return value > 0; }
+};
+
+struct ToolHint {
+  std::string id;             ///< when the comment names the tool's number itself
+  std::size_t id_digits = 0;  ///< with which that was written
+  bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
+  bool firm = false;          ///< its kind names a tool and nothing else: "END MILL"
+  std::optional<ToolType> type;
+  std::optional<ToolTrade> trade;
+  std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
+  std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
+  double diameter = 0;                ///< value of the first reading, 0 = none
+  ToolLength corner, nose, width;
+  ToolLength tip;                             ///< diameter of a V tool's tip
+  ToolLength flute_length;                    ///< "LOC 1.0"
+  double corner_radius = 0, nose_radius = 0;  ///< their values
+  double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
+  bool assumed_angle = false;                 ///< the angle follows from the kind alone
+  bool rivals = false;                        ///< it names another kind of tool, too
+  std::string gauge;                          ///< "7" of a number drill, "Q" of a letter drill
+  std::string insert;                         ///< "CNMG"
+  double insert_angle = 0, lead_angle = 0;    ///< radians
+  double edge_length = 0;                     ///< mm
+  bool left_hand = false, inside = false, bores = false, face_groove = false;
+  std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
+  std::string text;   ///< the comment, UTF-8, for the report
+  explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
+  /// A thread mill, of which nothing but a cylinder is known.
+  bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
+  /// It adds a corner radius to what other comments say of the tool.
+  bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
+};
+
+/// `bytes` in whatever encoding they came.
+ToolHint read_tool_comment(std::string_view bytes);
+
+/// Adds what a second comment about the same tool says; a contradiction becomes a doubt.
+void merge_hint(ToolHint& into, const ToolHint& more);
+
+/// The tool that the hint describes in a program whose unit is `unit` mm. False when it says too
+/// little or too much: `why` then completes "the comment ... ".
+bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why);
+
+/// What a hint leaves open, filled in by the documented defaults: a turning tool without data is a
+/// sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm.
+void complete_turning_tool(Tool& tool);
+
+}  // namespace mrsim

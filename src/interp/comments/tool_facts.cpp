@@ -1,0 +1,401 @@
+#include "interp/comments/tool_facts.h"
+
+#include "interp/comments/comment_view.h"
+#include "interp/comments/comment_words.h"
+#include "interp/comments/drill_gauge.h"
+#include "interp/comments/hyphenated_name.h"
+#include "interp/comments/thread_name.h"
+#include "interp/comments/tool_labels.h"
+#include "interp/comments/tool_sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kNowhere = CommentView::kNone;
+
+class FactReader {
+ public:
+  FactReader(std::vector<CommentToken> tokens, ToolFacts& facts)
+      : view_(std::move(tokens)), facts_(facts) {}
+
+  void read() {
+    facts_.kinds = find_tool_kinds(view_.tokens());
+    read_short_kind();
+    facts_.insert = find_insert_code(view_.tokens());
+    read_id();
+    take_kinds();
+    read_inch_word();
+    read_thread();
+    read_gauge();
+    read_tool_labels(view_, facts_);
+    read_side_words(view_, facts_);
+    read_groups();
+    read_beside();
+    read_loose();
+    drop_count();
+    read_rest();
+  }
+
+ private:
+  /// Tokens [first, end): numbers and the X between them.
+  struct Group {
+    std::size_t first = 0, end = 0;
+    bool used = false;
+  };
+
+  void set_id(std::size_t i);
+  bool begins_id(std::size_t i) const;
+  void read_id();
+  void take_kinds();
+  void drop_purpose();
+  void read_inch_word();
+  void read_thread();
+  void read_gauge();
+  void read_key_number(const ToolKind& kind);
+  void read_short_kind();
+  bool numbers_it(std::size_t i) const;
+  void read_groups();
+  bool passable(std::size_t i) const;
+  bool ends(std::size_t i) const;
+  Group* group_at(std::size_t token);
+  SizeGroup sizes(const Group& group) const;
+  void use(Group& group, std::vector<SizeGroup>& into);
+  void read_beside();
+  void read_before(const ToolKind& kind);
+  bool is_list_item(const Group& group) const;
+  void read_behind(const ToolKind& kind);
+  void read_loose();
+  bool in_field_of_kind(const Group& group) const;
+  void read_rest();
+  bool kind_is_counted() const;
+  void drop_count();
+  const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
+
+  CommentView view_;
+  ToolFacts& facts_;
+  std::vector<Group> groups_;
+};
+
+// A whole number without a point or a unit.
+void FactReader::set_id(std::size_t i) {
+  const CommentToken& t = view_[i];
+  if (!view_.whole(i) || t.text.size() > 8) return;
+  std::string id(t.text);
+  id.erase(0, std::min(id.find_first_not_of('0'), id.size() - 1));
+  view_.take(i);
+  facts_.names_tool = true;
+  facts_.several_ids |= !facts_.id.empty() && facts_.id != id;
+  facts_.id = id;
+  facts_.id_digits = t.text.size();
+}
+
+bool FactReader::begins_id(std::size_t i) const {
+  for (const ToolKind& k : facts_.kinds)
+    if (i > k.first && i < k.end) return false;  // "GROOVING TOOL 3"
+  if (view_.is_one(i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE",
+                       "NARZEDZIE"}))
+    return true;
+  return i == 0 && view_.is_one(i, {"NO", "NR"}) && view_.is(i + 2, ":");
+}
+
+// "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:"; "1 = End Mill {6 mm}" of
+// Vectric.
+void FactReader::read_id() {
+  if (kind() && view_.number(0) && view_.is(1, "=")) set_id(0);
+  for (std::size_t i = 0; i < view_.size(); ++i) {
+    const bool inside = facts_.insert && i >= facts_.insert->first && i < facts_.insert->end;
+    if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);
+    if (view_.is_one(i, {"TC", "TOOL", "WERKZEUG", "HERRAMIENTA", "ORODJE"}))
+      facts_.names_tool = true;
+    if (i == 0 && view_.is(0, "CUTTER") && view_.is(1, ":")) facts_.names_tool = true;
+    if (!begins_id(i)) continue;
+    std::size_t at = i + 1;
+    while (view_.is_one(at, {"NO", "NR", "NUMBER", "NUMMER", "#", "-", ":", "=", "T"})) ++at;
+    const bool diameter = view_.is_one(at + 1, {"DIA", "DIAM", "DIAMETER"}) &&
+                          !view_.is(at + 2, "OFF") &&
+                          view_.value_behind(at + 1) == kNowhere;  // "TOOL 10 DIA"
+    if (view_.number(at) && !diameter)
+      set_id(at);
+    else if (view_.is_one(at, {"CHANGE", "PATH"}))
+      facts_.names_tool = false;
+  }
+}
+
+void FactReader::take_kinds() {
+  drop_purpose();
+  for (const ToolKind& k : facts_.kinds)
+    if (same_trade(k, facts_.kinds.front())) view_.take(k.first, k.end);
+  if (facts_.insert) view_.take(facts_.insert->first, facts_.insert->end);
+}
+
+// "6.8 DRILL FOR M8 TAP": what stands behind the FOR is another tool.
+void FactReader::drop_purpose() {
+  std::vector<ToolKind>& kinds = facts_.kinds;
+  for (std::size_t i = 1; i < view_.size(); ++i) {
+    if (!view_.is_one(i, {"FOR", "FUER", "F~R", "POUR", "PARA", "DLA"})) continue;
+    const bool told =
+        std::any_of(kinds.begin(), kinds.end(), [&](const ToolKind& k) { return k.first < i; });
+    if (!told) continue;
+    std::size_t end = i + 1;
+    for (const ToolKind& k : kinds)
+      if (k.first > i) end = std::max(end, k.end);
+    std::erase_if(kinds, [&](const ToolKind& k) { return k.first > i; });
+    while (view_.number(end) || view_.is(end, "M")) ++end;
+    view_.take(i, end);
+  }
+}
+
+// "3 IN FACE MILL"; "5 IN PLATE" is a preposition.
+void FactReader::read_inch_word() {
+  if (!kind()) return;
+  for (std::size_t i = 0; i + 1 < kind()->first; ++i) {
+    if (!view_.is_size(i) || !view_.whole(i) || !view_.is(i + 1, "IN")) continue;
+    std::size_t at = i + 2;
+    while (at < kind()->first && (passable(at) || view_.is_one(at, {"DIA", "DIAM", "DIAMETER"})))
+      ++at;
+    if (at < kind()->first) continue;
+    view_.say_inches(i);
+    view_.take(i + 1);
+  }
+}
+
+void FactReader::read_thread() {
+  using enum ToolTrade;
+  const ToolKind* k = kind();
+  const bool threads = k && (k->trade == tap || k->trade == thread_mill ||
+                             (k->trade == twist_drill && k->end > k->first + 1));
+  const auto thread = find_thread_name(view_, threads);
+  if (!thread) return;
+  facts_.thread = thread->diameter;
+  facts_.enlarged_thread = thread->enlarged;
+  view_.take(thread->first, thread->end);
+}
+
+void FactReader::read_gauge() {
+  using enum ToolTrade;
+  const ToolKind* k = kind();
+  if (k && k->trade == disc) return read_key_number(*k);
+  if (!k || !(k->trade == twist_drill || (k->trade == hole && k->firm))) return;
+  const auto gauge = find_drill_gauge(view_, k->first, k->end);
+  if (!gauge) return;
+  facts_.gauge = ToolLength{gauge->inches, kMmPerInch, false};
+  facts_.gauge_name = gauge->name;
+  view_.take(gauge->first, gauge->end);
+}
+
+void FactReader::read_key_number(const ToolKind& kind) {
+  const std::string_view name = view_[kind.first].text;
+  if (!name.starts_with("KEY") && !name.starts_with("WOODRUFF")) return;
+  const auto key = find_key_number(view_, kind.first, kind.end);
+  if (!key) return;
+  facts_.named.push_back({key->inches, kMmPerInch, false});
+  facts_.width = ToolLength{key->width, kMmPerInch, false};
+  view_.take(key->first, key->end);
+}
+
+// "end 1/4" of Kiri:Moto; "V90 D12", "60V"; the angle of "V90 ENGRAVER".
+void FactReader::read_short_kind() {
+  using enum ToolTrade;
+  const auto angle = [&](std::size_t i) {
+    return view_.number(i) && view_.whole(i) && view_[i].value >= 15 && view_[i].value <= 150;
+  };
+  if (kind() && kind()->type != ToolType::chamfer) return;
+  for (std::size_t i = 0; i < view_.size() && facts_.angles.empty(); ++i) {
+    if (!kind() && view_.is(i, "END") && view_.number(i + 1) && view_[i + 1].fraction) {
+      facts_.kinds.push_back({ToolType::endmill, mill, true, 0, i, i + 1});
+      return;
+    }
+    if (!view_.is(i, "V")) continue;
+    const bool before = i > 0 && view_.glued(i) && angle(i - 1);
+    const bool behind = view_.glued(i + 1) && angle(i + 1) && !view_.glued(i + 2);
+    if (!before && !behind) continue;
+    if (!kind()) facts_.kinds.push_back({ToolType::chamfer, vee, false, 0, i, i + 1});
+    view_.take(i);
+    facts_.angles.push_back(view_[before ? i - 1 : i + 1].value);
+    view_.take(before ? i - 1 : i + 1);
+  }
+}
+
+// "ENDMILL001", "DRILL2": numbered names; "EM10" and "BALL6" have sizes.
+bool FactReader::numbers_it(std::size_t i) const {
+  constexpr double kFewTools = 4;
+  return view_[i].angle || (view_.whole(i) && view_.glued(i) &&
+                            (view_[i].text.front() == '0' || view_[i].value < kFewTools));
+}
+
+// Numbers joined by X. Those that are explained already leave the group, but do not break it.
+void FactReader::read_groups() {
+  const auto element = [&](std::size_t i, bool first) {
+    if (!view_.has(i) || !view_[i].is_number()) return false;
+    return view_.taken(i) || (first ? view_.is_size(i) : true);
+  };
+  const auto skip_words = [&](std::size_t i) {  // ".25 DIA X .75 LOC X R2"
+    while (view_.taken(i) && !view_[i].is_number()) ++i;
+    return i;
+  };
+  for (std::size_t i = 0; i < view_.size(); ++i) {
+    const bool glued_to_kind = kind() && i == kind()->end && view_.number(i) && !numbers_it(i);
+    if (!element(i, true) && !glued_to_kind) continue;
+    Group group{i, i + 1};
+    for (;;) {
+      const std::size_t sign = skip_words(group.end), next = skip_words(sign + 1);
+      if (!view_.is_one(sign, {"X", "*", "/"}) || !element(next, false)) break;
+      view_.take(sign);
+      group.end = next + 1;
+    }
+    i = group.end - 1;
+    if (!sizes(group).sizes.empty()) groups_.push_back(group);
+  }
+}
+
+SizeGroup FactReader::sizes(const Group& group) const {
+  SizeGroup out;
+  out.continues = view_.taken(group.first);
+  for (std::size_t i = group.first; i < group.end; ++i)
+    if (view_.number(i) && !view_[i].angle && view_[i].value > 0) out.sizes.push_back(view_[i]);
+  return out;
+}
+
+// May stand between a size and the kind.
+bool FactReader::passable(std::size_t i) const {
+  const CommentToken& t = view_[i];
+  if (view_.taken(i) || (t.is_number() && t.angle)) return true;
+  if (t.is("-") || t.is("\"")) return t.glued;
+  return view_.word(i) && comment_word(t.text).role == WordRole::adjective;
+}
+
+bool FactReader::ends(std::size_t i) const {
+  if (!view_.has(i) || view_.taken(i) || (view_[i].is_number() && view_[i].angle)) return true;
+  if (view_.is_one(i, {"|", ",", ";", ":", "-", "(", ")", "[", "]", "{", "}", "R"})) return true;
+  return view_.word(i) && comment_word(view_[i].text).role != WordRole::none;
+}
+
+FactReader::Group* FactReader::group_at(std::size_t token) {
+  for (Group& group : groups_)
+    if (token >= group.first && token < group.end && !group.used) return &group;
+  return nullptr;
+}
+
+void FactReader::use(Group& group, std::vector<SizeGroup>& into) {
+  group.used = true;
+  into.push_back(sizes(group));
+}
+
+void FactReader::read_beside() {
+  if (!kind()) return;
+  read_before(*kind());
+  read_behind(*kind());
+}
+
+// "10 FLAT", "1/4 IN. 2 FLUTE ENDMILL", ".25 X .75 X 2.5 ENDMILL".
+void FactReader::read_before(const ToolKind& kind) {
+  for (std::size_t i = kind.first; i > 0;) {
+    --i;
+    if (Group* group = group_at(i)) {
+      i = group->first;
+      if (is_list_item(*group)) break;
+      use(*group, facts_.before_kind);
+    } else if (!passable(i)) {
+      break;
+    }
+  }
+}
+
+// "1. 6MM ENDMILL", "2 .500 EM".
+bool FactReader::is_list_item(const Group& group) const {
+  if (facts_.before_kind.empty()) return false;
+  const CommentToken size = sizes(group).sizes.front();
+  const CommentToken& nearest = facts_.before_kind.front().sizes.front();
+  const bool bare = size.unit == 0 && !size.fraction && size.value == std::floor(size.value);
+  return bare && (nearest.unit > 0 || nearest.fraction || nearest.decimals);
+}
+
+// "End Mill 6 mm", "EM .375 LOC 1.0", "BALL6".
+void FactReader::read_behind(const ToolKind& kind) {
+  std::size_t at = kind.end;
+  const auto pass = [&] {
+    while (view_.has(at) && group_at(at) == nullptr && passable(at)) ++at;
+  };
+  pass();
+  while (view_.is_one(at, {"{", "(", "[", ":", "-", "="})) ++at;
+  pass();
+  if (view_.is(at, "D") && view_.has(at + 1) && !view_.glued(at + 1)) ++at;  // "D 10"
+  Group* group = group_at(at);
+  if (group == nullptr) return;
+  group->used = true;
+  if (view_.is(group->end, "OF") && view_.number(group->end + 1)) return;  // "DRILL 1 OF 2"
+  facts_.behind_ends = ends(group->end);
+  facts_.behind_kind = sizes(*group);
+}
+
+// Sizes with a unit anywhere; a plain ".375" in the words before the kind: ".375 GARR EM".
+void FactReader::read_loose() {
+  for (Group& group : groups_) {
+    if (group.used) continue;
+    const CommentToken size = sizes(group).sizes.front();
+    if (size.unit > 0 || size.fraction || (size.decimals && in_field_of_kind(group)))
+      use(group, facts_.loose);
+  }
+}
+
+bool FactReader::in_field_of_kind(const Group& group) const {
+  const ToolKind* k = kind();
+  if (!k || group.end > k->first) return false;
+  std::size_t strangers = 0;  // "1.5 WIDE PART WITH ENDMILL" has too many
+  for (std::size_t i = group.end; i < k->first; ++i) {
+    if (passable(i)) continue;
+    if (!view_.word(i) || view_.is_one(i, {"WITH", "AND", "TO", "BY", "AT", "ON"})) return false;
+    ++strangers;
+  }
+  return strangers < 2;
+}
+
+bool FactReader::kind_is_counted() const {
+  if (!kind()) return false;
+  std::size_t at = kind()->end;
+  while (view_.has(at) && passable(at)) ++at;
+  return view_.is_one(kind()->end - 1, {"MILLS", "ENDMILLS", "BITS"}) ||
+         view_.is_one(at, {"SIZES", "TYPES", "OPERATIONS", "OPS", "CYCLES", "SETUPS", "POINTS",
+                           "POSITIONS", "LOCATIONS"});
+}
+
+// "2 DRILL BIT SIZES", "3 DRILL OPERATIONS", "NEEDS 2 END MILLS": how many, and of no tool.
+void FactReader::drop_count() {
+  if (!kind_is_counted()) return;
+  const std::size_t counts = std::erase_if(facts_.before_kind, [](const SizeGroup& group) {
+    const CommentToken& t = group.sizes.front();
+    return !t.decimals && !t.fraction && t.unit == 0;
+  });
+  if (counts > 0 && facts_.before_kind.empty() && !facts_.behind_kind && facts_.loose.empty() &&
+      facts_.named.empty())
+    facts_.kinds.clear();
+}
+
+void FactReader::read_rest() {
+  facts_.corner_line = is_corner_line(view_);
+  facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
+  facts_.tapered = facts_.taper > 0;
+  for (std::size_t i = 0; i < view_.size(); ++i) {
+    facts_.tapered |= view_.is_one(i, {"TAPER", "TAPERED"}) && !view_.taken(i);
+    if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
+    facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
+    facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
+    facts_.left_hand |= view_.is_one(i, {"LEFT", "LH", "LINKS"});
+    facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
+    facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});
+  }
+}
+
+}  // namespace
+
+ToolFacts read_tool_facts(std::vector<CommentToken> tokens) {
+  ToolFacts facts;
+  part_hyphenated_name(tokens);
+  FactReader(std::move(tokens), facts).read();
+  return facts;
+}
+
+}  // namespace mrsim

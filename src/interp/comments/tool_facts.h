@@ -1,0 +1,69 @@
+// What the words and numbers of a comment say, each as what it is: a diameter, a radius, an angle,
+// a thread, or a size without a name. Nothing is settled here: settle_tool() does, by the kind of
+// tool.
+#pragma once
+
+#include "interp/comments/blade_code.h"
+#include "interp/comments/comment_tokens.h"
+#include "interp/comments/insert_code.h"
+#include "interp/comments/tool_comment.h"
+#include "interp/comments/tool_kind.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrsim {
+
+/// Numbers joined by X: "12 X 26", ".250 X 45"; most have one number.
+struct SizeGroup {
+  std::vector<CommentToken> sizes;
+  bool continues = false;  ///< the first number has a name and is left out: "D20 X 4"
+};
+
+struct ToolFacts {
+  std::string id;
+  std::size_t id_digits = 0;
+  bool names_tool = false, several_ids = false;
+
+  std::vector<ToolKind> kinds;  ///< the one that counts first
+  std::optional<InsertCode> insert;
+  std::optional<BladeCode> blade;
+
+  std::vector<ToolLength> named;     ///< diameters with a name: "DIA 10", "Ø5", "D=6"
+  ToolLength letter_d;               ///< "D10": a diameter, or a register
+  ToolLength second_d;               ///< of a pointed mill: a tip, or a register
+  std::optional<ToolLength> thread;  ///< diameter of the thread that is named; 0 = not told
+  bool enlarged_thread = false;      ///< for a wire insert
+  std::optional<ToolLength> gauge;   ///< "#7", "LETTER Q"
+  std::string gauge_name;
+  std::vector<SizeGroup> before_kind;  ///< beside it, the nearest first
+  std::optional<SizeGroup> behind_kind;
+  bool behind_ends = false;      ///< nothing follows that could make something else of it
+  std::vector<SizeGroup> loose;  ///< elsewhere, with a unit or as a fraction
+
+  ToolLength corner, nose, width, tip, flute_length;
+  bool pair = false;           ///< "D12R2", "D10R0"
+  std::vector<double> angles;  ///< degrees
+  double taper = 0;            ///< degrees, of TAPER=
+  bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
+  bool included = false, per_side = false;
+  bool helix = false;       ///< the angle may be that of the flutes
+  bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
+  bool left_hand = false;
+  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
+  bool bores = false;        ///< "BORE", "BORING" alone
+  bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
+  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
+  bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
+  bool holes = false;        ///< "4 DRILL HOLES"
+};
+
+ToolFacts read_tool_facts(std::vector<CommentToken> tokens);
+
+/// Makes a tool's data of the facts, or a doubt.
+void settle_tool(const ToolFacts& facts, ToolHint& hint);
+
+}  // namespace mrsim

@@ -1,0 +1,317 @@
+// From what comments say to a tool, or to the reason why there is none.
+#include "core/tip_orientation.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/comments/form_outline.h"
+#include "interp/comments/tool_comment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kSame = 0.02;               // mm: two readings of one size differ by rounding only
+constexpr double kRounded = 0.05;            // mm: a radius in inches with three decimals
+constexpr double kLeastVee = 1;              // mm: of a V-bit; a smaller size is rather its tip's
+constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
+constexpr double kLargestMetric = 500;       // mm: a larger one is rather a name, "endmill1000"
+
+// mm in a program of this unit. A fraction is a size in inches wherever it stands.
+double in_mm(const ToolLength& length, double unit) {
+  if (length.unit > 0) return length.value * length.unit;
+  return length.value * (length.fraction ? kMmPerInch : unit);
+}
+
+std::string as_written(const ToolLength& length) {
+  return fmt::format("{:.6g}{}", length.value,
+                     length.unit == 1  ? " mm"
+                     : length.unit > 1 ? " inch"
+                                       : "");
+}
+
+// The diameter in mm; 0 and a reason where the readings differ or the unit is in doubt.
+double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
+  const ToolLength& first = hint.diameters.front();
+  const double diameter = in_mm(first, unit);
+  bool confirmed = false;
+  for (const ToolLength& other : hint.diameters) {
+    if (&other == &first) continue;
+    if (std::abs(in_mm(other, unit) - diameter) > kSame) {
+      why = fmt::format("can be read as diameter {} or {}", as_written(first), as_written(other));
+      return 0;
+    }
+    if (!other.fraction || other.unit > 0) confirmed = true;
+  }
+  if (first.unit == 0 && !confirmed) {
+    const bool metric_fraction = first.fraction && unit == 1 && !hint.type;
+    const bool huge = diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
+    if (first.letter_point && unit == 1) {
+      why = fmt::format("can be read as diameter {0} or as D. and a number without a point",
+                        as_written(first));
+      return 0;
+    }
+    if (metric_fraction || huge || (first.inch_style && unit == 1)) {
+      why = fmt::format("gives the diameter {} without a unit, in a program in {}",
+                        as_written(first), unit > 1 ? "inches" : "mm");
+      return 0;
+    }
+  }
+  if (!hint.gauge.empty() && unit == 1 && !confirmed) {
+    why = fmt::format("can be read as the drill {} of {}, in a program in mm", hint.gauge,
+                      as_written(first));
+    return 0;
+  }
+  return diameter;
+}
+
+// A radius without a unit has that of the diameter beside it.
+double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
+  if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return in_mm(radius, unit);
+  const ToolLength& first = hint.diameters.front();
+  return radius.value * (first.unit > 0 ? first.unit : first.fraction ? kMmPerInch : unit);
+}
+
+// A corner radius that the tool can have. A bull-nose mill of half its diameter is a ball mill.
+bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  out.corner_radius =
+      hint.corner && hint.trade != ToolTrade::tap ? beside(hint.corner, hint, unit) : 0;
+  if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
+  const double radius = out.diameter / 2;
+  // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.
+  const SinCos lean = sincos(out.type == ToolType::taper ? out.taper_angle : 0);
+  if (out.corner_radius > radius * lean.cos / (1 - lean.sin) + kSame) {
+    why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
+                      out.corner_radius);
+    return false;
+  }
+  if (out.type == ToolType::bullmill && !(out.corner_radius > 0)) {
+    why = "gives no corner radius";
+    return false;
+  }
+  const bool ball = out.type == ToolType::ballmill || out.type == ToolType::lollipop;
+  if (ball && out.corner_radius > 0 && out.corner_radius < radius - kRounded) {
+    why =
+        fmt::format("names a ball mill, but its radius of {:.6g} mm is less than half the diameter",
+                    out.corner_radius);
+    return false;
+  }
+  const bool whole = out.corner_radius > radius - 1e-3;
+  if (out.type == ToolType::bullmill && whole) out.type = ToolType::ballmill;
+  if (out.type == ToolType::ballmill || ball || out.type == ToolType::drill) out.corner_radius = 0;
+  return true;
+}
+
+// The flank ends at the flute length, or at the diameter where the tip's is told, or where the
+// program's cuts do.
+void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
+  const bool ball = hint.trade == ToolTrade::cone_ball;
+  const double tip = ball ? 2 * out.corner_radius : hint.tip ? beside(hint.tip, hint, unit) : 0;
+  if (tip > 0 && tip < out.diameter - kSame) out.tip_diameter = tip;
+  if (!(out.taper_angle > 0))
+    why = "gives no taper angle";
+  else if (ball && !(out.corner_radius > 0))
+    why = "gives no radius of the tip";
+}
+
+void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (!(hint.taper_angle > 0)) {
+    why = "gives no angle of its flanks";
+  } else if (!hint.flute_length) {
+    why = "gives no height of its head";
+  } else if (hint.corner) {
+    why = "gives a corner radius, which its outline must have";
+  } else {
+    out.taper_angle = 0;
+    out.profile =
+        dovetail_outline(out.diameter, hint.taper_angle, beside(hint.flute_length, hint, unit));
+    if (out.profile.empty()) why = "gives flanks that meet below the height of its head";
+  }
+}
+
+// What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
+bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (out.type == ToolType::taper) {
+    fill_cone(hint, unit, out, why);
+  } else if (out.type == ToolType::tslot) {
+    if (hint.width) out.width = beside(hint.width, hint, unit);
+    if (!(out.width > 0)) why = "gives no width of the head";
+  } else if (out.type == ToolType::chamfer) {
+    if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
+    if (hint.trade == ToolTrade::chamfer_mill && !hint.tip && !hint.corner)
+      out.origin += ", its tip taken to be sharp";
+    if (hint.trade == ToolTrade::vee && !hint.tip && out.diameter > 0 && out.diameter < kLeastVee)
+      why =
+          fmt::format("can be read as diameter {0:.4g} mm or as a tip of {0:.4g} mm", out.diameter);
+    if (out.diameter > 0 && out.tip_diameter >= out.diameter)
+      why = "gives a tip that is not smaller than the diameter";
+    if (hint.trade == ToolTrade::countersink && hint.assumed_angle && unit > 1)
+      why = "gives no angle, and countersinks of inch sizes have 82 or 90 degrees";
+  } else if (out.type == ToolType::barrel) {
+    why = "gives no radius of the flank";
+  } else if (hint.trade == ToolTrade::dovetail) {
+    fill_dovetail(hint, unit, out, why);
+  }
+  return why.empty();
+}
+
+// What a comment in doubt says first: for the example of an error.
+void sketch(const ToolHint& hint, double unit, Tool& out) {
+  if (!hint.diameters.empty()) out.diameter = in_mm(hint.diameters.front(), unit);
+  if (hint.corner) out.corner_radius = beside(hint.corner, hint, unit);
+  if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
+  out.tip_angle = hint.tip_angle;
+  out.taper_angle = hint.taper_angle;
+}
+
+bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  const bool open_cone = hint.trade == ToolTrade::vee && hint.diameters.empty();
+  if (hint.diameters.empty() && !open_cone) {
+    why = "gives no diameter";
+    return false;
+  }
+  if (!open_cone) out.diameter = agreed_diameter(hint, unit, why);
+  if (!open_cone && !(out.diameter > 0)) return false;
+  out.taper_angle = hint.taper_angle;
+  out.tip_angle = hint.tip_angle;
+  if (hint.assumed_angle)
+    out.origin += fmt::format(", taken to have {:.4g} degrees", degrees(out.tip_angle));
+  return fill_corner(hint, unit, out, why) && fill_shape(hint, unit, out, why);
+}
+
+// No code of an insert and no angle: what cuts is the blade.
+bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
+
+// Neutral, and nothing tells its width: its lead does.
+bool is_thread_tooth(const Tool& tool) {
+  return tool.type == ToolType::threading && tool.lead_angle == 0 && tool.edge_length == 0;
+}
+
+void fill_turning(const ToolHint& hint, double unit, Tool& out) {
+  out.insert = hint.insert;
+  out.insert_angle = hint.insert_angle;
+  out.lead_angle = hint.lead_angle;
+  out.edge_length = hint.edge_length;
+  out.left_hand = hint.left_hand;
+  if (hint.inside && out.type == ToolType::threading) out.tip = 6;
+  if (hint.inside && out.type == ToolType::grooving) out.tip = 2;
+  out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
+  out.width = hint.width ? in_mm(hint.width, unit) : 0;
+  complete_turning_tool(out);
+  const std::string insert =
+      out.insert.empty()
+          ? fmt::format("{:.4g} degree {}insert", degrees(out.insert_angle),
+                        hint.insert_angle > 0 ? "" : "finishing ")
+          : fmt::format("insert {} of {:.4g} degrees", out.insert, degrees(out.insert_angle));
+  if (out.tip > 0) out.origin += ": for the inside";
+  if (out.type == ToolType::grooving && insert_is_blade(hint)) {
+    out.origin += fmt::format(": blade {:.4g} mm wide", out.width);
+    return;
+  }
+  const std::string nose = out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)
+                                               : std::string("sharp");
+  if (is_thread_tooth(out)) {
+    out.origin += fmt::format(": {}, as wide as its lead, {}", insert, nose);
+    return;
+  }
+  const std::string edge = out.edge_length > 0
+                               ? fmt::format("edge {:.4g} mm", out.edge_length)
+                               : std::string("edge as its bore allows, 16 mm at most");
+  out.origin += fmt::format(": {}, lead angle {:.4g} degrees, {}, {}", insert,
+                            degrees(out.lead_angle), edge, nose);
+}
+
+}  // namespace
+
+void merge_hint(ToolHint& into, const ToolHint& more) {
+  if (into.id.empty()) {
+    into.id = more.id;
+    into.id_digits = more.id_digits;
+  }
+  into.names_tool |= more.names_tool;
+  const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
+  if (!into.type || (plain && more.type == ToolType::bullmill)) {
+    into.type = more.type;
+  } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
+             !more.diameters.empty() && !into.diameters.empty() &&
+             !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
+    into.doubt = fmt::format("and \"{}\" name different kinds of tool", more.text);
+  }
+  into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
+  if (into.diameter == 0) into.diameter = more.diameter;
+  if (!into.corner) into.corner = more.corner;
+  if (!into.nose) into.nose = more.nose;
+  if (!into.width) into.width = more.width;
+  if (!into.tip) into.tip = more.tip;
+  if (!into.flute_length) into.flute_length = more.flute_length;
+  if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
+  if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
+    into.tip_angle = more.tip_angle;
+    into.assumed_angle = more.assumed_angle;
+  }
+  const bool inserts = !into.insert.empty() && !more.insert.empty();
+  if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
+    into.doubt = fmt::format("and \"{}\" name different inserts", more.text);
+  if (into.insert.empty()) into.insert = more.insert;
+  if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
+  if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
+  if (into.edge_length == 0) into.edge_length = more.edge_length;
+  into.left_hand |= more.left_hand;
+  into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
+  into.inside |= more.inside;
+  into.bores |= more.bores;
+  into.face_groove |= more.face_groove;
+  if (!into.trade) into.trade = more.trade;
+  if (into.gauge.empty()) into.gauge = more.gauge;
+  if (into.doubt.empty()) into.doubt = more.doubt;
+  if (into.text.size() < 400) into.text += "\", \"" + more.text;
+}
+
+bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why) {
+  out.type = hint.type.value_or(ToolType::endmill);
+  why = hint.doubt;
+  if (!why.empty()) {
+    sketch(hint, unit, out);
+    return false;
+  }
+  if (!hint.type && (lathe || !hint.names_tool)) {
+    why = "names no kind of tool";
+    return false;
+  }
+  out.origin = fmt::format("comment \"{}\"", hint.text);
+  if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
+  if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
+    out.origin += ", its thread as a plain cylinder";
+  if (!hint.type) out.origin += hint.corner ? ", taken to be a mill" : ", taken to be an end mill";
+  if (is_turning(out.type) && !lathe) {
+    why = fmt::format("names a {} tool of a lathe", out.type == ToolType::threading  ? "threading"
+                                                    : out.type == ToolType::grooving ? "grooving"
+                                                                                     : "turning");
+    return false;
+  }
+  if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
+  fill_turning(hint, unit, out);
+  if (out.type == ToolType::grooving && hint.face_groove) {
+    why = "names a face groove, and does not say which corner of the blade is programmed";
+    return false;
+  }
+  if (out.type == ToolType::grooving && !(out.width > 0)) {
+    why = "gives no width of the blade";
+    return false;
+  }
+  return true;
+}
+
+void complete_turning_tool(Tool& tool) {
+  const bool round = !tool.insert.empty() && tool.insert.front() == 'R';
+  const bool thread = tool.type == ToolType::threading;  // neutral, 60 degrees
+  if (tool.insert.empty() && tool.insert_angle == 0) tool.insert_angle = radians(thread ? 60 : 35);
+  if (tool.lead_angle == 0 && !round && !thread) tool.lead_angle = radians(93);
+  // The cuts tell how large a tooth is, and how much room there is inside.
+  if (tool.edge_length == 0 && !thread && !is_inside_tool(tool)) tool.edge_length = 16;
+}
+
+}  // namespace mrsim

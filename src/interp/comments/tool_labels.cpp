@@ -1,0 +1,355 @@
+#include "interp/comments/tool_labels.h"
+
+#include "interp/comments/comment_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kNone = CommentView::kNone;
+constexpr double kLeastAngle = 10;  // degrees: "POINT 1" is a place
+
+/// Words that stand together: "CORNER RADIUS", "SHANK DIA".
+struct Label {
+  WordRole role = WordRole::none;
+  NumberSide side = NumberSide::either;
+  std::size_t first = 0, end = 0;
+};
+
+// What two words name together; none: the second begins a label of its own.
+WordRole joined(WordRole a, WordRole b) {
+  using enum WordRole;
+  const bool rounding = b == WordRole::radius || b == radius_letter;
+  if (a == other && (b == diameter || b == other || rounding || b == angle)) return other;
+  if (a == diameter && b == register_of) return other;
+  if ((a == corner || a == tip) && rounding) return WordRole::radius;
+  if (a == nose && rounding) return nose;
+  if (a == tip && (b == diameter || b == angle)) return b == diameter ? tip : angle;
+  if (a == tip && b == tip) return tip;
+  if (a == flutes && b == other) return length;
+  if ((a == taper && b == angle) || (a == angle && b == taper)) return taper;
+  if (a == angle && b == angle) return angle;
+  return none;
+}
+
+class LabelReader {
+ public:
+  LabelReader(CommentView& view, ToolFacts& facts) : view_(view), facts_(facts) {}
+
+  void read() {
+    read_flutes();
+    for (std::size_t i = 0; i < view_.size(); ++i) {
+      const Label label = label_at(i);
+      if (label.role == WordRole::none) continue;
+      read_label(label);
+      i = label.end - 1;
+    }
+    read_signs();
+    read_letter_d();
+  }
+
+ private:
+  CommentWord named(std::size_t i) const;
+  WordRole role(std::size_t i) const { return named(i).role; }
+  Label label_at(std::size_t i) const;
+  void read_flutes();
+  bool claimed(std::size_t number) const;
+  bool begins_nose(std::size_t i) const;
+  bool is_of_kind(std::size_t number) const;
+  std::size_t number_behind(const Label& label) const;
+  std::size_t number_before(const Label& label) const;
+  bool has_flat_tip() const;
+  bool may_be_round() const;
+  bool has_corner() const;
+  void read_label(const Label& label);
+  void read_diameter(const Label& label);
+  void read_corner(const Label& label);
+  void keep(WordRole role, std::size_t number);
+  void read_signs();
+  void read_letter_d();
+  void read_second_d(std::size_t i);
+  void take(const Label& label, std::size_t number) {
+    view_.take(std::min(label.first, number), std::max(label.end, number + 1));
+  }
+
+  CommentView& view_;
+  ToolFacts& facts_;
+};
+
+// FLAT and MIN DIA of a chamfer mill are its tip.
+CommentWord LabelReader::named(std::size_t i) const {
+  if (!view_.word(i)) return {};
+  const bool least = view_.is(i, "MIN") && view_.is_one(i + 1, {"DIA", "DIAM", "DIAMETER"});
+  if ((least || view_.is(i, "FLAT")) && has_flat_tip()) return {WordRole::tip, NumberSide::either};
+  return comment_word(view_[i].text);
+}
+
+Label LabelReader::label_at(std::size_t i) const {
+  if (!view_.word(i) || view_.taken(i)) return {};
+  const CommentWord word = named(i);
+  if (word.role == WordRole::adjective) return {};
+  Label label{word.role, word.side, i, i + 1};
+  while (label.role != WordRole::none && view_.word(label.end)) {
+    const WordRole both = joined(label.role, role(label.end));
+    if (both == WordRole::none || begins_nose(label.end)) break;
+    label.role = both;
+    label.side = NumberSide::either;
+    ++label.end;
+  }
+  return label;
+}
+
+// "4 FLUTE", "3-FLUTE", "4FL", "Z4", "Z=4", "FLUTES: 2". Its number is none of another word.
+void LabelReader::read_flutes() {
+  for (std::size_t i = 0; i < view_.size(); ++i) {
+    const Label label = label_at(i);
+    if (label.role != WordRole::flutes) continue;
+    const bool dash = i > 1 && view_.is(i - 1, "-") && view_.glued(i - 1);
+    const std::size_t before = dash ? i - 2 : i - 1;
+    const bool glued_before = i > 0 && before > 0 && view_.glued(before) && view_.word(before - 1);
+    const std::size_t behind = view_.behind(i);
+    const bool names_it = behind > i + 1 ? !view_.is(i + 1, "-") : view_.glued(i + 1);
+    if (names_it && view_.number(behind) && view_.whole(behind))
+      view_.take(i, behind + 1);
+    else if (i > 0 && view_.number(before) && view_.whole(before) && !glued_before)
+      view_.take(before, i + 1);
+  }
+}
+
+// "1.0 LOC 3.0 OAL": the 3.0 belongs to the word behind it, which has no other number.
+bool LabelReader::claimed(std::size_t number) const {
+  const Label next = label_at(number + 1);
+  using enum WordRole;
+  if (next.role == none || next.role == corner || next.role == register_of) return false;
+  if (next.side == NumberSide::behind) return false;
+  if (next.role == radius_letter) return view_.glued(next.first) && !view_.glued(next.end);
+  const std::size_t behind = view_.behind(next.end - 1);
+  return !view_.number(behind);
+}
+
+// "FINISH BORE R0.4", "35 DEG PROFILE R.8" of a lathe.
+bool LabelReader::begins_nose(std::size_t i) const {
+  if (!facts_.kinds.empty() && !is_turning(facts_.kinds.front().type)) return false;
+  return i > 0 && view_.is_one(i - 1, {"BORE", "PROFILE"}) && view_.is(i, "R") &&
+         view_.number(i + 1) && !view_.whole(i + 1) && view_[i + 1].value < 1.7;
+}
+
+// "1/8 SHANK 0.8MM DRILL": the 0.8 is the drill's.
+bool LabelReader::is_of_kind(std::size_t number) const {
+  if (facts_.kinds.empty()) return false;
+  std::size_t i = number + 1;
+  while (view_.taken(i) || role(i) == WordRole::adjective) {
+    if (i == facts_.kinds.front().first) return true;
+    ++i;
+  }
+  return false;
+}
+
+std::size_t LabelReader::number_behind(const Label& label) const {
+  const bool width = label.role == WordRole::width && number_before(label) == kNone;
+  if (label.side == NumberSide::before && !width) return kNone;  // "THK 2" has it behind
+  const bool letter = label.end == label.first + 1 && view_[label.first].text.size() == 1;
+  const bool corner = label.role == WordRole::radius_letter && has_corner();  // "BALL R 3"
+  if (letter && !view_.glued(label.end) && !corner) return kNone;
+  std::size_t number = view_.behind(label.end - 1);
+  const bool sign_of_size = view_.is(number, "D") || view_.is(number, "~");
+  if (label.role == WordRole::tip && sign_of_size) number = view_.behind(number);  // "TIP D2"
+  const bool angle = label.role == WordRole::angle || label.role == WordRole::taper;
+  if (!view_.number(number) || (view_[number].angle && !angle)) return kNone;
+  const bool sign = number > label.end && !view_.is(label.end, "-");
+  if (sign || view_.glued(number)) return number;
+  const bool other = label.role == WordRole::other && number_before(label) != kNone;
+  return claimed(number) || (other && is_of_kind(number)) ? kNone : number;
+}
+
+std::size_t LabelReader::number_before(const Label& label) const {
+  if (label.side == NumberSide::behind || label.first == 0) return kNone;
+  const std::size_t number = label.first - 1;
+  if (label.role == WordRole::radius_letter) {  // ".030R", ".031 R"
+    const bool behind_word = number > 0 && view_.number(number) && view_.word(number - 1) &&
+                             view_[number - 1].text.size() > 2 &&
+                             view_[number].text.starts_with('.');  // "FIN.015R"
+    if ((!view_.is_size(number) && !behind_word) || (view_.whole(number) && !may_be_round()))
+      return kNone;
+    return !view_.glued(label.end) && !view_.number(label.end) ? number : kNone;
+  }
+  return view_.is_size(number) ? number : kNone;
+}
+
+void LabelReader::read_label(const Label& label) {
+  if (label.role == WordRole::flutes) return;
+  if (label.role == WordRole::corner) return read_corner(label);
+  if (label.role == WordRole::register_of) return;
+  if (label.role == WordRole::diameter) return read_diameter(label);
+  std::size_t number = number_behind(label);
+  if (number == kNone) number = number_before(label);
+  if (number == kNone) return;
+  if (label.role == WordRole::tip && !has_flat_tip()) return;
+  if (label.role == WordRole::count && !view_.whole(number)) return;  // "1/4 HOLES"
+  if (label.role == WordRole::angle && view_[number].value < kLeastAngle) return;
+  keep(label.role, number);
+  take(label, number);
+  if (label.role != WordRole::other) return;
+  for (std::size_t i = number + 1; view_.is(i, "X") && view_.number(i + 1); i += 2)
+    view_.take(i, i + 2);  // "STOCK 100 X 50"
+}
+
+// "D10 ENDMILL CORNER 0.5"; "CORNER 1" is a place.
+void LabelReader::read_corner(const Label& label) {
+  const std::size_t number = number_behind(label);
+  if (number == kNone || !view_[number].decimals || !has_corner()) return;
+  keep(WordRole::radius, number);
+  take(label, number);
+}
+
+// Of others the tip is no size: "CARBIDE TIP 10MM DRILL".
+bool LabelReader::has_flat_tip() const {
+  using enum ToolTrade;
+  if (facts_.kinds.empty()) return false;
+  const ToolTrade trade = facts_.kinds.front().trade;
+  return trade == vee || trade == chamfer_mill || trade == countersink || trade == cone_mill;
+}
+
+// "DIA 12 R 1" of a mill, an insert or a cutter; "DRILL R 5" is a height.
+bool LabelReader::has_corner() const {
+  using enum ToolTrade;
+  if (facts_.kinds.empty()) return facts_.names_tool && !facts_.named.empty();
+  const ToolTrade trade = facts_.kinds.front().trade;
+  return trade == mill || trade == face_mill || trade == lathe;
+}
+
+// "BALL NOSE 3 R"; "CNMG 432 R" is right-handed.
+bool LabelReader::may_be_round() const {
+  if (facts_.kinds.empty()) return false;
+  const ToolType type = facts_.kinds.front().type;
+  return type == ToolType::ballmill || type == ToolType::bullmill || type == ToolType::lollipop;
+}
+
+void LabelReader::keep(WordRole role, std::size_t number) {
+  const ToolLength length = view_.length(number);
+  switch (role) {
+    case WordRole::radius:
+    case WordRole::radius_letter:
+      facts_.corner = length;
+      return;
+    case WordRole::nose:
+      facts_.nose = length;
+      return;
+    case WordRole::width:
+      facts_.width = length;
+      return;
+    case WordRole::length:
+      facts_.flute_length = length;
+      return;
+    case WordRole::tip:
+      facts_.tip = length;
+      return;
+    case WordRole::angle:
+      facts_.angles.push_back(length.value);
+      return;
+    case WordRole::taper:
+      facts_.taper = length.value;
+      return;
+    default:
+      return;
+  }
+}
+
+// "DIA. - 10.", ".5 DIA". Where numbers stand on both sides both are readings.
+void LabelReader::read_diameter(const Label& label) {
+  const std::size_t i = label.first;
+  facts_.names_tool |= i > 0 && view_.is_one(i - 1, {"TOOL", "CUTTER"});
+  if (!facts_.kinds.empty()) {
+    const ToolKind& kind = facts_.kinds.front();
+    facts_.names_tool |= i > 0 && kind.firm && kind.first == 0 && kind.end == i;
+  }
+  const std::size_t behind = number_behind(label), before = number_before(label);
+  const bool sign = behind != kNone && behind > label.end;
+  if (behind != kNone && view_[behind].value > 0) {
+    facts_.named.push_back(view_.length(behind));
+    take(label, behind);
+  }
+  if (before != kNone && !sign) {
+    facts_.named.push_back(view_.length(before));
+    take(label, before);
+  }
+}
+
+// "Ø5", "D=6."
+void LabelReader::read_signs() {
+  for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
+    const std::size_t value = view_.value_behind(i);
+    if (value == kNone || !(view_[value].value > 0)) continue;
+    const bool sign = view_.is(i, "~") && !(i > 0 && view_.glued(i));
+    const bool letter = view_.is(i, "D") && view_.is(i + 1, "=") && value == i + 2;
+    if (!sign && !letter) continue;
+    facts_.names_tool |= letter;
+    facts_.named.push_back(view_.length(value));
+    view_.take(i, value + 1);
+  }
+}
+
+// "END MILL D5", "D10R1"; beside an H it is the number of a register, behind a name in quotation
+// marks (T="CUTTER 10" D1) that of an edge.
+void LabelReader::read_letter_d() {
+  bool length_register = false;
+  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
+    length_register |= view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) &&
+                       !(i > 0 && view_.glued(i));  // "D10H7" is a fit
+  for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
+    if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
+    const CommentToken& value = view_[i + 1];
+    view_.take(i, i + 2);
+    if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
+      view_.take(i + 2, i + 4);
+      continue;
+    }
+    const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
+    if (length_register || edge || !(value.value > 0)) continue;
+    if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"
+    if (facts_.letter_d && has_flat_tip()) read_second_d(i);
+    if (!facts_.letter_d) facts_.letter_d = view_.length(i + 1);
+    const bool radius = view_.is(i + 2, "R") && view_.glued(i + 2) && view_.glued(i + 3);
+    facts_.pair |= radius && view_[i + 3].is_number();
+  }
+}
+
+// "CHAMFER MILL D10/D2" has its tip behind the slash; "D10 D2" may name a register.
+void LabelReader::read_second_d(std::size_t i) {
+  const ToolLength second = view_.length(i + 1);
+  if (second.value == facts_.letter_d.value) return;
+  const bool joined = view_.glued(i) && view_.is_one(i - 1, {"/", "-"});
+  if (!joined) {
+    facts_.second_d = second;
+    return;
+  }
+  facts_.tip = second;
+  if (facts_.letter_d.value < second.value) std::swap(facts_.tip, facts_.letter_d);
+}
+
+void read_blade(CommentView& view, ToolFacts& facts) {
+  facts.blade = find_blade_code(view.tokens());
+  if (!facts.blade) return;
+  if (facts.blade->width > 0) facts.width = {facts.blade->width, 1, false};
+  facts.inside = facts.blade->inside;
+  view.take(facts.blade->first, facts.blade->end);
+}
+
+}  // namespace
+
+void read_tool_labels(CommentView& view, ToolFacts& facts) {
+  read_blade(view, facts);
+  LabelReader(view, facts).read();
+}
+
+// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
+bool is_corner_line(const CommentView& view) {
+  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  if (!view.is_one(i, {"TIP", "CORNER"}) || !view.is_one(i + 1, {"RADIUS", "RAD"})) return false;
+  i = view.behind(i + 1);
+  return view.has(i) && view[i].is_number() && i + 1 == view.size();
+}
+
+}  // namespace mrsim

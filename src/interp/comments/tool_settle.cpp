@@ -1,0 +1,418 @@
+// From facts to a tool: the kind says how sizes without a name are to be read.
+#include "core/units.h"
+#include "interp/comments/insert_code.h"
+#include "interp/comments/tool_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+class Settler {
+ public:
+  Settler(const ToolFacts& facts, ToolHint& hint) : facts_(facts), hint_(hint) {}
+
+  void settle() {
+    hint_.id = facts_.id;
+    hint_.id_digits = facts_.id_digits;
+    hint_.names_tool = facts_.names_tool;
+    hint_.corner = facts_.corner;
+    hint_.nose = facts_.nose;
+    hint_.width = facts_.width;
+    hint_.tip = facts_.tip;
+    hint_.flute_length = facts_.flute_length;
+    hint_.inside = facts_.inside;
+    hint_.face_groove = facts_.face_groove;
+    hint_.bores = facts_.bores;
+    if (facts_.several_ids) doubt("names several tools");
+    settle_sizes();
+    settle_type();
+    if (hint_.type && !is_turning(*hint_.type)) {
+      settle_mill();
+      settle_angle();
+    }
+    drop_unclaimed();
+  }
+
+ private:
+  const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
+  bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }
+  bool pointed() const;
+  bool is_angle(const CommentToken& size, bool joined) const;
+  void doubt(std::string why) {
+    if (hint_.doubt.empty()) hint_.doubt = std::move(why);
+  }
+  void add(const ToolLength& length) { hint_.diameters.push_back(length); }
+
+  void settle_sizes();
+  void add_groups();
+  void add_loose();
+  void add_group(const SizeGroup& group);
+  void add_further(const ToolLength& first, const ToolLength& next);
+  bool may_be_work(const SizeGroup& group) const;
+  void settle_type();
+  void settle_work(const ToolKind& kind);
+  void settle_rivals();
+  void settle_turning();
+  void take_lead_angle();
+  void settle_nose();
+  void settle_mill();
+  bool has_usual_corner() const;
+  void take_nose_of_work();
+  void settle_angle();
+  void set_angle(double degrees);
+  void drop_unclaimed();
+
+  const ToolFacts& facts_;
+  ToolHint& hint_;
+  std::vector<double> angles_;  ///< degrees
+};
+
+bool Settler::pointed() const {
+  using enum ToolTrade;
+  return trade_is(twist_drill) || trade_is(spot_drill) || trade_is(center_drill) ||
+         trade_is(chamfer_mill) || trade_is(countersink) || trade_is(vee);
+}
+
+// "1/2 X 90 SPOT", ".250 X 45 CHAMFER", "1/4 135 DRILL": a whole number that is a usual angle of
+// the kind. Behind the X of a twist drill stands its length.
+bool Settler::is_angle(const CommentToken& size, bool joined) const {
+  using enum ToolTrade;
+  const bool whole = size.value == std::floor(size.value);
+  if (trade_is(ToolTrade::lathe) && kind()->type == ToolType::turning && !kind()->firm)
+    return whole && (size.value == 35 || size.value == 55 || size.value == 80);  // "80. DIAMOND"
+  if (!kind() || size.decimals || size.fraction || size.unit > 0) return false;
+  const auto one_of = [&](std::initializer_list<double> usual) {
+    return std::find(usual.begin(), usual.end(), size.value) != usual.end();
+  };
+  switch (kind()->trade) {
+    case twist_drill:
+      return !joined && one_of({118, 135, 140});
+    case spot_drill:
+      return one_of({60, 82, 90, 118, 120, 135, 140, 142, 145});
+    case center_drill:
+      return one_of({60, 90, 120});
+    case countersink:
+      return one_of({60, 75, 82, 90, 100, 110, 120});
+    case chamfer_mill:
+      return one_of({30, 45, 60, 82, 90, 120});
+    case vee:
+      return one_of({30, 45, 60, 90, 120});
+    default:
+      return false;
+  }
+}
+
+void Settler::settle_sizes() {
+  angles_ = facts_.angles;
+  hint_.diameters = facts_.named;
+  if (hint_.diameters.empty() && (kind() || facts_.corner || facts_.names_tool || facts_.pair) &&
+      facts_.letter_d)
+    add(facts_.letter_d);
+  if (facts_.thread && *facts_.thread && trade_is(ToolTrade::tap)) add(*facts_.thread);
+  if (facts_.gauge) add(*facts_.gauge);
+  hint_.gauge = facts_.gauge_name;
+  add_groups();
+}
+
+// Beside the kind; elsewhere only where nothing else has told the diameter.
+void Settler::add_groups() {
+  for (const SizeGroup& group : facts_.before_kind) {
+    if (!(facts_.holes && group.sizes.front().unit == 0)) add_group(group);
+  }
+  if (facts_.behind_kind && !may_be_work(*facts_.behind_kind)) {
+    const CommentToken& size = facts_.behind_kind->sizes.front();
+    const bool marked = size.unit > 0 || size.fraction;
+    const bool certain = size.decimals && kind()->firm;
+    if (marked || ((facts_.behind_ends || certain) && hint_.diameters.empty()) ||
+        (facts_.behind_ends && is_angle(size, false)) || facts_.behind_kind->continues)
+      add_group(*facts_.behind_kind);
+    if (!marked && !size.decimals && !kind()->firm && hint_.diameters.size() == 1)
+      return add_loose();  // "DRILL (4) 1/4 HOLES": which of them?
+  }
+  const bool tap = facts_.thread && trade_is(ToolTrade::tap);
+  if (hint_.diameters.empty() && !tap && (kind() || hint_.names_tool)) add_loose();
+}
+
+void Settler::add_loose() {
+  for (const SizeGroup& group : facts_.loose) add_group(group);
+}
+
+// "CHAMFER 0.5" is the work, "T5 CHAMFER 10" and "CHAMFER 90 DEG 10" are tools.
+bool Settler::may_be_work(const SizeGroup& group) const {
+  return trade_is(ToolTrade::chamfer_mill) && !kind()->firm && !facts_.names_tool &&
+         facts_.angles.empty() && hint_.diameters.empty() && !group.sizes.front().fraction;
+}
+
+void Settler::add_group(const SizeGroup& group) {
+  std::vector<ToolLength> sizes;
+  const bool joined = group.continues || group.sizes.size() > 1;
+  for (const CommentToken& t : group.sizes)
+    if (is_angle(t, joined))
+      angles_.push_back(t.value);
+    else
+      sizes.push_back({t.value, t.unit, t.fraction, false, t.inch_style()});
+  if (sizes.empty()) return;
+  if (group.continues) {  // "R3 X 50"
+    if (!hint_.diameters.empty()) add_further(hint_.diameters.front(), sizes.front());
+    return;
+  }
+  // "WOODRUFF 1/8 X 1/2": keys are named by their width.
+  const bool key = sizes.size() > 1 && trade_is(ToolTrade::disc) && sizes[0].fraction &&
+                   sizes[1].fraction && sizes[0].value < sizes[1].value;
+  if (key) std::swap(sizes[0], sizes[1]);
+  add(sizes.front());
+  if (sizes.size() > 1) add_further(sizes[0], sizes[1]);
+}
+
+// What stands behind the X of a diameter.
+void Settler::add_further(const ToolLength& first, const ToolLength& next) {
+  using enum ToolTrade;
+  const bool inches = first.unit > 1 || next.unit > 1 || first.fraction || next.fraction;
+  const auto mm = [&](const ToolLength& l) {
+    return l.value * (l.unit > 0 ? l.unit : inches ? kMmPerInch : 1);
+  };
+  const double size = mm(first), other = mm(next);
+  if (trade_is(disc) && other < size && !hint_.width) {
+    hint_.width = next;
+    if (hint_.width.unit == 0 && !next.fraction) hint_.width.unit = first.unit;
+    return;
+  }
+  if (trade_is(dovetail) && other < size && !hint_.flute_length) {
+    hint_.flute_length = next;
+    return;
+  }
+  const bool ignored =
+      trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
+  if (ignored || other >= size) return;  // lengths
+  if (kind() && kind()->type == ToolType::bullmill && other <= size / 2 && !hint_.corner)
+    hint_.corner = next;
+  else
+    add(next);  // "ENDMILL 20 X 2": which is the diameter?
+}
+
+// "OD ROUGH R0.8 80 DEG".
+bool Settler::has_usual_corner() const {
+  constexpr double kUsual[] = {35, 55, 80};
+  return !angles_.empty() &&
+         std::find(std::begin(kUsual), std::end(kUsual), angles_.front()) != std::end(kUsual);
+}
+
+void Settler::settle_type() {
+  const bool threaded = trade_is(ToolTrade::tap) && facts_.thread;
+  const bool data =
+      !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner || threaded;
+  const ToolKind* k = kind();
+  const bool disc_data = hint_.width && !hint_.diameters.empty();
+  const bool by_data =
+      data && k && !is_turning(k->type) && (k->trade != ToolTrade::disc || disc_data);
+  if (k && (k->firm || hint_.names_tool || by_data)) {
+    hint_.type = k->type;
+    hint_.trade = k->trade;
+    hint_.firm = k->firm;
+    const bool round = k->trade == ToolTrade::rounding;
+    if (round || k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
+    if (k->trade == ToolTrade::no_cutter) doubt("names no cutter");
+    if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
+    if (threaded && facts_.enlarged_thread)
+      doubt("names a thread for wire inserts, whose tap is larger");
+    settle_rivals();
+  } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
+    hint_.type = ToolType::endmill;  // "D12R2"
+  }
+  // Its insert is what cuts, whatever the words call the work; mills hold such inserts, too.
+  if (facts_.blade && !facts_.insert && (!hint_.type || is_turning(*hint_.type)) &&
+      !(k && k->firm && !is_turning(k->type)))
+    hint_.type = facts_.blade->type;
+  const bool has_nose = facts_.nose && hint_.diameters.empty();  // "80 DEG .031 TNR"
+  if (!k && !hint_.type && (facts_.turned_side || has_nose) && has_usual_corner())
+    hint_.type = ToolType::turning;
+  else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
+    doubt("names an angle, and no kind of tool");
+  if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
+  if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
+  if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
+}
+
+// "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
+// in mm or inches, is no radius of the work.
+void Settler::take_nose_of_work() {
+  ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
+  if (!nose || (kind() && (!is_turning(kind()->type) || kind()->type == ToolType::threading)))
+    return;
+  const double unit = usual_nose_unit(nose.value);
+  if (unit == 0) return;
+  if (nose.unit == 0) nose.unit = unit;
+  hint_.nose = nose;
+  if (!hint_.operation) hint_.operation = ToolType::turning;
+}
+
+// "80 DEG DIAMOND" is an insert; "GROOVE 3MM", ".093 GROOVE" name the work, and the blade perhaps.
+void Settler::settle_work(const ToolKind& k) {
+  if (k.type == ToolType::turning && has_usual_corner()) {
+    hint_.type = k.type;
+    hint_.trade = k.trade;
+    return;
+  }
+  hint_.operation = k.type;
+  if (hint_.width || hint_.diameters.empty()) return;
+  const bool before = !facts_.before_kind.empty() && facts_.before_kind.front().sizes[0].decimals;
+  const ToolLength& size = hint_.diameters.front();
+  if (size.unit > 0 || size.fraction || before) hint_.width = size;
+}
+
+// "6MM DRILL - CHAMFER EDGES": the tool of one, the work of the other, or the other way round.
+// Words that name a tool and nothing else are certain, but "ENDMILL, CHAMFER 45 DEG" may be a
+// chamfer mill.
+void Settler::settle_rivals() {
+  const ToolKind& k = facts_.kinds.front();
+  for (const ToolKind& rival : facts_.kinds) {
+    if (same_trade(k, rival) || (is_turning(rival.type) && !rival.firm)) continue;
+    const bool angular = same_trade(rival, {ToolType::chamfer, ToolTrade::chamfer_mill}) &&
+                         !facts_.angles.empty() && !pointed();
+    if (!rival.firm && k.firm && !angular) continue;
+    hint_.rivals = true;
+    return doubt("names more than one kind of tool");
+  }
+}
+
+void Settler::settle_turning() {
+  if (facts_.insert) {
+    const InsertCode& code = *facts_.insert;
+    hint_.insert = code.shape;
+    hint_.insert_angle = radians(code.angle);
+    hint_.lead_angle = radians(code.lead_angle);
+    hint_.edge_length = code.has_size ? code.edge_length : 0;
+    if (!hint_.type) hint_.type = ToolType::turning;
+    if (!code.other.empty())
+      doubt(code.shape == code.other
+                ? fmt::format("names two inserts {} of different noses", code.shape)
+                : fmt::format("names two inserts, {} and {}", code.shape, code.other));
+    std::erase(angles_, code.angle);
+    take_lead_angle();
+    if (code.angle > 0 && !angles_.empty())
+      doubt(fmt::format("says {:g} degrees, but {} has {:g}", angles_.front(), code.shape,
+                        code.angle));
+  } else {
+    take_lead_angle();
+    if (facts_.blade && facts_.blade->angle > 0)
+      hint_.insert_angle = radians(facts_.blade->angle);
+    else if (!angles_.empty() && angles_.front() < 180)
+      hint_.insert_angle = radians(angles_.front());
+  }
+  if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
+    hint_.width = hint_.diameters.front();
+  settle_nose();
+  if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
+  hint_.left_hand = facts_.left_hand || (facts_.blade && facts_.blade->left_hand);
+  if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
+}
+
+// "DNMG 150608 93 DEG", "SNMG 120412 45 DEG": no insert has such a corner, holders have that lead.
+void Settler::take_lead_angle() {
+  constexpr double kLeads[] = {45, 62.5, 72.5, 75, 91, 93, 95, 107.5, 117.5};
+  const auto at = std::find_if(angles_.begin(), angles_.end(), [&](double angle) {
+    return std::find(std::begin(kLeads), std::end(kLeads), angle) != std::end(kLeads);
+  });
+  if (at == angles_.end()) return;
+  hint_.lead_angle = radians(*at);
+  angles_.erase(at);
+}
+
+void Settler::settle_nose() {
+  if (!hint_.nose) hint_.nose = hint_.corner;
+  if (hint_.nose.unit == 0) hint_.nose.unit = usual_nose_unit(hint_.nose.value);
+  hint_.corner = {};
+  if (facts_.blade && facts_.blade->nose > 0) hint_.nose = {facts_.blade->nose, 1, false};
+  if (facts_.full_radius && hint_.type == ToolType::grooving) (hint_.nose = hint_.width).value /= 2;
+  if (!facts_.insert || !facts_.insert->has_size) return;
+  const ToolLength coded{facts_.insert->nose_radius, 1, false};
+  const double said = hint_.nose.value * (hint_.nose.unit > 0 ? hint_.nose.unit : 1);
+  const bool same =
+      std::abs(said - coded.value) < 0.05 || std::abs(said * kMmPerInch - coded.value) < 0.05;
+  if (hint_.nose && !same)
+    doubt(fmt::format("says nose radius {:g}, but the code of the insert {:.3g} mm", said,
+                      coded.value));
+  hint_.nose = coded;
+}
+
+// "R3 BALL" has the diameter 6.
+void Settler::settle_mill() {
+  if (facts_.tapered && (trade_is(ToolTrade::mill) || trade_is(ToolTrade::face_mill)))
+    doubt("names a tapered mill, whose shape it does not tell");
+  constexpr double kUpright = 85;  // degrees
+  const bool upright = trade_is(ToolTrade::face_mill) ||
+                       (trade_is(ToolTrade::mill) && hint_.type == ToolType::endmill);
+  if (upright && !facts_.helix && !angles_.empty() && angles_.front() < kUpright)
+    doubt(
+        fmt::format("names a {} of {:g} degrees: an endmill cuts upright walls, a taper has its "
+                    "angle to the axis",
+                    trade_is(ToolTrade::face_mill) ? "face mill" : "mill", angles_.front()));
+  if (hint_.type == ToolType::ballmill && !angles_.empty() && angles_.front() > 180)
+    hint_.type = ToolType::lollipop;  // "270 DEG BALL"
+  const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop ||
+                    trade_is(ToolTrade::cone_ball);
+  if (ball && hint_.corner && hint_.diameters.empty()) {
+    add(hint_.corner);
+    hint_.diameters.front().value *= 2;
+  }
+  if (hint_.type == ToolType::endmill && hint_.corner && !trade_is(ToolTrade::tap))
+    hint_.type = ToolType::bullmill;
+}
+
+void Settler::settle_angle() {
+  using enum ToolTrade;
+  if (facts_.second_d && !facts_.tip)
+    doubt(
+        fmt::format("can be read as a tip of {0:g} or as register D{0:g}", facts_.second_d.value));
+  const double angle = angles_.empty() ? 0 : angles_.front();
+  if (trade_is(cone_mill) || trade_is(cone_ball)) {
+    const double side = facts_.included && !facts_.per_side ? 0.5 : 1;
+    hint_.taper_angle = radians(facts_.taper > 0 ? facts_.taper : side * angle);
+    return;
+  }
+  if (trade_is(dovetail) && angle < 90) hint_.taper_angle = radians(angle);
+  if (!pointed()) return;
+  if (facts_.taper > 0) {
+    const bool included = hint_.type == ToolType::drill || trade_is(countersink);
+    (included ? hint_.tip_angle : hint_.taper_angle) = radians(facts_.taper);
+  } else if (angle > 0 && angle < 180) {
+    set_angle(angle);
+  } else if (kind()->tip_angle > 0) {
+    hint_.tip_angle = radians(kind()->tip_angle);
+    hint_.assumed_angle = true;
+  }
+  if (trade_is(vee) && hint_.tip_angle == 0 && hint_.taper_angle == 0) doubt("gives no angle");
+  for (const double other : angles_)
+    if (other != angle)
+      doubt(fmt::format("can be read as an angle of {:g} or {:g} degrees", angle, other));
+  if (!angles_.empty() && facts_.angles.empty() && hint_.diameters.empty())
+    doubt(fmt::format("can be read as diameter {0:g} or as {0:g} degrees", angle));
+}
+
+// "45 DEG CHAMFER MILL" is named by its side, "90 DEG" by the whole.
+void Settler::set_angle(double degrees) {
+  const bool chamfer = trade_is(ToolTrade::chamfer_mill);
+  const bool side = facts_.per_side || (chamfer && degrees <= 60 && !facts_.included);
+  (side ? hint_.taper_angle : hint_.tip_angle) = radians(degrees);
+  if (side && degrees == 60 && !facts_.per_side)
+    doubt("gives 60 degrees, of its side or of the whole");
+}
+
+// What belongs to no tool after all.
+void Settler::drop_unclaimed() {
+  if (!hint_.type && !hint_.names_tool) hint_.diameters.clear();
+  const bool tool = hint_.type || (hint_.names_tool && !hint_.diameters.empty());
+  if (!tool && !facts_.corner_line) hint_.corner = {};
+  if (!hint_.type) hint_.gauge.clear();
+}
+
+}  // namespace
+
+void settle_tool(const ToolFacts& facts, ToolHint& hint) { Settler(facts, hint).settle(); }
+
+}  // namespace mrsim

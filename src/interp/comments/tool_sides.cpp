@@ -1,0 +1,82 @@
+#include "interp/comments/tool_sides.h"
+
+#include <string_view>
+
+namespace mrsim {
+namespace {
+
+// Words apart by blanks; '*' at the end stands for any ending, '~' for a character outside of
+// ASCII.
+constexpr std::string_view kOutside =
+    "OD EXT EXTERNAL OUTSIDE AUSSEN* EXTERIEUR EXTERIEURE ZEWN* ZUNANJ* EXTERIOR EXTERNO EXTERNA "
+    "ESTERNO ESTERNA EXTERNE VANJSK* SPOLJ* NGOAI VNEJS* VN~J* VONKAJ* KULSO* K~LS* BUITEN* "
+    "UTVANDIG* UTV~NDIG*";
+constexpr std::string_view kInside =
+    "ID INT INTERNAL INSIDE INNEN* INTERIOR INTERIEUR INTERIEURE INTERNE INTERNO INTERNA WEWN* "
+    "UNUTR* UNUTARN* TRONG NOTRANJ* VNIT* VNUTOR* VN~TOR* BELSO* BELS~* BINNEN* INVANDIG* "
+    "INV~NDIG*";
+constexpr std::string_view kBores =
+    "BORE BORING ALESAGE ALESER MANDRINADO MANDRINAR MANDRILAR MANDRILADO MANDRILAMENTO ALESATURA "
+    "BAREN* WYTACZ* VYVRT*";
+constexpr std::string_view kTurns =
+    "TURN TURNING FACE FACING PROFILE PROFILING DREHEN PLANEN CHARIOTAGE DRESSAGE TORNEADO "
+    "CILINDRAR "
+    "CILINDRADO REFRENTADO FACEAR TORNITURA SFACCIATURA";
+constexpr std::string_view kRough =
+    "ROUGH ROUGHING FINISH FINISHING RGH FIN SCHRUPPEN SCHLICHTEN EBAUCHE FINITION DESBASTE DESB "
+    "ACABADO ACABAMENTO SGROSSATURA FINITURA";
+constexpr std::string_view kFaceGrooves =
+    "AXIAL* FRONTAL* CZOLOW* CZO~OW* CELNI STIRNSTECH* STIRNEINST* PLANSTECH* PLANEINST*";
+
+bool is_word_of(const CommentView& view, std::size_t i, std::string_view words) {
+  if (!view.word(i)) return false;
+  const std::string_view text = view[i].text;
+  for (std::string_view rest = words; !rest.empty();) {
+    const std::size_t blank = rest.find(' ');
+    const std::string_view word = rest.substr(0, blank);
+    if (word.ends_with('*') ? text.starts_with(word.substr(0, word.size() - 1)) : text == word)
+      return true;
+    rest = blank == rest.npos ? std::string_view() : rest.substr(blank + 1);
+  }
+  return false;
+}
+
+// "A20S-SCLCR", "S16Q SDUCR": the holder's code of a bar.
+bool begins_bar_code(const CommentView& view, std::size_t i) {
+  const bool bar = view.is_one(i, {"A", "S", "E", "C"}) && view.has(i + 1) &&
+                   view[i + 1].is_number() && view.glued(i + 1) && view.word(i + 2) &&
+                   view.glued(i + 2) && view[i + 2].text.size() == 1;
+  const std::size_t holder = view.is(i + 3, "-") ? i + 4 : i + 3;
+  return bar && view.word(holder) && view[holder].text.size() == 5;
+}
+
+// "IC CAP", "DIS CAP": the inner and the outer diameter, in Turkish.
+bool is_turkish(const CommentView& view, std::size_t i,
+                std::initializer_list<std::string_view> side) {
+  return view.is_one(i, side) && view.is_one(i + 1, {"CAP", "~AP"});
+}
+
+}  // namespace
+
+// "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
+void read_side_words(const CommentView& view, ToolFacts& facts) {
+  bool outside = false, bores = false, turns = false, rough = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    outside |= is_word_of(view, i, kOutside) || is_turkish(view, i, {"DIS", "DI~", "D~~"});
+    bores |= is_word_of(view, i, kBores);
+    facts.full_radius |= (view.is(i, "FULL") && view.is_one(i + 1, {"RADIUS", "RAD", "R"})) ||
+                         view.is(i, "VOLLRADIUS");
+    facts.inside |= begins_bar_code(view, i) || is_turkish(view, i, {"IC", "I~", "~~", "~C"});
+    turns |= is_word_of(view, i, kTurns);
+    rough |= is_word_of(view, i, kRough);
+    facts.inside |= is_word_of(view, i, kInside) && !view.is_one(i + 1, {":", "="});
+    facts.face_groove |= is_word_of(view, i, kFaceGrooves);
+    facts.face_groove |=
+        view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
+  }
+  facts.turned_side = outside || turns || rough || facts.inside;
+  facts.bores = bores && !turns && !outside;
+  facts.inside = (facts.inside || facts.bores) && !outside;
+}
+
+}  // namespace mrsim

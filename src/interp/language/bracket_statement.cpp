@@ -1,0 +1,63 @@
+#include "interp/language/bracket_statement.h"
+
+#include "interp/comments/comment_tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace mrsim {
+namespace {
+
+using Tokens = std::vector<CommentToken>;
+
+bool has(const Tokens& tokens, std::string_view word) {
+  return std::any_of(tokens.begin(), tokens.end(),
+                     [&](const CommentToken& t) { return t.is(word); });
+}
+
+// "N10" or "P5" as a word and a number that is glued to it.
+bool is_address(const Tokens& tokens, std::size_t at, std::string_view letter) {
+  return at + 1 < tokens.size() && tokens[at].is(letter) && tokens[at + 1].is_number() &&
+         tokens[at + 1].glued;
+}
+
+// A comparison, as every condition has one.
+bool asks(const Tokens& tokens) {
+  const std::array comparisons{"EQ", "NE", "GT", "GE", "LT", "LE"};
+  return std::any_of(comparisons.begin(), comparisons.end(),
+                     [&](std::string_view word) { return has(tokens, word); });
+}
+
+}  // namespace
+
+std::size_t closing_round_bracket(std::string_view line, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < line.size(); ++i) {
+    if (line[i] == '(') ++depth;
+    if (line[i] == ')' && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+std::string bracket_statement(std::string_view text) {
+  const std::string folded = fold_comment(text);
+  const Tokens tokens = comment_tokens(folded);
+  if (tokens.empty()) return "";
+  if (is_address(tokens, 0, "P") && tokens.size() > 3 && tokens[2].is("="))
+    return "P" + std::string(tokens[1].text) + "=";
+  const std::string_view first = tokens.front().text;
+  if (first == "IF" && (asks(tokens) || has(tokens, "GOTO"))) return "IF";
+  if ((first == "RET" || first == "MDOFF") && tokens.size() == 1) return std::string(first);
+  const std::array to_block{"GOTO", "RPT"};
+  if (std::ranges::find(to_block, first) != to_block.end() && is_address(tokens, 1, "N"))
+    return std::string(first);
+  const std::array to_program{"CALL", "PCALL", "MCALL", "SUB", "EXEC"};
+  if (std::ranges::find(to_program, first) != to_program.end() && tokens.size() > 1 &&
+      (tokens[1].is_number() || tokens[1].is("(") || is_address(tokens, 1, "P")))
+    return std::string(first);
+  if (first == "ERROR" && tokens.size() > 1 && tokens[1].is_number()) return "ERROR";
+  return "";
+}
+
+}  // namespace mrsim
