@@ -157,6 +157,7 @@ bool BlockReader::enter(CallRequest request, const Word& word) {
   next.repeats = static_cast<int>(std::min<long>(request.repeats - 1, 100'000'000));
   next.on_start = std::move(request.on_start);
   next.on_end = std::move(request.on_end);
+  next.on_left = std::move(request.on_left);
   levels_ += next.level ? 1U : 0U;
   if (next.on_start) next.on_start();
   stack_.push_back(std::move(next));
@@ -304,7 +305,9 @@ void BlockReader::end_activation(bool loops) {
     top.resume = top.begin.position;
     return;
   }
+  const std::function<void()> on_left = std::move(top.on_left);
   pop();
+  if (on_left) on_left();
 }
 
 // Programs behind the end of the first one, as two jobs in one file, that nothing has called.

@@ -26,6 +26,7 @@ struct CallRequest {
   bool level = true;  ///< counts as a call: in the depth, and in the places of findings
   std::function<void()> on_start;  ///< before every run
   std::function<void()> on_end;    ///< after every run
+  std::function<void()> on_left;   ///< after the last one, when another call may follow
 };
 
 class BlockReader : public ControlPart {
@@ -94,7 +95,7 @@ class BlockReader : public ControlPart {
     Place begin;
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
     bool level = true;
-    std::function<void()> on_start, on_end;
+    std::function<void()> on_start, on_end, on_left;
   };
 
   bool read_line(Activation& top);

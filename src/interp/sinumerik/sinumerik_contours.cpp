@@ -24,24 +24,43 @@ Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
 }  // namespace
 
 bool SinumerikContours::knows(std::string_view name) {
-  return name == "CYCLE62" || name == "CYCLE72" || name == "CYCLE95";
+  return name == "CYCLE62" || name == "CYCLE63" || name == "CYCLE72" || name == "CYCLE95";
 }
 
 bool SinumerikContours::run(const CycleCall& call, const Word& where) {
   call_ = call;
   where_ = where;
   mover_.begin(where);
-  if (call.name == "CYCLE62") {  // NAME, its kind, two labels
-    named_ = call.text(2).empty() ? call.text(0) : call.text(2) + ":" + call.text(3);
-    return !named_.empty() || error("value-missing", "CYCLE62 needs the name of a contour", where);
-  }
+  if (call.name == "CYCLE62") return name_contour();
   if (modal_.comp != Code::comp_off)
     return error("cycle-compensation", "a cycle under radius compensation: G40 before it", where);
   if (!goes_on(where)) return false;
-  const std::string name = call.text(0).empty() ? named_ : call.text(0);
-  request_ = {};
-  if (!find_contour(name, request_)) return false;
-  waits_ = true;
+  waits_ = find_contours();
+  return waits_;
+}
+
+// NAME, its kind, two labels. Calls behind one another add up; a cycle that runs ends the list.
+bool SinumerikContours::name_contour() {
+  if (named_used_) named_.clear();
+  named_used_ = false;
+  const std::string labels = call_.text(2) + ":" + call_.text(3);
+  const std::string name = call_.text(2).empty() ? call_.text(0) : labels;
+  if (name.empty()) return error("value-missing", "CYCLE62 needs the name of a contour", where_);
+  named_.push_back(name);
+  return true;
+}
+
+bool SinumerikContours::find_contours() {
+  const bool own_name = call_.name != "CYCLE63";
+  std::vector<std::string> names = named_;
+  if (own_name && !call_.text(0).empty()) names = {call_.text(0)};
+  if (own_name && names.size() > 1) names = {names.back()};
+  if (names.empty()) names = {""};
+  named_used_ = true;
+  requests_.clear();
+  contours_.clear();
+  for (const std::string& name : names)
+    if (!find_contour(name, requests_.emplace_back())) return false;
   return true;
 }
 
@@ -81,10 +100,18 @@ void SinumerikContours::end_block() {
   waits_ = false;
   position_before_ = position_;
   modal_before_ = modal_;
-  request_.on_start = [this] { begin_contour(); };
-  request_.on_end = [this] { end_contour(); };
+  enter_contour();
+}
+
+void SinumerikContours::enter_contour() {
+  CallRequest request = requests_[contours_.size()];
+  request.on_start = [this] { begin_contour(); };
+  request.on_end = [this] { end_contour(); };
+  request.on_left = [this] {
+    if (contours_.size() < requests_.size() && !contours_.empty()) enter_contour();
+  };
   const Word where = where_;
-  reader_.enter(std::move(request_), where);
+  reader_.enter(std::move(request), where);
 }
 
 void SinumerikContours::end_program() {
@@ -112,12 +139,26 @@ void SinumerikContours::end_contour() {
   block_.line_number = call_.place.line;
   block_.call = call_.place.call;
   reporter_.set_place(block_.file, block_.line_number, block_.call, {});
-  if (reporter_.errors() != errors_before_) return;
-  if (contour_.size() < 2 || contour_.size() >= MotionEmitter::kMostCaptured)
+  if (reporter_.errors() != errors_before_) {
+    contours_.clear();
+    requests_.clear();
+    return;
+  }
+  if (contour_.size() < 2 || contour_.size() >= MotionEmitter::kMostCaptured) {
     error("value-range", fmt::format("the contour has {} motions", contour_.size()), where_);
+    requests_.clear();
+  } else {
+    contours_.push_back(contour_);
+    if (contours_.size() == requests_.size()) finish_contours();
+  }
+  modal_.comp = modal_before_.comp;
+}
+
+void SinumerikContours::finish_contours() {
+  if (call_.name == "CYCLE63")
+    pocket();
   else
     call_.name == "CYCLE72" ? mill_along() : turn_down();
-  modal_.comp = modal_before_.comp;
 }
 
 void SinumerikContours::go(const Vec3& to, MotionKind kind, double feed) {

@@ -1,10 +1,12 @@
-// SINUMERIK cycles along a contour of the program: CYCLE62 names it, CYCLE72 mills along it,
-// CYCLE95 turns down to it. The contour's blocks are read like any others with their motions kept;
-// then the passes follow from them. Private to src/interp.
+// SINUMERIK cycles along contours of the program: CYCLE62 names them, CYCLE72 mills along one,
+// CYCLE63 clears a pocket or the surroundings of a spigot, CYCLE95 turns down to one. The contours'
+// blocks are read like any others with their motions kept; then the passes follow from them.
+// Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
 #include "interp/cycles/cycle_mover.h"
+#include "interp/milling/region_cutter.h"
 #include "interp/path/rough_contour.h"
 #include "interp/statements/statements.h"
 
@@ -22,6 +24,7 @@ class SinumerikContours : public ControlPart {
         tools_(tools),
         moves_(moves),
         mover_(control, moves),
+        cutter_(control, moves),
         out_(out) {}
 
   static bool knows(std::string_view name);
@@ -52,9 +55,17 @@ class SinumerikContours : public ControlPart {
     bool rough = true, finish = true;
   };
 
+  bool name_contour();
+  bool find_contours();
   bool find_contour(const std::string& name, CallRequest& request);
+  void enter_contour();
   void begin_contour();
   void end_contour();
+  void finish_contours();
+  bool pocket();
+  bool pocket_levels(RegionCutter::Levels& out);
+  bool closed_loop(const std::vector<Motion>& contour, Loop& out);
+  bool surroundings(double radius, const Loop& blank, Loop& out);
   bool mill_along();
   bool mill_levels(Along& out);
   void pass_along(const Along& along, double from, double level);
@@ -73,13 +84,16 @@ class SinumerikContours : public ControlPart {
   ToolChanger& tools_;
   Moves& moves_;
   CycleMover mover_;
+  RegionCutter cutter_;
   MotionEmitter& out_;
   CycleCall call_;
   Word where_;
-  std::string named_;  ///< by CYCLE62
-  CallRequest request_;
-  bool waits_ = false;  ///< the contour of call_ comes next
+  std::vector<std::string> named_;  ///< by the last calls of CYCLE62
+  bool named_used_ = false;         ///< a cycle has run with them: the next CYCLE62 begins anew
+  std::vector<CallRequest> requests_;
+  bool waits_ = false;  ///< the contours of call_ come next
   std::vector<Motion> contour_;
+  std::vector<std::vector<Motion>> contours_;  ///< CYCLE63: those read before contour_
   Modal modal_before_;
   Position position_before_;
   std::size_t errors_before_ = 0;

@@ -1,0 +1,76 @@
+#include "interp/milling/region_cutter.h"
+
+#include "core/rounding.h"
+
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kMostRuns = 1e5;  // loops at all levels
+constexpr std::size_t kMostPieces = 3'000;
+
+}  // namespace
+
+bool RegionCutter::clear(const Region& region, double radius, double aside, double step,
+                         const Levels& levels, const Word& where) {
+  std::vector<Loop> loops;
+  if (region.pieces() > kMostPieces)
+    return error("value-range", "the contours of the pocket have more than 3000 pieces", where);
+  if (!clearing_loops(region, radius, aside, step, loops))
+    return error("pocket-contour",
+                 "no loops can be found for the cutter: a contour that crosses itself?", where);
+  return cut(region, loops, radius + aside, levels, where);
+}
+
+bool RegionCutter::follow(const Region& region, double radius, double aside, const Levels& levels,
+                          const Word& where) {
+  std::vector<Loop> loops;
+  if (!region.inset(radius + aside, loops))
+    return error("pocket-contour",
+                 "no loops can be found for the cutter: a contour that crosses itself?", where);
+  return cut(region, loops, radius + aside, levels, where);
+}
+
+bool RegionCutter::cut(const Region& region, const std::vector<Loop>& loops, double distance,
+                       const Levels& l, const Word& where) {
+  mover_.begin(where);
+  if (loops.empty())
+    return error("value-range", "the cutter is too large for the pocket (alarm 61105)", where);
+  const double whole = l.bottom - l.reference;
+  const int n = steps_of(std::abs(whole), l.infeed);
+  if (static_cast<double>(n) * static_cast<double>(loops.size()) > kMostRuns)
+    return error("value-range", "more than 100000 loops", where);
+  double from = l.safe;
+  mover_.rapid_height(l.top);
+  for (int i = 1; i <= n; ++i) {
+    const double to = i == n ? l.bottom : l.reference + whole * i / n;
+    level(region, loops, distance, from, to, l);
+    from = to + (l.safe - l.reference);
+  }
+  mover_.rapid_height(l.top);
+  return true;
+}
+
+// From loop to loop straight where that keeps clear of the contours, else over the part.
+void RegionCutter::level(const Region& region, const std::vector<Loop>& loops, double distance,
+                         double from, double to, const Levels& l) {
+  bool down = false;
+  for (const Loop& each : loops) {
+    Loop loop = begun_near(each, mover_.place());
+    if (l.clockwise) loop = reversed(loop);
+    const Vec2 start = loop.front().start;
+    if (down && region.keeps(mover_.place(), start, distance)) {
+      mover_.line(start, l.feed);
+    } else {
+      mover_.rapid_height(down || std::abs(from - l.safe) > kRounding ? l.safe : l.top);
+      mover_.rapid(start);
+      mover_.rapid_height(from);
+      mover_.line_height(to, l.plunge);
+    }
+    mover_.loop(loop, l.feed);
+    down = true;
+  }
+}
+
+}  // namespace mrsim

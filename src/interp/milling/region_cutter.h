@@ -1,0 +1,40 @@
+// A cutter clears a region of the plane, level by level: pockets and spigots of any contour. The
+// final shape is that of the contours; the way to it is one of loops, told in docs/interp.md.
+// Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_mover.h"
+#include "interp/path/region.h"
+
+namespace mrsim {
+
+class RegionCutter : public ControlPart {
+ public:
+  /// Lengths in mm, levels along the plane's normal.
+  struct Levels {
+    double top = 0, safe = 0, reference = 0, bottom = 0;
+    double infeed = 0;            ///< the most of one cut; 0 = all at once
+    double feed = 0, plunge = 0;  ///< 0: the one in force
+    bool clockwise = false;       ///< the other way round: conventional milling
+  };
+
+  RegionCutter(Control& control, Moves& moves) : ControlPart(control), mover_(control, moves) {}
+
+  /// Clears all of it, a cutter of `radius` staying `aside` of the contours. False: an error was
+  /// reported.
+  bool clear(const Region& region, double radius, double aside, double step, const Levels& levels,
+             const Word& where);
+  /// Along the contours alone.
+  bool follow(const Region& region, double radius, double aside, const Levels& levels,
+              const Word& where);
+
+ private:
+  bool cut(const Region& region, const std::vector<Loop>& loops, double distance,
+           const Levels& levels, const Word& where);
+  void level(const Region& region, const std::vector<Loop>& loops, double distance, double from,
+             double to, const Levels& levels);
+
+  CycleMover mover_;
+};
+
+}  // namespace mrsim

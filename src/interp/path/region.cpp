@@ -1,0 +1,321 @@
+#include "interp/path/region.h"
+
+#include "core/rounding.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/path/arc.h"
+#include "interp/path/piece_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kKeeps = 1e-4;       // mm: by how much a place may be too near at most
+constexpr double kSameSpot = 1e-6;    // mm
+constexpr double kJoins = 2e-3;       // mm: what rounded programs leave between two pieces
+constexpr double kStraightOn = 1e-9;  // |t1 x t2| of a tangent transition
+constexpr double kOutwards = 0.0137;  // of a step, where loops cannot be joined
+constexpr std::size_t kMostLoops = 20'000;
+
+double travel_of(const PlanePiece& piece) {
+  return piece.arc ? extent(piece) * piece.radius : extent(piece);
+}
+
+Vec2 place_on(const PlanePiece& piece, double along) {
+  if (!piece.arc) return piece.start + along * start_tangent(piece);
+  return rotated(piece.start, piece.center, piece.sweep < 0 ? -along : along);
+}
+
+PlanePiece part_of(const PlanePiece& piece, double from, double to) {
+  PlanePiece out = piece;
+  out.start = from <= 0 ? piece.start : place_on(piece, from);
+  out.end = to >= extent(piece) ? piece.end : place_on(piece, to);
+  if (piece.arc) out.sweep = piece.sweep < 0 ? from - to : to - from;
+  return out;
+}
+
+struct PieceBounds {
+  Vec2 low, high;
+  bool near(const PieceBounds& other) const {
+    return low.x <= other.high.x + kSameSpot && other.low.x <= high.x + kSameSpot &&
+           low.y <= other.high.y + kSameSpot && other.low.y <= high.y + kSameSpot;
+  }
+};
+
+PieceBounds bounds_of(const PlanePiece& piece) {
+  if (piece.arc) {
+    const Vec2 r{piece.radius, piece.radius};
+    return {piece.center - r, piece.center + r};
+  }
+  return {{std::min(piece.start.x, piece.end.x), std::min(piece.start.y, piece.end.y)},
+          {std::max(piece.start.x, piece.end.x), std::max(piece.start.y, piece.end.y)}};
+}
+
+// The pieces moved aside, and arcs about the corners that the area reaches around.
+std::vector<PlanePiece> moved_border(const std::vector<Loop>& contours, double distance) {
+  std::vector<PlanePiece> out;
+  for (const Loop& loop : contours)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const PlanePiece &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      const PlanePiece aside = offset_piece(a, distance);
+      if (!aside.arc || aside.radius > kSameSpot) out.push_back(aside);
+      const Vec2 t1 = end_tangent(a), t2 = start_tangent(b);
+      const double turn = cross(t1, t2), ahead = dot(t1, t2);
+      if (turn > -kStraightOn && (ahead > 0 || turn > kStraightOn)) continue;
+      PlanePiece round;
+      round.arc = true;
+      round.center = b.start;
+      round.radius = distance;
+      round.start = b.start + distance * left_of(t1);
+      round.end = b.start + distance * left_of(t2);
+      round.sweep = -std::abs(mrsim::atan2(turn, ahead));
+      out.push_back(round);
+    }
+  return out;
+}
+
+// Where other pieces meet this one, as places along it, in order.
+std::vector<double> cuts_of(std::size_t i, const std::vector<PlanePiece>& pieces,
+                            const std::vector<PieceBounds>& bounds) {
+  const PlanePiece& piece = pieces[i];
+  const double whole = extent(piece);
+  std::vector<double> cuts{0, whole};
+  const auto add = [&](Vec2 p) {
+    if (distance_to(piece, p) > kSameSpot) return;
+    const double along = position_on(piece, p);
+    if (along > 0 && along < whole) cuts.push_back(along);
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (k == i || !bounds[i].near(bounds[k])) continue;
+    std::array<Vec2, 2> hits;
+    const int n = intersect(piece, pieces[k], hits);
+    for (int h = 0; h < n; ++h) {
+      const Vec2 p = hits[static_cast<std::size_t>(h)];
+      if (distance_to(pieces[k], p) <= kSameSpot) add(p);
+    }
+    add(pieces[k].start);
+    add(pieces[k].end);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+bool same_piece(const PlanePiece& a, const PlanePiece& b) {
+  return a.arc == b.arc && length(a.start - b.start) < kSameSpot &&
+         length(a.end - b.end) < kSameSpot &&
+         length(place_on(a, extent(a) / 2) - place_on(b, extent(b) / 2)) < kSameSpot;
+}
+
+// Pieces to closed loops, from end to start. False: one leads nowhere.
+bool join_loops(std::vector<PlanePiece> pieces, std::vector<Loop>& out) {
+  while (!pieces.empty()) {
+    Loop loop{pieces.back()};
+    pieces.pop_back();
+    for (;;) {
+      const Vec2 at = loop.back().end;
+      double nearest = kJoins;
+      std::size_t next = pieces.size();
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const double far = length(pieces[i].start - at);
+        if (far >= nearest) continue;
+        nearest = far;
+        next = i;
+      }
+      const double home = length(loop.front().start - at);
+      const bool closed = home <= kJoins && home <= nearest + kSameSpot;
+      if (!closed && next == pieces.size()) return false;
+      const Vec2 to = closed ? loop.front().start : pieces[next].start;
+      if (length(to - at) > kRounding) {
+        PlanePiece bridge;
+        bridge.start = at;
+        bridge.end = to;
+        loop.push_back(bridge);
+      }
+      if (closed) break;
+      loop.push_back(pieces[next]);
+      pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+    out.push_back(std::move(loop));
+  }
+  return true;
+}
+
+// The contour as a polygon that leaves it by at most `far`.
+std::vector<Vec2> polygon_of(const Loop& loop, double far) {
+  std::vector<Vec2> out;
+  for (const PlanePiece& piece : loop) {
+    int n = 1;
+    if (piece.arc) {
+      const double share = std::min(1.0, far / piece.radius);
+      const double step = std::sqrt(8 * share);  // a little less than the sagitta asks for
+      n = 1 + static_cast<int>(std::min(1e5, std::ceil(extent(piece) / std::min(step, 1.0))));
+    }
+    for (int i = 0; i < n; ++i) out.push_back(place_on(piece, extent(piece) * i / n));
+  }
+  return out;
+}
+
+bool surrounds(const std::vector<Vec2>& polygon, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
+    const Vec2 a = polygon[i], b = polygon[k];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+Loop turning(const Loop& loop, bool counter_clockwise) {
+  return (signed_area(loop) > 0) == counter_clockwise ? loop : reversed(loop);
+}
+
+double distance_to_loop(const Loop& loop, Vec2 p) {
+  double least = 1e300;
+  for (const PlanePiece& piece : loop) least = std::min(least, distance_to(piece, p));
+  return least;
+}
+
+}  // namespace
+
+double signed_area(const Loop& loop) {
+  double twice = 0;
+  for (const PlanePiece& piece : loop) {
+    twice += cross(piece.start, piece.end);
+    if (piece.arc) twice += piece.radius * piece.radius * (piece.sweep - sincos(piece.sweep).sin);
+  }
+  return twice / 2;
+}
+
+Loop begun_near(const Loop& loop, Vec2 p) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < loop.size(); ++i)
+    if (distance_to(loop[i], p) < distance_to(loop[best], p)) best = i;
+  const PlanePiece& split = loop[best];
+  const double at = place_nearest(split, p);
+  Loop out;
+  if (at < extent(split)) out.push_back(part_of(split, at, extent(split)));
+  for (std::size_t i = 1; i < loop.size(); ++i) out.push_back(loop[(best + i) % loop.size()]);
+  if (at > 0) out.push_back(part_of(split, 0, at));
+  return out;
+}
+
+Region::Region(const std::optional<Loop>& outer, const std::vector<Loop>& islands)
+    : has_outer_(outer.has_value()) {
+  if (outer) contours_.push_back(turning(*outer, true));
+  for (const Loop& island : islands) contours_.push_back(turning(island, false));
+}
+
+std::size_t Region::pieces() const {
+  std::size_t n = 0;
+  for (const Loop& loop : contours_) n += loop.size();
+  return n;
+}
+
+bool Region::contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) const {
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    if (surrounds(polygons[i], p) != (has_outer_ && i == 0)) return false;
+  return true;
+}
+
+double Region::distance_from_contours(Vec2 p) const {
+  double least = 1e300;
+  for (const Loop& loop : contours_) least = std::min(least, distance_to_loop(loop, p));
+  return least;
+}
+
+// A piece that ends in a cusp, or where the contours' roundings leave a gap, is in doubt: first
+// only what keeps the distance exactly counts, then what does nearly.
+bool Region::inset(double distance, std::vector<Loop>& out) const {
+  const std::vector<PlanePiece> border = moved_border(contours_, distance);
+  std::vector<PieceBounds> bounds;
+  for (const PlanePiece& piece : border) bounds.push_back(bounds_of(piece));
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Loop& loop : contours_) polygons.push_back(polygon_of(loop, distance / 10));
+  std::vector<std::pair<PlanePiece, double>> parts;  // and how far they stay from the contours
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const std::vector<double> cuts = cuts_of(i, border, bounds);
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+      const PlanePiece part = part_of(border[i], cuts[k - 1], cuts[k]);
+      if (travel_of(part) < kSameSpot) continue;
+      const Vec2 middle = place_on(part, extent(part) / 2);
+      const double far = distance_from_contours(middle);
+      if (far < distance - kKeeps || !contains(middle, polygons)) continue;
+      const auto same = [&](const auto& other) { return same_piece(other.first, part); };
+      if (std::none_of(parts.begin(), parts.end(), same)) parts.emplace_back(part, far);
+    }
+  }
+  bool none = false;
+  for (const double doubt : {1e-7, 1e-5, kKeeps}) {
+    std::vector<PlanePiece> kept;
+    for (const auto& [part, far] : parts)
+      if (far >= distance - doubt) kept.push_back(part);
+    out.clear();
+    none = none || kept.empty();
+    if (!kept.empty() && join_loops(std::move(kept), out)) return true;
+  }
+  out.clear();
+  return none;
+}
+
+bool Region::keeps(Vec2 from, Vec2 to, double distance) const {
+  if (length(to - from) < kSameSpot) return true;
+  PlanePiece way;
+  way.start = from;
+  way.end = to;
+  for (const Loop& loop : contours_)
+    for (const PlanePiece& piece : loop)
+      if (distance_between(way, piece) < distance - kKeeps) return false;
+  return true;
+}
+
+bool clearing_loops(const Region& region, double radius, double aside, double step,
+                    std::vector<Loop>& out) {
+  struct Node {
+    Loop loop;
+    std::vector<std::size_t> inner;
+  };
+  std::vector<Node> nodes;
+  std::vector<std::size_t> outer, level;
+  step = step > 0 ? std::min(step, radius) : radius;
+  for (double distance = radius + aside, next = 0;; distance = next) {
+    std::vector<Loop> loops;
+    next = distance + step;
+    while (!region.inset(distance, loops)) {  // inner loops may lie a little farther out
+      distance -= step * kOutwards;
+      if (level.empty() || distance < next - 1.5 * step) return false;
+    }
+    if (loops.empty()) break;
+    next = distance + step;
+    std::vector<std::size_t> now;
+    for (Loop& loop : loops) {
+      std::size_t around = nodes.size();
+      for (const std::size_t i : level)
+        if (around == nodes.size() || distance_to_loop(nodes[i].loop, loop.front().start) <
+                                          distance_to_loop(nodes[around].loop, loop.front().start))
+          around = i;
+      now.push_back(nodes.size());
+      if (level.empty())
+        outer.push_back(nodes.size());
+      else
+        nodes[around].inner.push_back(nodes.size());
+      nodes.push_back({std::move(loop), {}});
+    }
+    if (nodes.size() > kMostLoops) return false;
+    level = std::move(now);
+  }
+  // From the innermost loops outwards: a loop stands behind those within it.
+  std::vector<std::size_t> waiting(outer.rbegin(), outer.rend()), order;
+  while (!waiting.empty()) {
+    const std::size_t at = waiting.back();
+    waiting.pop_back();
+    order.push_back(at);
+    waiting.insert(waiting.end(), nodes[at].inner.begin(), nodes[at].inner.end());
+  }
+  out.clear();
+  for (std::size_t i = order.size(); i > 0; --i) out.push_back(std::move(nodes[order[i - 1]].loop));
+  return true;
+}
+
+}  // namespace mrsim

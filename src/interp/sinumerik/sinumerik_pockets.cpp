@@ -1,0 +1,133 @@
+// CYCLE63 clears a pocket with islands, or the surroundings of spigots.
+#include "core/rounding.h"
+#include "interp/path/arc.h"
+#include "interp/sinumerik/sinumerik_contours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kClosed = 0.01;  // mm between the ends of a contour
+constexpr int kRough = 1, kFloor = 3, kWall = 4;
+
+}  // namespace
+
+// PRG VARI RP Z0 SC Z1 F FZ DXY DZ UXY UZ CDIR XS YS ER EP EW FS ZFS TR DR UMODE GMODE DMODE AMODE
+bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
+  const double unit = scale();
+  const int kind = call_.digit(1, 0), plane = call_.digit(24, 0), direction = call_.digit(12, 0);
+  for (const std::size_t i : {1, 2, 3, 5})
+    if (!call_.given(i))
+      return error("value-missing", "CYCLE63 needs VARI, RP, Z0 and Z1: how, its planes, its depth",
+                   where_);
+  if (call_.values.size() > 26)
+    return error("not-supported", "CYCLE63: a list of more than 26 values", where_);
+  if (kind != kRough && kind != kFloor && kind != kWall)
+    return error("not-supported",
+                 fmt::format("CYCLE63: VARI {:g} is not supported; its unit is 1 (roughing), 3 "
+                             "(finishing the floor) or 4 (the wall)",
+                             call_.get(1)),
+                 where_);
+  if (plane != 0 && plane != modal_.plane + 1)
+    return error("cycle-plane", "CYCLE63: DMODE names another plane than the one in force", where_);
+  if (direction > 1)
+    return error("value-range", "CYCLE63: CDIR is 0 (climbing) or 1 (conventional)", where_);
+  l.top = call_.get(2) * unit;
+  l.reference = call_.get(3) * unit;
+  const double down = l.top < l.reference ? 1 : -1;
+  l.safe = l.reference - down * std::abs(call_.get(4)) * unit;
+  l.bottom = call_.get(5) * unit;
+  if (call_.digit(25, 0) == 1) l.bottom = l.reference + down * std::abs(l.bottom);
+  if ((l.bottom - l.reference) * down <= 0)
+    return error("value-range",
+                 "CYCLE63: the depth does not lie below the reference plane (alarm 61101)", where_);
+  if (kind != kFloor) l.bottom -= down * std::abs(call_.get(11)) * unit;
+  if ((l.bottom - l.reference) * down <= 0)
+    return error("value-range", "CYCLE63: UZ is larger than the depth", where_);
+  l.infeed = kind == kFloor ? 0 : std::abs(call_.get(9)) * unit;
+  l.feed = call_.get(6) * feed_scale();
+  l.plunge = call_.get(7) > 0 ? call_.get(7) * feed_scale() : l.feed;
+  l.clockwise = direction == 1;
+  return true;
+}
+
+// The contour's pieces in the coordinates of the program's plane.
+bool SinumerikContours::closed_loop(const std::vector<Motion>& contour, Loop& out) {
+  const Basis b = basis();
+  const auto flat = [&](const Vec3& p) { return in_plane(b, apply_inverse(frames_.total, p)); };
+  for (std::size_t i = 1; i < contour.size(); ++i) {
+    const Motion& m = contour[i];
+    PlanePiece piece;
+    piece.start = flat(m.start);
+    piece.end = flat(m.end);
+    piece.arc = m.kind == MotionKind::arc;
+    if (!piece.arc && length(piece.end - piece.start) <= kRounding) continue;
+    if (piece.arc) {
+      piece.center = flat(m.center);
+      piece.radius = length(piece.start - piece.center);
+      const Vec2 ahead = in_plane(b, turn_inverse(frames_.total, arc_tangent(m, 0)));
+      piece.sweep = std::copysign(std::abs(m.sweep), cross(piece.start - piece.center, ahead));
+    }
+    out.push_back(piece);
+  }
+  const double gap = out.empty() ? 0 : length(out.front().start - out.back().end);
+  if (out.empty() || gap > kClosed) {
+    reporter_.add_at(Severity::error, "pocket-contour",
+                     fmt::format("the contour of CYCLE63 is not closed: its ends are {:.4g} mm "
+                                 "apart",
+                                 gap),
+                     contour.back());
+    return false;
+  }
+  if (gap > kRounding) {
+    PlanePiece rest;
+    rest.start = out.back().end;
+    rest.end = out.front().start;
+    out.push_back(rest);
+  }
+  return true;
+}
+
+// Where the cutter may go about the blank of a spigot: a diameter over its edge.
+bool SinumerikContours::surroundings(double radius, const Loop& blank, Loop& out) {
+  std::vector<Loop> around;
+  if (!Region(std::nullopt, {blank}).inset(2 * radius, around) || around.empty())
+    return error("pocket-contour", "CYCLE63: there is no way about the blank's contour", where_);
+  out = *std::min_element(around.begin(), around.end(), [](const Loop& a, const Loop& b) {
+    return signed_area(a) < signed_area(b);
+  });
+  return true;
+}
+
+bool SinumerikContours::pocket() {
+  RegionCutter::Levels l;
+  if (!pocket_levels(l)) return false;
+  const double radius = tools_.radius_for("CYCLE63", modal_.edge, where_);
+  if (radius <= 0) return false;
+  std::vector<Loop> loops(contours_.size());
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (!closed_loop(contours_[i], loops[i])) return false;
+  const int technology = call_.digit(24, 2), kind = call_.digit(1, 0);
+  const std::vector<Loop> islands(loops.begin() + 1, loops.end());
+  if (technology > 2 || (technology == 2 && islands.empty()))
+    return error("not-supported",
+                 "CYCLE63: a spigot needs two contours before it, the blank's and its own", where_);
+  if (technology == 2)
+    note_once("cycle-spigot",
+              "CYCLE63 is read as a spigot (DMODE): its first contour is the blank's, over whose "
+              "edge the cutter runs",
+              where_, "CYCLE63");
+  if (technology == 2 && kind != kWall && !surroundings(radius, loops[0], loops[0])) return false;
+  double step = std::abs(call_.get(8)) * scale();
+  if (call_.digit(25, 1) == 1) step = std::abs(call_.get(8)) * radius / 50;  // per cent
+  const bool border = technology != 2 || kind != kWall;
+  const Region region(border ? std::optional<Loop>(loops[0]) : std::nullopt, islands);
+  if (kind == kWall) return cutter_.follow(region, radius, 0, l, where_);
+  return cutter_.clear(region, radius, std::abs(call_.get(10)) * scale(), step, l, where_);
+}
+
+}  // namespace mrsim
