@@ -23,7 +23,7 @@ struct Slab {
 
 }  // namespace
 
-View fit_view(const TriMesh& mesh, const RenderOptions& options, const Frame& frame) {
+View fit_view(const TriMesh& mesh, const RenderOptions& options, const PixelBox& frame) {
   const SinCos az = sincos_deg(options.azimuth), el = sincos_deg(options.elevation);
   View view;
   view.right = {az.cos, az.sin, 0};

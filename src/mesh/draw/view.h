@@ -8,7 +8,7 @@
 namespace mrsim {
 
 /// Pixels of the picture that the part may use.
-struct Frame {
+struct PixelBox {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
@@ -33,6 +33,6 @@ struct View {
 };
 
 /// Looks at the mesh from azimuth and elevation, fitted into the frame. Requires: a vertex.
-View fit_view(const TriMesh& mesh, const RenderOptions& options, const Frame& frame);
+View fit_view(const TriMesh& mesh, const RenderOptions& options, const PixelBox& frame);
 
 }  // namespace mrsim

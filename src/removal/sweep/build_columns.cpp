@@ -88,10 +88,10 @@ class Joiner {
   // By index + 1; 0, the stock's own, stays.
   std::vector<std::uint16_t> frames_of(const SweepColumns& from) {
     std::vector<std::uint16_t> places(1, 0);
-    for (const Frame& frame : from.frames) {
+    for (const ToolFrame& frame : from.frames) {
       auto& known = table_.frames;
       const auto at = std::find_if(known.begin(), known.end(),
-                                   [&](const Frame& other) { return other.z == frame.z; });
+                                   [&](const ToolFrame& other) { return other.z == frame.z; });
       places.push_back(static_cast<std::uint16_t>(at - known.begin() + 1));
       if (at == known.end()) known.push_back(frame);
     }

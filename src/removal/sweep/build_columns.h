@@ -3,6 +3,7 @@
 #pragma once
 
 #include "removal/sweep/sweep_columns.h"
+#include "removal/sweep/sweep_selection.h"
 
 #include <span>
 

@@ -126,7 +126,7 @@ void SweepBuilder::add(const Motion& m, std::int32_t index) {
 void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) {
   if (!(length(m.tool_axis) > 0.5)) unsupported(m, tool, "the tool has no axis direction");
   ref.frame = frame(m.tool_axis);
-  const Frame* local = ref.frame > 0 ? &columns_.frames[ref.frame - 1] : nullptr;
+  const ToolFrame* local = ref.frame > 0 ? &columns_.frames[ref.frame - 1] : nullptr;
   const LocalMotion l = localized(m, local);
   if (local == nullptr) ref.shape = opened(ref.shape, lowest_tip(l));
   const Profile& cutter = columns_.cutter(ref);

@@ -4,6 +4,7 @@
 
 #include "removal/sweep/sweep_columns.h"
 #include "removal/sweep/sweep_motion.h"
+#include "removal/sweep/sweep_selection.h"
 
 #include <map>
 #include <string>

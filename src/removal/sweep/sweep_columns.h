@@ -10,8 +10,8 @@
 #include "removal/sweep/path_sweep.h"
 #include "removal/sweep/slant_sweep.h"
 #include "removal/sweep/sweep_class.h"
+#include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/sweep_packs.h"
-#include "removal/sweep/sweep_table.h"
 #include "removal/sweep/turn_sweep.h"
 #include "removal/sweep/turn_tree.h"
 #include "removal/tool/tool.h"
@@ -53,13 +53,6 @@ struct ProfileRow {
   double length = 0;  ///< of the path in plan, mm
 };
 
-/// Rotation into the frame of a tilted tool: rows are its axes.
-struct Frame {
-  Vec3 x, y, z;
-  Vec3 in(const Vec3& p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
-  Vec3 out(const Vec3& p) const { return p.x * x + p.y * y + p.z * z; }
-};
-
 struct SweepRef {
   SweepKind kind = SweepKind::profile;
   bool split : 1 = false;  ///< arc whose wall can meet itself: its halves are patches of their own
@@ -87,7 +80,7 @@ struct SweepColumns {
   std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
-  std::vector<Frame> frames;
+  std::vector<ToolFrame> frames;
   std::vector<SweepClass> classes;  ///< in the order of their groups
   TurnTree turn_tree;
   SweepPacks packs;

@@ -275,7 +275,7 @@ template <class Face>
 FacePlane face_at(const SweepColumns& c, std::size_t i, const Vec3& point, std::int32_t patch,
                   const Face& face) {
   const SweepRef& ref = c.refs[i];
-  const Frame* frame = ref.frame > 0 ? &c.frames[ref.frame - 1] : nullptr;
+  const ToolFrame* frame = ref.frame > 0 ? &c.frames[ref.frame - 1] : nullptr;
   const Vec3 p = frame != nullptr ? frame->in(point) : point;
   const Vec3 from = is_flank(ref, patch) ? flank_view(c, ref, p, patch) : p;
   FacePlane plane = face(c, ref, from, patch & ~kFlankPatch);

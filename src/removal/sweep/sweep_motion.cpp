@@ -2,6 +2,7 @@
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ Box3 path_bounds(const LocalMotion& l) {
   return b;
 }
 
-LocalMotion localized(const Motion& m, const Frame* frame) {
+LocalMotion localized(const Motion& m, const ToolFrame* frame) {
   const auto in = [frame](const Vec3& p) { return frame != nullptr ? frame->in(p) : p; };
   LocalMotion l;
   l.arc = m.kind == MotionKind::arc;
@@ -77,11 +78,11 @@ LocalMotion localized(const Motion& m, const Frame* frame) {
 
 double lowest_tip(const LocalMotion& l) { return path_bounds(l).lo.z; }
 
-Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame) {
+Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const ToolFrame* frame) {
   return sweep_bounds(tool, path_bounds(l), frame);
 }
 
-Box3 sweep_bounds(const Profile& tool, Box3 b, const Frame* frame) {
+Box3 sweep_bounds(const Profile& tool, Box3 b, const ToolFrame* frame) {
   const double r = tool.max_radius();
   b.lo = b.lo + Vec3{-r, -r, tool.bottom()};
   b.hi = b.hi + Vec3{r, r, tool.open_top() ? 0 : tool.top()};

@@ -1,11 +1,19 @@
 // A motion as seen by a milling tool: path, extent, and its coefficients in plan.
 #pragma once
 
-#include "removal/sweep/sweep_columns.h"
+#include "core/vec.h"
+#include "removal/tool/tool.h"
 
 namespace mrsim {
 
 inline constexpr double kNoTravel = 1e-11;  ///< mm: less rise or travel than this is none
+
+/// Rotation into the frame of a tilted tool: rows are its axes.
+struct ToolFrame {
+  Vec3 x, y, z;
+  Vec3 in(const Vec3& p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
+  Vec3 out(const Vec3& p) const { return p.x * x + p.y * y + p.z * z; }
+};
 
 /// A motion in the frame of its tool.
 struct LocalMotion {
@@ -18,7 +26,7 @@ struct LocalMotion {
 /// Up and down on the Z axis, as lathes drill.
 bool runs_on_axis(const Motion& m);
 
-LocalMotion localized(const Motion& m, const Frame* frame);
+LocalMotion localized(const Motion& m, const ToolFrame* frame);
 
 /// A box around the positions of the tip, in the frame of the tool.
 Box3 path_bounds(const LocalMotion& l);
@@ -26,9 +34,9 @@ Box3 path_bounds(const LocalMotion& l);
 double lowest_tip(const LocalMotion& l);
 
 /// A box around what the tool sweeps, in the stock's coordinates.
-Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const Frame* frame);
+Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const ToolFrame* frame);
 /// Of a path in this box of the tool's frame.
-Box3 sweep_bounds(const Profile& tool, Box3 path, const Frame* frame);
+Box3 sweep_bounds(const Profile& tool, Box3 path, const ToolFrame* frame);
 
 /// Coefficients of line_rho and arc_rho (sweep_lanes.inl): c[0..3], c[0..6].
 void line_in_plan(const Vec3& a, const Vec3& b, double* c);

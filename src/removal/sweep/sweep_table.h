@@ -7,6 +7,8 @@
 #pragma once
 
 #include "removal/field/field.h"
+#include "removal/sweep/sweep_sample.h"
+#include "removal/sweep/sweep_selection.h"
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -19,28 +21,9 @@
 
 namespace mrsim {
 
-struct SweepSample {
-  double distance = 0;
-  std::int32_t patch =
-      0;  ///< smooth face of the sweep: equal for two points whose surfaces join without a crease
-};
-
 struct PointColumns;  // removal/simd/sweep_kernels.h
 struct SweepColumns;  // removal/sweep/sweep_columns.h
 class TurnTree;       // removal/sweep/turn_tree.h
-
-/// Which motions and which part of the tools a table holds. The default is what removes material;
-/// the others are asked for collisions: rapids with any part, and shank and holder on all moves.
-struct SweepSelection {
-  enum class Part : std::uint8_t { cutter, shank, holder };
-  Part part = Part::cutter;
-  bool cuts = true;     ///< lines and arcs
-  bool rapids = false;  ///< rapids, as straight lines
-  /// Height above which nothing is asked, mm: a cutter whose flutes end there or higher, all along
-  /// a motion, counts as one without end, and one that stays above makes no sweep. Not for cutters
-  /// in a tilted frame.
-  double top = std::numeric_limits<double>::infinity();
-};
 
 /// The cutting motions of a program with the shapes of their tools.
 class SweepTable {

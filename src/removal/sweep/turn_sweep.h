@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/sweep/sweep_table.h"
+#include "removal/field/field.h"
+#include "removal/sweep/sweep_sample.h"
 #include "removal/tool/polygon.h"
 #include "removal/tool/tool.h"
 
