@@ -20,6 +20,8 @@ CONTROL = LANGUAGE + ("interp/control/",)
 WORDS = CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/", "interp/words/")
 CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
 SOLID = CORE + ("removal/field/",)
+FORMS = SOLID + ("removal/tool/", "removal/simd/")
+SWEEPS = FORMS + ("removal/forms/", "removal/columns/", "removal/sweep/")
 ROOMS = {
     "core": (),
     "interp/text": CORE + ("interp/motion_sink.h",),
@@ -47,11 +49,13 @@ ROOMS = {
     "removal/tool": CORE + ("removal/field/",),
     "removal/simd": CORE + ("removal/field/", "removal/tool/"),
     "removal/stock": CORE + ("removal/field/",),
-    "removal/sweep": CORE + ("removal/field/", "removal/tool/", "removal/simd/"),
-    "removal/prune": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/"),
-    "removal/part": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/sweep/", "removal/prune/"),
-    "removal/collision": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/sweep/", "removal/prune/", "removal/part/"),
-    "removal/history": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/sweep/", "removal/prune/", "removal/part/"),
+    "removal/forms": FORMS,
+    "removal/columns": FORMS + ("removal/forms/",),
+    "removal/sweep": FORMS + ("removal/forms/", "removal/columns/"),
+    "removal/prune": SWEEPS,
+    "removal/part": SWEEPS + ("removal/stock/", "removal/prune/"),
+    "removal/collision": SWEEPS + ("removal/prune/", "removal/part/"),
+    "removal/history": SWEEPS + ("removal/stock/", "removal/prune/", "removal/part/"),
     "removal/vdb": CORE + ("removal/",),
     "mesh/solid": SOLID,
     "mesh/draw": SOLID + ("mesh/solid/",),

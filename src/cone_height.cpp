@@ -2,8 +2,8 @@
 
 #include "core/trig.h"
 #include "part_findings.h"
+#include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
-#include "removal/sweep/sweep_motion.h"
 
 #include <algorithm>
 #include <cmath>

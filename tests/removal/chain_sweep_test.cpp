@@ -1,5 +1,5 @@
 // Straight moves of convex tools against the search over positions and against dense samples.
-#include "removal/sweep/chain_sweep.h"
+#include "removal/forms/chain_sweep.h"
 
 #include "core/units.h"
 #include "support/rounds.h"

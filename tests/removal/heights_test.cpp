@@ -2,9 +2,9 @@
 #include "removal/prune/heights.h"
 
 #include "core/units.h"
+#include "removal/columns/height_pieces.h"
+#include "removal/forms/path_sweep.h"
 #include "removal/simd/sweep_kernels.h"
-#include "removal/sweep/height_pieces.h"
-#include "removal/sweep/path_sweep.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 

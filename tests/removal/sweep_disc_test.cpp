@@ -1,5 +1,5 @@
 // Closed cutters on helices against brute force.
-#include "removal/sweep/disc_sweep.h"
+#include "removal/forms/disc_sweep.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

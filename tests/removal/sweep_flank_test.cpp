@@ -1,6 +1,6 @@
 // Tools with a conical flank on arcs in upright planes against brute force.
-#include "removal/sweep/flank_sweep.h"
-#include "removal/sweep/upright_sweep.h"
+#include "removal/forms/flank_sweep.h"
+#include "removal/forms/upright_sweep.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

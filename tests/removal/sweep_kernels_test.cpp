@@ -1,9 +1,9 @@
 // Lists and nearest points: equal to the single queries to the last bit, on every instruction set.
 #include "removal/simd/sweep_kernels.h"
 
+#include "removal/forms/chain_sweep.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"
-#include "removal/sweep/chain_sweep.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 

@@ -1,8 +1,8 @@
 // Flat, bull-nose and ball mills on helices and on arcs in upright planes against brute force.
 #include "core/units.h"
-#include "removal/sweep/path_sweep.h"
-#include "removal/sweep/slant_sweep.h"
-#include "removal/sweep/upright_sweep.h"
+#include "removal/forms/path_sweep.h"
+#include "removal/forms/slant_sweep.h"
+#include "removal/forms/upright_sweep.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

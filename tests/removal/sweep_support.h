@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "removal/sweep/path_sweep.h"
+#include "removal/forms/path_sweep.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"
 #include "support/moves.h"

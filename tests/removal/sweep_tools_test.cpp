@@ -1,6 +1,6 @@
 // Every tool on every move against brute force; gradients, Lipschitz constant, patches, bounds.
 #include "core/units.h"
-#include "removal/sweep/path_sweep.h"
+#include "removal/forms/path_sweep.h"
 #include "sweep_support.h"
 
 #include <algorithm>

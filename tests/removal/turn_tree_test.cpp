@@ -1,5 +1,5 @@
 // The tree of turning sweeps against every sweep on its own.
-#include "removal/sweep/turn_tree.h"
+#include "removal/columns/turn_tree.h"
 
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"

@@ -8,9 +8,9 @@
 #include "removal/collision/collision_volume.h"
 #include "removal/collision/withdrawals.h"
 #include "removal/field/lattice.h"
+#include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
-#include "removal/sweep/sweep_motion.h"
 
 #include <algorithm>
 #include <atomic>

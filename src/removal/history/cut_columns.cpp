@@ -1,8 +1,8 @@
 #include "removal/history/cut_columns.h"
 
 #include "core/vec.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/part/block_index.h"
-#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <limits>

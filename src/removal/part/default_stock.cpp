@@ -1,8 +1,8 @@
 #include "removal/part/default_stock.h"
 
+#include "removal/forms/sweep_motion.h"
 #include "removal/part/default_bar.h"
 #include "removal/part/stock_margin.h"
-#include "removal/sweep/sweep_motion.h"
 #include "removal/sweep/sweep_table.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // The exact part: stock less sweeps, as ExactField.
 #pragma once
 
+#include "removal/columns/sweep_packs.h"
 #include "removal/field/field.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/stock/stock_solid.h"
-#include "removal/sweep/sweep_packs.h"
 #include "removal/sweep/sweep_table.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "removal/part/stock_reach.h"
 
 #include "core/vec.h"
+#include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
-#include "removal/sweep/sweep_motion.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 // voxels around the axis (docs/removal.md).
 #pragma once
 
+#include "removal/columns/turn_tree.h"
 #include "removal/part/part_field.h"
-#include "removal/sweep/turn_tree.h"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "removal/prune/list_candidates.h"
 
 #include "core/heap.h"
-#include "removal/sweep/sweep_columns.h"
+#include "removal/columns/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/rounding.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/heights.h"
 #include "removal/prune/region_args.h"
-#include "removal/sweep/sweep_columns.h"
 #include "removal/sweep/sweep_table.h"
 
 #include <limits>

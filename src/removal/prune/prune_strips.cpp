@@ -2,8 +2,8 @@
 
 #include "core/heap.h"
 #include "core/rounding.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/prune/region_args.h"
-#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
 #include "removal/prune/prune_turned.h"
 
 #include "core/rounding.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/prune/region_args.h"
-#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>

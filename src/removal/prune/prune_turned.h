@@ -1,9 +1,9 @@
 // Turning sweeps in lists: packs of their tree, and the sweeps themselves where they are few.
 #pragma once
 
+#include "removal/columns/turn_tree.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/sweep/sweep_table.h"
-#include "removal/sweep/turn_tree.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/columns/plan_foot.h"
 #include "removal/simd/lane_scalar.h"
-#include "removal/sweep/plan_foot.h"
 
 #include <algorithm>
 #include <cmath>

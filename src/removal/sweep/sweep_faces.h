@@ -2,7 +2,7 @@
 // Dispatched by the kind of the sweep; each function means what its namesake in SweepTable says.
 #pragma once
 
-#include "removal/sweep/sweep_columns.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/sweep/sweep_table.h"
 
 namespace mrsim {

@@ -3,9 +3,9 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
+#include "removal/columns/height_pieces.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/simd/lane_scalar.h"
-#include "removal/sweep/height_pieces.h"
-#include "removal/sweep/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "removal/sweep/sweep_lists.h"
 
 #include "core/vec.h"
-#include "removal/sweep/helix_sweep.h"
-#include "removal/sweep/slant_sweep.h"
+#include "removal/forms/helix_sweep.h"
+#include "removal/forms/slant_sweep.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // Bounds of the distance from a face of a sweep, valid on all of a triangle.
 #pragma once
 
-#include "removal/sweep/sweep_columns.h"
+#include "removal/columns/sweep_columns.h"
 
 namespace mrsim {
 

@@ -1,7 +1,7 @@
 #include "removal/sweep/sweep_table.h"
 
 #include "core/heap.h"
-#include "removal/sweep/build_columns.h"
+#include "removal/columns/build_columns.h"
 #include "removal/sweep/sweep_faces.h"
 #include "removal/sweep/sweep_lists.h"
 #include "removal/sweep/sweep_range.h"

@@ -6,9 +6,9 @@
 // point can be asked of many sweeps, or many points of one, at a few nanoseconds each.
 #pragma once
 
+#include "removal/columns/sweep_selection.h"
 #include "removal/field/field.h"
-#include "removal/sweep/sweep_sample.h"
-#include "removal/sweep/sweep_selection.h"
+#include "removal/forms/sweep_sample.h"
 #include <mrsim/types.h>
 
 #include <cstddef>
@@ -22,8 +22,8 @@
 namespace mrsim {
 
 struct PointColumns;  // removal/simd/sweep_kernels.h
-struct SweepColumns;  // removal/sweep/sweep_columns.h
-class TurnTree;       // removal/sweep/turn_tree.h
+struct SweepColumns;  // removal/columns/sweep_columns.h
+class TurnTree;       // removal/columns/turn_tree.h
 
 /// The cutting motions of a program with the shapes of their tools.
 class SweepTable {
@@ -108,7 +108,7 @@ class SweepTable {
 
   /// Bytes that the table holds.
   std::size_t memory() const;
-  /// Pieces of paths by which sweeps are pruned (removal/sweep/height_pieces.h).
+  /// Pieces of paths by which sweeps are pruned (removal/columns/height_pieces.h).
   std::size_t pieces() const;
 
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.

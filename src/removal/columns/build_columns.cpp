@@ -1,0 +1,158 @@
+#include "removal/columns/build_columns.h"
+
+#include "core/error.h"
+#include "core/heap.h"
+#include "core/ordered.h"
+#include "removal/columns/sweep_builder.h"
+#include "removal/columns/sweep_classes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kPart = 1 << 13;  // motions; their rows stay in the cache
+
+// Appends parts to a table, in their order.
+class Joiner {
+ public:
+  Joiner(SweepColumns& table, std::size_t motions)
+      : table_(table), parts_((motions + kPart - 1) / kPart) {
+    reserve_large(table.refs, motions);
+    reserve_large(table.tags, motions);
+    reserve_large(table.motions, motions);
+    table.uniform = true;
+  }
+
+  void append(SweepBuilder& part) {
+    ++joined_;
+    SweepColumns& from = part.columns();
+    const std::vector<std::int32_t> shapes = shapes_of(part);
+    const std::vector<std::uint16_t> frames = frames_of(from);
+    const std::uint32_t first[] = {append(from.ball_lines, table_.ball_lines),
+                                   append(from.plane_lines, table_.plane_lines),
+                                   append(from.plane_arcs, table_.plane_arcs),
+                                   append(from.ball_arcs, table_.ball_arcs),
+                                   append(from.profiles, table_.profiles),
+                                   append(from.paths, table_.paths),
+                                   append(from.turns, table_.turns)};
+    static_assert(
+        static_cast<int>(SweepKind::ball_line) == 0 &&
+        static_cast<int>(SweepKind::plane_line) == 1 &&
+        static_cast<int>(SweepKind::plane_arc) == 2 && static_cast<int>(SweepKind::ball_arc) == 3 &&
+        static_cast<int>(SweepKind::profile) == 4 && static_cast<int>(SweepKind::path) == 5 &&
+        static_cast<int>(SweepKind::turn) == 6 && std::size(first) == kSweepKinds);
+    for (std::size_t kind = 0; kind < kSweepKinds; ++kind)
+      append(from.bounds[kind], table_.bounds[kind]);
+    for (SweepRef ref : from.refs) {
+      const auto form = static_cast<std::uint32_t>(ref.kind);
+      ref.row += first[form];
+      ref.shape = shapes[static_cast<std::size_t>(ref.shape)];
+      ref.frame = frames[ref.frame];
+      const bool listed = ref.frame == 0 && form < kOtherForm && ref.row <= kTagRow;
+      table_.tags.push_back(listed ? form << kTagShift | ref.row : kOtherForm << kTagShift);
+      table_.uniform = table_.uniform && ref.frame == 0 && ref.row == table_.refs.size() &&
+                       (table_.refs.empty() || ref.kind == table_.refs[0].kind);
+      table_.refs.push_back(ref);
+    }
+    table_.motions.insert(table_.motions.end(), from.motions.begin(), from.motions.end());
+    table_.max_error = std::max(table_.max_error, from.max_error);
+    double& least = table_.smallest_radius;
+    if (from.smallest_radius > 0 && (least == 0 || from.smallest_radius < least))
+      least = from.smallest_radius;
+  }
+
+ private:
+  template <class Row>
+  std::uint32_t append(std::vector<Row>& rows, std::vector<Row>& column) const {
+    const auto first = static_cast<std::uint32_t>(column.size());
+    reserve_ahead(column, rows.size(), joined_, parts_);
+    column.insert(column.end(), std::make_move_iterator(rows.begin()),
+                  std::make_move_iterator(rows.end()));
+    return first;
+  }
+
+  std::vector<std::int32_t> shapes_of(SweepBuilder& part) {
+    std::vector<std::int32_t> places;
+    for (std::size_t k = 0; k < part.keys().size(); ++k) {
+      const auto next = static_cast<std::int32_t>(table_.shapes.size());
+      const auto [at, added] = shapes_.try_emplace(part.keys()[k], next);
+      if (added) table_.shapes.push_back(part.columns().shapes[k]);
+      places.push_back(at->second);
+    }
+    return places;
+  }
+
+  // By index + 1; 0, the stock's own, stays.
+  std::vector<std::uint16_t> frames_of(const SweepColumns& from) {
+    std::vector<std::uint16_t> places(1, 0);
+    for (const ToolFrame& frame : from.frames) {
+      auto& known = table_.frames;
+      const auto at = std::find_if(known.begin(), known.end(),
+                                   [&](const ToolFrame& other) { return other.z == frame.z; });
+      places.push_back(static_cast<std::uint16_t>(at - known.begin() + 1));
+      if (at == known.end()) known.push_back(frame);
+    }
+    MRSIM_ASSERT(table_.frames.size() < 65000);
+    return places;
+  }
+
+  SweepColumns& table_;
+  std::size_t parts_, joined_ = 0;
+  std::map<ShapeKey, std::int32_t> shapes_;
+};
+
+void add_chains(SweepColumns& c) {
+  for (const ToolShape& shape : c.shapes)
+    c.chain_tools.push_back(shape.turning ? ChainTool{} : chain_tool(shape.cutter));
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path || c.paths[ref.row].arc) continue;
+    const ChainTool& tool = c.chain_tools[ref.shape];
+    if (tool.count == 0) continue;
+    c.chain_lines.resize(c.paths.size());
+    c.chain_lines[ref.row] = chain_line(tool, c.paths[ref.row]);
+  }
+}
+
+void add_slants(SweepColumns& c) {
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path || !is_slant(c.cutter(ref), c.paths[ref.row])) continue;
+    c.slant_lines.resize(c.paths.size());
+    c.slant_lines[ref.row] = slant_record(c.cutter(ref), c.paths[ref.row]);
+  }
+}
+
+}  // namespace
+
+void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
+                   const SweepSelection& selection, int threads, SweepColumns& out) {
+  Joiner joiner(out, program.size());
+  make_in_order((program.size() + kPart - 1) / kPart, threads,
+                [&](std::size_t part) {
+                  auto builder = std::make_unique<SweepBuilder>(tools, selection);
+                  for (std::size_t i = part * kPart;
+                       i < std::min((part + 1) * kPart, program.size()); ++i)
+                    builder->add(program[i], static_cast<std::int32_t>(i));
+                  return builder;
+                },
+                [&](const std::unique_ptr<SweepBuilder>& part) { joiner.append(*part); });
+  out.uniform = out.uniform && !out.refs.empty();
+  add_chains(out);
+  add_slants(out);
+  out.packs = SweepPacks(out, threads);
+  cut_pieces(out);
+  classify(out, threads);
+  std::vector<TurnTree::Item> items;
+  for (std::size_t i = 0; i < out.refs.size() && !out.turns.empty(); ++i)
+    if (out.refs[i].kind == SweepKind::turn)
+      items.push_back({static_cast<std::uint32_t>(i), out.refs[i].row, out.refs[i].shape});
+  out.turn_tree = TurnTree(out.turns, out.shapes, std::move(items), threads);
+  out.all_turned = std::all_of(program.begin(), program.end(), [&](const Motion& m) {
+    const bool counts = m.tool >= 0 && (selection.rapids || m.kind != MotionKind::rapid);
+    return !counts || is_turning(tools[static_cast<std::size_t>(m.tool)].type) || runs_on_axis(m);
+  });
+}
+
+}  // namespace mrsim

@@ -1,0 +1,178 @@
+// Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
+#include "removal/columns/sweep_classes.h"
+
+#include "core/heap.h"
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kPart = 1 << 16;  // sweeps that are worth a thread
+
+float rounded_down(double x) {
+  return std::max(0.0f, std::nextafter(static_cast<float>(x), -1.0f));
+}
+
+ToolColumns tool_columns(const Profile& tool) {
+  ToolColumns t;
+  t.core = static_cast<float>(tool.core()), t.round = static_cast<float>(tool.round());
+  t.height = static_cast<float>(tool.top());
+  t.flat = tool.is_rounded() ? rounded_down(tool.core()) : 0;
+  t.rising = tool.is_rising();
+  return t;
+}
+
+bool is_strip(const SweepRef& ref) {
+  return ref.kind == SweepKind::ball_line || ref.kind == SweepKind::ball_arc;
+}
+
+// Two groups a tool: strips and plans are never compared.
+std::int32_t group_of(const SweepRef& ref) {
+  if (ref.frame != 0 || ref.kind == SweepKind::path || ref.kind == SweepKind::turn)
+    return SweepClass{}.group;
+  return 2 * ref.shape + (is_strip(ref) ? 1 : 0);
+}
+
+SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, SweepClass::Form form) {
+  SweepClass k;
+  k.form = form;
+  if (ref.frame == 0 && ref.kind != SweepKind::turn && has_heights(c.cutter(ref)))
+    k.heights = height_tool(c.cutter(ref));
+  if (group_of(ref) == k.group) return k;
+  k.kind = is_strip(ref) ? SweepClass::Kind::solid : SweepClass::Kind::plan;
+  k.group = group_of(ref);
+  k.tool = tool_columns(c.cutter(ref));
+  return k;
+}
+
+// The height that decides the tip of a plan sweep; sweeps of one tool agree in it just when they
+// agree in their tips.
+double tip_height(const SweepColumns& c, const SweepRef& ref) {
+  if (ref.kind == SweepKind::plane_line) return c.plane_lines[ref.row].c[LineSlot::low];
+  if (ref.kind == SweepKind::plane_arc) return c.plane_arcs[ref.row].c[ArcSlot::low];
+  return c.profiles[ref.row].z;
+}
+
+bool is_plan(const SweepRef& ref) {
+  return ref.frame == 0 && (ref.kind == SweepKind::plane_line || ref.kind == SweepKind::plane_arc ||
+                            ref.kind == SweepKind::profile);
+}
+
+// Packs are told apart by powers of four of their spread, and those of sweeps from those of packs:
+// each class counts with its largest.
+int pack_grade(const SweepPack& pack) {
+  int grade = 0;
+  for (double limit = 1; limit >= pack.spread && grade > -16; limit /= 4) --grade;
+  return 2 * (grade + 16) + (pack.count > 0 ? 1 : 0);
+}
+
+class HeightNumbers {
+ public:
+  std::uint32_t of(double height) {
+    if (!numbers_.empty() && height == last_) return number_;
+    last_ = height;
+    const auto next = static_cast<std::uint32_t>(numbers_.size());
+    return number_ = numbers_.try_emplace(height, next).first->second;
+  }
+
+ private:
+  std::unordered_map<double, std::uint32_t> numbers_;
+  double last_ = 0;
+  std::uint32_t number_ = 0;
+};
+
+// All sweeps are of one class, which has no height numbers.
+bool are_alike(const SweepColumns& c, int threads) {
+  const std::vector<SweepRef>& refs = c.refs;
+  if (refs.empty() || is_plan(refs[0])) return false;
+  const auto key = [&](std::size_t i) {
+    return std::tuple(group_of(refs[i]), c.form_of(i), refs[i].shape);
+  };
+  std::atomic<bool> alike = true;
+  parallel_for((refs.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
+    for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, refs.size()); ++i)
+      if (is_plan(refs[i]) || key(i) != key(0)) return alike.store(false);
+  });
+  return alike;
+}
+
+}  // namespace
+
+void cut_pieces(SweepColumns& c) {
+  constexpr std::size_t kTogether = 1024;  // sweeps
+  std::vector<LineRecord> some;
+  for (std::size_t i = 0; i < c.refs.size(); ++i) {
+    const SweepRef& ref = c.refs[i];
+    const bool path = ref.kind == SweepKind::path, profile = ref.kind == SweepKind::profile;
+    if (!c.first_piece.empty())
+      c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size() + some.size());
+    if (ref.frame == 0 && (path || profile) && has_heights(c.cutter(ref))) {
+      const bool cut =
+          path ? append_pieces(c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
+      if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
+    }
+    if ((i + 1) % kTogether != 0 && i + 1 != c.refs.size()) continue;
+    reserve_ahead(c.pieces, some.size(), i + 1, c.refs.size());
+    c.pieces.insert(c.pieces.end(), some.begin(), some.end());
+    some.clear();
+  }
+  if (!c.first_piece.empty()) c.first_piece.back() = static_cast<std::uint32_t>(c.pieces.size());
+}
+
+void classify(SweepColumns& c, int threads) {
+  // Group, form, shape; grade of a pack, -1 for sweeps.
+  using Key = std::tuple<std::int32_t, SweepClass::Form, std::int32_t, int>;
+  std::map<Key, std::uint32_t> seen;
+  std::vector<SweepClass> found;
+  const auto number_of = [&](const Key& key, const SweepClass& k) {
+    const auto [at, added] = seen.try_emplace(key, static_cast<std::uint32_t>(found.size()));
+    if (added) found.push_back(k);
+    return at->second;
+  };
+  HeightNumbers numbers;
+  Key last{-2, {}, 0, 0};
+  std::uint32_t last_class = 0;
+  const std::size_t told = are_alike(c, threads) ? 1 : c.refs.size();  // one tells all
+  c.class_of.resize(told);
+  for (std::size_t i = 0; i < told; ++i) {
+    const SweepRef& ref = c.refs[i];
+    const SweepClass::Form form = c.form_of(i);
+    const Key key{group_of(ref), form, ref.shape, -1};
+    if (key != last) last = key, last_class = number_of(key, class_of_sweep(c, ref, form));
+    c.class_of[i] = last_class;
+    if (!is_plan(ref)) continue;
+    if (c.height_numbers.empty()) c.height_numbers.resize(c.refs.size());
+    c.height_numbers[i] = numbers.of(tip_height(c, ref));
+  }
+  const std::size_t sweep_classes = found.size();
+  for (SweepPack& pack : c.packs.all()) {
+    SweepClass k = found[c.class_of[told == 1 ? 0 : pack.first]];
+    const SweepClass::Form form = c.form_of(pack.first);
+    k.packs = true;
+    pack.of = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
+    found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
+    found[pack.of].open_below = std::max<double>(found[pack.of].open_below, pack.open_below);
+  }
+  // In the order of the keys: groups come together.
+  std::vector<std::uint32_t> place(found.size());
+  for (const auto& [key, old] : seen) {
+    place[old] = static_cast<std::uint32_t>(c.classes.size());
+    c.classes.push_back(found[old]);
+  }
+  if (sweep_classes <= 1) c.class_of = {};  // the key of the only class is the least
+  for (std::uint32_t& of : c.class_of) of = place[of];
+  for (SweepPack& pack : c.packs.all()) pack.of = place[pack.of];
+  SweepClass turn;
+  turn.form = SweepClass::Form::turn;
+  if (!c.turns.empty()) c.classes.push_back(turn);
+}
+
+}  // namespace mrsim

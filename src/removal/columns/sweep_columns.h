@@ -1,0 +1,161 @@
+// The columns of SweepTable, which sweep/ and prune/ read. Sweeps with a closed form are
+// records of 8 or 16 doubles, aligned to cache lines: a list of sweeps costs one or two lines each,
+// and a register full of them is read by loads and a transposition, which beats gathering.
+#pragma once
+
+#include "removal/columns/height_pieces.h"
+#include "removal/columns/sweep_class.h"
+#include "removal/columns/sweep_packs.h"
+#include "removal/columns/turn_tree.h"
+#include "removal/forms/chain_sweep.h"
+#include "removal/forms/curtain_sweep.h"
+#include "removal/forms/path_sweep.h"
+#include "removal/forms/slant_sweep.h"
+#include "removal/forms/sweep_motion.h"
+#include "removal/forms/turn_sweep.h"
+#include "removal/simd/sweep_kernels.h"
+#include "removal/tool/tool.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace mrsim {
+
+/// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
+/// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix), plus
+/// kFlankPatch for the second flank of the groove that a sharp tip leaves.
+inline constexpr std::int32_t kCornerPatch = 1 << 12;
+inline constexpr std::int32_t kFlankPatch = 1 << 15;
+inline constexpr std::int32_t kBranchPatch = 1 << 16;
+
+enum class SweepKind : std::uint8_t {
+  ball_line,   ///< ball reaching up, any line: ball_line of sweep_lanes.inl
+  plane_line,  ///< flat, bull-nose or ball reaching up, horizontal line: plane_line
+  plane_arc,   ///< the same on a horizontal arc: plane_arc
+  ball_arc,    ///< ball reaching up, arc in an upright plane
+  profile,     ///< any profile on a horizontal line or arc, or up and down
+  path,        ///< any profile on any other path
+  turn         ///< insert
+};
+inline constexpr std::size_t kSweepKinds = 7;
+
+/// The number of a tip's height as a column holds it: exact, or NaN, which equals nothing.
+inline double height_number(std::uint32_t number) {
+  return number < (1u << 24) ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A horizontal path in plan: the slots of LineSlot or ArcSlot before `low`.
+struct ProfileRow {
+  bool arc = false;
+  double c[ArcSlot::low] = {};
+  double z = 0;       ///< height of the tip
+  double length = 0;  ///< of the path in plan, mm
+};
+
+struct SweepRef {
+  SweepKind kind = SweepKind::profile;
+  bool split : 1 = false;  ///< arc whose wall can meet itself: its halves are patches of their own
+  bool grooves : 1 = false;  ///< by a sharp tip: so are the flanks on both sides of the path
+  std::uint16_t frame = 0;   ///< index into frames + 1, 0 = the stock's own
+  std::uint32_t row = 0;     ///< index into the column of its kind
+  std::int32_t shape = 0;    ///< index into shapes
+};
+
+/// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
+inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
+
+struct SweepColumns {
+  std::vector<SweepRef> refs;
+  std::vector<std::int32_t> motions;  ///< that make the sweeps
+  std::vector<std::uint32_t> tags;    ///< form and row of each sweep, all that lists have to read
+  std::vector<Box3> bounds[kSweepKinds];  ///< by kind and row; lines have none: bounds_of
+  std::vector<LineRecord> ball_lines, plane_lines;
+  std::vector<ArcRecord> plane_arcs;
+  std::vector<BallArc> ball_arcs;
+  std::vector<ProfileRow> profiles;
+  std::vector<ToolPath> paths;
+  std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
+  std::vector<ChainTool> chain_tools;    ///< by shape, likewise
+  std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
+  std::vector<TurnSweep> turns;
+  std::vector<ToolShape> shapes;
+  std::vector<ToolFrame> frames;
+  std::vector<SweepClass> classes;  ///< in the order of their groups
+  TurnTree turn_tree;
+  SweepPacks packs;
+  std::vector<LineRecord> pieces;             ///< of paths and profiles (height_pieces.h)
+  std::vector<std::uint32_t> first_piece;     ///< by sweep, and the end; empty when there are none
+  std::vector<std::uint32_t> class_of;        ///< by sweep; empty when all are of the first class
+  std::vector<std::uint32_t> height_numbers;  ///< by sweep: number of the tip's height; empty when
+                                              ///< none is compared by it
+  bool uniform = false;     ///< all of one kind, in the stock's frame: row i is sweep i
+  bool all_turned = false;  ///< all are the same at every angle about the Z axis
+  double max_error = 0;
+  double smallest_radius = 0;
+
+  /// Of a sweep in the frame of its tool.
+  double distance(const SweepRef& ref, const Vec3& p) const;
+  double distance(std::size_t i, const Vec3& p) const {
+    const SweepRef& ref = refs[i];
+    return distance(ref, ref.frame > 0 ? frames[ref.frame - 1].in(p) : p);
+  }
+  /// Whether a sweep is a straight move of a convex tool with chain_minimum().
+  bool is_chain(const SweepRef& ref) const {
+    return ref.kind == SweepKind::path && !chain_lines.empty() && chain_lines[ref.row].plan >= 0;
+  }
+  /// Whether it is one of a tool with slant_minimum().
+  bool is_slant_line(const SweepRef& ref) const {
+    return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
+  }
+  /// The least distance over the positions of a path, in the frame of its tool, and where it is.
+  PathSample path_sample(const SweepRef& ref, const Vec3& p) const;
+  /// A box that holds a sweep.
+  Box3 bounds_of(const SweepRef& ref) const;
+  /// The same of a number of a list: a sweep, or a pack of sweeps.
+  Box3 bounds_of_number(std::size_t number) const;
+  /// The same of a line of its form and tool.
+  Box3 bounds_of_line(const SweepRef& ref, const LineRecord& record) const;
+  std::uint32_t piece_count(std::size_t sweep) const {
+    return first_piece.empty() ? 0 : first_piece[sweep + 1] - first_piece[sweep];
+  }
+  /// How lists hold a sweep.
+  SweepClass::Form form_of(std::size_t sweep) const {
+    if (piece_count(sweep) > 0) return SweepClass::Form::piece;
+    return static_cast<SweepClass::Form>(tags[sweep] >> kTagShift);
+  }
+  /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is
+  /// nothing to compare. Plan: z is that of the tip.
+  struct Foot {
+    double squared = std::numeric_limits<double>::infinity();
+    Vec3 offset;
+    bool convex = false;
+  };
+  Foot foot(const SweepRef& ref, const Vec3& p) const;
+  const Curtain& ball_arc_face(const SweepRef& ref, std::int32_t patch) const {
+    const BallArc& s = ball_arcs[ref.row];
+    return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
+  }
+  /// Of a sweep whose form is known; reads nothing where all are of one.
+  std::uint32_t row_of(std::uint32_t sweep) const {
+    return uniform ? sweep : tags[sweep] & kTagRow;
+  }
+  std::uint32_t class_index(std::uint32_t sweep) const {
+    return class_of.empty() ? 0 : class_of[sweep];
+  }
+  /// A list by what its numbers stand for.
+  struct Numbers {
+    std::span<const std::uint32_t> sweeps, turned, packs;  ///< turned: those of turn_tree
+  };
+  Numbers numbers_of(std::span<const std::uint32_t> list) const;
+  /// Appends what a number of a list stands for: a pack's sweeps, or the number itself.
+  void append_sweeps(std::uint32_t number, std::vector<std::uint32_t>& out) const {
+    if (number < kFirstPack) return out.push_back(number);
+    for (std::uint32_t i = packs[number].first; i <= packs[number].last; ++i) out.push_back(i);
+  }
+  /// The sweeps of a list, those of its packs as well; valid until the thread's next call.
+  std::span<const std::uint32_t> sweeps_of(const Numbers& list) const;
+  const Profile& cutter(const SweepRef& ref) const { return shapes[ref.shape].cutter; }
+};
+
+}  // namespace mrsim

@@ -1,0 +1,191 @@
+#include "removal/columns/turn_tree.h"
+
+#include "core/vec.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mrsim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A pack of this many times the size of a region goes into its list unopened.
+constexpr double kSmall = 8;
+
+}  // namespace
+
+void TurnTree::append_sweeps(std::uint32_t pack, std::vector<std::uint32_t>& out) const {
+  const Pack& p = packs_[pack / 2];
+  for (std::uint32_t k = 0; k < kLanes && (p.lanes >> k & 1u) != 0; ++k) {
+    if (p.leaf)
+      out.push_back(items_[p.first + k].sweep);
+    else
+      append_sweeps(2 * (p.first + k), out);
+  }
+}
+
+void TurnTree::measure(const Pack& pack, double x, double z, double* out) const {
+  sweep_kernels().polygons(sides_.data() + pack.sides, pack.side_count, pack.round, x, z, out);
+  for (std::size_t k = 0; pack.pieces >> k != 0; ++k)
+    if ((pack.pieces >> k & 1u) != 0)
+      out[k] = section_distance(turns_[items_[pack.first + k].row], {x, z});
+}
+
+// The nearest child first; its packs are searched before its siblings are looked at again.
+void TurnTree::nearest(std::uint32_t pack, double rho, double z, Nearest& best) const {
+  struct Open {
+    double bound;
+    std::uint32_t pack;
+  };
+  constexpr std::size_t kMostOpen = 128;  // eight on each of the levels of 2^32 sweeps
+  Open open[kMostOpen];
+  alignas(64) double d[kLanes];
+  const bool behind = pack % 2 != 0;
+  const double x = behind ? -rho : rho;
+  std::size_t count = 0;
+  open[count++] = {-kInfinity, pack / 2};
+  while (count > 0) {
+    const Open at = open[--count];
+    if (at.bound > best.distance) continue;
+    const Pack& p = packs_[at.pack];
+    measure(p, x, z, d);
+    const unsigned lanes = behind ? p.behind : p.lanes;
+    const std::size_t from = count;
+    for (std::uint32_t k = 0; lanes >> k != 0; ++k) {
+      if ((lanes >> k & 1u) == 0 || d[k] > best.distance) continue;
+      if (p.leaf) {
+        const Item& item = items_[p.first + k];
+        if (d[k] < best.distance || item.sweep < best.sweep)
+          best = {d[k], item.sweep, item.row, behind};
+        continue;
+      }
+      std::size_t place = count++;
+      for (; place > from && open[place - 1].bound < d[k]; --place) open[place] = open[place - 1];
+      open[place] = {d[k], p.first + k};
+    }
+  }
+}
+
+// What can be nearest in a region. A sweep i goes if it is farther than another can be, or if its
+// tangent at the centre is, at each corner, above the distance of the nearest sweep j: between the
+// corners d_j is convex and the tangent is flat and below d_i.
+class TurnTree::Narrowing {
+ public:
+  Narrowing(const TurnTree& tree, const TurnRegion& region, const Nearest& best, double limit,
+            double slack)
+      : tree_(tree), region_(region), nearest_(best.distance), radius_(length(region.half)) {
+    limit_ = std::min(limit, best.distance + 2 * radius_ + slack);
+    if (best.sweep == ~0u) return;
+    const TurnSweep& j = tree.turns_[best.row];
+    if (j.arc) return;
+    beaten_ = true;
+    for (int k = 0; k < 4; ++k)
+      corner_[k] = section_distance(j, seen(corner(k), best.behind)) + slack;
+  }
+
+  // Appends what is left of a pack.
+  void narrow(std::uint32_t pack, Packs& out) {
+    const Pack& p = tree_.packs_[pack / 2];
+    const unsigned kept = kept_lanes(pack);
+    if (kept == 0) return;
+    // Children of a small pack are told apart at the point itself, all at once.
+    const bool one = (kept & (kept - 1)) == 0;
+    if (p.leaf || (!one && tree_.size_[pack / 2] <= kSmall * radius_)) return out.push_back(pack);
+    for (std::uint32_t k = 0; kept >> k != 0; ++k)
+      if ((kept >> k & 1u) != 0) narrow(2 * (p.first + k) + pack % 2, out);
+  }
+
+  void members(std::uint32_t pack, std::vector<Member>& out) {
+    const Pack& p = tree_.packs_[pack / 2];
+    const unsigned kept = kept_lanes(pack);
+    for (std::uint32_t k = 0; kept >> k != 0; ++k) {
+      if ((kept >> k & 1u) == 0) continue;
+      if (!p.leaf) {
+        members(2 * (p.first + k) + pack % 2, out);
+        continue;
+      }
+      const Item& item = tree_.items_[p.first + k];
+      out.push_back({item.sweep, item.row, pack % 2 != 0});
+    }
+  }
+
+ private:
+  // The children that may be nearest somewhere.
+  unsigned kept_lanes(std::uint32_t pack) const {
+    const Pack& p = tree_.packs_[pack / 2];
+    const bool behind = pack % 2 != 0;
+    const Vec2 q = seen(region_.center, behind);
+    alignas(64) double d[kLanes];
+    tree_.measure(p, q.x, q.y, d);
+    const unsigned lanes = behind ? p.behind : p.lanes;
+    unsigned kept = 0;
+    for (std::uint32_t k = 0; lanes >> k != 0; ++k)
+      if ((lanes >> k & 1u) != 0 && is_kept(p, k, behind, d[k])) kept |= 1u << k;
+    return kept;
+  }
+
+  Vec2 corner(int k) const {
+    return region_.center +
+           Vec2{k & 1 ? region_.half.x : -region_.half.x, k & 2 ? region_.half.y : -region_.half.y};
+  }
+
+  static Vec2 seen(Vec2 q, bool behind) { return {behind ? -q.x : q.x, q.y}; }
+
+  bool is_kept(const Pack& p, std::size_t lane, bool behind, double d) const {
+    if (d > limit_) return false;
+    if (!beaten_ || d <= nearest_ || (p.pieces >> lane & 1u) != 0) return true;
+    const Vec2 u = normal(p, lane, seen(region_.center, behind));
+    double support = -kInfinity;
+    for_each_side(p, lane,
+                  [&](const ConvexPolygon::Side& s) { support = std::max(support, dot(u, s.a)); });
+    for (int k = 0; k < 4; ++k)
+      if (dot(u, seen(corner(k), behind)) - support - p.round[lane] <= corner_[k]) return true;
+    return false;
+  }
+
+  template <typename Body>
+  void for_each_side(const Pack& p, std::size_t lane, Body body) const {
+    for (std::size_t i = p.sides; i < p.sides + p.side_count; ++i) {
+      const PolygonSides& s = tree_.sides_[i];
+      body(ConvexPolygon::Side{{s.ax[lane], s.ay[lane]}, {s.dx[lane], s.dy[lane]}, s.length[lane]});
+    }
+  }
+
+  // Unit normal of the polygon where it is nearest to q. It need not be right: the plane across it
+  // that touches the polygon bounds the distance whatever its direction.
+  Vec2 normal(const Pack& p, std::size_t lane, Vec2 q) const {
+    double most = -kInfinity, least = kInfinity;
+    Vec2 flat, off;
+    for_each_side(p, lane, [&](const ConvexPolygon::Side& s) {
+      const double n = side_of(s, q);
+      if (n > most) most = n, flat = right_of(s.direction);
+      if (n <= 0) return;
+      const Vec2 w = q - foot_on(s, q);
+      if (dot(w, w) < least) least = dot(w, w), off = w;
+    });
+    const double n = length(off);
+    return most > 0 && n > 0 ? (1 / n) * off : flat;
+  }
+
+  const TurnTree& tree_;
+  const TurnRegion& region_;
+  double nearest_, radius_, limit_;
+  bool beaten_ = false;
+  std::array<double, 4> corner_{};
+};
+
+void TurnTree::narrow(const TurnRegion& region, const Nearest& best, double limit, double slack,
+                      std::span<const std::uint32_t> in, Packs& out) const {
+  out.clear();
+  Narrowing narrowing(*this, region, best, limit, slack);
+  for (const std::uint32_t pack : in) narrowing.narrow(pack, out);
+}
+
+void TurnTree::members(const TurnRegion& region, const Nearest& best, double limit, double slack,
+                       std::span<const std::uint32_t> in, std::vector<Member>& out) const {
+  Narrowing narrowing(*this, region, best, limit, slack);
+  for (const std::uint32_t pack : in) narrowing.members(pack, out);
+}
+
+}  // namespace mrsim

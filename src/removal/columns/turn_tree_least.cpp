@@ -1,0 +1,87 @@
+// Points asked of a few sweeps of the tree, side by side.
+#include "removal/columns/turn_tree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mrsim {
+namespace {
+
+// mm: of a distance from the line of a side, with room for rounding of coordinates up to 10 m.
+constexpr double kSure = 1e-9;
+
+// How far two points lie beyond the line of a side. Between them it is linear.
+struct Beyond {
+  double from = 0, to = 0;
+  bool above(double x) const { return from > x && to > x; }
+  bool below(double x) const { return from < x && to < x; }
+  bool above(const Beyond& other) const {
+    return from > other.from + kSure && to > other.to + kSure;
+  }
+};
+
+}  // namespace
+
+void TurnTree::append_sides(std::uint32_t sweep, std::uint32_t row,
+                            std::vector<Member>& out) const {
+  out.push_back({sweep, row, false});
+  if (!turns_[row].one_sided) out.push_back({sweep, row, true});
+}
+
+void TurnTree::least(std::span<const Member> members, PointColumns& points) const {
+  const SweepKernels& kernels = sweep_kernels();
+  for (const Member& m : members) {
+    const TurnSweep& s = turns_[m.row];
+    const std::vector<ConvexPolygon::Side>& sides = s.polygon.sides;
+    if (!s.arc && !sides.empty()) {
+      kernels.polygon_least(sides.data(), sides.size(), s.round, m.behind, m.sweep, points);
+      continue;
+    }
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const double d = section_distance(s, {m.behind ? -points.x[k] : points.x[k], points.z[k]});
+      if (d > points.least[k] || (d == points.least[k] && m.sweep > points.nearest[k])) continue;
+      points.least[k] = d, points.nearest[k] = m.sweep;
+    }
+  }
+}
+
+// Of a polygon's distance at a point beyond some side, those sides tell that the point is beyond:
+// what is surely on the inner side of a line, all the way, need not ask for it. At a point inside
+// the nearest line tells: a line that is always farther than another one never does.
+TurnTree::Facing TurnTree::facing(const Member& member, double from, double to, double z,
+                                  Sides& sides) const {
+  const TurnSweep& s = turns_[member.row];
+  Facing facing{member, static_cast<std::uint32_t>(sides.size()), 0, s.round};
+  if (s.arc) return facing;
+  const Sides& all = s.polygon.sides;
+  std::vector<Beyond> beyond(all.size());
+  const double sign = member.behind ? -1 : 1;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    beyond[i] = {side_of(all[i], {sign * from, z}), side_of(all[i], {sign * to, z})};
+  const bool outside =
+      std::any_of(beyond.begin(), beyond.end(), [](const Beyond& b) { return b.above(kSure); });
+  const bool inside =
+      std::all_of(beyond.begin(), beyond.end(), [](const Beyond& b) { return b.below(-kSure); });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (outside && beyond[i].below(-kSure)) continue;
+    if (inside && std::any_of(beyond.begin(), beyond.end(),
+                              [&](const Beyond& b) { return b.above(beyond[i]); }))
+      continue;
+    sides.push_back(all[i]);
+  }
+  facing.count = static_cast<std::uint32_t>(sides.size()) - facing.first;
+  return facing;
+}
+
+void TurnTree::least(std::span<const Facing> members, const Sides& sides,
+                     PointColumns& points) const {
+  const SweepKernels& kernels = sweep_kernels();
+  for (const Facing& f : members)
+    if (f.count > 0)
+      kernels.polygon_least(sides.data() + f.first, f.count, f.round, f.member.behind,
+                            f.member.sweep, points);
+    else
+      least(std::span(&f.member, 1), points);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,36 @@
+// Straight moves of convex tools, almost without a search: the loops of chain_lanes.inl for one
+// point.
+#pragma once
+
+#include "removal/field/field.h"
+#include "removal/forms/path_sweep.h"
+#include "removal/simd/chain_record.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace mrsim {
+
+/// None (count 0) where the tool is not convex, has too many edges, or has a closed form of its
+/// own. Valid as long as `tool`.
+ChainTool chain_tool(const Profile& tool);
+/// Requires: a straight path, a chain.
+ChainLine chain_line(const ChainTool& tool, const ToolPath& path);
+
+/// The sweep is no nearer to p than this, mm, but for rounding (1e-9 mm within 10 m of the origin).
+/// Where it is above `limit`, the first bound found that is.
+double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                   double limit = std::numeric_limits<double>::infinity());
+/// The least distance and where it lies, up to 1e-13 of the size. Where it is above `limit`, any
+/// distance above that, so that a search may end early.
+PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                         double limit = std::numeric_limits<double>::infinity());
+
+/// The face `patch` of a sweep at p, where one of its cones, cylinders or the ball at its tip is
+/// what can touch p: normal and distance, closed. None where a disc's rim or a torus may, or two
+/// edges.
+std::optional<FacePlane> chain_face(const ChainTool& tool, const ChainLine& line, const Vec3& p,
+                                    std::int32_t patch);
+
+}  // namespace mrsim

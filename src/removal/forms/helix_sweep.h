@@ -1,0 +1,21 @@
+// The distance from a flat, ball or bull-nose mill on the lowest turn of a falling helix, without a
+// search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and upright arcs).
+#pragma once
+
+#include "removal/forms/path_sweep.h"
+#include "removal/simd/helix_record.h"
+
+namespace mrsim {
+
+/// The whole path for the loops of helix_lanes.inl. Requires: lowest_turn, a tool with
+/// is_rounded().
+HelixRecord helix_record(const Profile& tool, const ToolPath& path);
+
+/// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
+/// is_rounded(). None to about five sines.
+PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
+/// The same over one quarter turn, counted from the start.
+PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                int branch);
+
+}  // namespace mrsim

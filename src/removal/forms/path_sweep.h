@@ -1,0 +1,76 @@
+// Sweeps without a closed form: the least distance from the tool over its positions, found by a
+// minimisation with a proven bracket. Tool revolved about Z; path a straight line, an arc in any
+// plane or a helix about any axis.
+#pragma once
+
+#include "core/vec.h"
+#include "removal/forms/tool_at_rest.h"
+#include "removal/simd/sweep_kernels.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace mrsim {
+
+/// Tool tip along the path: start + t * travel, t in [0, 1] (line), or
+/// center + cos(t) * u + sin(t) * v + t * rise, t in [0, sweep] (arc and helix, |u| = |v|).
+struct ToolPath {
+  bool arc = false;
+  Vec3 start, travel;            ///< line
+  Vec3 center, u, v, rise;       ///< arc; rise in mm per radian
+  double sweep = 0;              ///< radians, positive
+  double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
+  bool horizontal = false;       ///< arc in a horizontal plane, or helix about Z
+  bool lowest_turn = false;      ///< horizontal and falling, at most one turn, tool rising
+  bool bored = false;            ///< a whole lowest turn, tool with is_rounded()
+  LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
+  Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
+
+  bool disc = false;  ///< disc_minimum() answers (disc_sweep.h)
+
+  // Arc in an upright plane, at most one turn, of a tool that reaches up: with is_rounded()
+  // (upright_sweep.h), or with has_flank() (flank_sweep.h).
+  bool upright = false, flanked = false;
+  Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
+  Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
+  int first_quarter = 0;  ///< of the circle, counter-clockwise from x: the one it begins in
+  int quarters = 0;       ///< how many it passes
+};
+struct PathPoint {
+  Vec3 position, direction;  ///< d position / dt
+};
+PathPoint path_point(const ToolPath& path, double t);
+
+/// Whether what an arc leaves has one flank on each side of it in plan: about Z, or in an upright
+/// plane.
+bool is_two_sided(const ToolPath& arc);
+
+/// Where the least distance lies.
+struct PathSample {
+  double distance = 0, t = 0;
+};
+
+/// Error bound: kPathError mm for arcs and helices and for lines of tools that are not convex,
+/// 1e-12 of the size for lines of convex tools and where has_stretches(). Always from above:
+/// distance(true) <= result.
+inline constexpr double kPathError = 2e-7;
+PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+/// Whether the distance is found stretch by stretch (falling_lanes.inl), without a search.
+inline bool has_stretches(const Profile& tool, const ToolPath& path) {
+  return path.disc || path.upright || (path.lowest_turn && tool.is_rounded());
+}
+
+/// The distance alone, the same bits: beside the wall of a bore at the cost of a line.
+double path_value(const Profile& tool, const ToolPath& path, const Vec3& p);
+
+/// Pieces of an arc, counted from its start: quarter turns, or the quarters of an upright circle.
+/// The same least distance over one of them.
+int path_branch(const ToolPath& path, double t);
+std::pair<double, double> branch_ends(const ToolPath& path, int branch);  ///< not of upright arcs
+PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
+
+/// The same of one of a tool's convex_pieces() alone, over a branch of an arc or over a line.
+PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3& p, int branch);
+
+}  // namespace mrsim

@@ -1,0 +1,20 @@
+// Slanted lines of flat, bull-nosed and ball mills that reach up, without a search: the loops of
+// slant_lanes.inl for one point.
+#pragma once
+
+#include "removal/forms/path_sweep.h"
+#include "removal/simd/slant_record.h"
+
+namespace mrsim {
+
+/// Whether slant_minimum() holds for the move.
+inline bool is_slant(const Profile& tool, const ToolPath& path) {
+  return !path.arc && tool.is_rounded() && tool.is_rising();
+}
+SlantRecord slant_record(const Profile& tool, const ToolPath& path);
+/// Not above the distance but for rounding (1e-8 mm). Costs a square root.
+double slant_bound(const SlantRecord& line, const Vec3& p);
+/// The least distance and where it lies, exact but for rounding.
+PathSample slant_minimum(const SlantRecord& line, const Vec3& p);
+
+}  // namespace mrsim
