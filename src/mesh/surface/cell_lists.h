@@ -14,7 +14,7 @@ class CellLists {
   CellLists(const ExactField& field, const SurfaceCells& cells) : field_(field), cells_(cells) {}
   /// Before the first question about cells that have changed.
   void restart();
-  /// What can matter in a cell and within kReach of it; valid until the thread's next call.
+  /// What can matter in a cell and within kCellReach of it; valid until the thread's next call.
   std::span<const std::uint32_t> of(std::int32_t cell) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include "core/vec.h"
 #include "mesh/solid/vertex_lattice.h"
+#include "mesh/surface/surface_search.h"
 #include "removal/field/field.h"
 
 #include <algorithm>
@@ -16,13 +17,9 @@ namespace mrsim::detail {
 /// mm: how near d = 0 the surface -kInsideTolerance is looked for.
 inline constexpr double kSurfaceBand = 4 * kInsideTolerance;
 
-/// Share of a cell's size: how far beyond a cell its points of the surface are searched for, and so
-/// how far beyond it its list of candidates holds.
-inline constexpr double kReach = 1.0 / 16;
-
 /// Where candidates must hold for cells of size `cell` mm in the box.
 inline Box3 reach_of(const Box3& box, double cell) {
-  return inflated(box, kReach * cell + kQuantum);
+  return inflated(box, kCellReach * cell + kQuantum);
 }
 
 /// The smallest cube about the box's middle that holds it.

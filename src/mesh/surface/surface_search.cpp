@@ -1,7 +1,5 @@
 #include "mesh/surface/surface_search.h"
 
-#include "mesh/surface/cells.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -44,7 +42,7 @@ bool strictly_inside(const Vec3& p, const Box3& room, int flat) {
 
 bool in_reach(const Vec3& p, const Box3& room) {
   const Vec3 size = room.hi - room.lo;
-  const double beyond = kReach * std::max({size.x, size.y, size.z});
+  const double beyond = kCellReach * std::max({size.x, size.y, size.z});
   for (int a = 0; a < 3; ++a)
     if (!(component(p, a) >= component(room.lo, a) - beyond &&
           component(p, a) <= component(room.hi, a) + beyond))

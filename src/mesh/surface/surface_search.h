@@ -12,6 +12,9 @@ namespace mrsim::detail {
 
 inline constexpr double kOnSurface = 5e-7;  ///< mm: |d| at which a point counts as exact
 inline constexpr int kNewtonSteps = 24;
+/// Share of a cell's size: how far beyond a cell its points of the surface are searched for, and so
+/// how far beyond it its list of candidates holds.
+inline constexpr double kCellReach = 1.0 / 16;
 
 inline bool same_face(const FieldSample& a, const FieldSample& b) {
   return a.owner == b.owner && a.patch == b.patch;

@@ -12,7 +12,7 @@ constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
 constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
 constexpr double kSharpDeterminant = 0.05;  ///< the same, seen from a crease
-constexpr double kReach = 2;  ///< of a room's diagonal: how far a ridge may lie beyond it
+constexpr double kRidgeReach = 2;  ///< of a room's diagonal: how far a ridge may lie beyond it
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
   return strictly_inside(p, room, flat) && probe.is_on_surface(p);
@@ -230,7 +230,7 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
 
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
                  const Box3& room, Vec3& p, const FacePlane* planes) {
-  const double reach = (kReach + 1) * length(room.hi - room.lo);
+  const double reach = (kRidgeReach + 1) * length(room.hi - room.lo);
   const Vec3 middle = 0.5 * (room.lo + room.hi);
   const int rows = static_cast<int>(faces.size());
   for (int k = 0; k < kNewtonSteps; ++k) {
@@ -305,7 +305,7 @@ SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const V
   FieldSample some[8];
   const std::size_t n = distinct_faces(faces, some, 8);
   const double size = length(room.hi - room.lo);
-  const Box3 near = inflated(room, kReach * size);
+  const Box3 near = inflated(room, kRidgeReach * size);
   SurfacePoint result;
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n; ++b) {
@@ -334,7 +334,7 @@ SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start
     return s;
   const SurfacePoint crease = crease_near(probe, room, -1, start, faces);
   if (crease.count == 0) return {};
-  return try_corners(probe, inflated(room, kReach * size), crease.position, {some, n},
+  return try_corners(probe, inflated(room, kRidgeReach * size), crease.position, {some, n},
                      kSharpDeterminant);
 }
 
