@@ -22,6 +22,7 @@ CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
 SOLID = CORE + ("removal/field/",)
 FORMS = SOLID + ("removal/tool/", "removal/simd/")
 SWEEPS = FORMS + ("removal/forms/", "removal/columns/", "removal/sweep/")
+SURFACE = SOLID + ("mesh/solid/", "mesh/points/", "mesh/cells/")
 ROOMS = {
     "core": (),
     "interp/text": CORE + ("interp/motion_sink.h",),
@@ -60,11 +61,14 @@ ROOMS = {
     "mesh/solid": SOLID,
     "mesh/draw": SOLID + ("mesh/solid/",),
     "mesh/format": SOLID + ("mesh/solid/", "mesh/draw/"),
-    "mesh/surface": SOLID + ("mesh/solid/",),
-    "mesh/tiles": SOLID + ("mesh/solid/", "mesh/surface/"),
-    "mesh/turned": SOLID + ("mesh/solid/", "mesh/surface/"),
+    "mesh/points": SOLID + ("mesh/solid/",),
+    "mesh/cells": SOLID + ("mesh/solid/", "mesh/points/"),
+    "mesh/surface": SURFACE,
+    "mesh/simplify": SURFACE + ("mesh/surface/",),
+    "mesh/tiles": SURFACE + ("mesh/surface/",),
+    "mesh/turned": SURFACE,
     "mesh/reduce": SOLID + ("mesh/solid/",),
-    "mesh": SOLID + ("mesh/solid/", "mesh/surface/", "mesh/tiles/", "mesh/turned/", "removal/part/stock.h"),
+    "mesh": SURFACE + ("mesh/surface/", "mesh/simplify/", "mesh/tiles/", "mesh/turned/", "removal/part/stock.h"),
     "compare/step": CORE + ("mesh/",),
     "compare": CORE + ("mesh/", "compare/step/"),
     "cli": CORE,

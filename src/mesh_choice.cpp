@@ -1,8 +1,8 @@
 #include "mesh_choice.h"
 
 #include "core/vec.h"
-#include "mesh/surface/cell_levels.h"
-#include "mesh/surface/survey.h"
+#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/survey.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
 #include "removal/tool/tool.h"

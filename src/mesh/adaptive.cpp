@@ -2,19 +2,19 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/flat_map.h"
+#include "mesh/cells/mesh_memory.h"
+#include "mesh/cells/step_timer.h"
+#include "mesh/cells/thin_features.h"
+#include "mesh/simplify/certify.h"
+#include "mesh/simplify/guilty_cells.h"
+#include "mesh/simplify/owner_borders.h"
+#include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
 #include "mesh/solid/weld.h"
-#include "mesh/surface/cell_levels.h"
-#include "mesh/surface/certify.h"
-#include "mesh/surface/flat_map.h"
-#include "mesh/surface/guilty_cells.h"
-#include "mesh/surface/mesh_memory.h"
-#include "mesh/surface/owner_borders.h"
 #include "mesh/surface/piece_hash.h"
-#include "mesh/surface/simplify_apart.h"
-#include "mesh/surface/step_timer.h"
 #include "mesh/surface/surface.h"
-#include "mesh/surface/thin_features.h"
 
 #include <algorithm>
 #include <cmath>

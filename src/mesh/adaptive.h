@@ -2,8 +2,8 @@
 // within it (docs/mesh.md). What it guarantees stands in mesh/mesh_part.h.
 #pragma once
 
+#include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_plan.h"
-#include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
 #include <mrsim/types.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "mesh/adaptive.h"
-#include "mesh/surface/cell_levels.h"
-#include "mesh/surface/thin_features.h"
+#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/thin_features.h"
 #include "mesh/tiles/uniform.h"
 #include "mesh/turned/turned_mesh.h"
 

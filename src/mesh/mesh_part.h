@@ -11,9 +11,9 @@
 // tolerance, those that the mesh does not hold within it.
 #pragma once
 
+#include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_block.h"
 #include "mesh/solid/mesh_plan.h"
-#include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
 #include <mrsim/types.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/surface/cell_scan.h"
+#include "mesh/cells/cell_scan.h"
 
 #include "core/vec.h"
 #include "support/analytic_field.h"

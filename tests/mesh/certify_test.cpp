@@ -1,5 +1,5 @@
 // What a tolerance costs where short moves end at the stock's sides, and that bounds hold there.
-#include "mesh/surface/certify.h"
+#include "mesh/simplify/certify.h"
 
 #include "core/units.h"
 #include "core/vec.h"

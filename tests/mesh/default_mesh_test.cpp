@@ -2,9 +2,9 @@
 // voxels, and the grid that takes the place of a tolerance.
 #include "core/error.h"
 #include "core/units.h"
+#include "mesh/cells/survey.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
-#include "mesh/surface/survey.h"
 #include "removal/part/part_field.h"
 #include "support/field_distance.h"
 #include "support/moves.h"

@@ -1,5 +1,5 @@
 // Squares of cells cover a region as a quadtree does.
-#include "mesh/surface/flat_squares.h"
+#include "mesh/cells/flat_squares.h"
 
 #include <algorithm>
 #include <random>

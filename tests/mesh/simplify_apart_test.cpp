@@ -1,5 +1,5 @@
 // Simplification that makes a mesh meet itself: what stays of it.
-#include "mesh/surface/simplify_apart.h"
+#include "mesh/simplify/simplify_apart.h"
 
 #include "core/vec.h"
 

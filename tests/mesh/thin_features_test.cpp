@@ -1,10 +1,10 @@
 // Walls and gaps below the voxel: a mesh with a tolerance holds them, or the report names them.
-#include "mesh/surface/thin_features.h"
+#include "mesh/cells/thin_features.h"
 
 #include "core/triangle_tree.h"
 #include "core/vec.h"
+#include "mesh/cells/octree.h"
 #include "mesh/mesh_part.h"
-#include "mesh/surface/octree.h"
 #include "support/analytic_field.h"
 #include "support/rounds.h"
 

@@ -1,5 +1,5 @@
 // What a tile makes of a cell depends on the cell's place alone, so that tiles fit each other.
-#include "mesh/surface/tile.h"
+#include "mesh/cells/tile.h"
 
 #include "core/vec.h"
 #include "mesh/solid/check.h"

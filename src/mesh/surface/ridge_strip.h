@@ -3,7 +3,7 @@
 // Vertices).
 #pragma once
 
-#include "mesh/surface/surface_search.h"
+#include "mesh/points/surface_search.h"
 
 #include <array>
 #include <cstdint>

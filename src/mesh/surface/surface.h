@@ -2,12 +2,12 @@
 // and from them triangles that can not intersect (docs/mesh.md, Surface).
 #pragma once
 
-#include "mesh/surface/cell_lists.h"
-#include "mesh/surface/flat_map.h"
-#include "mesh/surface/octree.h"
+#include "mesh/cells/cell_lists.h"
+#include "mesh/cells/flat_map.h"
+#include "mesh/cells/octree.h"
+#include "mesh/cells/tile.h"
+#include "mesh/points/vertex.h"
 #include "mesh/surface/ridge_strip.h"
-#include "mesh/surface/tile.h"
-#include "mesh/surface/vertex.h"
 
 #include <array>
 #include <optional>

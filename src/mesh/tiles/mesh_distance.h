@@ -6,7 +6,7 @@
 // with d at its middle. Not guaranteed: parts of the surface that no triangle lies near.
 #pragma once
 
-#include "mesh/surface/cells.h"
+#include "mesh/cells/cells.h"
 #include "removal/field/field.h"
 
 #include <array>

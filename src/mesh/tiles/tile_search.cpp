@@ -1,8 +1,8 @@
 #include "mesh/tiles/tile_search.h"
 
 #include "core/parallel.h"
-#include "mesh/surface/cells.h"
-#include "mesh/surface/tile.h"
+#include "mesh/cells/cells.h"
+#include "mesh/cells/tile.h"
 
 #include <algorithm>
 

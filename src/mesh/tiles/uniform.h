@@ -2,9 +2,9 @@
 // (docs/mesh.md, Tiles).
 #pragma once
 
+#include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_block.h"
 #include "mesh/solid/mesh_plan.h"
-#include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
 
 namespace mrsim::detail {

@@ -1,7 +1,7 @@
 #include "mesh/turned/turned_chords.h"
 
 #include "core/vec.h"
-#include "mesh/surface/surface_search.h"
+#include "mesh/points/surface_search.h"
 
 #include <algorithm>
 #include <cmath>

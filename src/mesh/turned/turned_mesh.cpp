@@ -3,12 +3,12 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
+#include "mesh/cells/mesh_memory.h"
+#include "mesh/cells/step_timer.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/exact_predicates.h"
 #include "mesh/solid/self_intersection.h"
 #include "mesh/solid/vertex_lattice.h"
-#include "mesh/surface/mesh_memory.h"
-#include "mesh/surface/step_timer.h"
 #include "mesh/turned/turned_chords.h"
 
 #include <algorithm>

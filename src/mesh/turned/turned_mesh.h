@@ -1,8 +1,8 @@
 // The mesh of a part that is the same at every angle about the Z axis: its outline, turned.
 #pragma once
 
+#include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_plan.h"
-#include "mesh/surface/mesh_report.h"
 #include "removal/field/field.h"
 
 #include <optional>

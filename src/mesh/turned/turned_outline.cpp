@@ -2,7 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/vec.h"
-#include "mesh/surface/cells.h"
+#include "mesh/cells/cells.h"
 #include "mesh/turned/turned_strands.h"
 
 #include <algorithm>

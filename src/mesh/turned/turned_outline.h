@@ -2,7 +2,7 @@
 // exact points and what the part does between them (docs/mesh.md, Turned parts).
 #pragma once
 
-#include "mesh/surface/thin_features.h"
+#include "mesh/cells/thin_features.h"
 #include "removal/field/field.h"
 
 #include <cstddef>

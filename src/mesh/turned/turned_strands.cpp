@@ -1,8 +1,8 @@
 #include "mesh/turned/turned_strands.h"
 
 #include "core/vec.h"
-#include "mesh/surface/surface_search.h"
-#include "mesh/surface/vertex.h"
+#include "mesh/points/surface_search.h"
+#include "mesh/points/vertex.h"
 
 #include <cmath>
 

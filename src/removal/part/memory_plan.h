@@ -1,6 +1,6 @@
 // How much memory a run takes, told before it, and whether it is done in one piece or in slabs.
 // What a mesh with a tolerance takes besides is told by its first cells
-// (mesh/surface/mesh_memory.h).
+// (mesh/cells/mesh_memory.h).
 #pragma once
 
 #include "removal/part/carve_plan.h"

@@ -1,0 +1,111 @@
+#include "mesh/cells/mesh_memory.h"
+
+#include "core/error.h"
+#include "core/memory_limit.h"
+#include "core/parallel.h"
+#include "mesh/cells/cell_scan.h"
+#include "mesh/cells/octree.h"
+#include "mesh/points/surface_search.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr std::size_t kMostCells = 4096;  ///< cells from which the memory is estimated
+
+// Bytes, as measured, for a cell that the surface passes: crossings, loops, vertices, triangles,
+// and what is kept of them for the next round. A cell takes more where three faces meet in it; much
+// more where these bend by more than the tolerance, since it will be split; and more where the
+// distance from a face is sampled, since cells are then split along its bends.
+constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 2000;
+constexpr double kCandidate = 6;
+
+// Of all that is expected, for each node that there is in the end, as measured.
+constexpr double kNodeOfAll = 1500;
+
+// How far the surface leaves a plane in a cell of `size` mm, if it turns evenly between the points.
+double sagitta(const CellSurface& surface, double size) {
+  double turn = 0;
+  for (const CellSurface::Point& p : surface.all())
+    for (const CellSurface::Point& q : surface.all())
+      turn = std::max(turn, distance(p.normal, q.normal));
+  return turn * size / 4;
+}
+
+double expected_of(const ExactField& field, const CellOctree& tree, std::int32_t cell,
+                   double tolerance) {
+  const OctreeNode& node = tree.node(cell);
+  double corners[8];
+  for (int k = 0; k < 8; ++k) corners[k] = tree.sample(node.corners[k]).distance;
+  const Box3 box = tree.box(cell);
+  const CellSurface surface = surface_of(field, tree.candidates(cell), box, corners);
+  std::size_t faces = 0;
+  for (std::size_t k = 0; k < surface.count; ++k)
+    faces += std::none_of(surface.points, surface.points + k, [&](const CellSurface::Point& p) {
+      return same_face(p.at, surface.points[k].at);
+    });
+  double bytes = kCell;
+  if (faces > 2)
+    bytes += kThirdFace + (sagitta(surface, box.hi.x - box.lo.x) > tolerance ? kTurningFaces : 0);
+  if (surface.count > 2) {
+    const Corners3 triangle{surface.points[0].position, surface.points[1].position,
+                            surface.points[2].position};
+    if (field.patch_range(triangle, surface.points[0].at).hi == FaceRange{}.hi)
+      bytes += kSampledFace;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
+                       int threads) {
+  std::vector<std::int32_t> cells;
+  std::size_t candidates = 0;
+  for (std::size_t n = 0; n < tree.size(); ++n) {
+    const auto cell = static_cast<std::int32_t>(n);
+    candidates += tree.candidates(cell).size();
+    if (tree.node(cell).child < 0 && tree.node(cell).signs_differ) cells.push_back(cell);
+  }
+  const std::size_t some = std::min(cells.size(), kMostCells);
+  std::vector<double> bytes(some);
+  parallel_for(
+      some, threads,
+      [&](std::size_t k) {
+        bytes[k] = expected_of(field, tree, cells[k * cells.size() / some], tolerance);
+      },
+      64);
+  double sum = 0;
+  for (const double b : bytes) sum += b;
+  return kNodeMemory * static_cast<double>(tree.size()) +
+         kCandidate * static_cast<double>(candidates) +
+         sum * static_cast<double>(cells.size()) /
+             static_cast<double>(std::max<std::size_t>(some, 1));
+}
+
+void require_memory(double needed, std::size_t available, double tolerance) {
+  if (available == 0 || needed <= static_cast<double>(available)) return;
+  throw Error("memory",
+              fmt::format("the mesh within a tolerance of {:.6g} mm needs about {:.3g} GB or more, "
+                          "{:.3g} GB are available for it; a larger --tolerance takes less, and "
+                          "with --voxel and no --tolerance the run is done in slabs",
+                          tolerance, needed / 1e9, static_cast<double>(available) / 1e9));
+}
+
+double expected_nodes(double memory) { return memory / kNodeOfAll; }
+
+void require_cells(double nodes, std::size_t most) {
+  if (most > 0 && nodes > static_cast<double>(most))
+    throw Error("mesh-unresolved", fmt::format("it takes more than {} 000 cells", most / 1000));
+}
+
+void require_room(double bytes) {
+  mrsim::require_memory(bytes, "a mesh within a tolerance",
+                        "a larger --tolerance takes less, and with --voxel and no --tolerance the "
+                        "run is done in slabs");
+}
+
+}  // namespace mrsim::detail

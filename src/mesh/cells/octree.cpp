@@ -1,0 +1,375 @@
+#include "mesh/cells/octree.h"
+
+#include "core/parallel.h"
+#include "mesh/cells/doubtful_edges.h"
+#include "mesh/cells/mesh_memory.h"
+#include "mesh/cells/octree_edges.h"
+#include "mesh/points/vertex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr int kLargestCell = 64;  ///< voxels
+constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
+constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
+
+}  // namespace
+
+CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, double tolerance,
+                       int threads, const OctreeLimits& limits)
+    : SurfaceCells(lattice),
+      field_(field),
+      tolerance_(tolerance),
+      threads_(threads),
+      limits_(limits) {
+  part_.size = static_cast<std::int32_t>(lattice.size());
+  part_.complete[1] = part_.owned[1] = part_.size;
+  OctreeNode root;
+  root.size = part_.size;
+  nodes_.push_back(root);
+  lists_.push_back(field.all());
+  refine({0});
+}
+
+CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, const OctreePart& part)
+    : SurfaceCells(lattice), field_(field), part_(part), tolerance_(0), threads_(1) {
+  OctreeNode root;
+  root.origin = part.origin;
+  root.size = part.size;
+  nodes_.push_back(root);
+  lists_.emplace_back(part.candidates.begin(), part.candidates.end());
+  refine({0});
+}
+
+std::span<const std::uint32_t> CellOctree::candidates(std::int32_t n) const {
+  return lists_[static_cast<std::size_t>(n)];
+}
+
+Box3 CellOctree::box(std::int32_t n) const {
+  const OctreeNode& a = node(n);
+  return {lattice().position(a.origin),
+          lattice().position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
+}
+
+std::int32_t CellOctree::locate(const Vec3& p, std::int32_t near) const {
+  const LatticePoint at = lattice().floor(p);
+  const auto holds = [&](const OctreeNode& a) {
+    return at.x >= a.origin.x && at.y >= a.origin.y && at.z >= a.origin.z &&
+           at.x < a.origin.x + a.size && at.y < a.origin.y + a.size && at.z < a.origin.z + a.size;
+  };
+  std::int32_t n = near;
+  while (n > 0 && !holds(node(n))) n = node(n).parent;
+  while (node(n).child >= 0) {
+    const OctreeNode& a = node(n);
+    const std::int32_t half = a.size / 2;
+    n = a.child + (at.x >= a.origin.x + half) + 2 * (at.y >= a.origin.y + half) +
+        4 * (at.z >= a.origin.z + half);
+  }
+  return n;
+}
+
+void CellOctree::add_children(std::int32_t n, std::vector<std::int32_t>& out) {
+  const OctreeNode parent = node(n);
+  nodes_[static_cast<std::size_t>(n)].child = static_cast<std::int32_t>(nodes_.size());
+  const std::int32_t half = parent.size / 2;
+  for (int k = 0; k < 8; ++k) {
+    OctreeNode c;
+    c.parent = n;
+    c.size = half;
+    c.origin = {parent.origin.x + (k & 1 ? half : 0), parent.origin.y + (k & 2 ? half : 0),
+                parent.origin.z + (k & 4 ? half : 0)};
+    out.push_back(static_cast<std::int32_t>(nodes_.size()));
+    nodes_.push_back(c);
+    lists_.emplace_back();
+  }
+}
+
+std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  require_room(8 * (kSplitMemory + kSurfaceMemory) * static_cast<double>(leaves.size()));
+  std::vector<std::int32_t> pending;
+  std::size_t count = 0;
+  for (const std::int32_t n : leaves)
+    if (node(n).child < 0 && can_split(n)) {
+      add_children(n, pending);
+      ++count;
+    }
+  refine(std::move(pending));
+  return count;
+}
+
+void CellOctree::refine(std::vector<std::int32_t> pending) {
+  new_leaves_.clear();
+  while (!pending.empty()) {
+    require_memory(kNodeMemory * static_cast<double>(size()), limits_.memory, tolerance_);
+    require_cells(static_cast<double>(size()), limits_.nodes);
+    find_regions(pending);
+    std::vector<std::int32_t> mixed, next;
+    for (const std::int32_t n : pending)
+      if (node(n).region == ExactField::Region::mixed) mixed.push_back(n);
+    sample_corners(mixed);
+    std::vector<char> split(mixed.size());
+    parallel_for(
+        mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 8);
+    for (std::size_t k = 0; k < mixed.size(); ++k)
+      if (split[k])
+        add_children(mixed[k], next);
+      else
+        new_leaves_.push_back(mixed[k]);
+    pending = std::move(next);
+  }
+}
+
+// Null where the cell has none.
+const Candidates* CellOctree::common_list(std::int32_t n) const {
+  const OctreeNode& a = node(n);
+  if (part_.common == nullptr || a.region != ExactField::Region::mixed ||
+      a.size > lattice().per_voxel())
+    return nullptr;
+  return part_.common->at(a.origin);
+}
+
+void CellOctree::find_regions(const std::vector<std::int32_t>& pending) {
+  parallel_for(
+      pending.size(), threads_,
+      [&](std::size_t k) {
+        const auto n = static_cast<std::size_t>(pending[k]);
+        OctreeNode& a = nodes_[n];
+        const Box3 b = box(pending[k]);
+        const Candidates whole = a.parent < 0 ? std::move(lists_[n]) : Candidates{};
+        const std::span<const std::uint32_t> in =
+            a.parent < 0 ? std::span<const std::uint32_t>(whole) : candidates(a.parent);
+        a.region = field_.restrict_to(reach_of(b, b.hi.x - b.lo.x), kSurfaceBand, in, lists_[n]);
+        if (const Candidates* common = common_list(pending[k])) lists_[n] = *common;
+      },
+      64);
+  // Lists are narrowed once.
+  for (const std::int32_t n : pending)
+    if (const std::int32_t parent = node(n).parent; parent >= 0)
+      Candidates().swap(lists_[static_cast<std::size_t>(parent)]);
+}
+
+void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
+  const std::size_t first = samples_.size();
+  std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
+  const std::int32_t largest = kLargestCell * lattice().per_voxel();
+  for (const std::int32_t n : pending) {
+    OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+    if (a.size > largest || (!(tolerance_ > 0) && a.size > lattice().per_voxel())) continue;
+    for (int k = 0; k < 8; ++k) {
+      const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
+                           a.origin.z + (k & 4 ? a.size : 0)};
+      const auto [id, is_new] =
+          sample_of_.insert(key(p), static_cast<std::int32_t>(first + wanted.size()));
+      if (is_new) wanted.emplace_back(p, n);
+      a.corners[k] = id;
+    }
+  }
+  samples_.resize(first + wanted.size());
+  parallel_for(
+      wanted.size(), threads_,
+      [&](std::size_t k) {
+        samples_[first + k] =
+            field_.sample(lattice().position(wanted[k].first), candidates(wanted[k].second));
+      },
+      256);
+  for (const std::int32_t n : pending) {
+    OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+    if (a.corners[0] < 0) continue;
+    for (int k = 1; k < 8; ++k)
+      a.signs_differ = a.signs_differ || is_inside(sample(a.corners[k]).distance) !=
+                                             is_inside(sample(a.corners[0]).distance);
+  }
+}
+
+// A cell above a voxel stays whole only where it is known not to hide anything: all that can decide
+// d in it shows itself at its corners, its centre or on its edges, or what does not is shallow at
+// every point of the voxel lattice.
+bool CellOctree::must_split(std::int32_t n) {
+  OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+  const bool above_voxel = a.size > lattice().per_voxel();
+  if (!(tolerance_ > 0) || a.corners[0] < 0) return above_voxel;
+  const Box3 b = box(n);
+  const std::span<const std::uint32_t> list = candidates(n);
+  double corners[8];
+  for (int k = 0; k < 8; ++k) corners[k] = sample(a.corners[k]).distance;
+  CellSurface surface;
+  if (a.signs_differ) surface = surface_of(field_, list, b, corners);
+  const Bend bend = bend_of(field_, list, surface, b.hi.x - b.lo.x, tolerance_);
+  if (bend == Bend::face && can_split(n)) return true;
+
+  static thread_local Candidates seen;
+  const Sight sight = look_at(n, b, surface, seen);
+  a.plain = sight.one_face && sight.is_alone;
+  if (!above_voxel || (sight.one_face && sight.owners_seen && sight.stock_seen)) return false;
+  const bool large = a.size > kMixedCell * lattice().per_voxel();
+  if (bend == Bend::crease && large) return true;
+  const CellView view{a.origin,
+                      a.size / lattice().per_voxel(),
+                      is_inside(corners[0]),
+                      surface,
+                      list,
+                      seen,
+                      sight.owners_seen,
+                      sight.stock_seen};
+  if (!a.signs_differ) return hides_surface(field_, lattice(), view, kShallow * tolerance_);
+  return shows_more(field_, lattice(), view,
+                    {tolerance_, kShallow * tolerance_,
+                     large ? tolerance_ : std::numeric_limits<double>::infinity()});
+}
+
+// What decides d at the corners, at the centre and on the edges, as candidates by name.
+CellOctree::Sight CellOctree::look_at(std::int32_t n, const Box3& b, const CellSurface& surface,
+                                      Candidates& seen) {
+  static thread_local Candidates names;
+  OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
+  const Vec3 center = 0.5 * (b.lo + b.hi);
+  const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
+  a.face = field_.sample(center, candidates(n));
+  const bool near_stock = std::abs(field_.sample(center, {}).distance) <= radius + kSurfaceBand;
+  Sight sight;
+  sight.one_face = true;
+  sight.stock_seen = !near_stock;
+  seen.clear();
+  const auto add = [&](const FieldSample& s) {
+    sight.one_face = sight.one_face && same_face(s, a.face);
+    if (s.owner == kStockOwner)
+      sight.stock_seen = true;
+    else
+      seen.push_back(field_.candidate(s.owner));
+  };
+  add(a.face);
+  for (const std::int32_t corner : a.corners) add(sample(corner));
+  for (const CellSurface::Point& p : surface.all()) add(p.at);
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  const bool known = field_.expand_packs(inflated(b, kQuantum), kSurfaceBand, candidates(n), names);
+  sight.owners_seen = known && std::includes(seen.begin(), seen.end(), names.begin(), names.end());
+  sight.is_alone = sight.owners_seen && names.size() + near_stock <= 1;
+  return sight;
+}
+
+bool CellOctree::is_complete(std::int32_t cell) const {
+  return is_whole() || in_range(node(cell).origin, part_.complete);
+}
+
+bool CellOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t i = component(p, a) - component(part_.origin, a);
+    if (i < range[0] || i >= range[1]) return false;
+  }
+  return true;
+}
+
+std::vector<MinimalEdge> CellOctree::crossing_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, nullptr, nullptr, out).cell(0);
+  if (is_whole()) return out;
+  std::sort(out.begin(), out.end(), [](const MinimalEdge& a, const MinimalEdge& b) {
+    return std::tie(a.start.x, a.start.y, a.start.z, a.axis) <
+           std::tie(b.start.x, b.start.y, b.start.z, b.axis);
+  });
+  return out;
+}
+
+std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) const {
+  FlatMap ids(3 * edges.size());  // by the smaller of the two cells and its side
+  std::vector<CellFace> out;
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int place = 0; place < 4; ++place) {
+      CellFace face = face_of(edges[k], place);
+      if (face.low == face.high) continue;
+      const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
+      const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
+                                static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
+      const auto [index, is_new] = ids.insert(key, static_cast<std::int32_t>(out.size()));
+      if (is_new) {
+        face.low_complete = is_complete(face.low);
+        face.high_complete = is_complete(face.high);
+        out.push_back(face);
+      }
+      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), place);
+    }
+  if (is_whole()) return out;
+  const auto plane = [&](const CellFace& face) {
+    const int axis = face.axis;
+    return component(node(face.high).origin, axis);
+  };
+  std::stable_sort(out.begin(), out.end(), [&](const CellFace& a, const CellFace& b) {
+    return a.axis != b.axis ? a.axis < b.axis : plane(a) < plane(b);
+  });
+  return out;
+}
+
+std::pair<double, double> CellOctree::offsets(const MinimalEdge& e) const {
+  constexpr double kWhenAsked = std::numeric_limits<double>::quiet_NaN();
+  if (common_list(e.smallest_cell()) != nullptr) return {kWhenAsked, kWhenAsked};
+  return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
+}
+
+EdgeEnds CellOctree::ends(const MinimalEdge& e) const {
+  return {lattice().position(e.start),
+          lattice().coordinate(e.axis, component(e.start, e.axis) + e.length)};
+}
+
+std::vector<MinimalEdge> CellOctree::doubtful_edges() const {
+  std::vector<MinimalEdge> out;
+  EdgeWalk walk(*this, nullptr, nullptr, out);
+  walk.doubtful();
+  walk.cell(0);
+  add_doubtful_inside(out);
+  return out;
+}
+
+// In cells above a voxel in which more than one owner can decide d.
+void CellOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
+  const std::int32_t voxel = lattice().per_voxel();
+  std::vector<std::int32_t> large;
+  for (std::size_t n = 0; n < size(); ++n)
+    if (const OctreeNode& a = nodes_[n];
+        a.child < 0 && a.region == ExactField::Region::mixed && a.size > voxel && !a.plain)
+      large.push_back(static_cast<std::int32_t>(n));
+  std::vector<std::vector<VoxelEdge>> inside(large.size());
+  parallel_for(
+      large.size(), threads_,
+      [&](std::size_t k) {
+        const OctreeNode& a = node(large[k]);
+        inside[k] = doubtful_inside(field_, lattice(), candidates(large[k]), a.origin,
+                                    a.size / voxel, !a.signs_differ);
+      },
+      16);
+  for (std::size_t k = 0; k < large.size(); ++k)
+    for (const VoxelEdge& edge : inside[k]) {
+      MinimalEdge& e = out.emplace_back();
+      std::fill_n(e.cells, 4, large[k]);
+      e.start = edge.start;
+      e.axis = edge.axis;
+      e.length = voxel;
+    }
+}
+
+std::vector<MinimalEdge> CellOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
+                                                         std::vector<char>& nearby) const {
+  std::vector<char> marked(size(), 0);
+  const auto mark = [&](std::int32_t n) {
+    for (; n >= 0 && !marked[static_cast<std::size_t>(n)]; n = node(n).parent)
+      marked[static_cast<std::size_t>(n)] = 1;
+  };
+  for (const std::int32_t n : leaves) mark(n);
+  nearby.assign(size(), 0);
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, &marked, &nearby, out).cell(0);
+  for (std::size_t n = 0; n < nearby.size(); ++n)
+    if (nearby[n]) mark(static_cast<std::int32_t>(n));
+  out.clear();
+  EdgeWalk(*this, &marked, nullptr, out).cell(0);
+  return out;
+}
+
+}  // namespace mrsim::detail

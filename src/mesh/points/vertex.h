@@ -1,0 +1,70 @@
+// Places vertices on the exact surface: on edges of the grid, in its faces, in its cells; on
+// creases and corners where faces of the part meet (docs/mesh.md, Vertices).
+#pragma once
+
+#include "mesh/points/surface_search.h"
+
+#include <span>
+
+namespace mrsim::detail {
+
+/// A point of the surface and the unit normal of the part's face there.
+struct SurfaceElement {
+  Vec3 position, normal;
+};
+/// True where the surface between the two points leaves their chord so little that a cell of `size`
+/// mm may cut off a crease between them. A sufficient test, for any faces.
+bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceElement& b,
+                    double size);
+
+/// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut
+/// off their crease: none is looked for.
+bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
+                   double size);
+
+/// Newton's iteration from p to the common zero of up to three faces of the part, within the plane
+/// where coordinate `plane_axis` is kept (-1: none). False where it does not settle near `room`.
+/// `planes`: of the faces at p, if they are known.
+bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
+                 const Box3& room, Vec3& p, const FacePlane* planes = nullptr);
+
+/// A point on the surface strictly inside the rectangle `room`, flat on `axis`: on the crease of a
+/// and b, or smooth where b is null. count = 0 where there is none.
+SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
+                           const FieldSample& a, const FieldSample* b);
+
+/// Where a crease passes the rectangle between two points of the surface on its border, which lie
+/// on faces a and b of the part.
+SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
+                            const FieldSample& a, const Vec3& to, const FieldSample& b);
+
+/// A point of the surface between the middle of `room` and one of the points, of which the two
+/// nearest in order lie on different sides. Requires: points on the border of the room.
+SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
+                                  std::span<const Vec3> points);
+
+/// What a cell's vertex is placed by: crossings of the grid's edges, and points where creases enter
+/// the cell through its faces.
+struct CellHints {
+  std::span<const Vec3> crossings;
+  std::span<const FieldSample> faces;  ///< of the crossings
+  std::span<const Vec3> creases;       ///< may be empty
+};
+
+/// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.
+SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints& hints);
+
+/// The crease of two of the faces nearest to `start`, in or near the room but not necessarily
+/// inside: the tip of a ridge that passes between the edges of the grid. `axis` as in
+/// point_in_face, -1: free.
+SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
+                         std::span<const FieldSample> faces);
+
+/// The same of a corner of three of the faces, in no plane.
+SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
+                         std::span<const FieldSample> faces);
+
+/// p rounded, in the interior of the rectangle, which is flat on `axis`.
+Vec3 snap_inside(const Vec3& p, const Box3& room, int axis);
+
+}  // namespace mrsim::detail

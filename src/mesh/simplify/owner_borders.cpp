@@ -1,0 +1,327 @@
+#include "mesh/simplify/owner_borders.h"
+
+#include "core/parallel.h"
+#include "mesh/simplify/cut_mesh.h"
+#include "mesh/solid/self_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr double kEndShare = 1e-3;     ///< of an edge: where the owner at its end is asked
+constexpr double kInward = 1e-4;       ///< mm: where the owner beside an edge is asked
+constexpr int kEdgeSamples = 4;        ///< parts of an edge at whose ends it is asked
+constexpr int kRounds = 4;             ///< of cutting edges, then at chords
+constexpr int kHalvings = 24;          ///< of a part, to its border
+constexpr double kSameNormal = 0.999;  ///< cosine: two triangles of one plane, as far as labels go
+
+class BorderCutter {
+ public:
+  BorderCutter(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
+               double tolerance, int threads)
+      : field_(field), tree_(tree), tolerance_(tolerance), threads_(threads), cut_(mesh, threads) {
+    for (std::size_t k = 0; k < mesh.faces.size(); ++k)
+      ids_.insert(face_key(mesh.faces[k]), static_cast<std::int32_t>(k));
+  }
+
+  LabelledMesh run(const LabelledMesh& before) {
+    find_plane_triangles();
+    for (int round = 0; round < kRounds && !edges_.empty(); ++round) {
+      std::vector<std::uint32_t> seen;
+      while (!edges_.empty()) {
+        seen.push_back(edges_.front());
+        cut_crossed_edges(take(edges_));
+      }
+      std::sort(seen.begin(), seen.end());
+      seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+      for (const std::uint32_t t : seen) relabel(t);
+      chords_.assign(seen.begin(), seen.end());
+      while (!chords_.empty()) cut_deep_chords(take(chords_));
+    }
+    if (crosses_itself()) return before;
+    return std::move(cut_.mesh);
+  }
+
+ private:
+  enum class Plane : std::uint8_t { no, yes, cut };  ///< `cut`: more than one owner was seen in it
+
+  static std::uint32_t take(std::deque<std::uint32_t>& queue) {
+    const std::uint32_t first = queue.front();
+    queue.pop_front();
+    return first;
+  }
+
+  // Whose face it is at a point of the surface; nothing where that is elsewhere.
+  std::optional<FieldSample> face_at(const Vec3& p, std::int32_t& cell) const {
+    cell = tree_.locate(p, cell);
+    const FieldSample s = field_.sample(p, tree_.candidates(cell));
+    if (std::abs(s.distance) > surface_band(p)) return {};
+    return s;
+  }
+  // mm: what rounding may take a point of a plane off it.
+  static double surface_band(const Vec3& p) {
+    return kSurfaceBand + coordinate_step(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+  }
+
+  // Triangles that lie on a plane of the part, as far as seven points tell; those that more than
+  // one owner shares are queued, those of one other owner get its label.
+  void find_plane_triangles() {
+    const std::size_t count = cut_.mesh.triangles.size();
+    plane_.assign(count, Plane::no);
+    std::vector<std::optional<FieldSample>> others(count);
+    parallel_for(
+        count, threads_, [&](std::size_t t) { look_at(static_cast<std::uint32_t>(t), others[t]); },
+        64);
+    for (std::uint32_t t = 0; t < count; ++t) {
+      if (others[t]) cut_.mesh.labels[t] = label_of(*others[t]);
+      if (plane_[t] == Plane::cut) edges_.push_back(t);
+    }
+  }
+
+  void look_at(std::uint32_t t, std::optional<FieldSample>& other) {
+    const FieldSample& own = cut_.mesh.faces[cut_.mesh.labels[t]];
+    const CutMesh::Corners& x = cut_.mesh.triangles[t];
+    const Vec3 m = cut_.middle(t);
+    if (cut_.height(t) < 4 * kInward || !is_on_face(m, own) || !is_shared(x)) return;
+    std::int32_t cell = tree_.locate(m);
+    const std::optional<FieldSample> first = face_at(m, cell);
+    if (!first) return;
+    bool differs = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = cut_.place(x[k]), &b = cut_.place(x[(k + 1) % 3]);
+      for (const Vec3& p : {lerp(a, m, 2 * kEndShare), lerp(0.5 * (a + b), m, 2 * kEndShare)}) {
+        if (!is_on_face(p, own)) return;
+        const std::optional<FieldSample> s = face_at(p, cell);
+        differs = differs || (s && s->owner != first->owner);
+      }
+    }
+    plane_[t] = differs ? Plane::cut : Plane::yes;
+    if (!differs && first->owner != own.owner) other = first;
+  }
+  bool is_on_face(const Vec3& p, const FieldSample& face) const {
+    return std::abs(field_.patch_distance(p, face)) <= surface_band(p);
+  }
+
+  // More than one sweep can decide d in the cell of a corner.
+  bool is_shared(const CutMesh::Corners& x) const {
+    std::int32_t cell = 0;
+    return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
+      cell = tree_.locate(cut_.place(v), cell);
+      return tree_.candidates(cell).size() > 1;
+    });
+  }
+
+  std::uint32_t label_of(const FieldSample& face) {
+    LabelledMesh& mesh = cut_.mesh;
+    const auto [id, is_new] =
+        ids_.insert(face_key(face), static_cast<std::int32_t>(mesh.faces.size()));
+    if (is_new) mesh.faces.push_back(face);
+    return static_cast<std::uint32_t>(id);
+  }
+  void relabel(std::uint32_t t) {
+    std::int32_t cell = 0;
+    if (const auto face = face_at(cut_.middle(t), cell)) cut_.mesh.labels[t] = label_of(*face);
+  }
+
+  bool in_one_plane(std::uint32_t h) const {
+    const std::uint32_t o = cut_.opposite(h);
+    if (!is_half_edge(o) || plane_[o / 3] == Plane::no) return false;
+    const Vec3 a = cut_.normal(h / 3), b = cut_.normal(o / 3);
+    return dot(a, b) > kSameNormal * length(a) * length(b);
+  }
+  // Unit vector in the triangle's plane, from the edge to its apex.
+  Vec3 inward(std::uint32_t h) const {
+    const Vec3 &a = cut_.place(cut_.from(h)), &b = cut_.place(cut_.to(h)),
+               &c = cut_.place(cut_.apex(h));
+    const Vec3 u = b - a;
+    return normalized(c - a - (dot(c - a, u) / dot(u, u)) * u);
+  }
+
+  void cut_crossed_edges(std::uint32_t t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + k, u = cut_.from(h), v = cut_.to(h);
+      if (!asked_.insert(static_cast<std::uint64_t>(u) << 32 | v, 0).second) continue;
+      const std::optional<Vec3> at = border_on(h);
+      if (!at) continue;
+      const std::uint32_t o = cut_.opposite(h);
+      if (!cut_.cut_edge(h, snap(*at))) continue;
+      for (const std::uint32_t old : {t, o / 3}) plane_.push_back(plane_[old]);
+      const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
+      for (const std::uint32_t part : with_flips({t, o / 3, last - 1, last})) {
+        plane_[part] = Plane::cut;
+        edges_.push_back(part);
+      }
+      return;
+    }
+  }
+
+  // Flips the edges of the triangles that a cut has left, and those of what changes by that: long
+  // triangles would cross many borders each, and be cut at all of them. All triangles of a plane
+  // among these, once each.
+  std::vector<std::uint32_t> with_flips(std::vector<std::uint32_t> parts) {
+    std::erase_if(parts, [&](std::uint32_t t) { return plane_[t] == Plane::no; });
+    std::vector<std::uint32_t> open = parts;
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        if (!in_one_plane(h)) continue;
+        const std::uint32_t other = cut_.opposite(h) / 3;
+        if (!cut_.flip_edge(h)) continue;
+        for (std::vector<std::uint32_t>* list : {&open, &parts}) {
+          list->push_back(t);
+          list->push_back(other);
+        }
+        break;
+      }
+    }
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
+  }
+
+  // Where the owner on the triangle's side of an edge changes for the first time, well off the
+  // ends.
+  std::optional<Vec3> border_on(std::uint32_t h) const {
+    const Vec3 &a = cut_.place(cut_.from(h)), &b = cut_.place(cut_.to(h));
+    const double end = std::max(kEndShare, tolerance_ / distance(a, b));  // that near, ends will do
+    if (end > 0.25) return {};
+    const double height = cut_.height(h / 3);
+    if (height < 4 * kInward) return {};
+    const Vec3 aside = kInward * inward(h);
+    std::int32_t cell = tree_.locate(a);
+    const auto owner = [&](double s) { return face_at(lerp(a, b, s) + aside, cell); };
+    double from = 0;
+    std::optional<FieldSample> first;
+    for (int k = 0; k <= kEdgeSamples; ++k) {
+      const double to = std::clamp(static_cast<double>(k) / kEdgeSamples, end, 1 - end);
+      const std::optional<FieldSample> last = owner(to);
+      if (first && last && first->owner != last->owner)
+        return change([&](double s) { return lerp(a, b, s) + aside; }, {from, first->owner},
+                      {to, last->owner}, cell, -aside);
+      if (last) {
+        first = last;
+        from = to;
+      }
+    }
+    return {};
+  }
+
+  struct Owned {
+    double at = 0;
+    std::int32_t owner = 0;
+  };
+
+  // The point between two of a line at which the owner changes from the first one's, moved by
+  // `shift`; nothing where that is off the surface.
+  template <class PlaceAt>
+  std::optional<Vec3> change(const PlaceAt& place, Owned from, Owned to, std::int32_t cell,
+                             const Vec3& shift) const {
+    const auto owner = [&](double s) { return face_at(place(s), cell); };
+    Owned first = from, last = to;
+    const bool is_seen = halve_between(place, first, last) &&
+                         is_owner(owner(first.at), from.owner) &&
+                         is_owner(owner(last.at), to.owner);
+    if (is_seen) from = first, to = last;
+    for (int i = 0; !is_seen && i < kHalvings; ++i) {  // a third owner lies between
+      const double middle = 0.5 * (from.at + to.at);
+      const std::optional<FieldSample> s = owner(middle);
+      if (!s) return {};
+      (s->owner == from.owner ? from : to).at = middle;
+    }
+    const Vec3 p = place(0.5 * (from.at + to.at)) + shift;
+    return face_at(p, cell) ? std::optional<Vec3>(p) : std::nullopt;
+  }
+  static bool is_owner(const std::optional<FieldSample>& face, std::int32_t owner) {
+    return face && face->owner == owner;
+  }
+
+  // Halves the way between the two with no other sweep asked. False where neither is on the surface
+  // at a point of it.
+  template <class PlaceAt>
+  bool halve_between(const PlaceAt& place, Owned& from, Owned& to) const {
+    std::uint32_t both[2];
+    std::size_t count = 0;
+    for (const std::int32_t owner : {from.owner, to.owner})
+      if (owner != kStockOwner) both[count++] = field_.candidate(owner);
+    std::sort(both, both + count);
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (from.at + to.at);
+      const Vec3 p = place(middle);
+      const FieldSample s = field_.sample(p, {both, count});
+      if (std::abs(s.distance) > surface_band(p)) return false;
+      (s.owner == from.owner ? from : to).at = middle;
+    }
+    return true;
+  }
+
+  // Chords of a border that bends leave strips of the one owner in triangles of the other one.
+  void cut_deep_chords(std::uint32_t t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + k;
+      if (!in_one_plane(h)) continue;
+      const std::uint32_t other = cut_.opposite(h) / 3;
+      if (owner_of(t) == owner_of(other)) continue;
+      const std::optional<Vec3> at = border_beside(h);
+      if (!at || !cut_.cut_triangle(t, snap(*at))) continue;
+      plane_.insert(plane_.end(), 2, Plane::cut);
+      const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
+      for (const std::uint32_t part : with_flips({t, last - 1, last})) {
+        plane_[part] = Plane::cut;
+        relabel(part);
+        chords_.push_back(part);
+        edges_.push_back(part);
+      }
+      return;
+    }
+  }
+  std::int32_t owner_of(std::uint32_t t) const {
+    return cut_.mesh.faces[cut_.mesh.labels[t]].owner;
+  }
+
+  // Between the edge's middle and the triangle's, where the border is farther off than the
+  // tolerance.
+  std::optional<Vec3> border_beside(std::uint32_t h) const {
+    const std::uint32_t t = h / 3;
+    const Vec3 m = 0.5 * (cut_.place(cut_.from(h)) + cut_.place(cut_.to(h))), c = cut_.middle(t);
+    const Vec3 aside = inward(h);
+    const double depth = dot(c - m, aside);
+    if (depth < 2 * tolerance_) return {};
+    std::int32_t cell = tree_.locate(m);
+    const auto place = [&](double s) { return lerp(m, c, s); };
+    const double begin = tolerance_ / depth;
+    const std::optional<FieldSample> near = face_at(place(begin), cell);
+    if (!near || near->owner == owner_of(t)) return {};
+    return change(place, {begin, near->owner}, {1, owner_of(t)}, cell, {});
+  }
+
+  bool crosses_itself() const {
+    const LabelledMesh& mesh = cut_.mesh;
+    if (std::none_of(cut_.moved.begin(), cut_.moved.end(), [](char c) { return c != 0; }))
+      return false;
+    return !self_intersections(mesh.vertices, mesh.triangles, threads_, cut_.moved).empty();
+  }
+
+  const ExactField& field_;
+  const CellOctree& tree_;
+  double tolerance_;
+  int threads_;
+  CutMesh cut_;
+  FlatMap ids_;                               ///< of faces, in the mesh
+  FlatMap asked_;                             ///< edges by their vertices, as a triangle has them
+  std::vector<Plane> plane_;                  ///< by triangle
+  std::deque<std::uint32_t> edges_, chords_;  ///< triangles to look at
+};
+
+}  // namespace
+
+LabelledMesh cut_owner_borders(const ExactField& field, const CellOctree& tree,
+                               const LabelledMesh& mesh, double tolerance, int threads) {
+  return BorderCutter(field, tree, mesh, tolerance, threads).run(mesh);
+}
+
+}  // namespace mrsim::detail

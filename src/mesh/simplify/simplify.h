@@ -1,0 +1,33 @@
+// Certified simplification: takes vertices out of the mesh while every triangle stays within the
+// tolerance of the face of the part it lies on, and every crease within the tolerance of the exact
+// one (docs/mesh.md, Simplification).
+#pragma once
+
+#include "mesh/cells/octree.h"
+#include "mesh/points/vertex.h"
+
+#include <array>
+#include <vector>
+
+namespace mrsim::detail {
+
+struct LabelledMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
+  std::vector<FieldSample> faces;
+};
+
+struct SimplifyLimits {
+  double tolerance = 0;  ///< mm
+  double lateral = 0;    ///< mm: how far a border between owners may move where no crease is
+  double straight = 0;   ///< mm: the same on plane faces, where its vertices lie on it
+};
+
+/// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;
+/// it may intersect itself where walls are thinner than the tolerance (the caller checks). Blocks
+/// of the mesh first, on `threads` threads, then what lies between them: the same for any number.
+LabelledMesh simplify(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
+                      const SimplifyLimits& limits, const std::vector<char>& locked, int threads);
+
+}  // namespace mrsim::detail

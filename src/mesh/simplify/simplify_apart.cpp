@@ -1,0 +1,71 @@
+#include "mesh/simplify/simplify_apart.h"
+
+#include "core/vec.h"
+#include "mesh/solid/self_intersection.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace mrsim::detail {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr double kGrowth = 3;  ///< of the margin, from round to round
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// The vertices of a mesh by x, to find those in a box.
+class SortedVertices {
+ public:
+  explicit SortedVertices(const std::vector<Vec3>& vertices)
+      : vertices_(vertices), order_(vertices.size()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return vertices[a].x < vertices[b].x; });
+  }
+  void mark(const Box3& box, std::vector<char>& marks) const {
+    auto at = std::lower_bound(order_.begin(), order_.end(), box.lo.x,
+                               [&](std::uint32_t v, double x) { return vertices_[v].x < x; });
+    for (; at != order_.end() && vertices_[*at].x <= box.hi.x; ++at) {
+      const Vec3& p = vertices_[*at];
+      if (p.y >= box.lo.y && p.y <= box.hi.y && p.z >= box.lo.z && p.z <= box.hi.z) marks[*at] = 1;
+    }
+  }
+
+ private:
+  const std::vector<Vec3>& vertices_;
+  std::vector<std::uint32_t> order_;
+};
+
+// Locks the vertices of the first mesh about the places where triangles of the small one meet.
+void lock_about(const LabelledMesh& small, const Pairs& pairs, double margin,
+                const SortedVertices& vertices, std::vector<char>& locked) {
+  for (const auto& [i, j] : pairs) {
+    Box3 a, b;
+    for (const std::uint32_t v : small.triangles[i]) extend(a, small.vertices[v]);
+    for (const std::uint32_t v : small.triangles[j]) extend(b, small.vertices[v]);
+    const Box3 common{max(a.lo, b.lo), min(a.hi, b.hi)};
+    vertices.mark(inflated(common, margin), locked);
+  }
+}
+
+}  // namespace
+
+ApartMesh simplify_apart(const LabelledMesh& mesh, double margin, int threads,
+                         const std::function<LabelledMesh(const std::vector<char>&)>& simplify) {
+  std::vector<char> locked(mesh.vertices.size(), 0);
+  const SortedVertices vertices(mesh.vertices);
+  for (int round = 0; round < kRounds; ++round, margin *= kGrowth) {
+    LabelledMesh small = simplify(locked);
+    const Pairs pairs = self_intersections(small.vertices, small.triangles, threads);
+    if (pairs.empty())
+      return {std::move(small),
+              static_cast<std::size_t>(std::count(locked.begin(), locked.end(), 1))};
+    lock_about(small, pairs, margin, vertices, locked);
+  }
+  return {mesh, mesh.vertices.size()};
+}
+
+}  // namespace mrsim::detail
