@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks what documents and comments say of the repository: files that they name exist, and ARCHITECTURE.md tells every room.
 
-Checked are links and names of sources in backquotes, and names of sources in comments of src and include. ARCHITECTURE.md besides: lines of at most 120 characters, each
-room of scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
+Checked are links and names of sources in backquotes, and names of sources in comments of src and include. Lines of prose have at most 120
+characters. ARCHITECTURE.md has each room of scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
 """
 
 import glob
@@ -50,10 +50,16 @@ def check_comments(path, text, known):
                 yield f"{path}: a comment names {name}, which does not exist"
 
 
-def check_architecture(text):
+def check_lines(path, text):
+    """Lines of prose; those of tables and of programs are as long as they are."""
+    fenced = False
     for number, line in enumerate(text.splitlines(), 1):
-        if len(line) > 120:
-            yield f"ARCHITECTURE.md:{number}: {len(line)} characters, at most 120 are wanted"
+        fenced ^= line.lstrip().startswith("```")
+        if len(line) > 120 and not fenced and not line.startswith(("|", "    ", "[")):
+            yield f"{path}:{number}: {len(line)} characters, at most 120 are wanted"
+
+
+def check_architecture(text):
     for room in ROOMS:
         if room and f"`{room}`" not in text and f"`src/{room}`" not in text:
             yield f"ARCHITECTURE.md: the room {room} is missing"
@@ -72,6 +78,7 @@ def main():
     paths = ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md"]
     paths += [os.path.relpath(path, ROOT) for path in sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))]
     faults = [fault for path in paths for fault in check_names(path, read(path), known)]
+    faults += [fault for path in paths + ["CHANGELOG.md"] for fault in check_lines(path, read(path))]
     for path in sorted(known):
         if path.startswith(("src/", "include/")) and path.endswith((".h", ".cpp", ".inl")):
             faults += check_comments(path, read(path), known)
