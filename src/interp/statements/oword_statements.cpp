@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostArguments = 30;
+constexpr std::size_t kMostSubArguments = 30;
 
 }  // namespace
 
@@ -232,8 +232,8 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
     if (at(p) != '[') return fail("statement", "[ or the end of the line is expected here", p, p);
     double value = 0;
     if (!evaluator_.number_operand(block_.line, p, value)) return report(evaluator_.fault());
-    if (out.size() == kMostArguments)
-      return fail("statement", fmt::format("more than {} arguments", kMostArguments), p, p);
+    if (out.size() == kMostSubArguments)
+      return fail("statement", fmt::format("more than {} arguments", kMostSubArguments), p, p);
     out.push_back(value);
   }
   reader_.set_position(p);

@@ -1,7 +1,6 @@
-// Loops of a tile: the signs at a cell's corners tell all of them but for few cells, whose segments
-// are followed.
+#include "mesh/surface/tile_loops.h"
+
 #include "core/error.h"
-#include "mesh/surface/surface.h"
 
 #include <array>
 
@@ -77,10 +76,7 @@ std::uint64_t up_to(std::int32_t last) {
 
 }  // namespace
 
-void DualSurface::find_loops(const CellTile& tile) {
-  std::vector<MinimalEdge> edges;
-  tile.append_crossed(edges);
-  find_crossings(edges);
+void TileLoops::find(const CellTile& tile) {
   begin_loops();
   loop_crossings_.clear();
   faces_.clear();
@@ -99,7 +95,7 @@ void DualSurface::find_loops(const CellTile& tile) {
 }
 
 // Its vertex lies in the middle, on the plane of the face that its crossings are on.
-void DualSurface::add_square(const CellTile& tile, const TileSquare& square) {
+void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
   const auto id = static_cast<std::int32_t>(loops_.size());
   const CellSquare& s = square.cells;
   const LatticePoint middle = square.cell(s.row + s.size / 2, s.column + s.size / 2);
@@ -129,7 +125,7 @@ void DualSurface::add_square(const CellTile& tile, const TileSquare& square) {
 }
 
 // The loops of cells that have one; bits of the others.
-std::vector<std::uint64_t> DualSurface::add_plain_loops(const CellTile& tile) {
+std::vector<std::uint64_t> TileLoops::add_plain_loops(const CellTile& tile) {
   std::vector<std::uint64_t> crowded(kCells * kCells);
   for (std::int32_t x = 1; x < kCells - 1; ++x)
     for (std::int32_t y = 1; y < kCells - 1; ++y) {
@@ -154,8 +150,8 @@ std::vector<std::uint64_t> DualSurface::add_plain_loops(const CellTile& tile) {
 }
 
 // `edges`: bits by kCellEdges.
-void DualSurface::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
-                           std::uint32_t edges) {
+void TileLoops::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, std::int32_t z,
+                         std::uint32_t edges) {
   const auto id = static_cast<std::int32_t>(loops_.size());
   Loop& loop = new_loop(CellTile::cell_at(x, y, z));
   loop.first_crossing = static_cast<std::uint32_t>(loop_crossings_.size());
@@ -172,7 +168,7 @@ void DualSurface::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y,
 // Segments in faces that are flat on the axis, about complete cells: where they are creases or help
 // to follow loops.
 template <int kAxis>
-void DualSurface::add_segments(const CellTile& tile, const std::vector<std::uint64_t>& crowded) {
+void TileLoops::add_segments(const CellTile& tile, const std::vector<std::uint64_t>& crowded) {
   constexpr const FaceEdge(&kOn)[4] = kFaceEdges[kAxis];
   constexpr auto last = [](int axis) { return axis == kAxis ? kCells - 1 : kCells - 2; };
   const TileEdges& edges = tile.crossed();
@@ -214,7 +210,7 @@ void DualSurface::add_segments(const CellTile& tile, const std::vector<std::uint
     }
 }
 
-void DualSurface::add_segment_if(CellFace& face, bool is_needed) {
+void TileLoops::add_segment_if(CellFace& face, bool is_needed) {
   const auto crossing = [&](int i) -> const Crossing& {
     return crossings_[static_cast<std::size_t>(face.crossing(i))];
   };
@@ -236,8 +232,8 @@ void DualSurface::add_segment_if(CellFace& face, bool is_needed) {
 }
 
 // Follows the segments about the cell.
-void DualSurface::add_crowded_loops(const CellTile& tile, std::int32_t x, std::int32_t y,
-                                    std::int32_t z) {
+void TileLoops::add_crowded_loops(const CellTile& tile, std::int32_t x, std::int32_t y,
+                                  std::int32_t z) {
   std::int32_t ids[12];
   std::uint32_t open = 0;
   for (int k = 0; k < 12; ++k) {

@@ -1,10 +1,7 @@
-// Ridges whose tips pass between the edges of the grid: the crease lies outside of the cells that
-// see both flanks, and the corner in which it ends outside of those that see three faces. Their
-// vertices are moved there, where that makes no triangles meet; it is the one step that leaves the
-// envelopes, so it is tested exactly.
+#include "mesh/surface/ridge_sharpener.h"
+
 #include "core/parallel.h"
-#include "mesh/surface/ridge_strip.h"
-#include "mesh/surface/surface.h"
+#include "mesh/points/vertex.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,7 +9,7 @@
 namespace mrsim::detail {
 
 // By loop: where its vertex goes; count = 0: nowhere.
-std::vector<SurfacePoint> DualSurface::find_tips() const {
+std::vector<SurfacePoint> RidgeSharpener::find_tips() const {
   std::vector<SurfacePoint> tips = outside_;
   parallel_for(
       tips.size(), options_.threads,
@@ -29,13 +26,13 @@ std::vector<SurfacePoint> DualSurface::find_tips() const {
   return tips;
 }
 
-std::size_t DualSurface::segment_vertices() const {
+std::size_t RidgeSharpener::segment_vertices() const {
   return static_cast<std::size_t>(std::count_if(segments_.begin(), segments_.end(),
                                                 [](const Segment& s) { return s.vertex >= 0; }));
 }
 
 // The vertices that go to a ridge, and those that lie on one and share a triangle with them.
-std::vector<RidgeVertex> DualSurface::find_ridge(const CellOctree& tree) const {
+std::vector<RidgeVertex> RidgeSharpener::find_ridge(const CellOctree& tree) const {
   std::vector<RidgeVertex> ridge;
   std::vector<char> is_near(mesh_.vertices.size(), 0);
   const auto add_if_moved = [&](std::size_t v, const SurfacePoint& to) {
@@ -83,7 +80,7 @@ std::vector<RidgeVertex> DualSurface::find_ridge(const CellOctree& tree) const {
 }
 
 // Of a segment's vertex; count = 0 where that is not known.
-SurfacePoint DualSurface::place_of(const Segment& s) const {
+SurfacePoint RidgeSharpener::place_of(const Segment& s) const {
   if (s.crease >= 0) return at(creases_, s.crease).point;
   const FieldSample &from = at(crossings_, s.from).at, &to = at(crossings_, s.to).at;
   SurfacePoint place;
@@ -93,7 +90,8 @@ SurfacePoint DualSurface::place_of(const Segment& s) const {
 
 // Where vertices were joined, what was drawn about an edge on one side of a ridge may lie on the
 // other one.
-void DualSurface::label_moved(std::span<const std::uint32_t> triangles, const RidgeStrip& strip) {
+void RidgeSharpener::label_moved(std::span<const std::uint32_t> triangles,
+                                 const RidgeStrip& strip) {
   std::vector<std::int32_t> segment_of;
   for (std::size_t k = 0; k < segments_.size(); ++k)
     if (segments_[k].vertex >= 0) segment_of.push_back(static_cast<std::int32_t>(k));
@@ -122,7 +120,7 @@ void DualSurface::label_moved(std::span<const std::uint32_t> triangles, const Ri
   }
 }
 
-void DualSurface::sharpen(const CellOctree& tree) {
+void RidgeSharpener::sharpen(const CellOctree& tree) {
   std::vector<RidgeVertex> ridge = find_ridge(tree);
   if (ridge.empty()) return;
   const auto normal_of = [this](std::uint32_t t) {

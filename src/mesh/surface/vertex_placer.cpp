@@ -1,8 +1,8 @@
-// Where the vertices of loops lie, and where creases pass the faces of cells.
+#include "mesh/surface/vertex_placer.h"
+
 #include "core/parallel.h"
 #include "mesh/surface/piece_hash.h"
 #include "mesh/surface/sample_groups.h"
-#include "mesh/surface/surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,8 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
-constexpr double kPlaneCosine = 1 - 1e-9;         ///< between normals of one plane
-constexpr double kPlaneRoom = 1e-5;               ///< mm: of its points, rounded
+constexpr double kPlaneCosine = 1 - 1e-9;  ///< between normals of one plane
+constexpr double kPlaneRoom = 1e-5;        ///< mm: of its points, rounded
 
 void add_crossing(PlaceHash& hash, const Crossing& c) {
   hash.add(c.position);
@@ -22,9 +21,15 @@ void add_crossing(PlaceHash& hash, const Crossing& c) {
 
 }  // namespace
 
+void VertexPlacer::place() {
+  find_creases();
+  place_loops();
+  flatten_loops();
+}
+
 // Segments between faces of the part that meet in a crease, and where it passes the faces of the
 // cells.
-void DualSurface::find_creases() {
+void VertexPlacer::find_creases() {
   creases_.clear();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     Segment& s = segments_[k];
@@ -59,16 +64,7 @@ void DualSurface::find_creases() {
     if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
 }
 
-bool DualSurface::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
-  if (same_face(a.at, b.at)) return false;
-  const std::int32_t cell = face_cell(face);
-  const double size = kDiagonal * cells_.lattice().fine() * cells_.size_of(cell);
-  const Probe p = probe(cell);
-  return !is_nearly_flat(p, {a.position, a.normal}, {b.position, b.normal}, size) &&
-         !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
-}
-
-void DualSurface::place_crease(Crease& crease) const {
+void VertexPlacer::place_crease(Crease& crease) const {
   const Segment& s = at(segments_, crease.segment);
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
@@ -80,7 +76,7 @@ void DualSurface::place_crease(Crease& crease) const {
     crease.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
 }
 
-void DualSurface::place_loops() {
+void VertexPlacer::place_loops() {
   std::vector<std::uint64_t> keys(options_.remember ? loops_.size() : 0);
   std::vector<std::int32_t> fresh;
   fresh.reserve(loops_.size());
@@ -110,7 +106,7 @@ void DualSurface::place_loops() {
 }
 
 // Cells and their candidates stay as long as the tree: the rest is told by the crossings.
-std::uint64_t DualSurface::key_of(const Segment& s) const {
+std::uint64_t VertexPlacer::key_of(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const std::int32_t cell = face_cell(face);
   PlaceHash hash(static_cast<std::uint64_t>(cell) * 8 +
@@ -119,7 +115,7 @@ std::uint64_t DualSurface::key_of(const Segment& s) const {
   return hash.value();
 }
 
-std::uint64_t DualSurface::key_of(const Loop& loop) const {
+std::uint64_t VertexPlacer::key_of(const Loop& loop) const {
   PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
   for (const std::int32_t k : crossings_of(loop)) add_crossing(hash, at(crossings_, k));
   for (const std::int32_t k : segments_of(loop)) {
@@ -132,13 +128,13 @@ std::uint64_t DualSurface::key_of(const Loop& loop) const {
 }
 
 // Neighbouring crossings lie on one face of the part or on faces that join smoothly.
-bool DualSurface::is_smooth(const Loop& loop) const {
+bool VertexPlacer::is_smooth(const Loop& loop) const {
   for (const std::int32_t k : segments_of(loop))
     if (at(segments_, k).crease >= 0) return false;
   return true;
 }
 
-Vec3 DualSurface::mean_crossing(const Loop& loop) const {
+Vec3 VertexPlacer::mean_crossing(const Loop& loop) const {
   Vec3 sum;
   for (const std::int32_t k : crossings_of(loop)) sum += at(crossings_, k).position;
   return (1.0 / static_cast<double>(loop.crossings)) * sum;
@@ -146,7 +142,7 @@ Vec3 DualSurface::mean_crossing(const Loop& loop) const {
 
 // Between the crossings of the earliest owner, whose face no other one cuts into, and the rest,
 // where all lie on one plane.
-std::optional<BorderSearch> DualSurface::owner_border(const Loop& loop) const {
+std::optional<BorderSearch> VertexPlacer::owner_border(const Loop& loop) const {
   const std::span<const std::int32_t> crossings = crossings_of(loop);
   const Crossing& first = at(crossings_, crossings[0]);
   std::int32_t owner = first.at.owner;
@@ -168,7 +164,7 @@ std::optional<BorderSearch> DualSurface::owner_border(const Loop& loop) const {
 }
 
 // Loops of cells with the same candidates.
-void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
+void VertexPlacer::place_loops_of(std::span<const std::int32_t> loops) {
   struct Memory {
     std::vector<SmoothSearch> searches;
     std::vector<BorderSearch> borders;
@@ -210,7 +206,7 @@ void DualSurface::place_loops_of(std::span<const std::int32_t> loops) {
   for (const std::int32_t k : loops) finish_loop(k);
 }
 
-void DualSurface::finish_loop(std::int32_t id) {
+void VertexPlacer::finish_loop(std::int32_t id) {
   Loop& loop = loops_[static_cast<std::size_t>(id)];
   const Box3 box = cells_.box(loop.cell);
   if (loop.point.count == 0 || options_.sharpen) {
@@ -234,7 +230,8 @@ void DualSurface::finish_loop(std::int32_t id) {
       outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);
     if (loop.point.count == 0) {
       std::vector<Vec3> ends;
-      for (const std::int32_t k : crossings_of(loop)) add_ends(at(crossings_, k), ends);
+      for (const std::int32_t k : crossings_of(loop))
+        ends.insert(ends.end(), {at(crossings_, k).low_end(), at(crossings_, k).high_end()});
       loop.point = point_towards_middle(p, box, ends);
     }
   }
@@ -244,13 +241,13 @@ void DualSurface::finish_loop(std::int32_t id) {
   loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
 }
 
-bool DualSurface::flatten(std::span<const std::int32_t> cells) {
+bool VertexPlacer::flatten(std::span<const std::int32_t> cells) {
   const std::size_t before = flat_cells_.size();
   flat_cells_.insert(cells.begin(), cells.end());
   return flat_cells_.size() > before;
 }
 
-void DualSurface::flatten_loops() {
+void VertexPlacer::flatten_loops() {
   if (flat_cells_.empty()) return;
   for (std::size_t k = 0; k < loops_.size(); ++k) {
     Loop& loop = loops_[k];
@@ -259,11 +256,6 @@ void DualSurface::flatten_loops() {
     loop.point.position = snap_into(loop.point.position, cells_.inner_box(loop.cell));
     if (options_.sharpen) outside_[k] = {};
   }
-}
-
-void DualSurface::add_ends(const Crossing& c, std::vector<Vec3>& out) const {
-  out.push_back(c.low_end());
-  out.push_back(c.high_end());
 }
 
 }  // namespace mrsim::detail

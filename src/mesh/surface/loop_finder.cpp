@@ -1,22 +1,22 @@
-// From signs at the corners of cells to closed loops about them.
+#include "mesh/surface/loop_finder.h"
+
 #include "core/error.h"
 #include "core/parallel.h"
-#include "mesh/surface/sample_groups.h"
-#include "mesh/surface/surface.h"
+#include "mesh/points/vertex.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace mrsim::detail {
 namespace {
+
+constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
 
 // Of the two ring places about a face, cells come by low and high in the first half of the ring.
 int low_place(int place) { return place < 2 ? place : (place + 1) & 3; }
 int high_place(int place) { return place < 2 ? place + 1 : place; }
 
-std::int32_t find(std::vector<std::int32_t>& parent, std::int32_t i) {
+std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
     auto& p = parent[static_cast<std::size_t>(i)];
     p = parent[static_cast<std::size_t>(p)];
@@ -26,8 +26,8 @@ std::int32_t find(std::vector<std::int32_t>& parent, std::int32_t i) {
 }
 
 void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
-  a = find(parent, a);
-  b = find(parent, b);
+  a = root_of(parent, a);
+  b = root_of(parent, b);
   if (a != b) parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
@@ -36,10 +36,6 @@ bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
   if (a.axis != b.axis) return false;
   const int across = 3 - axis - a.axis;
   return component(a.start, across) == component(b.start, across);
-}
-
-std::int32_t smaller_cell(const SurfaceCells& cells, const CellFace& face) {
-  return cells.size_of(face.high) < cells.size_of(face.low) ? face.high : face.low;
 }
 
 enum class Joining { none, two, four };
@@ -82,14 +78,6 @@ CrossedGrid crossed_grid(const CellOctree& tree) {
 
 }  // namespace
 
-// Lengths are powers of two and starts multiples of them, so twice the middle tells both.
-std::uint64_t edge_key(const MinimalEdge& e) {
-  const auto part = [&](int axis) { return static_cast<std::uint64_t>(component(e.start, axis)); };
-  const std::uint64_t twice = 2 * part(e.axis) + static_cast<std::uint64_t>(e.length);
-  return twice | part((e.axis + 1) % 3) << 21 | part((e.axis + 2) % 3) << 42 |
-         static_cast<std::uint64_t>(e.axis) << 62;
-}
-
 CrossedGrid split_badly_crossed(CellOctree& tree) {
   CrossedGrid grid = crossed_grid(tree);
   std::size_t count = tree.split(badly_crossed(tree, grid, nullptr));
@@ -103,135 +91,15 @@ CrossedGrid split_badly_crossed(CellOctree& tree) {
   return crossed_grid(tree);
 }
 
-void DualSurface::find_loops(CrossedGrid grid) {
-  faces_ = std::move(grid.faces);
-  find_crossings(grid.edges);
+void LoopFinder::find(std::vector<CellFace> faces) {
+  faces_ = std::move(faces);
   find_segments();
   join_loops();
   list_crossings();
   list_segments();
 }
 
-void DualSurface::refine(const Crossing& crossing, Detail detail) {
-  Detail& known = found_[static_cast<std::size_t>(known_.find(edge_key(crossing.edge)))].detail;
-  known = std::max(known, detail);
-}
-
-void DualSurface::find_crossings(const std::vector<MinimalEdge>& edges) {
-  crossings_.assign(edges.size(), {});
-  std::vector<std::int32_t> ids(options_.remember ? edges.size() : 0), fresh;
-  fresh.reserve(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    Crossing& c = crossings_[k];
-    c.edge = edges[k];
-    const EdgeEnds ends = cells_.ends(c.edge);
-    c.position = ends.low;
-    c.low = mrsim::component(ends.low, c.edge.axis);
-    c.high = ends.high;
-    bool is_new = true;
-    if (options_.remember) {
-      std::tie(ids[k], is_new) =
-          known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
-      if (is_new) {
-        found_.emplace_back();
-      } else {
-        const Found& found = at(found_, ids[k]);
-        c.position = found.position;
-        c.normal = found.normal;
-        c.at = found.at;
-        c.detail = found.detail;
-      }
-    }
-    if (is_new) fresh.push_back(static_cast<std::int32_t>(k));
-  }
-  const Groups groups(fresh, cells_.lists(), [&](std::int32_t k) {
-    return cells_.list_of(at(crossings_, k).edge.smallest_cell());
-  });
-  parallel_for(
-      groups.size(), options_.threads, [&](std::size_t g) { find_crossings_of(groups[g]); }, 32);
-  if (!options_.remember) return;
-  for (const std::int32_t k : fresh) {
-    const Crossing& c = at(crossings_, k);
-    found_[static_cast<std::size_t>(ids[static_cast<std::size_t>(k)])] = {c.position, c.normal,
-                                                                          c.at};
-  }
-}
-
-// Both ends of the edges of crossings with the same candidates, with rounded offsets: tiles know
-// rounded ones or none, and the result may not depend on which.
-void DualSurface::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
-                            std::vector<SegmentEnd>& out) const {
-  struct Memory {
-    std::vector<std::size_t> unknown;
-    std::vector<Vec3> points;
-    std::vector<double> distances;
-  };
-  static thread_local Memory memory;
-  auto& [unknown, points, distances] = memory;
-  unknown.clear();
-  points.clear();
-  out.clear();
-  for (const std::int32_t k : crossings) {
-    const Crossing& c = at(crossings_, k);
-    const auto [low, high] = cells_.offsets(c.edge);
-    out.push_back({c.low_end(), static_cast<float>(low)});
-    out.push_back({c.high_end(), static_cast<float>(high)});
-    for (std::size_t i = out.size() - 2; i < out.size(); ++i) {
-      if (std::isfinite(out[i].offset)) continue;
-      unknown.push_back(i);
-      points.push_back(out[i].position);
-    }
-  }
-  if (unknown.empty()) return;
-  distances.resize(points.size());
-  field_.distances(points, p.candidates, distances.data());
-  for (std::size_t i = 0; i < unknown.size(); ++i)
-    out[unknown[i]].offset = static_cast<float>(distances[i] + kInsideTolerance);
-}
-
-// Crossings with the same candidates.
-void DualSurface::find_crossings_of(std::span<const std::int32_t> crossings) {
-  struct Memory {
-    std::vector<CrossingSearch> searches;
-    std::vector<SegmentEnd> ends;
-  };
-  static thread_local Memory memory;
-  auto& [searches, ends] = memory;
-  const Probe p = probe(at(crossings_, crossings[0]).edge.smallest_cell());
-  find_ends(p, crossings, ends);
-  searches.clear();
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    const SegmentEnd &low = ends[2 * i], &high = ends[2 * i + 1];
-    const bool low_inside = at(crossings_, crossings[i]).edge.low_inside;
-    searches.emplace_back(low_inside ? low : high, low_inside ? high : low);
-  }
-  run_together(p, std::span(searches));
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    Crossing& c = crossings_[static_cast<std::size_t>(crossings[i])];
-    c.at = searches[i].at();
-    c.normal = searches[i].normal();
-    const int axis = c.edge.axis;
-    const Box3 inner = cells_.inner_box(c.edge.smallest_cell());
-    mrsim::component(c.position, axis) =
-        snap_between(mrsim::component(searches[i].place(), axis), mrsim::component(inner.lo, axis),
-                     mrsim::component(inner.hi, axis));
-  }
-}
-
-std::int32_t DualSurface::face_cell(const CellFace& face) const {
-  return smaller_cell(cells_, face);
-}
-
-Box3 DualSurface::face_box(const CellFace& face) const {
-  const std::int32_t cell = face_cell(face);
-  Box3 b = cells_.box(cell);
-  const double plane =
-      mrsim::component(cell == face.low ? b.hi : b.lo, static_cast<int>(face.axis));
-  mrsim::component(b.lo, face.axis) = mrsim::component(b.hi, face.axis) = plane;
-  return b;
-}
-
-void DualSurface::find_segments() {
+void LoopFinder::find_segments() {
   segments_.clear();
   segments_.reserve(faces_.size());
   const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(crossings_, k).edge; };
@@ -254,8 +122,17 @@ void DualSurface::find_segments() {
       256);
 }
 
+bool LoopFinder::is_crease(const CellFace& face, const Crossing& a, const Crossing& b) const {
+  if (same_face(a.at, b.at)) return false;
+  const std::int32_t cell = face_cell(face);
+  const double size = kDiagonal * cells_.lattice().fine() * cells_.size_of(cell);
+  const Probe p = probe(cell);
+  return !is_nearly_flat(p, {a.position, a.normal}, {b.position, b.normal}, size) &&
+         !join_smoothly(p, 0.5 * (a.position + b.position), a.at, b.at, size);
+}
+
 // `from`, `to`: which crossings of the face.
-void DualSurface::add_segment(std::int32_t f, int from, int to) {
+void LoopFinder::add_segment(std::int32_t f, int from, int to) {
   const CellFace& face = at(faces_, f);
   const auto place = [&](int i) { return static_cast<std::int8_t>(face.places[i] & 3); };
   for (const int i : {from, to})
@@ -272,7 +149,7 @@ void DualSurface::add_segment(std::int32_t f, int from, int to) {
 
 // Crossings on all four sides: the side of the surface on which the face's centre lies is
 // connected, the two corners of the other are cut off.
-void DualSurface::pair_four(std::int32_t f) {
+void LoopFinder::pair_four(std::int32_t f) {
   const CellFace& face = at(faces_, f);
   const Box3 b = face_box(face);
   const int u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
@@ -293,7 +170,7 @@ void DualSurface::pair_four(std::int32_t f) {
     add_segment(f, side[(shift + 2 * k) & 3], side[(shift + 2 * k + 1) & 3]);
 }
 
-Loop& DualSurface::new_loop(std::int32_t cell) {
+Loop& LoopFinder::new_loop(std::int32_t cell) {
   if (++loops_in_cell_[static_cast<std::size_t>(cell)] == 2 && cells_.is_complete(cell))
     crowded_.push_back(cell);
   Loop& loop = loops_.emplace_back();
@@ -301,14 +178,14 @@ Loop& DualSurface::new_loop(std::int32_t cell) {
   return loop;
 }
 
-void DualSurface::begin_loops() {
+void LoopFinder::begin_loops() {
   lists_.restart();
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
   crowded_.clear();
 }
 
-void DualSurface::join_loops() {
+void LoopFinder::join_loops() {
   std::vector<std::int32_t> parent(4 * crossings_.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
@@ -324,7 +201,7 @@ void DualSurface::join_loops() {
   std::vector<std::int32_t> loop_of_root(parent.size(), -1);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t root = find(parent, static_cast<std::int32_t>(4 * k) + i);
+      const std::int32_t root = root_of(parent, static_cast<std::int32_t>(4 * k) + i);
       std::int32_t& id = loop_of_root[static_cast<std::size_t>(root)];
       if (id < 0) {
         id = static_cast<std::int32_t>(loops_.size());
@@ -335,7 +212,7 @@ void DualSurface::join_loops() {
 }
 
 // What crossings each loop has, in the order of all.
-void DualSurface::list_crossings() {
+void LoopFinder::list_crossings() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
   const auto is_first = [](const Crossing& c, int i) {
     for (int j = 0; j < i; ++j)
@@ -361,7 +238,7 @@ void DualSurface::list_crossings() {
 }
 
 // The loops on both sides of each segment, and what segments each has, in the order of all.
-void DualSurface::list_segments() {
+void LoopFinder::list_segments() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
   for (Segment& s : segments_) {
     const Crossing& c = at(crossings_, s.from);
