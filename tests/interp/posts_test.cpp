@@ -3,6 +3,8 @@
 #include "core/vec.h"
 #include "interp/support.h"
 
+#include <cmath>
+
 namespace mrsim {
 namespace {
 
@@ -134,7 +136,17 @@ TEST(Posts, RunAsWorkedOut) {
        2,
        {-0.79375, 0, -66.910111644},
        {27.94, 0, 0.127}},
-      {"sinumerik_shaft.mpf", Dialect::sinumerik, lathe, 66, 33, 2, {10, 0, -40}, {31.5, 0, 0.3}},
+      // The nose of 0.8 finishes: an arc round the chamfer's edge, and on the chamfer its point
+      // lies
+      // 0.8 (1 - cos 45) nearer to the axis.
+      {"sinumerik_shaft.mpf",
+       Dialect::sinumerik,
+       lathe,
+       66,
+       33,
+       3,
+       {10 - 0.8 * (1 - std::sqrt(0.5)), 0, -40},
+       {31.5, 0, 0.3}},
       {"sinumerik_defines.mpf", Dialect::sinumerik, mill, 14, 14, 4, {0, -20, -10}, {65, 30, 20}},
       {"sinumerik_frames.mpf",
        Dialect::sinumerik,
@@ -206,7 +218,7 @@ TEST(Posts, RunAsWorkedOut) {
       // Chamfers, fillets and a line at 150 degrees without its Z.
       {"fanuc_direct_drawing.nc", Dialect::fanuc, lathe, 5, 8, 3, {0, 0, -62}, {32, 0, 0}},
       // CYCLE95 along blocks between labels, CYCLE93 with a blade of 4, CYCLE99, parted off.
-      {"lathe_808d.mpf", Dialect::sinumerik, lathe, 84, 45, 2, {-0.5, 0, -50}, {25.2, 0, 2.1}},
+      {"lathe_808d.mpf", Dialect::sinumerik, lathe, 84, 45, 3, {-0.5, 0, -50}, {25.2, 0, 2.1}},
       // A groove from Z-15 to Z-21 in three plunges of three strokes; holes in G17, by DMODE and by
       // AXN; an inner thread in one pass.
       {"sin_lathe_drilling.mpf",

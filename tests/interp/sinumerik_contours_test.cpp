@@ -93,6 +93,65 @@ TEST(SinumerikContours, StockRemoval) {
             "r25,2 not-supported");
 }
 
+// The nose of radius 1 touches the contour: along the cylinder its point is as far in, at the feet
+// of the cone 1 * (sqrt(2) - 1) - 1 behind and before, at the ends 1 less.
+TEST(SinumerikContours, TheNoseIsTakenIntoAccount) {
+  InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
+  options.table.tools[0].nose_radius = 1;
+  options.table.tools[0].tip = 3;
+  const std::string start = "F0.2 G0 X50 Z2\n";
+  const std::string finished =
+      "r25,2 r10,1 l10,-1 l10,-20.5858 l19.4142,-30 l21,-30 r22,-30 r22,2 r25,2 ";
+  EXPECT_EQ(
+      ends(read_text(start + "CYCLE95(\"ONE:TWO\",4,0,0,,0.3,0.2,0.1,5,,,1)\n" + kShaft, options),
+           true),
+      finished);
+  EXPECT_EQ(
+      ends(read_text(start +
+                         "CYCLE62(\"\",2,\"ONE\",\"TWO\")\nCYCLE952(\"P\",\"\",\"\",2101321,0.3,"
+                         "0.2,0,4,,,,,,,1)\n" +
+                         kShaft,
+                     options),
+           true),
+      finished);
+}
+
+TEST(SinumerikContours, StockRemovalByTheCurrentList) {
+  const auto with = [](const std::string& values) {
+    return turned("F0.2 G0 X50 Z2\nCYCLE62(\"\",2,\"ONE\",\"TWO\")\nCYCLE952(\"P\",\"\",\"\"," +
+                  values + ")\n" + kShaft);
+  };
+  const std::string old = turned(
+      "F0.2 G0 X50 Z2\nCYCLE95(\"ONE:TWO\",4,0.5,0.2,,0.3,0.2,0.1,1,,,1)\n" + std::string(kShaft));
+  // Along Z and inwards; the blank reaches to the contour's end; SC is 1.
+  EXPECT_EQ(
+      with("2101311,0.3,0.15,0,4,0.1,0.1,0.2,0.5,0,0,1,0,0,,,,,2,2,,,0,1,,0,12,1100010,1,0,0.1"),
+      old);
+  // From a radius of 24 in passes of at most 3.6: the blank is of Ø48, or 2 mm above the contour.
+  const std::string larger = "r25,2 r25,1 r20.5,1 l20.5,-29.8 ";
+  EXPECT_EQ(with("2101311,0.3,0.15,0,3.6,0.1,0.1,0,0.2,0,0,1,48,0,,,,,2,2,,,0,1,,0,12,10,1")
+                .substr(0, larger.size()),
+            larger);
+  EXPECT_EQ(with("2101311,0.3,0.15,0,3.6,0.1,0.1,0,0.2,0,0,1,2,0,,,,,2,2,,,0,1,,0,12,1100010,1")
+                .substr(0, larger.size()),
+            larger);
+}
+
+TEST(SinumerikContours, StockRemovalThatIsNotRead) {
+  const auto found = [](const std::string& values) {
+    return turned("F0.2 G0 X50 Z2\nCYCLE62(\"\",2,\"ONE\",\"TWO\")\nCYCLE952(\"P\",\"\",\"\"," +
+                  values + ")\n" + kShaft);
+  };
+  EXPECT_EQ(found("2101111,0.3,0.15,0,4"), "r25,2 not-supported");  // both ways along X
+  EXPECT_EQ(found("2103312,0.3,0.15,0,4"), "r25,2 not-supported");
+  EXPECT_EQ(found("2101341,0.3,0.15,0,4"), "r25,2 not-supported");
+  EXPECT_EQ(found("2101311,0.3,0.15,0,4,,,,,,,1,0,0,,-20"), "r25,2 not-supported");  // a limit
+  EXPECT_EQ(found("2101311,0.3,0.15,0,4,,,,,,,1,0,0,,,,,2,2,,,0,1,,0,22,1100010"),
+            "r25,2 not-supported");  // grooving
+  EXPECT_EQ(found("2101311,0.3,0.15,0,4,,,,,,,3"), "r25,2 value-missing");
+  EXPECT_EQ(found("2101311,0.3,0.15,0,0"), "r25,2 value-missing");
+}
+
 TEST(SinumerikContours, Thread) {
   // M20 x 2: two rough cuts of equal cross-section, one finishing cut, one spare.
   EXPECT_EQ(turned("S500 M3 G0 X30 Z10\nCYCLE97(2,,0,-20,20,20,4,2,1.2,0.2,0,0,2,1,3,1,2)\n"),

@@ -95,9 +95,26 @@ TEST(TurnCycles, GroovesThatAreNotRead) {
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,3,5,,,,,,,,,,,,1)", tool), "value-range");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,1)", grooving_tool(4, 2)), "value-range");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,1)"), "tool-unknown");
-  EXPECT_EQ(lathe_path("CYCLE930(60,-30)\nCYCLE952(\"\")\nCYCLE94(20,60,\"E\")\nCYCLE96(40)\n"
+  EXPECT_EQ(lathe_path("CYCLE930(60,-30)\nCYCLE950(\"\")\nCYCLE94(20,60,\"E\")\nCYCLE96(40)\n"
                        "CYCLE940(20,60)"),
             "not-supported not-supported not-supported not-supported not-supported");
+}
+
+TEST(TurnCycles, PartingOff) {
+  // The part ends at Z-30: the blade of 3 stands left of it, its point at the left corner; the feed
+  // falls at Ø10, the cut ends beyond the axis.
+  EXPECT_EQ(
+      lathe_path("CYCLE92(40,-30,10,-1,0,2,120,2000,3,0.12,0.05,500,,,1,2,0)", grooving_tool(3, 3)),
+      "r22,-10 r22,-33 l5,-33 l-0.5,-33 r22,-33 ");
+  // The point at the right corner; a tube, its wall of 6 mm as an increment.
+  EXPECT_EQ(
+      lathe_path("CYCLE92(40,-30,,6,0,2,120,2000,3,0.12,0.05,500,,,1,2,10)", grooving_tool(3, 4)),
+      "r22,-10 r22,-30 l14,-30 r22,-30 ");
+  const Tool blade = grooving_tool(3, 3);
+  EXPECT_EQ(lathe_path("CYCLE92(40,-30,10,-1,0.3,2)", blade), "not-supported");
+  EXPECT_EQ(lathe_path("CYCLE92(40,-30,10)", blade), "value-missing");
+  EXPECT_EQ(lathe_path("CYCLE92(40,-30,10,41,0,2)", blade), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE92(40,-30,10,-1,0,2)"), "tool-unknown");
 }
 
 TEST(TurnCycles, ChainOfThreads) {

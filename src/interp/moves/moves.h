@@ -30,6 +30,8 @@ class Moves : public ControlPart {
   /// The same; compensation may begin or end with it.
   bool compensated_step(const Target& to, const Word& where, double feed,
                         MotionKind kind = MotionKind::line);
+  /// Radius and point of the tool, for a cycle that moves its contour aside by itself.
+  Compensation of_tool() { return compensation_.of_tool(); }
   /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
   /// error was reported.
   bool solved_arc(const SolvedArc& arc, double feed = 0) {

@@ -24,7 +24,8 @@ Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
 }  // namespace
 
 bool SinumerikContours::knows(std::string_view name) {
-  return name == "CYCLE62" || name == "CYCLE63" || name == "CYCLE72" || name == "CYCLE95";
+  return name == "CYCLE62" || name == "CYCLE63" || name == "CYCLE72" || name == "CYCLE95" ||
+         name == "CYCLE952";
 }
 
 bool SinumerikContours::run(const CycleCall& call, const Word& where) {
@@ -51,7 +52,7 @@ bool SinumerikContours::name_contour() {
 }
 
 bool SinumerikContours::find_contours() {
-  const bool own_name = call_.name != "CYCLE63";
+  const bool own_name = call_.name == "CYCLE72" || call_.name == "CYCLE95";
   std::vector<std::string> names = named_;
   if (own_name && !call_.text(0).empty()) names = {call_.text(0)};
   if (own_name && names.size() > 1) names = {names.back()};

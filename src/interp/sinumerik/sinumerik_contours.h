@@ -1,7 +1,7 @@
 // SINUMERIK cycles along contours of the program: CYCLE62 names them, CYCLE72 mills along one,
-// CYCLE63 clears a pocket or the surroundings of a spigot, CYCLE95 turns down to one. The contours'
-// blocks are read like any others with their motions kept; then the passes follow from them.
-// Private to src/interp.
+// CYCLE63 clears a pocket or the surroundings of a spigot, CYCLE95 and CYCLE952 turn down to one.
+// The contours' blocks are read like any others with their motions kept; then the passes follow
+// from them. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
@@ -10,6 +10,7 @@
 #include "interp/path/rough_contour.h"
 #include "interp/statements/statements.h"
 
+#include <optional>
 #include <vector>
 
 namespace mrsim {
@@ -45,14 +46,18 @@ class SinumerikContours : public ControlPart {
     double aside = 0, allowance = 0;
     double feed = 0, plunge = 0;
   };
-  /// CYCLE95: levels in u, cuts in v.
+  /// CYCLE95 and CYCLE952: levels in u, cuts in v.
   struct Removal {
     int u = 0, v = 2;
     double down = -1, run = -1;
-    double clear = 1;           ///< mm
-    double top = 0, start = 0;  ///< the first level's u less a pass; v where passes begin
+    double clear = 1;             ///< mm
+    double top = 0, start = 0;    ///< the first level's u less a pass; v where passes begin
+    std::optional<double> blank;  ///< u of its surface, where the cycle is told
     Vec3 allowance;
-    bool rough = true, finish = true;
+    double parallel = 0;                         ///< allowance along the contour's normal
+    double depth = 0;                            ///< of a pass, mm
+    double feed = 0, plunge = 0, last_feed = 0;  ///< roughing, into a relief cut, finishing
+    bool rough = true, finish = true, reliefs = true;
   };
 
   bool name_contour();
@@ -72,9 +77,17 @@ class SinumerikContours : public ControlPart {
   void approach(const Along& along, double level, double from, bool leaving);
   bool turn_down();
   bool turn_modes(Removal& out);
+  bool removal_modes(Removal& out);
+  bool removal_values();
+  bool removal_ways(Removal& out);
+  void removal_allowances(Removal& out);
+  void removal_blank(Removal& out);
+  void turn_contour();
   void orient(const Removal& r);
+  bool beside(const Removal& r, double allowance);
+  double before_contour(const Removal& r) const;
   bool roughing(Removal& r);
-  void levels(const Removal& r, const RoughContour& shape, double whole, int n);
+  bool levels(const Removal& r, const RoughContour& shape, double whole, int n);
   void level(const Removal& r, double at, double from, double to);
   void follow_contour(const Vec3& shift);
   void go(const Vec3& physical, MotionKind kind, double feed);
@@ -93,7 +106,8 @@ class SinumerikContours : public ControlPart {
   std::vector<CallRequest> requests_;
   bool waits_ = false;  ///< the contours of call_ come next
   std::vector<Motion> contour_;
-  std::vector<std::vector<Motion>> contours_;  ///< CYCLE63: those read before contour_
+  std::vector<std::vector<Motion>> contours_;  ///< those read so far
+  std::vector<Motion> path_;                   ///< of the tool's point along contour_, in turning
   Modal modal_before_;
   Position position_before_;
   std::size_t errors_before_ = 0;

@@ -1,5 +1,7 @@
-// CYCLE95 turns down to a contour.
+// CYCLE95 turns down to a contour, and CYCLE952, whose values stand in sinumerik_removal.cpp.
 #include "core/rounding.h"
+#include "interp/path/arc.h"
+#include "interp/path/compensation.h"
 #include "interp/sinumerik/sinumerik_contours.h"
 
 #include <algorithm>
@@ -26,13 +28,17 @@ bool SinumerikContours::turn_modes(Removal& r) {
   r.u = face ? 2 : 0;
   r.v = 2 - r.u;
   r.clear = call_.get(11) > 0 ? call_.get(11) * unit : 1;
+  r.depth = std::abs(call_.get(1)) * unit;
+  r.feed = call_.get(5) * feed_scale();
+  r.plunge = call_.get(6) * feed_scale();
+  r.last_feed = call_.get(7) * feed_scale();
   const double first = component(contour_.front().end, r.u);
   const double last = component(contour_.back().end, r.u);
   const double now = component(position_.physical, r.u);
   r.down = face ? ((first + last) / 2 < now ? -1 : 1) : (kind >= 2 ? 1 : -1);
   const double along = std::abs(call_.get(4)) * unit;
   const double x = std::abs(call_.get(3)) * unit + along, z = std::abs(call_.get(2)) * unit + along;
-  orient(r);
+  if (r.rough) orient(r);  // finishing alone runs as the contour is written
   r.run = component(contour_.back().end, r.v) > component(contour_.front().end, r.v) ? 1 : -1;
   component(r.allowance, r.u) = -r.down * (face ? z : x);
   component(r.allowance, r.v) = -r.run * (face ? x : z);
@@ -43,7 +49,10 @@ bool SinumerikContours::turn_modes(Removal& r) {
 void SinumerikContours::orient(const Removal& r) {
   const double first = component(contour_.front().end, r.u);
   const double last = component(contour_.back().end, r.u);
-  if ((first - last) * r.down >= 0) return;
+  if ((first - last) * r.down < 0) turn_contour();
+}
+
+void SinumerikContours::turn_contour() {
   std::vector<Motion> turned{contour_.front()};
   turned.front().end = contour_.back().end;
   for (std::size_t i = contour_.size() - 1; i > 0; --i) {
@@ -56,12 +65,16 @@ void SinumerikContours::orient(const Removal& r) {
 
 bool SinumerikContours::turn_down() {
   Removal r;
-  if (!turn_modes(r)) return false;
+  tools_.require(where_, true);
+  if (!(call_.name == "CYCLE952" ? removal_modes(r) : turn_modes(r))) return false;
   const Vec3 from = position_.physical;
-  if (r.rough && !roughing(r)) return false;
+  const bool by_point = call_.name == "CYCLE95";  // which roughs in G40
+  path_ = contour_;
+  if (r.rough && !((by_point || beside(r, r.parallel)) && roughing(r))) return false;
   if (r.finish) {
-    Vec3 start = contour_.front().end;
-    component(start, r.v) -= r.run * r.clear;
+    if (!beside(r, 0)) return false;
+    Vec3 start = path_.front().end;
+    component(start, r.v) = before_contour(r);
     if (r.rough) {  // from the contour's end back over the material, not through it
       Vec3 over = position_.physical;
       component(over, r.u) = r.top - r.down * r.clear;
@@ -70,7 +83,7 @@ bool SinumerikContours::turn_down() {
       go(over, MotionKind::rapid, 0);
     }
     go(start, MotionKind::rapid, 0);
-    modal_.feed = call_.get(7) > 0 ? call_.get(7) * feed_scale() : modal_before_.feed;
+    modal_.feed = r.last_feed > 0 ? r.last_feed : modal_before_.feed;
     follow_contour({});
   }
   modal_.feed = modal_before_.feed;
@@ -83,39 +96,88 @@ bool SinumerikContours::turn_down() {
   return true;
 }
 
+// The path of the tool's point whose nose cuts the contour, `allowance` beside it: SINUMERIK's
+// cycles take the radius of the edge into account. The ways to the path and from it are left out.
+bool SinumerikContours::beside(const Removal& r, double allowance) {
+  path_ = contour_;
+  PathMove move;
+  move.comp = moves_.of_tool();
+  move.comp.radius += allowance;
+  if (move.comp.radius <= kRounding) return true;
+  const bool left = r.u == 0 ? r.run == -r.down : r.run == r.down;
+  move.comp.side = left ? 1 : -1;
+  move.basis = stock_basis();
+  const std::size_t errors = reporter_.errors();
+  std::vector<Motion> moved;
+  CompensationStage stage(reporter_, [&](const PathMove& m) { moved.push_back(m.motion); });
+  const auto way = [&](const Motion& like, double at, bool leaves) {
+    const Vec3 end = leaves ? like.end : like.start;
+    Vec3 ahead = like.kind == MotionKind::arc ? arc_tangent(like, at) : like.end - like.start;
+    ahead = normalized(ahead);
+    const Vec3 out =
+        (left ? 1 : -1) * (2 * move.comp.radius + 1) *
+        (dot(ahead, move.basis.u) * move.basis.v - dot(ahead, move.basis.v) * move.basis.u);
+    PathMove to = move;
+    to.motion = like;
+    to.motion.kind = MotionKind::line;
+    to.motion.start = leaves ? end : end + out;
+    to.motion.end = leaves ? end + out : end;
+    if (leaves) to.comp.side = 0;
+    stage.push(to);
+  };
+  way(contour_[1], 0, false);
+  for (std::size_t i = 1; i < contour_.size(); ++i) {
+    move.motion = contour_[i];
+    stage.push(move);
+  }
+  way(contour_.back(), 1, true);
+  stage.flush();
+  if (reporter_.errors() != errors || moved.size() < 3) return false;
+  path_.assign(moved.begin(), moved.end() - 1);
+  return true;
+}
+
+// In front of the contour and of the path along it.
+double SinumerikContours::before_contour(const Removal& r) const {
+  const double first = component(contour_.front().end, r.v);
+  const double ahead = (component(path_.front().end, r.v) - first) * r.run;
+  return first + r.run * (std::min(ahead, 0.0) - r.clear);
+}
+
 void SinumerikContours::follow_contour(const Vec3& shift) {
-  go(contour_.front().end + shift, MotionKind::line, modal_.feed);
-  for (std::size_t i = 1; i < contour_.size(); ++i) moves_.follow(contour_[i], shift, where_);
+  go(path_.front().end + shift, MotionKind::line, modal_.feed);
+  for (std::size_t i = 1; i < path_.size(); ++i) moves_.follow(path_[i], shift, where_);
 }
 
 // Passes at equal levels down to the contour, then once along it, the allowances aside.
 bool SinumerikContours::roughing(Removal& r) {
   std::vector<PlanePiece> pieces;
-  r.top = component(contour_.front().end, r.u);
-  for (std::size_t i = 1; i < contour_.size(); ++i) {
-    pieces.push_back(turned_piece(contour_[i], r.u, r.v, r.allowance));
-    const double end = component(contour_[i].end, r.u);
+  r.top = component(path_.front().end, r.u);
+  for (std::size_t i = 1; i < path_.size(); ++i) {
+    pieces.push_back(turned_piece(path_[i], r.u, r.v, r.allowance));
+    const double end = component(path_[i].end, r.u);
     if ((end - r.top) * r.down < 0) r.top = end;
   }
+  if (r.blank && (*r.blank - r.top) * r.down < 0) r.top = *r.blank;
   const RoughContour shape(std::move(pieces), -r.down, r.run);
   if (const int bad = shape.runs_back(); bad >= 0) {
     reporter_.add_at(Severity::error, "not-supported",
                      "the contour of the cycle runs back here (an undercut), which is not "
                      "supported yet",
-                     contour_[static_cast<std::size_t>(bad) + 1]);
+                     path_[static_cast<std::size_t>(bad) + 1]);
     return false;
   }
-  r.start = component(contour_.front().end, r.v) - r.run * r.clear;
-  const double depth = std::abs(call_.get(1)) * scale();
+  r.start = before_contour(r);
   const double whole = (shape.deepest() - r.top) * r.down;
-  if (depth <= 0) return error("value-missing", "CYCLE95 needs MID, the depth of a pass", where_);
-  if (whole / depth > kMostTurningPasses) return error("value-range", "too many passes", where_);
+  if (r.depth <= 0)
+    return error("value-missing", fmt::format("{} needs the depth of a pass", call_.name), where_);
+  if (whole / r.depth > kMostTurningPasses) return error("value-range", "too many passes", where_);
   Vec3 begin = position_.physical;
   component(begin, r.v) = r.start;
   go(begin, MotionKind::rapid, 0);
-  modal_.feed = call_.get(5) > 0 ? call_.get(5) * feed_scale() : modal_before_.feed;
-  levels(r, shape, whole, steps_of(whole, depth));
-  Vec3 start = contour_.front().end + r.allowance;
+  modal_.feed = r.feed > 0 ? r.feed : modal_before_.feed;
+  if (!levels(r, shape, whole, steps_of(whole, r.depth))) return false;
+  Vec3 start = path_.front().end + r.allowance;
   component(start, r.v) = r.start;
   go(start, MotionKind::rapid, 0);
   follow_contour(r.allowance);
@@ -124,7 +186,7 @@ bool SinumerikContours::roughing(Removal& r) {
 
 // First the stretches that begin at the start, from the top down; then the relief cuts, fed into
 // with FF2.
-void SinumerikContours::levels(const Removal& r, const RoughContour& shape, double whole, int n) {
+bool SinumerikContours::levels(const Removal& r, const RoughContour& shape, double whole, int n) {
   std::vector<std::pair<double, FreeStretch>> reliefs;
   for (int i = 1; i < n; ++i) {
     const double at = r.top + r.down * whole * i / n;
@@ -135,6 +197,12 @@ void SinumerikContours::levels(const Removal& r, const RoughContour& shape, doub
         level(r, at, r.start, stretch.to);
     }
   }
+  if (!reliefs.empty() && !r.reliefs)
+    return error("not-supported",
+                 fmt::format("{}: the contour has a relief cut, and VARI leaves it: where the cuts "
+                             "end then is not supported yet",
+                             call_.name),
+                 where_);
   const double feed = modal_.feed;
   Vec3 p = position_.physical;
   for (const auto& [at, stretch] : reliefs) {
@@ -145,15 +213,16 @@ void SinumerikContours::levels(const Removal& r, const RoughContour& shape, doub
     component(p, r.v) = stretch.from;
     go(p, MotionKind::rapid, 0);
     component(p, r.u) = at;
-    go(p, MotionKind::line, call_.get(6) > 0 ? call_.get(6) * feed_scale() : feed);
+    go(p, MotionKind::line, r.plunge > 0 ? r.plunge : feed);
     level(r, at, stretch.from, stretch.to);
   }
-  if (reliefs.empty()) return;
+  if (reliefs.empty()) return true;
   p = position_.physical;
   component(p, r.u) = r.top - r.down * r.clear;
   go(p, MotionKind::rapid, 0);
   component(p, r.v) = r.start;
   go(p, MotionKind::rapid, 0);
+  return true;
 }
 
 // One pass: to the level, along it to the contour, off at 45 degrees, back.

@@ -157,16 +157,26 @@ void CompensationWords::set_radius() {
                         : "if the program holds the path of the tool's centre (wear "
                           "compensation), say --comp wear"),
         control_.edge_word, key);
-  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool);
+  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
 }
 
 // From the programmed point to the nose centre, in the plane (first axis Z, second X).
-Vec2 CompensationWords::tip_vector(const Tool& tool) const {
+Vec2 CompensationWords::tip_vector(const Tool& tool, double radius) {
   static constexpr int kZ[] = {0, -1, 1, 1, -1, -1, 0, 1, 0, 0};
   static constexpr int kX[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
   const int tip = tip_orientation(tool);
-  const double r = radius_;
-  return {r * kZ[tip], r * kX[tip]};
+  return {radius * kZ[tip], radius * kX[tip]};
+}
+
+Compensation CompensationWords::of_tool() {
+  Compensation c;
+  c.arcs = true;
+  if (options_.programmed_contour || options_.comp == CompRadius::off) return c;
+  c.radius = tools_.radius(modal_.edge);
+  const Tool* tool = tools_.current();
+  if (tool && is_turning(tool->type) && !tool->tip_is_nose_centre)
+    c.tip = tip_vector(*tool, c.radius);
+  return c;
 }
 
 Compensation CompensationWords::for_move() const {

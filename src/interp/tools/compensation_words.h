@@ -23,6 +23,8 @@ class CompensationWords : public ControlPart {
   /// What CompensationStage needs to know about the next move.
   Compensation for_move() const;
   bool started() const { return started_; }
+  /// For a cycle that moves its contour aside by itself: radius and point of the tool in force.
+  Compensation of_tool();
   /// The tool's radius by the register in force, mm.
   double register_radius(const Word& where) {
     tools_.require(where, true);
@@ -35,7 +37,7 @@ class CompensationWords : public ControlPart {
   bool work_selected() const;
   std::string edge_name() const;
   const Tool* tool_of_edge() const;
-  Vec2 tip_vector(const Tool& tool) const;
+  static Vec2 tip_vector(const Tool& tool, double radius);
 
   ToolChanger& tools_;
   bool started_ = false;

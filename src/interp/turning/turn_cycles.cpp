@@ -13,8 +13,8 @@
 namespace mrsim {
 namespace {
 
-constexpr std::array<std::string_view, 5> kTurnCycles = {"CYCLE93", "CYCLE951", "CYCLE97",
-                                                         "CYCLE98", "CYCLE99"};
+constexpr std::array<std::string_view, 6> kTurnCycles = {"CYCLE92", "CYCLE93", "CYCLE951",
+                                                         "CYCLE97", "CYCLE98", "CYCLE99"};
 constexpr double kMostPasses = 1e5;
 
 double sign(double v) { return v < 0 ? -1 : 1; }
@@ -30,6 +30,7 @@ bool TurnCycles::run(const CycleCall& call, const Word& where) {
   where_ = where;
   if (modal_.comp != Code::comp_off)
     return fail("cycle-compensation", "a cycle under radius compensation: G40 before it");
+  if (call.name == "CYCLE92") return parting();
   if (call.name == "CYCLE93") return groove();
   return call.name == "CYCLE951" ? corner() : thread_cycle();
 }
@@ -175,23 +176,23 @@ bool TurnCycles::blade(Groove& g, double low, double high) {
   const Tool* tool = tools_.current();
   if (!tool || tool->type != ToolType::grooving || tool->width <= 0)
     return fail("tool-unknown",
-                "CYCLE93 needs a grooving tool and its width: give --tool or "
-                "--tools");
+                call_.name + " needs a grooving tool and its width: give --tool or --tools");
   const double w = tool->width;
   if (w > high - low + kRounding)
-    return fail("value-range", "CYCLE93: the tool is wider than the groove (alarm 61602)");
+    return fail("value-range", call_.name + ": the tool is wider than the groove (alarm 61602)");
   const int tip = tip_orientation(*tool);
   const bool inside = g.bottom > g.top;
   const bool fits = inside ? tip == 1 || tip == 2 || tip == 6 : tip == 3 || tip == 4 || tip == 8;
   if (!fits || tool->tip_is_nose_centre)
-    return fail("value-range",
-                fmt::format("CYCLE93: the tip orientation {} does not reach this groove", tip));
+    return fail("value-range", fmt::format("{}: the tip orientation {} does not reach this groove",
+                                           call_.name, tip));
   const bool middle = tip == 6 || tip == 8, right = tip == 1 || tip == 4;
   const double from = middle ? w / 2 : right ? w : 0;  // of the point, from the blade's low corner
   g.first = low + from;
   g.last = high - w + from;
   g.step = 0.95 * (w - 2 * tool->nose_radius);
-  if (g.step <= 0) return fail("value-range", "CYCLE93: the blade has no flat between its corners");
+  if (g.step <= 0)
+    return fail("value-range", call_.name + ": the blade has no flat between its corners");
   return true;
 }
 

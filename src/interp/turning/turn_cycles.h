@@ -1,6 +1,6 @@
-// SINUMERIK's turning cycles without a contour: CYCLE93 cuts a groove, CYCLE951 removes a corner,
-// CYCLE97, CYCLE98 and CYCLE99 cut threads. docs/sinumerik_cycles.md says what is read and what is
-// refused. Private to src/interp.
+// SINUMERIK's turning cycles without a contour: CYCLE92 parts off, CYCLE93 cuts a groove, CYCLE951
+// removes a corner, CYCLE97, CYCLE98 and CYCLE99 cut threads. docs/sinumerik_cycles.md says what is
+// read and what is refused. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
@@ -58,6 +58,8 @@ class TurnCycles : public ControlPart {
   bool groove();
   bool groove_values(Groove& out);
   bool blade(Groove& out, double low, double high);
+  bool parting();
+  bool parting_values(Groove& out);
   void plunge(const Groove& g, double z, double bottom);
   bool thread_cycle();
   bool thread_list();

@@ -1,0 +1,123 @@
+// CYCLE952 turns down to a contour by the current list: what its values mean.
+#include "core/rounding.h"
+#include "interp/sinumerik/sinumerik_contours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr int kAlongZ = 1, kAlongX = 2, kAlongContour = 3;
+constexpr int kBlankCylinder = 1, kBlankContour = 3;
+
+double value_farthest(const std::vector<Motion>& contour, int axis, double sense) {
+  double far = component(contour.front().end, axis);
+  for (const Motion& m : contour)
+    if ((component(m.end, axis) - far) * sense > 0) far = component(m.end, axis);
+  return far;
+}
+
+}  // namespace
+
+// PRG CON CONR VARI F FR RP D DX DZ UX UZ U U1 BL XD ZD XA ZA XB ZB XDA XDB N DP DI SC DN GMODE
+// DMODE AMODE PK DCH FS
+bool SinumerikContours::removal_values() {
+  const auto refuse = [&](const char* what) {
+    return error("not-supported", fmt::format("CYCLE952: {} is not supported yet", what), where_);
+  };
+  if (!call_.given(3)) return error("value-missing", "CYCLE952 needs VARI, how it cuts", where_);
+  if (call_.values.size() > 34) return refuse("a list of more than 34 values");
+  if (call_.digit(29, 1) > 1)
+    return refuse("grooving or plunge turning along a contour (DMODE) for its tool's two corners");
+  if (call_.get(13) != 0) return refuse("an allowance for finishing (U1)");
+  for (const std::size_t i : {17, 18, 19, 20})
+    if (call_.get(i) != 0) return refuse("a limit of the area (XA, ZA, XB, ZB)");
+  const double blank = call_.get(14, kBlankCylinder);
+  if (blank < 1 || blank > 3 || blank != std::floor(blank))
+    return error("value-range", "CYCLE952: BL, the blank, is 1 to 3", where_);
+  if (blank == kBlankContour && contours_.size() < 2)
+    return error("value-missing",
+                 "CYCLE952 with BL=3 needs two contours before it: CYCLE62 of the blank, then of "
+                 "the part",
+                 where_);
+  return true;
+}
+
+// VARI's unit: along Z, along X, along the contour; its hundreds the way of the cut and its
+// thousands that of the infeed: X-, X+, Z-, Z+.
+bool SinumerikContours::removal_ways(Removal& r) {
+  const int type = call_.digit(3, 0), work = call_.digit(3, 1);
+  const int cut = call_.digit(3, 2), infeed = call_.digit(3, 3);
+  const bool across = infeed >= 3;
+  const bool known = type >= kAlongZ && type <= kAlongContour && work >= 1 && work <= 3 &&
+                     infeed >= 1 && infeed <= 4 && cut >= 1 && cut <= 4;
+  if (!known || (type == kAlongZ && across) || (type == kAlongX && !across) ||
+      (type != kAlongContour && (cut >= 3) == across))
+    return error("not-supported",
+                 fmt::format("CYCLE952: VARI {:g} is not supported: the ways of cut and infeed in "
+                             "its hundreds and thousands do not go with its unit",
+                             call_.get(3)),
+                 where_);
+  r.u = across ? 2 : 0;
+  r.v = 2 - r.u;
+  r.down = infeed % 2 == 1 ? -1 : 1;
+  r.rough = work != 2;
+  r.finish = work != 1;
+  r.reliefs = call_.digit(3, 6) == 2;
+  const double along = component(contour_.back().end, r.v) - component(contour_.front().end, r.v);
+  r.run = type == kAlongContour ? (along < 0 ? -1 : 1) : (cut % 2 == 1 ? -1 : 1);
+  if (along * r.run < 0) turn_contour();
+  return true;
+}
+
+// UX and UZ, or U beside the contour; the ten thousands of VARI tell where a program has both.
+void SinumerikContours::removal_allowances(Removal& r) {
+  const double unit = scale();
+  const double x = std::abs(call_.get(10)) * unit, z = std::abs(call_.get(11)) * unit;
+  const double beside = std::abs(call_.get(12)) * unit;
+  const bool both = beside > 0 && (x > 0 || z > 0);
+  const bool parallel = both ? call_.digit(3, 4) == 1 : beside > 0;
+  if (both && r.rough && !r.finish)
+    note_once("cycle-allowance",
+              parallel ? "CYCLE952 leaves U beside the contour; UX and UZ do not count (VARI)"
+                       : "CYCLE952 leaves UX and UZ on the contour; U does not count (VARI)",
+              where_, "CYCLE952");
+  r.parallel = parallel ? beside : 0;
+  if (parallel) return;
+  component(r.allowance, r.u) = -r.down * (r.u == 0 ? x : z);
+  component(r.allowance, r.v) = -r.run * (r.u == 0 ? z : x);
+}
+
+// Where the passes begin: the blank decides how many there are, not the part's shape.
+void SinumerikContours::removal_blank(Removal& r) {
+  const int kind = static_cast<int>(call_.get(14, kBlankCylinder));
+  if (kind == kBlankContour) {
+    r.blank = value_farthest(contours_.front(), r.u, -r.down);
+    return;
+  }
+  const double given = call_.get(r.u == 0 ? 15 : 16) * scale();
+  const double edge = value_farthest(contour_, r.u, -r.down);
+  const double size = r.u == 0 ? given / 2 : given;
+  const bool absolute = kind == kBlankCylinder && call_.digit(30, r.u == 0 ? 5 : 6) == 0 &&
+                        (edge - size) * r.down >= 0 && given != 0;
+  r.blank = absolute ? size : edge - r.down * std::abs(given);
+}
+
+bool SinumerikContours::removal_modes(Removal& r) {
+  if (!removal_values() || !removal_ways(r)) return false;
+  const double unit = scale();
+  r.clear = call_.get(26) > 0 ? call_.get(26) * unit : 1;
+  r.depth = std::abs(call_.get(7)) * unit;
+  if (r.depth <= 0) r.depth = std::abs(call_.get(r.u == 0 ? 8 : 9)) * unit;
+  r.feed = call_.get(4) * feed_scale();
+  r.plunge = call_.get(5) * feed_scale();
+  r.last_feed = (call_.get(33) > 0 && r.rough ? call_.get(33) : call_.get(4)) * feed_scale();
+  removal_allowances(r);
+  removal_blank(r);
+  return true;
+}
+
+}  // namespace mrsim
