@@ -29,6 +29,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       drilling_(control_, axes_, holes_),
       haas_(control_, axes_, moves_, compensation_, drilling_),
       pockets_(control_, axes_, tools_, moves_),
+      haas_pocket_(control_, reader_, statements_.get(), axes_, compensation_, moves_, out_),
       engraving_(control_, statements_.get(), axes_, moves_),
       cycles_(control_, reader_, statements_.get(), holes_, frames_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
@@ -71,6 +72,7 @@ void Engine::run() {
   contours_.end_program();
   profiles_.end_program();
   cycles_.end_program();
+  haas_pocket_.end_program();
   out_.flush();
   moves_.finish();
   if (control_.skips_data)
@@ -120,6 +122,7 @@ void Engine::execute() {
   contours_.end_block();
   profiles_.end_block();
   cycles_.end_block();
+  haas_pocket_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
 
@@ -137,6 +140,7 @@ bool Engine::run_move() {
   }
   if (haas_.wants_block()) return haas_.run();
   if (pockets_.wants_block()) return pockets_.run();
+  if (haas_pocket_.wants_block()) return haas_pocket_.run();
   if (!control_.block.places.empty())
     return drilling_.at_points(control_.block.places, control_.block.words.front(), false);
   if (engraving_.wants_block()) return engraving_.run();

@@ -6,6 +6,7 @@
 #include "interp/drilling/haas_cycles.h"
 #include "interp/milling/engraving.h"
 #include "interp/milling/fagor_pockets.h"
+#include "interp/milling/haas_pocket.h"
 #include "interp/sinumerik/sinumerik_cycles.h"
 #include "interp/statements/program_flow.h"
 #include "interp/turning/contour_cycles.h"
@@ -56,6 +57,7 @@ class Engine {
   DrillWords drilling_;
   HaasCycles haas_;
   FagorPockets pockets_;
+  HaasPocket haas_pocket_;
   Engraving engraving_;
   SinumerikCycles cycles_;
   TurnWords turning_;

@@ -83,5 +83,30 @@ TEST(HaasCycles, CircleOfMach) {
   EXPECT_EQ(recognise(Scratch().write("a.nc", text), {}).dialect, Dialect::iso);
 }
 
+// The wall keeps the radius of 5; two cuts of 3 leave 1 mm, which the last one takes at the depth.
+TEST(HaasCycles, PocketOfAContour) {
+  const std::string contour = "N100 G1 Y20.\nX0\nY0\nX20.\nY20.\nX10.\nM99\n";
+  const std::string expected =
+      "r10,10,0 r10,10,1 r10,14,1 l10,14,-2 l6,14,-2 l6,6,-2 l14,6,-2 l14,14,-2 l10,14,-2 "
+      "r10,14,1 r10,14,-2 l10,14,-5 l6,14,-5 l6,6,-5 l14,6,-5 l14,14,-5 l10,14,-5 r10,14,1 "
+      "r10,15,1 l10,15,-5 l5,15,-5 l5,5,-5 l15,5,-5 l15,15,-5 l10,15,-5 r10,15,1 r10,10,1 "
+      "r10,10,20";
+  const std::string call = "G150 P100 X10. Y10. Z-5. G41 J5. K1. Q3. R1. D1 F100.\nG40 X10. Y10.\n";
+  EXPECT_EQ(haas_path(call + "G0 Z20.\nM30\n" + contour), expected);
+  EXPECT_EQ(haas_path("G150 P100 X10. Y10. Z-5. J5. Q3. R1. F100.\nM30\n" + contour),
+            " | not-supported");
+  EXPECT_EQ(haas_path("G150 P100 X10. Y10. Z-5. G41 D1 Q3. R1. F100.\nM30\n" + contour),
+            " | value-missing");
+  EXPECT_EQ(haas_path("G150 P99 X10. Y10. Z-5. G41 J5. Q3. R1. D1 F100.\nM30\n" + contour),
+            " | subprogram-missing");
+  // With G42 the cutter would run outside; so would it along an open contour.
+  EXPECT_EQ(haas_path("G150 P100 X10. Y10. Z-5. G42 J5. Q3. R1. D1 F100.\nM30\n" + contour),
+            "r10,10,0 r10,10,1 | pocket-contour");
+  EXPECT_EQ(
+      haas_path("G150 P100 X10. Y10. Z-5. G41 J5. Q3. R1. D1 F100.\nM30\nN100 G1 Y20.\nX0\nY0\n"
+                "M99\n"),
+      "r10,10,0 r10,10,1 | pocket-contour");
+}
+
 }  // namespace
 }  // namespace mrsim

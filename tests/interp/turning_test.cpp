@@ -101,6 +101,14 @@ TEST(Turning, G71RoughsToTheContour) {
             "r20,2 r20.5,2.2 r17.5,2.2 l17.5,-19.8 r17.5,");
 }
 
+// I and K in one line: the passes leave as much more, which the cut along the contour takes.
+TEST(Turning, G71SemiFinishes) {
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 P10 Q20 U1 W.2 I1. K.3 D3. F.3\nN10 G0 X20\nG1 Z-10 F.1\n"
+                         "X30\nZ-20\nN20 X40\nG0 X100\n")),
+            "r20,2 r20.5,2.2 r17.5,2.2 l17.5,-19.5 r17.5,2.2 r14.5,2.2 l14.5,-9.5 r14.5,2.2 "
+            "r10.5,2.2 l10.5,-9.8 l15.5,-9.8 l15.5,-19.8 l20.5,-19.8 r20,2 r50,2");
+}
+
 // A bore: the levels go outwards, the allowance is negative.
 TEST(Turning, G71BoresAndMeetsSlopesAndArcs) {
   EXPECT_EQ(turned(lathe("G0 X20 Z1\nG71 U2 R.5\nG71 P1 Q2 U-.4 W.1 F.2\nN1 G0 X30\n"

@@ -1,16 +1,56 @@
 #include "interp/milling/region_cutter.h"
 
 #include "core/rounding.h"
+#include "interp/path/arc.h"
 
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
 
 constexpr double kMostRuns = 1e5;  // loops at all levels
 constexpr std::size_t kMostPieces = 3'000;
+constexpr double kClosed = 0.01;  // mm between the ends of a contour
 
 }  // namespace
+
+bool RegionCutter::closed_loop(const std::vector<Motion>& contour, std::size_t first, Loop& out) {
+  const Basis b = basis();
+  const auto flat = [&](const Vec3& p) { return in_plane(b, apply_inverse(frames_.total, p)); };
+  for (std::size_t i = first; i < contour.size(); ++i) {
+    const Motion& m = contour[i];
+    PlanePiece piece;
+    piece.start = flat(m.start);
+    piece.end = flat(m.end);
+    piece.arc = m.kind == MotionKind::arc;
+    if (!piece.arc && length(piece.end - piece.start) <= kRounding) continue;
+    if (piece.arc) {
+      piece.center = flat(m.center);
+      piece.radius = length(piece.start - piece.center);
+      const Vec2 ahead = in_plane(b, turn_inverse(frames_.total, arc_tangent(m, 0)));
+      piece.sweep = std::copysign(std::abs(m.sweep), cross(piece.start - piece.center, ahead));
+    }
+    out.push_back(piece);
+  }
+  const double gap = out.empty() ? 0 : length(out.front().start - out.back().end);
+  if (out.empty() || gap > kClosed) {
+    reporter_.add_at(Severity::error, "pocket-contour",
+                     fmt::format("the contour of the pocket is not closed: its ends are {:.4g} mm "
+                                 "apart",
+                                 gap),
+                     contour.back());
+    return false;
+  }
+  if (gap > kRounding) {
+    PlanePiece rest;
+    rest.start = out.back().end;
+    rest.end = out.front().start;
+    out.push_back(rest);
+  }
+  return true;
+}
 
 bool RegionCutter::clear(const Region& region, double radius, double aside, double step,
                          const Levels& levels, const Word& where) {

@@ -6,6 +6,8 @@
 #include "interp/cycles/cycle_mover.h"
 #include "interp/path/region.h"
 
+#include <vector>
+
 namespace mrsim {
 
 class RegionCutter : public ControlPart {
@@ -19,6 +21,10 @@ class RegionCutter : public ControlPart {
   };
 
   RegionCutter(Control& control, Moves& moves) : ControlPart(control), mover_(control, moves) {}
+
+  /// The motions of a contour, from the one numbered `first` on, as pieces in the program's plane.
+  /// False: the contour is not closed, which was reported.
+  bool closed_loop(const std::vector<Motion>& contour, std::size_t first, Loop& out);
 
   /// Clears all of it, a cutter of `radius` staying `aside` of the contours. False: an error was
   /// reported.

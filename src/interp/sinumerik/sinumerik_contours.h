@@ -69,7 +69,6 @@ class SinumerikContours : public ControlPart {
   void finish_contours();
   bool pocket();
   bool pocket_levels(RegionCutter::Levels& out);
-  bool closed_loop(const std::vector<Motion>& contour, Loop& out);
   bool surroundings(double radius, const Loop& blank, Loop& out);
   bool mill_along();
   bool mill_levels(Along& out);

@@ -1,6 +1,4 @@
 // CYCLE63 clears a pocket with islands, or the surroundings of spigots.
-#include "core/rounding.h"
-#include "interp/path/arc.h"
 #include "interp/sinumerik/sinumerik_contours.h"
 
 #include <algorithm>
@@ -11,7 +9,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kClosed = 0.01;  // mm between the ends of a contour
 constexpr int kRough = 1, kFloor = 3, kWall = 4;
 
 }  // namespace
@@ -55,43 +52,6 @@ bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
   return true;
 }
 
-// The contour's pieces in the coordinates of the program's plane.
-bool SinumerikContours::closed_loop(const std::vector<Motion>& contour, Loop& out) {
-  const Basis b = basis();
-  const auto flat = [&](const Vec3& p) { return in_plane(b, apply_inverse(frames_.total, p)); };
-  for (std::size_t i = 1; i < contour.size(); ++i) {
-    const Motion& m = contour[i];
-    PlanePiece piece;
-    piece.start = flat(m.start);
-    piece.end = flat(m.end);
-    piece.arc = m.kind == MotionKind::arc;
-    if (!piece.arc && length(piece.end - piece.start) <= kRounding) continue;
-    if (piece.arc) {
-      piece.center = flat(m.center);
-      piece.radius = length(piece.start - piece.center);
-      const Vec2 ahead = in_plane(b, turn_inverse(frames_.total, arc_tangent(m, 0)));
-      piece.sweep = std::copysign(std::abs(m.sweep), cross(piece.start - piece.center, ahead));
-    }
-    out.push_back(piece);
-  }
-  const double gap = out.empty() ? 0 : length(out.front().start - out.back().end);
-  if (out.empty() || gap > kClosed) {
-    reporter_.add_at(Severity::error, "pocket-contour",
-                     fmt::format("the contour of CYCLE63 is not closed: its ends are {:.4g} mm "
-                                 "apart",
-                                 gap),
-                     contour.back());
-    return false;
-  }
-  if (gap > kRounding) {
-    PlanePiece rest;
-    rest.start = out.back().end;
-    rest.end = out.front().start;
-    out.push_back(rest);
-  }
-  return true;
-}
-
 // Where the cutter may go about the blank of a spigot: a diameter over its edge.
 bool SinumerikContours::surroundings(double radius, const Loop& blank, Loop& out) {
   std::vector<Loop> around;
@@ -110,7 +70,7 @@ bool SinumerikContours::pocket() {
   if (radius <= 0) return false;
   std::vector<Loop> loops(contours_.size());
   for (std::size_t i = 0; i < loops.size(); ++i)
-    if (!closed_loop(contours_[i], loops[i])) return false;
+    if (!cutter_.closed_loop(contours_[i], 1, loops[i])) return false;
   const int technology = call_.digit(24, 2), kind = call_.digit(1, 0);
   const std::vector<Loop> islands(loops.begin() + 1, loops.end());
   if (technology > 2 || (technology == 2 && islands.empty()))

@@ -202,7 +202,7 @@ constexpr Row kFanucMill[] = {
     {1310, C::ignored_words, G::path},  // how exact Okuma's paths are
     {2740, C::drill_cycle, G::other},
     {2840, C::drill_cycle, G::other},
-    {1500, C::unsupported, G::oneshot},
+    {1500, C::contour_pocket, G::oneshot},
 };
 
 // G13 and G140 choose the turret and the spindle of Okuma's lathes that most programs have.

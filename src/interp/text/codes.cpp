@@ -48,7 +48,6 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {1120, "polar interpolation"},
     {1410, "the second spindle of Okuma"},
     {1430, "tool centre point control"},
-    {1500, "a pocket"},
     {2340, "tool centre point control"},
     {2540, "a dynamic work offset"},
     {2910, "ISO dialect mode: run what follows with --dialect fanuc"},

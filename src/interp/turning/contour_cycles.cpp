@@ -53,9 +53,8 @@ bool ContourCycles::old_words(bool given) {
     if (k) set.shift_z = k->value * length_unit(*k);
     return true;
   }
-  if ((i && i->value != 0) || (k && k->value != 0))
-    return error("not-supported", "I and K (semi-finishing of the contour) are not supported yet",
-                 i ? *i : *k);
+  if (i) semi_finish_.x = i->value * length_unit(*i);
+  if (k) semi_finish_.z = k->value * length_unit(*k);
   if (d) set.depth = std::abs(d->value * cycle_unit(*d));
   return true;
 }
@@ -80,6 +79,7 @@ double ContourCycles::cycle_unit(const Word& word) const {
 }
 
 bool ContourCycles::run() {
+  semi_finish_ = {};
   if (!block_.contour.empty()) return lap();
   const Word* first = take('P');
   const Word* last = take('Q');
@@ -285,7 +285,7 @@ bool ContourCycles::rough() {
             call_.where);
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i < contour_.size(); ++i)
-    pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift));
+    pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift + semi_finish_));
   const RoughContour shape(std::move(pieces), -r.down, r.run);
   if (const int bad = shape.runs_back(); bad >= 0) {
     const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];

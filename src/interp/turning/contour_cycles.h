@@ -71,6 +71,7 @@ class ContourCycles : public ControlPart {
   Moves& moves_;
   MotionEmitter& out_;
   Call call_;
+  Vec3 semi_finish_;    ///< I and K: what the passes leave for the cut along the contour, mm
   bool waits_ = false;  ///< the contour of call_ comes next
   std::vector<Motion> contour_;
   Modal modal_before_;

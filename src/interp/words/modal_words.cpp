@@ -107,6 +107,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       if (!peek('P')) return refuse(word);
       [[fallthrough]];
     case Code::circle_pocket:
+    case Code::contour_pocket:
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:
       if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
