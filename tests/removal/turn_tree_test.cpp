@@ -91,17 +91,17 @@ TEST(TurnTree, FacingSidesGiveTheSameBits) {
   for (int round = 0; round < 1500; ++round) {
     const SweepTable sweeps(turning_moves(r, 20, 10, 20), tools);
     const TurnTree& tree = sweeps.turn_tree();
-    std::vector<TurnTree::Member> members;
-    for (std::uint32_t i = 0; i < sweeps.size(); ++i) tree.append_sides(i, i, members);
+    std::vector<TurnMember> members;
+    for (std::uint32_t i = 0; i < sweeps.size(); ++i) append_sides(tree.turns(), i, i, members);
     const Vec3 at = somewhere(r);
     const double from = std::fabs(at.x), to = from + (round % 3 ? r(0, 0.3) : r(0, 10));
-    TurnTree::Sides sides;
-    std::vector<TurnTree::Facing> facing;
-    for (const TurnTree::Member& m : members) {
-      facing.push_back(tree.facing(m, from, to, at.z, sides));
+    TurnSides sides;
+    std::vector<FacingMember> facing;
+    for (const TurnMember& m : members) {
+      facing.push_back(mrsim::facing(tree.turns(), m, from, to, at.z, sides));
       left += facing.back().count, polygons += facing.back().count > 0;
     }
-    for (const TurnTree::Member& m : members) {
+    for (const TurnMember& m : members) {
       PointColumns one{};
       one.count = 8;
       for (std::size_t k = 0; k < one.count; ++k) {
@@ -110,8 +110,8 @@ TEST(TurnTree, FacingSidesGiveTheSameBits) {
       }
       PointColumns other = one;
       const auto& near = facing[static_cast<std::size_t>(&m - members.data())];
-      tree.least(std::span(&m, 1), one);
-      tree.least(std::span(&near, 1), sides, other);
+      least_of(tree.turns(), std::span(&m, 1), one);
+      least_of(tree.turns(), std::span(&near, 1), sides, other);
       for (std::size_t k = 0; k < one.count; ++k)
         ASSERT_EQ(std::bit_cast<std::uint64_t>(one.least[k]),
                   std::bit_cast<std::uint64_t>(other.least[k]))

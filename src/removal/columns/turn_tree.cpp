@@ -96,7 +96,7 @@ class TurnTree::Narrowing {
       if ((kept >> k & 1u) != 0) narrow(2 * (p.first + k) + pack % 2, out);
   }
 
-  void members(std::uint32_t pack, std::vector<Member>& out) {
+  void members(std::uint32_t pack, std::vector<TurnMember>& out) {
     const Pack& p = tree_.packs_[pack / 2];
     const unsigned kept = kept_lanes(pack);
     for (std::uint32_t k = 0; kept >> k != 0; ++k) {
@@ -183,7 +183,7 @@ void TurnTree::narrow(const TurnRegion& region, const Nearest& best, double limi
 }
 
 void TurnTree::members(const TurnRegion& region, const Nearest& best, double limit, double slack,
-                       std::span<const std::uint32_t> in, std::vector<Member>& out) const {
+                       std::span<const std::uint32_t> in, std::vector<TurnMember>& out) const {
   Narrowing narrowing(*this, region, best, limit, slack);
   for (const std::uint32_t pack : in) narrowing.members(pack, out);
 }

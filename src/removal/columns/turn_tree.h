@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/heap.h"
+#include "removal/columns/turn_members.h"
 #include "removal/forms/turn_sweep.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/tool/tool.h"
@@ -41,20 +42,14 @@ class TurnTree {
     bool behind = false;
   };
 
-  /// A sweep, or its mirror image.
-  struct Member {
-    std::uint32_t sweep = 0, row = 0;
-    bool behind = false;
-  };
-
   TurnTree() = default;
   /// `turns` stay where they are. `items` ascend. Memory: 2 KB for 7 sweeps of an insert with four
   /// corners.
-  TurnTree(std::span<const TurnSweep> turns, std::span<const ToolShape> shapes,
-           std::vector<Item> items, int threads);
+  TurnTree(TurnRows turns, std::span<const ToolShape> shapes, std::vector<Item> items, int threads);
 
   std::size_t size() const { return turns_.size(); }  ///< sweeps
-  std::size_t memory() const {                        ///< bytes
+  TurnRows turns() const { return turns_; }
+  std::size_t memory() const {  ///< bytes
     return bytes_of(items_) + bytes_of(packs_) + bytes_of(sides_) + bytes_of(size_);
   }
   /// Packs that hold all sweeps.
@@ -76,26 +71,7 @@ class TurnTree {
 
   /// Appends those sweeps of what narrow() has left that may be nearest somewhere in the region.
   void members(const TurnRegion& region, const Nearest& best, double limit, double slack,
-               std::span<const std::uint32_t> in, std::vector<Member>& out) const;
-
-  /// Appends sweep `sweep` of row `row`, and its mirror image where that counts.
-  void append_sides(std::uint32_t sweep, std::uint32_t row, std::vector<Member>& out) const;
-
-  /// Brings `points`, as (rho, 0, z), up to date with some sweeps, the bits of turn_distance.
-  void least(std::span<const Member> members, PointColumns& points) const;
-
-  /// A member with what points of one stretch of rho need of it.
-  struct Facing {
-    Member member;
-    std::uint32_t first = 0, count = 0;  ///< its sides in a list; none: an arc, or a point
-    double round = 0;
-  };
-  using Sides = std::vector<ConvexPolygon::Side>;
-  /// For points from (from, z) to (to, z). Appends to `sides` those of a polygon that can decide
-  /// its distance there.
-  Facing facing(const Member& member, double from, double to, double z, Sides& sides) const;
-  /// As the other least(), the same bits, for points of the stretch that `members` were made for.
-  void least(std::span<const Facing> members, const Sides& sides, PointColumns& points) const;
+               std::span<const std::uint32_t> in, std::vector<TurnMember>& out) const;
 
  private:
   static constexpr std::size_t kLanes = PolygonSides::kLanes;
@@ -112,7 +88,7 @@ class TurnTree {
   class Narrowing;
   void measure(const Pack& pack, double x, double z, double* out) const;
 
-  std::span<const TurnSweep> turns_;
+  TurnRows turns_;
   std::vector<Item> items_;
   std::vector<Pack> packs_;
   std::vector<PolygonSides> sides_;

@@ -62,8 +62,8 @@ class TurnLayers::Builder {
     out_.intervals.push_back({to, static_cast<std::uint32_t>(out_.members.size()),
                               static_cast<std::uint32_t>(members_.size()),
                               ExactField::Region::mixed, in_stock});
-    for (const TurnTree::Member& m : members_)
-      out_.members.push_back(tree_.facing(m, from, to, z_, out_.sides));
+    for (const TurnMember& m : members_)
+      out_.members.push_back(facing(tree_.turns(), m, from, to, z_, out_.sides));
   }
   void add(double to, ExactField::Region region) {
     std::vector<Interval>& list = out_.intervals;
@@ -77,7 +77,7 @@ class TurnLayers::Builder {
   const TurnTree& tree_;
   double voxel_, band_, z_;
   Layer& out_;
-  std::vector<TurnTree::Member> members_;
+  std::vector<TurnMember> members_;
 };
 
 TurnLayers::TurnLayers(const PartField& field, double voxel, double band, int threads) {

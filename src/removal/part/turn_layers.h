@@ -23,8 +23,8 @@ class TurnLayers {
   };
   struct Layer {
     std::vector<Interval> intervals;  ///< ascending; beyond the last one is air
-    std::vector<TurnTree::Facing> members;
-    TurnTree::Sides sides;  ///< of the members
+    std::vector<FacingMember> members;
+    TurnSides sides;  ///< of the members
   };
 
   /// Turning sweeps alone, which the whole field need not be: the table is right where no others

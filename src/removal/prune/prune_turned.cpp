@@ -25,7 +25,7 @@ TurnRegion turn_region(const PruneRegion& region) {
 bool expand_turned(const SweepTable& table, const PruneRegion& region, double reach,
                    std::size_t most, std::vector<std::uint32_t>& ids) {
   static thread_local TurnTree::Packs packs;
-  static thread_local std::vector<TurnTree::Member> members;
+  static thread_local std::vector<TurnMember> members;
   const auto numbers = table.columns().numbers_of(ids);
   if (numbers.turned.empty()) return true;
   if (!numbers.packs.empty()) return false;
@@ -42,7 +42,7 @@ bool expand_turned(const SweepTable& table, const PruneRegion& region, double re
   tree.members(at, best, reach, 2 * table.max_error() + kRounding, packs, members);
   if (members.size() > most) return false;
   ids.resize(plain);
-  for (const TurnTree::Member& m : members) ids.push_back(m.sweep);
+  for (const TurnMember& m : members) ids.push_back(m.sweep);
   std::sort(ids.begin(), ids.end());
   // A sweep and its mirror image are one.
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

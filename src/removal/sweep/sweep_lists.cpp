@@ -99,9 +99,9 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
 void least_of_turns(const SweepColumns& c, std::span<const std::uint32_t> ids,
                     PointColumns& points) {
   static thread_local PointColumns turned;
-  static thread_local std::vector<TurnTree::Member> members;
+  static thread_local std::vector<TurnMember> members;
   members.clear();
-  for (const std::uint32_t id : ids) c.turn_tree.append_sides(id, c.refs[id].row, members);
+  for (const std::uint32_t id : ids) append_sides(c.turns, id, c.refs[id].row, members);
   turned.count = points.count;
   const std::size_t padded =
       (points.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
@@ -110,7 +110,7 @@ void least_of_turns(const SweepColumns& c, std::span<const std::uint32_t> ids,
     turned.y[k] = 0, turned.z[k] = points.z[k];
     turned.least[k] = points.least[k], turned.nearest[k] = points.nearest[k];
   }
-  c.turn_tree.least(members, turned);
+  least_of(c.turns, members, turned);
   std::copy(turned.least, turned.least + padded, points.least);
   std::copy(turned.nearest, turned.nearest + padded, points.nearest);
 }

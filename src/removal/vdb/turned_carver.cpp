@@ -95,8 +95,8 @@ void TurnedCarver::evaluate(const openvdb::Coord& slab, int z, std::span<const C
     points_.z[k] = height;
     points_.least[k] = std::numeric_limits<double>::infinity(), points_.nearest[k] = 0;
   }
-  field_.sweeps().turn_tree().least({layer.members.data() + in.first, in.count}, layer.sides,
-                                    points_);
+  least_of(field_.sweeps().turn_tree().turns(), {layer.members.data() + in.first, in.count},
+           layer.sides, points_);
   combine_stock(in.in_stock);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Column& c = columns[k];

@@ -1,5 +1,4 @@
-// Points asked of a few sweeps of the tree, side by side.
-#include "removal/columns/turn_tree.h"
+#include "removal/columns/turn_members.h"
 
 #include <algorithm>
 #include <array>
@@ -22,16 +21,16 @@ struct Beyond {
 
 }  // namespace
 
-void TurnTree::append_sides(std::uint32_t sweep, std::uint32_t row,
-                            std::vector<Member>& out) const {
+void append_sides(TurnRows turns, std::uint32_t sweep, std::uint32_t row,
+                  std::vector<TurnMember>& out) {
   out.push_back({sweep, row, false});
-  if (!turns_[row].one_sided) out.push_back({sweep, row, true});
+  if (!turns[row].one_sided) out.push_back({sweep, row, true});
 }
 
-void TurnTree::least(std::span<const Member> members, PointColumns& points) const {
+void least_of(TurnRows turns, std::span<const TurnMember> members, PointColumns& points) {
   const SweepKernels& kernels = sweep_kernels();
-  for (const Member& m : members) {
-    const TurnSweep& s = turns_[m.row];
+  for (const TurnMember& m : members) {
+    const TurnSweep& s = turns[m.row];
     const std::vector<ConvexPolygon::Side>& sides = s.polygon.sides;
     if (!s.arc && !sides.empty()) {
       kernels.polygon_least(sides.data(), sides.size(), s.round, m.behind, m.sweep, points);
@@ -48,12 +47,12 @@ void TurnTree::least(std::span<const Member> members, PointColumns& points) cons
 // Of a polygon's distance at a point beyond some side, those sides tell that the point is beyond:
 // what is surely on the inner side of a line, all the way, need not ask for it. At a point inside
 // the nearest line tells: a line that is always farther than another one never does.
-TurnTree::Facing TurnTree::facing(const Member& member, double from, double to, double z,
-                                  Sides& sides) const {
-  const TurnSweep& s = turns_[member.row];
-  Facing facing{member, static_cast<std::uint32_t>(sides.size()), 0, s.round};
+FacingMember facing(TurnRows turns, const TurnMember& member, double from, double to, double z,
+                    TurnSides& sides) {
+  const TurnSweep& s = turns[member.row];
+  FacingMember facing{member, static_cast<std::uint32_t>(sides.size()), 0, s.round};
   if (s.arc) return facing;
-  const Sides& all = s.polygon.sides;
+  const TurnSides& all = s.polygon.sides;
   std::vector<Beyond> beyond(all.size());
   const double sign = member.behind ? -1 : 1;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -73,15 +72,15 @@ TurnTree::Facing TurnTree::facing(const Member& member, double from, double to, 
   return facing;
 }
 
-void TurnTree::least(std::span<const Facing> members, const Sides& sides,
-                     PointColumns& points) const {
+void least_of(TurnRows turns, std::span<const FacingMember> members, const TurnSides& sides,
+              PointColumns& points) {
   const SweepKernels& kernels = sweep_kernels();
-  for (const Facing& f : members)
+  for (const FacingMember& f : members)
     if (f.count > 0)
       kernels.polygon_least(sides.data() + f.first, f.count, f.round, f.member.behind,
                             f.member.sweep, points);
     else
-      least(std::span(&f.member, 1), points);
+      least_of(turns, std::span(&f.member, 1), points);
 }
 
 }  // namespace mrsim
