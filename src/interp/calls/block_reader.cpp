@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "interp/text/characters.h"
+#include "interp/text/sinumerik_words.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "interp/statements/program_flow.h"
 
 #include "core/text_io.h"
+#include "interp/text/sinumerik_words.h"
 
 #include <algorithm>
 #include <array>

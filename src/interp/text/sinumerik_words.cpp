@@ -1,10 +1,10 @@
-// The lexical rules that only SINUMERIK has: names, assignments, AC() and IC(), strings.
+#include "interp/text/sinumerik_words.h"
+
 #include "core/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
-#include "interp/text/parser.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,11 +25,6 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"MEAS", Address::meas}, {"MEAW", Address::meas},   {"ADISPOS", Address::data},
     {"OVR", Address::data},  {"OVRRAP", Address::data}, {"FP", Address::data},
     {"CTOL", Address::data}, {"OTOL", Address::data}};
-
-constexpr std::pair<std::string_view, Form> kForms[] = {
-    {"AC", Form::ac},   {"IC", Form::ic},   {"DAC", Form::dac},
-    {"DIC", Form::dic}, {"RAC", Form::rac}, {"RIC", Form::ric},
-    {"DC", Form::ac},   {"ACP", Form::ac},  {"ACN", Form::ac}};
 
 // Calls without effect on geometry; COUP... couples spindles, for parts that change over.
 constexpr std::string_view kHarmlessCalls[] = {
@@ -59,18 +54,18 @@ std::string missing_equal_sign(std::string_view name) {
   return fmt::format("; is {}={} meant?", name.substr(0, letters), digits);
 }
 
-void Parser::sinumerik_word(Block& block) {
+void SinumerikWords::read(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
   char n = at(p_ + 1);
-  if (is_letter(n) || n == '_' || c == '_') return sinumerik_name(block);
+  if (is_letter(n) || n == '_' || c == '_') return name(block);
   Word word;
   word.address = letter(c);
   ++p_;
   while (blank(n) && p_ < line_.size()) n = at(++p_);
   if (n == '=') {
     ++p_;
-    if (sinumerik_value(block, word)) push(block, word, from);
+    if (value(block, word)) push(block, word, from);
     return;
   }
   if (n == ':' && block.words.empty()) return label(block, from, from + 1);
@@ -100,7 +95,7 @@ void Parser::sinumerik_word(Block& block) {
       fault(block, "address-unknown",
             fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
     word.code = static_cast<Code>(c);  // the letter, for the rare ones that matter
-    if (sinumerik_value(block, word) && word.address != letter(c)) push(block, word, from);
+    if (value(block, word) && word.address != letter(c)) push(block, word, from);
     return;
   }
   if (c == 'N') {
@@ -111,189 +106,32 @@ void Parser::sinumerik_word(Block& block) {
 }
 
 // "NAME:", p_ on the colon.
-void Parser::label(Block& block, std::size_t from, std::size_t end) {
+void SinumerikWords::label(Block& block, std::size_t from, std::size_t end) {
   ++p_;
   if (end - from < 2 || end - from > kLongestName)
     fault(block, "label-length", fmt::format("a label has 2 to {} characters", kLongestName), from,
           end);
 }
 
-// The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
-// expression.
-bool Parser::zero_follows() {
+// "L1:", "N10:": read as words, so they name no place.
+void SinumerikWords::short_label(Block& block, std::size_t from) {
+  ++p_;
+  const std::string_view name = line_.substr(from, p_ - from - 1);
+  const char* advice = upper(name.front()) == 'N'
+                           ? "a block number is the target of a jump without a colon"
+                           : "a label begins with two letters or underscores, such as LB1:";
+  fault(block, "label-length", fmt::format("{} is a word with a number: {}", name, advice), from,
+        p_);
+}
+
+bool SinumerikWords::zero_follows() {
   skip_blanks();
   const std::size_t from = p_;
   while (at(p_) == '0' || at(p_) == '.') ++p_;
   return p_ > from && (at(p_) == '\0' || at(p_) == ';' || blank(at(p_)));
 }
 
-bool Parser::sinumerik_value(Block& block, Word& word) {
-  skip_blanks();
-  const std::size_t from = p_;
-  const char c = at(p_);
-  if (language_ && sinumerik_expression_follows()) return expression(block, word, true);
-  if (c == '"') {
-    text_value(block, word);
-    return !block.bad;
-  }
-  if (c == '\'') {
-    if (sinumerik_radix(word)) return true;
-    fault(block, "number-malformed", "expected 'H...' or 'B...'", from, p_);
-    return false;
-  }
-  if (is_letter(c) || c == '_') return sinumerik_form(block, word);
-  if (starts_number(c) &&
-      (is_digit(at(p_ + 1)) || at(p_ + 1) == '.' || is_digit(c) || starts_number(at(p_ + 1)))) {
-    std::size_t end = from + 1;
-    while (is_digit(at(end)) || at(end) == '.') ++end;
-    if ((at(end) == '+' || at(end) == '-') && is_digit(at(end - 1))) {
-      p_ = end;
-      unsupported(block, line_.substr(from, end - from + 1), "an expression", from);
-      return false;
-    }
-    if (!number(block, word, true)) return false;
-    const char after = at(p_);
-    if (after == '*' || after == '/' || after == '(' || after == '<' || after == '>') {
-      unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
-      return false;
-    }
-    return true;
-  }
-  if (c == '\0' || c == ';') {
-    fault(block, "address-without-number", "no value after =", from > 0 ? from - 1 : 0, from);
-    return false;
-  }
-  if (starts_number(c) && (at(p_ + 1) == '\0' || at(p_ + 1) == ';' || blank(at(p_ + 1))))
-    return number(block, word, true);  // a lone sign or point
-  p_ = from + 1;
-  unsupported(block, line_.substr(from, 1), "an expression", from);
-  return false;
-}
-
-// More than a number, a text in quotes or AC(number).
-bool Parser::sinumerik_expression_follows() const {
-  std::size_t i = p_;
-  if (at(i) == '(' || at(i) == '$') return true;
-  if (is_letter(at(i)) || at(i) == '_') {
-    std::size_t end = i;
-    while (is_name(at(end))) ++end;
-    const std::string name = upper_case(line_.substr(i, std::min<std::size_t>(end - i, 33)));
-    while (blank(at(end)) && end < line_.size()) ++end;
-    for (const auto& [known, form] : kForms)
-      if (known == name && at(end) == '(') return false;
-    return true;
-  }
-  if (at(i) == '"') {
-    i = line_.find('"', i + 1);
-    if (i == std::string_view::npos) return false;
-    ++i;
-  } else if (at(i) == '\'') {
-    i = line_.find('\'', i + 1);
-    if (i == std::string_view::npos) return false;
-    ++i;
-  } else {
-    const std::size_t signs = i;
-    while (at(i) == '-' || at(i) == '+') ++i;
-    if ((is_name(at(i)) && !is_digit(at(i))) || at(i) == '(' || at(i) == '$') return true;
-    while (is_digit(at(i)) || at(i) == '.') ++i;
-    if (i == signs) return false;
-    if (upper(at(i)) == 'E' && upper(at(i + 1)) == 'X') {
-      i += 2;
-      while (is_digit(at(i)) || at(i) == '-' || at(i) == '+') ++i;
-    }
-    if ((at(i) == '-' || at(i) == '+') &&
-        (is_name(at(i + 1)) || at(i + 1) == '(' || at(i + 1) == '$' || blank(at(i + 1))))
-      return is_digit(at(i - 1)) || at(i - 1) == '.';
-  }
-  while (blank(at(i)) && i < line_.size()) ++i;
-  const std::string_view rest = line_.substr(std::min(i, line_.size()), 4);
-  const std::string word = upper_case(rest);
-  return at(i) == '*' || at(i) == '/' || at(i) == '<' || at(i) == '>' || at(i) == '+' ||
-         at(i) == '-' || word.starts_with("DIV ") || word.starts_with("MOD ") ||
-         (at(i) == '=' && at(i + 1) == '=');
-}
-
-bool Parser::sinumerik_form(Block& block, Word& word) {
-  const std::size_t from = p_;
-  while (is_name(at(p_))) ++p_;
-  const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 33)));
-  skip_blanks();
-  const bool bracket = at(p_) == '(';
-  for (const auto& [known, form] : kForms) {
-    if (known != name || !bracket) continue;
-    word.form = form;
-    ++p_;
-    skip_blanks();
-    const std::size_t inner = p_;
-    if (language_ && at(p_) != ')' && at(p_) != '\0' && at(p_) != ';') {
-      if (!expression(block, word, true)) return false;
-      skip_blanks();
-      if (at(p_) == ')') {
-        ++p_;
-        return true;
-      }
-      fault(block, "bracket", "the ( here is not closed (alarm 12080)", inner - 1, inner);
-      return false;
-    }
-    if (!starts_number(at(p_)) ||
-        !(is_digit(at(p_ + 1)) || is_digit(at(p_)) || at(p_ + 1) == '.')) {
-      const bool empty = at(p_) == ')';
-      if (empty) ++p_;
-      if (empty || at(p_) == '\0' || at(p_) == ';')
-        fault(block, "address-without-number", fmt::format("no number in {}()", name), from, p_);
-      else
-        unsupported(block, line_.substr(inner, 1), "an expression", inner);
-      return false;
-    }
-    if (!number(block, word, true)) return false;
-    skip_blanks();
-    if (at(p_) == ')') {
-      ++p_;
-      return true;
-    }
-    if (at(p_) == '\0' || at(p_) == ';')
-      fault(block, "bracket", "the ( here is not closed (alarm 12080)", inner - 1, inner);
-    else
-      unsupported(block, line_.substr(inner, p_ - inner + 1), "an expression", inner);
-    return false;
-  }
-  unsupported(block, line_.substr(from, p_ - from), "an expression", from);
-  return false;
-}
-
-bool Parser::sinumerik_radix(Word& word) {
-  const char kind = upper(at(p_ + 1));
-  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
-  const std::size_t end = line_.find('\'', p_ + 1);
-  if (base == 0 || end == std::string_view::npos || end - p_ > 34) return false;
-  double value = 0;
-  std::size_t i = p_ + 2;
-  for (; i < end; ++i) {
-    const char c = upper(line_[i]);
-    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
-    if (digit >= base) return false;
-    value = value * base + digit;
-  }
-  if (i == p_ + 2 || value > 1e9) return false;
-  word.value = value;
-  p_ = end + 1;
-  return true;
-}
-
-void Parser::text_value(Block& block, Word& word) {
-  const std::size_t end = line_.find('"', p_ + 1);
-  if (end == std::string_view::npos) {
-    fault(block, "string-unterminated",
-          "the text that starts here is not closed with \" (alarm 12080)", p_, p_ + 1);
-    p_ = line_.size();
-    return;
-  }
-  word.string = true;
-  word.text = line_.substr(p_ + 1, end - p_ - 1);
-  p_ = end + 1;
-}
-
-void Parser::sinumerik_name(Block& block) {
+void SinumerikWords::name(Block& block) {
   const std::size_t from = p_;
   while (is_name(at(p_))) ++p_;
   const std::string_view run = line_.substr(from, p_ - from);
@@ -312,14 +150,14 @@ void Parser::sinumerik_name(Block& block) {
     word.address = find_address(name);
     ++p_;
     if (word.address != Address::none) {
-      if (sinumerik_value(block, word)) push(block, word, from);
+      if (value(block, word)) push(block, word, from);
       return;
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
     return unsupported(block, run, "a variable or an address unknown to this reader", from);
   }
-  if (c == '(') return sinumerik_call(block, from, run);
+  if (c == '(') return call(block, from, run);
   if (name == "MCALL") {
     block.modal_call = true;
     return;
@@ -339,7 +177,7 @@ void Parser::sinumerik_name(Block& block) {
 }
 
 // A name that is no function: a subprogram's, alone or behind CALL.
-void Parser::program_name(Block& block, std::size_t from, std::string_view run) {
+void SinumerikWords::program_name(Block& block, std::size_t from, std::string_view run) {
   const std::string name = upper_case(run.substr(0, 33));
   Word word;
   word.address = Address::call;
@@ -360,7 +198,7 @@ void Parser::program_name(Block& block, std::size_t from, std::string_view run) 
 }
 
 // NAME( ... ): a call with arguments. Quotes hide brackets.
-void Parser::sinumerik_call(Block& block, std::size_t from, std::string_view run) {
+void SinumerikWords::call(Block& block, std::size_t from, std::string_view run) {
   const std::size_t open = p_;
   int depth = 0;
   bool quoted = false;

@@ -1,8 +1,8 @@
-// Text that is no word: characters without a meaning, malformed numbers, and unusual numbers.
+#include "interp/text/strange_text.h"
+
 #include "core/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
-#include "interp/text/parser.h"
 
 #include <algorithm>
 #include <string>
@@ -25,7 +25,7 @@ bool is_dash(std::string_view text) {
 
 // FANUC's ";" ends a block, and many write comments behind it: where the line goes on with words,
 // either may be meant. Behind a tool "Z4" counts its flutes.
-void Parser::doubt_comment(const Block& block) {
+void StrangeText::doubt_comment(const Block& block) {
   const auto is_tool = [](const Word& word) { return word.address == letter('T'); };
   if (dialect_ != Dialect::fanuc || block.words.empty() ||
       std::any_of(block.words.begin(), block.words.end(), is_tool) ||
@@ -43,7 +43,7 @@ void Parser::doubt_comment(const Block& block) {
 }
 
 // "GO X5", "MO3": the letter where the digit is meant.
-bool Parser::zero_as_letter(Block& block) {
+bool StrangeText::zero_as_letter(Block& block) {
   const char c = upper(at(p_));
   if ((c != 'G' && c != 'M') || upper(at(p_ + 1)) != 'O') return false;
   const std::size_t next = p_ + 2;
@@ -59,7 +59,7 @@ bool Parser::zero_as_letter(Block& block) {
   return true;
 }
 
-void Parser::strange_character(Block& block) {
+void StrangeText::character(Block& block) {
   const std::size_t from = p_;
   const char c = line_[p_];
   const auto byte = static_cast<unsigned char>(c);
@@ -73,7 +73,6 @@ void Parser::strange_character(Block& block) {
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
   if (c == '[') return unsupported(block, "[", "an expression", from);
-  if (program_in_brackets(block)) return;
   if (c == '<') {
     if (const std::size_t close = line_.substr(from, kNearby).find('>'); close != line_.npos) {
       p_ = from + close + 1;
@@ -81,7 +80,6 @@ void Parser::strange_character(Block& block) {
                          "the name of a program", from);
     }
   }
-  if (c == ',' && corner_word(block)) return;
   if (c == ',' && is_letter(at(p_ + 1)))
     return unsupported(block, line_.substr(from, 2), "a corner word", from);
   if (c == '(' && dialect_ == Dialect::sinumerik) {
@@ -115,52 +113,8 @@ void Parser::strange_character(Block& block) {
         from, p_);
 }
 
-// "L1:", "N10:": read as words, so they name no place.
-void Parser::short_label(Block& block, std::size_t from) {
-  ++p_;
-  const std::string_view name = line_.substr(from, p_ - from - 1);
-  const char* advice = upper(name.front()) == 'N'
-                           ? "a block number is the target of a jump without a colon"
-                           : "a label begins with two letters or underscores, such as LB1:";
-  fault(block, "label-length", fmt::format("{} is a word with a number: {}", name, advice), from,
-        p_);
-}
-
-bool Parser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
-  p_ = from;
-  std::string text;
-  while (p_ < line_.size() && (starts_number(line_[p_]) || (glued_blanks_ && blank(line_[p_])))) {
-    if (!blank(line_[p_])) text += line_[p_];
-    ++p_;
-  }
-  if (exponent && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X') {
-    text += 'e';
-    p_ += 2;
-    while (p_ < line_.size() && (is_digit(line_[p_]) || line_[p_] == '-' || line_[p_] == '+'))
-      text += line_[p_++];
-  }
-  word.point = text.find('.') != std::string::npos;
-  const std::optional<double> value = parse_number(text, exponent);
-  if (value && *value <= kLargestNumber && *value >= -kLargestNumber) {
-    word.value = *value;
-    return true;
-  }
-  const std::string shown = text.substr(0, 40);
-  const bool is_one = text.find('.') == text.rfind('.') &&
-                      text.find_last_of("+-") + 1 <= 1;  // no sign but the first
-  if (is_one && text.size() > 9 && text.find_first_of("0123456789") != std::string::npos)
-    fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
-  else
-    fault(block, "number-malformed",
-          fmt::format(
-              "\"{}\" is not a number{}", shown,
-              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
-          from, p_);
-  return false;
-}
-
 // FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
-void Parser::check_inner_blanks(std::size_t from) {
+void StrangeText::check_inner_blanks(std::size_t from) {
   const std::string_view run = line_.substr(from, p_ - from);
   const std::size_t blank = run.find_first_of(" \t", run.find_first_of("0123456789."));
   if (blank == std::string_view::npos) return;
@@ -172,7 +126,7 @@ void Parser::check_inner_blanks(std::size_t from) {
       static_cast<int>(from), static_cast<int>(run.size()));
 }
 
-void Parser::unknown_word(Block& block, std::size_t from) {
+void StrangeText::word(Block& block, std::size_t from) {
   p_ = from + 1;  // also behind "@" and "^", which are no names
   while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
   const std::string_view run = line_.substr(from, p_ - from);

@@ -1,11 +1,12 @@
-// Words of Okuma's OSP beside those of FANUC: names of blocks and programs, variables, patterns.
+#include "interp/text/okuma_words.h"
+
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
 #include "interp/text/line_scan.h"
-#include "interp/text/parser.h"
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -18,11 +19,13 @@ constexpr std::string_view kOkumaPatterns[] = {"LAA",  "ARC",  "GRDX", "GRDY",
 constexpr std::string_view kOkumaAreas[] = {"FMILR", "FMILF", "PMIL", "PMILR", "RMILO", "RMILI"};
 constexpr std::size_t kLongestBlockName = 9;  // "NAT0101" of Okuma
 
+constexpr std::string_view kNoHole = "NCYL";  // the cycle makes no hole here
+
 }  // namespace
 
 // Okuma: HA and DA are the registers of the tool in the spindle (HB, HC further ones); HP=1 is the
 // number of a home position.
-bool Parser::okuma_word(Block& block) {
+bool OkumaWords::register_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(at(p_)), n = upper(at(p_ + 1));
   if (dialect_ != Dialect::fanuc || (c != 'H' && c != 'D')) return false;
@@ -45,7 +48,7 @@ bool Parser::okuma_word(Block& block) {
 
 // "BHC X Y I J K" of Okuma is Mitsubishi's G34: a circle of holes. Its other patterns and its areas
 // are refused by name.
-bool Parser::okuma_pattern(Block& block) {
+bool OkumaWords::pattern(Block& block) {
   const std::size_t from = p_;
   std::size_t end = p_;
   while (is_letter(at(end))) ++end;
@@ -76,7 +79,7 @@ bool Parser::okuma_pattern(Block& block) {
 }
 
 // "OSUB" of Okuma: a program with a name.
-bool Parser::okuma_program(Block& block) {
+bool OkumaWords::program(Block& block) {
   if (dialect_ != Dialect::fanuc || !block.words.empty() || !names_okuma_program(line_, p_))
     return false;
   const std::size_t from = p_;
@@ -90,7 +93,7 @@ bool Parser::okuma_program(Block& block) {
 }
 
 // "<PART-1>" of FANUC's 30i, as a header; behind a call instead of P.
-bool Parser::program_in_brackets(Block& block) {
+bool OkumaWords::program_in_brackets(Block& block) {
   const std::string_view name = bracketed_name(line_, p_);
   const std::size_t from = p_;
   if (dialect_ != Dialect::fanuc || name.empty()) return false;
@@ -110,7 +113,7 @@ bool Parser::program_in_brackets(Block& block) {
 }
 
 // "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
-bool Parser::assigns_name() const {
+bool OkumaWords::assigns_name() const {
   if (dialect_ != Dialect::fanuc || !language_) return false;
   const bool common = upper(at(p_)) == 'V' && is_digit(at(p_ + 1));
   if (!common && !is_letter(at(p_ + 1))) return false;
@@ -121,7 +124,7 @@ bool Parser::assigns_name() const {
 }
 
 // "NAT01 T010101" of Okuma: a block has a name instead of a number.
-bool Parser::block_name(Block& block) {
+bool OkumaWords::block_name(Block& block) {
   std::size_t end = p_ + 1;
   while (is_letter(at(end)) || is_digit(at(end))) ++end;
   const bool first = block.words.empty() && !block.has_number;
@@ -143,7 +146,7 @@ bool Parser::block_name(Block& block) {
 }
 
 // "G84 XA=80 DA=4 FA=0.2" behind G85: depths and feeds from a place on.
-void Parser::skip_conditions(Block& block) {
+void OkumaWords::skip_conditions(Block& block) {
   reporter_.once(
       Severity::note, "cycle-contour",
       "G84 of LAP, other depths and feeds on the way, is not read: the shape is the same",
@@ -153,7 +156,7 @@ void Parser::skip_conditions(Block& block) {
 }
 
 // "G85 NLAP1 D4" of Okuma: the block that begins the contour.
-bool Parser::contour_name(Block& block) {
+bool OkumaWords::contour_name(Block& block) {
   const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
     return word.address == letter('G') && word.value >= 85 && word.value <= 88;
   });

@@ -1,0 +1,221 @@
+#include "interp/text/line_parser.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
+constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+constexpr std::size_t kMostWords = 4096;  // words of a block
+
+}  // namespace
+
+void LineParser::skip_blanks() {
+  while (p_ < line_.size() && blank(line_[p_])) ++p_;
+}
+
+void LineParser::fault(Block& block, const char* code, const std::string& text, std::size_t from,
+                       std::size_t to) {
+  block.bad = true;
+  reporter_.add(Severity::error, code, text, static_cast<int>(from), static_cast<int>(to - from));
+}
+
+// " (alarm 004)" on a control that numbers this fault.
+std::string LineParser::alarm(const char* fanuc, const char* sinumerik) const {
+  const char* number = dialect_ == Dialect::fanuc       ? fanuc
+                       : dialect_ == Dialect::sinumerik ? sinumerik
+                                                        : nullptr;
+  return number ? fmt::format(" (alarm {})", number) : std::string();
+}
+
+void LineParser::unsupported(Block& block, std::string_view word, std::string_view what,
+                             std::size_t from) {
+  fault(block, "not-supported",
+        fmt::format("{} is {}, which is not supported yet; the block is not read",
+                    to_utf8(word.substr(0, 40)), what),
+        from, from + word.size());
+  // The rest belongs to the unread construct.
+  const bool comment = dialect_ == Dialect::sinumerik;
+  while (p_ < line_.size() && line_[p_] != ';' && (comment || line_[p_] != '(')) ++p_;
+}
+
+void LineParser::push(Block& block, Word& word, std::size_t from) {
+  word.column = static_cast<int>(from);
+  word.length = static_cast<int>(p_ - from);
+  if (block.words.size() > kMostWords) return;
+  if (block.words.size() == kMostWords)
+    fault(block, "block-too-long", fmt::format("more than {} words in a block", kMostWords), from,
+          p_);
+  block.words.push_back(word);
+}
+
+// A number of at most 15 digits that ends where its digits do, as nearly all are. False, and p_
+// where it was, for any other.
+bool LineParser::plain_number(Word& word, bool exponent) {
+  const char *const begin = line_.data() + p_, *const end = line_.data() + line_.size();
+  const char* p = begin;
+  const bool negative = p < end && *p == '-';
+  if (p < end && (*p == '-' || *p == '+')) ++p;
+  std::uint64_t mantissa = 0;
+  const auto read_digits = [&] {
+    const char* const first = p;
+    for (; p < end && is_digit(*p); ++p)
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
+    return static_cast<std::size_t>(p - first);
+  };
+  std::size_t digits = read_digits(), fraction = 0;
+  const bool point = p < end && *p == '.';
+  if (point) {
+    ++p;
+    fraction = read_digits();
+    digits += fraction;
+  }
+  if (digits == 0 || digits > 15) return false;
+  if (glued_blanks_)
+    while (p < end && blank(*p)) ++p;
+  if (p < end && (starts_number(*p) || (exponent && upper(*p) == 'E'))) return false;
+  while (glued_blanks_ && blank(p[-1])) --p;
+  const double value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
+  if (value > kLargestNumber) return false;
+  word.value = negative ? -value : value;
+  word.point = point;
+  p_ += static_cast<std::size_t>(p - begin);
+  return true;
+}
+
+// The number at p_. Requires: starts_number(at(p_)) or the fault is reported.
+bool LineParser::number(Block& block, Word& word, bool exponent) {
+  if (plain_number(word, exponent)) return true;
+  const std::size_t from = p_;
+  bool negative = false;
+  if (at(p_) == '+' || at(p_) == '-') negative = line_[p_++] == '-';
+  std::uint64_t mantissa = 0;
+  int digits = 0, fraction = -1;
+  for (;; ++p_) {
+    const char c = at(p_);
+    if (is_digit(c)) {
+      if (mantissa != 0 || c != '0') ++digits;
+      if (digits <= 15) mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
+      if (fraction >= 0) ++fraction;
+    } else if (c == '.' && fraction < 0) {
+      fraction = 0;
+    } else if (!(glued_blanks_ && blank(c) && p_ < line_.size())) {
+      break;
+    }
+  }
+  while (glued_blanks_ && p_ > from && blank(line_[p_ - 1])) --p_;
+  const bool any = p_ > from && (is_digit(line_[p_ - 1]) || p_ - from > 1);
+  const char follows = at(p_);
+  const bool odd =
+      follows == '.' || follows == '+' || follows == '-' || (exponent && upper(follows) == 'E');
+  if (!any || digits > 15 || fraction > 15 || odd) return number_slow(block, word, from, exponent);
+  const double value = fraction > 0 ? static_cast<double>(mantissa) /
+                                          kPowersOfTen[static_cast<std::size_t>(fraction)]
+                                    : static_cast<double>(mantissa);
+  word.value = negative ? -value : value;
+  word.point = fraction >= 0;
+  if (value <= kLargestNumber && (fraction != 0 || p_ - from > 1 + (negative ? 1U : 0U)))
+    return true;
+  return number_slow(block, word, from, exponent);
+}
+
+bool LineParser::number_slow(Block& block, Word& word, std::size_t from, bool exponent) {
+  p_ = from;
+  std::string text;
+  while (p_ < line_.size() && (starts_number(line_[p_]) || (glued_blanks_ && blank(line_[p_])))) {
+    if (!blank(line_[p_])) text += line_[p_];
+    ++p_;
+  }
+  if (exponent && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X') {
+    text += 'e';
+    p_ += 2;
+    while (p_ < line_.size() && (is_digit(line_[p_]) || line_[p_] == '-' || line_[p_] == '+'))
+      text += line_[p_++];
+  }
+  word.point = text.find('.') != std::string::npos;
+  const std::optional<double> value = parse_number(text, exponent);
+  if (value && *value <= kLargestNumber && *value >= -kLargestNumber) {
+    word.value = *value;
+    return true;
+  }
+  const std::string shown = text.substr(0, 40);
+  const bool is_one = text.find('.') == text.rfind('.') &&
+                      text.find_last_of("+-") + 1 <= 1;  // no sign but the first
+  if (is_one && text.size() > 9 && text.find_first_of("0123456789") != std::string::npos)
+    fault(block, "number-too-large", fmt::format("{} is too large (limit 1e9)", shown), from, p_);
+  else
+    fault(block, "number-malformed",
+          fmt::format(
+              "\"{}\" is not a number{}", shown,
+              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
+          from, p_);
+  return false;
+}
+
+// A statement ends the block of words: it is read and carried out by the language.
+bool LineParser::statement(Block& block, std::size_t from) {
+  if (!language_ || !language_->starts_statement(line_, from)) return false;
+  if (!block.words.empty()) {
+    fault(block, "statement-not-alone", "a statement stands alone in its block", from, from + 1);
+    p_ = line_.size();
+  } else {
+    block.statement = p_ = from;
+  }
+  return true;
+}
+
+void LineParser::assignment(Block& block, std::size_t from) {
+  p_ = from;
+  if (language_->assignment(line_, p_)) return;
+  block.bad = true;
+  p_ = line_.size();
+}
+
+// The value of a word. False: there is none, because it is vacant or because it failed.
+bool LineParser::expression(Block& block, Word& word, bool whole) {
+  const LanguageReader::Answer answer = language_->value(line_, p_, word, whole);
+  word.point = true;  // least increments are for numbers that are written
+  if (answer == LanguageReader::Answer::failed) {
+    block.bad = true;
+    p_ = line_.size();
+  }
+  return answer == LanguageReader::Answer::value;
+}
+
+// Behind an address: a variable, a bracket or a function, with or without signs.
+bool LineParser::expression_follows(std::size_t from) const {
+  if (!language_) return false;
+  while (at(from) == '-' || at(from) == '+' || (blank(at(from)) && from < line_.size())) ++from;
+  const char c = at(from);
+  if (dialect_ == Dialect::codesys) {  // a name needs a blank before it: "X abs{-2}"
+    const bool apart = from > 0 && !is_letter(line_[from - 1]);
+    return c == '$' || c == '#' || c == '{' || c == '\'' ||
+           (apart && is_letter(c) && language_->starts_function(line_, from));
+  }
+  if (dialect_ == Dialect::iso) return c == '(' || (upper(c) == 'P' && is_digit(at(from + 1)));
+  return c == '#' || c == '[' || (is_letter(c) && language_->starts_function(line_, from));
+}
+
+// CODESYS: behind a number that an expression begins with.
+bool LineParser::operator_follows() const {
+  std::size_t from = p_;
+  while (from < line_.size() && blank(line_[from])) ++from;
+  std::size_t end = from;
+  while (is_letter(at(end))) ++end;
+  if (end == from)
+    return at(from) != '\0' && std::string_view("*/+-=<>").find(at(from)) != line_.npos;
+  const std::string name = upper_case(line_.substr(from, std::min<std::size_t>(end - from, 4)));
+  return name == "MOD" || name == "AND" || name == "OR" || name == "XOR";
+}
+
+}  // namespace mrsim

@@ -1,0 +1,89 @@
+// NAME[index]=value of SINUMERIK where NAME is no variable.
+#include "interp/text/characters.h"
+#include "interp/text/sinumerik_words.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+
+namespace mrsim {
+namespace {
+
+// Names with an index in brackets that are without effect on geometry: SPOS[2]=90, ACC[X]=50.
+constexpr std::string_view kHarmlessArrays[] = {
+    "SPOS",    "SPOSA",   "POLF",     "POLFMASK", "ACC",     "OVRA",     "FA",  "FL",   "FGREF",
+    "VELOLIM", "ACCLIMA", "VELOLIMA", "LIMS",     "JERKLIM", "JERKLIMA", "FXS", "FXST", "FXSW"};
+
+struct GroupOfCodes {
+  int group;
+  std::initializer_list<double> codes;
+};
+
+// G[n]=m is the m-th code of group n.
+const GroupOfCodes kGroups[] = {{1, {0, 1, 2, 3}},
+                                {6, {17, 18, 19}},
+                                {7, {40, 41, 42}},
+                                {8, {500, 54, 55, 56, 57}},
+                                {10, {60, 64, 641, 642, 643, 644, 645}},
+                                {13, {70, 71, 700, 710}},
+                                {14, {90, 91}},
+                                {15, {93, 94, 95, 96, 97}},
+                                {18, {450, 451}}};
+
+double code_of_group(double group, double index) {
+  for (const GroupOfCodes& row : kGroups)
+    if (row.group == group && index >= 1 && index <= static_cast<double>(row.codes.size()))
+      return row.codes.begin()[static_cast<std::size_t>(index) - 1];
+  return -1;
+}
+
+}  // namespace
+
+// POS[Z3]=-200, POSA[Q1]=0: a sub-spindle, a tailstock or a loader.
+bool SinumerikWords::of_other_axis(std::size_t close) const {
+  std::string axis = upper_case(line_.substr(p_ + 1, close - p_ - 1));
+  std::erase(axis, ' ');
+  return axis.size() > 1 || axis < "X" || axis > "Z";
+}
+
+// NAME[index]=value, which is no variable: an axis by AX[ ], a code by G[ ], or data without effect
+// on geometry. p_ on the bracket.
+void SinumerikWords::array_word(Block& block, std::size_t from, const std::string& name) {
+  const std::string_view run = line_.substr(from, name.size());
+  const bool read = language_ && (name == "AX" || name == "G");
+  std::size_t close = line_.find(']', p_);
+  const bool harmless =
+      std::find(std::begin(kHarmlessArrays), std::end(kHarmlessArrays), name) !=
+          std::end(kHarmlessArrays) ||
+      (name.starts_with("POS") && close != std::string_view::npos && of_other_axis(close));
+  Word index;
+  if (read) {
+    ++p_;
+    if (!expression(block, index, true)) return;
+    skip_blanks();
+    close = at(p_) == ']' ? p_ : std::string_view::npos;
+  }
+  if ((!read && !harmless) || close == std::string_view::npos)
+    return unsupported(block, run, "an array", from);
+  p_ = close + 1;
+  skip_blanks();
+  if (at(p_) != '=') return unsupported(block, run, "an array", from);
+  ++p_;
+  Word word;
+  word.address = Address::data;
+  if (!value(block, word)) return;
+  if (name == "AX") {
+    const char axis = index.string && index.text.size() == 1 ? upper(index.text[0]) : '\0';
+    if (axis < 'X' || axis > 'Z') return unsupported(block, run, "an axis other than X Y Z", from);
+    word.address = letter(axis);
+  } else if (name == "G") {
+    word.address = letter('G');
+    const double code = code_of_group(index.value, word.value);
+    if (code < 0) return unsupported(block, run, "a code of this group", from);
+    word.value = code;
+  }
+  push(block, word, from);
+}
+
+}  // namespace mrsim

@@ -1,0 +1,33 @@
+// The words of SINUMERIK: addresses with "=" and numbers, names, labels, calls, arrays.
+// Private to src/interp.
+#pragma once
+
+#include "interp/text/sinumerik_values.h"
+
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+class SinumerikWords : public SinumerikValues {
+ public:
+  explicit SinumerikWords(ParsedLine& line) : SinumerikValues(line) {}
+
+  /// The word that begins with the letter or underscore at the place.
+  void read(Block& block);
+
+ private:
+  void name(Block& block);
+  void label(Block& block, std::size_t from, std::size_t end);
+  void short_label(Block& block, std::size_t from);
+  void array_word(Block& block, std::size_t from, const std::string& name);
+  bool of_other_axis(std::size_t close) const;
+  void program_name(Block& block, std::size_t from, std::string_view name);
+  void call(Block& block, std::size_t from, std::string_view name);
+  bool zero_follows();
+};
+
+/// "; is CR=5 meant?" for a SINUMERIK name that is an address and digits, else empty.
+std::string missing_equal_sign(std::string_view name);
+
+}  // namespace mrsim

@@ -1,0 +1,26 @@
+// Words that only some controls have: names of CODESYS, corners of FANUC, instructions of Fagor's
+// 8070, commands of Grbl. Each function reads the word at the place, or gives false.
+// Private to src/interp.
+#pragma once
+
+#include "interp/text/line_parser.h"
+
+namespace mrsim {
+
+class SpecialWords : public LineParser {
+ public:
+  explicit SpecialWords(ParsedLine& line) : LineParser(line) {}
+
+  bool macro_word(Block& block);
+  bool fagor_instruction(Block& block);
+  bool spindle_speed(Block& block, Word& word);
+  bool skips_switch(const Block& block);
+  /// A text for the display follows `word`, an M word. Reads nothing.
+  bool has_message(const Word& word) const;
+  bool corner_word(Block& block);
+  void jump_label();
+  void codesys_name(Block& block);
+  bool grbl_command(Block& block);
+};
+
+}  // namespace mrsim

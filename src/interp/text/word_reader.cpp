@@ -1,0 +1,247 @@
+#include "interp/text/word_reader.h"
+
+#include "core/text_io.h"
+#include "interp/text/characters.h"
+#include "interp/text/codes.h"
+#include "interp/text/line_scan.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+
+bool WordReader::read(Block& block) {
+  skip_blanks();
+  const bool any = p_ < line_.size();
+  while (p_ < line_.size() && step(block) == Step::more) {
+  }
+  return any;
+}
+
+WordReader::Step WordReader::step(Block& block) {
+  const char c = line_[p_];
+  if (is_letter(c) || c == '_') {
+    if (dialect_ == Dialect::sinumerik) {
+      sinumerik_.read(block);
+      return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
+    }
+    if (upper(c) == 'N' && dialect_ == Dialect::codesys && is_digit(at(p_ + 1)) &&
+        (block.has_number || !block.words.empty())) {
+      reporter_.add(Severity::warning, "blocks-on-one-line",
+                    "a second N word on the line: a new block is taken to start here",
+                    static_cast<int>(p_), 1);
+      return Step::end_of_block;
+    }
+    letter_word(block);
+    return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
+  }
+  if (dialect_ == Dialect::ngc && c == '$' && special_.grbl_command(block)) return Step::more;
+  if (dialect_ == Dialect::ngc && (c == '@' || c == '^' || c == '$')) {
+    letter_word(block);
+    return Step::more;
+  }
+  if (blank(c)) {
+    ++p_;
+  } else if ((c == '*' || c == '$') && is_end_sign()) {
+    Word sign;
+    sign.column = static_cast<int>(p_++);
+    sign.length = 1;
+    reporter_.once(Severity::note, "block-end-sign",
+                   fmt::format("{} at the end of a line prints the end of a block: left out", c),
+                   sign, "block-end-sign");
+  } else if (c == ';' && ends_block()) {
+    ++p_;
+    return Step::end_of_block;
+  } else if (c == ';') {
+    read_comment(block, '\0');
+  } else if (c == '(' && dialect_ == Dialect::iso && statement(block, p_)) {
+    return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
+  } else if (c == '(' && dialect_ != Dialect::sinumerik) {
+    read_comment(block, ')');
+  } else if (starts_number(c)) {
+    bare_number(block);
+  } else if (c == '#' && special_.fagor_instruction(block)) {
+    return Step::more;
+  } else if (language_ && c == (dialect_ == Dialect::sinumerik ? '$' : '#')) {
+    assignment(block, p_);
+  } else if (!skip_rest(block) && (!block.words.empty() || !head_of_block(block)) &&
+             !okuma_.program_in_brackets(block) && !(c == ',' && special_.corner_word(block))) {
+    strange_.character(block);
+  }
+  return Step::more;
+}
+
+// Listings print the end of a block as "*" or "$".
+bool WordReader::is_end_sign() const {
+  return (dialect_ == Dialect::fanuc || dialect_ == Dialect::iso) && p_ > 0 &&
+         line_.find_first_not_of(" \t\r", p_ + 1) == line_.npos;
+}
+
+// FANUC ends blocks with ";". Behind one that is not the last there is another block, if the line
+// ends with ";" too ("G1X1;Y2;"); else a comment.
+bool WordReader::ends_block() const {
+  if (dialect_ != Dialect::fanuc) return false;
+  const std::size_t last = line_.find_last_not_of(" \t\r");
+  return line_[last] == ';';
+}
+
+// "[BILLET X100 Y80 Z15" of Denford: for a simulation, no word of the control.
+bool WordReader::is_directive() const {
+  if (line_[p_] != '[' || (dialect_ != Dialect::fanuc && dialect_ != Dialect::iso)) return false;
+  const std::string head = upper_case(line_.substr(p_ + 1, 8));
+  return head.starts_with("BILLET") || head == "EDGEMOVE" || head.starts_with("TOOLDEF");
+}
+
+// What stands only before the words: "%", "/2", ":1234".
+bool WordReader::head_of_block(Block& block) {
+  const std::size_t from = p_;
+  const char c = line_[p_];
+  Word word;
+  if (c == '%') {
+    word.address = Address::function;
+    word.code = Code::header;
+    word.text = line_.substr(p_);
+    p_ = line_.size();
+    push(block, word, from);
+  } else if (is_remark(line_, p_)) {
+    block.comments.push_back(line_.substr(p_ + 1, line_.rfind(']') - p_ - 1));
+    p_ = line_.size();
+  } else if (is_directive()) {
+    p_ = line_.size();
+    word.column = static_cast<int>(from);
+    word.length = 1;
+    reporter_.once(Severity::note, "simulator-line",
+                   "[BILLET, [EDGEMOVE and [TOOLDEF are for Denford's simulation: left out; "
+                   "--stock and --tool say the same here",
+                   word, "simulator-line");
+  } else if (c == '/' && block.skip_level < 0) {
+    ++p_;
+    block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
+    if ((skip_ >> block.skip_level & 1U) != 0) p_ = line_.size();
+  } else if (c == ':' && is_digit(at(p_ + 1))) {
+    const bool program = dialect_ != Dialect::sinumerik && names_program(line_, p_);
+    ++p_;
+    word.address = letter('O');
+    if (number(block, word, false) && program) push(block, word, from);
+  } else if (c == '$' && dialect_ == Dialect::fanuc && p_ + 2 < line_.size() &&
+             line_.find_last_not_of(" \t\r") == line_.rfind('%')) {
+    p_ = line_.size();  // Okuma: $NAME.MIN%
+  } else if (c == '$' && dialect_ == Dialect::fanuc &&
+             upper_case(line_.substr(p_ + 1, 8)).find("G84") != line_.npos) {
+    p_ = line_.size();  // "$ G84 XB=40 DB=2": more of the line before, see skip_conditions()
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// "G0 Z50. /2M9" of FANUC: what stands behind the sign is left out where its level is.
+bool WordReader::skip_rest(const Block& block) {
+  if (line_[p_] != '/' || dialect_ != Dialect::fanuc || block.words.empty()) return false;
+  std::size_t end = p_ + 1;
+  const int level = is_digit(at(end)) ? at(end++) - '0' : 0;
+  while (blank(at(end)) && end < line_.size()) ++end;
+  if (!is_letter(at(end))) return false;
+  p_ = (skip_ >> level & 1U) != 0 ? line_.size() : end;
+  return true;
+}
+
+void WordReader::read_comment(Block& block, char close) {
+  const std::size_t from = p_ + 1;
+  if (close == '\0') {
+    strange_.doubt_comment(block);
+    block.comments.push_back(line_.substr(from));
+    p_ = line_.size();
+    return;
+  }
+  const std::size_t end = line_.find(close, from);
+  if (end == std::string_view::npos) {
+    fault(block, "comment-unterminated", "the comment that starts here is not closed with )", p_,
+          p_ + 1);
+    p_ = line_.size();
+    return;
+  }
+  const std::string_view text = line_.substr(from, end - from);
+  block.comments.push_back(text);
+  p_ = end + 1;
+  const std::size_t outer = line_.find(')', p_);
+  if (text.find('(') == text.npos || outer == line_.npos || line_.find('(', p_) < outer) return;
+  p_ = outer;  // words of an outer comment are no blocks
+  strange_.character(block);
+}
+
+void WordReader::bare_number(Block& block) {
+  const std::size_t from = p_;
+  while (p_ < line_.size() && (starts_number(line_[p_]))) ++p_;
+  const std::string text(line_.substr(from, std::min<std::size_t>(p_ - from, 40)));
+  fault(
+      block, "number-without-address",
+      fmt::format("{} has no address; missing axis letter before {}?{}", text, text, alarm("004")),
+      from, p_);
+}
+
+void WordReader::letter_word(Block& block) {
+  const std::size_t from = p_;
+  const char c = upper(line_[p_]);
+  const bool early =
+      (c == 'O' && dialect_ == Dialect::ngc) || (c == 'G' && dialect_ == Dialect::codesys);
+  if (early && statement(block, from)) return;
+  if (block.words.empty() && okuma_.assigns_name()) return assignment(block, from);
+  if (strange_.zero_as_letter(block)) return;
+  ++p_;
+  if (dialect_ != Dialect::codesys) skip_blanks();
+  const bool fadal = c == 'R' && at(p_) == '0' && (at(p_ + 1) == '+' || at(p_ + 1) == '-');
+  if (fadal && dialect_ == Dialect::fanuc) ++p_;  // "R0+.1": the level of a cycle is a parameter
+  const char n = at(p_);
+  if (starts_number(n)) {
+    Word word;
+    word.address = letter(c);
+    const std::size_t digits = p_;
+    const bool plain = plain_number(word, false), whole = dialect_ == Dialect::codesys;
+    if (plain ? whole && operator_follows() : expression_follows(p_)) {
+      p_ = digits;
+      if (expression(block, word, whole)) push(block, word, from);
+      return;
+    }
+    if (!plain && !number(block, word, false)) return;
+    if (c == 'S' && at(p_) == '=' && special_.spindle_speed(block, word))
+      return push(block, word, from);
+    if (glued_blanks_) strange_.check_inner_blanks(digits);
+    if (c == 'N') {
+      block.has_number = true;
+      return;
+    }
+    push(block, word, from);
+    if (c == 'G' && word.value == 84 && !block.contour.empty())
+      return okuma_.skip_conditions(block);
+    if (c == 'M' && special_.has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
+    return;
+  }
+  if (n == '=' && dialect_ == Dialect::fanuc && language_) {  // "X=VC1*2" of Okuma
+    Word word;
+    word.address = letter(c);
+    ++p_;
+    if (expression(block, word, true)) push(block, word, from);
+    return;
+  }
+  if (language_ && !(c == 'O' && is_letter(n)) && expression_follows(p_)) {
+    Word word;
+    word.address = letter(c);
+    if (expression(block, word, dialect_ == Dialect::codesys)) push(block, word, from);
+    return;
+  }
+  if (n == '!' && c == 'L' && dialect_ == Dialect::codesys) return special_.jump_label();
+  if (n == '#' || n == '[' || n == '$') return strange_.character(block);
+  p_ = from;
+  if (statement(block, from) || okuma_.block_name(block) || okuma_.contour_name(block)) return;
+  if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_'))
+    return special_.codesys_name(block);
+  if (special_.macro_word(block) || okuma_.register_word(block) || okuma_.pattern(block) ||
+      special_.skips_switch(block) || okuma_.program(block))
+    return;
+  strange_.word(block, from);
+}
+
+}  // namespace mrsim

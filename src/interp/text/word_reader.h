@@ -1,0 +1,41 @@
+// The words of a block, one after another: told by their first character, and where a control has
+// words of its own, given to their reader. Private to src/interp.
+#pragma once
+
+#include "interp/text/okuma_words.h"
+#include "interp/text/sinumerik_words.h"
+#include "interp/text/special_words.h"
+#include "interp/text/strange_text.h"
+
+namespace mrsim {
+
+class WordReader : public LineParser {
+ public:
+  explicit WordReader(ParsedLine& line)
+      : LineParser(line), sinumerik_(line), okuma_(line), special_(line), strange_(line) {}
+  void set_skip(unsigned levels) { skip_ = levels; }
+
+  /// Reads on to the end of the block. False when nothing is left on the line.
+  bool read(Block& block);
+
+ private:
+  enum class Step { more, end_of_block };
+
+  Step step(Block& block);
+  bool head_of_block(Block& block);
+  bool skip_rest(const Block& block);
+  void letter_word(Block& block);
+  bool ends_block() const;
+  bool is_end_sign() const;
+  bool is_directive() const;
+  void read_comment(Block& block, char close);
+  void bare_number(Block& block);
+
+  SinumerikWords sinumerik_;
+  OkumaWords okuma_;
+  SpecialWords special_;
+  StrangeText strange_;
+  unsigned skip_ = 0;  ///< levels of block skip in force
+};
+
+}  // namespace mrsim
