@@ -204,7 +204,6 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::fanuc, "G68.2 P2 Q0 X0 Y0 Z0 I0 J0 K0"},
       {Dialect::fanuc, "G53.1"},
       {Dialect::fanuc, "G43.4 H1"},
-      {Dialect::fanuc, "G150 I5 D1"},
       {Dialect::iso, "G37 R5 X20"},
       {Dialect::iso, "G68.2 I0"},
 

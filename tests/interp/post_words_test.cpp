@@ -34,10 +34,10 @@ TEST(PostWords, ASafeStartNeverWarns) {
 }
 
 TEST(PostWords, WhatMovesTheMachineIsNamed) {
-  const std::pair<const char*, const char*> rows[] = {
-      {"G68.2 X0 Y0 Z0 I0 J30 K0", "tilted"}, {"G54.4 P1", "setting error"},
-      {"G43.4 H1", "tool centre point"},      {"G150 P1", "a pocket"},
-      {"G5 X1 Y1 I1 J1", "spline"},           {"G7.1 C20.", "cylindrical"}};
+  const std::pair<const char*, const char*> rows[] = {{"G68.2 X0 Y0 Z0 I0 J30 K0", "tilted"},
+                                                      {"G54.4 P1", "setting error"},
+                                                      {"G5 X1 Y1 I1 J1", "spline"},
+                                                      {"G7.1 C20.", "cylindrical"}};
   for (const auto& [text, name] : rows) {
     SCOPED_TRACE(text);
     const Program p =
