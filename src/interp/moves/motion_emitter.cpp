@@ -2,6 +2,7 @@
 
 #include "core/rounding.h"
 #include "interp/tools/tool_changer.h"
+#include "interp/tools/tool_text.h"
 
 #include <algorithm>
 #include <cmath>

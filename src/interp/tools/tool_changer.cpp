@@ -1,15 +1,13 @@
 #include "interp/tools/tool_changer.h"
 
 #include "core/text_io.h"
-#include "core/units.h"
 #include "interp/comments/form_outline.h"
-#include "interp/comments/turret_name.h"
 #include "interp/text/characters.h"
+#include "interp/tools/tool_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,56 +18,14 @@ std::size_t digits_of(std::string_view text) {
   return std::size_t(std::count_if(text.begin(), text.end(), is_digit));
 }
 
-// "LAMA 3MM": one number, of a few mm.
-bool tells_blade_width(std::string_view comment) {
-  constexpr double kThinnest = 1, kWidest = 6;  // mm
-  const std::size_t first = comment.find_first_of("0123456789");
-  if (first == comment.npos) return false;
-  const std::size_t end = std::min(comment.find_first_not_of("0123456789.", first), comment.size());
-  const std::optional<double> width = parse_number(comment.substr(first, end - first));
-  std::string_view unit = comment.substr(end);
-  while (unit.starts_with(' ')) unit.remove_prefix(1);
-  const bool mm = unit.starts_with("MM") || unit.starts_with("mm");
-  return mm && width && *width >= kThinnest && *width <= kWidest && digits_of(unit) == 0;
-}
-
-// Words for --tool with what is known of the tool already.
-std::string example_of(const Tool& read, bool lathe) {
-  if (read.type == ToolType::grooving && lathe)
-    return "grooving:w=3 (with tip=7 the blade stands along Z, its middle the point)";
-  if (read.type == ToolType::tslot && read.diameter > 0)
-    return fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
-  if (read.type == ToolType::taper && read.diameter > 0 && read.taper_angle > 0)
-    return fmt::format("taper:d={:.6g},r={:.6g},a={:.6g},l=20 (l: its flutes)", read.diameter,
-                       read.corner_radius, degrees(read.taper_angle));
-  const auto known = [](double value, double otherwise) { return value > 0 ? value : otherwise; };
-  if (read.type == ToolType::chamfer)
-    return fmt::format("chamfer:d={:.6g},tip_angle={:.6g},t={:.6g} (t: its tip)",
-                       known(read.diameter, 6),
-                       degrees(known(read.tip_angle, known(2 * read.taper_angle, radians(60)))),
-                       known(read.tip_diameter, 0.2));
-  if (read.type == ToolType::drill) return fmt::format("drill:d={:.6g}", known(read.diameter, 10));
-  if (read.type == ToolType::ballmill)
-    return fmt::format("ballmill:d={:.6g}", known(read.diameter, 10));
-  if (read.type == ToolType::bullmill)
-    return fmt::format("bullmill:d={:.6g},r={:.6g} (r: its corner)", known(read.diameter, 10),
-                       known(read.corner_radius, 1));
-  return lathe ? "turning:insert=CNMG,r=0.8"
-               : fmt::format("endmill:d={:.6g}", known(read.diameter, 10));
-}
-
 }  // namespace
 
 ToolChanger::ToolChanger(Control& control)
-    : ControlPart(control), tool_(control.tool), notes_(lathe(), turret_digits()) {
-  const std::vector<Tool>& tools = options_.table.tools;
-  for (std::size_t i = 0; i < tools.size(); ++i) given_.emplace(tools[i].id, i);
-}
-
-const Tool* ToolChanger::given(const std::string& id) const {
-  const auto at = given_.find(id);
-  return at == given_.end() ? nullptr : &options_.table.tools[at->second];
-}
+    : ControlPart(control),
+      tool_(control.tool),
+      notes_(lathe(), turret_digits()),
+      data_(control, notes_),
+      edges_(control, data_) {}
 
 std::string ToolChanger::id_of(const Word& word) {
   if (word.string) return to_utf8(word.text.substr(0, 80));
@@ -109,6 +65,11 @@ std::string ToolChanger::mach_station(long number, std::size_t digits, const std
                         text, number / 100, number % 100, number, number),
             word, text);
   return fmt::format("{}", number / 100);
+}
+
+const Tool* ToolChanger::used_tool(const std::string& id) const {
+  const auto at = used_.find(id);
+  return at == used_.end() ? nullptr : &program_.tools[static_cast<std::size_t>(at->second)];
 }
 
 void ToolChanger::use(Tool tool) {
@@ -153,7 +114,7 @@ bool ToolChanger::apply() {
   }
   if (block_.tool_change && tool_.pending.active) {
     change();
-    if (word) compare_offset(*word);
+    if (word) edges_.compare_offset(*word, used_tool(tool_.current));
     if (is(Dialect::sinumerik) && !peek('D')) modal_.edge = 1;
   }
   if (!word) return true;
@@ -214,86 +175,6 @@ void ToolChanger::change() {
   notes_.change(tool_.current);
 }
 
-// ".250 BALL EM" where no G word says inches: of a shop whose control wakes up in them?
-bool ToolChanger::of_unknown_unit(const ToolHint& hint) const {
-  constexpr double kSmall = 1;  // in mm rare, in inches usual
-  if (modal_.units_given || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
-  if (hint.diameters.empty() || hint.diameter >= kSmall) return false;
-  return hint.diameters.front().unit == 0 && !hint.diameters.front().fraction;
-}
-
-// '; T="ROUGHER_80" D1' says no more than the name.
-bool ToolChanger::repeats_name(const std::string& comment, const std::string& id) const {
-  const std::size_t at = comment.find(id);
-  if (!lathe() || at == comment.npos || id.find_first_not_of("0123456789") == id.npos) return false;
-  const std::string rest = comment.substr(0, at) + comment.substr(at + id.size());
-  return std::count_if(rest.begin(), rest.end(), is_digit) <= 1;
-}
-
-// From what comments say of it, else from its name. False and a reason where they do not suffice;
-// no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
-bool ToolChanger::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
-  if (const ToolHint* hint = notes_.find(id)) {
-    if (hint->plain_teeth()) said = Severity::warning;
-    if (fill_tool(*hint, scale(), lathe(), out, why)) {
-      const bool number = !id.empty() && hint->gauge == id;  // "#7 DRILL" beside T7
-      if (!number && !of_unknown_unit(*hint)) return true;
-      why = number ? fmt::format("names drill {0}, or tool {0}", id)
-                   : fmt::format(
-                         "gives the diameter {:g} without a unit, in a program without G20 "
-                         "and G21",
-                         hint->diameter);
-    }
-    why = fmt::format("the comment \"{}\" {}", hint->text, why);
-    if (!repeats_name(hint->text, id)) return false;
-  }
-  std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
-  std::replace(name.begin(), name.end(), '_', ' ');
-  if (lathe()) name = spelled_turret_name(id);
-  if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
-  ToolHint hint = read_tool_comment(name);
-  if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
-  hint.text = id;
-  std::string ignored;
-  if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
-    if (why.empty() && lathe() && hint.type == ToolType::grooving)  // no insert that turns
-      why = fmt::format("its name \"{}\" {}", id, ignored);
-    return false;
-  }
-  why.clear();
-  if (hint.plain_teeth()) said = Severity::warning;
-  out.origin.replace(0, out.origin.find(' '), "its name");
-  return true;
-}
-
-// The data of a tool, and where they came from. False when there are none.
-bool ToolChanger::resolve(const std::string& id, Tool& out, std::string& why,
-                          Severity& said) const {
-  if (const Tool* known = given(id)) {
-    out = *known;
-    return true;
-  }
-  if (infer(id, out, why, said)) return true;
-  if (const Tool* any = given("")) {
-    out = *any;
-    out.origin = fmt::format("{}, given for the program as a whole", any->origin);
-    return true;
-  }
-  if (!lathe() || !why.empty()) return false;
-  out = {};
-  if (const std::string comment = notes_.not_understood(id); tells_blade_width(comment)) {
-    out.type = ToolType::grooving;
-    why = fmt::format("the comment \"{}\" tells a width as blades have, and no kind of tool",
-                      comment);
-    return false;
-  }
-  out.type = ToolType::turning;
-  out.origin = fmt::format(
-      "{} a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm", kNoToolData);
-  complete_turning_tool(out);
-  return true;
-}
-
 // Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
 void ToolChanger::take_commented(const Word& where) {
   const std::string id = notes_.only();
@@ -321,27 +202,27 @@ void ToolChanger::require(const Word& where, bool cuts) {
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
   if (!tool_.chosen && cuts && !given("")) take_commented(where);
-  const std::string id = id_at_edge();
+  const std::string id = edges_.id_at_edge();
   if (const auto known = used_.find(id); known != used_.end()) {
     tool_.index = known->second;
-    return compare_edge(where);
+    return edges_.compare_edge(*current(), where);
   }
   Tool tool;
   std::string why;
   if (!tool_.chosen && !cuts) return;
   Severity said = Severity::note;
-  if (!resolve(id, tool, why, said)) {
+  if (!data_.resolve(id, tool, why, said)) {
     if (cuts) missing(where, why, tool);
     return;
   }
   tool.id = id;
-  use(tool);
-  compare_edge(where);
-  compare_nose(tool, where);
+  use(std::move(tool));
+  edges_.compare_edge(*current(), where);
+  edges_.compare_nose(*current(), where);
   if (given(id)) return;
   const std::string text =
       fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
-                  tool_summary(tool), tool.origin);
+                  tool_summary(*current()), current()->origin);
   if (tool_.chosen)
     reporter_.add_at(said, "tool-inferred", text, tool_.place);
   else
@@ -368,7 +249,7 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
   const std::string none = comment.empty()
                                ? "there are no data for it"
                                : fmt::format("no tool is known in its comment \"{}\"", comment);
-  std::string spec = fmt::format("{}={}", tool_.current, example_of(read, lathe()));
+  std::string spec = fmt::format("{}={}", tool_.current, tool_example(read, lathe()));
   if (tool_.current.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
   const ToolHint* hint = notes_.find(tool_.current);
   const std::string outline = hint ? outline_example(*hint, scale()) : std::string();
@@ -383,20 +264,59 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
       tool_.place);
 }
 
-std::string tool_summary(const Tool& tool) {
-  static constexpr const char* kNames[] = {
-      "end mill",     "ball mill",     "bull-nose mill", "chamfer mill",  "tapered mill",
-      "drill",        "T-slot mill",   "lollipop mill",  "barrel mill",   "form mill",
-      "turning tool", "grooving tool", "boring bar",     "threading tool"};
-  std::string text = kNames[static_cast<std::size_t>(tool.type)];
-  if (tool.diameter > 0) text += fmt::format(" {:g} mm", tool.diameter);
-  if (tool.corner_radius > 0) text += fmt::format(", corner radius {:g} mm", tool.corner_radius);
-  if (tool.tip_angle > 0) text += fmt::format(", point {:.4g} degrees", degrees(tool.tip_angle));
-  if (tool.taper_angle > 0)
-    text += fmt::format(", {:.4g} degrees a side", degrees(tool.taper_angle));
-  if (tool.tip_diameter > 0) text += fmt::format(", tip {:.4g} mm", tool.tip_diameter);
-  if (tool.type == ToolType::tslot) text += fmt::format(", head {:.4g} mm", tool.width);
-  return text;
+bool ToolChanger::only_touches(const Word& where) {
+  if (!lathe() || !tool_.chosen || tool_.index >= 0 || given(tool_.current)) return false;
+  const ToolHint* hint = notes_.find(tool_.current);
+  if (!hint || hint->trade != ToolTrade::no_cutter || hint->rivals) return false;
+  note_once("tool-touches",
+            fmt::format("tool {} cuts nothing, as the comment \"{}\" says: its moves are not swept",
+                        tool_.current, hint->text),
+            where, tool_.current);
+  return true;
+}
+
+const OffsetRegister* ToolChanger::find_register(const std::string& name) const {
+  for (const OffsetRegister& reg : control_.registers)
+    if (reg.name == name) return &reg;
+  return nullptr;
+}
+
+double ToolChanger::radius_for(const std::string& cycle, int edge, const Word& where) {
+  const double found = radius(edge);
+  const bool told = tool_.failed && tool_.chosen;
+  if (found <= 0 && !told)
+    reporter_.once(Severity::error, "tool-unknown",
+                   fmt::format("{} needs the radius of {} (alarm 61000): give --tool or --tools",
+                               cycle, tool_.current.empty() ? "its tool" : "tool " + tool_.current),
+                   where, "cycle-radius:" + tool_.current);
+  return found;
+}
+
+double ToolChanger::radius(int edge) {
+  if (edge == 0) return 0;
+  Word where;
+  where.length = 1;
+  require(where, false);
+  const OffsetRegister* reg = nullptr;
+  if (edge > 0) {
+    reg = find_register(fmt::format("T{}.D{}", tool_.current, edge));
+    if (!reg) reg = find_register(fmt::format("D{}", edge));
+  }
+  if (reg) return reg->radius + reg->wear;
+  const Tool* tool = current();
+  if (!tool) return 0;
+  const double own = is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+  return own + control_.bare_wear(fmt::format("D{}", edge));
+}
+
+CompRadius ToolChanger::commented_radius() const {
+  const ToolHint* hint = notes_.find(tool_.current);
+  if (!hint) return CompRadius::automatic;
+  const std::string text = upper_case(hint->text);
+  const bool wear = text.find("WEAR COMP") != std::string::npos;
+  const bool control = text.find("CONTROL COMP") != std::string::npos;
+  if (wear == control) return CompRadius::automatic;
+  return wear ? CompRadius::wear : CompRadius::radius;
 }
 
 }  // namespace mrsim

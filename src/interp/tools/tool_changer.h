@@ -2,10 +2,9 @@
 // uses to Program::tools. Private to src/interp.
 #pragma once
 
-#include "interp/control/control.h"
-#include "interp/tools/tool_notes.h"
+#include "interp/tools/tool_data.h"
+#include "interp/tools/tool_edges.h"
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -33,7 +32,7 @@ class ToolChanger : public ControlPart {
     return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;
   }
   /// The tool of the table with this number or name, or null.
-  const Tool* given(const std::string& id) const;
+  const Tool* given(const std::string& id) const { return data_.given(id); }
   const OffsetRegister* find_register(const std::string& name) const;
   /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
   /// 0 without a tool. `edge` below 0: the tool's own.
@@ -47,37 +46,22 @@ class ToolChanger : public ControlPart {
   bool cancels_offset(const Word& word);
   bool select(const Word& word);
   bool suffix(const Word& word);
-  void compare_offset(const Word& word);
-  void compare_edge(const Word& where);
-  void compare_nose(const Tool& tool, const Word& where);
-  void tell_second(const std::string& offset, const std::string& id, const Tool& tool,
-                   const Word& where);
-  std::string id_at_edge() const;
   void change();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
   std::size_t turret_digits() const;
   std::string mach_station(long number, std::size_t digits, const std::string& text,
                            const Word& word);
-  bool repeats_name(const std::string& comment, const std::string& id) const;
-  bool of_unknown_unit(const ToolHint& hint) const;
-  bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
-  bool infer(const std::string& id, Tool& out, std::string& why, Severity& said) const;
   void missing(const Word& where, const std::string& why, const Tool& read);
+  const Tool* used_tool(const std::string& id) const;
   void use(Tool tool);
 
   ToolState& tool_;
   ToolNotes notes_;
-  std::unordered_map<std::string, std::size_t> given_;  ///< id -> tool of the table, the first
-  std::unordered_map<std::string, int> used_;           ///< id -> tool of the program
-  std::unordered_map<std::string, double> suffixes_;    ///< id -> T word with a suffix
-  std::unordered_map<std::string, long> offsets_;       ///< id -> the first offset that it had
+  ToolData data_;
+  ToolEdges edges_;
+  std::unordered_map<std::string, int> used_;         ///< id -> tool of the program
+  std::unordered_map<std::string, double> suffixes_;  ///< id -> T word with a suffix
 };
-
-/// How Tool::origin begins where a turning tool is taken to be the usual one.
-inline constexpr std::string_view kNoToolData = "no data:";
-
-/// "end mill 5 mm"
-std::string tool_summary(const Tool& tool);
 
 }  // namespace mrsim

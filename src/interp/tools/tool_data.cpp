@@ -1,0 +1,119 @@
+#include "interp/tools/tool_data.h"
+
+#include "core/text_io.h"
+#include "interp/comments/turret_name.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// "LAMA 3MM": one number, of a few mm.
+bool tells_blade_width(std::string_view comment) {
+  constexpr double kThinnest = 1, kWidest = 6;  // mm
+  const std::size_t first = comment.find_first_of("0123456789");
+  if (first == comment.npos) return false;
+  const std::size_t end = std::min(comment.find_first_not_of("0123456789.", first), comment.size());
+  const std::optional<double> width = parse_number(comment.substr(first, end - first));
+  std::string_view unit = comment.substr(end);
+  while (unit.starts_with(' ')) unit.remove_prefix(1);
+  const bool mm = unit.starts_with("MM") || unit.starts_with("mm");
+  return mm && width && *width >= kThinnest && *width <= kWidest &&
+         std::none_of(unit.begin(), unit.end(), is_digit);
+}
+
+}  // namespace
+
+ToolData::ToolData(Control& control, const ToolNotes& notes) : ControlPart(control), notes_(notes) {
+  const std::vector<Tool>& tools = options_.table.tools;
+  for (std::size_t i = 0; i < tools.size(); ++i) given_.emplace(tools[i].id, i);
+}
+
+const Tool* ToolData::given(const std::string& id) const {
+  const auto at = given_.find(id);
+  return at == given_.end() ? nullptr : &options_.table.tools[at->second];
+}
+
+// ".250 BALL EM" where no G word says inches: of a shop whose control wakes up in them?
+bool ToolData::of_unknown_unit(const ToolHint& hint) const {
+  constexpr double kSmall = 1;  // in mm rare, in inches usual
+  if (modal_.units_given || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
+  if (hint.diameters.empty() || hint.diameter >= kSmall) return false;
+  return hint.diameters.front().unit == 0 && !hint.diameters.front().fraction;
+}
+
+// '; T="ROUGHER_80" D1' says no more than the name.
+bool ToolData::repeats_name(const std::string& comment, const std::string& id) const {
+  const std::size_t at = comment.find(id);
+  if (!lathe() || at == comment.npos || id.find_first_not_of("0123456789") == id.npos) return false;
+  const std::string rest = comment.substr(0, at) + comment.substr(at + id.size());
+  return std::count_if(rest.begin(), rest.end(), is_digit) <= 1;
+}
+
+// From what comments say of it, else from its name. False and a reason where they do not suffice;
+// no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
+bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
+  if (const ToolHint* hint = notes_.find(id)) {
+    if (hint->plain_teeth()) said = Severity::warning;
+    if (fill_tool(*hint, scale(), lathe(), out, why)) {
+      const bool number = !id.empty() && hint->gauge == id;  // "#7 DRILL" beside T7
+      if (!number && !of_unknown_unit(*hint)) return true;
+      why = number ? fmt::format("names drill {0}, or tool {0}", id)
+                   : fmt::format(
+                         "gives the diameter {:g} without a unit, in a program without G20 "
+                         "and G21",
+                         hint->diameter);
+    }
+    why = fmt::format("the comment \"{}\" {}", hint->text, why);
+    if (!repeats_name(hint->text, id)) return false;
+  }
+  std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (lathe()) name = spelled_turret_name(id);
+  if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
+  ToolHint hint = read_tool_comment(name);
+  if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
+  hint.text = id;
+  std::string ignored;
+  if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
+    if (why.empty() && lathe() && hint.type == ToolType::grooving)  // no insert that turns
+      why = fmt::format("its name \"{}\" {}", id, ignored);
+    return false;
+  }
+  why.clear();
+  if (hint.plain_teeth()) said = Severity::warning;
+  out.origin.replace(0, out.origin.find(' '), "its name");
+  return true;
+}
+
+bool ToolData::resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const {
+  if (const Tool* known = given(id)) {
+    out = *known;
+    return true;
+  }
+  if (infer(id, out, why, said)) return true;
+  if (const Tool* any = given("")) {
+    out = *any;
+    out.origin = fmt::format("{}, given for the program as a whole", any->origin);
+    return true;
+  }
+  if (!lathe() || !why.empty()) return false;
+  out = {};
+  if (const std::string comment = notes_.not_understood(id); tells_blade_width(comment)) {
+    out.type = ToolType::grooving;
+    why = fmt::format("the comment \"{}\" tells a width as blades have, and no kind of tool",
+                      comment);
+    return false;
+  }
+  out.type = ToolType::turning;
+  out.origin = fmt::format(
+      "{} a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm", kNoToolData);
+  complete_turning_tool(out);
+  return true;
+}
+
+}  // namespace mrsim
