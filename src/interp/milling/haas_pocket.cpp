@@ -69,7 +69,8 @@ bool HaasPocket::find_contour() {
     return true;
   }
   Place behind;
-  if (statements_ && statements_->find_blocks(name.number, name.number, request_.begin, behind))
+  if (statements_ &&
+      statements_->places().find_blocks(name.number, name.number, request_.begin, behind))
     return true;
   return error(
       "subprogram-missing",

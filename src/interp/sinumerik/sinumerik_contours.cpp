@@ -85,7 +85,8 @@ bool SinumerikContours::find_contour(const std::string& name, CallRequest& reque
     last = "E_LAB_E_" + first;
     first.insert(0, "E_LAB_A_");
   }
-  if (name.empty() || !statements_ || !statements_->find_labels(first, last, request.begin, end))
+  if (name.empty() || !statements_ ||
+      !statements_->places().find_labels(first, last, request.begin, end))
     return error(
         "subprogram-missing",
         fmt::format("the contour \"{}\" is neither a subprogram nor between labels of this "

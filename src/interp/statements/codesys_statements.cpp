@@ -139,7 +139,7 @@ bool CodesysStatements::jump(std::size_t p) {
   if (condition == 0) return true;
   Place to;
   const long number = static_cast<long>(target);
-  if (!(label ? find_label(number, to) : find_number(number, true, true, to)))
+  if (!(label ? find_label(number, to) : places_.find_number(number, true, true, to)))
     return fail("jump-target",
                 fmt::format("there is no block {}{}", label ? "below with L!" : "N", number), from,
                 p);
@@ -154,7 +154,7 @@ bool CodesysStatements::find_label(long index, Place& out) {
   const auto [known, fresh] = labels_.try_emplace({here.offset, index});
   auto& [found, place] = known->second;
   if (fresh) {
-    const Place end = outline().section_end(outline().section_at(here));
+    const Place end = places_.outline().section_end(places_.outline().section_at(here));
     const std::string wanted = fmt::format("L!{}", index);
     LineSource source(reader_.file(), std::size_t(1) << 16);
     source.seek(here.offset, here.line);

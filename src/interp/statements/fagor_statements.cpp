@@ -133,9 +133,9 @@ bool FagorStatements::label(std::size_t& p, Place& out) {
   double wanted = 0;
   if (!number(++p, wanted, true)) return false;
   const long n = static_cast<long>(wanted);
-  if (!find_number(n, true, true, out))
+  if (!places_.find_number(n, true, true, out))
     return fail("jump-target", fmt::format("there is no block N{} in this file", n), from, p);
-  if (!unique_.contains(n) && find_number_twice(n))
+  if (!unique_.contains(n) && places_.find_number_twice(n))
     return fail("jump-target", fmt::format("two blocks of this file are N{}", n), from, p);
   unique_.insert(n);
   return true;
@@ -165,7 +165,7 @@ bool FagorStatements::repeat_part(std::size_t p) {
     if (runs < 0 || runs > 9999)
       return fail("value-range", "N behind RPT is how often it runs", p - 1, p);
   }
-  const Place behind = behind_line(last);
+  const Place behind = places_.behind_line(last);
   if (!finish(p)) return false;
   CallRequest request;
   request.file = reader_.file();
@@ -237,7 +237,7 @@ void FagorStatements::end_block(bool moved) {
 
 bool FagorStatements::call(long subprogram, CallKind kind, const Arguments& arguments,
                            const Word& where) {
-  const Outline& all = outline();
+  const Outline& all = places_.outline();
   const int found = all.find_name(FlowWord::label, std::to_string(subprogram), -1);
   if (found < 0)
     return error("subprogram-missing",

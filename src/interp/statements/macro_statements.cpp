@@ -97,7 +97,7 @@ bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
   if (!entry) return false;
   bool holds = false;
   if (!condition(p, holds)) return false;
-  if (!holds) return jump_behind(outline().entry(entry->last));
+  if (!holds) return jump_behind(places_.outline().entry(entry->last));
   reader_.set_position(entry->behind);
   return true;
 }
@@ -105,7 +105,7 @@ bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
 bool MacroStatements::loop_end(std::size_t from) {
   const FlowEntry* const entry = entry_at(from);
   if (!entry || entry->first < 0) return false;
-  return reader_.jump(outline().entry(entry->first).at);
+  return reader_.jump(places_.outline().entry(entry->first).at);
 }
 
 bool MacroStatements::go_to(std::size_t p) {
@@ -116,7 +116,7 @@ bool MacroStatements::go_to(std::size_t p) {
   decided_ = decided_ || !is_digit(at(from));
   reader_.leave_stretches();
   Place to;
-  if (!find_number(static_cast<long>(target), true, true, to))
+  if (!places_.find_number(static_cast<long>(target), true, true, to))
     return fail("jump-target",
                 fmt::format("there is no block N{:.0f} in this program (alarm 128)", target), from,
                 p);

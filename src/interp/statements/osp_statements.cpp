@@ -153,10 +153,11 @@ bool OspStatements::jump(std::size_t p) {
   reader_.leave_stretches();
   Place to;
   if (name.size() > 1 && name.find_first_not_of("0123456789", 1) == name.npos) {
-    if (find_number(static_cast<long>(parse_number(name.substr(1)).value_or(-1)), true, true, to))
+    if (places_.find_number(static_cast<long>(parse_number(name.substr(1)).value_or(-1)), true,
+                            true, to))
       return jump_always(to);
   } else {
-    const auto [begin, end] = section();
+    const auto [begin, end] = places_.section();
     if (const auto found = find_named_block(reader_.file(), begin, end, name))
       return jump_always(*found);
   }

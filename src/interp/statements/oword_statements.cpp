@@ -147,14 +147,14 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
     case FlowWord::loop_until: {
       bool again = false;
       if (!condition(p, again)) return false;
-      if (again) return jump_past(outline().entry(entry.first));
+      if (again) return jump_past(places_.outline().entry(entry.first));
       reader_.set_position(p);
       return true;
     }
     case FlowWord::loop_break:
-      return jump_past(outline().entry(outline().entry(entry.first).last));
+      return jump_past(places_.outline().entry(places_.outline().entry(entry.first).last));
     case FlowWord::loop_continue: {
-      const FlowEntry& last = outline().entry(outline().entry(entry.first).last);
+      const FlowEntry& last = places_.outline().entry(places_.outline().entry(entry.first).last);
       return reader_.jump(last.at);
     }
     case FlowWord::sub:  // defined here, run when called
@@ -162,7 +162,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
         return fail("program-end-missing",
                     "the program that began with a bare O word has no M2 or M30 before this sub",
                     entry.at.position, p);
-      return jump_past(outline().entry(entry.last));
+      return jump_past(places_.outline().entry(entry.last));
     case FlowWord::sub_end:
     case FlowWord::sub_return:
       return leave(p, true);
@@ -176,21 +176,21 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
 bool OwordStatements::branch(const FlowEntry& entry, std::size_t p) {
   const bool first = entry.word == FlowWord::branch;
   const bool asked = first || std::exchange(arriving_, false);
-  if (!asked) return jump_past(outline().entry(entry.last));
+  if (!asked) return jump_past(places_.outline().entry(entry.last));
   bool holds = true;
   if (entry.word != FlowWord::branch_else && !condition(p, holds)) return false;
   if (holds) {
     reader_.set_position(end_of_line(p));
     return true;
   }
-  const FlowEntry& next = outline().entry(entry.next);
+  const FlowEntry& next = places_.outline().entry(entry.next);
   if (next.word == FlowWord::branch_end) return jump_past(next);
   arriving_ = true;
   return reader_.jump(next.at);
 }
 
 bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
-  const FlowEntry& end = outline().entry(entry.last);
+  const FlowEntry& end = places_.outline().entry(entry.last);
   if (entry.word == FlowWord::loop_repeat) {
     double count = 0;
     if (!evaluator_.number_expression(block_.line, p, count)) return report(evaluator_.fault());
@@ -207,7 +207,7 @@ bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
 }
 
 bool OwordStatements::loop_again(const FlowEntry& entry) {
-  const FlowEntry& first = outline().entry(entry.first);
+  const FlowEntry& first = places_.outline().entry(entry.first);
   if (first.word == FlowWord::loop_while) return reader_.jump(first.at);
   long& left = passes_left(first.last);
   if (--left <= 0) {
@@ -242,7 +242,7 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
 
 // In the main program, or in a file of its own. Other subs of such a file are found by nobody.
 bool OwordStatements::locate(const std::string& name, CallRequest& request) {
-  const Outline& main = outline(program_.files.front());
+  const Outline& main = places_.outline(program_.files.front());
   if (const int i = main.find_name(FlowWord::sub, name, -1); i >= 0) {
     request.file = program_.files.front();
     request.begin = main.entry(i).at;
@@ -257,7 +257,7 @@ bool OwordStatements::locate(const std::string& name, CallRequest& request) {
   wanted.own_file = true;
   if (!reader_.has_subprogram(wanted)) return false;
   const auto place = reader_.locate(wanted, {});
-  const Outline& all = outline(place->file);
+  const Outline& all = places_.outline(place->file);
   const int i = all.find_name(FlowWord::sub, name, -1);
   if (i < 0) return false;
   request.file = place->file;
@@ -283,7 +283,7 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
                              "beside it or in --path",
                              to_utf8(name.substr(0, 60))),
                  word);
-  const Outline& all = outline(request.file);
+  const Outline& all = places_.outline(request.file);
   if (const OutlineFault* wrong = all.fault_in(0)) {
     const std::string text = wrong->text;
     return error("structure",
@@ -310,7 +310,7 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
 // M98 P100: a program that begins with the bare word O100, and shares all variables.
 bool OwordStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
   const std::string number = fmt::format("{}", name.number);
-  const Outline& all = outline(program_.files.front());
+  const Outline& all = places_.outline(program_.files.front());
   const int i = name.number >= 0 ? all.find_name(FlowWord::label, number, -1) : -1;
   if (i < 0 && all.find_name(FlowWord::sub, number, -1) >= 0)
     return error("subprogram-missing",

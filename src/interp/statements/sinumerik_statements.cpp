@@ -104,8 +104,9 @@ bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
   }
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
-  if (entry->word == FlowWord::branch_else) return jump_behind(outline().entry(entry->last));
-  if (asks && !holds) return jump_behind(outline().entry(entry->next));
+  if (entry->word == FlowWord::branch_else)
+    return jump_behind(places_.outline().entry(entry->last));
+  if (asks && !holds) return jump_behind(places_.outline().entry(entry->next));
   return end_statement(p);
 }
 
@@ -113,7 +114,7 @@ bool SinumerikStatements::loop(const FlowEntry& entry, std::size_t p) {
   if (entry.word == FlowWord::loop_for) return for_loop(entry, p, !std::exchange(stepping_, false));
   bool holds = true;
   if (entry.word == FlowWord::loop_while && !condition(p, holds)) return false;
-  if (!holds) return jump_behind(outline().entry(entry.last));
+  if (!holds) return jump_behind(places_.outline().entry(entry.last));
   return end_statement(p);
 }
 
@@ -145,12 +146,12 @@ bool SinumerikStatements::for_loop(const FlowEntry& entry, std::size_t p, bool f
       r ? store(parse_number(name.substr(1)).value_or(-1), Value::of(begin), target, to)
         : store(name, at_index, Value::of(begin), target, to);
   if (!stored) return false;
-  if (begin > end) return jump_behind(outline().entry(entry.last));
+  if (begin > end) return jump_behind(places_.outline().entry(entry.last));
   return end_statement(p);
 }
 
 bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
-  const FlowEntry& first = outline().entry(entry.first);
+  const FlowEntry& first = places_.outline().entry(entry.first);
   bool done = false;
   if (entry.word == FlowWord::loop_until && !condition(p, done)) return false;
   if (done) return end_statement(p);
@@ -171,7 +172,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
     decided_ = true;
   }
   const bool forward = word != "GOTOB", backward = word != "GOTOF";
-  const Outline& all = outline();
+  const Outline& all = places_.outline();
   const Place here = reader_.place_at(from);
   const int section = all.section_at(here);
   Place to;
@@ -180,7 +181,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
                      target.find_first_not_of("0123456789", 1) == std::string::npos;
   if (block) {
     const double n = parse_number(target.substr(1)).value_or(-1);
-    found = n < 1e9 && find_number(static_cast<long>(n), forward, backward, to);
+    found = n < 1e9 && places_.find_number(static_cast<long>(n), forward, backward, to);
   } else {
     int i = forward ? all.find_label(target, here, all.section_end(section), false) : -1;
     if (i < 0 && backward) i = all.find_label(target, all.section_begin(section), here, !forward);
@@ -273,7 +274,7 @@ bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
       return fail("statement", "too many labels", begin, p);
     }
   }
-  const Outline& all = outline();
+  const Outline& all = places_.outline();
   const Place here = reader_.place_at(0);
   const int section = all.section_at(here);
   const Place top = all.section_begin(section), bottom = all.section_end(section);
@@ -294,12 +295,12 @@ bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
   const int closing = all.find_label("ENDLABEL", places[0], bottom, false);
   Place end = here;
   if (places.size() == 2) {
-    end = behind_line(places[1]);
+    end = places_.behind_line(places[1]);
   } else if (word == "REPEATB") {
-    end = behind_line(places[0]);
+    end = places_.behind_line(places[0]);
   } else if (closing >= 0) {
     end = all.entry(closing).at;
-    if (end.position > 0) end = behind_line(end);
+    if (end.position > 0) end = places_.behind_line(end);
   }
   request.end = end.offset;
   request.repeats = static_cast<long>(std::min(std::max(0.0, runs), 1e8));

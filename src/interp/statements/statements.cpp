@@ -21,7 +21,6 @@ namespace {
 constexpr double kLargest = 1e9;              // of a word
 constexpr std::size_t kMostCallValues = 128;  // of a call
 constexpr std::size_t kMostTexts = 100;       // of a block
-constexpr std::size_t kMostNumbers = 10000;   // places of block numbers kept
 
 }  // namespace
 
@@ -49,7 +48,7 @@ Statements::Statements(Control& control, BlockReader& reader, const ExpressionRu
       system_(control),
       variables_(variables),
       evaluator_(rules, variables_),
-      form_(outline) {
+      places_(reader, outline) {
   variables_.set_system(&system_);
   for (const auto& [name, text] : options_.variables) {
     const std::optional<double> given = parse_number(text, true);
@@ -252,14 +251,6 @@ void Statements::run() {
   if (!statement(block_.statement) && !reader_.finished()) reader_.stop();
 }
 
-Outline& Statements::outline() { return outline(reader_.file()); }
-
-Outline& Statements::outline(const std::string& file) {
-  std::unique_ptr<Outline>& found = outlines_[file];
-  if (!found) found = std::make_unique<Outline>(file, form_);
-  return *found;
-}
-
 bool Statements::saved_modes(int m, const Word& word) {
   return error("not-supported", fmt::format("M{} is not a word of this control", m), word);
 }
@@ -269,7 +260,7 @@ bool Statements::call_sub(const std::string& name, CallRequest, const Word& word
 }
 
 const FlowEntry* Statements::entry_at(std::size_t p) {
-  Outline& all = outline();
+  const Outline& all = places_.outline();
   const Place here = reader_.place_at(p);
   const int i = all.find(here);
   if (const OutlineFault* wrong = all.fault_in(all.section_at(here))) {
@@ -288,109 +279,10 @@ bool Statements::jump_behind(const FlowEntry& entry) {
   return reader_.jump(to);
 }
 
-bool Statements::find_number_twice(long number) {
-  const Outline& all = outline();
-  const int section = all.section_at(reader_.place_at(0));
-  const Place from = all.section_begin(section), to = all.section_end(section);
-  Place first, last;
-  const std::string& file = reader_.file();
-  return scan_number(file, number, from, to, false, first) &&
-         scan_number(file, number, from, to, true, last) && first != last;
-}
-
-bool Statements::scan_number(const std::string& file, long wanted, const Place& from,
-                             const Place& to, bool last, Place& out) const {
-  LineSource source(file, std::size_t(1) << 16);
-  source.seek(from.offset, from.line);
-  std::string_view line;
-  bool found = false;
-  for (std::uint64_t offset = from.offset; offset < to.offset && source.next(line);
-       offset = source.next_offset()) {
-    for (std::size_t p = 0; p < line.size();) {
-      long n = -1;
-      if (behind_number(line, p, n) > p && n == wanted) {
-        out = {offset, source.line_number() - 1, p};
-        found = true;
-        if (!last) return true;
-      }
-      p = form_ == OutlineForm::macro ? line.find(';', p) : line.size();
-      if (p < line.size()) ++p;
-    }
-  }
-  return found;
-}
-
-bool Statements::find_number(long wanted, bool forward, bool backward, Place& out) {
-  const Outline& all = outline();
-  const Place here = reader_.place_at(0);
-  const int section = all.section_at(reader_.place_at(0));
-  if (numbers_file_ != reader_.file() || numbers_.size() > kMostNumbers) numbers_.clear();
-  numbers_file_ = reader_.file();
-  const long mode = forward && backward ? 0 : forward ? 1 : 2;
-  const auto [known, fresh] = numbers_.try_emplace({here.offset, wanted * 4 + mode});
-  if (fresh) {
-    bool& found = known->second.first;
-    Place& place = known->second.second;
-    if (forward)
-      found = scan_number(reader_.file(), wanted, here, all.section_end(section), false, place);
-    if (!found && backward)
-      found =
-          scan_number(reader_.file(), wanted, all.section_begin(section), here, !forward, place);
-  }
-  out = known->second.second;
-  return known->second.first;
-}
-
-Place Statements::behind_line(const std::string& file, Place at) const {
-  LineSource source(file, std::size_t(1) << 16);
-  source.seek(at.offset, at.line);
-  std::string_view line;
-  source.next(line);
-  return {source.next_offset(), source.line_number(), 0};
-}
-
-bool Statements::find_blocks(long first, long last, Place& begin, Place& end) {
-  if (!find_number(first, true, true, begin) || !find_number(last, true, true, end)) return false;
-  end = behind_line(end);
-  return begin < end;
-}
-
-bool Statements::find_blocks(const SubprogramPlace& program, long first, long last, Place& begin,
-                             Place& end) {
-  const Outline& all = outline();
-  const Place top{program.offset, program.line, 0};
-  Place bottom = {std::numeric_limits<std::uint64_t>::max(), 0, 0};
-  if (program.file == reader_.file()) bottom = all.section_end(all.section_at(top));
-  if (!scan_number(program.file, first, top, bottom, false, begin) ||
-      !scan_number(program.file, last, begin, bottom, false, end))
-    return false;
-  end = behind_line(program.file, end);
-  return true;
-}
-
-std::pair<Place, Place> Statements::section() {
-  const Outline& all = outline();
-  const int here = all.section_at(reader_.place_at(0));
-  return {all.section_begin(here), all.section_end(here)};
-}
-
-bool Statements::find_labels(const std::string& first, const std::string& last, Place& begin,
-                             Place& end) {
-  const Outline& all = outline();
-  const int section = all.section_at(reader_.place_at(0));
-  const Place bottom = all.section_end(section);
-  const int from = all.find_label(first, all.section_begin(section), bottom, false);
-  const int to = from < 0 ? -1 : all.find_label(last, all.entry(from).at, bottom, false);
-  if (to < 0) return false;
-  begin = all.entry(from).at;
-  end = behind_line(all.entry(to).at);
-  return true;
-}
-
 bool Statements::jump_to_number(const Word& word, bool from_main) {
   Place to;
   reader_.leave_stretches();
-  if (find_number(static_cast<long>(word.value), true, true, to))
+  if (places_.find_number(static_cast<long>(word.value), true, true, to))
     return from_main ? jump_always(to) : reader_.jump(to);
   error("jump-target",
         fmt::format("there is no block N{:.0f} in this program (alarm 128)", word.value), word);
@@ -400,7 +292,7 @@ bool Statements::jump_to_number(const Word& word, bool from_main) {
 
 bool Statements::call_number(const Word& word, long repeats) {
   Place to;
-  if (!find_number(static_cast<long>(word.value), true, true, to))
+  if (!places_.find_number(static_cast<long>(word.value), true, true, to))
     return error("jump-target",
                  fmt::format("there is no block N{:.0f} in this program", word.value), word);
   CallRequest request;

@@ -5,6 +5,7 @@
 
 #include "interp/calls/block_reader.h"
 #include "interp/language/variables.h"
+#include "interp/statements/program_places.h"
 #include "interp/statements/system_values.h"
 #include "interp/text/language_reader.h"
 
@@ -57,14 +58,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool jump_to_number(const Word& word, bool from_main);
   /// M97 P: calls from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
-  /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
-  bool find_blocks(long first, long last, Place& begin, Place& end);
-  /// The same in another program.
-  bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
-  /// The program that is being read: where it begins and ends.
-  std::pair<Place, Place> section();
-  /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
-  bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
+  /// Where blocks, labels and programs are.
+  ProgramPlaces& places() { return places_; }
 
  protected:
   Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
@@ -85,18 +80,9 @@ class Statements : public ControlPart, public LanguageReader {
   bool store(std::string_view name, std::span<const Value> indices, const Value& value,
              std::size_t from, std::size_t to);
 
-  Outline& outline();
-  Outline& outline(const std::string& file);
   /// The entry of the statement at `p`; reports what is wrong with the structure.
   const FlowEntry* entry_at(std::size_t p);
   bool jump_behind(const FlowEntry& entry);
-  /// Whether two blocks of the program that is being read have this number.
-  bool find_number_twice(long number);
-  /// Where the next line begins.
-  Place behind_line(Place at) const { return behind_line(reader_.file(), at); }
-  Place behind_line(const std::string& file, Place at) const;
-  /// Searches block `number` forward from here and then from the top, or one of these.
-  bool find_number(long number, bool forward, bool backward, Place& out);
   std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }
   static std::string letters_of(std::string_view line, std::size_t& p);
   char at(std::size_t p) const { return p < block_.line.size() ? block_.line[p] : '\0'; }
@@ -107,16 +93,10 @@ class Statements : public ControlPart, public LanguageReader {
   SystemValues system_;
   Variables variables_;
   Evaluator evaluator_;
+  ProgramPlaces places_;
   bool decided_ = false;  ///< the program has asked for a value that may change its way
 
  private:
-  bool scan_number(const std::string& file, long number, const Place& from, const Place& to,
-                   bool last, Place& out) const;
-
-  OutlineForm form_;
-  std::map<std::string, std::unique_ptr<Outline>> outlines_;
-  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
-  std::string numbers_file_;
   std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
   std::deque<std::string> texts_;                 ///< that words of the block point to
   std::size_t texts_line_ = 0;

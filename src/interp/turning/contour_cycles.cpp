@@ -148,9 +148,10 @@ bool ContourCycles::find_contour(CallRequest& request) {
         reader_.locate({static_cast<long>(call_.program->value), {}}, *call_.program);
     if (!place) return false;
     request.file = place->file;
-    found = statements_ && statements_->find_blocks(*place, first, last, request.begin, end);
+    found =
+        statements_ && statements_->places().find_blocks(*place, first, last, request.begin, end);
   } else {
-    found = statements_ && statements_->find_blocks(first, last, request.begin, end);
+    found = statements_ && statements_->places().find_blocks(first, last, request.begin, end);
   }
   request.end = end.offset;
   if (!found)

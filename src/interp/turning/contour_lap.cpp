@@ -17,7 +17,7 @@ constexpr double kLapEscape = 0.5;  // mm: a parameter of the control
 std::optional<LapContour> ContourCycles::lap_contour(std::string_view name, const Word& where) {
   std::optional<LapContour> found;
   if (statements_) {
-    const auto [begin, end] = statements_->section();
+    const auto [begin, end] = statements_->places().section();
     found = find_lap_contour(reader_.file(), begin, end, name);
   }
   if (!found)

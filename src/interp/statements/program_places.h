@@ -1,0 +1,51 @@
+// Where places of programs are: block numbers, labels, sections, and the outline of each file.
+// Asked for the program that is being read, unless a file is named. Private to src/interp.
+#pragma once
+
+#include "interp/calls/block_reader.h"
+#include "interp/language/outline.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace mrsim {
+
+class ProgramPlaces {
+ public:
+  ProgramPlaces(BlockReader& reader, OutlineForm form) : reader_(reader), form_(form) {}
+
+  /// Of the file that is being read, or of another one. Throws Error "file-...".
+  Outline& outline();
+  Outline& outline(const std::string& file);
+
+  /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
+  bool find_blocks(long first, long last, Place& begin, Place& end);
+  /// The same in another program.
+  bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
+  /// The program that is being read: where it begins and ends.
+  std::pair<Place, Place> section();
+  /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
+  bool find_labels(const std::string& first, const std::string& last, Place& begin, Place& end);
+
+  /// Whether two blocks of the program that is being read have this number.
+  bool find_number_twice(long number);
+  /// Where the next line begins.
+  Place behind_line(Place at) const { return behind_line(reader_.file(), at); }
+  Place behind_line(const std::string& file, Place at) const;
+  /// Searches block `number` forward from here and then from the top, or one of these.
+  bool find_number(long number, bool forward, bool backward, Place& out);
+
+ private:
+  bool scan_number(const std::string& file, long number, const Place& from, const Place& to,
+                   bool last, Place& out) const;
+
+  BlockReader& reader_;
+  OutlineForm form_;
+  std::map<std::string, std::unique_ptr<Outline>> outlines_;
+  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
+  std::string numbers_file_;
+};
+
+}  // namespace mrsim
