@@ -14,8 +14,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kNowhere = CommentView::kNone;
-
 class FactReader {
  public:
   FactReader(std::vector<CommentToken> tokens, ToolFacts& facts)
@@ -72,7 +70,7 @@ class FactReader {
   void read_rest();
   bool kind_is_counted() const;
   void drop_count();
-  const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
+  const ToolKind* kind() const { return facts_.kind(); }
 
   CommentView view_;
   ToolFacts& facts_;
@@ -116,7 +114,7 @@ void FactReader::read_id() {
     while (view_.is_one(at, {"NO", "NR", "NUMBER", "NUMMER", "#", "-", ":", "=", "T"})) ++at;
     const bool diameter = view_.is_one(at + 1, {"DIA", "DIAM", "DIAMETER"}) &&
                           !view_.is(at + 2, "OFF") &&
-                          view_.value_behind(at + 1) == kNowhere;  // "TOOL 10 DIA"
+                          view_.value_behind(at + 1) == CommentView::kNone;  // "TOOL 10 DIA"
     if (view_.number(at) && !diameter)
       set_id(at);
     else if (view_.is_one(at, {"CHANGE", "PATH"}))
@@ -229,8 +227,7 @@ bool FactReader::numbers_it(std::size_t i) const {
 // Numbers joined by X. Those that are explained already leave the group, but do not break it.
 void FactReader::read_groups() {
   const auto element = [&](std::size_t i, bool first) {
-    if (!view_.has(i) || !view_[i].is_number()) return false;
-    return view_.taken(i) || (first ? view_.is_size(i) : true);
+    return view_.has(i) && view_[i].is_number() && (view_.taken(i) || !first || view_.is_size(i));
   };
   const auto skip_words = [&](std::size_t i) {  // ".25 DIA X .75 LOC X R2"
     while (view_.taken(i) && !view_[i].is_number()) ++i;

@@ -59,6 +59,9 @@ struct ToolFacts {
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
   bool holes = false;        ///< "4 DRILL HOLES"
+
+  const ToolKind* kind() const { return kinds.empty() ? nullptr : &kinds.front(); }
+  bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }
 };
 
 ToolFacts read_tool_facts(std::vector<CommentToken> tokens);

@@ -2,10 +2,10 @@
 #include "core/units.h"
 #include "interp/comments/insert_code.h"
 #include "interp/comments/tool_facts.h"
+#include "interp/comments/tool_sizes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ class Settler {
     hint_.face_groove = facts_.face_groove;
     hint_.bores = facts_.bores;
     if (facts_.several_ids) doubt("names several tools");
-    settle_sizes();
+    angles_ = settle_sizes(facts_, hint_);
     settle_type();
     if (hint_.type && !is_turning(*hint_.type)) {
       settle_mill();
@@ -39,21 +39,13 @@ class Settler {
   }
 
  private:
-  const ToolKind* kind() const { return facts_.kinds.empty() ? nullptr : &facts_.kinds.front(); }
-  bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }
+  const ToolKind* kind() const { return facts_.kind(); }
+  bool trade_is(ToolTrade trade) const { return facts_.trade_is(trade); }
   bool pointed() const;
-  bool is_angle(const CommentToken& size, bool joined) const;
   void doubt(std::string why) {
     if (hint_.doubt.empty()) hint_.doubt = std::move(why);
   }
-  void add(const ToolLength& length) { hint_.diameters.push_back(length); }
 
-  void settle_sizes();
-  void add_groups();
-  void add_loose();
-  void add_group(const SizeGroup& group);
-  void add_further(const ToolLength& first, const ToolLength& next);
-  bool may_be_work(const SizeGroup& group) const;
   void settle_type();
   void settle_work(const ToolKind& kind);
   void settle_rivals();
@@ -76,123 +68,6 @@ bool Settler::pointed() const {
   using enum ToolTrade;
   return trade_is(twist_drill) || trade_is(spot_drill) || trade_is(center_drill) ||
          trade_is(chamfer_mill) || trade_is(countersink) || trade_is(vee);
-}
-
-// "1/2 X 90 SPOT", ".250 X 45 CHAMFER", "1/4 135 DRILL": a whole number that is a usual angle of
-// the kind. Behind the X of a twist drill stands its length.
-bool Settler::is_angle(const CommentToken& size, bool joined) const {
-  using enum ToolTrade;
-  const bool whole = size.value == std::floor(size.value);
-  if (trade_is(ToolTrade::lathe) && kind()->type == ToolType::turning && !kind()->firm)
-    return whole && (size.value == 35 || size.value == 55 || size.value == 80);  // "80. DIAMOND"
-  if (!kind() || size.decimals || size.fraction || size.unit > 0) return false;
-  const auto one_of = [&](std::initializer_list<double> usual) {
-    return std::find(usual.begin(), usual.end(), size.value) != usual.end();
-  };
-  switch (kind()->trade) {
-    case twist_drill:
-      return !joined && one_of({118, 135, 140});
-    case spot_drill:
-      return one_of({60, 82, 90, 118, 120, 135, 140, 142, 145});
-    case center_drill:
-      return one_of({60, 90, 120});
-    case countersink:
-      return one_of({60, 75, 82, 90, 100, 110, 120});
-    case chamfer_mill:
-      return one_of({30, 45, 60, 82, 90, 120});
-    case vee:
-      return one_of({30, 45, 60, 90, 120});
-    default:
-      return false;
-  }
-}
-
-void Settler::settle_sizes() {
-  angles_ = facts_.angles;
-  hint_.diameters = facts_.named;
-  if (hint_.diameters.empty() && (kind() || facts_.corner || facts_.names_tool || facts_.pair) &&
-      facts_.letter_d)
-    add(facts_.letter_d);
-  if (facts_.thread && *facts_.thread && trade_is(ToolTrade::tap)) add(*facts_.thread);
-  if (facts_.gauge) add(*facts_.gauge);
-  hint_.gauge = facts_.gauge_name;
-  add_groups();
-}
-
-// Beside the kind; elsewhere only where nothing else has told the diameter.
-void Settler::add_groups() {
-  for (const SizeGroup& group : facts_.before_kind) {
-    if (!(facts_.holes && group.sizes.front().unit == 0)) add_group(group);
-  }
-  if (facts_.behind_kind && !may_be_work(*facts_.behind_kind)) {
-    const CommentToken& size = facts_.behind_kind->sizes.front();
-    const bool marked = size.unit > 0 || size.fraction;
-    const bool certain = size.decimals && kind()->firm;
-    if (marked || ((facts_.behind_ends || certain) && hint_.diameters.empty()) ||
-        (facts_.behind_ends && is_angle(size, false)) || facts_.behind_kind->continues)
-      add_group(*facts_.behind_kind);
-    if (!marked && !size.decimals && !kind()->firm && hint_.diameters.size() == 1)
-      return add_loose();  // "DRILL (4) 1/4 HOLES": which of them?
-  }
-  const bool tap = facts_.thread && trade_is(ToolTrade::tap);
-  if (hint_.diameters.empty() && !tap && (kind() || hint_.names_tool)) add_loose();
-}
-
-void Settler::add_loose() {
-  for (const SizeGroup& group : facts_.loose) add_group(group);
-}
-
-// "CHAMFER 0.5" is the work, "T5 CHAMFER 10" and "CHAMFER 90 DEG 10" are tools.
-bool Settler::may_be_work(const SizeGroup& group) const {
-  return trade_is(ToolTrade::chamfer_mill) && !kind()->firm && !facts_.names_tool &&
-         facts_.angles.empty() && hint_.diameters.empty() && !group.sizes.front().fraction;
-}
-
-void Settler::add_group(const SizeGroup& group) {
-  std::vector<ToolLength> sizes;
-  const bool joined = group.continues || group.sizes.size() > 1;
-  for (const CommentToken& t : group.sizes)
-    if (is_angle(t, joined))
-      angles_.push_back(t.value);
-    else
-      sizes.push_back({t.value, t.unit, t.fraction, false, t.inch_style()});
-  if (sizes.empty()) return;
-  if (group.continues) {  // "R3 X 50"
-    if (!hint_.diameters.empty()) add_further(hint_.diameters.front(), sizes.front());
-    return;
-  }
-  // "WOODRUFF 1/8 X 1/2": keys are named by their width.
-  const bool key = sizes.size() > 1 && trade_is(ToolTrade::disc) && sizes[0].fraction &&
-                   sizes[1].fraction && sizes[0].value < sizes[1].value;
-  if (key) std::swap(sizes[0], sizes[1]);
-  add(sizes.front());
-  if (sizes.size() > 1) add_further(sizes[0], sizes[1]);
-}
-
-// What stands behind the X of a diameter.
-void Settler::add_further(const ToolLength& first, const ToolLength& next) {
-  using enum ToolTrade;
-  const bool inches = first.unit > 1 || next.unit > 1 || first.fraction || next.fraction;
-  const auto mm = [&](const ToolLength& l) {
-    return l.value * (l.unit > 0 ? l.unit : inches ? kMmPerInch : 1);
-  };
-  const double size = mm(first), other = mm(next);
-  if (trade_is(disc) && other < size && !hint_.width) {
-    hint_.width = next;
-    if (hint_.width.unit == 0 && !next.fraction) hint_.width.unit = first.unit;
-    return;
-  }
-  if (trade_is(dovetail) && other < size && !hint_.flute_length) {
-    hint_.flute_length = next;
-    return;
-  }
-  const bool ignored =
-      trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
-  if (ignored || other >= size) return;  // lengths
-  if (kind() && kind()->type == ToolType::bullmill && other <= size / 2 && !hint_.corner)
-    hint_.corner = next;
-  else
-    add(next);  // "ENDMILL 20 X 2": which is the diameter?
 }
 
 // "OD ROUGH R0.8 80 DEG".
@@ -357,7 +232,7 @@ void Settler::settle_mill() {
   const bool ball = hint_.type == ToolType::ballmill || hint_.type == ToolType::lollipop ||
                     trade_is(ToolTrade::cone_ball);
   if (ball && hint_.corner && hint_.diameters.empty()) {
-    add(hint_.corner);
+    hint_.diameters.push_back(hint_.corner);
     hint_.diameters.front().value *= 2;
   }
   if (hint_.type == ToolType::endmill && hint_.corner && !trade_is(ToolTrade::tap))

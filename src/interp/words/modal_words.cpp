@@ -64,7 +64,7 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
 bool ModalWords::select_turning(const Word& word, int number) {
   if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
   const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
-  if (!axes && number == 94) return apply_feed_mode(Code::per_minute, word);
+  if (!axes && number == 94) return plain_.apply_feed(Code::per_minute, word);
   if (!axes && number == 92) return for_oneshot(word, Code::set_position);
   if (modal_.turn.number != number) modal_.turn = {};
   modal_.turn.number = number;
@@ -111,7 +111,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:
       if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
-        return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+        return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
       return for_oneshot(word, entry.code);
     case Code::reference_store:
       if (position_.known == 7)
@@ -208,7 +208,7 @@ bool ModalWords::for_one_block(const Word& word, Code code) {
 // Mach and Vectric write G70 and G71 for the units; LinuxCNC's cycles of these numbers have words.
 bool ModalWords::units_of_mach(const Word& word) {
   if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
-  return apply_mode(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+  return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
 }
 
 bool ModalWords::refuse(const Word& word) {
@@ -254,7 +254,7 @@ void ModalWords::select_cycle(const Word& word, int number) {
 }
 
 bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
-  if (apply_mode(entry.code, word) || compensation_.select(entry.code, word)) return true;
+  if (plain_.apply(entry.code, word) || compensation_.select(entry.code, word)) return true;
   switch (entry.code) {
     case Code::plane_xy:
     case Code::plane_2d:
@@ -298,64 +298,6 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
       block_.frame_op = entry.code;
       return true;
   }
-}
-
-// Units, feeds and other modes that cannot fail. False: not one of them.
-bool ModalWords::apply_mode(Code code, const Word& word) {
-  if (apply_feed_mode(code, word)) return true;
-  Modal& m = modal_;
-  m.units_given |= code == Code::inch || code == Code::metric || code == Code::inch_feed ||
-                   code == Code::metric_feed;
-  if (code == Code::inch || code == Code::metric) {
-    m.inch = code == Code::inch;
-    m.inch_feed = false;  // one group with G700 and G710
-  } else if (code == Code::inch_feed || code == Code::metric_feed) {
-    m.inch = m.inch_feed = code == Code::inch_feed;
-  } else if (code == Code::center_absolute || code == Code::center_relative) {
-    m.center_absolute = code == Code::center_absolute;
-    m.center_told = true;
-  } else if (code == Code::polar_on || code == Code::polar_off) {
-    m.polar = code == Code::polar_on;
-  } else if (code == Code::diameter_on || code == Code::diameter_off ||
-             code == Code::diameter_absolute) {
-    m.diameter = code;
-    m.diameter_told = true;
-  } else if (code == Code::length_plus || code == Code::length_minus || code == Code::length_off ||
-             code == Code::length_dynamic || code == Code::length_add) {
-    m.length = code;
-    block_.length_changed = true;
-  } else if (code == Code::path_smoothing) {
-    if (word.value > 50)
-      warning("path-smoothing", "the path is read without the smoothing that the PLC adds", word);
-    if (word.value > 50) take('D');
-  } else if (code == Code::suppress_frames) {
-    block_.suppress_frames = true;
-  } else if (code == Code::program_return) {
-    block_.return_after = true;
-  } else if (code != Code::header && code != Code::diameter_cycles_off) {
-    return false;
-  }
-  return true;
-}
-
-// What F and S mean. False: another word.
-bool ModalWords::apply_feed_mode(Code code, const Word& word) {
-  Modal& m = modal_;
-  if (code == Code::inverse_time || code == Code::per_minute || code == Code::per_revolution) {
-    m.feed_unit = code == Code::inverse_time ? FeedUnit::inverse_time
-                  : code == Code::per_minute ? FeedUnit::mm_per_min
-                                             : FeedUnit::mm_per_rev;
-    if (is(Dialect::sinumerik)) m.surface_speed = false;
-  } else if (code == Code::surface_speed || code == Code::surface_speed_off) {
-    m.surface_speed = code == Code::surface_speed;
-    if (word.value == 961 || word.value == 971)
-      m.feed_unit = FeedUnit::mm_per_min;
-    else if (m.surface_speed && is(Dialect::sinumerik) && word.value != 962)
-      m.feed_unit = FeedUnit::mm_per_rev;
-  } else {
-    return false;
-  }
-  return true;
 }
 
 // On FANUC lathes G90 with axes is a turning cycle of code system A. Beside a motion word of the

@@ -3,6 +3,7 @@
 
 #include "interp/tools/compensation_words.h"
 #include "interp/words/maker_words.h"
+#include "interp/words/plain_modes.h"
 #include "interp/words/unread_modes.h"
 
 namespace mrsim {
@@ -15,6 +16,7 @@ class ModalWords : public ControlPart {
         frame_words_(frames),
         compensation_(compensation),
         makers_(control, frames),
+        plain_(control),
         unread_(control) {}
 
   /// All function words of the block, in order. False: errors were reported.
@@ -34,8 +36,6 @@ class ModalWords : public ControlPart {
   void select_cycle(const Word& word, int number);
   bool select_turning(const Word& word, int number);
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
-  bool apply_mode(Code code, const Word& word);
-  bool apply_feed_mode(Code code, const Word& word);
   bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);
   bool select_normal(const Word& word);
@@ -44,6 +44,7 @@ class ModalWords : public ControlPart {
   FrameWords& frame_words_;
   CompensationWords& compensation_;
   MakerWords makers_;
+  PlainModes plain_;
   UnreadModes unread_;
 };
 

@@ -1,0 +1,19 @@
+// Modes that cannot fail and are no more than a value: units, feeds, centres, diameters, tool
+// length. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class PlainModes : public ControlPart {
+ public:
+  explicit PlainModes(Control& control) : ControlPart(control) {}
+
+  /// False: not one of them.
+  bool apply(Code code, const Word& word);
+  /// What F and S mean. False: another word.
+  bool apply_feed(Code code, const Word& word);
+};
+
+}  // namespace mrsim
