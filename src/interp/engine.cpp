@@ -82,6 +82,7 @@ void Engine::run() {
     reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
                           "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");
+  stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut());
   reporter_.finish();
 }
 

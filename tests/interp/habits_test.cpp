@@ -45,6 +45,25 @@ TEST(Habits, InchesByTheCommentAlone) {
   EXPECT_EQ(told("(UNITS: INCHES)\nG0 X1.\nG4 P1\n"), "program-without-cuts");
 }
 
+// A shop whose control wakes up in inches writes no G20; its tools and the sizes tell.
+TEST(Habits, InchesByTheTools) {
+  InterpOptions options = kFanuc;
+  options.table.tools.clear();
+  const auto told = [&](const std::string& text) { return codes(read_text(text, options)); };
+  const std::string cut = "T1 M6\nG0 X0 Y0 Z1.\nG1 Z-.25 F10.\nX2.\n";
+  EXPECT_EQ(told("(T1 1/2 FLAT ENDMILL)\n" + cut), "units-unset");
+  EXPECT_EQ(told("(T1 1/2 FLAT ENDMILL)\nG20\n" + cut), "");
+  EXPECT_EQ(told("(T1 1/2 FLAT ENDMILL)\nG21\n" + cut), "");
+  EXPECT_EQ(told("(T1 1/2 FLAT ENDMILL)\n" + cut + "X80.\n"), "");
+  EXPECT_EQ(told("(T1 12 MM FLAT ENDMILL)\n" + cut), "");
+  const auto turned = [&](const std::string& text) {
+    options.machine = MachineKind::lathe;
+    return codes(read_text(text + "T0101\nG99 G0 X2. Z.1\nG1 Z-1. F.01\n", options));
+  };
+  EXPECT_EQ(turned("(T1 CNMG-432)\n"), "units-unset");
+  EXPECT_EQ(turned("(T1 CNMG 120408)\n"), "");
+}
+
 // The places of a drilling cycle may be reached from one side.
 TEST(Habits, G60BesideADrillingCycle) {
   EXPECT_EQ(

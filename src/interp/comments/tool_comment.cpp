@@ -1,10 +1,13 @@
 #include "interp/comments/tool_comment.h"
 
 #include "core/text_io.h"
+#include "core/units.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/tool_facts.h"
 #include "interp/comments/tool_listing.h"
 #include "interp/comments/turret_name.h"
+
+#include <cmath>
 
 namespace mrsim {
 
@@ -21,6 +24,14 @@ ToolHint read_tool_comment(std::string_view bytes) {
   hint.corner_radius = hint.corner.value;
   hint.nose_radius = hint.nose.value;
   return hint;
+}
+
+// The edges of inserts by the metric code are whole millimetres.
+bool sized_in_inches(const ToolHint& hint) {
+  if (hint.edge_length != std::floor(hint.edge_length)) return true;
+  if (hint.diameters.empty()) return false;
+  const ToolLength& size = hint.diameters.front();
+  return (size.fraction && size.unit != 1) || size.unit == kMmPerInch;
 }
 
 }  // namespace mrsim

@@ -57,6 +57,9 @@ struct ToolHint {
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
 };
 
+/// Its size is one of the trade in inches: "1/2 END MILL", "CNMG-432".
+bool sized_in_inches(const ToolHint& hint);
+
 /// `bytes` in whatever encoding they came.
 ToolHint read_tool_comment(std::string_view bytes);
 

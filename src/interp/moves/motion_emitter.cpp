@@ -82,6 +82,8 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (lathe()) turn_to_plus(motion);
   if (motion.kind != MotionKind::rapid) {
     note_zero();
+    farthest_cut_ = std::max(
+        {farthest_cut_, std::abs(motion.end.x), std::abs(motion.end.y), std::abs(motion.end.z)});
     motion.tool = control_.tool.index;
     if (lathe()) refuse_live_tool(motion);
     if (position_.known == 7U)

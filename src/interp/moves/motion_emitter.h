@@ -31,6 +31,8 @@ class MotionEmitter : public ControlPart {
   bool captures() const { return captured_ != nullptr; }
   /// Lines and arcs given on.
   std::size_t cuts() const { return cuts_; }
+  /// The largest coordinate at which one of them ends, mm.
+  double farthest_cut() const { return farthest_cut_; }
 
  private:
   void note_zero();
@@ -48,6 +50,7 @@ class MotionEmitter : public ControlPart {
   CornerStage corners_;
   CompensationStage compensation_;
   std::vector<Motion>* captured_ = nullptr;
+  double farthest_cut_ = 0;
   CornerStage captured_corners_;
   /// A dwell behind motions that are held back.
   struct HeldDwell {

@@ -264,6 +264,13 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
       tool_.place);
 }
 
+bool ToolChanger::sized_in_inches() const {
+  return std::any_of(program_.tools.begin(), program_.tools.end(), [&](const Tool& tool) {
+    const ToolHint* hint = tool.origin.starts_with("comment") ? notes_.find(tool.id) : nullptr;
+    return hint && mrsim::sized_in_inches(*hint);
+  });
+}
+
 bool ToolChanger::only_touches(const Word& where) {
   if (!lathe() || !tool_.chosen || tool_.index >= 0 || given(tool_.current)) return false;
   const ToolHint* hint = notes_.find(tool_.current);

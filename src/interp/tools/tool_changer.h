@@ -27,6 +27,8 @@ class ToolChanger : public ControlPart {
   /// The tool of a lathe that comments call a bar stop, a gripper or a probe: its feeds cut
   /// nothing.
   bool only_touches(const Word& where);
+  /// A comment gives a tool that has cut a size of the trade in inches.
+  bool sized_in_inches() const;
   /// The tool in the spindle, or null.
   const Tool* current() const {
     return tool_.index >= 0 ? &program_.tools[static_cast<std::size_t>(tool_.index)] : nullptr;

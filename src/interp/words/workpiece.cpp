@@ -105,9 +105,21 @@ void CommentedStock::read_comments() {
     comments_.read(comment, block_.line_number);
 }
 
+bool CommentedStock::may_mean_inches() const {
+  return !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys);
+}
+
+void CommentedStock::compare_units(bool tools_in_inches, double farthest) {
+  constexpr double kSmall = 40;  // mm; as inches it is a metre
+  if (!tools_in_inches || says_inches_ || !may_mean_inches() || farthest >= kSmall) return;
+  reporter_.add_general(Severity::warning, "units-unset",
+                        "the tools are in inches and the places small, but the program has no G20: "
+                        "it is read in mm; write G20, or G21, at its top");
+}
+
 void CommentedStock::settle() {
   settled_ = true;
-  if (says_inches_ && !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys))
+  if (says_inches_ && may_mean_inches())
     reporter_.add(Severity::warning, "units-unset",
                   "a comment says inches, but the program has no G20: it is read in mm; write G20 "
                   "at its top",

@@ -25,9 +25,13 @@ class CommentedStock : public ControlPart {
   void read_comments();
   /// Behind the first cut, whose zero and unit count: sets Program::workpiece.
   void settle();
+  /// The program ends: `tools_in_inches` have cut no farther than `farthest` mm from the zero.
+  void compare_units(bool tools_in_inches, double farthest);
   bool is_settled() const { return settled_; }
 
  private:
+  bool may_mean_inches() const;
+
   StockComments comments_;
   bool settled_ = false, says_inches_ = false;
 };
