@@ -59,8 +59,9 @@ TEST(SinumerikContours, AllowanceAndQuarterCircles) {
   EXPECT_EQ(
       milled("CYCLE72(\"ONE:TWO\",50,0,2,-4,4,1,0,500,200,10001,41)\nM30\nONE:\nG1 X0\nX5\nTWO:\n"),
       "r50,50,50 not-supported");
+  // A chamfer needs a tool with a cone.
   EXPECT_EQ(milled("CYCLE72(\"ONE:TWO\",50,0,2,-4,4,1,0,500,200,15)\nM30\nONE:\nG1 X0\nX5\nTWO:\n"),
-            "r50,50,50 not-supported");
+            "r50,50,50 tool-unknown");
 }
 
 const char* const kShaft = "M30\nONE:\nG1 X20 Z0\nZ-20\nX40 Z-30\nX44\nTWO:\n";

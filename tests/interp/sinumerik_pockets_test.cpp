@@ -71,6 +71,45 @@ TEST(SinumerikPockets, ASpigot) {
   EXPECT_NEAR(right, 33, 1e-9);
 }
 
+// A cone of 90 degrees 3 mm deep, a chamfer of 1: the axis runs 2 mm from the wall.
+TEST(SinumerikPockets, Chamfers) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.table.tools[0].type = ToolType::chamfer;
+  options.table.tools[0].taper_angle = radians(45);
+  const auto cut = [&](const std::string& text) {
+    return path_text(read_text("T1 D1 M6\nG0 X50 Y50 Z50\n" + text, options));
+  };
+  const std::string named = "CYCLE62(\"SQUARE\",0,,)\n";
+  const std::string expected =
+      kStart + "r18,18,50 r18,18,2 l18,18,-3 l2,18,-3 l2,2,-3 l18,2,-3 l18,18,-3 r18,18,50";
+  EXPECT_EQ(
+      cut(named + "CYCLE63(\"\",5,50,0,2,-5,500,200,5,2,0,0,0,0,0,0,0,0,1,3,\"\",1,0,0,101,100)\n" +
+          kSquare),
+      expected);
+  EXPECT_EQ(
+      cut(named + "CYCLE63(\"\",5,50,0,2,-5,500,200,5,2,0,0,0,0,0,0,0,0,1,-3,\"\",1,0,0,101,0)\n" +
+          kSquare),
+      expected);
+  // A round pocket, and a round spigot; along a contour on its right, the outside.
+  EXPECT_EQ(cut("POCKET4(50,0,2,-5,20,0,0,2,0,0,500,200,0,15,0,0,0,0,0,0,1,3,0,1,100)\n"),
+            kStart + "r0,0,50 r0,0,2 l0,0,-3 l18,0,-3 a18,0,-3 r18,0,50 r0,0,50");
+  EXPECT_EQ(cut("CYCLE77(50,0,2,-5,,20,0,0,2,0,0,500,200,0,5,20,1,3,0,1,100)\n"),
+            kStart + "r16,0,50 r16,0,2 l16,0,-3 l12,0,-3 a12,0,-3 r12,0,50 r16,0,50");
+  EXPECT_EQ(
+      cut("CYCLE72(\"SQUARE\",50,0,2,-5,2,0,0,500,200,5,42,1,7,200,1,7,0,1,3,0,1,100)\n" + kSquare),
+      kStart +
+          "r-7,-2,50 r-7,-2,2 l-7,-2,-3 l0,-2,-3 l20,-2,-3 a22,0,-3 l22,20,-3 "
+          "a20,22,-3 l0,22,-3 a-2,20,-3 l-2,0,-3 l-2,-7,-3 r-2,-7,50");
+  // The tip is not deep enough for the width; the tool has no cone.
+  EXPECT_EQ(
+      cut(named + "CYCLE63(\"\",5,50,0,2,-5,500,200,5,2,0,0,0,0,0,0,0,0,4,3,\"\",1,0,0,101,100)\n" +
+          kSquare),
+      "r50,50,50 | value-range");
+  EXPECT_EQ(
+      pocketed(named + "CYCLE63(\"\",5,50,0,2,-5,500,200,5,2,0,0,0,0,0,0,0,0,1,3)\n" + kSquare),
+      "r50,50,50 | tool-unknown");
+}
+
 TEST(SinumerikPockets, WhatIsNotRead) {
   const std::string named = "CYCLE62(\"SQUARE\",0,,)\n";
   const auto found = [&](const std::string& call) {
@@ -78,7 +117,6 @@ TEST(SinumerikPockets, WhatIsNotRead) {
                                 at_origin(Dialect::sinumerik));
     return fmt::format("{} {}", p.motions.size(), codes(p));
   };
-  EXPECT_EQ(found("CYCLE63(\"\",5,50,0,2,-5,500,200,5,2)"), "1 not-supported");  // chamfering
   EXPECT_EQ(found("CYCLE63(\"\",2,50,0,2,-5,500,200,5,2)"), "1 not-supported");
   EXPECT_EQ(found("CYCLE63(\"\",1,50,0,2,5,500,200,5,2)"), "1 value-range");
   EXPECT_EQ(found("CYCLE63(\"\",1,50,0,2)"), "1 value-missing");

@@ -71,12 +71,11 @@ bool MillCycles::depth(Levels& l) {
 // know 0, both roughing and finishing.
 bool MillCycles::modes(Levels& l) {
   const int kind = static_cast<int>(value(list_->mode)) % 10;
-  if (kind == 5)
-    return fail("not-supported", fmt::format("{}: chamfering is not supported yet", call_->name));
+  if (kind == 5 && !chamfer(l)) return false;
   l.rough = kind <= 1;
   l.finish = kind != 1;
   if (list_->mode < 0 || kind == 0) l.rough = l.finish = true;
-  if (kind == 4) l.floor = 0;
+  if (kind >= 4) l.floor = 0;
   l.entry = static_cast<int>(value(list_->mode)) / 10 % 10;
   if (list_->helix < 0) l.entry = list_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
   if (l.entry > 3) return fail("value-range", "the way of going down is 0 to 3");
@@ -84,6 +83,21 @@ bool MillCycles::modes(Levels& l) {
   l.helix_lead = value(list_->helix < 0 ? -1 : list_->helix + 1) * scale();
   const int direction = static_cast<int>(value(list_->direction));
   l.clockwise = direction == 1 || direction == 2;
+  return true;
+}
+
+// FS wide, the tip of the tool at ZFS (AMODE: absolute, or below the edge): one cut along the wall.
+bool MillCycles::chamfer(Levels& l) {
+  if (list_->chamfer < 0)
+    return fail("not-supported",
+                fmt::format("{}: chamfering is not supported yet", call_->shown()));
+  const auto cut = chamfering_.cut(*call_, static_cast<std::size_t>(list_->chamfer),
+                                   static_cast<std::size_t>(list_->amode), l.reference,
+                                   l.top < l.reference ? 1 : -1, where_);
+  if (!cut) return false;
+  radius_ = cut->aside;
+  l.bottom = cut->bottom;
+  l.infeed = l.finish_infeed = l.side = 0;
   return true;
 }
 

@@ -3,6 +3,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/cycles/chamfering.h"
 #include "interp/cycles/cycle_call.h"
 #include "interp/cycles/cycle_mover.h"
 #include "interp/milling/mill_lists.h"
@@ -15,7 +16,7 @@ namespace mrsim {
 class MillCycles : public ControlPart {
  public:
   MillCycles(Control& control, ToolChanger& tools, Moves& moves)
-      : ControlPart(control), tools_(tools), mover_(control, moves) {}
+      : ControlPart(control), tools_(tools), mover_(control, moves), chamfering_(control, tools) {}
 
   static bool knows(std::string_view name);
   /// `at_position`: by MCALL, at the place of the tool. False: an error was reported.
@@ -50,6 +51,7 @@ class MillCycles : public ControlPart {
   bool levels(Levels& out);
   bool depth(Levels& out);
   bool modes(Levels& out);
+  bool chamfer(Levels& out);
   bool reference_place(Vec2& out);
   bool center(double length, double width, double degrees, Vec2& out);
   bool rectangle();
@@ -73,6 +75,7 @@ class MillCycles : public ControlPart {
 
   ToolChanger& tools_;
   CycleMover mover_;
+  Chamfering chamfering_;
   const CycleCall* call_ = nullptr;
   const MillList* list_ = nullptr;
   Word where_;

@@ -187,7 +187,6 @@ bool SinumerikContours::mill_levels(Along& l) {
     return error("value-range",
                  "CYCLE72: the depth does not lie below the reference plane (alarm 61101)", where_);
   const int kind = call_.digit(10, 0);
-  if (kind == 5) return error("not-supported", "CYCLE72: chamfering is not supported yet", where_);
   if (call_.digit(10, 4) != 0)
     return error("not-supported", "CYCLE72: the contour backwards (VARI) is not supported yet",
                  where_);
@@ -205,6 +204,14 @@ bool SinumerikContours::mill_levels(Along& l) {
   const double radius =
       l.side == 0 ? tools_.radius(modal_.edge) : tools_.radius_for("CYCLE72", modal_.edge, where_);
   if (l.side != 0 && radius <= 0) return false;
+  if (kind == 5) {  // FS ZFS: one cut, its axis nearer to the contour than the tool's radius
+    const auto cut = chamfering_.cut(call_, 18, 22, l.reference, down, where_);
+    if (!cut) return false;
+    if (l.side == 0) return error("value-range", "CYCLE72 chamfers with RL 41 or 42", where_);
+    l.bottom = cut->bottom;
+    l.infeed = 0;
+    l.allowance = cut->aside - radius;
+  }
   l.aside = l.side * (radius + l.allowance);
   return true;
 }

@@ -4,6 +4,7 @@
 // from them. Private to src/interp.
 #pragma once
 
+#include "interp/cycles/chamfering.h"
 #include "interp/cycles/cycle_call.h"
 #include "interp/cycles/cycle_mover.h"
 #include "interp/milling/region_cutter.h"
@@ -26,6 +27,7 @@ class SinumerikContours : public ControlPart {
         moves_(moves),
         mover_(control, moves),
         cutter_(control, moves),
+        chamfering_(control, tools),
         out_(out) {}
 
   static bool knows(std::string_view name);
@@ -97,6 +99,7 @@ class SinumerikContours : public ControlPart {
   Moves& moves_;
   CycleMover mover_;
   RegionCutter cutter_;
+  Chamfering chamfering_;
   MotionEmitter& out_;
   CycleCall call_;
   Word where_;

@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kRough = 1, kFloor = 3, kWall = 4;
+constexpr int kRough = 1, kFloor = 3, kWall = 4, kChamfer = 5;
 
 }  // namespace
 
@@ -23,10 +23,10 @@ bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
                    where_);
   if (call_.values.size() > 26)
     return error("not-supported", "CYCLE63: a list of more than 26 values", where_);
-  if (kind != kRough && kind != kFloor && kind != kWall)
+  if (kind != kRough && (kind < kFloor || kind > kChamfer))
     return error("not-supported",
                  fmt::format("CYCLE63: VARI {:g} is not supported; its unit is 1 (roughing), 3 "
-                             "(finishing the floor) or 4 (the wall)",
+                             "(finishing the floor), 4 (the wall) or 5 (chamfering)",
                              call_.get(1)),
                  where_);
   if (plane != 0 && plane != modal_.plane + 1)
@@ -66,12 +66,21 @@ bool SinumerikContours::surroundings(double radius, const Loop& blank, Loop& out
 bool SinumerikContours::pocket() {
   RegionCutter::Levels l;
   if (!pocket_levels(l)) return false;
-  const double radius = tools_.radius_for("CYCLE63", modal_.edge, where_);
+  double radius = tools_.radius_for("CYCLE63", modal_.edge, where_);
   if (radius <= 0) return false;
   std::vector<Loop> loops(contours_.size());
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (!cutter_.closed_loop(contours_[i], 1, loops[i])) return false;
   const int technology = call_.digit(24, 2), kind = call_.digit(1, 0);
+  const bool along = kind == kWall || kind == kChamfer;
+  if (kind == kChamfer) {
+    const auto cut =
+        chamfering_.cut(call_, 18, 25, l.reference, l.top < l.reference ? 1 : -1, where_);
+    if (!cut) return false;
+    radius = cut->aside;
+    l.bottom = cut->bottom;
+    l.infeed = 0;
+  }
   const std::vector<Loop> islands(loops.begin() + 1, loops.end());
   if (technology > 2 || (technology == 2 && islands.empty()))
     return error("not-supported",
@@ -81,12 +90,12 @@ bool SinumerikContours::pocket() {
               "CYCLE63 is read as a spigot (DMODE): its first contour is the blank's, over whose "
               "edge the cutter runs",
               where_, "CYCLE63");
-  if (technology == 2 && kind != kWall && !surroundings(radius, loops[0], loops[0])) return false;
+  if (technology == 2 && !along && !surroundings(radius, loops[0], loops[0])) return false;
   double step = std::abs(call_.get(8)) * scale();
   if (call_.digit(25, 1) == 1) step = std::abs(call_.get(8)) * radius / 50;  // per cent
-  const bool border = technology != 2 || kind != kWall;
+  const bool border = technology != 2 || !along;
   const Region region(border ? std::optional<Loop>(loops[0]) : std::nullopt, islands);
-  if (kind == kWall) return cutter_.follow(region, radius, 0, l, where_);
+  if (along) return cutter_.follow(region, radius, 0, l, where_);
   return cutter_.clear(region, radius, std::abs(call_.get(10)) * scale(), step, l, where_);
 }
 

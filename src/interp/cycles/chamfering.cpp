@@ -1,0 +1,55 @@
+#include "interp/cycles/chamfering.h"
+
+#include "core/trig.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kNearestAxis = 1e-3;  // mm from the wall: no way runs along the contour itself
+
+// Half the angle of the cone that the tool ends in, radians; 0: it does not.
+double cone_of(const Tool& tool) {
+  if (tool.type == ToolType::chamfer) return tool.taper_angle;
+  return tool.type == ToolType::drill ? tool.tip_angle / 2 : 0;
+}
+
+}  // namespace
+
+// The cone meets the wall at the chamfer's foot: the wider the cone at the edge, the farther off.
+std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, std::size_t width,
+                                               std::size_t mode, double edge, double down,
+                                               const Word& where) {
+  tools_.require(where, true);
+  const Tool* tool = tools_.current();
+  const double half = tool ? cone_of(*tool) : 0, size = std::abs(call.get(width)) * scale();
+  if (half <= 0) {
+    error("tool-unknown",
+          fmt::format("{} chamfers: it needs a cutter with a cone, a chamfer mill or a spot drill",
+                      call.shown()),
+          where);
+    return std::nullopt;
+  }
+  const double given = call.get(width + 1) * scale();
+  const double depth = call.digit(mode, 2) == 1 ? std::abs(given) : (given - edge) * down;
+  const SinCos cone = sincos(half);
+  Cut out;
+  out.bottom = edge + down * depth;
+  out.aside = tool->tip_diameter / 2 + depth * cone.sin / cone.cos - size;
+  if (size <= 0 || depth <= 0 || out.aside < 0) {
+    error("value-range",
+          fmt::format("{}: the chamfer FS is {:g} mm wide, and with its tip {:g} mm deep (ZFS) the "
+                      "tool does not reach its foot",
+                      call.shown(), size, depth),
+          where);
+    return std::nullopt;
+  }
+  out.aside = std::max(out.aside, kNearestAxis);
+  return out;
+}
+
+}  // namespace mrsim
