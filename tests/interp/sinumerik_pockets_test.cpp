@@ -75,7 +75,7 @@ TEST(SinumerikPockets, ASpigot) {
 TEST(SinumerikPockets, Chamfers) {
   InterpOptions options = at_origin(Dialect::sinumerik);
   options.table.tools[0].type = ToolType::chamfer;
-  options.table.tools[0].taper_angle = radians(45);
+  options.table.tools[0].tip_angle = radians(90);
   const auto cut = [&](const std::string& text) {
     return path_text(read_text("T1 D1 M6\nG0 X50 Y50 Z50\n" + text, options));
   };

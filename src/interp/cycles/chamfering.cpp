@@ -1,6 +1,7 @@
 #include "interp/cycles/chamfering.h"
 
 #include "core/trig.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,12 @@ namespace {
 
 constexpr double kNearestAxis = 1e-3;  // mm from the wall: no way runs along the contour itself
 
-// Half the angle of the cone that the tool ends in, radians; 0: it does not.
+// Half the angle of the cone that the tool ends in, radians, as its shape has it; 0: it does not.
 double cone_of(const Tool& tool) {
-  if (tool.type == ToolType::chamfer) return tool.taper_angle;
-  return tool.type == ToolType::drill ? tool.tip_angle / 2 : 0;
+  if (tool.type != ToolType::chamfer && tool.type != ToolType::drill) return 0;
+  if (tool.tip_angle > 0) return tool.tip_angle / 2;
+  if (tool.type == ToolType::drill) return radians(59);
+  return tool.taper_angle > 0 ? tool.taper_angle : kPi / 4;
 }
 
 }  // namespace
