@@ -32,7 +32,9 @@ class Sinumerik : public Grammar {
             list(24) + ")");
       case 2:
         return line(one_of({"CYCLE72(\"KONTUR\",", "CYCLE95(\"KONTUR\",", "CYCLE93(", "CYCLE951(",
-                            "CYCLE97(", "CYCLE98(", "CYCLE99("}) +
+                            "CYCLE62(\"KONTUR\",0)\nCYCLE63(\"\",", "CYCLE92(",
+                            "CYCLE62(\"KONTUR\",0)\nCYCLE952(\"\",\"\",\"\",", "CYCLE97(",
+                            "CYCLE98(", "CYCLE99("}) +
                     list(22) + ")");
       case 3:
         return line(one_of({"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR"}) +

@@ -100,6 +100,10 @@ TEST(RecogniseMachine, CommentsDecideNothing) {
       {"O1\nG28 U0 W0\nG0 X50. Z2.\nG1 Z-2.\nM30\n", MachineKind::lathe},
       {"O1\n(T0909 LIVE DRILL D=6)\nT0909\nG97 S900 M133\nG0 X30. Z5.\nC90.\nM30\n",
        MachineKind::lathe},
+      // Drills and taps alone in a turret, G97 and no M6.
+      {"O1\n(T0202 DRILL 8MM)\n(T0404 M10 TAP)\nT0202\nG97 S900 M3\nG0 X0 Z5.\nG83 Z-25. R2. "
+       "F.1\nM30\n",
+       MachineKind::lathe},
       {"O1\n(T0101 END MILL D10)\nG17\nT0101\nG0 X30. Z5.\nG1 Z-1. F100\nM30\n", MachineKind::mill},
       {"G18 G21 (CNMG 120408)\nG0 X50 Z2\nG1 Z-2 F.1\nM2\n", MachineKind::lathe},
       {"O100 sub\nG0 X1 Z5\nO100 endsub\nM2\n", MachineKind::mill},
@@ -113,6 +117,14 @@ TEST(RecogniseMachine, CommentsDecideNothing) {
     EXPECT_EQ(static_cast<int>(r.machine), static_cast<int>(row.machine))
         << row.text << r.machine_reason;
   }
+}
+
+// SINUMERIK writes CR=; R10 is a variable there.
+TEST(RecognisePosts, AnArcWithRIsNotSinumeriks) {
+  const std::string head = "%100\nN20 T1 D1 M6\n; FRESA D10\nN30 G0 X0 Y0 Z5\n";
+  EXPECT_NE(recognised(head + "N70 G3 X30 Y20 R10\nN80 M30\n").dialect, Dialect::sinumerik);
+  EXPECT_EQ(recognised(head + "N65 R10=5\nN70 G3 X=R10 Y20 CR=R10\nN80 M30\n").dialect,
+            Dialect::sinumerik);
 }
 
 TEST(RecogniseForeign, NamedAndRefused) {

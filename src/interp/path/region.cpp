@@ -36,13 +36,10 @@ PlanePiece part_of(const PlanePiece& piece, double from, double to) {
   return out;
 }
 
-struct PieceBounds {
-  Vec2 low, high;
-  bool near(const PieceBounds& other) const {
-    return low.x <= other.high.x + kSameSpot && other.low.x <= high.x + kSameSpot &&
-           low.y <= other.high.y + kSameSpot && other.low.y <= high.y + kSameSpot;
-  }
-};
+bool near_each_other(const PieceBounds& a, const PieceBounds& b) {
+  return a.low.x <= b.high.x + kSameSpot && b.low.x <= a.high.x + kSameSpot &&
+         a.low.y <= b.high.y + kSameSpot && b.low.y <= a.high.y + kSameSpot;
+}
 
 PieceBounds bounds_of(const PlanePiece& piece) {
   if (piece.arc) {
@@ -88,7 +85,7 @@ std::vector<double> cuts_of(std::size_t i, const std::vector<PlanePiece>& pieces
     if (along > 0 && along < whole) cuts.push_back(along);
   };
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (k == i || !bounds[i].near(bounds[k])) continue;
+    if (k == i || !near_each_other(bounds[i], bounds[k])) continue;
     std::array<Vec2, 2> hits;
     const int n = intersect(piece, pieces[k], hits);
     for (int h = 0; h < n; ++h) {
@@ -102,10 +99,29 @@ std::vector<double> cuts_of(std::size_t i, const std::vector<PlanePiece>& pieces
   return cuts;
 }
 
+using Parts = std::vector<std::pair<PlanePiece, double>>;  // and how far they stay from contours
+
 bool same_piece(const PlanePiece& a, const PlanePiece& b) {
   return a.arc == b.arc && length(a.start - b.start) < kSameSpot &&
          length(a.end - b.end) < kSameSpot &&
          length(place_on(a, extent(a) / 2) - place_on(b, extent(b) / 2)) < kSameSpot;
+}
+
+// Pieces of two contours that have become the same count once.
+void drop_twins(Parts& parts) {
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.first.start.x < b.first.start.x; });
+  Parts once;
+  for (const auto& part : parts) {
+    bool twin = false;
+    for (std::size_t i = once.size(); i > 0 && !twin; --i) {
+      const PlanePiece& other = once[i - 1].first;
+      if (part.first.start.x - other.start.x > kSameSpot) break;
+      twin = same_piece(other, part.first);
+    }
+    if (!twin) once.push_back(part);
+  }
+  parts = std::move(once);
 }
 
 // Pieces to closed loops, from end to start. False: one leads nowhere.
@@ -205,6 +221,8 @@ Region::Region(const std::optional<Loop>& outer, const std::vector<Loop>& island
     : has_outer_(outer.has_value()) {
   if (outer) contours_.push_back(turning(*outer, true));
   for (const Loop& island : islands) contours_.push_back(turning(island, false));
+  for (const Loop& loop : contours_)
+    for (const PlanePiece& piece : loop) bounds_.push_back(bounds_of(piece));
 }
 
 std::size_t Region::pieces() const {
@@ -219,9 +237,19 @@ bool Region::contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) co
   return true;
 }
 
-double Region::distance_from_contours(Vec2 p) const {
+// Nothing is gained by knowing more of what is nearer than `enough`.
+double Region::distance_from_contours(Vec2 p, double enough) const {
   double least = 1e300;
-  for (const Loop& loop : contours_) least = std::min(least, distance_to_loop(loop, p));
+  std::size_t at = 0;
+  for (const Loop& loop : contours_)
+    for (const PlanePiece& piece : loop) {
+      const PieceBounds& box = bounds_[at++];
+      const double dx = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
+      const double dy = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
+      if (std::max(dx, dy) >= least) continue;
+      least = std::min(least, distance_to(piece, p));
+      if (least < enough) return least;
+    }
   return least;
 }
 
@@ -233,19 +261,19 @@ bool Region::inset(double distance, std::vector<Loop>& out) const {
   for (const PlanePiece& piece : border) bounds.push_back(bounds_of(piece));
   std::vector<std::vector<Vec2>> polygons;
   for (const Loop& loop : contours_) polygons.push_back(polygon_of(loop, distance / 10));
-  std::vector<std::pair<PlanePiece, double>> parts;  // and how far they stay from the contours
+  Parts parts;
   for (std::size_t i = 0; i < border.size(); ++i) {
     const std::vector<double> cuts = cuts_of(i, border, bounds);
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       const PlanePiece part = part_of(border[i], cuts[k - 1], cuts[k]);
       if (travel_of(part) < kSameSpot) continue;
       const Vec2 middle = place_on(part, extent(part) / 2);
-      const double far = distance_from_contours(middle);
+      const double far = distance_from_contours(middle, distance - kKeeps);
       if (far < distance - kKeeps || !contains(middle, polygons)) continue;
-      const auto same = [&](const auto& other) { return same_piece(other.first, part); };
-      if (std::none_of(parts.begin(), parts.end(), same)) parts.emplace_back(part, far);
+      parts.emplace_back(part, far);
     }
   }
+  drop_twins(parts);
   bool none = false;
   for (const double doubt : {1e-7, 1e-5, kKeeps}) {
     std::vector<PlanePiece> kept;

@@ -17,6 +17,10 @@ double signed_area(const Loop& loop);
 /// The loop from its place nearest to `p` on.
 Loop begun_near(const Loop& loop, Vec2 p);
 
+struct PieceBounds {
+  Vec2 low, high;
+};
+
 class Region {
  public:
   /// Closed contours in either direction. Without an outer one the area has no end.
@@ -31,9 +35,10 @@ class Region {
 
  private:
   bool contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) const;
-  double distance_from_contours(Vec2 p) const;
+  double distance_from_contours(Vec2 p, double enough) const;
 
   std::vector<Loop> contours_;  ///< the area to their left; the outer one first, where there is one
+  std::vector<PieceBounds> bounds_;  ///< of their pieces
   bool has_outer_ = false;
 };
 

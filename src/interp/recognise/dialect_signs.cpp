@@ -171,6 +171,17 @@ void DialectSigns::line(const LineScan& scan, std::string_view raw, int number) 
   if (!scan.comment.empty()) weigh_comment(scan, number);
 }
 
+// "G3 X30 R10": R with a number is a radius; of SINUMERIK it would be "R10=5", or stand in a value.
+bool has_radius_word(const std::string& c) {
+  for (std::size_t i = c.find('R'); i != c.npos; i = c.find('R', i + 1)) {
+    if (i > 0 && c[i - 1] != ' ' && !is_digit(c[i - 1]) && c[i - 1] != '.') continue;
+    if (i + 1 >= c.size() || !starts_number(c[i + 1])) continue;
+    const std::size_t end = c.find_first_not_of("0123456789.+- ", i + 1);
+    if (end == c.npos || is_letter(c[end])) return true;
+  }
+  return false;
+}
+
 void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   constexpr auto d = Dialect::sinumerik;
   static constexpr std::string_view kSure[] = {
@@ -184,6 +195,8 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   for (const std::string_view sign : kInside)
     if (s.code.find(sign) != std::string::npos) add(d, 10, sign, line);
   if (!o_word_ && has(s.code, "ENDIF")) add(d, 10, "ENDIF", line);
+  if (has_any_word(s.code, {"G2", "G3", "G02", "G03"}) && has_radius_word(s.code))
+    add(d, -10, "R as a radius", line);
   const std::size_t equal = s.code.find('=');
   if (equal != std::string::npos && equal > 0 && is_name(s.code[equal - 1]) &&
       s.code.find('#') > equal)

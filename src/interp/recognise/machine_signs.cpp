@@ -79,6 +79,12 @@ bool threads(const std::string& c) {
   return (has_word(c, "G86") || has_word(c, "G87")) && has_axis(c, 'Q') && has_axis(c, 'B');
 }
 
+// Drills and taps stand in the turrets of lathes, too.
+bool drills(const ToolHint& hint) {
+  return hint.type == ToolType::drill || hint.trade == ToolTrade::tap ||
+         hint.trade == ToolTrade::hole;
+}
+
 // Words with Y or J that are no motion: frames, data, threads of LinuxCNC.
 bool sets_data(const std::string& c) {
   for (const std::string_view word : {"TRANS", "ROT ", "SCALE", "MIRROR", "WORKPIECE", "MSG("})
@@ -107,6 +113,7 @@ void MachineSigns::weak_signs(const std::string& c, int n) {
   if (has_word(c, "G17")) note_first(plane_, "G17", n);
   if (has_word(c, "G95")) note_first(per_revolution_, "G95", n);
   if (has_word(c, "G18")) note_first(turning_, "G18", n);
+  turns_ = turns_ || has_word(c, "G97");
   if (has_word(c, "G96") || has_word(c, "G961")) note_first(lathe_, "G96", n);
   const bool alone = (has_word(c, "G7") || has_word(c, "G8")) && !has_axis(c, 'P');
   if (alone) note_first(ngc_lathe_, "G7 or G8", n);
@@ -140,6 +147,7 @@ void MachineSigns::line(const LineScan& s, int n) {
   if (!hint.type) return;
   note_first(is_turning(*hint.type) ? turning_tool_ : milling_tool_,
              fmt::format("\"{}\"", hint.text.substr(0, 60)), n);
+  if (!is_turning(*hint.type) && !drills(hint)) mills_ = true;
 }
 
 // Why it is a mill although nothing moves in Y; empty: it is not known to be one.
@@ -168,7 +176,8 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
   // Beside turning tools or an axis C a milling tool in a turret is a live one.
   const bool live = !turning_tool_.empty() || !rotary_.empty();
-  if (weak.empty() && fanuc && change_.empty() && (milling_tool_.empty() || live) && !milling)
+  if (weak.empty() && fanuc && change_.empty() &&
+      (milling_tool_.empty() || live || (turns_ && !mills_)) && !milling)
     weak = turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
   if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
     weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);

@@ -36,6 +36,8 @@ class MachineSigns {
   std::string milling_cycle_;                ///< POCKET3 and its kin, beside no turning word
   std::string change_, length_, plane_;      ///< M6, G43, G17: two of them make a mill
   std::string turning_tool_, milling_tool_;  ///< comments
+  bool mills_ = false;                       ///< a milling tool that is no drill and no tap
+  bool turns_ = false;                       ///< G97, which few mills need
   bool transformed_ = false;                 ///< behind TRANSMIT, G12.1 and their kin
 };
 
