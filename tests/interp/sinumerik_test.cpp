@@ -45,6 +45,19 @@ TEST(Sinumerik, CallsOfIsoModeAreRefused) {
   EXPECT_EQ(run("F100 G1 X1\nM99\nX2\n"), "1,0,0 2,0,0 not-supported");
 }
 
+// Speeds, smoothing, couplings, the handling of wear: the path stays what it is.
+TEST(Sinumerik, WordsThatMoveNothing) {
+  const std::string path = "F100 G1 X1\n";
+  for (const char* word :
+       {"G54 G17 GWPSOF", "GWPSON(1)", "PAROTOF",   "TOROTOF", "FENDNORM",      "G62",
+        "G621",           "G972",      "G973",      "TOWSTD",  "TOWMCS",        "ORISON",
+        "ORISOF",         "CUTMOD=0",  "STOLF=0.1", "SVC=120", "DITS=1 DITE=1", "WAITS",
+        "STOPREOF",       "NEWCONF",   "CANCEL(1)", "FPRAOF",  "FPR(S1)",       "CORROF",
+        "FTOCOF"})
+    EXPECT_EQ(run(word + std::string("\n") + path), "1,0,0 ") << word;
+  EXPECT_EQ(run("CUTMOD=1\n" + path), "1,0,0 not-supported");
+}
+
 TEST(Sinumerik, EnvelopeOfPosts) {
   EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"

@@ -92,6 +92,7 @@ TEST(ToolNotes, NamesInTheListsOfLathes) {
         read_text("G18 G95\nT=\"" + name + "\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\nG1 X55\n", options);
     if (p.tools.size() != 1) return listing(p);
     const Tool& tool = p.tools[0];
+    EXPECT_EQ(tool.nose_radius, name.ends_with("R08") ? 0.8 : name.ends_with("R0.4") ? 0.4 : 0);
     return fmt::format("{} tip {}, {:.3g} deg, width {}", static_cast<int>(tool.type), tool.tip,
                        degrees(tool.insert_angle), tool.width);
   };
@@ -101,6 +102,8 @@ TEST(ToolNotes, NamesInTheListsOfLathes) {
   const std::string inside = turning(ToolType::boring, 0, 80, 0);
   EXPECT_EQ(named("ROUGHING_T80_A"), turning(ToolType::turning, 0, 80, 0));
   EXPECT_EQ(named("ROUGHING_T80 I"), inside);
+  EXPECT_EQ(named("ROUGHING_T80_R08"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("FINISHER_35 R0.4"), turning(ToolType::turning, 0, 35, 0));
   EXPECT_EQ(named("SCHRUPPER_80_I"), inside);
   EXPECT_EQ(named("ROUGHER_80"), turning(ToolType::turning, 0, 80, 0));  // no mill of 80 mm
   EXPECT_EQ(named("FINISHING_T35_A"), turning(ToolType::turning, 0, 35, 0));

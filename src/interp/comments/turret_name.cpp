@@ -23,6 +23,17 @@ std::string_view corner_of(std::string_view word) {
   return usual ? word : std::string_view();
 }
 
+// "R08", "R0.8": the radius of the nose, " R0.8".
+std::string nose_of(std::string_view word) {
+  if (!word.starts_with('R')) return {};
+  word.remove_prefix(1);
+  const auto digit = [&](std::size_t i) { return i < word.size() && is_digit(word[i]); };
+  if (word.size() == 2 && word[0] <= '1' && digit(0) && digit(1))
+    return fmt::format(" R{}.{}", word[0], word[1]);
+  const bool decimal = word.size() == 3 && digit(0) && word[1] == '.' && digit(2);
+  return decimal ? fmt::format(" R{}", word) : std::string();
+}
+
 // The length of "I.D.", "O.D", "I/D" at `i`; 0 for other text.
 std::size_t length_of_side(std::string_view text, std::size_t i) {
   const auto at = [&](std::size_t k) { return k < text.size() ? text[k] : ' '; };
@@ -58,11 +69,13 @@ std::string spelled_turret_name(std::string_view name) {
     break;
   }
   std::string head = text;
-  const std::string last = take_last(head);
+  std::string last = take_last(head);
+  const std::string nose = nose_of(last);
+  if (!nose.empty()) last = take_last(head);
   const std::string_view corner = corner_of(last);
   const bool turning =
       std::find(std::begin(kTurning), std::end(kTurning), head) != std::end(kTurning);
-  if (turning && !corner.empty()) text = "TURNING TOOL " + std::string(corner) + " DEG";
+  if (turning && !corner.empty()) text = "TURNING TOOL " + std::string(corner) + " DEG" + nose;
   return "TOOL " + side + text;
 }
 

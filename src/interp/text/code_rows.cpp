@@ -66,6 +66,8 @@ constexpr Row kSinumerik[] = {
     {6010, C::ignored, G::exact},
     {6020, C::ignored, G::exact},
     {6030, C::ignored, G::exact},
+    {620, C::ignored, G::other},  // slower at inner corners
+    {6210, C::ignored, G::other},
     {6410, C::ignored, G::path},
     {6420, C::ignored, G::path},
     {6430, C::ignored, G::path},
@@ -76,6 +78,8 @@ constexpr Row kSinumerik[] = {
     {9610, C::surface_speed, G::feed},
     {9620, C::surface_speed, G::feed},
     {9710, C::surface_speed_off, G::feed},
+    {9720, C::surface_speed_off, G::feed},
+    {9730, C::surface_speed_off, G::feed},
 };
 
 // FANUC words that mean the same on mills and lathes.

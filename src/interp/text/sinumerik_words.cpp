@@ -24,17 +24,19 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"SPOS", Address::data}, {"SPOSA", Address::data},  {"ADIS", Address::data},
     {"MEAS", Address::meas}, {"MEAW", Address::meas},   {"ADISPOS", Address::data},
     {"OVR", Address::data},  {"OVRRAP", Address::data}, {"FP", Address::data},
-    {"CTOL", Address::data}, {"OTOL", Address::data}};
+    {"CTOL", Address::data}, {"OTOL", Address::data},   {"STOLF", Address::data},
+    {"SVC", Address::data},  {"DITS", Address::data},   {"DITE", Address::data}};
 
 // Calls without effect on geometry; COUP... couples spindles, for parts that change over.
 constexpr std::string_view kHarmlessCalls[] = {
     "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
     "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
     "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
-    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH"};
+    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
+    "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF"};
 
 // The tool carrier and offsets of the tool, which 0 switches off.
-constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR"};
+constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR", "CUTMOD"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)
