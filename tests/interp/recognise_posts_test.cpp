@@ -173,6 +173,7 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_EQ(refusal("G21\nM300 S440 P200\nG1 X9 Y9 F900\nM300 S440 P200\n"), "");
   EXPECT_NE(refusal("'SHOPBOT FILE IN MM\nSA\nTR,18000\nJZ,5\nM3,50,10,-2\n").find("ShopBot"),
             std::string::npos);
+  EXPECT_EQ(refusal("G21 G90\nM48\nG0 X1 Y1\nG1 Z-1 F100\n"), "");
   EXPECT_NE(refusal("M48\nMETRIC,TZ\nT1C0.8\n%\nG90\nT1\nX10.0Y10.0\nM30\n").find("Excellon"),
             std::string::npos);
   EXPECT_NE(refusal("%FSLAX24Y24*%\n%MOMM*%\nD10*\nX0Y0D02*\nM02*\n").find("Gerber"),

@@ -51,7 +51,6 @@ bool fagor_turning(std::string_view code) {
 const char* named_format(const std::string& path, std::string_view raw) {
   const std::string text = upper_case(raw.substr(0, 64));
   const std::string_view line(text.data(), text.find_last_not_of(" \t\r") + 1);
-  if (line == "M48") return "an Excellon drill file";
   if (begins_any(line, {"%FSLA", "%FSTA", "%MOMM*", "%MOIN*"})) return "a Gerber file";
   if (ends_with(path, {".SBP"}) || begins_any(line, {"JZ,", "MZ,", "J2,", "M2,", "J3,", "M3,"}))
     return "a ShopBot program";
@@ -209,6 +208,9 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
   if (scan.code.size() > 1 && scan.code[0] == 'O' && is_digit(scan.code[1])) o_number_ = true;
   if (number <= kHeadLines && !o_number_ && ends_in_star(scan.code, raw))
     refuse("a Heidenhain DIN/ISO program (blocks that end in *)", number, raw);
+  // M48 heads a drill file; behind the first words of a program it allows overrides.
+  if (scan.code == "M48" && !coded_) refuse("an Excellon drill file", number, raw);
+  coded_ = coded_ || !scan.code.empty();
   if (number <= kHeadLines)
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
   if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);

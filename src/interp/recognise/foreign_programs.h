@@ -36,6 +36,7 @@ class ForeignPrograms {
 
   const std::string& path_;
   bool numbered_ = false;  ///< "%12" alone heads the text
+  bool coded_ = false;     ///< a line has held more than a comment
   bool o_number_ = false;  ///< O and a number have headed a program
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
