@@ -1,12 +1,18 @@
 #include "interp/control/control.h"
 
 #include "core/text_io.h"
+#include "core/units.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
+
+}  // namespace
 
 std::string Control::offset_name(std::string_view written) const {
   std::string name;
@@ -124,6 +130,20 @@ Basis ControlPart::stock_basis() const {
   const Frame& f = frames_.total;
   if (f.plain) return b;
   return {normalized(turn(f, b.u)), normalized(turn(f, b.v)), normalized(turn(f, b.w))};
+}
+
+// E of FANUC's lathes is a lead with more digits than F (0T, Haas; so Mastercam posts in inches);
+// in the format of series 10, 11 and 15 it is the number of threads in an inch.
+std::optional<double> ControlPart::thread_lead() {
+  if (const Word* f = take('F')) return f->value * feed_scale();
+  const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;
+  if (!e) return std::nullopt;
+  const bool counts = e->value > kLargestLead[modal_.inch_feed ? 1 : 0];
+  note_once("thread-lead",
+            fmt::format("{} is read as {}", text_of(*e),
+                        counts ? "the number of threads in an inch" : "the lead of the thread"),
+            *e, "lead-in-e");
+  return counts ? kMmPerInch / e->value : e->value * feed_scale();
 }
 
 }  // namespace mrsim

@@ -36,7 +36,7 @@ bool ArcSolver::solve(const Vec3& from, const Frame& frame, SolvedArc& out) {
   const bool ok = current_motion() == Code::arc_point     ? points_.through_point(arc, out)
                   : current_motion() == Code::arc_tangent ? points_.tangent(arc, out)
                                                           : solve_form(arc, out);
-  return ok && (out.kind != SolvedArc::Kind::arc || add_turns(out));
+  return ok && (out.kind != SolvedArc::Kind::arc || turns_.add(out));
 }
 
 // Which words give the circle: a centre, a radius or an angle.
@@ -107,7 +107,7 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
     const Word* word = take("IJK"[i]);
     if (!word) continue;
     const bool in = modal_.plane == 3 || component(arc.basis.w, i) == 0;
-    if (!in && is_pitch(arc.to, arc.basis.w)) continue;
+    if (!in && turns_.is_pitch(arc.to, arc.basis.w)) continue;
     if (!in) {
       outside = outside || word->value != 0;
       odd = word;

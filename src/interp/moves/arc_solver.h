@@ -3,6 +3,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/moves/arc_turns.h"
 #include "interp/moves/center_hints.h"
 #include "interp/moves/point_arcs.h"
 
@@ -11,7 +12,7 @@ namespace mrsim {
 class ArcSolver : public ControlPart {
  public:
   ArcSolver(Control& control, AxisWords& axes)
-      : ControlPart(control), axes_(axes), points_(control), hints_(control) {}
+      : ControlPart(control), axes_(axes), points_(control), hints_(control), turns_(control) {}
 
   /// The arc from `from` on. False: an error was reported.
   bool solve(const Vec3& from, const Frame& frame, SolvedArc& out);
@@ -31,14 +32,11 @@ class ArcSolver : public ControlPart {
   bool turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out);
   bool codesys_angle_arc(ArcBlock& arc, const Word& t, bool centered, Vec2 center, SolvedArc& out);
   std::optional<PlaneArc> arc_of_radius(const ArcBlock& arc, double radius, const Word& word);
-  bool add_turns(SolvedArc& arc);
-  bool add_p_turns(SolvedArc& arc);
-  bool add_pitch_turns(SolvedArc& arc);
-  bool is_pitch(const Target& to, const Vec3& normal) const;
 
   AxisWords& axes_;
   PointArcs points_;
   CenterHints hints_;
+  ArcTurns turns_;
 };
 
 }  // namespace mrsim

@@ -1,7 +1,7 @@
-// How many turns an arc makes: P, TURN=, the pitch of a helix.
+#include "interp/moves/arc_turns.h"
+
 #include "core/rounding.h"
 #include "core/units.h"
-#include "interp/moves/arc_solver.h"
 
 #include <cmath>
 
@@ -15,13 +15,13 @@ constexpr double kPitchApart = 0.01;  // turns: how far the pitch of a helix may
 }  // namespace
 
 // Fagor: K of a helix in G17 is its pitch (I in G19, J in G18).
-bool ArcSolver::is_pitch(const Target& to, const Vec3& normal) const {
+bool ArcTurns::is_pitch(const Target& to, const Vec3& normal) const {
   return is(Dialect::iso) && named_along(to, normal);
 }
 
 // P: how many turns in all, the programmed one among them. On Mitsubishi and Mazak P full turns
 // come beside an arc that is none itself.
-bool ArcSolver::add_p_turns(SolvedArc& arc) {
+bool ArcTurns::add_p_turns(SolvedArc& arc) {
   if (const Word* l = block_.open(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
     return error(
         "not-supported",
@@ -49,7 +49,7 @@ bool ArcSolver::add_p_turns(SolvedArc& arc) {
 }
 
 // As many full turns as lead to the end with that pitch.
-bool ArcSolver::add_pitch_turns(SolvedArc& arc) {
+bool ArcTurns::add_pitch_turns(SolvedArc& arc) {
   const Vec3 normal = cross(arc.u, arc.v);
   const int along = normal.z != 0 ? 2 : normal.y != 0 ? 1 : 0;
   const Word* word = is_pitch(arc.to, basis().w) ? peek("IJK"[along]) : nullptr;
@@ -68,7 +68,7 @@ bool ArcSolver::add_pitch_turns(SolvedArc& arc) {
 }
 
 // TURN=: full circles before the programmed arc.
-bool ArcSolver::add_turns(SolvedArc& arc) {
+bool ArcTurns::add(SolvedArc& arc) {
   if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) return add_p_turns(arc);
   const Word* word = take(Address::turn);
   if (!word) return true;

@@ -1,10 +1,6 @@
-// Exact signed distance of a profile of lines and arcs.
-//
-// The nearest point decides the sign. Inside an edge: the side of the edge. At a corner: outside
-// when the corner is convex, inside when it is reflex (the points nearest to a corner lie in its
-// normal cone, which is on that side), the side of the tangent when it is smooth.
+#include "removal/tool/profile.h"
+
 #include "core/error.h"
-#include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "removal/tool/tool.h"
+#include "removal/tool/profile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Enclosures of the faces of a tool at rest: chains of lines and arcs that join smoothly.
 #include "removal/field/face_range.h"
-#include "removal/tool/tool.h"
+#include "removal/tool/profile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 // The leads of threads and taps that a motion's block gives.
-#include "core/units.h"
 #include "interp/moves/moves.h"
 
 #include <algorithm>
@@ -9,25 +8,6 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
-
-}  // namespace
-
-// E of FANUC's lathes is a lead with more digits than F (0T, Haas; so Mastercam posts in inches);
-// in the format of series 10, 11 and 15 it is the number of threads in an inch.
-std::optional<double> ControlPart::thread_lead() {
-  if (const Word* f = take('F')) return f->value * feed_scale();
-  const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;
-  if (!e) return std::nullopt;
-  const bool counts = e->value > kLargestLead[modal_.inch_feed ? 1 : 0];
-  note_once("thread-lead",
-            fmt::format("{} is read as {}", text_of(*e),
-                        counts ? "the number of threads in an inch" : "the lead of the thread"),
-            *e, "lead-in-e");
-  return counts ? kMmPerInch / e->value : e->value * feed_scale();
-}
 
 // Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
 // hand of the thread; that of a cut thread follows from the spindle and the direction.
