@@ -200,7 +200,7 @@ std::vector<std::array<std::uint32_t, 2>> crease_lines(const TriMesh& mesh, doub
       const Vec3 a = normalized(area_normal(mesh, h / 3)),
                  b = normalized(area_normal(mesh, opposite[h] / 3));
       if (dot(a, b) >= least) continue;
-    } else if (opposite[h] != kOpenEdge) {
+    } else if (opposite[h] != kBoundaryEdge) {
       continue;
     }
     out.push_back({origin_of(mesh, h), target_of(mesh, h)});

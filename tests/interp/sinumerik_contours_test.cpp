@@ -26,7 +26,7 @@ std::string turned(const std::string& text) {
   return ends(read_text(text, at_origin(Dialect::sinumerik, MachineKind::lathe)), true);
 }
 
-const char* const kSquare = "G1 X0 Y0\nY20\nX20\nY0\nX0\n";
+const char* const kSquareContour = "G1 X0 Y0\nY20\nX20\nY0\nX0\n";
 
 TEST(SinumerikContours, MillingAlongAContour) {
   // Clockwise with the cutter outside; straight in and out over 7 mm, two infeeds.
@@ -38,15 +38,15 @@ TEST(SinumerikContours, MillingAlongAContour) {
   const std::string expected = "r50,50,50 r-5,-7,50 r-5,-7,2 " +
                                fmt::format(fmt::runtime(once.substr(0)), -2) +
                                "r-5,-7,50 r-5,-7,2 " + fmt::format(fmt::runtime(once), -4);
-  EXPECT_EQ(milled(cycle + kSquare + "M17\n"), expected);
+  EXPECT_EQ(milled(cycle + kSquareContour + "M17\n"), expected);
   // The same between labels, of the contour editor, and named by CYCLE62.
   EXPECT_EQ(milled("CYCLE72(\"ONE:TWO\",50,0,2,-4,2,0,0,500,200,11,41,1,7,200,1,7)\nM30\nONE:\n" +
-                   std::string(kSquare) + "TWO:\n"),
+                   std::string(kSquareContour) + "TWO:\n"),
             expected);
   EXPECT_EQ(
       milled("CYCLE62(\"PART\",1,,)\nCYCLE72(\"\",50,0,2,4,2,0,0,500,200,11,41,1,7,200,1,7,,,,,,"
              "1)\nM30\nE_LAB_A_PART: ;#SM Z:4\n" +
-             std::string(kSquare) + "E_LAB_E_PART:\n"),
+             std::string(kSquareContour) + "E_LAB_E_PART:\n"),
       expected);
 }
 

@@ -248,7 +248,7 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
         PruneRegion region = round % 3 == 0   ? PruneRegion::ball(center, half)
                              : round % 3 == 1 ? PruneRegion::block(center, half)
                                               : PruneRegion::column(center, half, 2 * half);
-        region.open = level == 5;
+        region.expand_packs = level == 5;
         if (!prune(table, region, region.radius + band + 1e-9, band, lists[level],
                    lists[level + 1])) {
           expect_swept(r, table, plain, region, band);

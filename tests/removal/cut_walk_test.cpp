@@ -83,7 +83,8 @@ Collected walk(const PartField& field, double voxel, bool by_columns) {
   const double near = 0.5 * voxel + field.slack();
   const BlockIndex index(field, voxel, near, std::size_t(1) << 30);
   for (std::size_t b = 0; b < index.size(); ++b) {
-    const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
+    const Candidates sweeps =
+        field.sweeps().expanded(index.sweeps(b), inflated(index.box(b), near));
     std::vector<double> removed(sweeps.size(), 0.0);
     if (by_columns)
       walk_block(field, lattice, index.origin(b), sweeps, &found, removed);
@@ -177,7 +178,7 @@ TEST(CutWalk, ColumnsAndCellsRemoveTheSame) {
     const BlockIndex index(field, voxel, voxel, std::size_t(1) << 30);
     for (std::size_t b = 0; b < index.size(); ++b) {
       const Candidates sweeps =
-          field.sweeps().opened(index.sweeps(b), inflated(index.box(b), voxel));
+          field.sweeps().expanded(index.sweeps(b), inflated(index.box(b), voxel));
       std::vector<double> columns(sweeps.size(), 0.0), cells(sweeps.size(), 0.0);
       walk_block(field, {voxel, false}, index.origin(b), sweeps, nullptr, columns);
       CutWalker(field, {voxel, false})

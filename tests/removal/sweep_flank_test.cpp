@@ -56,7 +56,7 @@ TEST(Flanks, EqualTheLeastDistanceOverAllPositions) {
   for (int round = 0; round < 800; ++round) {
     const Motion m = upright_arc(r);
     const Tool tool = any_tool(r);
-    const Profile cutter = make_cutter(tool).opened();
+    const Profile cutter = make_cutter(tool).extended_up();
     if (!has_flank(cutter)) continue;  // a nose without a flank
     const ToolPath path = flanked(m);
     const bool sharp = tool.tip_diameter == 2 * tool.corner_radius;

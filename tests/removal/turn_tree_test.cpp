@@ -189,7 +189,7 @@ TEST(TurnTree, OpenedListsHoldWhatMeetsABox) {
     const Box3 b = sweeps.bounds(i);
     if (!is_empty({max(b.lo, box.lo), min(b.hi, box.hi)})) expected.push_back(i);
   }
-  EXPECT_EQ(sweeps.opened(all, box), expected);
+  EXPECT_EQ(sweeps.expanded(all, box), expected);
   Box3 whole;
   for (std::uint32_t i = 0; i < sweeps.size(); ++i) extend(whole, sweeps.bounds(i));
   EXPECT_EQ(sweeps.bounds(all[0]).lo, whole.lo);

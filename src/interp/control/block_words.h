@@ -44,7 +44,7 @@ class BlockWords : public Block {
     return &words[slot.index];
   }
   /// Given, and not yet used.
-  bool open(Address a) const {
+  bool unused(Address a) const {
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
     return slot.epoch == epoch_ && !slot.used;
   }

@@ -34,7 +34,6 @@ void HoleMaker::rise(double level, const Word& where) {
 
 // The strokes before the last. The level of the deepest.
 double HoleMaker::strokes(const Hole& hole, double down) {
-  constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
   for (const double stroke : hole.strokes) {
     to_level(stroke, kLine, hole.lead, hole.feed);
     moves_.dwell(hole.dwell_stroke);
@@ -62,7 +61,6 @@ void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& whe
     block_.file = place.file;
     block_.line_number = place.line;
   }
-  constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
   to_level(hole.safe, kRapid, 0, 0);
   const double reached = strokes(hole, hole.bottom < hole.safe ? -1 : 1);
   if (hole.bottom != reached) to_level(hole.bottom, kLine, hole.lead, hole.feed);

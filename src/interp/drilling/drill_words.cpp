@@ -21,9 +21,9 @@ bool DrillWords::wants_block() const {
   if (modal_.drill.number == 0 || block_.oneshot || block_.frame_code || block_.suppress_frames)
     return false;
   for (const char c : {'X', 'Y', 'Z', 'R', '@', '^'})
-    if (block_.open(letter(c))) return true;
-  if (block_.open(Address::ap)) return true;
-  return lathe() && (block_.open(letter('U')) || block_.open(letter('W')));
+    if (block_.unused(letter(c))) return true;
+  if (block_.unused(Address::ap)) return true;
+  return lathe() && (block_.unused(letter('U')) || block_.unused(letter('W')));
 }
 
 void DrillWords::read_level(const Word* word, CycleLevel& out) {

@@ -22,9 +22,9 @@ constexpr double kFarWithoutPoint = 10'000;  // mm: no machine travels so far
 bool AxisWords::has_move() const {
   if (block_.frame_code || (block_.oneshot && block_.oneshot_code != Code::tap_floating))
     return false;
-  const auto open = [&](Address a) { return block_.open(a); };
+  const auto unused = [&](Address a) { return block_.unused(a); };
   const auto any = [&](std::initializer_list<Address> list) {
-    return std::any_of(list.begin(), list.end(), open);
+    return std::any_of(list.begin(), list.end(), unused);
   };
   if (any({letter('X'), letter('Y'), letter('Z'), Address::ap, Address::rp, angle_address(),
            letter('@'), letter('^')}))
@@ -32,11 +32,11 @@ bool AxisWords::has_move() const {
   if (lathe() && is(Dialect::fanuc) && any({letter('U'), letter('V'), letter('W')})) return true;
   const Code code = current_motion();
   if (code == Code::nurbs_end) return block_.motion_code != nullptr;
-  if (code == Code::nurbs) return block_.motion_code || open(letter('P'));
+  if (code == Code::nurbs) return block_.motion_code || unused(letter('P'));
   if (code == Code::spline_cubic || code == Code::spline_quadratic)
     return any({letter('I'), letter('J'), letter('P'), letter('Q')});
   if (!is_circular(code)) return false;
-  if (is(Dialect::codesys) && open(letter('T'))) return true;
+  if (is(Dialect::codesys) && unused(letter('T'))) return true;
   return any({letter('I'), letter('J'), letter('K'), letter('R'), Address::cr, Address::ar,
               Address::i1, Address::j1, Address::k1, Address::turn});
 }

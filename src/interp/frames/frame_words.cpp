@@ -52,7 +52,7 @@ bool FrameWords::select_numbered(const Word& h) {
 // E1 to E48 of Fadal and Centroid; E0 is the machine's own zero.
 bool FrameWords::select_fixture() {
   const bool engraves = block_.oneshot && block_.oneshot_code == Code::engrave;
-  if (!is(Dialect::fanuc) || lathe() || engraves || !block_.open(letter('E'))) return true;
+  if (!is(Dialect::fanuc) || lathe() || engraves || !block_.unused(letter('E'))) return true;
   const Word& e = *take('E');
   if (e.value < 0 || e.value > 48 || e.value != std::floor(e.value))
     return error("value-range", "E is a work offset of Fadal and Centroid, E1 to E48", e);

@@ -10,8 +10,8 @@ bool FagorPockets::wants_block() const {
   if (block_.oneshot || block_.frame_code) return false;
   if (!pocket.begun) return true;
   for (const char c : {'X', 'Y', 'Z'})
-    if (block_.open(letter(c))) return true;
-  return block_.open(Address::ap);
+    if (block_.unused(letter(c))) return true;
+  return block_.unused(Address::ap);
 }
 
 // To the place at the level of now, then the pocket.

@@ -22,7 +22,7 @@ bool ArcTurns::is_pitch(const Target& to, const Vec3& normal) const {
 // P: how many turns in all, the programmed one among them. On Mitsubishi and Mazak P full turns
 // come beside an arc that is none itself.
 bool ArcTurns::add_p_turns(SolvedArc& arc) {
-  if (const Word* l = block_.open(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
+  if (const Word* l = block_.unused(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
     return error(
         "not-supported",
         fmt::format("{} beside an arc (its turns on some controls) is not supported: write "

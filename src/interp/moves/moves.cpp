@@ -32,7 +32,7 @@ bool Moves::run() {
   }
   const Code code = current_motion();
   if (code == Code::nurbs) return splines_.control_point(from);
-  if (splines_.open() && code != Code::nurbs_end) {
+  if (splines_.under_way() && code != Code::nurbs_end) {
     splines_.forget();
     return error("nurbs-open", "a NURBS is open: G5.3 closes it", block_.words.front());
   }
@@ -239,7 +239,7 @@ void Moves::jump(const Target& to) {
 }
 
 void Moves::finish() {
-  if (splines_.open())
+  if (splines_.under_way())
     reporter_.add_general(Severity::error, "nurbs-open", "the program ends inside a NURBS");
   if (!pending_angle_.active) return;
   reporter_.add_at(Severity::error, "angle-incomplete",

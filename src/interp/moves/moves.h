@@ -9,6 +9,8 @@
 
 namespace mrsim {
 
+inline constexpr MotionKind kRapid = MotionKind::rapid, kLine = MotionKind::line;
+
 class Moves : public ControlPart {
  public:
   Moves(Control& control, AxisWords& axes, FrameWords& frames, ToolChanger& tools,

@@ -19,7 +19,7 @@ class SplineWords : public ControlPart {
   /// G5.3: the lines and arcs of the NURBS.
   bool close(const Vec3& from, std::vector<SolvedArc>& out);
   /// A NURBS has been opened and not closed.
-  bool open() const { return !nurbs_.empty(); }
+  bool under_way() const { return !nurbs_.empty(); }
   void forget() { nurbs_.clear(); }
 
  private:

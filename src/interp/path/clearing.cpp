@@ -10,7 +10,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostSteps = 1e5;
+constexpr double kMostLoopSteps = 1e5;
 
 void add_line(Loop& loop, Vec2 from, Vec2 to) {
   if (length(to - from) < kRounding) return;
@@ -89,7 +89,7 @@ Loop placed(const Loop& loop, Vec2 shift, double degrees) {
 
 int steps_of(double length, double step) {
   if (step <= 0 || length <= step) return 1;
-  return static_cast<int>(std::min(kMostSteps, std::ceil(length / step - 1e-9)));
+  return static_cast<int>(std::min(kMostLoopSteps, std::ceil(length / step - 1e-9)));
 }
 
 }  // namespace mrsim

@@ -17,7 +17,7 @@ constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kMostArguments = 64;
 constexpr std::size_t kMostLabels = 10000;  // places of jump labels kept
 
-std::size_t blanks(std::string_view line, std::size_t p) {
+std::size_t behind_blanks(std::string_view line, std::size_t p) {
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   return p;
 }
@@ -25,7 +25,7 @@ std::size_t blanks(std::string_view line, std::size_t p) {
 // The name at `p`; of one that is too long (80 characters at most) the beginning alone, since each
 // word of a block without blanks looks for a name.
 std::string name_at(std::string_view line, std::size_t& p) {
-  const std::size_t from = p = blanks(line, p);
+  const std::size_t from = p = behind_blanks(line, p);
   const std::size_t end = std::min(line.size(), from + kLongestName + 1);
   while (p < end && is_name(line[p])) ++p;
   return upper_case(line.substr(from, p - from));
@@ -42,7 +42,7 @@ int g_word(std::string_view line, std::size_t p) {
   return end == p + 1 || more ? -1 : number;
 }
 
-std::optional<VariableType> type_named(const std::string& name) {
+std::optional<VariableType> codesys_type(const std::string& name) {
   if (name == "LREAL") return VariableType::real;
   if (name == "BOOL") return VariableType::boolean;
   if (name == "STRING") return VariableType::text;
@@ -51,15 +51,15 @@ std::optional<VariableType> type_named(const std::string& name) {
 
 // "#NAME : LREAL" at `p`; false: something else.
 bool declaration(std::string_view line, std::size_t& p, std::string& name, VariableType& type) {
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   if (p >= line.size() || line[p] != '#') return false;
   ++p;
   name = "#" + name_at(line, p);
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   if (name.size() < 2 || p >= line.size() || line[p] != ':') return false;
-  const auto known = type_named(name_at(line, ++p));
+  const auto known = codesys_type(name_at(line, ++p));
   if (known) type = *known;
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   return known.has_value();
 }
 
@@ -78,7 +78,7 @@ bool CodesysStatements::starts_statement(std::string_view line, std::size_t p) {
   if (code == 20 || code == 36 || code == 37) return true;
   const std::string name = name_at(line, p);
   if (name == "LET") return true;
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   return name.size() > 2 && name != "SUBPROGRAM" && p < line.size() && line[p] == '{';
 }
 
@@ -285,15 +285,15 @@ bool CodesysStatements::formals(const SubprogramPlace& place, const Word& where,
   std::size_t p = 0;
   do {
     if (!source.next(line)) return true;  // a file without a header
-    p = blanks(line, 0);
+    p = behind_blanks(line, 0);
   } while (p >= line.size() || line[p] == '(' || line[p] == '%' || line[p] == '\r');
   long number = -1;
   p = behind_number(line, 0, number);
   if (name_at(line, p) != "SUBPROGRAM") return true;
   name_at(line, p);
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   if (p < line.size() && line[p] == '{') {
-    p = blanks(line, p + 1);
+    p = behind_blanks(line, p + 1);
     while (p < line.size() && line[p] != '}') {
       Formal one;
       if (!declaration(line, p, one.name, one.type) || out.size() > kMostArguments)
@@ -302,7 +302,7 @@ bool CodesysStatements::formals(const SubprogramPlace& place, const Word& where,
       out.push_back(std::move(one));
       if (p < line.size() && line[p] == ',') ++p;
     }
-    p = blanks(line, p + 1);
+    p = behind_blanks(line, p + 1);
   }
   if (p < line.size() && line[p] != '(' && line[p] != '\r')
     return error("not-supported",

@@ -12,7 +12,6 @@
 namespace mrsim {
 namespace {
 
-constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
 constexpr double kMostMotions = 1e7;  // of a G73
 constexpr double kLongDepth = 50;     // D4000 counts thousandths
 constexpr double kLongShift = 500;    // and so does U14000 of G73

@@ -14,7 +14,6 @@ namespace mrsim {
 namespace {
 
 constexpr double kLongThread = 50;  // K920 counts thousandths
-constexpr auto kRapid = MotionKind::rapid, kLine = MotionKind::line;
 
 double sign_of(double v) { return v < 0 ? -1 : 1; }
 

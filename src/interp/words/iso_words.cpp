@@ -314,10 +314,10 @@ bool IsoWords::absolute_center(const Word& word) {
 
 bool IsoWords::check_polar() {
   const Code motion = current_motion();
-  if (modal_.drill.number != 0 && !(modal_.drill.fagor && block_.open(letter('Q')))) return true;
+  if (modal_.drill.number != 0 && !(modal_.drill.fagor && block_.unused(letter('Q')))) return true;
   const bool straight = motion == Code::rapid || motion == Code::line;
   for (const char c : {'Q', 'R'})
-    if (block_.open(letter(c)) && (straight || (c == 'Q' && is_circular(motion))))
+    if (block_.unused(letter(c)) && (straight || (c == 'Q' && is_circular(motion))))
       return error(
           "not-supported",
           fmt::format("{} is a polar coordinate here, which is read as Q alone, or Q and R "

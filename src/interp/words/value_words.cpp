@@ -44,7 +44,7 @@ bool ValueWords::rotary_axes() {
   for (const char c : {'A', 'B', 'C'}) {
     if (turns && c != 'C') continue;  // the centre of Mach's G68
     if (control_.unread_end == 0 && turned_line(c)) continue;
-    const Word* word = block_.open(letter(c)) ? take(c) : nullptr;
+    const Word* word = block_.unused(letter(c)) ? take(c) : nullptr;
     if (!word) continue;
     axis_c_ = axis_c_ || c == 'C';
     if (control_.unread_end != 0) continue;
@@ -135,7 +135,7 @@ bool ValueWords::feed_per_tooth(const Word& word) {
 
 bool ValueWords::feed() {
   if (const Word* tooth = take(Address::fz)) return feed_per_tooth(*tooth);
-  const Word* word = block_.open(letter('F')) ? take('F') : nullptr;  // G131 F is no feed
+  const Word* word = block_.unused(letter('F')) ? take('F') : nullptr;  // G131 F is no feed
   if (!word) return true;
   if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
   if (modal_.turn.number == 92) return true;                                // the same
@@ -193,7 +193,7 @@ bool ValueWords::speed() {
 
 // D: number of a register or of a cutting edge.
 bool ValueWords::edge() {
-  const Word* word = block_.open(letter('D')) ? take('D') : nullptr;  // G131 D is a tolerance
+  const Word* word = block_.unused(letter('D')) ? take('D') : nullptr;  // G131 D is a tolerance
   if (!word || d_limits_speed()) return true;
   if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;

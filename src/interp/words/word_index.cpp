@@ -153,7 +153,7 @@ bool WordIndex::run() {
 // A known address that nothing in its block wanted.
 void WordIndex::report_unused() {
   for (const Word& word : block_.words) {
-    if (!block_.open(word.address)) continue;
+    if (!block_.unused(word.address)) continue;
     warning("word-without-effect",
             fmt::format("{} has no effect in this block",
                         block_.line.substr(static_cast<std::size_t>(word.column),

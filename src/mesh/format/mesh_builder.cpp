@@ -60,7 +60,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const TriMesh& mesh, Loop 
   return out;
 }
 
-bool is_open(const TriMesh& mesh) {
+bool has_boundary(const TriMesh& mesh) {
   const std::vector<std::uint32_t> opposite = find_opposites(mesh);
   return std::any_of(opposite.begin(), opposite.end(),
                      [](std::uint32_t h) { return !is_half_edge(h); });
@@ -129,7 +129,7 @@ TriMesh MeshBuilder::take() {
   if (mesh_.colors.size() != mesh_.vertices.size()) mesh_.colors.clear();
   if (mesh_.colors.empty()) mesh_.legend.clear();
   drop_unused_vertices(mesh_);
-  if (is_open(mesh_)) mesh_ = weld(mesh_);
+  if (has_boundary(mesh_)) mesh_ = weld(mesh_);
   if (mesh_.triangles.empty()) fail("empty", "all its triangles are without area");
   return std::move(mesh_);
 }

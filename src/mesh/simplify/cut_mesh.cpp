@@ -136,7 +136,7 @@ std::uint32_t CutMesh::add_copy(std::uint32_t t, bool moves) {
   moved.push_back(moved[t]);
   mesh.triangles.push_back(mesh.triangles[t]);
   mesh.labels.push_back(mesh.labels[t]);
-  opposites_.insert(opposites_.end(), 3, kOpenEdge);
+  opposites_.insert(opposites_.end(), 3, kBoundaryEdge);
   return static_cast<std::uint32_t>(mesh.triangles.size() - 1);
 }
 

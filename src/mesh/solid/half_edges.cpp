@@ -48,7 +48,7 @@ void resolve_edge(const Entry* first, const Entry* last, std::vector<std::uint32
     opposite[first[1].half_edge] = first[0].half_edge;
     return;
   }
-  const std::uint32_t fault = count == 1 ? kOpenEdge : count == 2 ? kTwistedEdge : kCrowdedEdge;
+  const std::uint32_t fault = count == 1 ? kBoundaryEdge : count == 2 ? kTwistedEdge : kCrowdedEdge;
   for (const Entry* e = first; e != last; ++e) opposite[e->half_edge] = fault;
 }
 

@@ -25,7 +25,7 @@ std::string plural(std::size_t n, const char* what) {
 
 std::uint32_t origin_of(Triangles triangles, std::uint32_t h) { return triangles[h / 3][h % 3]; }
 
-// Number of triangles met when turning about the origin of half edge `start`, up to an open or
+// Number of triangles met when turning about the origin of half edge `start`, up to a boundary or
 // faulty edge.
 std::uint32_t fan_size(const std::vector<std::uint32_t>& opposite, std::uint32_t start) {
   std::uint32_t size = 0, h = start;
@@ -36,8 +36,9 @@ std::uint32_t fan_size(const std::vector<std::uint32_t>& opposite, std::uint32_t
   return size;
 }
 
-// The surface about a vertex is a disc (or half a disc, at an open edge) if one turn meets all of
-// its triangles. Faulty edges are reported already; at an open edge the turn begins at the border.
+// The surface about a vertex is a disc (or half a disc, at a boundary edge) if one turn meets
+// all of its triangles. Faulty edges are reported already; at a boundary edge the turn begins at
+// the border.
 bool is_single_fan(const VertexFans& fans, const std::vector<std::uint32_t>& opposite,
                    std::size_t v) {
   const std::uint32_t begin = fans.begin[v], end = fans.begin[v + 1];
@@ -114,7 +115,7 @@ void MeshAudit::take(const MeshBlock& block) {
   if (block.triangles.empty()) return first_node_.push_back(std::uint32_t(nodes_.size()));
   if (triangles_ == 0) center_ = to_vec(block.points[block.triangles[0][0]]);
   add_components(block);
-  if (front_.points.empty() && block.open.empty() && block.borrowed.empty()) {
+  if (front_.points.empty() && block.unfinished.empty() && block.borrowed.empty()) {
     check({}, block.points, block.triangles);
   } else {
     const Patch patch = patch_with(block);
@@ -124,7 +125,8 @@ void MeshAudit::take(const MeshBlock& block) {
   triangles_ += block.triangles.size();
 }
 
-// A node for each component within the block; components that share an open vertex are joined.
+// A node for each component within the block; components that share an unfinished vertex are
+// joined.
 void MeshAudit::add_components(const MeshBlock& block) {
   std::vector<std::uint32_t> component;
   const std::size_t count = find_components(block.triangles, block.points.size(), component);
@@ -158,7 +160,7 @@ void MeshAudit::add_sums(const MeshBlock& block, const std::vector<std::uint32_t
   }
 }
 
-// The triangles of the block and those about the vertices that were open before it.
+// The triangles of the block and those about the vertices that were unfinished before it.
 MeshAudit::Patch MeshAudit::patch_with(const MeshBlock& block) {
   Patch patch = std::move(front_);
   std::vector<std::uint32_t> at(block.points.size());
@@ -167,8 +169,8 @@ MeshAudit::Patch MeshAudit::patch_with(const MeshBlock& block) {
         std::lower_bound(patch.numbers.begin(), patch.numbers.end(), block.borrowed[v]);
     at[v] = static_cast<std::uint32_t>(found - patch.numbers.begin());
     if (found == patch.numbers.end() || *found != block.borrowed[v] ||
-        patch.states[at[v]] != Patch::open)
-      throw InternalError("a block of the mesh borrows a vertex that is not open");
+        patch.states[at[v]] != Patch::unfinished)
+      throw InternalError("a block of the mesh borrows a vertex that is finished");
     unite(node_of_[v], patch.nodes[at[v]]);
   }
   for (std::size_t v = block.borrowed.size(); v < block.points.size(); ++v) {
@@ -176,25 +178,26 @@ MeshAudit::Patch MeshAudit::patch_with(const MeshBlock& block) {
     patch.points.push_back(block.points[v]);
     patch.numbers.push_back(block.number(static_cast<std::uint32_t>(v)));
     patch.nodes.push_back(node_of_[v]);
-    patch.states.push_back(Patch::open);
+    patch.states.push_back(Patch::unfinished);
   }
   for (const auto& t : block.triangles) patch.triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
-  auto open = block.open.begin();
+  auto unfinished = block.unfinished.begin();
   for (std::size_t v = 0; v < patch.points.size(); ++v) {
-    if (patch.states[v] != Patch::open) continue;
-    while (open != block.open.end() && *open < patch.numbers[v]) ++open;
-    if (open == block.open.end() || *open != patch.numbers[v]) patch.states[v] = Patch::closing;
+    if (patch.states[v] != Patch::unfinished) continue;
+    while (unfinished != block.unfinished.end() && *unfinished < patch.numbers[v]) ++unfinished;
+    if (unfinished == block.unfinished.end() || *unfinished != patch.numbers[v])
+      patch.states[v] = Patch::closing;
   }
   return patch;
 }
 
-// Keeps the triangles about vertices that stay open.
+// Keeps the triangles about vertices that stay unfinished.
 void MeshAudit::keep_front(const Patch& patch) {
   front_ = {};
   std::vector<std::uint32_t> at(patch.points.size(), kNone);
-  const auto is_open = [&](std::uint32_t v) { return patch.states[v] == Patch::open; };
+  const auto is_unfinished = [&](std::uint32_t v) { return patch.states[v] == Patch::unfinished; };
   for (const auto& t : patch.triangles) {
-    if (!is_open(t[0]) && !is_open(t[1]) && !is_open(t[2])) continue;
+    if (!is_unfinished(t[0]) && !is_unfinished(t[1]) && !is_unfinished(t[2])) continue;
     for (const std::uint32_t v : t) at[v] = 0;
   }
   for (std::uint32_t v = 0; v < at.size(); ++v) {
@@ -203,10 +206,10 @@ void MeshAudit::keep_front(const Patch& patch) {
     front_.points.push_back(patch.points[v]);
     front_.numbers.push_back(patch.numbers[v]);
     front_.nodes.push_back(patch.nodes[v]);
-    front_.states.push_back(is_open(v) ? Patch::open : Patch::done);
+    front_.states.push_back(is_unfinished(v) ? Patch::unfinished : Patch::done);
   }
   for (const auto& t : patch.triangles)
-    if (is_open(t[0]) || is_open(t[1]) || is_open(t[2]))
+    if (is_unfinished(t[0]) || is_unfinished(t[1]) || is_unfinished(t[2]))
       front_.triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
 }
 
@@ -225,13 +228,13 @@ void MeshAudit::check_edges(std::span<const Patch::State> states,
     if (is_half_edge(opposite[h])) continue;
     const std::uint32_t a = origin_of(triangles, h), b = origin_of(triangles, next_half_edge(h));
     if (!states.empty() && (states[a] == Patch::done || states[b] == Patch::done ||
-                            (states[a] == Patch::open && states[b] == Patch::open)))
+                            (states[a] == Patch::unfinished && states[b] == Patch::unfinished)))
       continue;
     if (fault_.edges() == 0) {
       fault_.first = opposite[h];
       fault_.edge = place(0.5 * (to_vec(points[a]) + to_vec(points[b])));
     }
-    ++(opposite[h] == kOpenEdge      ? fault_.open
+    ++(opposite[h] == kBoundaryEdge  ? fault_.boundary
        : opposite[h] == kTwistedEdge ? fault_.twisted
                                      : fault_.crowded);
   }
@@ -288,8 +291,8 @@ std::vector<std::uint32_t> MeshAudit::components_of(std::size_t index,
 }
 
 std::string MeshAudit::Fault::edge_text() const {
-  if (first == kOpenEdge)
-    return fmt::format("open edge at {}; {}", edge, plural(open, "open edge"));
+  if (first == kBoundaryEdge)
+    return fmt::format("open edge at {}; {}", edge, plural(boundary, "open edge"));
   if (first == kTwistedEdge)
     return fmt::format("triangles of opposite orientation meet at {}; {}", edge,
                        plural(twisted / 2, "such edge"));
@@ -309,11 +312,11 @@ MeshSummary MeshAudit::summary(const std::vector<bool>& kept) const {
   out.volume = whole.volume();
   out.area = whole.area();
   out.degenerate = fault_.degenerate;
-  // Half edges pair up but for the open ones; crowded edges are counted as if they did.
+  // Half edges pair up but for those at the boundary; crowded edges are counted as if they did.
   const long faces = long(whole.triangles);
-  out.euler = long(whole.vertices) - (3 * faces + long(fault_.open)) / 2 + faces;
+  out.euler = long(whole.vertices) - (3 * faces + long(fault_.boundary)) / 2 + faces;
   const bool pairs = fault_.edges() == 0;
-  out.closed = fault_.open + fault_.crowded == 0;
+  out.closed = fault_.boundary + fault_.crowded == 0;
   out.inverted = pairs && out.volume < 0;
   out.oriented = pairs && out.volume > 0;
   out.manifold = pairs && fault_.vertices == 0;

@@ -1,5 +1,5 @@
 // Checks whether a mesh bounds a solid and finds its connected surfaces, block by block. Needs
-// memory for one block and for the triangles about open vertices only.
+// memory for one block and for the triangles about unfinished vertices only.
 //
 // An edge is judged when the first of its vertices is done (no later block may borrow it), a vertex
 // when it is done itself: all triangles about them are known then. The sums do not depend on the
@@ -73,17 +73,17 @@ class MeshAudit final : public MeshSink {
  private:
   // A part of the mesh with all triangles about the vertices that are done with this block.
   struct Patch {
-    enum State : std::uint8_t { open, closing, done };
+    enum State : std::uint8_t { unfinished, closing, done };
     std::vector<std::array<float, 3>> points;
     std::vector<std::uint32_t> numbers, nodes;  ///< of the points; numbers ascend
     std::vector<State> states;
     std::vector<std::array<std::uint32_t, 3>> triangles;
   };
   struct Fault {
-    std::size_t open = 0, twisted = 0, crowded = 0, vertices = 0, degenerate = 0;
+    std::size_t boundary = 0, twisted = 0, crowded = 0, vertices = 0, degenerate = 0;
     std::uint32_t first = 0;         ///< what is wrong with the first edge, as find_opposites says
     std::string edge, vertex, flat;  ///< where the first are
-    std::size_t edges() const { return open + twisted + crowded; }
+    std::size_t edges() const { return boundary + twisted + crowded; }
     std::string edge_text() const;
   };
 
@@ -109,7 +109,7 @@ class MeshAudit final : public MeshSink {
   std::vector<SurfaceComponent> nodes_;    ///< a component within a block
   std::vector<std::uint32_t> node_of_;     ///< of the present block's points
   mutable std::vector<std::uint32_t> parent_;
-  Patch front_;  ///< triangles about open vertices
+  Patch front_;  ///< triangles about unfinished vertices
   Fault fault_;
   mutable std::vector<SurfaceComponent> components_;
   mutable std::vector<std::uint32_t> component_of_node_;

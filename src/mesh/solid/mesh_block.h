@@ -24,7 +24,7 @@ struct MeshBlock {
   std::span<const std::array<std::uint8_t, 3>> colors;      ///< of the new vertices, or empty
   /// Vertices of this and earlier blocks that later ones may borrow: numbers in the whole mesh,
   /// ascending.
-  std::span<const std::uint32_t> open;
+  std::span<const std::uint32_t> unfinished;
 
   std::span<const std::array<float, 3>> fresh() const { return points.subspan(borrowed.size()); }
   /// Number of a point in the whole mesh.

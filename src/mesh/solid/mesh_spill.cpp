@@ -22,12 +22,12 @@ void read(const ScratchFile& file, std::uint64_t& offset, std::size_t count, std
 void SpilledMesh::take(const MeshBlock& block) {
   MRSIM_ASSERT(block.owners.size() == block.triangles.size() && block.colors.empty());
   places_.push_back({file_.size(), block.points.size(), block.borrowed.size(),
-                     block.triangles.size(), block.open.size(), block.first_new});
+                     block.triangles.size(), block.unfinished.size(), block.first_new});
   append(file_, block.points);
   append(file_, block.borrowed);
   append(file_, block.triangles);
   append(file_, block.owners);
-  append(file_, block.open);
+  append(file_, block.unfinished);
   vertices_ += block.fresh().size();
   triangles_ += block.triangles.size();
 }
@@ -40,7 +40,7 @@ void SpilledMesh::restart() {
 
 void SpilledMesh::for_each_block(const Body& body) const {
   std::vector<std::array<float, 3>> points;
-  std::vector<std::uint32_t> borrowed, open;
+  std::vector<std::uint32_t> borrowed, unfinished;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> owners;
   for (const Place& place : places_) {
@@ -49,8 +49,8 @@ void SpilledMesh::for_each_block(const Body& body) const {
     read(file_, offset, place.borrowed, borrowed);
     read(file_, offset, place.triangles, triangles);
     read(file_, offset, place.triangles, owners);
-    read(file_, offset, place.open, open);
-    body({points, borrowed, place.first_new, triangles, owners, {}, open});
+    read(file_, offset, place.unfinished, unfinished);
+    body({points, borrowed, place.first_new, triangles, owners, {}, unfinished});
   }
 }
 

@@ -28,7 +28,7 @@ class SpilledMesh final : public MeshSink, public MeshSource {
  private:
   struct Place {
     std::uint64_t offset = 0;
-    std::size_t points = 0, borrowed = 0, triangles = 0, open = 0;
+    std::size_t points = 0, borrowed = 0, triangles = 0, unfinished = 0;
     std::uint32_t first_new = 0;
   };
   ScratchFile file_;

@@ -171,15 +171,15 @@ PieceOfMesh::PieceOfMesh(const MeshAudit& audit, const MeshSource& mesh, const P
 }
 
 // Vertices keep their order and are numbered anew, those of a former block as long as they are
-// open.
+// unfinished.
 void PieceOfMesh::for_each_block(const Body& body) const {
   constexpr std::uint32_t kDropped = ~0u;
-  std::map<std::uint32_t, std::uint32_t> renumbered;  // open vertices
+  std::map<std::uint32_t, std::uint32_t> renumbered;  // unfinished vertices
   std::uint32_t first_new = 0;
   std::size_t index = 0;
   mesh_.for_each_block([&](const MeshBlock& block) {
     const std::vector<std::uint32_t> components = audit_.components_of(index++, block);
-    std::vector<std::uint32_t> at(block.points.size(), kDropped), borrowed, open;
+    std::vector<std::uint32_t> at(block.points.size(), kDropped), borrowed, unfinished;
     for (std::size_t f = 0; f < components.size(); ++f)
       if (wanted_[components[f]])
         for (const std::uint32_t v : block.triangles[f]) at[v] = 0;
@@ -200,7 +200,7 @@ void PieceOfMesh::for_each_block(const Body& body) const {
       if (!block.owners.empty()) kept.owners.push_back(block.owners[f]);
     }
     std::map<std::uint32_t, std::uint32_t> still;
-    for (const std::uint32_t number : block.open) {
+    for (const std::uint32_t number : block.unfinished) {
       const auto known = renumbered.find(number);
       std::uint32_t renamed = kDropped;
       if (known != renumbered.end())
@@ -211,10 +211,10 @@ void PieceOfMesh::for_each_block(const Body& body) const {
       if (known == renumbered.end())
         renamed += first_new - static_cast<std::uint32_t>(borrowed.size());
       still.emplace_hint(still.end(), number, renamed);
-      open.push_back(renamed);
+      unfinished.push_back(renamed);
     }
     const MeshBlock out{kept.vertices, borrowed,    first_new, kept.triangles,
-                        kept.owners,   kept.colors, open};
+                        kept.owners,   kept.colors, unfinished};
     first_new += static_cast<std::uint32_t>(out.fresh().size());
     renumbered = std::move(still);
     body(out);

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> border_vertices(const TriMesh& mesh) {
   const std::vector<std::uint32_t> opposite = find_opposites(mesh, 1);
   std::vector<std::uint32_t> found;
   for (std::uint32_t h = 0; h < opposite.size(); ++h)
-    if (opposite[h] == kOpenEdge)
+    if (opposite[h] == kBoundaryEdge)
       found.insert(found.end(), {origin_of(mesh, h), target_of(mesh, h)});
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -47,7 +47,7 @@ void TileMerger::begin_block() {
   shared_ = std::move(open);
   first_new_ += static_cast<std::uint32_t>(fresh_.size());
   for (auto* v : {&fresh_, &points_, &borrowed_points_}) v->clear();
-  for (auto* v : {&borrowed_, &open_}) v->clear();
+  for (auto* v : {&borrowed_, &unfinished_}) v->clear();
   triangles_.clear();
   owners_.clear();
   is_complete_ = false;
@@ -91,16 +91,16 @@ void TileMerger::close_edges(const TileMesh& tile) {
   for (const auto& [from, to] : tile.border) {
     const std::uint64_t a = number_[from], b = number_[to];
     if (a == b) continue;
-    const auto edge = open_edges_.try_emplace(std::min(a, b) << 32 | std::max(a, b)).first;
+    const auto edge = unmatched_edges_.try_emplace(std::min(a, b) << 32 | std::max(a, b)).first;
     edge->second.end = tile.vertices[from];
     edge->second.count += a < b ? 1 : -1;
-    if (edge->second.count == 0) open_edges_.erase(edge);
+    if (edge->second.count == 0) unmatched_edges_.erase(edge);
   }
 }
 
 std::vector<std::array<float, 3>> TileMerger::gaps() const {
   std::vector<std::array<float, 3>> out;
-  for (const auto& [ends, edge] : open_edges_) out.push_back(edge.end);
+  for (const auto& [ends, edge] : unmatched_edges_) out.push_back(edge.end);
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -119,14 +119,14 @@ MeshBlock TileMerger::block(std::uint64_t next) {
   for (auto& t : triangles_)
     for (std::uint32_t& v : t) v = point_of(v);
   for (SharedVertex& vertex : shared_) {
-    const bool is_open = next != kNoTile && vertex.last >= next;
-    if (is_open)
-      open_.push_back(vertex.number);
+    const bool is_unfinished = next != kNoTile && vertex.last >= next;
+    if (is_unfinished)
+      unfinished_.push_back(vertex.number);
     else
       vertex = {0, 0, kUnused};
   }
-  std::sort(open_.begin(), open_.end());
-  return {points_, borrowed_, first_new_, triangles_, owners_, {}, open_};
+  std::sort(unfinished_.begin(), unfinished_.end());
+  return {points_, borrowed_, first_new_, triangles_, owners_, {}, unfinished_};
 }
 
 }  // namespace mrsim::detail

@@ -66,7 +66,7 @@ class TileMerger {
     std::uint32_t number = 0;       ///< in the whole mesh
     std::uint32_t index = kUnused;  ///< in this block, with kBorrowed where it is an earlier one
   };
-  struct OpenEdge {
+  struct UnmatchedEdge {
     int count = 0;  ///< of triangles along it, less those against it
     std::array<float, 3> end{};
   };
@@ -80,8 +80,9 @@ class TileMerger {
   Welder welder_;
   std::vector<SharedVertex> shared_;  ///< by the welder's index
   std::vector<std::array<float, 3>> fresh_, points_;
-  std::vector<std::uint32_t> borrowed_, open_, index_, number_;
-  std::unordered_map<std::uint64_t, OpenEdge> open_edges_;  ///< by the numbers of their ends
+  std::vector<std::uint32_t> borrowed_, unfinished_, index_, number_;
+  std::unordered_map<std::uint64_t, UnmatchedEdge>
+      unmatched_edges_;  ///< by the numbers of their ends
   std::vector<std::array<float, 3>> borrowed_points_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<std::int32_t> owners_;

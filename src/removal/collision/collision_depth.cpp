@@ -41,7 +41,7 @@ class DepthSearch {
 
   double material(const Vec3& p, std::span<const std::uint32_t> cuts);
   double provable(const Vec3& p, std::span<const std::uint32_t> cuts);
-  bool open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
+  bool make_node(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
   void push(Node node);
   void branch();
   Candidates near(const Vec3& p, double reach);
@@ -81,7 +81,7 @@ double DepthSearch::provable(const Vec3& p, std::span<const std::uint32_t> cuts)
 }
 
 // Whether a box may hold something deeper; fills the node.
-bool DepthSearch::open(const Box3& box, std::span<const std::uint32_t> cuts, Node& node) {
+bool DepthSearch::make_node(const Box3& box, std::span<const std::uint32_t> cuts, Node& node) {
   const Vec3 center = 0.5 * (box.lo + box.hi);
   const double radius = 0.5 * distance(box.lo, box.hi);
   if (scene_.movers.sweeps.distance(mover_, center) > radius + slack_) return false;
@@ -109,7 +109,7 @@ void DepthSearch::branch() {
     if (top.bound <= best_ + std::max(scene_.threshold, kShare * best_)) return;
     for (const Box3& half : halves(top.box)) {
       Node node;
-      if (open(half, top.cuts, node)) push(std::move(node));
+      if (make_node(half, top.cuts, node)) push(std::move(node));
     }
   }
 }
@@ -147,7 +147,7 @@ DeepPoint DepthSearch::run(const Vec3& seed) {
   improve(std::min(kFirstStep * size, kLongestStep));
   const double seeded = best_;
   Node root;
-  if (open(root_, cuts, root)) push(std::move(root));
+  if (make_node(root_, cuts, root)) push(std::move(root));
   branch();
   if (best_ > seeded) improve(std::max(scene_.threshold, kShare * best_));
   return {best_, place_};
@@ -182,7 +182,7 @@ Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box
   for (const std::size_t block : scene.blocks.blocks_of(near)) {
     const Box3 of_block = scene.blocks.box(block);
     const Box3 here{max(of_block.lo, near.lo), min(of_block.hi, near.hi)};
-    for (const std::uint32_t cut : sweeps.opened(scene.blocks.sweeps(block), here))
+    for (const std::uint32_t cut : sweeps.expanded(scene.blocks.sweeps(block), here))
       if (sweeps.motion(cut) <= time) cuts.push_back(cut);
     if (cuts.size() > 2 * sweeps.size()) settle();
   }

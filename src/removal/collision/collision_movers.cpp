@@ -128,7 +128,7 @@ const Selection::Known& Selection::known(int tool) {
   }
   if (part_ == ToolPart::cutter)
     k.reach = k.shape.turning ? reach_of(k.shape.insert) : reach_of({k.shape.cutter});
-  k.widens = !k.shape.turning && k.shape.cutter.opened().is_rising();
+  k.widens = !k.shape.turning && k.shape.cutter.extended_up().is_rising();
   const std::vector<Profile>& pieces = part_ == ToolPart::shank ? k.shape.shank : k.shape.holder;
   if (part_ != ToolPart::cutter && !pieces.empty()) k.reach = reach_of(pieces);
   return k;

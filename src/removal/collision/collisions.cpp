@@ -149,7 +149,7 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     if (!is_empty(box)) {
       const Box3 around = inflated(index.box(b), near);
       found[b] = CollisionDetector(scene).detect(
-          box, grid_.field->sweeps().opened(grid_.index->sweeps(b), around), here);
+          box, grid_.field->sweeps().expanded(grid_.index->sweeps(b), around), here);
     }
     step(index.size());
   });

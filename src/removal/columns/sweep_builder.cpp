@@ -128,7 +128,7 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   ref.frame = frame(m.tool_axis);
   const ToolFrame* local = ref.frame > 0 ? &columns_.frames[ref.frame - 1] : nullptr;
   const LocalMotion l = localized(m, local);
-  if (local == nullptr) ref.shape = opened(ref.shape, lowest_tip(l));
+  if (local == nullptr) ref.shape = extended_up(ref.shape, lowest_tip(l));
   const Profile& cutter = columns_.cutter(ref);
   const double dz = l.end.z - l.start.z, lean = dz < 0 ? -dz : dz;
   const bool about_z = l.arc && l.u.z * l.u.z + l.v.z * l.v.z < kNoTravel * kNoTravel;
@@ -229,14 +229,14 @@ int SweepBuilder::drawn_out(int shape, double travel) {
 
 // The same shape without end, if its flutes reach above all that is asked with the tip at
 // `lowest`.
-int SweepBuilder::opened(int shape, double lowest) {
+int SweepBuilder::extended_up(int shape, double lowest) {
   const Profile& tool = columns_.shapes[shape].cutter;
   if (tool.open_top() || !(lowest + tool.top() >= selection_.top)) return shape;
   const double without_end = std::numeric_limits<double>::infinity();
   if (const auto known = drawn_out_.find({shape, without_end}); known != drawn_out_.end())
     return known->second;
   ToolShape made;
-  made.cutter = tool.opened();
+  made.cutter = tool.extended_up();
   made.radius = columns_.shapes[shape].radius;
   int& found = drawn_out_[{shape, without_end}];
   found = shape;

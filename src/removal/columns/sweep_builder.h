@@ -43,7 +43,7 @@ class SweepBuilder {
   bool stays_above(const Motion& m, const Profile& tool) const;
   ShapeRange shapes(const Motion& m);
   int drawn_out(int shape, double travel);
-  int opened(int shape, double lowest);
+  int extended_up(int shape, double lowest);
   void add_shape(ToolShape&& shape, const ShapeKey& key);
   std::uint16_t frame(const Vec3& axis);
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);

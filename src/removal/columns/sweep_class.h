@@ -21,7 +21,7 @@ struct SweepClass {
   std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
   bool packs = false;  ///< entries are packs of such sweeps (sweep_packs.h), stored as their chords
   double spread = 0;   ///< of these packs, the largest, mm
-  double open_below = 0;  ///< the same
+  double expand_below = 0;  ///< the same
   ToolColumns tool;
   HeightTool heights;  ///< milling tools in the stock's frame
 };

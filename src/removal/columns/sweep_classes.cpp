@@ -159,7 +159,7 @@ void classify(SweepColumns& c, int threads) {
     k.packs = true;
     pack.of = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
     found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
-    found[pack.of].open_below = std::max<double>(found[pack.of].open_below, pack.open_below);
+    found[pack.of].expand_below = std::max<double>(found[pack.of].expand_below, pack.expand_below);
   }
   // In the order of the keys: groups come together.
   std::vector<std::uint32_t> place(found.size());

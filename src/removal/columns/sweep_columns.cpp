@@ -99,10 +99,10 @@ SweepColumns::Numbers SweepColumns::numbers_of(std::span<const std::uint32_t> li
 
 std::span<const std::uint32_t> SweepColumns::sweeps_of(const Numbers& list) const {
   if (list.packs.empty()) return list.sweeps;
-  static thread_local std::vector<std::uint32_t> opened;
-  opened.assign(list.sweeps.begin(), list.sweeps.end());
-  for (const std::uint32_t pack : list.packs) append_sweeps(pack, opened);
-  return opened;
+  static thread_local std::vector<std::uint32_t> expanded;
+  expanded.assign(list.sweeps.begin(), list.sweeps.end());
+  for (const std::uint32_t pack : list.packs) append_sweeps(pack, expanded);
+  return expanded;
 }
 
 }  // namespace mrsim

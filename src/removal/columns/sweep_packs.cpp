@@ -17,7 +17,7 @@ constexpr double kStraight = 1.0 / 16;        // of the chord: the largest sprea
 constexpr double kJoined = 1e-9;              // mm: ends of moves that follow one another
 constexpr double kShortest = 1e-3;            // mm in plan: shorter chords have no direction
 constexpr std::size_t kPart = 1 << 13;        // sweeps that are packed on their own
-constexpr double kOpen = 0.7;                 // of a pack: smaller regions see its members
+constexpr double kExpand = 0.7;               // of a pack: smaller regions see its members
 
 // A sweep or a pack, to be packed.
 struct Item {
@@ -168,8 +168,8 @@ class SweepPacks::Builder {
     const double chord_length = length(item.end - item.start);
     const double reach = columns_.cutter(columns_.refs[item.first]).max_radius();
     pack.length = static_cast<float>(chord_length);
-    pack.open_below =
-        static_cast<float>(kOpen * std::max(chord_length, std::sqrt(8 * spread * reach)));
+    pack.expand_below =
+        static_cast<float>(kExpand * std::max(chord_length, std::sqrt(8 * spread * reach)));
     if (first.number >= kFirstPack) {
       pack.child = first.number - kFirstPack;
       pack.count = static_cast<std::uint32_t>(items.size());

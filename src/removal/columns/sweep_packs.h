@@ -22,9 +22,9 @@ struct SweepPack {
   std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
   std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
   std::uint32_t of = 0;                ///< index of its class
-  float spread = 0;      ///< mm: how far path and chord are from each other at most, both ways
-  float length = 0;      ///< of the chord, mm
-  float open_below = 0;  ///< mm: radius of regions that are to see its children
+  float spread = 0;        ///< mm: how far path and chord are from each other at most, both ways
+  float length = 0;        ///< of the chord, mm
+  float expand_below = 0;  ///< mm: radius of regions that are to see its children
 
   /// Its children.
   std::size_t size() const { return count == 0 ? last - first + 1 : count; }

@@ -129,12 +129,12 @@ class LeafCandidates {
     if (!index_) {
       box.lo.x = box.lo.y = -kInfinity;
       box.hi.x = box.hi.y = kInfinity;
-      return field_.sweeps().opened(all_, box);
+      return field_.sweeps().expanded(all_, box);
     }
     const std::size_t block = index_->find(low + Vec3{size / 2, size / 2, size / 2});
     Candidates out;
     if (block < index_->size())
-      field_.restrict_to(box, reach(), field_.sweeps().opened(index_->sweeps(block), box), out);
+      field_.restrict_to(box, reach(), field_.sweeps().expanded(index_->sweeps(block), box), out);
     return out;
   }
 

@@ -29,7 +29,7 @@ RingPlanes::RingPlanes(const PartField& field, double voxel, std::int32_t first,
   const double low = lattice_.position({0, 0, first}).z, high = low + count * voxel;
   const Box3 box{{-kInfinity, -kInfinity, low - voxel}, {kInfinity, kInfinity, high}};
   Part all{.low = 0, .high = field.bounds().hi.x + voxel, .z = first, .deep = count};
-  all.list = field.sweeps().opened(field.all(), box);
+  all.list = field.sweeps().expanded(field.all(), box);
   divide(all, 0);
   for (std::vector<Ring>& plane : planes_) plane.push_back({kInfinity, kNeverThere});
 }

@@ -73,7 +73,8 @@ std::vector<BlockSums> sums_in_space(const Task& task) {
                          task.threads);
   std::vector<BlockSums> blocks(index.size());
   for_each_place(index.size(), task.threads, task.progress, [&](std::size_t b) {
-    const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
+    const Candidates sweeps =
+        field.sweeps().expanded(index.sweeps(b), inflated(index.box(b), near));
     if (sweeps.empty() && task.sink == nullptr) return;
     std::vector<double> removed(sweeps.size(), 0.0);
     if (task.frames.empty()) {
@@ -121,7 +122,7 @@ std::vector<BlockSums> sums_in_half_plane(const Task& task) {
     const std::int32_t z = first + static_cast<std::int32_t>(r) * kSize;
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};
-    const Candidates sweeps = field.sweeps().opened(all, box);
+    const Candidates sweeps = field.sweeps().expanded(all, box);
     if (sweeps.empty() && task.sink == nullptr) return;
     CutWalker walker(field, lattice, task.frames);
     std::vector<double> removed(sweeps.size(), 0.0);

@@ -68,7 +68,7 @@ class CandidateDescent final : public ExactField::Descent {
     Level& own = levels_[level];
     own.in_stock = levels_[level - 1].in_stock;
     own.region = region_of(box);
-    own.region.open = last;
+    own.region.expand_packs = last;
     own.reach = own.region.radius + band + field_.slack();
     return field_.restrict_to(own.region, band, levels_[level - 1].left, own.in_stock, own.left);
   }
@@ -78,7 +78,7 @@ class CandidateDescent final : public ExactField::Descent {
     bool in_stock = whole.in_stock;
     if (is_of_strips(field_.sweeps(), whole.left)) {
       PruneRegion region = region_of(box);
-      region.open = true;
+      region.expand_packs = true;
       return field_.restrict_to(region, band, whole.left, in_stock, out);
     }
     const ExactField::Region found = enter(level, box, band, true);
@@ -201,7 +201,7 @@ ExactField::Region PartField::restrict_to(const Box3& box, double band,
                                           Candidates& out) const {
   static thread_local CandidateList list;
   PruneRegion region = region_of(box);
-  region.open = true;
+  region.expand_packs = true;
   list_candidates(sweeps_, in, region.center, list);
   bool in_stock = false;
   return restrict_to(region, band, list, in_stock, out);

@@ -14,7 +14,7 @@ void CandidateList::reset(std::size_t slots, const Vec3& about) {
   numbers_.resize(stride_ * kNearColumns);
 }
 
-std::size_t CandidateList::open_run(std::uint32_t of, std::size_t numbers) {
+std::size_t CandidateList::begin_run(std::uint32_t of, std::size_t numbers) {
   const std::size_t end = runs_.empty() ? 0 : runs_.back().first + runs_.back().count;
   runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
   return runs_.back().first;

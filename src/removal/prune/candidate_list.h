@@ -26,7 +26,7 @@ struct PruneRegion {
   double tall = 0;    ///< half of a box's height, the same
   double radius = 0;  ///< of the ball about all of it, mm
   bool box = false;
-  bool open = false;  ///< no packs are to be left: what is will be asked for distances
+  bool expand_packs = false;  ///< no packs are to be left: what is will be asked for distances
 
   static PruneRegion ball(const Vec3& center, double radius) {
     return {center, radius, radius, radius, false};
@@ -63,7 +63,7 @@ class CandidateList {
   /// Empty, with room for `slots`.
   void reset(std::size_t slots, const Vec3& origin);
   /// The next run; its first slot.
-  std::size_t open_run(std::uint32_t of, std::size_t numbers = kIdColumn);
+  std::size_t begin_run(std::uint32_t of, std::size_t numbers = kIdColumn);
   void close_run(std::size_t count);
   /// Slots that `count` sweeps in `runs` runs need.
   static std::size_t room(std::size_t count, std::size_t runs) { return count + runs * kPad; }

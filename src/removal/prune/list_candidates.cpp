@@ -67,7 +67,7 @@ class RunWriter {
   // The run of all entries of the first one's class; what comes after it.
   ByClass::const_iterator run(ByClass::const_iterator at, ByClass::const_iterator end) {
     const std::uint32_t of = at->of;
-    open(of);
+    begin(of);
     for (; at != end && at->of == of; ++at) {
       if (const auto ahead = at + std::min<std::ptrdiff_t>(kAhead, end - at - 1); !ahead->children)
         ask_for(ahead->number);
@@ -79,10 +79,10 @@ class RunWriter {
     close();
     return at;
   }
-  void open(std::uint32_t of) {
+  void begin(std::uint32_t of) {
     const SweepClass& type = columns_.classes[of];
     form_ = type.form;
-    first_ = slot_ = list_.open_run(of, type.packs ? kPackColumn : kIdColumn);
+    first_ = slot_ = list_.begin_run(of, type.packs ? kPackColumn : kIdColumn);
     to_ = list_.column(0);
     const bool piece = form_ == SweepClass::Form::piece;
     list_.closed = list_.closed && form_ != SweepClass::Form::other && !piece;
@@ -237,7 +237,7 @@ class RunWriter {
 };
 
 void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
-  const std::size_t first = out.open_run(run.of, run.numbers);
+  const std::size_t first = out.begin_run(run.of, run.numbers);
   for (std::size_t i = 0; i < kNearColumns; ++i)
     std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
   out.close_run(run.count);
@@ -246,7 +246,7 @@ void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateL
 template <typename Wanted>
 void copy_some(const CandidateList& in, const CandidateList::Run& run, CandidateList& out,
                Wanted wanted) {
-  const std::size_t first = out.open_run(run.of, run.numbers);
+  const std::size_t first = out.begin_run(run.of, run.numbers);
   std::size_t count = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
     if (!wanted(k)) continue;
@@ -287,7 +287,7 @@ class PackExpander {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (!may_be_large(runs[i]))
         copy_run(in, runs[i], out);
-      else if (!region_.open)
+      else if (!region_.expand_packs)
         copy_some(in, runs[i], out,
                   [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
       const std::int32_t group = c_.classes[runs[i].of].group;
@@ -305,11 +305,11 @@ class PackExpander {
     return entries;
   }
   bool is_large(std::uint32_t pack) const {
-    return region_.open || region_.radius < c_.packs[pack].open_below;
+    return region_.expand_packs || region_.radius < c_.packs[pack].expand_below;
   }
   bool may_be_large(const CandidateList::Run& run) const {
     const SweepClass& type = c_.classes[run.of];
-    return type.packs && (region_.open || region_.radius < type.open_below);
+    return type.packs && (region_.expand_packs || region_.radius < type.expand_below);
   }
 
   // The children of a large pack, or theirs.
@@ -363,7 +363,7 @@ void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids
   out.reset(CandidateList::room(slots, runs), origin);
   RunWriter writer(out, c);
   if (one && !sweeps.empty()) {
-    writer.open(0);
+    writer.begin(0);
     for (const std::uint32_t sweep : sweeps) writer.add(sweep);
     writer.close();
   }
@@ -371,7 +371,7 @@ void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids
   out.extent = writer.extent();
   if (turned.empty()) return;
   out.closed = false;  // a pack costs several sweeps
-  const std::size_t first = out.open_run(static_cast<std::uint32_t>(c.classes.size() - 1));
+  const std::size_t first = out.begin_run(static_cast<std::uint32_t>(c.classes.size() - 1));
   for (std::size_t k = 0; k < turned.size(); ++k)
     out.column(kIdColumn)[first + k] = std::bit_cast<float>(turned[k]);
   out.close_run(turned.size());

@@ -90,7 +90,7 @@ class Keeper {
   void keep_pieces(std::size_t from, std::size_t to, CandidateList& out) {
     for (std::size_t i = from; i < to; ++i) {
       const CandidateList::Run& run = in_.runs()[i];
-      const std::size_t first = out.open_run(run.of, run.numbers);
+      const std::size_t first = out.begin_run(run.of, run.numbers);
       const std::size_t kept =
           kernels_.keep_low(measured_.lower(i), run.count, measured_.height_limit(),
                             in_.columns(run.first), out.column(0) + first, out.stride());
@@ -100,7 +100,7 @@ class Keeper {
   }
 
   void keep_packs(std::uint32_t of, CandidateList& out) {
-    const std::size_t first = out.open_run(of);
+    const std::size_t first = out.begin_run(of);
     const auto base = static_cast<std::uint32_t>(columns_.refs.size());
     for (std::size_t k = 0; k < left_.size(); ++k)
       out.column(kIdColumn)[first + k] = std::bit_cast<float>(base + left_[k]);
@@ -126,7 +126,7 @@ class Keeper {
       const std::size_t columns =
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(type(i))), kInfinity);
-      float* to_slot = out.column(0) + out.open_run(run.of, run.numbers);
+      float* to_slot = out.column(0) + out.begin_run(run.of, run.numbers);
       at_.tool = type(i).tool;
       args.within = args.plan ? top() + within_band() : surely_within(at_, region_, reach_);
       bool reaches = reaches_ || !(is_strip(type(i)) || is_horizontal(type(i)));

@@ -74,8 +74,8 @@ std::optional<SweepTable::FlatFloor> SweepTable::flat_floor(std::size_t i, const
 std::vector<std::uint32_t> SweepTable::all(double longest) const {
   return all_numbers(*columns_, longest);
 }
-std::vector<std::uint32_t> SweepTable::opened(std::span<const std::uint32_t> list,
-                                              const Box3& box) const {
+std::vector<std::uint32_t> SweepTable::expanded(std::span<const std::uint32_t> list,
+                                                const Box3& box) const {
   return sweeps_meeting(*columns_, list, box);
 }
 SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p,

@@ -45,8 +45,8 @@ class SweepTable {
   /// numbers of packs of turning sweeps, then of milling sweeps, none of them longer than
   /// `longest` mm. Lists of candidates (removal/prune) hold such numbers too.
   std::vector<std::uint32_t> all(double longest = std::numeric_limits<double>::infinity()) const;
-  /// The sweeps of a list, packs opened, whose bounds meet a box; ascending.
-  std::vector<std::uint32_t> opened(std::span<const std::uint32_t> list, const Box3& box) const;
+  /// The sweeps of a list, packs expanded, whose bounds meet a box; ascending.
+  std::vector<std::uint32_t> expanded(std::span<const std::uint32_t> list, const Box3& box) const;
   /// Index of the motion that makes sweep i. Never falls with i.
   std::int32_t motion(std::size_t i) const;
   /// A box that holds sweep (or pack) i; infinite towards the shank where the cutter reaches above

@@ -298,7 +298,7 @@ Profile Profile::drawn_out(double travel) const {
   return Profile(std::move(out));
 }
 
-Profile Profile::opened() const {
+Profile Profile::extended_up() const {
   std::vector<ProfileEdge> out;
   for (const ProfileEdge& e : edges_)
     out.push_back({.a = e.a, .b = e.b, .center = e.center, .radius = e.radius, .convex = e.convex});

@@ -84,7 +84,7 @@ class Profile {
   /// is_unimodal(), a closed top.
   Profile drawn_out(double travel) const;
   /// The tool that goes on above its flat top for ever, as wide as there. Requires: a closed top.
-  Profile opened() const;
+  Profile extended_up() const;
 
   const std::vector<ProfileEdge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }

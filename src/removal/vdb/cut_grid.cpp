@@ -93,7 +93,8 @@ std::vector<LeafCollector> by_distances(const PartField& field, const BlockIndex
   const double near = 0.5 * voxel + field.slack();
   std::vector<LeafCollector> blocks(index.size());
   parallel_for(blocks.size(), threads, [&](std::size_t b) {
-    const Candidates sweeps = field.sweeps().opened(index.sweeps(b), inflated(index.box(b), near));
+    const Candidates sweeps =
+        field.sweeps().expanded(index.sweeps(b), inflated(index.box(b), near));
     std::vector<double> removed(sweeps.size(), 0.0);
     walk_block(field, {voxel, false}, index.origin(b), sweeps, &blocks[b], removed);
   });

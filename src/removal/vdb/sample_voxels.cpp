@@ -60,7 +60,7 @@ class BlockCarver : LeafWriter {
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
     CandidateList& left = lists_[depth + 1];
     PruneRegion block = PruneRegion::block(center(origin, size, size), half(size));
-    block.open = size == kLast;
+    block.expand_packs = size == kLast;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
     if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);
     if (region == ExactField::Region::material && size < kLeafVoxels)
@@ -87,7 +87,7 @@ class BlockCarver : LeafWriter {
     for (std::size_t part = 0; part < columns_.size(); ++part) {
       PruneRegion& column = columns_[part].region;
       column = PruneRegion::column(center(first(part), kSize, kLast), half(kSize), half(kLast));
-      column.open = true;
+      column.expand_packs = true;
     }
     field_.restrict_columns(block, band_, sweeps, in_stock, columns_);
     for (std::size_t part = 0; part < columns_.size(); ++part) {

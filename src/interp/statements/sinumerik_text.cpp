@@ -1,0 +1,33 @@
+#include "interp/statements/sinumerik_text.h"
+
+#include "interp/text/characters.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mrsim {
+
+std::optional<VariableType> type_named(const std::string& name) {
+  static constexpr std::pair<std::string_view, VariableType> kTypes[] = {
+      {"REAL", VariableType::real},    {"INT", VariableType::integer},
+      {"BOOL", VariableType::boolean}, {"CHAR", VariableType::character},
+      {"STRING", VariableType::text},  {"AXIS", VariableType::axis},
+      {"FRAME", VariableType::frame}};
+  for (const auto& [known, type] : kTypes)
+    if (known == name) return type;
+  return std::nullopt;
+}
+
+std::size_t blanks(std::string_view line, std::size_t p) {
+  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  return p;
+}
+
+std::string word_at(std::string_view line, std::size_t& p) {
+  p = blanks(line, p);
+  const std::size_t from = p;
+  while (p < line.size() && is_name(line[p])) ++p;
+  return upper_case(line.substr(from, std::min<std::size_t>(p - from, 64)));
+}
+
+}  // namespace mrsim
