@@ -163,7 +163,6 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
     grid = finer_voxel(grid);
   const double finest = grid;
   while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
-  if (!choice.is_default) choice.fallback_voxel = 0;  // a wish is kept
   if (!choice.is_default || may_suit_tolerance(survey, choice.searches_helix)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
@@ -214,17 +213,21 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (!choice.fits_voxel && choice.tolerance > 0) return;
   const double cell = wished_cell(choice, longest_side(field.bounds()));
   if (choice.fits_voxel) choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
+  if (choice.is_default) choice.most_nodes = kMostPlainNodes;
   if (field.is_turned(field.all())) return;  // meshed by its section
   const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
   const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
-  choice.fallback_cells = is_plain(survey) ? kMostPlainNodes : kMostNodes;
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
+  if (!choice.is_default) return;
+  if (!is_plain(survey)) choice.most_nodes = kMostNodes;
+  choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 
 void give_up_tolerance(MeshChoice& choice, const std::string& why) {
   take_grid(choice, "was given up: " + why);
   choice.voxel_reason = "the grid instead of the tolerance";
+  choice.cut_cells = choice.fallback_cells;
 }
 
 }  // namespace mrsim

@@ -22,8 +22,9 @@ struct MeshChoice {
   bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
   bool is_default = false;         ///< nor was the tolerance: likewise
   bool measure = false;            ///< MeshPlan::measure
-  double fallback_voxel = 0;       ///< MeshPlan::fallback_voxel
-  std::size_t fallback_cells = 0;  ///< MeshPlan::fallback_cells
+  std::size_t most_nodes = 0;      ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
+  double fallback_voxel = 0;       ///< mm: of the grid where the tolerance is given up
+  double fallback_cells = 0;       ///< CarvePlan::cut_cells of that grid
   double cut_cells = 0;            ///< CarvePlan::cut_cells
 };
 

@@ -13,6 +13,7 @@
 #include "insert_size.h"
 #include "mesh/draw/render.h"
 #include "mesh/extract.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
 #include "mesh_choice.h"
@@ -47,6 +48,8 @@
 
 namespace mrsim {
 namespace {
+
+constexpr double kMeshErr = 1.25;  ///< a mesh within a tolerance against its expected memory
 
 class StageClock {
  public:
@@ -156,13 +159,20 @@ StockShape choose_stock(const Job& job, JobResult& result) {
 }
 
 // Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
-double volume_before(const StockShape& shape, CarvePlan plan, const MeshPlan& mesh) {
+double volume_before(const Job& job, const StockShape& shape, const MeshChoice& choice) {
   if (!shape.history.motions.empty()) {
+    CarvePlan plan = carve_plan(job.carve);
     plan.keep_grid = false;  // of a stock that only its volume is asked of
-    MeshReport found;
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
+    MeshPlan mesh = mesh_plan(job.mesh);
+    mesh.tolerance = choice.tolerance, mesh.most_nodes = choice.most_nodes;
+    MeshReport found;
     MeshAudit audit(mesh.threads);
     extract_mesh(stock, mesh, audit, &found);
+    if (!found.given_up.empty()) {
+      mesh.tolerance = 0;
+      mesh_part(stock.field(), choice.fallback_voxel, mesh, audit, &found);
+    }
     return audit.summary().volume - found.volume_excess;
   }
   const Vec3 size = shape.box.hi - shape.box.lo;
@@ -197,33 +207,85 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                });
 }
 
-MeshPlan chosen_plan(const Job& job, const MeshChoice& choice) {
+MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
   MeshPlan plan = mesh_plan(job.mesh);
   plan.tolerance = choice.tolerance;
   plan.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
-  plan.fallback_voxel = choice.fallback_voxel;
-  plan.fallback_cells = choice.fallback_cells;
+  plan.most_nodes = choice.most_nodes;
+  // A limit that the user has set must hold; the mesher's estimate may err.
+  const double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
+  plan.max_memory = static_cast<std::size_t>(left / (job.carve.max_memory > 0 ? kMeshErr : 1));
   return plan;
 }
 
+// The plan of a grid after a mesh within the tolerance was given up: a stage of its own, as how
+// long it takes is not told by how long that was tried.
+MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
+  MeshPlan plan = chosen_plan(job, stock, choice);
+  if (job.mesh.progress)
+    plan.progress = [&job](const char*, double share) {
+      return job.mesh.progress("grid meshing", share);
+    };
+  return plan;
+}
+
+// The mesh while it is made, for as many threads as its checks may take: blocks of a grid come
+// while the threads make the next ones.
+class MeshMaker {
+ public:
+  MeshMaker(const Job& job, Stock& stock, MeshChoice& choice, MeshSink& next, int threads)
+      : job_(job), stock_(stock), choice_(choice), next_(next), threads_(threads) {}
+
+  /// The mesh as it was chosen, or on a grid where that is given up: `choice` tells. What it holds
+  /// more than the exact part, mm^3, is in the report.
+  MeshReport make() {
+    MeshReport found = extract(chosen_plan(job_, stock_, choice_));
+    memory_ = stock_.memory_expected() + found.memory;
+    if (found.given_up.empty()) return found;
+    give_up_tolerance(choice_, found.given_up);
+    release_freed_memory();
+    stock_.plan_grid_mesh(choice_.voxel, choice_.cut_cells, no_slabs(job_, 0));
+    memory_ = std::max(memory_, stock_.memory_expected());
+    return extract(grid_plan(job_, stock_, choice_));
+  }
+  PartMesh& part() { return *part_; }
+  /// Bytes that the run was expected to take at its peak.
+  double memory() const { return memory_; }
+
+ private:
+  MeshReport extract(const MeshPlan& plan) {
+    part_.reset();
+    part_.emplace(stock_.in_slabs() ? std::optional(spill_folder(job_.outputs)) : std::nullopt,
+                  threads_, next_);
+    MeshReport found;
+    mesh_part(stock_.field(), choice_.voxel, plan, *part_, &found);
+    return found;
+  }
+
+  const Job& job_;
+  Stock& stock_;
+  MeshChoice& choice_;
+  MeshSink& next_;
+  int threads_;
+  std::optional<PartMesh> part_;
+  double memory_ = 0;
+};
+
 // Makes the mesh, which is checked as it comes. Returns what it holds more than the exact part,
 // mm^3.
-double make_mesh(const Job& job, JobResult& result, const Stock& stock, MeshChoice& choice,
-                 PartMesh& part) {
-  MeshPlan plan = chosen_plan(job, choice);
-  plan.max_memory = stock.memory_limit() - static_cast<std::size_t>(stock.memory_expected());
-  MeshReport found;
-  extract_mesh(stock, plan, part, &found);
-  if (part.source().triangles() == 0) refuse_empty(stock.field(), stock.voxel());
-  if (!found.given_up.empty()) give_up_tolerance(choice, found.given_up);
+double make_mesh(const Job& job, JobResult& result, Stock& stock, MeshChoice& choice,
+                 MeshMaker& maker) {
+  const MeshReport found = maker.make();
+  const PartMesh& part = maker.part();
+  if (part.source().triangles() == 0) refuse_empty(stock.field(), choice.voxel);
   tell_choice(result, choice);
   if (stock.in_slabs()) report_slabs(result, part, stock);
   if (part.owners().back() < 0)
     report(result, Severity::warning, "nothing-cut",
            "no cut meets the stock: check the stock's place and the work offset");
   report_mesh(result, found);
-  result.expected_memory = static_cast<std::size_t>(stock.memory_expected() + found.memory);
-  result.stock_volume = volume_before(result.stock, carve_plan(job.carve), plan);
+  result.expected_memory = static_cast<std::size_t>(maker.memory());
+  result.stock_volume = volume_before(job, result.stock, choice);
   return found.volume_excess;
 }
 
@@ -313,7 +375,7 @@ void simulate(const Job& job, JobResult& result) {
   clock.done("stock");
   if (is_faulty(result, job.strict)) return;
 
-  const Stock stock = carve_part(job, result.stock, cuts, choice);
+  Stock stock = carve_part(job, result.stock, cuts, choice);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
   result.history = make_history(job, result, stock, cuts);
@@ -328,14 +390,13 @@ void simulate(const Job& job, JobResult& result) {
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
 
-  // Blocks on the voxels come while the threads make the next ones.
   const int block_threads = choice.tolerance > 0 ? job.mesh.threads : 1;
   MeshFileOptions files = job.files;
   files.threads = job.mesh.threads;
   Outputs outputs(job.outputs, files, block_threads);
-  PartMesh part(stock.in_slabs() ? std::optional(spill_folder(job.outputs)) : std::nullopt,
-                block_threads, outputs);
-  const double excess = make_mesh(job, result, stock, choice, part);
+  MeshMaker maker(job, stock, choice, outputs, block_threads);
+  const double excess = make_mesh(job, result, stock, choice, maker);
+  PartMesh& part = maker.part();
   clock.done("mesh");
   const double volume = settle_pieces(job, result, excess, part, outputs);
   clock.done("check");

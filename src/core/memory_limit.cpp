@@ -17,6 +17,8 @@ namespace mrsim {
 namespace {
 
 constexpr double kProgram = 10e6;  // bytes: code, stacks, libraries
+// Of the heap that is in use, with what lies between its pieces and fits nobody.
+constexpr double kFragments = 1.2;
 
 thread_local std::size_t limit = 0;  // 0: none
 
@@ -25,7 +27,7 @@ thread_local std::size_t limit = 0;  // 0: none
 double memory_in_use() {
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
   const struct mallinfo2 heap = ::mallinfo2();
-  return kProgram + double(heap.uordblks) + double(heap.hblkhd);
+  return kProgram + kFragments * (double(heap.uordblks) + double(heap.hblkhd));
 #else
   return kProgram;
 #endif
@@ -58,6 +60,12 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
                                     "are left; {}",
                                     what, bytes / 1e9, left / 1e9, double(limit) / 1e9,
                                     advice.empty() ? "--max-memory allows more" : advice));
+}
+
+void release_freed_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 std::size_t peak_memory() {

@@ -34,6 +34,10 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
 /// The part of the limit that is not in use yet, in bytes; infinity without a limit.
 double memory_left();
 
+/// Gives memory that was freed back to the machine: after a stage whose memory is of no use to the
+/// next one, whose peak would come on top of it.
+void release_freed_memory();
+
 /// The most memory that the process has held at any time, in bytes.
 std::size_t peak_memory();
 

@@ -55,7 +55,7 @@ class AdaptiveMesher {
         report_(report),
         timer_(report, options.progress),
         tree_(field, lattice, options.tolerance, options.threads,
-              {options.max_memory, most_nodes(options)}),
+              {options.max_memory, options.most_nodes}),
         surface_(std::in_place, field, tree_,
                  DualSurface::Options{.shallow = options.tolerance / 8,
                                       .sharpen = true,
@@ -65,12 +65,28 @@ class AdaptiveMesher {
   }
 
   TriMesh run() {
+    try {
+      return mesh();
+    } catch (const Error&) {
+      report_.memory = taken();
+      throw;
+    }
+  }
+
+ private:
+  // Bytes so far, an estimate.
+  double taken() const {
+    const double of_node = detail::kNodeMemory + (report_.passes > 0 ? detail::kSurfaceMemory : 0);
+    return of_node * static_cast<double>(tree_.size());
+  }
+
+  TriMesh mesh() {
     report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
     detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     nodes_ = tree_.size();
-    detail::require_cells(detail::expected_nodes(report_.memory), most_nodes(options_));
+    detail::require_cells(detail::expected_nodes(report_.memory), options_.most_nodes);
     first_nodes_ = static_cast<double>(nodes_);
     find_topology();
     require_few(0);
@@ -79,7 +95,7 @@ class AdaptiveMesher {
     require_few(0);
     make_triangles();
     while (split_failed()) {
-      if (options_.fallback_voxel > 0 && report_.passes >= kMostRounds)
+      if (options_.most_nodes > 0 && report_.passes >= kMostRounds)
         throw Error("mesh-unresolved", "cells were split too many times");
       find_topology();
       make_triangles();
@@ -103,11 +119,6 @@ class AdaptiveMesher {
         field_, tree_, tree_.doubtful_edges(), out, options_.tolerance, options_.threads));
     timer_.step("thin");
     return out;
-  }
-
- private:
-  static std::size_t most_nodes(const MeshPlan& options) {
-    return options.fallback_voxel > 0 ? options.fallback_cells : 0;
   }
 
   // Splits cells until the crossings on every face can be joined, then joins them.
@@ -268,7 +279,7 @@ class AdaptiveMesher {
   void require_few(std::size_t failed) const {
     const auto nodes = static_cast<double>(tree_.size());
     detail::require_cells(nodes * (nodes / first_nodes_) + 8 * static_cast<double>(failed),
-                          most_nodes(options_));
+                          options_.most_nodes);
   }
 
   // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
@@ -388,9 +399,13 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
   try {
     return AdaptiveMesher(field, Lattice(field.bounds(), voxel, levels), options, report).run();
   } catch (const Error& error) {
-    const bool may_fall_back = error.code() == "mesh-unresolved" || error.code() == "memory";
-    if (!may_fall_back || !(options.fallback_voxel > 0)) throw;
+    const bool may_give_up = error.code() == "mesh-unresolved" || error.code() == "memory";
+    if (!may_give_up || options.most_nodes == 0) throw;
+    // An octree that was given up before its end held between an eighth and all of its nodes.
+    const double tree = detail::kNodeMemory * static_cast<double>(options.most_nodes) / 2;
+    const double taken = report.memory > 0 ? report.memory : tree;
     report = {};
+    report.memory = taken;
     report.given_up = error.what();
     return {};
   }

@@ -13,8 +13,8 @@ namespace mrsim {
 
 /// The mesh within options.tolerance (mm) of the surface of `field`, on cells of `voxel` mm and
 /// smaller ones. None where it takes more cells, splits or memory than are allowed and
-/// options.fallback_voxel says that a grid may take its place: `report` then holds the reason
-/// alone. Without a fallback throws "mesh-unresolved", "memory", and "cancelled" always.
+/// options.most_nodes says that it may be given up: `report` then holds the reason and the memory
+/// alone. Else throws "mesh-unresolved", "memory"; "cancelled" always.
 std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, const MeshPlan& options,
                                      MeshReport& report);
 

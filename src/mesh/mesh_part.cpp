@@ -22,7 +22,6 @@ constexpr int kMostGrids = 4;  ///< that are tried where pieces in a cell meet
 // finer.
 void mesh_grid(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,
                MeshReport& report) {
-  const std::string given_up = report.given_up;
   for (int k = 1;; ++k) {
     try {
       const int levels = detail::fine_levels(field.bounds(), voxel, 0);
@@ -32,7 +31,6 @@ void mesh_grid(const ExactField& field, double voxel, const MeshPlan& options, M
       if (error.code() != "mesh-unresolved" || !options.measure || k == kMostGrids) throw;
       sink.restart();
       report = {};
-      report.given_up = given_up;
       voxel *= 1 - 1.0 / 64;
     }
   }
@@ -55,18 +53,9 @@ void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, M
     if (const std::optional<TriMesh> turned = detail::turned_mesh(field, voxel, options, out))
       return sink.take(whole_block(*turned));
   detail::require_resolved(field.bounds(), voxel);
-  if (options.tolerance > 0)
-    if (const std::optional<TriMesh> mesh = adaptive_mesh(field, voxel, options, out))
-      return sink.take(whole_block(*mesh));
-  MeshPlan grid = options;
-  grid.tolerance = 0;
-  grid.measure = options.measure || options.tolerance > 0;
-  // A stage of its own: how long it takes is not told by how long the mesh was tried.
-  if (!out.given_up.empty() && options.progress)
-    grid.progress = [&](const char*, double share) {
-      return options.progress("grid meshing", share);
-    };
-  mesh_grid(field, options.tolerance > 0 ? options.fallback_voxel : voxel, grid, sink, out);
+  if (options.tolerance == 0) return mesh_grid(field, voxel, options, sink, out);
+  if (const std::optional<TriMesh> mesh = adaptive_mesh(field, voxel, options, out))
+    sink.take(whole_block(*mesh));
 }
 
 TriMesh mesh_part(const ExactField& field, double voxel, const MeshPlan& options,

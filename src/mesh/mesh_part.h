@@ -22,12 +22,13 @@ namespace mrsim {
 /// The surface of `field`, with the owner of each triangle. `voxel` (mm) is the size of features to
 /// resolve, and the edge of all cells where options.tolerance is 0. Throws as refuse_empty() does,
 /// "voxel-invalid", "tolerance-invalid", "memory" (options.max_memory); "mesh-unresolved" rather
-/// than give a mesh that breaks a guarantee.
+/// than give a mesh that breaks a guarantee. Requires: options.most_nodes == 0.
 TriMesh mesh_part(const ExactField& field, double voxel, const MeshPlan& options = {},
                   MeshReport* report = nullptr);
 
 /// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
-/// memory as a whole. Does not throw where the part is empty: there are no triangles then.
+/// memory as a whole. Does not throw where the part is empty, or its mesh was given up
+/// (MeshReport::given_up): there are no triangles then.
 void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,
                MeshReport* report = nullptr);
 

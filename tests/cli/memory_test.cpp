@@ -88,6 +88,34 @@ TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
   EXPECT_LT(number_after(outcome.out, "  memory "), 105) << outcome.out;  // MB; 227 before
 }
 
+// Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs or
+// refused like any other, and what the mesh took is told too.
+TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {
+  if (!kIsPlain) GTEST_SKIP();
+  std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
+  for (int row = 0; row <= 120; ++row)
+    for (int i = 0; i <= 60; ++i) {
+      const int x = row % 2 != 0 ? 60 - i : i;
+      const int height = (x * x + 3 * x * row + row * row) % 11;
+      text += "G1 X" + std::to_string(x) + " Y" + std::to_string(0.5 * row) + " Z-" +
+              std::to_string(2 + 0.05 * height) + " F500\n";
+    }
+  write("steps.MPF", text + "G0 Z9\nM30\n");
+  const std::string cut =
+      "steps.MPF --stock box:0,0,-8,60,60,0 --tool endmill:d=1.25 --threads 2 -v -o part.stl";
+  const Outcome free = run(cut);
+  ASSERT_TRUE(contains(free.out, "was given up")) << free.out;
+  const double peak = number_after(free.out, "  memory ");
+  EXPECT_NEAR(number_after(free.out, "at most  ("), peak, 0.3 * peak);
+  for (const int limit : {60, 75, 90}) {
+    const Outcome outcome = run(cut + " --max-memory " + std::to_string(limit) + "M");
+    if (outcome.code == 0)
+      EXPECT_LT(number_after(outcome.out, "  memory "), 1.05 * limit) << outcome.out;  // MB
+    else
+      EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+  }
+}
+
 // A history of many motions, whose rows are written one by one.
 TEST_F(Memory, LimitsHistories) {
   if (!kIsPlain) GTEST_SKIP();

@@ -20,7 +20,7 @@ constexpr std::size_t kMostCells = 4096;  ///< cells from which the memory is es
 // and what is kept of them for the next round. A cell takes more where three faces meet in it; much
 // more where these bend by more than the tolerance, since it will be split; and more where the
 // distance from a face is sampled, since cells are then split along its bends.
-constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 2000;
+constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 1200;
 constexpr double kCandidate = 6;
 
 // Of all that is expected, for each node that there is in the end, as measured.

@@ -27,8 +27,8 @@ struct MeshReport {
   double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
                              ///< (docs/mesh.md, Volume); 0 without tolerance
   double memory = 0;         ///< bytes that the mesher was expected to take once its first cells
-                             ///< were known; 0 without tolerance
-  std::string given_up;      ///< why there is a grid instead of the tolerance; empty: there is not
+                             ///< were known, or, given up, has taken; 0 without tolerance
+  std::string given_up;      ///< why there is no mesh within the tolerance; empty: there is
   std::size_t cells = 0;     ///< cells that the surface passes
   std::size_t passes = 0;    ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification

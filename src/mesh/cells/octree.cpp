@@ -93,22 +93,27 @@ std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
   std::sort(leaves.begin(), leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   require_room(8 * (kSplitMemory + kSurfaceMemory) * static_cast<double>(leaves.size()));
+  std::erase_if(leaves, [&](std::int32_t n) { return node(n).child >= 0 || !can_split(n); });
+  make_room(leaves.size());
   std::vector<std::int32_t> pending;
-  std::size_t count = 0;
-  for (const std::int32_t n : leaves)
-    if (node(n).child < 0 && can_split(n)) {
-      add_children(n, pending);
-      ++count;
-    }
+  for (const std::int32_t n : leaves) add_children(n, pending);
   refine(std::move(pending));
-  return count;
+  return leaves.size();
+}
+
+void CellOctree::make_room(std::size_t split) {
+  const std::size_t count = size() + 8 * split;
+  require_memory(kNodeMemory * static_cast<double>(count), limits_.memory, tolerance_);
+  require_cells(static_cast<double>(count), limits_.nodes);
+  if (count <= nodes_.capacity()) return;
+  // Twice as many, as a vector would take by itself, are too much where memory is short.
+  const std::size_t room = std::max(count, size() + size() / 8);
+  nodes_.reserve(room), lists_.reserve(room);
 }
 
 void CellOctree::refine(std::vector<std::int32_t> pending) {
   new_leaves_.clear();
   while (!pending.empty()) {
-    require_memory(kNodeMemory * static_cast<double>(size()), limits_.memory, tolerance_);
-    require_cells(static_cast<double>(size()), limits_.nodes);
     find_regions(pending);
     std::vector<std::int32_t> mixed, next;
     for (const std::int32_t n : pending)
@@ -117,6 +122,7 @@ void CellOctree::refine(std::vector<std::int32_t> pending) {
     std::vector<char> split(mixed.size());
     parallel_for(
         mixed.size(), threads_, [&](std::size_t k) { split[k] = must_split(mixed[k]); }, 8);
+    make_room(static_cast<std::size_t>(std::count(split.begin(), split.end(), 1)));
     for (std::size_t k = 0; k < mixed.size(); ++k)
       if (split[k])
         add_children(mixed[k], next);

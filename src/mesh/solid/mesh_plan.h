@@ -15,11 +15,10 @@ struct MeshPlan {
   std::size_t max_memory = 0;
   /// Without a tolerance: measure how far the mesh is from the exact part.
   bool measure = false;
-  /// The grid of this voxel in mm, measured, takes the place of a mesh within the tolerance that is
-  /// not possible or takes more than `fallback_cells` nodes of an octree, by what its first cells
-  /// tell. 0 = none: that is an Error.
-  double fallback_voxel = 0;
-  std::size_t fallback_cells = 250'000;
+  /// A mesh within the tolerance is given up (MeshReport::given_up) where it takes more nodes of an
+  /// octree than these, by what its first cells tell, or more memory, or is not possible. 0 = never:
+  /// that is an Error.
+  std::size_t most_nodes = 0;
   Progress progress;
 };
 

@@ -36,6 +36,8 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   if (chosen.voxel == 0)
     chosen.voxel = default_voxel(shape, field.sweeps().smallest_radius()).voxel;
   grid->plan = plan_memory(field, motions.size(), chosen);
+  grid->asked = chosen;
+  grid->motions = motions.size();
   grid->voxel = chosen.voxel;
   grid->index =
       std::make_unique<BlockIndex>(field, index_voxel(field.solid(), chosen),

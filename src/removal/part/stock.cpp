@@ -40,6 +40,16 @@ double Stock::memory_whole() const { return grid_->plan.whole; }
 std::size_t Stock::memory_limit() const { return grid_->plan.limit; }
 bool Stock::in_slabs() const { return grid_->plan.in_slabs; }
 
+void Stock::plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs) {
+  CarvePlan plan = grid_->asked;
+  plan.voxel = voxel;
+  plan.grid_mesh = true;
+  plan.cut_cells = cut_cells;
+  // A grid that is kept has been sampled.
+  plan.no_slabs = plan.keep_grid ? "the voxels of the stock are kept" : no_slabs;
+  grid_->plan = plan_memory(*grid_->field, grid_->motions, plan);
+}
+
 double Stock::distance(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).distance;
 }

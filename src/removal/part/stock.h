@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace mrsim {
 
@@ -33,6 +34,11 @@ class Stock {
   std::size_t memory_limit() const;
   bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
   const StockGrid& grid() const { return *grid_; }
+
+  /// The mesh will be one on voxels of that size after all, whose cut surface passes about
+  /// `cut_cells` of them: plans memory and slabs for it. `no_slabs` as in CarvePlan. Throws Error
+  /// "memory" where it does not fit.
+  void plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs);
 
   /// d, gradient and owner at p from the exact field, through the index over the sweeps.
   double distance(const Vec3& p) const;

@@ -12,6 +12,8 @@ namespace mrsim {
 
 struct StockGrid {
   double voxel = 0;  ///< mm
+  CarvePlan asked;   ///< as it was decided
+  std::size_t motions = 0;
   MemoryPlan plan;
   std::unique_ptr<PartField> field;
   std::unique_ptr<BlockIndex> index;
