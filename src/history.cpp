@@ -25,18 +25,21 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 // As so many columns counts one below a cutter with a head that is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
 constexpr double kSearchedColumns = 12;
+// As so many one below such a cutter's other moves: it has two ends.
+constexpr double kHeadColumns = 3;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
-constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.38;
+constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
 // The same, counted once for each sweep over them: up to 0.02 us of one core each. Short moves of a
 // wide tool side by side reach that; each of them passes over many columns.
-constexpr double kColumnsSwept = 50e6, kColumnsSweptPerCut = 25;
-// As so many sweeps counts one of a cone or a bull-nosed mill, whose bottom takes longer.
-constexpr double kSlowBottom = 1.5;
+constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
+// As so many columns, or sweeps over a column, counts one of a cone or a bull-nosed mill, whose
+// bottom takes longer.
+constexpr double kSlowBottom = 2.5;
 
 // Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
 // sweep, 5 us, and searches where the cutter is steep.
-constexpr double kSearches = 15e3, kSearchesPerCut = 20;
+constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 
 // Of a voxel: a pass along a finished surface removes less by rounding.
 constexpr double kNothing = 1e-3;
@@ -61,34 +64,31 @@ double swept_area(const Motion& m, const Tool& tool, double voxel) {
   return width_of(tool) * (length + pieces_of(m, tool, voxel, kPieces) * width_of(tool));
 }
 
-// How many sweeps each sweep of a tool counts as where they leave heights.
+// How many columns or sweeps each of a tool counts as where they leave heights.
 double bottoms_of(const Tool& tool) {
   const bool is_flat = tool.type == ToolType::endmill && tool.corner_radius == 0;
   return is_flat || tool.type == ToolType::ballmill ? 1 : kSlowBottom;
 }
 
-// How many searches a column below a motion counts as: 0 where its bottom is a closed form, five
-// for cones, whose distances take longer.
+// How many searches a column below a motion counts as: 0 where its bottom is a closed form, more
+// for bull-nosed mills and for cones, whose distances take longer.
 double searches_of(const Motion& m, std::span<const Tool> tools) {
   if (!is_cut(m) || m.tool < 0 || m.kind != MotionKind::arc) return 0;
   const bool about_z = std::fabs(m.axis.z) == 1;
   if (about_z && m.rise == 0) return 0;
   const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
   if (about_z && tool.type == ToolType::endmill && tool.corner_radius == 0) return 0;
-  return tool.type == ToolType::endmill || tool.type == ToolType::ballmill ||
-                 tool.type == ToolType::bullmill
-             ? 1
-             : 5;
+  if (tool.type == ToolType::bullmill) return 2;
+  return tool.type == ToolType::endmill || tool.type == ToolType::ballmill ? 1 : 5;
 }
 
 // How many columns each column below a motion counts as where the sweeps leave no heights.
 double columns_of(const Motion& m, const Tool& tool) {
+  const bool has_head = tool.type == ToolType::form || tool.type == ToolType::tslot ||
+                        tool.type == ToolType::lollipop;
+  if (!has_head) return 1;
   const bool is_level = m.rise == 0 && std::fabs(m.axis.z) == 1;
-  if (m.kind != MotionKind::arc || is_level) return 1;
-  return tool.type == ToolType::form || tool.type == ToolType::tslot ||
-                 tool.type == ToolType::lollipop
-             ? kSearchedColumns
-             : 1;
+  return m.kind == MotionKind::arc && !is_level ? kSearchedColumns : kHeadColumns;
 }
 
 double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
@@ -196,15 +196,17 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
 double summary_column(const StockShape& shape, const CutList& cuts) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double count = static_cast<double>(cuts.motions().size());
-  const double usual = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
-  double swept = 0, searched = 0;  // mm^2
+  const double least = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
+  double area = 0, swept = 0, searched = 0;  // mm^2
   for (const Motion& motion : cuts.motions()) {
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
-    const double area = swept_area(motion, tool, usual);
-    swept += bottoms_of(tool) * area;
-    searched += searches_of(motion, cuts.tools()) * area;
+    const double own = swept_area(motion, tool, least);
+    area += own;
+    swept += bottoms_of(tool) * own;
+    searched += searches_of(motion, cuts.tools()) * own;
   }
+  const double usual = area > 0 ? least * std::sqrt(swept / area) : least;
   return std::max({usual, std::sqrt(swept / (kColumnsSwept + kColumnsSweptPerCut * count)),
                    std::sqrt(searched / (kSearches + kSearchesPerCut * count))});
 }

@@ -88,8 +88,8 @@ TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
   EXPECT_LT(number_after(outcome.out, "  memory "), 105) << outcome.out;  // MB; 227 before
 }
 
-// Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs or
-// refused like any other, and what the mesh took is told too.
+// Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs
+// or refused like any other, and what the mesh took is told too.
 TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {
   if (!kIsPlain) GTEST_SKIP();
   std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";

@@ -16,8 +16,8 @@ struct MeshPlan {
   /// Without a tolerance: measure how far the mesh is from the exact part.
   bool measure = false;
   /// A mesh within the tolerance is given up (MeshReport::given_up) where it takes more nodes of an
-  /// octree than these, by what its first cells tell, or more memory, or is not possible. 0 = never:
-  /// that is an Error.
+  /// octree than these, by what its first cells tell, or more memory, or is not possible. 0 =
+  /// never: that is an Error.
   std::size_t most_nodes = 0;
   Progress progress;
 };
