@@ -294,5 +294,13 @@ TEST(LinuxCncWords, G411TakesItsOwnDiameterBehindG41) {
             "l-20,-2,0 l-40,-2,0 l-60,0,0 l-80,-5,0 l-90,-5,0");
 }
 
+// Boards of printers switch their motors on by M17, which is no end of the program.
+TEST(LinuxCncWords, M17EndsNothing) {
+  EXPECT_EQ(path_text(read_text("M17\nG1 X1 F9\nM2\n", at_origin(Dialect::ngc))), "l1,0,0");
+  EXPECT_EQ(path_text(read_text("M17\nG1 X1 F9\nM2\n", at_origin(Dialect::iso))), "l1,0,0");
+  EXPECT_EQ(path_text(read_text("G1 X1 F9\nM17\nG1 X2\n", at_origin(Dialect::sinumerik))),
+            "l1,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -214,6 +214,14 @@ TEST(Okuma, MacrosOfTheOwnerAreNoWorkOffsets) {
             "l30,0,0");
 }
 
+// What was never set is EMPTY, and nothing else can be done with it.
+TEST(Okuma, WhatIsNotSetIsEmpty) {
+  EXPECT_EQ(osp_milled("IF[VC1 EQ EMPTY]N5\nG1 X7 F9\nN5 G1 X8 F9\n"), "l8,0,0");
+  EXPECT_EQ(osp_milled("IF[DIA NE EMPTY]N5\nG1 X7 F9\nN5 G1 X8 F9\n"), "l7,0,0 l8,0,0");
+  EXPECT_EQ(osp_milled("VC1=2\nIF[VC1 EQ EMPTY]N5\nG1 X7 F9\nN5 G1 X8 F9\n"), "l7,0,0 l8,0,0");
+  EXPECT_EQ(osp_milled("IF[VC1 EQ 0]N5\nG1 X7 F9\nN5 G1 X8 F9\n"), " | variable-unset");
+}
+
 // G94 and G90 are modes; the zero is no variable to be set.
 TEST(Okuma, ModesOfLathes) {
   EXPECT_EQ(osp_named("G1 X30 Z5 F.2\nG94 X20 F100\nG90 X24 Z-6\n"), "l15,0,5 l10,0,5 l12,0,-6");

@@ -211,6 +211,14 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
   if (system_ && !plc && (dollar || system_->knows(name)))
     return system_->read(name, indices, out, why);
   const std::string text = to_utf8(name.substr(0, 60));
+  const bool of_machine = name[0] == 'V' && !is_common(name);
+  if (form_ == VariableForm::fanuc && !of_machine) {  // of Okuma: what is not set is EMPTY
+    out = Value::nothing(name != "EMPTY");
+    if (out.never_set)
+      out.text = fmt::format("{} was never set: assign it first{}", text,
+                             is_common(name) ? fmt::format(", or say --set {}=1", text) : "");
+    return true;
+  }
   if (dollar)
     why = fmt::format("the system variable {} is not answered here", text);
   else if (plc && name[0] == '$')
@@ -219,8 +227,7 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
   else if (plc)
     why = fmt::format("{} is not defined: LET it, or make it a formal of the subprogram", text);
   else if (form_ == VariableForm::fanuc)
-    why = fmt::format("{} was never set: assign it first{}", text,
-                      is_common(name) ? fmt::format(", or say --set {}=1", text) : "");
+    why = fmt::format("{} was never set: assign it first", text);
   else if (form_ == VariableForm::linuxcnc)
     why = fmt::format("#<{}> was never set: assign it first{}", text,
                       name[0] == '_' ? fmt::format(", or say --set '#<{}>=1'", text) : "");

@@ -95,6 +95,12 @@ void ProgramFlow::leave_length() {
   block_.forget(z->address);
 }
 
+// Printers' boards switch their motors on by M17, and so do the mills that they drive.
+bool ProgramFlow::returns_by_m17() const {
+  if (is(Dialect::fanuc) || is(Dialect::ngc)) return false;
+  return !is(Dialect::iso) || reader_.depth() > 1;
+}
+
 bool ProgramFlow::m_word(const Word& word) {
   const double v = word.value;
   if (v < 0 || v != std::floor(v) || v > 1e8)
@@ -111,7 +117,7 @@ bool ProgramFlow::m_word(const Word& word) {
   if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
         true;
-  if (m == 17 && !is(Dialect::fanuc)) block_.return_after = true;
+  if (m == 17 && returns_by_m17()) block_.return_after = true;
   if (m >= 97 && m <= 99 && is(Dialect::sinumerik))
     return error("not-supported",
                  fmt::format("M{} calls or returns in ISO mode (G291), which is not supported yet; "

@@ -20,6 +20,7 @@ class ProgramFlow : public ControlPart {
 
  private:
   bool alone(const Word& call);
+  bool returns_by_m17() const;
   bool m_word(const Word& word);
   bool call_word(const Word& word, int m);
   bool z_home(const Word& word);
