@@ -164,6 +164,16 @@ MRSIM_API void require_nominal(const TriMesh& nominal, const std::string& name, 
 MRSIM_API std::string comparison_json(const Comparison& comparison);
 /// JUnit XML: a test case for the verdict and one for each region.
 MRSIM_API std::string comparison_junit(const Comparison& comparison);
+
+/// A comparison that has ended with an Error.
+struct FailedComparison {
+  std::string part_name, nominal_name;
+  std::string error_code, error_text;
+};
+/// The same for one of these: its verdict is "failed".
+MRSIM_API std::string comparison_json(const FailedComparison& failed);
+MRSIM_API std::string comparison_junit(const FailedComparison& failed);
+
 /// The lines that `mrsim compare` prints, mm.
 MRSIM_API std::string comparison_text(const Comparison& comparison);
 

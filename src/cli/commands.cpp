@@ -59,6 +59,17 @@ int exit_code_of(const Error& error) {
   return error.kind() == Error::Kind::usage ? kUsage : kFailed;
 }
 
+void write_last_words(const NamedPath& file, std::span<const NamedPath> kept,
+                      const std::string& text) {
+  if (file.path.empty()) return;
+  try {
+    refuse_overwrites({&file, 1}, kept);
+    write_file_atomically(file.path, [&](const ByteSink& sink) { sink(text.data(), text.size()); });
+  } catch (const Error& error) {
+    fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
+  }
+}
+
 int run_trace(const Arguments& arguments) {
   check_picture(arguments, "the program");
   Findings findings(arguments);

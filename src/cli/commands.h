@@ -3,6 +3,10 @@
 #pragma once
 
 #include "cli/arguments.h"
+#include "core/output_place.h"
+
+#include <span>
+#include <string>
 
 namespace mrsim::cli {
 
@@ -12,6 +16,11 @@ inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejecte
 
 /// What an Error that reaches main ends with; where the user stopped the run, that code.
 int exit_code_of(const Error& error);
+
+/// --json or --junit of a command that has failed: no failure of its own, and none of the files in
+/// `kept` is replaced.
+void write_last_words(const NamedPath& file, std::span<const NamedPath> kept,
+                      const std::string& text);
 
 int run_simulate(const Arguments& arguments);
 /// `result` has what was found.

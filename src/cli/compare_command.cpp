@@ -105,6 +105,18 @@ Alignment alignment_value(const std::string& text) {
   fail_usage(fmt::format("--align is none, bbox or icp, not \"{}\"", text));
 }
 
+// --json and --junit of a comparison that has ended with an error. They replace no input and no
+// other output either.
+void tell_failure(const CompareRequest& request, const Error& error) {
+  std::vector<NamedPath> kept{{request.part, "the part"}, {request.nominal, "the nominal"}};
+  for (const std::string& path : {request.deviation, request.report})
+    if (!path.empty()) kept.push_back({path, "an output"});
+  const FailedComparison failed{request.part, request.nominal, error.code(), error.what()};
+  if (request.json != request.junit)
+    write_last_words({request.junit, "--junit"}, kept, comparison_junit(failed));
+  write_last_words({request.json, "--json"}, kept, comparison_json(failed));
+}
+
 const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
 
 }  // namespace
@@ -171,6 +183,31 @@ TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part) {
   return deviation_mesh(part, nominal.mesh, comparison, request.scheme, options.threads);
 }
 
+namespace {
+
+// Reads, compares and writes; the exit code.
+int compare_files(const CompareRequest& request) {
+  check_places(request);
+  const NamedNominal nominal = prepare_comparison(request);
+  ReportFacts facts;
+  facts.title = std::filesystem::path(request.part).filename().string();
+  std::string note;
+  const TriMesh part = read_named(request, request.part, note);
+  if (!note.empty()) warn(request, note);
+  protect_programs(request, part.origin);
+  if (part.owners.empty())
+    warn(request, request.part +
+                      ": this file does not say which line cut which face, so no lines are named; "
+                      ".ply, .obj, .glb, .3mf and .vdb do");
+  const Comparison comparison = compare_named(request, part, nominal.mesh);
+  facts.times = {{"compare", comparison.seconds}};
+  if (!nominal.note.empty()) facts.facts.emplace_back("Nominal", nominal.note);
+  write_results(request, part, nominal.mesh, comparison, facts);
+  return finish_output(show_comparison(request, nominal, comparison));
+}
+
+}  // namespace
+
 int run_compare(int argc, const char* const* argv) {
   const CommandLine& line = command_line(kUseCompare);
   const TypedOptions typed(line, argc, argv);
@@ -191,23 +228,12 @@ int run_compare(int argc, const char* const* argv) {
   std::size_t max_memory = 0;
   typed.read("--max-memory", max_memory, size_value);
   set_memory_limit(max_memory);
-  check_places(request);
-  const NamedNominal nominal = prepare_comparison(request);
-  ReportFacts facts;
-  facts.title = std::filesystem::path(request.part).filename().string();
-  std::string note;
-  const TriMesh part = read_named(request, request.part, note);
-  if (!note.empty()) warn(request, note);
-  protect_programs(request, part.origin);
-  if (part.owners.empty())
-    warn(request, request.part +
-                      ": this file does not say which line cut which face, so no lines are named; "
-                      ".ply, .obj, .glb, .3mf and .vdb do");
-  const Comparison comparison = compare_named(request, part, nominal.mesh);
-  facts.times = {{"compare", comparison.seconds}};
-  if (!nominal.note.empty()) facts.facts.emplace_back("Nominal", nominal.note);
-  write_results(request, part, nominal.mesh, comparison, facts);
-  return finish_output(show_comparison(request, nominal, comparison));
+  try {
+    return compare_files(request);
+  } catch (const Error& error) {
+    tell_failure(request, error);
+    throw;
+  }
 }
 
 std::vector<ReportCollision> collisions_of(const JobResult& result) {

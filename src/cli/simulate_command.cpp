@@ -172,19 +172,9 @@ void tell_failure(const RunRecord& record) {
   for (const std::string& path :
        {arguments.compare.report, arguments.compare.deviation, arguments.history, arguments.rest})
     kept.push_back({path, "an output"});
-  const auto tell = [&](const NamedPath& file, const std::string& text) {
-    if (file.path.empty()) return;
-    try {
-      refuse_overwrites({&file, 1}, kept);
-      write_file_atomically(file.path,
-                            [&](const ByteSink& sink) { sink(text.data(), text.size()); });
-    } catch (const Error& error) {
-      fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
-    }
-  };
   if (arguments.compare.json != arguments.compare.junit)
-    tell({arguments.compare.junit, "--junit"}, run_junit(record));
-  tell({arguments.compare.json, "--json"}, run_json(record));
+    write_last_words({arguments.compare.junit, "--junit"}, kept, run_junit(record));
+  write_last_words({arguments.compare.json, "--json"}, kept, run_json(record));
 }
 
 int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& result) {

@@ -106,6 +106,7 @@ std::string comparison_json(const Comparison& c) {
            {"unit", "mm"},
            {"part", to_utf8(c.part_name)},
            {"nominal", to_utf8(c.nominal_name)},
+           {"error", nullptr},
            {"verdict", !c.accepted   ? "none"
                        : *c.accepted ? "accepted"
                                      : "rejected"},
@@ -137,6 +138,16 @@ std::string comparison_json(const Comparison& c) {
   out["hints"] = Json::array();
   for (const ComparisonHint& h : c.hints)
     out["hints"].push_back({{"code", h.code}, {"text", to_utf8(h.text)}});
+  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string comparison_json(const FailedComparison& failed) {
+  const Json out{{"schema", 1},
+                 {"unit", "mm"},
+                 {"part", to_utf8(failed.part_name)},
+                 {"nominal", to_utf8(failed.nominal_name)},
+                 {"error", {{"code", failed.error_code}, {"text", to_utf8(failed.error_text)}}},
+                 {"verdict", "failed"}};
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

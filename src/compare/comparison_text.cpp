@@ -133,4 +133,16 @@ std::string comparison_junit(const Comparison& c) {
   return out + " </testsuite>\n</testsuites>\n";
 }
 
+std::string comparison_junit(const FailedComparison& failed) {
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuites tests=\"1\" failures=\"1\">\n"
+      " <testsuite name=\"mrsim compare {0}\" tests=\"1\" failures=\"1\">\n"
+      "  <testcase classname=\"mrsim.compare\" name=\"{0} against {1}\">"
+      "<failure message=\"{2}\">{3}</failure></testcase>\n"
+      " </testsuite>\n</testsuites>\n",
+      xml(failed.part_name), xml(failed.nominal_name), xml(failed.error_code),
+      xml(failed.error_text));
+}
+
 }  // namespace mrsim
