@@ -12,11 +12,11 @@
 #include "history.h"
 #include "insert_size.h"
 #include "mesh/draw/render.h"
-#include "mesh/extract.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
 #include "mesh_choice.h"
+#include "mesh_maker.h"
 #include "mesh_reduction.h"
 #include "outputs.h"
 #include "part_findings.h"
@@ -48,8 +48,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr double kMeshErr = 1.25;  ///< a mesh within a tolerance against its expected memory
 
 class StageClock {
  public:
@@ -158,42 +156,6 @@ StockShape choose_stock(const Job& job, JobResult& result) {
   return shape;
 }
 
-// Exact where the stock is a primitive; a stock that has been cut before is meshed as it was.
-double volume_before(const Job& job, const StockShape& shape, const MeshChoice& choice) {
-  if (!shape.history.motions.empty()) {
-    CarvePlan plan = carve_plan(job.carve);
-    plan.keep_grid = false;  // of a stock that only its volume is asked of
-    const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
-    MeshPlan mesh = mesh_plan(job.mesh);
-    mesh.tolerance = choice.tolerance, mesh.most_nodes = choice.most_nodes;
-    MeshReport found;
-    MeshAudit audit(mesh.threads);
-    extract_mesh(stock, mesh, audit, &found);
-    if (!found.given_up.empty()) {
-      mesh.tolerance = 0;
-      mesh_part(stock.field(), choice.fallback_voxel, mesh, audit, &found);
-    }
-    return audit.summary().volume - found.volume_excess;
-  }
-  const Vec3 size = shape.box.hi - shape.box.lo;
-  if (shape.kind == StockShape::Kind::box) return size.x * size.y * size.z;
-  if (shape.kind == StockShape::Kind::mesh) return signed_volume(shape.mesh);
-  const double outer = shape.outer_radius, inner = shape.inner_radius;
-  return kPi * (outer * outer - inner * inner) * size.z;
-}
-
-// Empty where the run can be done in slabs, should memory be short.
-std::string no_slabs(const Job& job, double tolerance) {
-  if (tolerance > 0)
-    return "a mesh with a tolerance is made in one piece: with --voxel and no --tolerance the run "
-           "is done in slabs";
-  if (job.max_triangles > 0)
-    return "--max-triangles needs the whole mesh: without it the run is done in slabs";
-  if (job.whole_mesh || job.inspect)
-    return "a comparison or report needs the whole mesh: without it the run is done in slabs";
-  return whole_output(job.outputs);
-}
-
 Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, MeshChoice& choice) {
   CarvePlan plan = carve_plan(job.carve);
   plan.keep_grid = writes_vdb(job);  // nothing else reads the samples
@@ -206,70 +168,6 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                  chosen.no_slabs = no_slabs(job, choice.tolerance);
                });
 }
-
-MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
-  MeshPlan plan = mesh_plan(job.mesh);
-  plan.tolerance = choice.tolerance;
-  plan.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
-  plan.most_nodes = choice.most_nodes;
-  // A limit that the user has set must hold; the mesher's estimate may err.
-  const double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
-  plan.max_memory = static_cast<std::size_t>(left / (job.carve.max_memory > 0 ? kMeshErr : 1));
-  return plan;
-}
-
-// The plan of a grid after a mesh within the tolerance was given up: a stage of its own, as how
-// long it takes is not told by how long that was tried.
-MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
-  MeshPlan plan = chosen_plan(job, stock, choice);
-  if (job.mesh.progress)
-    plan.progress = [&job](const char*, double share) {
-      return job.mesh.progress("grid meshing", share);
-    };
-  return plan;
-}
-
-// The mesh while it is made, for as many threads as its checks may take: blocks of a grid come
-// while the threads make the next ones.
-class MeshMaker {
- public:
-  MeshMaker(const Job& job, Stock& stock, MeshChoice& choice, MeshSink& next, int threads)
-      : job_(job), stock_(stock), choice_(choice), next_(next), threads_(threads) {}
-
-  /// The mesh as it was chosen, or on a grid where that is given up: `choice` tells. What it holds
-  /// more than the exact part, mm^3, is in the report.
-  MeshReport make() {
-    MeshReport found = extract(chosen_plan(job_, stock_, choice_));
-    memory_ = stock_.memory_expected() + found.memory;
-    if (found.given_up.empty()) return found;
-    give_up_tolerance(choice_, found.given_up);
-    release_freed_memory();
-    stock_.plan_grid_mesh(choice_.voxel, choice_.cut_cells, no_slabs(job_, 0));
-    memory_ = std::max(memory_, stock_.memory_expected());
-    return extract(grid_plan(job_, stock_, choice_));
-  }
-  PartMesh& part() { return *part_; }
-  /// Bytes that the run was expected to take at its peak.
-  double memory() const { return memory_; }
-
- private:
-  MeshReport extract(const MeshPlan& plan) {
-    part_.reset();
-    part_.emplace(stock_.in_slabs() ? std::optional(spill_folder(job_.outputs)) : std::nullopt,
-                  threads_, next_);
-    MeshReport found;
-    mesh_part(stock_.field(), choice_.voxel, plan, *part_, &found);
-    return found;
-  }
-
-  const Job& job_;
-  Stock& stock_;
-  MeshChoice& choice_;
-  MeshSink& next_;
-  int threads_;
-  std::optional<PartMesh> part_;
-  double memory_ = 0;
-};
 
 // Makes the mesh, which is checked as it comes. Returns what it holds more than the exact part,
 // mm^3.

@@ -12,7 +12,6 @@
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
-#include "mesh/solid/weld.h"
 #include "mesh/surface/piece_hash.h"
 #include "mesh/surface/surface.h"
 
@@ -101,9 +100,7 @@ class AdaptiveMesher {
       make_triangles();
     }
     LabelledMesh mesh = label(surface_->mesh());
-    const std::vector<std::uint32_t> used = number_used(mesh.triangles, mesh.vertices.size());
-    for (std::size_t k = 0; k < used.size(); ++k) mesh.vertices[k] = mesh.vertices[used[k]];
-    mesh.vertices.resize(used.size());
+    detail::drop_unused_vertices(mesh);
     report_.triangles_before = mesh.triangles.size();
     report_.cells = surface_->loops().size();
     surface_.reset();
@@ -114,7 +111,7 @@ class AdaptiveMesher {
     report_bound(mesh);
     report_.volume_excess = volume_excess(mesh);
     timer_.step("certify");
-    TriMesh out = to_mesh(mesh);
+    TriMesh out = detail::to_tri_mesh(mesh);
     report_.thin = detail::distinct(detail::lost_features(
         field_, tree_, tree_.doubtful_edges(), out, options_.tolerance, options_.threads));
     timer_.step("thin");
@@ -366,18 +363,6 @@ class AdaptiveMesher {
     double sum = 0;
     for (const double part : parts) sum += part;
     return sum;
-  }
-
-  static TriMesh to_mesh(const LabelledMesh& mesh) {
-    TriMesh out;
-    out.vertices.reserve(mesh.vertices.size());
-    for (const Vec3& p : mesh.vertices)
-      out.vertices.push_back(
-          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-    out.triangles = mesh.triangles;
-    out.owners.reserve(mesh.labels.size());
-    for (const std::uint32_t l : mesh.labels) out.owners.push_back(mesh.faces[l].owner);
-    return out;
   }
 
   const ExactField& field_;

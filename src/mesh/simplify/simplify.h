@@ -5,18 +5,12 @@
 
 #include "mesh/cells/octree.h"
 #include "mesh/points/vertex.h"
+#include "mesh/simplify/labelled_mesh.h"
 
 #include <array>
 #include <vector>
 
 namespace mrsim::detail {
-
-struct LabelledMesh {
-  std::vector<Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
-  std::vector<FieldSample> faces;
-};
 
 struct SimplifyLimits {
   double tolerance = 0;  ///< mm

@@ -1,0 +1,26 @@
+// A mesh that knows, of each triangle, the face of the part that it stands for.
+#pragma once
+
+#include "removal/field/field.h"
+#include <mrsim/types.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mrsim::detail {
+
+struct LabelledMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
+  std::vector<FieldSample> faces;
+};
+
+/// Without the vertices that no triangle names; the order of the others is kept.
+void drop_unused_vertices(LabelledMesh& mesh);
+
+/// In single precision, with the owners of its faces.
+TriMesh to_tri_mesh(const LabelledMesh& mesh);
+
+}  // namespace mrsim::detail
