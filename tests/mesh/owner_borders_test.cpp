@@ -194,5 +194,20 @@ TEST(OwnerBorders, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
+// A slot at 30 degrees, cut from its middle to one end and back through the other: its walls belong
+// to both passes, and rounding takes now the one and now the other. There is no border to cut.
+TEST(OwnerBorders, OfPassesOverOneWallAreNone) {
+  const double u = 0.5 * std::sqrt(3.0), v = 0.5;
+  const auto at = [&](double along, double z) {
+    return Vec3{30 + along * u, 25 + along * v, z};
+  };
+  const PartField field =
+      milled(path({at(0, 5), at(0, -6), at(11, -6), at(-11, -6), at(11, -6), at(11, 5)}));
+  const TriMesh mesh = mesh_of(field);
+  const MeshSummary s = check_mesh(mesh);
+  EXPECT_TRUE(s.closed && s.oriented && s.manifold) << s.first_fault;
+  EXPECT_LT(mesh.triangles.size(), 2'000u);  // cut to pieces of the tolerance they were a million
+}
+
 }  // namespace
 }  // namespace mrsim

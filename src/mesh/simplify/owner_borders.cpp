@@ -200,7 +200,9 @@ class BorderCutter {
     for (int k = 0; k <= kEdgeSamples; ++k) {
       const double to = std::clamp(static_cast<double>(k) / kEdgeSamples, end, 1 - end);
       const std::optional<FieldSample> last = owner(to);
-      if (first && last && first->owner != last->owner)
+      if (first && last && first->owner != last->owner &&
+          !(reaches(first->owner, lerp(a, b, to) + aside) &&
+            reaches(last->owner, lerp(a, b, from) + aside)))
         return change([&](double s) { return lerp(a, b, s) + aside; }, {from, first->owner},
                       {to, last->owner}, cell, -aside);
       if (last) {
@@ -209,6 +211,15 @@ class BorderCutter {
       }
     }
     return {};
+  }
+
+  // The face of an owner lies here, too. Where that is so of two owners at both of two places there
+  // is no border between these: two passes over one wall, of which rounding takes now this one and
+  // now that one.
+  bool reaches(std::int32_t owner, const Vec3& p) const {
+    if (owner == kStockOwner) return false;
+    const std::uint32_t only = field_.candidate(owner);
+    return std::abs(field_.sample(p, {&only, 1}).distance) <= surface_band(p);
   }
 
   struct Owned {
@@ -296,6 +307,7 @@ class BorderCutter {
     const double begin = tolerance_ / depth;
     const std::optional<FieldSample> near = face_at(place(begin), cell);
     if (!near || near->owner == owner_of(t)) return {};
+    if (reaches(owner_of(t), place(begin)) && reaches(near->owner, c)) return {};
     return change(place, {begin, near->owner}, {1, owner_of(t)}, cell, {});
   }
 
