@@ -294,6 +294,34 @@ TEST(Posts, RunAsWorkedOut) {
        {30, 25.980762114, -9}},
       // Z=-_I*_ZUST twice, three holes in a loop by GOTOB.
       {"sin_housing.mpf", Dialect::sinumerik, mill, 14, 7, 0, {-12, 10, -6}, {132, 40, -3}},
+      // CYCLE63 with an island of 60 x 40: the axis of a cutter of 10 comes to 5 mm of the walls.
+      {"programguide_pocket.mpf",
+       Dialect::sinumerik,
+       mill,
+       27,
+       67,
+       38,
+       {-25, -15, -6},
+       {25, 15, -2.9}},
+      // CYCLE952: a nose of 0.8 before X52, 0.4 aside while roughing; Z from 1 - 0.8 + 0.1 on.
+      {"programguide_shaft.mpf",
+       Dialect::sinumerik,
+       lathe,
+       46,
+       30,
+       10,
+       {0, 0, -60},
+       {26 - 0.8 + 0.4, 0, 0.3}},
+      // A pocket of 40 x 30 turned by 30 degrees, its chamfer cut 1 mm from the walls: 19 cos 30 +
+      // 14 sin 30 about (5, 3).
+      {"programguide_chamfer.mpf",
+       Dialect::sinumerik,
+       mill,
+       9,
+       60,
+       0,
+       {-18.454482671904, -18.624355652982, -5},
+       {28.454482671904, 24.624355652982, -2}},
   };
   for (const Post& post : posts) {
     SCOPED_TRACE(post.file);

@@ -198,9 +198,7 @@ TEST(OwnerBorders, AreTheSameForAnyNumberOfThreads) {
 // to both passes, and rounding takes now the one and now the other. There is no border to cut.
 TEST(OwnerBorders, OfPassesOverOneWallAreNone) {
   const double u = 0.5 * std::sqrt(3.0), v = 0.5;
-  const auto at = [&](double along, double z) {
-    return Vec3{30 + along * u, 25 + along * v, z};
-  };
+  const auto at = [&](double along, double z) { return Vec3{30 + along * u, 25 + along * v, z}; };
   const PartField field =
       milled(path({at(0, 5), at(0, -6), at(11, -6), at(-11, -6), at(11, -6), at(11, 5)}));
   const TriMesh mesh = mesh_of(field);
