@@ -59,15 +59,22 @@ int exit_code_of(const Error& error) {
   return error.kind() == Error::Kind::usage ? kUsage : kFailed;
 }
 
-void write_last_words(const NamedPath& file, std::span<const NamedPath> kept,
-                      const std::string& text) {
-  if (file.path.empty()) return;
-  try {
-    refuse_overwrites({&file, 1}, kept);
-    write_file_atomically(file.path, [&](const ByteSink& sink) { sink(text.data(), text.size()); });
-  } catch (const Error& error) {
-    fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
-  }
+void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept) {
+  const NamedPath json{words.json_path, "--json"}, junit{words.junit_path, "--junit"};
+  const auto write = [&](const NamedPath& file, const NamedPath& other, const std::string& text) {
+    if (file.path.empty()) return;
+    std::vector<NamedPath> all = kept;
+    if (file.path != other.path) all.push_back(other);
+    try {
+      refuse_overwrites({&file, 1}, all);
+      write_file_atomically(file.path,
+                            [&](const ByteSink& sink) { sink(text.data(), text.size()); });
+    } catch (const Error& error) {
+      fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
+    }
+  };
+  if (json.path != junit.path) write(junit, json, words.junit);
+  write(json, junit, words.json);
 }
 
 int run_trace(const Arguments& arguments) {

@@ -5,8 +5,8 @@
 #include "cli/arguments.h"
 #include "core/output_place.h"
 
-#include <span>
 #include <string>
+#include <vector>
 
 namespace mrsim::cli {
 
@@ -17,10 +17,13 @@ inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejecte
 /// What an Error that reaches main ends with; where the user stopped the run, that code.
 int exit_code_of(const Error& error);
 
-/// --json or --junit of a command that has failed: no failure of its own, and none of the files in
-/// `kept` is replaced.
-void write_last_words(const NamedPath& file, std::span<const NamedPath> kept,
-                      const std::string& text);
+/// --json and --junit of a command that has failed: where to, or empty, and what.
+struct LastWords {
+  std::string json_path, json, junit_path, junit;
+};
+/// Writes them: no failure of its own, and none of the files in `kept` is replaced. Of one name for
+/// both the JSON has it; one file by two names has neither.
+void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept);
 
 int run_simulate(const Arguments& arguments);
 /// `result` has what was found.

@@ -112,9 +112,8 @@ void tell_failure(const CompareRequest& request, const Error& error) {
   for (const std::string& path : {request.deviation, request.report})
     if (!path.empty()) kept.push_back({path, "an output"});
   const FailedComparison failed{request.part, request.nominal, error.code(), error.what()};
-  if (request.json != request.junit)
-    write_last_words({request.junit, "--junit"}, kept, comparison_junit(failed));
-  write_last_words({request.json, "--json"}, kept, comparison_json(failed));
+  write_last_words({request.json, comparison_json(failed), request.junit, comparison_junit(failed)},
+                   kept);
 }
 
 const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }

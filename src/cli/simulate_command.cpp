@@ -172,9 +172,8 @@ void tell_failure(const RunRecord& record) {
   for (const std::string& path :
        {arguments.compare.report, arguments.compare.deviation, arguments.history, arguments.rest})
     kept.push_back({path, "an output"});
-  if (arguments.compare.json != arguments.compare.junit)
-    write_last_words({arguments.compare.junit, "--junit"}, kept, run_junit(record));
-  write_last_words({arguments.compare.json, "--json"}, kept, run_json(record));
+  write_last_words(
+      {arguments.compare.json, run_json(record), arguments.compare.junit, run_junit(record)}, kept);
 }
 
 int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& result) {

@@ -70,6 +70,7 @@ TEST_F(OutputFiles, AreNotGivenTwice) {
   expect_refused(cut + "-o new.ply -o dangling.ply", "new.ply", "dangling.ply");
   expect_refused(cut + "-o a.ply --report a.ply", "-o", "--report");
   expect_refused("compare block.stl block.stl --json a.ply --junit b.ply", "--json", "--junit");
+  expect_refused(cut + "--json a.ply --junit b.ply", "--json", "--junit");
   EXPECT_EQ(read("a.ply"), "old");
 }
 
