@@ -33,6 +33,7 @@ constexpr double kTileVoxels = 60;
 constexpr double kTile = 400;          ///< what is kept of each, by the sizes of its records
 constexpr double kMostColumns = 1e9;   ///< surface voxels; a mesh has twice as many triangles
 constexpr double kMoreCells = 1.4;     ///< factor on the expected cells, where tiles are full
+constexpr double kMoreMesh = 1.2;      ///< and on what a mesh in one piece takes beside the table
 constexpr std::size_t kSample = 4096;  ///< motions from which the memory of all sweeps is estimated
 
 std::size_t free_memory() {
@@ -84,18 +85,21 @@ struct Need {
     if (options.max_memory == 0) return (*this)(voxel, in_slabs);
     CarvePlan more = options;
     more.cut_cells *= kMoreCells;
-    return Need{stock, sweeps, motions, more}(voxel, in_slabs);
+    const double most = Need{stock, sweeps, motions, more}(voxel, in_slabs);
+    return in_slabs ? most : most + (kMoreMesh - 1) * (most - always());
   }
 
+  double always() const {
+    return kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps);
+  }
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
-    const double always = kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps);
     double grid = options.keep_grid ? kOpenVdb : 0;
     if (options.keep_grid && !in_slabs)
       grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel +
               kRecipe * static_cast<double>(motions);
-    return always + grid + (options.grid_mesh ? mesh(voxel, columns, in_slabs) : 0);
+    return always() + grid + (options.grid_mesh ? mesh(voxel, columns, in_slabs) : 0);
   }
 
   double mesh(double voxel, double columns, bool in_slabs) const {
