@@ -24,7 +24,7 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
 // As so many columns counts one below a cutter with a head that is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
-constexpr double kSearchedColumns = 12;
+constexpr double kSearchedColumns = 100;
 // As so many one below such a cutter's other moves: it has two ends.
 constexpr double kHeadColumns = 3;
 
@@ -35,7 +35,7 @@ constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
 constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
 // As so many columns, or sweeps over a column, counts one of a cone or a bull-nosed mill, whose
 // bottom takes longer.
-constexpr double kSlowBottom = 2.5;
+constexpr double kSlowBottom = 6;
 
 // Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
 // sweep, 5 us, and searches where the cutter is steep.

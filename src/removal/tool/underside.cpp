@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAllSteps = 60, kBoundSteps = 4;
-constexpr double kContact = 1e-9;  // mm: the height changes by its square
+constexpr double kContact = 1e-6;  // mm: the height changes by its square, 1e-12 / radius
 
 double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
 
