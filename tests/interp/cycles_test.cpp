@@ -162,6 +162,42 @@ TEST(Cycles, SinumerikDeepHoles) {
             "r0,0,5 r0,0,1 l0,0,-5 r0,0,-4 l0,0,-8 r0,0,5");
 }
 
+// The tens of GMODE: the diameter of a centring, the end of the full diameter of a hole; a point of
+// 90 degrees is as long as its radius. AMODE 2 of all of them: DP counts, not DPR.
+TEST(Cycles, SinumerikDepthsByTheToolsPoint) {
+  const auto end = [](const std::string& call) {
+    const Program p = read_text("T1 M6 ; SPOT DRILL D10 90 DEG\nG0 Z5\nF100\n" + call + "\n",
+                                at_origin(Dialect::sinumerik));
+    double low = 0;
+    for (const Motion& m : p.motions) low = std::min(low, m.end.z);
+    return fmt::format("{:g} {}", low, codes(p, Severity::error));
+  };
+  EXPECT_EQ(end("CYCLE81(5,0,1,8,,0,10,1,12)"), "-4 ");
+  EXPECT_EQ(end("CYCLE81(5,0,1,-3,,0,0,1,12)"), "-3 ");
+  EXPECT_EQ(end("CYCLE81(5,0,1,12,,0,10,1,12)"), "0 value-range");
+  EXPECT_EQ(end("CYCLE82(5,0,1,-6,,0,10,1,12)"), "-11 ");
+  EXPECT_EQ(end("CYCLE83(5,0,1,-6,,,3,0,0,0,1,0,0,0,1,0,0,10,1,11211112)"), "-11 ");
+  EXPECT_EQ(end("CYCLE85(5,0,1,-6,9,0,50,50,0,1,12)"), "-6 ");
+  EXPECT_EQ(end("CYCLE86(5,0,1,-6,9,0,3,0,0,0,0,0,1,12)"), "-6 ");
+  EXPECT_EQ(end("CYCLE84(5,0,1,-6,9,0,5,,1,,300,300,0,1,0,0,,1,,\"\",\"\",0,1,1001002)"), "-6 ");
+}
+
+// What a pattern says of its places and is not read is an error by name.
+TEST(Cycles, SinumerikPatternsWithUnreadPlaces) {
+  const auto places = [](const std::string& call) {
+    return run(Dialect::sinumerik, "G0 Z5\n" + call + "\n");
+  };
+  EXPECT_EQ(places("CYCLE801(0,0,0,10,10,2,1,0,0,0,0,\"\",0,1)"),
+            "r0,0,5 r10,0,5 | program-without-cuts");
+  EXPECT_EQ(places("CYCLE801(0,0,0,10,10,2,2,0,0,30,0,,,1)"), "r0,0,5 | not-supported");
+  EXPECT_EQ(places("CYCLE801(0,0,0,10,10,2,2,0,0,0,0,\"2\",0,1)"), "r0,0,5 | not-supported");
+  EXPECT_EQ(places("HOLES1(0,0,0,10,10,3,0,0,\"1,3\",0,1)"), "r0,0,5 | not-supported");
+  EXPECT_EQ(places("HOLES2(0,0,9,0,0,3,0,0,\"1\",0,1)"), "r0,0,5 | not-supported");
+  EXPECT_EQ(places("CYCLE802(111111111,111111111,1,2,3,4)"),
+            "r0,0,5 r1,2,5 r3,4,5 | program-without-cuts");
+  EXPECT_EQ(places("CYCLE802(122222222,111111111,1,2,3,4)"), "r0,0,5 | not-supported");
+}
+
 // AXN names the axis within the plane, DMODE the plane; a lathe has no Y to drill along in G18.
 TEST(Cycles, SinumerikChoosesTheDrillsAxis) {
   InterpOptions lathe = at_origin(Dialect::sinumerik);

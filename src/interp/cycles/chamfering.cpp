@@ -13,15 +13,14 @@ namespace {
 
 constexpr double kNearestAxis = 1e-3;  // mm from the wall: no way runs along the contour itself
 
-// Half the angle of the cone that the tool ends in, radians, as its shape has it; 0: it does not.
+}  // namespace
+
 double cone_of(const Tool& tool) {
   if (tool.type != ToolType::chamfer && tool.type != ToolType::drill) return 0;
   if (tool.tip_angle > 0) return tool.tip_angle / 2;
   if (tool.type == ToolType::drill) return radians(59);
   return tool.taper_angle > 0 ? tool.taper_angle : kPi / 4;
 }
-
-}  // namespace
 
 // The cone meets the wall at the chamfer's foot: the wider the cone at the edge, the farther off.
 std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, std::size_t width,

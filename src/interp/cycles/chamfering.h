@@ -9,6 +9,9 @@
 
 namespace mrsim {
 
+/// Half the angle of the cone that the tool ends in, radians, as its shape has it; 0: it does not.
+double cone_of(const Tool& tool);
+
 class Chamfering : public ControlPart {
  public:
   struct Cut {

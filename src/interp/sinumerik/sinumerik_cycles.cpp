@@ -24,12 +24,21 @@ constexpr std::array<std::string_view, 5> kPatterns = {"HOLES1", "HOLES2", "CYCL
 constexpr std::array<std::string_view, 13> kMeasuring = {
     "CYCLE971", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
     "CYCLE982", "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
-constexpr double kMostHoles = 10'000;
 
-// Where the call has its mode (AMODE): how depth and dwell are written.
+// Where the call has its mode (AMODE): how depth and dwell are written. GMODE and DMODE stand
+// before it.
 std::size_t mode_of(std::string_view cycle) {
-  if (cycle == "CYCLE81" || cycle == "CYCLE82") return 8;
-  return cycle == "CYCLE83" ? 19 : 99;
+  static constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kModes = {
+      {{"CYCLE81", 8},
+       {"CYCLE82", 8},
+       {"CYCLE83", 19},
+       {"CYCLE84", 23},
+       {"CYCLE85", 10},
+       {"CYCLE86", 13},
+       {"CYCLE840", 19}}};
+  for (const auto& [name, mode] : kModes)
+    if (cycle == name) return mode;
+  return 99;
 }
 
 bool is_cycle(std::string_view name) {
@@ -171,7 +180,11 @@ bool SinumerikCycles::hole(const Call& call, Hole& out) {
   out.safe = rfp - down * std::abs(call.get(2)) * unit;
   out.end = rtp;
   dwells(call, out);
+  const bool by_shape = call.digit(mode_of(call.name) - 2, 1) == 1;
+  if (by_shape && call.name == "CYCLE81") return to_diameter(call, rfp, down, out.bottom);
   if (!depth(call, mode_of(call.name), rfp, down, out.bottom)) return false;
+  if (by_shape && (call.name == "CYCLE82" || call.name == "CYCLE83"))
+    out.bottom += down * point_length();
   if (call.name == "CYCLE83") return strokes(call, rfp, out);
   if (call.name == "CYCLE84" || call.name == "CYCLE840") tapping(call, out);
   if (call.name == "CYCLE85") {
@@ -201,6 +214,34 @@ bool SinumerikCycles::depth(const Call& call, std::size_t mode, double reference
                              call.name),
                  where());
   return true;
+}
+
+// The tens of GMODE: DP of CYCLE81 is the diameter that the cone leaves on the face.
+bool SinumerikCycles::to_diameter(const Call& call, double reference, double down, double& bottom) {
+  tools_.require(where(), true);
+  const Tool* tool = tools_.current();
+  const double half = tool ? cone_of(*tool) : 0, wide = std::abs(call.get(call.given(3) ? 3 : 4));
+  if (half <= 0)
+    return error("tool-unknown", "CYCLE81 to a diameter (GMODE) needs a tool that ends in a cone",
+                 where());
+  const double aside = wide * scale() / 2 - tool->tip_diameter / 2;
+  if (aside <= 0 || wide * scale() > tool->diameter + kRounding)
+    return error("value-range",
+                 fmt::format("CYCLE81: the tool's cone has no diameter of {:g} (GMODE)", wide),
+                 where());
+  const SinCos cone = sincos(half);
+  bottom = reference + down * aside * cone.cos / cone.sin;
+  return true;
+}
+
+// The tens of GMODE: DP of CYCLE82 and CYCLE83 is where the full diameter ends, not the point.
+double SinumerikCycles::point_length() {
+  tools_.require(where(), true);
+  const Tool* tool = tools_.current();
+  const double half = tool ? cone_of(*tool) : 0;
+  if (half <= 0) return 0;
+  const SinCos cone = sincos(half);
+  return (tool->diameter - tool->tip_diameter) / 2 * cone.cos / cone.sin;
 }
 
 // FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor; the last
@@ -269,113 +310,6 @@ void SinumerikCycles::tapping(const Call& call, Hole& hole) {
   if (lead == 0)
     reporter_.add(Severity::warning, "thread-lead", "the pitch of the thread is not given",
                   where());
-}
-
-bool SinumerikCycles::pattern(const Call& call) {
-  if (call.name == "HOLES1") return row(call);
-  if (call.name == "HOLES2") return circle(call);
-  if (call.name == "CYCLE800") return swivel(call);
-  return call.name == "CYCLE801" ? grid(call) : points(call);
-}
-
-// FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1; MODE says in pairs of bits about which axes A B C turn.
-bool SinumerikCycles::swivel(const Call& call) {
-  const auto mode = static_cast<unsigned>(std::clamp(call.get(3), 0.0, 255.0));
-  double angle = 0;
-  for (unsigned i = 0; i < 3; ++i) {
-    const double turn = call.get(7 + i);
-    if (turn != 0 && (mode >= 64 || (mode >> (2 * i) & 3U) != 3)) {
-      UnreadModes(control_).begin_swivel();
-      return error(
-          "not-supported",
-          "CYCLE800 with a tilt (a swivelled plane) is not supported: no move is run up to "
-          "the next CYCLE800",
-          where());
-    }
-    angle += turn;
-  }
-  const auto shift = [&](std::size_t i) {
-    return shift_frame(scale() * Vec3{call.get(i), call.get(i + 1), call.get(i + 2)});
-  };
-  const Frame turned = angle != 0 ? rotation_frame(2, angle) : Frame{};
-  frame_words_.swivel(compose(compose(shift(4), turned), shift(10)), call.digit(2, 0) == 1,
-                      where());
-  return true;
-}
-
-// SPCA SPCO STA1 FDIS DBH NUM: holes on a line.
-bool SinumerikCycles::row(const Call& call) {
-  const double count = call.get(5), unit = scale();
-  if (count < 0 || count > kMostHoles)
-    return error("value-range", "HOLES1: the number of holes is 1 to 10000", where());
-  const SinCos sc = sincos_deg(call.get(2));
-  std::vector<Vec2> list;
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    const double along = (call.get(3) + i * call.get(4)) * unit;
-    list.push_back({call.get(0) * unit + along * sc.cos, call.get(1) * unit + along * sc.sin});
-  }
-  const Vec2 from = in_plane(basis(), position_.programmed);  // it begins at the end that is nearer
-  if (!list.empty() && length(list.back() - from) < length(list.front() - from) - kRounding)
-    std::reverse(list.begin(), list.end());
-  return at_points(list);
-}
-
-// CPA CPO RAD STA1 INDA NUM: holes on a circle; INDA 0: all round.
-bool SinumerikCycles::circle(const Call& call) {
-  const double count = call.get(5), unit = scale();
-  if (count < 1 || count > kMostHoles)
-    return error("value-range", "HOLES2: the number of holes is 1 to 10000", where());
-  const double step = call.get(4) != 0 ? call.get(4) : 360 / std::floor(count);
-  std::vector<Vec2> list;
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    const SinCos sc = sincos_deg(call.get(3) + i * step);
-    list.push_back(
-        {(call.get(0) + call.get(2) * sc.cos) * unit, (call.get(1) + call.get(2) * sc.sin) * unit});
-  }
-  return at_points(list);
-}
-
-// SPCA SPCO STA DIS1 DIS2 NUM1 NUM2: a grid, or its frame alone (VARI 1).
-bool SinumerikCycles::grid(const Call& call) {
-  const double columns = call.get(5), rows = call.get(6), unit = scale();
-  if (columns < 1 || rows < 1 || columns * rows > kMostHoles)
-    return error("value-range", "CYCLE801: the number of holes is 1 to 10000", where());
-  const bool frame = static_cast<int>(call.get(7)) % 10 == 1;
-  const int nu = static_cast<int>(columns), nv = static_cast<int>(rows);
-  const SinCos sc = sincos_deg(call.get(2));
-  std::vector<Vec2> list;
-  for (int j = 0; j < nv; ++j)
-    for (int k = 0; k < nu; ++k) {
-      const int i = j % 2 ? nu - 1 - k : k;  // there and back
-      if (frame && i > 0 && i < nu - 1 && j > 0 && j < nv - 1) continue;
-      const Vec2 d{i * call.get(3) * unit, j * call.get(4) * unit};
-      list.push_back({call.get(0) * unit + d.x * sc.cos - d.y * sc.sin,
-                      call.get(1) * unit + d.x * sc.sin + d.y * sc.cos});
-    }
-  return at_points(list);
-}
-
-// CYCLE802: up to nine points, behind the two masks.
-bool SinumerikCycles::points(const Call& call) {
-  std::vector<Vec2> list;
-  for (std::size_t i = 2; i + 1 < 20; i += 2)
-    if (call.given(i) && call.given(i + 1))
-      list.push_back({call.get(i) * scale(), call.get(i + 1) * scale()});
-  return at_points(list);
-}
-
-// Without MCALL the pattern is a row of rapids.
-bool SinumerikCycles::at_points(const std::vector<Vec2>& points) {
-  const Basis b = basis();
-  unsigned named = 0;
-  for (int i = 0; i < 3; ++i)
-    if (component(b.u, i) != 0 || component(b.v, i) != 0) named |= 1U << i;
-  for (const Vec2 p : points) {
-    const Vec3 at = from_plane(b, p, holes_.level());
-    holes_.approach(at, named, where());
-    if (modal_call_ && !drill(*modal_call_)) return false;
-  }
-  return true;
 }
 
 }  // namespace mrsim

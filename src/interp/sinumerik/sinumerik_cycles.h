@@ -21,6 +21,7 @@ class SinumerikCycles : public ControlPart {
       : ControlPart(control),
         reader_(reader),
         statements_(statements),
+        tools_(tools),
         holes_(holes),
         frame_words_(frames),
         dwell_(control),
@@ -47,11 +48,14 @@ class SinumerikCycles : public ControlPart {
   bool read_call(Call& call);
   bool hole(const Call& call, Hole& out);
   bool depth(const Call& call, std::size_t mode, double reference, double down, double& bottom);
+  bool to_diameter(const Call& call, double reference, double down, double& bottom);
+  double point_length();
   bool strokes(const Call& call, double reference, Hole& hole);
   double pause(const Call& call, std::size_t value, int mode_digit);
   void dwells(const Call& call, Hole& hole);
   void tapping(const Call& call, Hole& hole);
   bool pattern(const Call& call);
+  bool reads_all_of(const Call& pattern);
   bool swivel(const Call& call);
   bool row(const Call& call);
   bool circle(const Call& call);
@@ -65,6 +69,7 @@ class SinumerikCycles : public ControlPart {
 
   BlockReader& reader_;
   Statements* statements_;
+  ToolChanger& tools_;
   HoleMaker& holes_;
   FrameWords& frame_words_;
   DwellTime dwell_;
