@@ -196,7 +196,7 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
     if (s.code.find(sign) != std::string::npos) add(d, 10, sign, line);
   if (!o_word_ && has(s.code, "ENDIF")) add(d, 10, "ENDIF", line);
   if (has_any_word(s.code, {"G2", "G3", "G02", "G03"}) && has_radius_word(s.code))
-    add(d, -10, "R as a radius", line);
+    weigh_radius(line);
   const std::size_t equal = s.code.find('=');
   if (equal != std::string::npos && equal > 0 && is_name(s.code[equal - 1]) &&
       s.code.find('#') > equal)
@@ -208,6 +208,8 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   if (has_any_word(s.code, {"G710", "G700"})) add(d, 8, "G710", line);
   if (has_any_word(s.code, {"G450", "G451"})) add(d, 8, "G450/G451", line);
 }
+
+void DialectSigns::weigh_radius(int line) { add(Dialect::sinumerik, -10, "R as a radius", line); }
 
 void DialectSigns::weigh_fanuc(const LineScan& s, std::string_view raw, int line) {
   constexpr auto d = Dialect::fanuc;

@@ -23,9 +23,10 @@ class DialectSigns {
   void name(const std::string& path);
   void line(const LineScan& scan, std::string_view raw, int number);
   /// A line of plain motion, as read_plain() tells it.
-  void plain(const PlainLine& line) {
+  void plain(const PlainLine& line, int number) {
     if (line.arc) arcs_ = true;
     if (line.line) arcs_ = false;
+    if (line.arc && line.radius) weigh_radius(number);
   }
 
   /// Without signs: ISO.
@@ -46,6 +47,7 @@ class DialectSigns {
   /// Each sign counts once: a thousand comments say no more than one.
   void add(Dialect dialect, int points, std::string_view sign, int line);
   void weigh_sinumerik(const LineScan& s, int line);
+  void weigh_radius(int line);
   void weigh_fanuc(const LineScan& s, std::string_view raw, int line);
   void weigh_okuma(const std::string& c, int line);
   void weigh_fanuc_lathe(const std::string& c, int line);

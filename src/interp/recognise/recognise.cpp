@@ -86,7 +86,7 @@ bool Reader::line(std::string_view raw, int n) {
   if (n > Leader::kLines && raw.size() <= kLongestScan && read_plain(raw, plain) &&
       (!plain.second || !wants_machine_ || machine_.knows_mill())) {
     empty_ = false;
-    signs_.plain(plain);
+    signs_.plain(plain, n);
     foreign_.plain(plain);
     return true;
   }

@@ -16,7 +16,6 @@ namespace {
 // Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
 constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-constexpr std::size_t kMostWords = 4096;  // words of a block
 
 }  // namespace
 
@@ -59,36 +58,43 @@ void LineParser::push(Block& block, Word& word, std::size_t from) {
   block.words.push_back(word);
 }
 
-// A number of at most 15 digits that ends where its digits do, as nearly all are. False, and p_
-// where it was, for any other.
-bool LineParser::plain_number(Word& word, bool exponent) {
-  const char *const begin = line_.data() + p_, *const end = line_.data() + line_.size();
-  const char* p = begin;
+const char* LineParser::read_digits(const char* p, const char* end, Word& word) {
   const bool negative = p < end && *p == '-';
-  if (p < end && (*p == '-' || *p == '+')) ++p;
+  if (negative || (p < end && *p == '+')) ++p;
   std::uint64_t mantissa = 0;
-  const auto read_digits = [&] {
+  const auto digits = [&] {
     const char* const first = p;
-    for (; p < end && is_digit(*p); ++p)
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
+    for (; p < end; ++p) {
+      const auto digit = static_cast<unsigned>(*p) - '0';
+      if (digit > 9) break;
+      mantissa = mantissa * 10 + digit;
+    }
     return static_cast<std::size_t>(p - first);
   };
-  std::size_t digits = read_digits(), fraction = 0;
-  const bool point = p < end && *p == '.';
-  if (point) {
+  std::size_t count = digits(), fraction = 0;
+  word.point = p < end && *p == '.';
+  if (word.point) {
     ++p;
-    fraction = read_digits();
-    digits += fraction;
+    fraction = digits();
+    count += fraction;
   }
-  if (digits == 0 || digits > 15) return false;
-  if (glued_blanks_)
-    while (p < end && blank(*p)) ++p;
-  if (p < end && (starts_number(*p) || (exponent && upper(*p) == 'E'))) return false;
-  while (glued_blanks_ && blank(p[-1])) --p;
-  const double value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
-  if (value > kLargestNumber) return false;
+  if (count == 0 || count > 15) return nullptr;
+  const double whole = static_cast<double>(mantissa);
+  const double value = fraction == 0 ? whole : whole / kPowersOfTen[fraction];
+  if (value > kLargestNumber) return nullptr;
   word.value = negative ? -value : value;
-  word.point = point;
+  return p;
+}
+
+// A number that ends where its digits do. False, and p_ where it was, for any other.
+bool LineParser::plain_number(Word& word, bool exponent) {
+  const char *const begin = line_.data() + p_, *const end = line_.data() + line_.size();
+  const char* const p = read_digits(begin, end, word);
+  if (p == nullptr) return false;
+  const char* behind = p;
+  if (glued_blanks_)
+    while (behind < end && blank(*behind)) ++behind;
+  if (behind < end && (starts_number(*behind) || (exponent && upper(*behind) == 'E'))) return false;
   p_ += static_cast<std::size_t>(p - begin);
   return true;
 }

@@ -39,6 +39,7 @@ class LineParser {
         p_(line.position) {}
 
   static constexpr double kLargestNumber = 1e9;
+  static constexpr std::size_t kMostWords = 4096;  ///< of a block
 
   char at(std::size_t i) const { return i < line_.size() ? line_[i] : '\0'; }
   bool blank(char c) const {  // SINUMERIK's & too
@@ -47,6 +48,9 @@ class LineParser {
   void skip_blanks();
   void push(Block& block, Word& word, std::size_t from);
 
+  /// Behind a number of at most 15 digits, as nearly all are, whose value and point `word` gets.
+  /// Null: it is another one.
+  static const char* read_digits(const char* p, const char* end, Word& word);
   bool number(Block& block, Word& word, bool exponent);
   bool plain_number(Word& word, bool exponent);
 

@@ -136,6 +136,8 @@ bool read_plain(std::string_view line, PlainLine& out) {
       out.second = true;
     } else if (c == 'Z' || c == 'K') {
       out.third = true;
+    } else if (c == 'R') {
+      out.radius = true;
     } else if (!(c == 'X' || c == 'I' || c == 'F' || c == 'S' || (c == 'N' && from == 0))) {
       return false;
     }

@@ -43,9 +43,10 @@ struct PlainLine {
   bool arc = false;     ///< G2, G3
   bool second = false;  ///< Y, J
   bool third = false;   ///< Z, K
+  bool radius = false;  ///< R
 };
 
-/// True for a line of N, G0 to G3 and X Y Z I J K F S alone, as most lines of a long program are:
+/// True for a line of N, G0 to G3 and X Y Z I J K R F S alone, as most lines of a long program are:
 /// what else scan_line() and the functions below find is not in it. Costs a few of their calls.
 bool read_plain(std::string_view line, PlainLine& out);
 

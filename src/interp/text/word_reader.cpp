@@ -15,9 +15,37 @@ namespace mrsim {
 bool WordReader::read(Block& block) {
   skip_blanks();
   const bool any = p_ < line_.size();
-  while (p_ < line_.size() && step(block) == Step::more) {
-  }
+  do plain_words(block);
+  while (p_ < line_.size() && step(block) == Step::more);
   return any;
+}
+
+// "X10. Y-2.5": reads on while words are a letter and a number that ends at a blank, a letter or
+// the line's end, as nearly all do, and mean no more than that. step() reads all others.
+void WordReader::plain_words(Block& block) {
+  if (dialect_ == Dialect::sinumerik || dialect_ == Dialect::codesys) return;
+  const char *const begin = line_.data(), *const end = begin + line_.size();
+  for (const char* p = begin + p_; p < end && block.words.size() < kMostWords;) {
+    const char c = upper(*p);
+    if (!is_letter(c) || c == 'M' || c == 'O' || c == 'V') return;
+    if (c == 'G' && !block.contour.empty()) return;
+    Word word;
+    const char* const number_end = read_digits(p + 1, end, word);
+    if (number_end == nullptr) return;
+    const char* next = number_end;
+    while (next < end && blank(*next)) ++next;
+    if (next < end && !is_letter(*next)) return;
+    if (c == 'N') {
+      block.has_number = true;
+    } else {
+      word.address = letter(c);
+      word.column = static_cast<int>(p - begin);
+      word.length = static_cast<int>(number_end - p);
+      block.words.push_back(word);
+    }
+    p = next;
+    p_ = static_cast<std::size_t>(p - begin);
+  }
 }
 
 WordReader::Step WordReader::step(Block& block) {

@@ -21,6 +21,7 @@ class WordReader : public LineParser {
  private:
   enum class Step { more, end_of_block };
 
+  void plain_words(Block& block);
   Step step(Block& block);
   bool head_of_block(Block& block);
   bool skip_rest(const Block& block);
