@@ -176,7 +176,8 @@ TEST(Expression, Sinumerik) {
       {"SQRT(POT(3)+POT(4))", 5}, {"2*(3+(4-1))", 12}, {"R1 + R2", 13}, {"R1/R2*R2", 10},
       {"NAME==\"POCKET\"", 1}, {"NAME<>\"SLOT\"", 1}, {"STRLEN(NAME)", 6}, {"NUMBER(\"1.5\")", 1.5},
       {"ISNUMBER(\"1.5\")", 1}, {"ISNUMBER(\"A\")", 0}, {"INDEX(NAME,\"K\")", 3},
-      {"INDEX(NAME,\"Z\")", -1}, {"\"A\"<\"B\"", 1}, {"SUBSTR(NAME,2,2)==\"CK\"", 1},
+      {"INDEX(NAME,\"Z\")", -1}, {"RINDEX(\"ABCB\",\"B\")", 3}, {"MINDEX(\"X12.5\",\".1\")", 1},
+      {"MATCH(\"ABCD\",\"CD\")", 2}, {"MATCH(\"ABCD\",\"DC\")", -1}, {"\"A\"<\"B\"", 1}, {"SUBSTR(NAME,2,2)==\"CK\"", 1},
       {"TOLOWER(NAME)==\"pocket\"", 1}, {"\"A\"<<1==\"A1\"", 1}, {"\"A\"<<R3<<\"B\"==\"A0.5B\"", 1},
   };
   // clang-format on

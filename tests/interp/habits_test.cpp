@@ -290,5 +290,21 @@ TEST(Habits, RadiiThatDifferSayWhatWouldDo) {
   EXPECT_EQ(told("G1 X24. Y-.25 F100.\nG3 X24.25 Y0 I24. J3.\n").find("would"), std::string::npos);
 }
 
+// WinCNC goes to the machine's zero, Marlin homes one axis: neither leads through the part's zero.
+TEST(Habits, AxesWithoutANumberBehindG53AndG28) {
+  const auto told = [](Dialect dialect, const std::string& text) {
+    return path_text(read_text("F100\nG0 X1 Y2 Z3\n" + text, at_origin(dialect)));
+  };
+  EXPECT_EQ(told(Dialect::ngc, "G53 Z\nG0 X5\nZ4\nG1 Z-1\n"), "r1,2,3 r5,2,3 r5,2,4 l5,2,-1");
+  EXPECT_EQ(told(Dialect::iso, "G28 Z X\nG0 X5 Z4\nG1 Z-1\n"), "r1,2,3 r5,2,4 l5,2,-1");
+  EXPECT_EQ(codes(read_text("G53 Z\n", at_origin(Dialect::ngc)), Severity::note),
+            "axis-without-number reference-point program-without-cuts");
+  const Program waits = read_text("M11 C8\nG4 X4.\nG1 X1 F1\nM12 C8\n", at_origin(Dialect::ngc));
+  EXPECT_EQ(path_text(waits), "l1,0,0 | dwell-unit");
+  EXPECT_EQ(codes(read_text("G4 X4. Y2\n", at_origin(Dialect::ngc))), "value-missing");
+  EXPECT_EQ(codes(read_text("G1 X F1\n", at_origin(Dialect::ngc))), "address-without-number");
+  EXPECT_EQ(codes(read_text("G28 X\n", kFanuc)), "address-without-number");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -86,7 +86,7 @@ TEST(LinuxCncWords, ADwellBesideAMoveMoves) {
   const Program p = run_words("G1 F50 X3 G4 P0.1\nG4 P1\nX4\nM2\n");
   EXPECT_EQ(path_text(p), "l3,0,0 l4,0,0");
   EXPECT_EQ(p.motions[0].feed, 50);
-  EXPECT_EQ(path_of_words("G1 F50 X3\nG4 X2\nM2\n"), "l3,0,0 | value-missing");
+  EXPECT_EQ(path_of_words("G1 F50 X3\nG4 X2\nM2\n"), "l3,0,0 | dwell-unit");
 }
 
 // Twelve holes of the manual: four to the right, three up, three to the left, two down.

@@ -150,6 +150,8 @@ TEST(ToolCommentReadings, HyphensBetweenTheParts) {
       {mm, "DRILL-8-90", "-"},
       {mm, "ENDMILL-2", "? gives no diameter"},
       {mm, "ENDMILL-05", "? gives no diameter"},
+      {inch, "TOOL NAME: UGT0201_001 MILL DIA=.750 LR=.0625", "bullmill 19.05, corner 1.5875"},
+      {mm, "DM=9 VHM-BOHRER", "drill 9"},
       {inch, "TAP-1/4-20", "endmill 6.35"},
       {mm, "ENDMILL - 10", "endmill 10"},
   });

@@ -68,6 +68,8 @@ Tokens raw_tokens(std::string_view text) {
     }
     if (starts_value(text, i)) {
       token = number_token(text, i);
+      if (from > 0 && text[from - 1] == '_' && token.text.starts_with("00") && !token.decimals)
+        token.kind = Token::Kind::word;  // "UGT0201_001"
     } else if (is_letter(text[i]) || text[i] == '~') {
       while (i < text.size() && (is_letter(text[i]) || text[i] == '~')) ++i;
       token.kind = Token::Kind::word;

@@ -30,10 +30,10 @@ constexpr WordRow kWordRows[] = {
     {diameter, either,
      "DIA DIAM DIAMETER DURCHMESSER DIAMETRO DI~METRO DIAMETRE DIAM~TRE PREMER DMR SREDNICA "
      "~REDNICA"},
-    {diameter, behind, "FI PHI"},
+    {diameter, behind, "FI PHI DM"},
     {register_of, behind, "OFF OFFSET COMP REG REGISTER"},
     {WordRole::radius, either,
-     "CR CRAD RC RAD RADIUS ECKENRADIUS ECKRADIUS RAYON RADIO RAGGIO PROMIEN RADIJ"},
+     "CR CRAD RC LR RAD RADIUS ECKENRADIUS ECKRADIUS RAYON RADIO RAGGIO PROMIEN RADIJ"},
     {radius_letter, either, "R"},
     {corner, either, "CORNER ECKEN ECKE"},
     {nose, either, "NOSE TNR RE NR"},

@@ -83,6 +83,8 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"TOLOWER", F::lower_text},
     {"INDEX", F::text_index, 2, 2},
     {"RINDEX", F::text_rindex, 2, 2},
+    {"MINDEX", F::text_first_of, 2, 2},
+    {"MATCH", F::text_match, 2, 2},
     {"SUBSTR", F::part_of_text, 2, 3},
     {"AXSTRING", F::as_text},
     {"CTRANS", F::frame_trans, 2, 16},

@@ -67,6 +67,8 @@ enum class Function : std::uint8_t {
   lower_text,
   text_index,
   text_rindex,
+  text_first_of,
+  text_match,
   part_of_text,
   as_text,
   frame_trans,

@@ -14,9 +14,13 @@ namespace {
 constexpr std::size_t kLongestText = 1000;
 constexpr double kLongestPart = 1e9;
 
-double index_of(const std::string& text, const std::string& sought, bool last) {
-  if (sought.size() != 1) return -1;
-  const std::size_t at = last ? text.rfind(sought[0]) : text.find(sought[0]);
+// INDEX, RINDEX: of a character; MINDEX: of the first of several; MATCH: of a text. -1: not there.
+double index_of(const std::string& text, const std::string& sought, Function how) {
+  std::size_t at = std::string::npos;
+  if (how == Function::text_match) at = text.find(sought);
+  if (how == Function::text_first_of) at = text.find_first_of(sought);
+  if (how == Function::text_index && sought.size() == 1) at = text.find(sought);
+  if (how == Function::text_rindex && sought.size() == 1) at = text.rfind(sought);
   return at == std::string::npos ? -1 : static_cast<double>(at);
 }
 
@@ -84,7 +88,9 @@ bool text_function(Function function, std::span<const Value> arguments, Value& o
     }
     case Function::text_index:
     case Function::text_rindex:
-      out = Value::of(index_of(text, arguments[1].text, function == Function::text_rindex));
+    case Function::text_first_of:
+    case Function::text_match:
+      out = Value::of(index_of(text, arguments[1].text, function));
       return true;
     case Function::join_text:
       if (arguments[1].kind != Value::Kind::text) return fail(why, "CONCAT joins texts");

@@ -106,6 +106,31 @@ bool SpecialWords::corner_word(Block& block) {
   return true;
 }
 
+// "G53 Z" of WinCNC goes to the machine's zero, "G28 X" of Marlin homes X, without a point between.
+bool SpecialWords::bare_axis(Block& block) {
+  const char axis = upper(at(p_));
+  const auto has = [&](double g) {
+    return std::any_of(block.words.begin(), block.words.end(), [g](const Word& word) {
+      return word.address == letter('G') && word.value == g;
+    });
+  };
+  if ((dialect_ != Dialect::ngc && dialect_ != Dialect::iso) || axis < 'X' || axis > 'Z' ||
+      is_letter(at(p_ + 1)) || (!has(53) && !has(28)))
+    return false;
+  const std::size_t from = p_++;
+  Word word;
+  word.address = has(28) ? Address::data : letter(axis);
+  word.code = static_cast<Code>(axis);
+  push(block, word, from);
+  word.column = static_cast<int>(from);
+  word.length = 1;
+  reporter_.once(Severity::note, "axis-without-number",
+                 "an axis without a number: behind G53 it goes to the machine's zero (WinCNC), "
+                 "behind G28 it is homed (Marlin)",
+                 word, "axis-without-number");
+  return true;
+}
+
 // L!4 of CODESYS: where G20 L?4 jumps to.
 void SpecialWords::jump_label() {
   p_ = line_.find('!', p_) + 1;

@@ -18,6 +18,7 @@ class SpecialWords : public LineParser {
   /// A text for the display follows `word`, an M word. Reads nothing.
   bool has_message(const Word& word) const;
   bool corner_word(Block& block);
+  bool bare_axis(Block& block);
   void jump_label();
   void codesys_name(Block& block);
   bool grbl_command(Block& block);

@@ -267,7 +267,7 @@ void WordReader::letter_word(Block& block) {
   if (dialect_ == Dialect::codesys && (is_letter(n) || n == '_'))
     return special_.codesys_name(block);
   if (special_.macro_word(block) || okuma_.register_word(block) || okuma_.pattern(block) ||
-      special_.skips_switch(block) || okuma_.program(block))
+      special_.skips_switch(block) || special_.bare_axis(block) || okuma_.program(block))
     return;
   strange_.word(block, from);
 }

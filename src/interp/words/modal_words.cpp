@@ -72,6 +72,17 @@ bool ModalWords::select_turning(const Word& word, int number) {
   return true;
 }
 
+// P of G4; X alone in the block is WinCNC's.
+bool ModalWords::pause(const Word& word) {
+  block_.pause = take('P');
+  if (block_.pause) return true;
+  if (block_.words.size() == 2) block_.pause = take('X');
+  if (!block_.pause) return error("value-missing", "G4 needs P, its seconds", word);
+  reporter_.once(Severity::warning, "dwell-unit",
+                 "X beside G4 is read as WinCNC's seconds; LinuxCNC refuses the block", word, "G4");
+  return true;
+}
+
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
     return error("not-supported",
@@ -82,7 +93,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   switch (entry.code) {
     case Code::dwell:
       if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
-      return (block_.pause = take('P')) || error("value-missing", "G4 needs P, its seconds", word);
+      return pause(word);
     case Code::unknown:
       return error("g-unknown",
                    fmt::format("G{:g} is not known to this control{}", word.value,

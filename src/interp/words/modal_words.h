@@ -25,6 +25,7 @@ class ModalWords : public ControlPart {
  private:
   CodeEntry lookup(const Word& word) const;
   bool claim_group(const Word& word, const CodeEntry& entry);
+  bool pause(const Word& word);
   bool apply_code(const Word& word, const CodeEntry& entry);
   bool units_of_mach(const Word& word);
   bool refuse(const Word& word);

@@ -62,6 +62,10 @@ bool OneShotWords::reference() {
   const Word* p = take('P');
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
+  if (const unsigned homed = bare_axes()) {
+    moves_.to_place(&options_.places.reference, homed | to.named, *block_.oneshot);
+    return true;
+  }
   if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
   const bool first = block_.oneshot_code == Code::reference;
   if (const std::optional<Vec3>& stored = control_.stored_places[first ? 0 : 1]; stored) {
@@ -82,15 +86,21 @@ unsigned OneShotWords::reference_axes(unsigned named) const {
   return !all ? named : lathe() ? 5U : 7U;
 }
 
-// G74 G75: to the reference point, to a fixed point.
-bool OneShotWords::reference_sinumerik() {
+// "X1=0" behind G74 of SINUMERIK, "X" without a number behind G28.
+unsigned OneShotWords::bare_axes() const {
   unsigned axes = 0;
-  for (const char c : {'X', 'Y', 'Z'})
-    if (take(c)) axes |= 1U << (c - 'X');
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.code);
     if (word.address == Address::data && c >= 'X' && c <= 'Z') axes |= 1U << (c - 'X');
   }
+  return axes;
+}
+
+// G74 G75: to the reference point, to a fixed point.
+bool OneShotWords::reference_sinumerik() {
+  unsigned axes = bare_axes();
+  for (const char c : {'X', 'Y', 'Z'})
+    if (take(c)) axes |= 1U << (c - 'X');
   const MachinePlaces& places = options_.places;
   const Vec3* second = places.second ? &*places.second : nullptr;
   moves_.to_place(block_.oneshot_code == Code::reference_approach ? &places.reference : second,

@@ -25,6 +25,7 @@ class OneShotWords : public ControlPart {
   bool dwell();
   bool reference();
   unsigned reference_axes(unsigned named) const;
+  unsigned bare_axes() const;
   bool reference_sinumerik();
   bool rapid_to();
   bool suspend_position();

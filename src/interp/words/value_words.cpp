@@ -39,11 +39,18 @@ std::string ValueWords::unread_axis(char c) const {
       "{} of a lathe is the place of its sub-spindle or tailstock, or the tilt of its tools", c);
 }
 
+// "M11 C8", "M12 C8" of WinCNC: an output of the board, on and off.
+bool ValueWords::switches_channel() {
+  const Word* m = is(Dialect::ngc) ? peek('M') : nullptr;
+  return m && (m->value == 11 || m->value == 12) && take('C');
+}
+
 bool ValueWords::rotary_axes() {
   const bool turns = block_.frame_code && block_.frame_op == Code::rotation_on;
   for (const char c : {'A', 'B', 'C'}) {
     if (turns && c != 'C') continue;  // the centre of Mach's G68
     if (control_.unread_end == 0 && turned_line(c)) continue;
+    if (c == 'C' && switches_channel()) continue;
     const Word* word = block_.unused(letter(c)) ? take(c) : nullptr;
     if (!word) continue;
     axis_c_ = axis_c_ || c == 'C';

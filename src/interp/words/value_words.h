@@ -14,6 +14,7 @@ class ValueWords : public ControlPart {
  private:
   bool turned_line(char c);
   std::string unread_axis(char c) const;
+  bool switches_channel();
   bool rotary_axes();
   bool feed();
   bool feed_per_tooth(const Word& word);
