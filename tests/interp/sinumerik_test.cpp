@@ -183,5 +183,34 @@ TEST(Sinumerik, MovesOfAProbe) {
   }
 }
 
+// CALL BLOCK runs a part of the program, PCALL a program by its path, GOTOS the program again.
+TEST(Sinumerik, CallsOfPartsAndByPaths) {
+  const std::string part = "\nGOTOF ENDE\nKA: X2\nY5\nKB: Y7\nX0\nENDE:\nX9\nM30\n";
+  const std::string path = "1,0,0 2,0,0 2,5,0 2,7,0 9,7,0 ";
+  EXPECT_EQ(run("G1 F9 X1\nCALL BLOCK KA TO KB" + part), path);
+  EXPECT_EQ(run("G1 F9 X1\nCALL BLOCK \"KA\" TO \"KB\"" + part), path);
+  EXPECT_EQ(run("DEF STRING[8] VON=\"KA\"\nG1 F9 X1\nCALL BLOCK VON TO KB" + part), path);
+  EXPECT_EQ(run("G1 F9 X1\nCALL BLOCK KA KB" + part), "1,0,0 statement");
+  EXPECT_EQ(run("G1 F9 X1\nCALL \"P\" BLOCK KA TO KB\nX2\n"), "1,0,0 2,0,0 not-supported");
+  const std::string sub = "\nM30\n%_N_HOLES_SPF\nPROC HOLES(REAL A1,REAL B1=3)\nX=A1 Y=B1\nM17\n";
+  for (const char* call : {"PCALL \"/_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF\"(5)",
+                           "PCALL/_N_SPF_DIR/HOLES.SPF(5)", "PCALL HOLES(5)"})
+    EXPECT_EQ(run("G1 F9 X1\n" + std::string(call) + sub), "1,0,0 5,3,0 ") << call;
+  EXPECT_EQ(run("G1 F9 X1\nPCALL\nX2\n"), "1,0,0 statement");
+  const Program again = read_text("G1 F9 X1\nX2\nGOTOS\nX3\n", at_origin(Dialect::sinumerik));
+  EXPECT_EQ(again.motions.size(), 2U);
+  EXPECT_EQ(codes(again, Severity::note), "program-loops");
+  EXPECT_EQ(run("R1=0 G1 F9\nR1=R1+1 X=R1\nIF R1<0 GOTOS\n"), "1,0,0 ");
+}
+
+// What a program has put into markers, parameters and outputs can be read; inputs can not.
+TEST(Sinumerik, MarkersAndOutputsKeepTheirValues) {
+  EXPECT_EQ(run("$AC_MARKER[1]=3 $A_OUT[2]=TRUE\n$AC_TIMER[1]=0\nG1 F9 X=$AC_MARKER[1]*2\n"),
+            "6,0,0 ");
+  EXPECT_EQ(run("G1 F9 X=$AC_PARAM[7]\n"), "variable-unset");
+  EXPECT_EQ(run("R1=$A_IN[1]\nG1 F9 X1\n"), "1,0,0 variable-unset");
+  EXPECT_EQ(run("T1 M6 ; SCHAFTFRAESER D6\nG1 F9 X=$TC_DP6[1,1]\n"), "3,0,0 ");
+}
+
 }  // namespace
 }  // namespace mrsim

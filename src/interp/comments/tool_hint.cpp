@@ -220,8 +220,9 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   const std::string edge = out.edge_length > 0
                                ? fmt::format("edge {:.4g} mm", out.edge_length)
                                : std::string("edge as its bore allows, 16 mm at most");
-  out.origin += fmt::format(": {}, lead angle {:.4g} degrees, {}, {}", insert,
-                            degrees(out.lead_angle), edge, nose);
+  out.origin +=
+      fmt::format(": {}, lead angle {:.4g} degrees, {}, {}{}", insert, degrees(out.lead_angle),
+                  edge, nose, out.left_hand ? ", left-hand" : "");
 }
 
 }  // namespace

@@ -65,12 +65,13 @@ struct Control {
   std::vector<OffsetRegister> registers;     ///< the same
   /// Wears that the program sets where no register tells the radius: the tool's own stands.
   std::map<std::string, double> bare_wears;
-  std::map<long, double> told_noses;  ///< mm, by the number of a lathe's offset
-  int register_changes = 0;           ///< how often the program has set one
-  bool skips_data = false;            ///< blocks up to G11 set what is not read: lives, parameters
-  bool paused = false;                ///< M0, or a tool changed by hand, and no motion since
-  bool level_plane = false;           ///< G68.2 without a tilt is in force
-  int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
+  std::map<long, double> told_noses;          ///< mm, by the number of a lathe's offset
+  std::map<std::string, double> kept_values;  ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
+  int register_changes = 0;                   ///< how often the program has set one
+  bool skips_data = false;   ///< blocks up to G11 set what is not read: lives, parameters
+  bool paused = false;       ///< M0, or a tool changed by hand, and no motion since
+  bool level_plane = false;  ///< G68.2 without a tilt is in force
+  int unread_end = 0;        ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
   /// G54.1 P1.

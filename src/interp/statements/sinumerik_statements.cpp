@@ -12,9 +12,9 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kKeywords[] = {
-    "IF",      "ELSE",   "ENDIF",   "WHILE", "ENDWHILE", "FOR",  "ENDFOR", "LOOP",
-    "ENDLOOP", "REPEAT", "REPEATB", "UNTIL", "CASE",     "GOTO", "GOTOF",  "GOTOB",
-    "GOTOC",   "DEF",    "EXTERN",  "MCALL", "PROC",     "SETAL"};
+    "IF",      "ELSE",   "ENDIF",   "WHILE",  "ENDWHILE", "FOR",  "ENDFOR", "LOOP",
+    "ENDLOOP", "REPEAT", "REPEATB", "UNTIL",  "CASE",     "GOTO", "GOTOF",  "GOTOB",
+    "GOTOC",   "GOTOS",  "DEF",     "EXTERN", "MCALL",    "PROC", "SETAL",  "PCALL"};
 
 }  // namespace
 
@@ -78,6 +78,9 @@ bool SinumerikStatements::statement(std::size_t from) {
   const std::size_t next = skip_blanks(p);
   const bool whole = next >= block_.line.size() || at(next) == ';';
   if (name == "REPEATB" || (name == "REPEAT" && !whole)) return repeat_part(name, p);
+  if (name == "PCALL") return call_by_path(from, p);
+  std::size_t behind = p;
+  if (name == "CALL" && name_at(behind) == "BLOCK") return call_part(behind);
   for (const std::string_view keyword : kKeywords) {
     if (name != keyword) continue;
     const FlowEntry* const entry = entry_at(from);
@@ -159,8 +162,14 @@ bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
   return reader_.jump(first.at);
 }
 
-// GOTOF forward, GOTOB backward, GOTO both, GOTOC without an alarm: a label, N10, or a text.
+// GOTOF forward, GOTOB backward, GOTO both, GOTOC without an alarm: a label, N10, or a text. GOTOS:
+// the program's first block.
 bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
+  if (word == "GOTOS") {
+    const Outline& program = places_.outline();
+    reader_.leave_stretches();
+    return jump_always(program.section_begin(program.section_at(reader_.place_at(0))));
+  }
   p = skip_blanks(p);
   const std::size_t from = p;
   std::string target = name_at(p);
@@ -274,6 +283,34 @@ bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
       return fail("statement", "too many labels", begin, p);
     }
   }
+  return run_part(labels, word == "REPEATB", runs, from, p);
+}
+
+// CALL BLOCK A TO B: the labels, or variables and texts that hold them.
+bool SinumerikStatements::call_part(std::size_t p) {
+  const std::size_t from = p;
+  std::vector<std::string> labels;
+  for (const bool last : {false, true}) {
+    p = skip_blanks(p);
+    std::size_t behind = p;
+    std::string label = name_at(behind);
+    if (at(p) == '"' || variables_.is_defined(label)) {
+      Value value;
+      behind = p;
+      if (!evaluator_.operand(block_.line, behind, value)) return report(evaluator_.fault());
+      label = upper_case(value.text);
+    }
+    labels.push_back(label);
+    p = behind;
+    if (!last && name_at(p) != "TO") return fail("statement", "TO is expected here", behind, p);
+  }
+  return run_part(labels, false, 1, from, p);
+}
+
+// The part of the program from the first label on: its line alone, up to ENDLABEL or here, or to
+// the second label's line.
+bool SinumerikStatements::run_part(const std::vector<std::string>& labels, bool line_alone,
+                                   double runs, std::size_t from, std::size_t p) {
   const Outline& all = places_.outline();
   const Place here = reader_.place_at(0);
   const int section = all.section_at(here);
@@ -296,7 +333,7 @@ bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
   Place end = here;
   if (places.size() == 2) {
     end = places_.behind_line(places[1]);
-  } else if (word == "REPEATB") {
+  } else if (line_alone) {
     end = places_.behind_line(places[0]);
   } else if (closing >= 0) {
     end = all.entry(closing).at;

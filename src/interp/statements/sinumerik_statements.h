@@ -57,6 +57,10 @@ class SinumerikStatements : public Statements {
   void read_definitions();
   bool define_one(std::size_t& p, VariableType type, bool global);
   bool repeat_part(const std::string& word, std::size_t p);
+  bool call_part(std::size_t p);
+  bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,
+                std::size_t from, std::size_t p);
+  bool call_by_path(std::size_t from, std::size_t p);
   bool call_statement(std::size_t from, std::size_t p);
   bool modal_call(std::size_t p);
   bool arguments(std::size_t& p, std::vector<Argument>& out);

@@ -254,6 +254,28 @@ bool SinumerikStatements::call_statement(std::size_t from, std::size_t p) {
   return true;
 }
 
+// PCALL /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF(1, 2): the path's last part, beside the program.
+bool SinumerikStatements::call_by_path(std::size_t from, std::size_t p) {
+  const std::string_view line = block_.line;
+  std::size_t end = std::min(line.find_first_of("(;", p), line.size());
+  std::string path(line.substr(p, end - p));
+  path.erase(std::remove_if(path.begin(), path.end(),
+                            [](char c) { return c == '"' || c == ' ' || c == '\t' || c == '\r'; }),
+             path.end());
+  SubprogramName name;
+  name.text = upper_case(path.substr(path.rfind('/') + 1));
+  if (name.text.starts_with("_N_")) name.text.erase(0, 3);
+  for (const std::string_view kind : {"_SPF", "_MPF", ".SPF", ".MPF"})
+    if (name.text.size() > kind.size() && name.text.ends_with(kind))
+      name.text.resize(name.text.size() - kind.size());
+  if (name.text.empty()) return fail("statement", "PCALL needs the path of a program", from, end);
+  std::vector<Argument> given;
+  if (at(end) == '(' && !arguments(end, given)) return false;
+  if (!end_statement(end)) return false;
+  call(name, given, 1, place_word(from, end));
+  return true;
+}
+
 bool SinumerikStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
   return call(name, {}, repeats, word);
 }

@@ -271,7 +271,7 @@ bool SystemValues::read(std::string_view name, std::span<const Value> indices, V
   } else if (indices.size() == 1 && axis_named(indices[0].text) >= 0) {
     known = axis_value_of(key, axis_named(indices[0].text), value);
   } else {
-    known = tool_value(key, indices, value);
+    known = tool_value(key, indices, value) || kept_value(key, indices, value);
   }
   out = Value::of(value);
   if (!known) why = fmt::format("the system variable {} is not answered here", key.substr(0, 60));

@@ -56,6 +56,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool named_linuxcnc(std::string_view name, double& out) const;
   double data_scale() const;
   bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
+  bool kept_value(std::string_view key, std::span<const Value> indices, double& out) const;
   bool axis_value_of(std::string_view name, int axis, double& out) const;
   bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
   bool write_tool(std::string_view key, std::span<const Value> indices, const Value& value);

@@ -47,7 +47,32 @@ bool SystemValues::tool_value(std::string_view name, std::span<const Value> indi
       out = (tool.diameter > 0 ? tool.diameter / 2 : tool.nose_radius) / data_scale();
       return true;
     }
-  return false;
+  const double own =
+      name == "$TC_DP6" && id == control_.tool.current && tools_ ? tools_->radius(-1) : 0;
+  out = own / data_scale();
+  return own > 0;
+}
+
+namespace {
+
+// Variables that a program keeps values in, and outputs to the PLC: a value that was set is read
+// back. "" for others.
+std::string kept_name(std::string_view key, std::span<const Value> indices) {
+  static constexpr std::string_view kKept[] = {"$AC_MARKER", "$AC_PARAM", "$A_OUT", "$A_OUTA",
+                                               "$A_DBB",     "$A_DBW",    "$A_DBD", "$A_DBR"};
+  if (indices.size() != 1 || !indices[0].is_number()) return {};
+  if (std::find(std::begin(kKept), std::end(kKept), key) == std::end(kKept)) return {};
+  return fmt::format("{}[{:g}]", key, indices[0].number);
+}
+
+}  // namespace
+
+bool SystemValues::kept_value(std::string_view key, std::span<const Value> indices,
+                              double& out) const {
+  const auto kept = control_.kept_values.find(kept_name(key, indices));
+  if (kept == control_.kept_values.end()) return false;
+  out = kept->second;
+  return true;
 }
 
 bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) const {
@@ -195,6 +220,11 @@ bool SystemValues::write(std::string_view name, std::span<const Value> indices, 
   if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
   if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
   if (write_tool(key, indices, value)) return true;
+  if (key == "$AC_TIMER") return true;
+  if (const std::string kept = kept_name(key, indices); !kept.empty() && value.is_number()) {
+    control_.kept_values[kept] = value.number;
+    return true;
+  }
   why = fmt::format("the system variable {} cannot be set here{}", to_utf8(name.substr(0, 60)),
                     key == "$P_UIFR" ? " (a settable frame shifts, and turns about Z)" : "");
   return false;

@@ -178,7 +178,6 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"GOTOF", true, "a jump"},
                                             {"GOTOB", true, "a jump"},
                                             {"GOTOC", true, "a jump"},
-                                            {"GOTOS", true, "a jump"},
                                             {"REPEATB", true, "a loop"},
                                             {"WHILE", true, "a loop"},
                                             {"ENDWHILE", true, "a loop"},
@@ -207,7 +206,6 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"IDS", true, "a synchronised action"},
                                             {"POPEN", true, "an output command"},
                                             {"DPRNT", true, "an output command"},
-                                            {"PCALL", true, "a call by path"},
                                             {"ISOCALL", true, "a call in ISO mode"}};
 
 }  // namespace

@@ -25,7 +25,8 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"MEAS", Address::meas}, {"MEAW", Address::meas},   {"ADISPOS", Address::data},
     {"OVR", Address::data},  {"OVRRAP", Address::data}, {"FP", Address::data},
     {"CTOL", Address::data}, {"OTOL", Address::data},   {"STOLF", Address::data},
-    {"SVC", Address::data},  {"DITS", Address::data},   {"DITE", Address::data}};
+    {"SVC", Address::data},  {"FB", Address::data},     {"DITS", Address::data},
+    {"DITE", Address::data}};
 
 // Calls without effect on geometry; COUP... couples spindles, for parts that change over.
 constexpr std::string_view kHarmlessCalls[] = {
@@ -33,7 +34,8 @@ constexpr std::string_view kHarmlessCalls[] = {
     "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
     "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
     "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
-    "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF"};
+    "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
+    "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE"};
 
 // The tool carrier and offsets of the tool, which 0 switches off.
 constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR", "CUTMOD"};
@@ -187,6 +189,9 @@ void SinumerikWords::program_name(Block& block, std::size_t from, std::string_vi
     skip_blanks();
     if (at(p_) != '"') return unsupported(block, run, "a call by variable", from);
     text_value(block, word);
+    skip_blanks();
+    if (upper_case(line_.substr(std::min(p_, line_.size()), 6)) == "BLOCK ")
+      return unsupported(block, run, "a call of a part of another program (BLOCK)", from);
     if (!block.bad) push(block, word, from);
     return;
   }
