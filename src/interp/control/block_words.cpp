@@ -21,6 +21,14 @@ void BlockWords::forget_words() {
   ++epoch_;
 }
 
+void BlockWords::put_back(const BlockPlace& place) {
+  forget_words();
+  begin();
+  file = place.file;
+  line_number = place.line;
+  call = place.call;
+}
+
 std::optional<long> BlockWords::number_after(const Word& word) const {
   const std::string_view code = line.substr(0, line.find_first_of("(;"));
   for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i) {

@@ -13,6 +13,11 @@
 
 namespace mrsim {
 
+/// Where a block stands, and from where it was called.
+struct BlockPlace {
+  int file = 0, line = 0, call = -1;
+};
+
 class BlockWords : public Block {
  public:
   /// Forgets the block before.
@@ -27,6 +32,9 @@ class BlockWords : public Block {
   }
   /// No word is found any more, or that of an address.
   void forget_words();
+  BlockPlace place() const { return {file, line_number, call}; }
+  /// The block at `place` again, without words.
+  void put_back(const BlockPlace& place);
   void forget(Address a) { slots_[static_cast<std::size_t>(a)].epoch = 0; }
   /// The program ends, returns or calls behind this block.
   bool leaves() const { return stop_after || return_after || m98 || call_word; }

@@ -136,6 +136,11 @@ class ControlPart {
   /// mm per revolution of the block's F, or of E where a FANUC lathe has it instead.
   std::optional<double> thread_lead();
 
+  /// The contour of a cycle has been read: the block of the cycle goes on.
+  void put_back_block(const BlockPlace& place) {
+    block_.put_back(place);
+    reporter_.set_place(place.file, place.line, place.call, {});
+  }
   /// False, and reported: the block calls or ends the program, too, behind a cycle with a contour.
   bool goes_on(const Word& cycle);
   /// Reports and returns false.

@@ -15,7 +15,7 @@ struct CycleCall {
   std::string name;
   std::string written;  ///< where the program writes it otherwise: G87 of Fagor
   std::vector<std::optional<Value>> values;
-  CyclePlace place;
+  BlockPlace place;
 
   bool given(std::size_t i) const {
     return i < values.size() && values[i] && values[i]->kind == Value::Kind::number;

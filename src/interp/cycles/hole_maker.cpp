@@ -52,7 +52,7 @@ double HoleMaker::strokes(const Hole& hole, double down) {
   return hole.strokes.empty() ? hole.safe : hole.strokes.back();
 }
 
-void HoleMaker::drill(const Hole& hole, const CyclePlace& place, const Word& where) {
+void HoleMaker::drill(const Hole& hole, const BlockPlace& place, const Word& where) {
   const int line = block_.line_number, file = block_.file, call = block_.call;
   const bool elsewhere = place.line != line || place.file != file;
   where_ = &where;

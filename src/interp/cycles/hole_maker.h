@@ -34,11 +34,6 @@ struct Hole {
   Vec3 lift;                       ///< before the way out, the edge leaves the wall
 };
 
-/// The block whose line the motions name.
-struct CyclePlace {
-  int file = 0, line = 0, call = -1;
-};
-
 class HoleMaker : public ControlPart {
  public:
   HoleMaker(Control& control, BlockReader& reader, Moves& moves)
@@ -49,7 +44,7 @@ class HoleMaker : public ControlPart {
   /// Rapid along the normal.
   void rise(double level, const Word& where);
   /// The hole at the position of now.
-  void drill(const Hole& hole, const CyclePlace& place, const Word& where);
+  void drill(const Hole& hole, const BlockPlace& place, const Word& where);
   double level() const;
 
  private:

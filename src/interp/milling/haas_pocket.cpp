@@ -81,9 +81,7 @@ bool HaasPocket::find_contour() {
 void HaasPocket::end_block() {
   if (!waits_) return;
   waits_ = false;
-  file_ = block_.file;
-  line_ = block_.line_number;
-  site_ = block_.call;
+  place_ = block_.place();
   position_before_ = position_;
   modal_before_ = modal_;
   request_.on_start = [this] { begin_contour(); };
@@ -102,7 +100,7 @@ void HaasPocket::begin_contour() {
 void HaasPocket::end_program() {
   if (!out_.captures()) return;
   out_.capture(nullptr);
-  reporter_.set_place(file_, line_, site_, {});
+  reporter_.set_place(place_.file, place_.line, place_.call, {});
   error("program-end-missing", "the program ends inside the contour of G150", where_);
 }
 
@@ -110,12 +108,7 @@ void HaasPocket::end_contour() {
   out_.capture(nullptr);
   modal_ = modal_before_;
   position_ = position_before_;
-  block_.forget_words();
-  block_.begin();
-  block_.file = file_;
-  block_.line_number = line_;
-  block_.call = site_;
-  reporter_.set_place(file_, line_, site_, {});
+  put_back_block(place_);
   if (reporter_.errors() != errors_before_) return;
   if (contour_.size() < 2 || contour_.size() >= MotionEmitter::kMostCaptured) {
     error("value-range", fmt::format("the contour has {} motions", contour_.size()), where_);

@@ -50,7 +50,7 @@ class HaasPocket : public ControlPart {
   bool left_ = true;                           ///< G41
   CallRequest request_;
   bool waits_ = false;  ///< the contour comes next
-  int file_ = 0, line_ = 0, site_ = -1;
+  BlockPlace place_;    ///< of the cycle's block
   std::vector<Motion> contour_;
   Modal modal_before_;
   Position position_before_;

@@ -135,12 +135,7 @@ void SinumerikContours::end_contour() {
   modal_ = modal_before_;
   position_ = position_before_;
   modal_.comp = Code::comp_off;
-  block_.forget_words();
-  block_.begin();
-  block_.file = call_.place.file;
-  block_.line_number = call_.place.line;
-  block_.call = call_.place.call;
-  reporter_.set_place(block_.file, block_.line_number, block_.call, {});
+  put_back_block(call_.place);
   if (reporter_.errors() != errors_before_) {
     contours_.clear();
     requests_.clear();

@@ -77,7 +77,7 @@ Word SinumerikCycles::where() const {
 
 bool SinumerikCycles::read_call(Call& call) {
   call.name = std::string(block_.function_name);
-  call.place = {block_.file, block_.line_number, block_.call};
+  call.place = block_.place();
   return statements_ && statements_->call_values(block_.argument, call.values);
 }
 

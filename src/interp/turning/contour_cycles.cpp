@@ -118,9 +118,7 @@ void ContourCycles::end_block() {
   waits_ = false;
   CallRequest request;
   if (!find_contour(request)) return;
-  file_ = block_.file;
-  line_ = block_.line_number;
-  site_ = block_.call;
+  place_ = block_.place();
   position_before_ = position_;
   modal_before_ = modal_;
   const bool finishing = call_.number == 70;
@@ -166,7 +164,7 @@ bool ContourCycles::find_contour(CallRequest& request) {
 void ContourCycles::end_program() {
   if (!out_.captures()) return;
   out_.capture(nullptr);
-  reporter_.set_place(file_, line_, site_, {});
+  reporter_.set_place(place_.file, place_.line, place_.call, {});
   error("program-end-missing", "the program ends inside the contour of this cycle", call_.where);
 }
 
@@ -191,12 +189,7 @@ void ContourCycles::end_contour() {
   modal_ = modal_before_;
   position_ = position_before_;
   modal_.comp = Code::comp_off;  // roughing does not regard it
-  block_.forget_words();
-  block_.begin();
-  block_.file = file_;
-  block_.line_number = line_;
-  block_.call = site_;
-  reporter_.set_place(file_, line_, site_, {});
+  put_back_block(place_);
   if (contour_.size() >= MotionEmitter::kMostCaptured)
     error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
           call_.where);

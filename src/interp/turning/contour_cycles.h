@@ -76,7 +76,7 @@ class ContourCycles : public ControlPart {
   std::vector<Motion> contour_;
   Modal modal_before_;
   Position position_before_;
-  int file_ = 0, line_ = 0, site_ = -1;  ///< of the cycle's block
+  BlockPlace place_;  ///< of the cycle's block
   std::size_t errors_before_ = 0;
 };
 

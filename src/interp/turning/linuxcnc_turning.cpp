@@ -86,9 +86,7 @@ bool LinuxCncTurning::go_to_start() {
 void LinuxCncTurning::end_block() {
   if (!waits_) return;
   waits_ = false;
-  file_ = block_.file;
-  line_ = block_.line_number;
-  site_ = block_.call;
+  place_ = block_.place();
   modal_before_ = modal_;
   CallRequest request;
   request.on_start = [this] {
@@ -107,7 +105,7 @@ void LinuxCncTurning::end_block() {
 void LinuxCncTurning::end_program() {
   if (!reading_) return;
   reading_ = false;
-  reporter_.set_place(file_, line_, site_, {});
+  reporter_.set_place(place_.file, place_.line, place_.call, {});
   error("program-end-missing", "the program ends inside the contour of this cycle", where_);
 }
 
@@ -225,12 +223,7 @@ bool LinuxCncTurning::add_corner() {
 void LinuxCncTurning::end_contour() {
   reading_ = false;
   modal_ = modal_before_;
-  block_.forget_words();
-  block_.begin();
-  block_.file = file_;
-  block_.line_number = line_;
-  block_.call = site_;
-  reporter_.set_place(file_, line_, site_, {});
+  put_back_block(place_);
   if (reporter_.errors() == errors_before_ && pieces_.size() > 1) cut();
 }
 

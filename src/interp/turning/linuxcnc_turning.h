@@ -66,7 +66,7 @@ class LinuxCncTurning : public ControlPart {
   std::vector<Motion> sources_;  ///< where the pieces stand in the text
   Vec3 at_;                      ///< end of the contour so far, in the frame in force, mm
   Modal modal_before_;
-  int file_ = 0, line_ = 0, site_ = -1;  ///< of the cycle's block
+  BlockPlace place_;  ///< of the cycle's block
   std::size_t errors_before_ = 0;
 };
 
