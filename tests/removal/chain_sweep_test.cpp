@@ -2,6 +2,7 @@
 #include "removal/forms/chain_sweep.h"
 
 #include "core/units.h"
+#include "removal/simd/sweep_kernels.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 
@@ -50,6 +51,14 @@ ToolPath slant(Random& r) {
   path.travel = {flat * r(-5, 5), flat * r(-5, 5), steep * r(-5, 5)};
   path.speed = length(path.travel);
   return path;
+}
+
+double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p) {
+  const std::uint32_t row = 0;
+  double out[PointColumns::kPad];
+  sweep_kernels().chain_bounds(tool, &line, &row, 1, p, std::numeric_limits<double>::infinity(),
+                               out);
+  return out[0];
 }
 
 Vec3 point_near(Random& r, const ToolPath& path, double reach) {

@@ -2,6 +2,7 @@
 #include "removal/simd/sweep_kernels.h"
 
 #include "removal/forms/chain_sweep.h"
+#include "removal/forms/slant_sweep.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"
 #include "support/rounds.h"
@@ -268,6 +269,49 @@ TEST(SweepKernels, ChainsAreTheSameOnEveryInstructionSet) {
       set->chain(tool, line, 5, other);
       ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
       ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
+// Lists of moves at one point, of all lengths; far beyond a limit any bound will do.
+TEST(SweepKernels, BoundsAreTheSameOnEveryInstructionSet) {
+  Random r(21);
+  Tool taper = mill(ToolType::taper, 6, 0.5, 12);
+  taper.taper_angle = 0.1;
+  const Profile cutter = make_cutter(taper), bull = make_cutter(endmill(4, 1));
+  const ChainTool tool = chain_tool(cutter);
+  std::vector<ChainLine> chains;
+  std::vector<SlantRecord> slants;
+  for (int i = 0; i < 40; ++i) {
+    ToolPath path;
+    path.start = {r(0, 5), r(0, 5), r(-3, 3)};
+    path.travel = {r(-4, 4), i % 7 == 0 ? 0 : r(-4, 4), i % 5 == 0 ? 1e-4 : r(-9, 9)};
+    chains.push_back(chain_line(tool, path)), slants.push_back(slant_record(bull, path));
+  }
+  for (int round = 0; round < 300; ++round) {
+    std::vector<std::uint32_t> rows(1 + r.pick(30));
+    for (std::uint32_t& row : rows) row = static_cast<std::uint32_t>(r.pick(40));
+    const Vec3 p{r(0, 5), r(0, 5), r(-3, 8)};
+    const double limit = round % 2 == 0 ? std::numeric_limits<double>::infinity() : r(0, 2);
+    const auto found = [&](const SweepKernels& set) {
+      std::vector<double> out(32 + PointColumns::kPad);
+      set.chain_bounds(tool, chains.data(), rows.data(), rows.size(), p, limit, out.data());
+      for (double& d : out)
+        if (d > limit) d = std::numeric_limits<double>::infinity();
+      std::vector<double> some(32 + PointColumns::kPad);
+      set.slant_bounds(slants.data(), rows.data(), rows.size(), p, some.data());
+      out.resize(rows.size());
+      out.insert(out.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(rows.size()));
+      return out;
+    };
+    const std::vector<double> one = found(*sweep_kernels(SimdLevel::scalar));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      ASSERT_LE(one[k + rows.size()], slant_minimum(slants[rows[k]], p).distance + 1e-8);
+    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
+      const SweepKernels* set = sweep_kernels(level);
+      if (set == nullptr) continue;
+      const std::vector<double> other = found(*set);
+      ASSERT_EQ(std::memcmp(one.data(), other.data(), one.size() * sizeof(double)), 0) << set->name;
     }
   }
 }

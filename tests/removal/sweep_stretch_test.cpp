@@ -3,6 +3,7 @@
 #include "removal/forms/path_sweep.h"
 #include "removal/forms/slant_sweep.h"
 #include "removal/forms/upright_sweep.h"
+#include "removal/simd/sweep_kernels.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>
@@ -25,6 +26,13 @@ Motion slanted_move(Random& r) {
   const double steep = flat == 1 && r.pick(4) == 0 ? 1e-5 : 1;
   const Vec3 start{r(-3, 3), r(-3, 3), r(-3, 3)};
   return line(start, start + Vec3{flat * r(-5, 5), flat * r(-5, 5), steep * r(-5, 5)});
+}
+
+double slant_bound(const SlantRecord& line, const Vec3& p) {
+  const std::uint32_t row = 0;
+  double out[PointColumns::kPad];
+  sweep_kernels().slant_bounds(&line, &row, 1, p, out);
+  return out[0];
 }
 
 class Stretches : public ::testing::TestWithParam<double> {};  // corner radius / radius

@@ -40,7 +40,7 @@ EdgeContact flank_contact(const ChainTool& tool, const ChainLine& line, const la
                           std::size_t i) {
   const ChainTool::Flank& flank = tool.flanks[i];
   const ProfileEdge& e = tool.edges[flank.edge];
-  const lane::FlankPlace x = lane::flank_place(tool, line, at, i);
+  const lane::FlankPlace x = lane::flank_place(tool, lane::OneChain{line}, at, i);
   const double along = dot(e.direction, Vec2{x.rho, x.z} - e.a);
   return {x.t, flank.across, flank.up, x.f, along >= 0 && along <= e.length};
 }
@@ -87,31 +87,22 @@ ChainLine chain_line(const ChainTool& tool, const ToolPath& path) {
   for (std::size_t i = 0; i < tool.flank_count; ++i) {
     // Across the move: along * plan + up * rise = 0.
     const double slope = tool.flanks[i].up * line.rise / line.plan, across = tool.flanks[i].across;
-    line.steep[i] = !(across * across > slope * slope);
-    if (!line.steep[i]) line.tilt[i] = -slope / std::sqrt(across * across - slope * slope);
+    const double left = across * across - slope * slope;
+    line.tilt[i] = left > 0 ? -slope / std::sqrt(left) : std::numeric_limits<double>::infinity();
   }
   return line;
 }
 
-double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p, double limit) {
-  const lane::ChainView at = lane::chain_view(line, p.x, p.y, p.z);
-  double bound = lane::ends_bound(tool, line, at);
-  for (std::size_t i = 0; i < tool.flank_count && bound <= limit; ++i)
-    bound = std::max(bound, lane::flank_place(tool, line, at, i).f);
-  if (bound <= limit && tool.tipped) bound = std::max(bound, lane::tip_bound(tool, line, at));
-  return bound;
-}
-
 PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
                          double limit) {
-  const lane::ChainObjective F{tool, line, lane::chain_view(line, p.x, p.y, p.z)};
+  const lane::ChainObjective F{tool, line, lane::chain_view(lane::OneChain{line}, p.x, p.y, p.z)};
   const lane::ChainPlace least = lane::chain_least(F, limit, true);
   return {least.f, least.t};
 }
 
 std::optional<FacePlane> chain_face(const ChainTool& tool, const ChainLine& line, const Vec3& p,
                                     std::int32_t patch) {
-  const lane::ChainView at = lane::chain_view(line, p.x, p.y, p.z);
+  const lane::ChainView at = lane::chain_view(lane::OneChain{line}, p.x, p.y, p.z);
   EdgeContact found;
   int edges = 0, closed = 0, fitting = 0;
   const auto take = [&](const EdgeContact& contact) {

@@ -18,10 +18,6 @@ ChainTool chain_tool(const Profile& tool);
 /// Requires: a straight path, a chain.
 ChainLine chain_line(const ChainTool& tool, const ToolPath& path);
 
-/// The sweep is no nearer to p than this, mm, but for rounding (1e-9 mm within 10 m of the origin).
-/// Where it is above `limit`, the first bound found that is.
-double chain_bound(const ChainTool& tool, const ChainLine& line, const Vec3& p,
-                   double limit = std::numeric_limits<double>::infinity());
 /// The least distance and where it lies, up to 1e-13 of the size. Where it is above `limit`, any
 /// distance above that, so that a search may end early.
 PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,

@@ -20,10 +20,6 @@ SlantRecord slant_record(const Profile& tool, const ToolPath& path) {
   return r;
 }
 
-double slant_bound(const SlantRecord& line, const Vec3& p) {
-  return lane::slant_bound(line, p.x, p.y, p.z);
-}
-
 PathSample slant_minimum(const SlantRecord& line, const Vec3& p) {
   const lane::SlantLeast least =
       lane::slant_least(lane::SlantStretch(line, p.x, p.y, p.z), line.round, true);

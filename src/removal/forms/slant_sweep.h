@@ -12,8 +12,6 @@ inline bool is_slant(const Profile& tool, const ToolPath& path) {
   return !path.arc && tool.is_rounded() && tool.is_rising();
 }
 SlantRecord slant_record(const Profile& tool, const ToolPath& path);
-/// Not above the distance but for rounding (1e-8 mm). Costs a square root.
-double slant_bound(const SlantRecord& line, const Vec3& p);
 /// The least distance and where it lies, exact but for rounding.
 PathSample slant_minimum(const SlantRecord& line, const Vec3& p);
 

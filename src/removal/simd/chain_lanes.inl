@@ -6,22 +6,52 @@
 // a cone, a cylinder or a ball about the axis is nearest, place and distance are closed. Discs'
 // rims, tori and the inside are searched, from the nearest of these places (docs/sweeps.md).
 
+/// The same move in all lanes.
+struct OneChain {
+  const ChainLine& line;
+  V x() const { return splat(line.x); }
+  V y() const { return splat(line.y); }
+  V z() const { return splat(line.z); }
+  V ux() const { return splat(line.ux); }
+  V uy() const { return splat(line.uy); }
+  V plan() const { return splat(line.plan); }
+  V rise() const { return splat(line.rise); }
+  V per_plan() const { return splat(line.per_plan); }
+  V per_way() const { return splat(line.per_way); }
+  V tilt(std::size_t i) const { return splat(line.tilt[i]); }
+};
+/// A move in each lane: its record by columns.
+struct EachChain {
+  V c[16];
+  V x() const { return c[0]; }
+  V y() const { return c[1]; }
+  V z() const { return c[2]; }
+  V ux() const { return c[3]; }
+  V uy() const { return c[4]; }
+  V plan() const { return c[5]; }
+  V rise() const { return c[6]; }
+  V per_plan() const { return c[7]; }
+  V per_way() const { return c[8]; }
+  V tilt(std::size_t i) const { return c[9 + i]; }
+};
+
 struct ChainView {
   V u, v, w;  ///< p, as ChainLine counts it
 };
-MRSIM_LANE ChainView chain_view(const ChainLine& line, V px, V py, V pz) {
-  const V dx = px - splat(line.x), dy = py - splat(line.y);
-  const V ux = splat(line.ux), uy = splat(line.uy);
-  return {dx * ux + dy * uy, vabs(dx * uy - dy * ux), pz - splat(line.z)};
+template <class Move>
+MRSIM_LANE ChainView chain_view(const Move& move, V px, V py, V pz) {
+  const V dx = px - move.x(), dy = py - move.y(), ux = move.ux(), uy = move.uy();
+  return {dx * ux + dy * uy, vabs(dx * uy - dy * ux), pz - move.z()};
 }
 
 /// The plane across the way from the tip's path to p, which touches the tip, where the tool lies
 /// behind it; else, and where that way is too short to be known, minus infinity.
-MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
+template <class Move>
+MRSIM_LANE V tip_bound(const ChainTool& tool, const Move& move, const ChainView& at) {
   const V zero = splat(0.0), h = at.w - splat(tool.tip);
-  const V t = (at.u * splat(line.plan) + h * splat(line.rise)) * splat(line.per_way);
+  const V t = (at.u * move.plan() + h * move.rise()) * move.per_way();
   const V way = vmin(vmax(t, zero), splat(1.0));
-  const V along = at.u - way * splat(line.plan), up = h - way * splat(line.rise);
+  const V along = at.u - way * move.plan(), up = h - way * move.rise();
   const V square = along * along + at.v * at.v;
   const V off = vsqrt(square + up * up), aside = vsqrt(square);
   const M behind =
@@ -36,34 +66,41 @@ MRSIM_LANE V tip_bound(const ChainTool& tool, const ChainLine& line, const Chain
 struct FlankPlace {
   V t, rho, z, f;
 };
-MRSIM_LANE FlankPlace flank_place(const ChainTool& tool, const ChainLine& line, const ChainView& at,
+template <class Move>
+MRSIM_LANE FlankPlace flank_place(const ChainTool& tool, const Move& move, const ChainView& at,
                                   std::size_t i) {
   const V zero = splat(0.0), one = splat(1.0);
   const ChainTool::Flank& flank = tool.flanks[i];
-  FlankPlace x{flank.up * line.rise > 0 ? one : zero, zero, zero, zero};  // steeper than the flank
-  if (!line.steep[i])
-    x.t = vmin(vmax((at.u - at.v * splat(line.tilt[i])) * splat(line.per_plan), zero), one);
-  const V along = at.u - x.t * splat(line.plan);
-  x.rho = vsqrt(along * along + at.v * at.v), x.z = at.w - x.t * splat(line.rise);
+  const V end = select(less(zero, splat(flank.up) * move.rise()), one, zero), tilt = move.tilt(i);
+  const M steep = less_equal(splat(std::numeric_limits<double>::infinity()), tilt);
+  FlankPlace x;
+  x.t = select(steep, end, vmin(vmax((at.u - at.v * tilt) * move.per_plan(), zero), one));
+  const V along = at.u - x.t * move.plan();
+  x.rho = vsqrt(along * along + at.v * at.v), x.z = at.w - x.t * move.rise();
   x.f = x.rho * splat(flank.across) + x.z * splat(flank.up) - splat(flank.offset);
   return x;
 }
 
 /// No position of the tool is nearer: it ends within its radius of the move's ends, and between its
 /// lowest and its highest place.
-MRSIM_LANE V ends_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
-  const double low = line.rise < 0 ? tool.bottom + line.rise : tool.bottom;
-  const double high = line.rise > 0 ? tool.top + line.rise : tool.top;
-  return vmax(vmax(-at.u, at.u - splat(line.plan)) - splat(tool.radius),
-              vmax(splat(low) - at.w, at.w - splat(high)));
+template <class Move>
+MRSIM_LANE V ends_bound(const ChainTool& tool, const Move& move, const ChainView& at) {
+  const V zero = splat(0.0), rise = move.rise();
+  const V low = splat(tool.bottom) + vmin(rise, zero), high = splat(tool.top) + vmax(rise, zero);
+  return vmax(vmax(zero - at.u, at.u - move.plan()) - splat(tool.radius),
+              vmax(low - at.w, at.w - high));
 }
 
 /// The same, closer: the tool lies within its flanks, continued, and its ball's tangent planes.
-MRSIM_LANE V chain_bound(const ChainTool& tool, const ChainLine& line, const ChainView& at) {
-  V bound = ends_bound(tool, line, at);
-  for (std::size_t i = 0; i < tool.flank_count; ++i)
-    bound = vmax(flank_place(tool, line, at, i).f, bound);
-  return tool.tipped ? vmax(bound, tip_bound(tool, line, at)) : bound;
+/// Where that is above `limit`, any bound that is. Right but for rounding (1e-9 mm within 10 m of
+/// the origin).
+template <class Move>
+MRSIM_LANE V chain_bound(const ChainTool& tool, const Move& move, const ChainView& at, V limit) {
+  V bound = ends_bound(tool, move, at);
+  for (std::size_t i = 0; i < tool.flank_count && any(less_equal(bound, limit)); ++i)
+    bound = vmax(flank_place(tool, move, at, i).f, bound);
+  if (!tool.tipped || !any(less_equal(bound, limit))) return bound;
+  return vmax(bound, tip_bound(tool, move, at));
 }
 
 /// The nearest edge so far: distance squared, and what its outward normal is, times `scale`; a
@@ -199,7 +236,8 @@ struct ChainObjective {
     const V a = square * plan * plan - grow * grow, b = square * at.u * plan + grow * from;
     const V c = square * (at.u * at.u + at.v * at.v) - from * from;
     const V root = vsqrt(vmax(b * b - a * c, zero)), q = select(less(b, zero), b - root, b + root);
-    const V lowest = splat(line.rise > 0 ? 0.0 : 1.0), decided = flank_place(tool, line, at, 0).t;
+    const V lowest = splat(line.rise > 0 ? 0.0 : 1.0),
+            decided = flank_place(tool, OneChain{line}, at, 0).t;
     const V low = vmin(lowest, decided), high = vmax(lowest, decided);
     const V first = q / a, second = c / q;
     const V t = select(between(low, first, high), first,
@@ -223,7 +261,7 @@ struct ChainObjective {
   void add_flank(std::size_t i, Closed& x) const {
     const V zero = splat(0.0);
     const ProfileEdge& e = tool.edges[tool.flanks[i].edge];
-    const auto [t, rho, z, f] = flank_place(tool, line, at, i);
+    const auto [t, rho, z, f] = flank_place(tool, OneChain{line}, at, i);
     const V place =
         splat(e.direction.x) * (rho - splat(e.a.x)) + splat(e.direction.y) * (z - splat(e.a.y));
     const M fits = both(less_equal(zero, place), less_equal(place, splat(e.length)));

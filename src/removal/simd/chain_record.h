@@ -34,9 +34,9 @@ struct alignas(64) ChainLine {
   double ux = 1, uy = 0;       ///< direction in plan, unit
   double plan = -1, rise = 0;  ///< of the whole move, in plan and upwards, mm; plan < 0: no move
   double per_plan = 0, per_way = 0;  ///< 1 / plan and 1 / length^2
-  /// The move is tangent to a flank where the normal has `tilt` times as much along u as along v.
+  /// The move is tangent to a flank where the normal has `tilt` times as much along u as along v;
+  /// infinity where it is steeper than the flank and tangent nowhere.
   double tilt[kMostFlanks] = {};
-  bool steep[kMostFlanks] = {};  ///< steeper than the flank: tangent nowhere
 };
 
 }  // namespace mrsim

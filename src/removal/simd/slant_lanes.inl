@@ -7,14 +7,15 @@
 
 /// Not above the distance but for rounding: the tool stays within its radius of the line in plan,
 /// above its lower end, and above the plane along the line that its core's rim touches at the back.
-MRSIM_LANE V slant_bound(const SlantRecord& r, V px, V py, V pz) {
-  const V core = splat(r.core);
-  const V dx = px - splat(r.x), dy = py - splat(r.y), below = splat(r.z) - pz;
-  const V along = dx * splat(r.ux) + dy * splat(r.uy), off = dx * splat(r.uy) - dy * splat(r.ux);
-  const V beyond = along - vmin(vmax(along, splat(0.0)), splat(r.length * r.plan));
+/// Right but for rounding (1e-8 mm). `c` are the columns of SlantRecord.
+MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
+  const V ux = c[3], uy = c[4], length = c[5], plan = c[6], rise = c[7], core = c[8], round = c[9];
+  const V dx = px - c[0], dy = py - c[1], below = c[2] - pz;
+  const V along = dx * ux + dy * uy, off = dx * uy - dy * ux;
+  const V beyond = along - vmin(vmax(along, splat(0.0)), length * plan);
   const V aside = vsqrt(off * off + beyond * beyond) - core;
-  const V under = splat(r.plan) * below + splat(r.rise) * (along - core);
-  return vmax(vmax(aside, under), below) - splat(r.round);
+  const V under = plan * below + rise * (along - core);
+  return vmax(vmax(aside, under), below) - round;
 }
 
 class SlantStretch {

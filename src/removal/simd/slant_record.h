@@ -4,7 +4,7 @@
 namespace mrsim {
 
 /// A straight move of a tool with is_rounded() that reaches up, from its lower end.
-struct SlantRecord {
+struct alignas(32) SlantRecord {
   double x = 0, y = 0, z = 0;  ///< of the lower end; z of the tool's flat core
   double ux = 1, uy = 0;       ///< direction in plan, unit
   double length = 0;           ///< mm

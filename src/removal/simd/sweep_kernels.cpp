@@ -28,6 +28,17 @@
 #endif
 
 namespace mrsim {
+namespace {
+
+// A record as the numbers that it begins with. load_columns() takes eight of them of each lane's.
+template <class Record>
+const double* numbers_of(const Record* records, std::uint32_t row) {
+  static_assert(sizeof(Record) % sizeof(double) == 0);
+  return reinterpret_cast<const double*>(records + row);
+}
+
+}  // namespace
+
 namespace lane {
 namespace {
 
@@ -35,8 +46,13 @@ constexpr std::size_t kLanes = 1;
 constexpr const char* kName = "scalar";
 #define MRSIM_LANE inline
 MRSIM_LANE V read(const double* p) { return *p; }
+template <class Record>
+MRSIM_LANE void load_columns(const Record* r, std::size_t from, const std::uint32_t* rows, V* c) {
+  const double* p = numbers_of(r, rows[0]) + from;
+  for (int i = 0; i < 8; ++i) c[i] = p[i];
+}
 MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
-  for (int i = 0; i < 8; ++i) c[i] = r[rows[0]].c[i];
+  load_columns(r, 0, rows, c);
 }
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   for (int i = 0; i < 11; ++i) c[i] = r[rows[0]].c[i];
@@ -83,8 +99,8 @@ MRSIM_LANE V select(M m, V a, V b) { return _mm256_blendv_pd(b, a, m); }
 // Four rows of four into four columns.
 MRSIM_LANE void transpose(const double* a, const double* b, const double* c, const double* d,
                           V* out) {
-  const V ra = _mm256_load_pd(a), rb = _mm256_load_pd(b), rc = _mm256_load_pd(c),
-          rd = _mm256_load_pd(d);
+  const V ra = _mm256_loadu_pd(a), rb = _mm256_loadu_pd(b), rc = _mm256_loadu_pd(c),
+          rd = _mm256_loadu_pd(d);
   const V ab0 = _mm256_unpacklo_pd(ra, rb), ab1 = _mm256_unpackhi_pd(ra, rb);
   const V cd0 = _mm256_unpacklo_pd(rc, rd), cd1 = _mm256_unpackhi_pd(rc, rd);
   out[0] = _mm256_permute2f128_pd(ab0, cd0, 0x20);
@@ -92,15 +108,19 @@ MRSIM_LANE void transpose(const double* a, const double* b, const double* c, con
   out[2] = _mm256_permute2f128_pd(ab0, cd0, 0x31);
   out[3] = _mm256_permute2f128_pd(ab1, cd1, 0x31);
 }
-MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
-  const double *p0 = r[rows[0]].c, *p1 = r[rows[1]].c, *p2 = r[rows[2]].c, *p3 = r[rows[3]].c;
+template <class Record>
+MRSIM_LANE void load_columns(const Record* r, std::size_t from, const std::uint32_t* rows, V* c) {
+  const double *p0 = numbers_of(r, rows[0]) + from, *p1 = numbers_of(r, rows[1]) + from,
+               *p2 = numbers_of(r, rows[2]) + from, *p3 = numbers_of(r, rows[3]) + from;
   transpose(p0, p1, p2, p3, c);
   transpose(p0 + 4, p1 + 4, p2 + 4, p3 + 4, c + 4);
 }
+MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+  load_columns(r, 0, rows, c);
+}
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
+  load_columns(r, 0, rows, c);
   const double *p0 = r[rows[0]].c, *p1 = r[rows[1]].c, *p2 = r[rows[2]].c, *p3 = r[rows[3]].c;
-  transpose(p0, p1, p2, p3, c);
-  transpose(p0 + 4, p1 + 4, p2 + 4, p3 + 4, c + 4);
   c[8] = _mm256_set_pd(p3[8], p2[8], p1[8], p0[8]);
   c[9] = _mm256_set_pd(p3[9], p2[9], p1[9], p0[9]);
   c[10] = _mm256_set_pd(p3[10], p2[10], p1[10], p0[10]);
@@ -178,19 +198,21 @@ MRSIM_LANE void transpose(const V* r, V* c) {
     c[j + 6] = _mm512_shuffle_f64x2(quad[j + 2], quad[4 + j + 2], 0xdd);
   }
 }
-MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+template <class Record>
+MRSIM_LANE void load_columns(const Record* r, std::size_t from, const std::uint32_t* rows, V* c) {
   V row[8];
-  for (int j = 0; j < 8; ++j) row[j] = _mm512_load_pd(r[rows[j]].c);
+  for (int j = 0; j < 8; ++j) row[j] = _mm512_loadu_pd(numbers_of(r, rows[j]) + from);
   transpose(row, c);
+}
+MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) {
+  load_columns(r, 0, rows, c);
 }
 MRSIM_LANE V column(const ArcRecord* r, const std::uint32_t* rows, int i) {
   return _mm512_set_pd(r[rows[7]].c[i], r[rows[6]].c[i], r[rows[5]].c[i], r[rows[4]].c[i],
                        r[rows[3]].c[i], r[rows[2]].c[i], r[rows[1]].c[i], r[rows[0]].c[i]);
 }
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
-  V row[8];
-  for (int j = 0; j < 8; ++j) row[j] = _mm512_load_pd(r[rows[j]].c);
-  transpose(row, c);
+  load_columns(r, 0, rows, c);
   c[8] = column(r, rows, 8);
   c[9] = column(r, rows, 9);
   c[10] = column(r, rows, 10);

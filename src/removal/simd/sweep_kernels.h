@@ -64,8 +64,16 @@ struct SweepKernels {
   /// Brings the points `open`, a bit each, up to date with sweep `id`, a lowest turn.
   void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
                 PointColumns& points);
+  /// Bounds of the distances of p from slanted lines, not above them but for rounding (1e-8 mm);
+  /// `out` has room for a multiple of PointColumns::kPad.
+  void (*slant_bounds)(const SlantRecord* records, const std::uint32_t* rows, std::size_t n,
+                       const Vec3& p, double* out);
   /// Brings `points` up to date with sweep `id`, a slanted line.
   void (*slant)(const SlantRecord& record, std::uint32_t id, PointColumns& points);
+  /// Like slant_bounds, of straight moves of one convex tool (1e-9 mm). Where a bound is above
+  /// `limit`, any that is.
+  void (*chain_bounds)(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
+                       std::size_t n, const Vec3& p, double limit, double* out);
   /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.
   void (*chain)(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
                 PointColumns& points);

@@ -81,12 +81,42 @@ static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uin
 
 constexpr double kBoundError = 1e-8;  // mm: rounding of bounds, with room
 
+static void slant_bounds(const SlantRecord* records, const std::uint32_t* rows, std::size_t n,
+                         const Vec3& p, double* out) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  std::uint32_t some[kLanes];
+  V c[16];
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    pick(rows, k, n, some);
+    load_columns(records, 0, some, c);
+    load_columns(records, 4, some, c + 4);
+    store(out + k, slant_bound(c, x, y, z));
+  }
+}
+
+static void chain_bounds(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
+                         std::size_t n, const Vec3& p, double limit, double* out) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  std::uint32_t some[kLanes];
+  EachChain move;
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    pick(rows, k, n, some);
+    load_columns(lines, 0, some, move.c);
+    load_columns(lines, 8, some, move.c + 8);
+    store(out + k, chain_bound(tool, move, chain_view(move, x, y, z), splat(limit)));
+  }
+}
+
 static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointColumns& points) {
   const V round = splat(record.round), own = splat(static_cast<double>(id));
+  const double numbers[] = {record.x,      record.y,    record.z,    record.ux,   record.uy,
+                            record.length, record.plan, record.rise, record.core, record.round};
+  V c[10];
+  for (std::size_t j = 0; j < 10; ++j) c[j] = splat(numbers[j]);
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V least = read(points.least + k), nearest = read(points.nearest + k);
     const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-    const M wanted = less_equal(slant_bound(record, x, y, z), least + splat(kBoundError));
+    const M wanted = less_equal(slant_bound(c, x, y, z), least + splat(kBoundError));
     if (!any(wanted)) continue;
     const V d = slant_least(SlantStretch(record, x, y, z), round, wanted).distance;
     const M closer =
@@ -102,9 +132,10 @@ static void chain_least_of(const ChainTool& tool, const ChainLine& line, std::ui
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V least = read(points.least + k), nearest = read(points.nearest + k);
     const V limit = least + splat(kBoundError);
+    const OneChain move{line};
     const ChainView at =
-        chain_view(line, read(points.x + k), read(points.y + k), read(points.z + k));
-    const M wanted = less_equal(chain_bound(tool, line, at), limit);
+        chain_view(move, read(points.x + k), read(points.y + k), read(points.z + k));
+    const M wanted = less_equal(chain_bound(tool, move, at, limit), limit);
     if (!any(wanted)) continue;
     const V d = chain_least({tool, line, at}, limit, wanted).f;
     const M closer =
@@ -198,7 +229,9 @@ static const SweepKernels kKernels = {
     {plane_arc_list, plan_least<ArcRecord>},
     bore_least,
     helix_least_of,
+    slant_bounds,
     slant_least_of,
+    chain_bounds,
     chain_least_of,
     polygons,
     polygon_least,

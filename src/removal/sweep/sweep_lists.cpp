@@ -132,8 +132,58 @@ void take_nearer(double d, std::uint32_t id, TurnTree::Nearest& best) {
     best.distance = d, best.sweep = id;
 }
 
-// The sweeps of a list that are asked on their own, with bounds that cost less than their
-// distances: planes of straight moves, boxes of others.
+// Bounds below the distances of a chunk of sweeps that are asked on their own, which cost less than
+// the distances: planes of straight moves, boxes of others.
+class SingleBounds {
+ public:
+  SingleBounds(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
+
+  /// Of up to kChunk sweeps: not above the distance but for rounding; where it is above `limit`,
+  /// any bound that is. Minus infinity where nothing is known, infinity for a sweep that is not
+  /// asked on its own.
+  void find(std::span<const std::uint32_t> ids, double limit) {
+    Part slants, chains;
+    std::int32_t tool = 0;  // of `chains`
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const SweepRef& ref = c_.refs[ids[k]];
+      bounds_[k] = std::numeric_limits<double>::infinity();
+      if (!is_single(c_, ids[k])) continue;
+      if (ref.frame == 0 && c_.is_slant_line(ref)) {
+        slants.add(ref.row, k);
+      } else if (ref.frame == 0 && c_.is_chain(ref)) {
+        if (chains.n > 0 && ref.shape != tool) add_chains(tool, limit, chains);
+        tool = ref.shape;
+        chains.add(ref.row, k);
+      } else {
+        bounds_[k] = box_bound(c_.bounds_of(ref), p_);
+      }
+    }
+    if (slants.n > 0) {
+      sweep_kernels().slant_bounds(c_.slant_lines.data(), slants.rows, slants.n, p_, found_);
+      scatter(slants);
+    }
+    if (chains.n > 0) add_chains(tool, limit, chains);
+  }
+  double operator[](std::size_t k) const { return bounds_[k]; }
+
+ private:
+  void add_chains(std::int32_t tool, double limit, Part& chains) {
+    sweep_kernels().chain_bounds(c_.chain_tools[tool], c_.chain_lines.data(), chains.rows, chains.n,
+                                 p_, limit, found_);
+    scatter(chains);
+    chains.n = 0;
+  }
+  void scatter(const Part& part) {
+    for (std::size_t k = 0; k < part.n; ++k) bounds_[part.places[k]] = found_[k];
+  }
+
+  const SweepColumns& c_;
+  Vec3 p_;
+  double bounds_[kChunk];
+  double found_[kChunk];
+};
+
+// The sweeps of a list that are asked on their own, with their bounds.
 class BoundedSweeps {
  public:
   BoundedSweeps(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
@@ -149,14 +199,20 @@ class BoundedSweeps {
     const std::uint32_t last = memory.last;
     const bool has_last = std::ranges::find(list, last) != list.end() && is_single(c_, last);
     if (has_last) take(last, best.distance, best);
-    for (const std::uint32_t id : list) {
+    SingleBounds bounds(c_, p_);
+    for (; !list.empty(); list = list.subspan(std::min(kChunk, list.size()))) {
       if (best.distance < enough) break;
-      if (!(has_last && id == last) && !add(id, best.distance + kBoundError, memory))
-        memory.others.push_back(id);
-      // It may well hold p.
-      if (!memory.singles.empty() && memory.singles.back().first < enough) {
-        take(memory.singles.back().second, best.distance, best);
-        memory.singles.pop_back();
+      const auto some = list.first(std::min(kChunk, list.size()));
+      bounds.find(some, best.distance + kBoundError);
+      for (std::size_t k = 0; k < some.size(); ++k) {
+        if (has_last && some[k] == last) continue;
+        if (!is_single(c_, some[k]))
+          memory.others.push_back(some[k]);
+        else if (bounds[k] < enough)  // it may well hold p
+          take(some[k], best.distance, best);
+        else if (bounds[k] <= best.distance + kBoundError)
+          memory.singles.emplace_back(bounds[k], some[k]);
+        if (best.distance < enough) break;
       }
     }
     if (best.distance < enough) {
@@ -174,16 +230,6 @@ class BoundedSweeps {
     return memory.others;
   }
 
-  /// Not above the distance but for rounding; where it is above `limit`, any bound that is. Minus
-  /// infinity where nothing is known. Requires: is_single().
-  double bound(std::uint32_t id, double limit) const {
-    const SweepRef& ref = c_.refs[id];
-    if (ref.frame == 0 && c_.is_slant_line(ref)) return slant_bound(c_.slant_lines[ref.row], p_);
-    if (ref.frame == 0 && c_.is_chain(ref))
-      return chain_bound(c_.chain_tools[ref.shape], c_.chain_lines[ref.row], p_, limit);
-    return box_bound(c_.bounds_of(ref), p_);
-  }
-
   /// Where on a sweep the point is nearest, if it is the nearest line.
   std::optional<double> place_on(std::uint32_t sweep) const {
     return sweep == line_ ? std::optional(t_) : std::nullopt;
@@ -199,13 +245,6 @@ class BoundedSweeps {
   static Memory& thread_memory() {
     static thread_local Memory memory;
     return memory;
-  }
-
-  bool add(std::uint32_t id, double limit, Memory& memory) const {
-    if (!is_single(c_, id)) return false;
-    if (const double least = bound(id, limit); least <= limit)
-      memory.singles.emplace_back(least, id);
-    return true;
   }
 
   void take(std::uint32_t id, double limit, TurnTree::Nearest& best) {
@@ -232,12 +271,14 @@ void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
   constexpr std::size_t kWorth = 8;  // sweeps
   if (!has_singles(c) || ids.size() < kWorth) return;
   const std::size_t middle = points.count / 2;
-  const BoundedSweeps singles(c, {points.x[middle], points.y[middle], points.z[middle]});
+  SingleBounds bounds(c, {points.x[middle], points.y[middle], points.z[middle]});
   double least = std::numeric_limits<double>::infinity();
   std::optional<std::uint32_t> best;
-  for (const std::uint32_t id : ids) {
-    if (!is_single(c, id)) continue;
-    if (const double bound = singles.bound(id, least); bound < least) least = bound, best = id;
+  for (; !ids.empty(); ids = ids.subspan(std::min(kChunk, ids.size()))) {
+    const auto some = ids.first(std::min(kChunk, ids.size()));
+    bounds.find(some, least);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      if (bounds[k] < least) least = bounds[k], best = some[k];
   }
   if (best) least_of(c, *best, points);
 }
