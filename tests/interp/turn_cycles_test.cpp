@@ -2,6 +2,7 @@
 #include "interp/support.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -83,13 +84,62 @@ TEST(TurnCycles, GrooveWithAllowances) {
             "l25,-27 r31,-27 r31,-30 l25,-30 l25,-27 r31,-27 ");
 }
 
+// Chamfers by their length (VARI 1) or leg (11), radii, at the edge (RCO) and at the bottom (RCI).
+TEST(TurnCycles, GrooveWithCorners) {
+  const Tool sharp = grooving_tool(4, 3);
+  const double leg = std::sqrt(2.0);
+  EXPECT_EQ(lathe_path("CYCLE93(60,-20,10,5,0,0,0,-1,-2,0,0,0,0,,,15)", sharp),
+            "r31,-10 r31,-24 l25,-24 r31,-24 r31,-27 l25,-27 r31,-27 r31,-30 l25,-30 r31,-30 "
+            "r31,-22 l29,-24 l25,-24 l25,-27 r31,-27 r31,-33 l28,-30 l25,-30 l25,-27 r31,-27 ")
+      << "SPL on the right: its corner is the first";
+  EXPECT_EQ(lathe_path(fmt::format("CYCLE93(60,-30,10,5,0,0,0,{},0,0,0,0,0,,,1)", -leg), sharp),
+            lathe_path("CYCLE93(60,-30,10,5,0,0,0,-1,0,0,0,0,0,,,11)", sharp));
+  EXPECT_EQ(
+      lathe_path("CYCLE93(60,-30,10,5,0,0,0,1,0,0.5,-1,0,0,,,11)", sharp),
+      "r31,-10 r31,-29.5 l25,-29.5 r31,-29.5 r31,-27.25 l25,-27.25 r31,-27.25 r31,-25 l25,-25 "
+      "r31,-25 r31,-31 l30,-31 l29,-30 l25.5,-30 l25,-29.5 l25,-27.25 r31,-27.25 r31,-24 "
+      "l26,-24 l25,-25 l25,-27.25 r31,-27.25 ");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,0,0,0,0,3,3.1,0,0,,,11)", sharp), "value-range");
+  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,0,0,3,0,3,0,0,0,,,11)", sharp), "value-range");
+}
+
+// What a groove with corners removes is the rectangle and its corners, turned: with a sharp blade,
+// and with one whose corners are round, which stay at the bottom.
+TEST(TurnCycles, CornersOfRoundBladesKeepTheirSize) {
+  const auto path = [](double nose, const char* corners) {
+    Tool tool = grooving_tool(4, 3);
+    tool.nose_radius = nose;
+    InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
+    options.table.tools = {tool};
+    return read_text(
+        fmt::format("F0.2 G0 X70 Z-10\nCYCLE93(60,-30,10,5,0,0,0,{},0,0,,,11)\n", corners),
+        options);
+  };
+  // The centre of the blade's corner stays its radius off the chamfer's line, from X30 Z-31 to X29
+  // Z-30.
+  const Program chamfer = path(0.4, "-1,-1,-2,-2");
+  double nearest = 1e9;
+  for (const Motion& m : chamfer.motions) {
+    if (m.kind == MotionKind::rapid || m.start.x == m.end.x || m.start.z == m.end.z) continue;
+    if (m.end.z < m.start.z || m.start.x < 28) continue;  // the left flank's
+    const double x = m.start.x + 0.4, z = m.start.z + 0.4;
+    nearest = std::abs(x - 30 + z + 31) / std::sqrt(2.0);
+  }
+  EXPECT_NEAR(nearest, 0.4, 1e-9);
+  const Program round = path(0.4, "1,1,2,2");
+  std::string radii;
+  for (const Motion& m : round.motions)
+    if (m.kind == MotionKind::arc)
+      radii += fmt::format("{:.6g} ", std::hypot(m.center.x - m.start.x, m.center.z - m.start.z));
+  EXPECT_EQ(radii, "1.4 1.6 1.4 1.6 ");
+}
+
 TEST(TurnCycles, GroovesThatAreNotRead) {
   const Tool tool = grooving_tool(4, 3);
   // The manual's example: in a cone, with oblique flanks and chamfers.
   EXPECT_EQ(lathe_path("CYCLE93(35,60,30,25,5,10,20,0,0,-2,-2,1,1,10,1,5,0.2)", tool),
             "not-supported");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,10,10,,,,,,,,,1)", tool), "not-supported");
-  EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,0,0,0,1,1,,,,,,,1)", tool), "not-supported");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,2)", tool), "not-supported");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,10,5,,,,,,,,,,,,9)", tool), "value-range");
   EXPECT_EQ(lathe_path("CYCLE93(60,-30,3,5,,,,,,,,,,,,1)", tool), "value-range");

@@ -2,6 +2,7 @@
 
 #include "core/rounding.h"
 #include "core/tip_orientation.h"
+#include "core/units.h"
 #include "interp/path/clearing.h"
 
 #include <algorithm>
@@ -147,8 +148,6 @@ bool TurnCycles::groove_values(Groove& g) {
   if (std::fmod(kind, 2) == 0) return refuse("a groove in a face (VARI)");
   if (call_.get(4) != 0) return refuse("a groove in a cone (STA1)");
   if (call_.get(5) != 0 || call_.get(6) != 0) return refuse("an oblique flank (ANG1, ANG2)");
-  for (const std::size_t i : {7, 8, 9, 10})
-    if (call_.get(i) != 0) return refuse("a rounded or chamfered corner (RCO, RCI)");
   const bool inside = kind == 3 || kind == 7, right = kind > 4;
   const double in = inside ? 1 : -1, depth = std::abs(call_.get(3)) * unit;
   Word diameter;
@@ -166,7 +165,35 @@ bool TurnCycles::groove_values(Groove& g) {
     return fail("value-range", "CYCLE93: DIAG is the depth, above FAL1 and not beyond the axis");
   const double low = right ? at - width : at;
   if (!blade(g, low, low + width)) return false;
-  if (right) std::swap(g.first, g.last);
+  if (right) std::swap(g.flanks[0], g.flanks[1]);
+  g.side = right ? -1 : 1;
+  return groove_corners(g, width);
+}
+
+// RCO1 RCO2 at the edge, RCI1 RCI2 at the bottom: above 0 a radius, below 0 a chamfer by its length
+// (VARI below 10) or by its leg. The centre of the blade's corner keeps its radius off them.
+bool TurnCycles::groove_corners(Groove& g, double width) {
+  const double apart = g.nose * (2 - std::sqrt(2.0));  // of the legs, where a chamfer is offset
+  double beside[2] = {0, 0}, below = 0;
+  for (const std::size_t side : {0, 1}) {
+    Flank& flank = g.flanks[side];
+    const auto size = [&](std::size_t i, bool& round, bool convex) {
+      const double value = call_.get(i + side) * scale();
+      round = value > 0;
+      if (value == 0) return 0.0;
+      if (round) return convex ? value + g.nose : std::max(0.0, value - g.nose);
+      const double leg = call_.get(15) > 10 ? -value : -value / std::sqrt(2.0);
+      return convex ? leg + apart : std::max(0.0, leg - apart);
+    };
+    flank.edge = size(7, flank.edge_round, true);
+    flank.corner = size(9, flank.corner_round, false);
+    beside[side] = flank.corner;
+    below = std::max(below, flank.edge + flank.corner);
+  }
+  if (below > std::abs(g.bottom - g.top) || beside[0] + beside[1] > width)
+    return fail("value-range", "CYCLE93: the corners (RCO, RCI) are larger than the groove");
+  if (beside[0] + beside[1] > std::abs(g.flanks[1].place - g.flanks[0].place) + kRounding)
+    return fail("value-range", "CYCLE93: the blade is too wide between the corners of the bottom");
   return true;
 }
 
@@ -188,8 +215,9 @@ bool TurnCycles::blade(Groove& g, double low, double high) {
                                            call_.name, tip));
   const bool middle = tip == 6 || tip == 8, right = tip == 1 || tip == 4;
   const double from = middle ? w / 2 : right ? w : 0;  // of the point, from the blade's low corner
-  g.first = low + from;
-  g.last = high - w + from;
+  g.flanks[0].place = low + from;
+  g.flanks[1].place = high - w + from;
+  g.nose = tool->nose_radius;
   g.step = 0.95 * (w - 2 * tool->nose_radius);
   if (g.step <= 0)
     return fail("value-range", call_.name + ": the blade has no flat between its corners");
@@ -209,27 +237,61 @@ void TurnCycles::plunge(const Groove& g, double z, double bottom) {
   to(g.clear, z, MotionKind::rapid);
 }
 
+// A quarter of a circle to X, Z: it leaves the edge's side along Z, or ends in the bottom along Z.
+void TurnCycles::quarter(double x, double z, double radius, double turn, bool from_top) {
+  const Vec2 from{position_.programmed.z, position_.programmed.x}, end{z, x};
+  const Vec2 center = from_top ? Vec2{from.x, end.y} : Vec2{end.x, from.y};
+  mover_.begin(where_);
+  mover_.piece({true, from, end, center, radius, turn * kPi / 2}, 0, 0);
+}
+
+// Down the flank, with the corner at its edge, and along the bottom up to the middle, with the
+// corner there. `side`: of the groove along Z.
+void TurnCycles::finish_flank(const Groove& g, const Flank& f, double side, double middle) {
+  const double in = sign(g.bottom - g.top), above = std::abs(g.clear - g.top);
+  const double edge = g.top + in * f.edge, corner = g.bottom - in * f.corner;
+  const bool chamfer = f.edge > 0 && !f.edge_round;
+  to(g.clear, f.place - side * (chamfer ? f.edge + above : f.edge), MotionKind::rapid);
+  if (chamfer) to(edge, f.place, MotionKind::line);
+  if (f.edge > 0 && f.edge_round) {
+    to(g.top, f.place - side * f.edge, MotionKind::line);
+    quarter(edge, f.place, f.edge, side * in, true);
+  }
+  to(corner, f.place, MotionKind::line);
+  if (f.corner > 0 && f.corner_round)
+    quarter(g.bottom, f.place + side * f.corner, f.corner, -side * in, false);
+  to(g.bottom, f.place + side * f.corner, MotionKind::line);
+  to(g.bottom, middle, MotionKind::line);
+  to(g.clear, middle, MotionKind::rapid);
+}
+
 bool TurnCycles::groove() {
   Groove g;
   if (!groove_values(g)) return false;
-  const double in = sign(g.bottom - g.top), travel = g.last - g.first;
+  const Flank &first = g.flanks[0], &last = g.flanks[1];
+  const double in = sign(g.bottom - g.top), travel = last.place - first.place;
   if (std::abs(g.bottom - g.top) > kMostPasses * g.infeed && g.infeed > 0)
     return fail("value-range", "too many passes");
-  const double aside = std::min(g.flank_allowance, std::abs(travel) / 2) * sign(travel);
-  const double begin = g.first + aside, end = g.last - aside;
+  const double most = std::abs(travel), run = sign(travel);
+  double before = std::max(g.flank_allowance - first.corner, 0.0),
+         behind = std::max(g.flank_allowance - last.corner, 0.0);
+  const double room = most - first.corner - last.corner, wanted = before + behind;
+  if (wanted > room) {  // the allowances meet
+    before *= room / wanted;
+    behind *= room / wanted;
+  }
+  const double begin = first.place + run * (first.corner + before),
+               end = last.place - run * (last.corner + behind);
   if (std::abs(end - begin) > kMostPasses * g.step) return fail("value-range", "too many passes");
   to(g.clear, position_.programmed.z, MotionKind::rapid);
   const int n = std::abs(end - begin) < kRounding ? 0 : steps_of(std::abs(end - begin), g.step);
   for (int i = 0; i <= n; ++i)
     plunge(g, n == 0 ? begin : begin + (end - begin) * i / n, g.bottom - in * g.base_allowance);
-  if (g.base_allowance == 0 && g.flank_allowance == 0) return true;
-  const double middle = (g.first + g.last) / 2;
-  for (const double flank : {g.first, g.last}) {  // each flank, and the base up to the middle
-    to(g.clear, flank, MotionKind::rapid);
-    to(g.bottom, flank, MotionKind::line);
-    to(g.bottom, middle, MotionKind::line);
-    to(g.clear, middle, MotionKind::rapid);
-  }
+  const double corners = first.edge + first.corner + last.edge + last.corner;
+  if (g.base_allowance == 0 && g.flank_allowance == 0 && corners == 0) return true;
+  const double middle = (begin + end) / 2;
+  finish_flank(g, first, g.side, middle);
+  finish_flank(g, last, -g.side, middle);
   return true;
 }
 

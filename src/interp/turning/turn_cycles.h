@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
+#include "interp/cycles/cycle_mover.h"
 #include "interp/moves/moves.h"
 #include "interp/tools/tool_changer.h"
 
@@ -16,7 +17,7 @@ namespace mrsim {
 class TurnCycles : public ControlPart {
  public:
   TurnCycles(Control& control, ToolChanger& tools, Moves& moves)
-      : ControlPart(control), tools_(tools), moves_(moves) {}
+      : ControlPart(control), tools_(tools), moves_(moves), mover_(control, moves) {}
 
   static bool knows(std::string_view name);
   /// False: an error was reported.
@@ -39,12 +40,21 @@ class TurnCycles : public ControlPart {
     double down = -1, run = -1;  ///< signs of the infeed and of the cut
     double clear = 0, depth = 0;
   };
+  /// A flank of a groove; of its corners, what the blade's point keeps off them along each side:
+  /// the radius of a rounding, with the blade's own, or the leg of a chamfer.
+  struct Flank {
+    double place = 0;             ///< of the tool along Z
+    double edge = 0, corner = 0;  ///< at the groove's edge and at its bottom
+    bool edge_round = false, corner_round = false;
+  };
   /// CYCLE93: places of the blade along Z, X as radius.
   struct Groove {
-    double first = 0, last = 0;  ///< of the tool, at the two flanks, the side of SPL first
+    Flank flanks[2];  ///< the side of SPL first
+    double side = 1;  ///< of the groove along Z, seen from there
     double top = 0, bottom = 0, clear = 0;
     double base_allowance = 0, flank_allowance = 0;
     double infeed = 0, retract = 1, step = 0;
+    double nose = 0;   ///< of the blade's corners
     double dwell = 0;  ///< at the bottom of each plunge, s
   };
 
@@ -60,7 +70,10 @@ class TurnCycles : public ControlPart {
   bool blade(Groove& out, double low, double high);
   bool parting();
   bool parting_values(Groove& out);
+  bool groove_corners(Groove& g, double width);
   void plunge(const Groove& g, double z, double bottom);
+  void finish_flank(const Groove& g, const Flank& flank, double side, double middle);
+  void quarter(double x, double z, double radius, double turn, bool from_top);
   bool thread_cycle();
   bool thread_list();
   bool thread_chain();
@@ -71,6 +84,7 @@ class TurnCycles : public ControlPart {
 
   ToolChanger& tools_;
   Moves& moves_;
+  CycleMover mover_;
   CycleCall call_;
   Word where_;
 };

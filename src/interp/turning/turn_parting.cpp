@@ -39,13 +39,13 @@ bool TurnCycles::parting() {
   if (!blade(g, z - width, z)) return false;
   const double before = modal_.feed;
   to(g.clear, position_.programmed.z, MotionKind::rapid);
-  to(g.clear, g.first, MotionKind::rapid);
+  to(g.clear, g.flanks[0].place, MotionKind::rapid);
   if (call_.get(9) > 0) modal_.feed = call_.get(9) * feed_scale();
-  to(std::clamp(g.infeed, g.bottom, g.top), g.first, MotionKind::line);
+  to(std::clamp(g.infeed, g.bottom, g.top), g.flanks[0].place, MotionKind::line);
   if (call_.get(10) > 0) modal_.feed = call_.get(10) * feed_scale();
-  to(g.bottom, g.first, MotionKind::line);
+  to(g.bottom, g.flanks[0].place, MotionKind::line);
   modal_.feed = before;
-  to(g.clear, g.first, MotionKind::rapid);
+  to(g.clear, g.flanks[0].place, MotionKind::rapid);
   return true;
 }
 
