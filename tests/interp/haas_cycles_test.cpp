@@ -63,6 +63,13 @@ TEST(HaasCycles, CircularPockets) {
   EXPECT_NEAR(p.motions[2].sweep, kTwoPi, 1e-12);
   EXPECT_NEAR(p.motions[2].radius, 3, 1e-12);
   EXPECT_EQ(haas_path("G13 Z-2. I4. F100. D1\n"), " | value-range");
+  EXPECT_EQ(haas_path("G1 Z-3. F9.\nG13 I8. F100. D1\nX1.\n"),
+            "l0,0,-3 a3,0,-3 a3,0,-3 a0,0,-3 l1,0,-3")
+      << "without Z: where the tool stands";
+  EXPECT_EQ(haas_path("G1 Z-3. F9.\nG13 I8. F100.\n"), "l0,0,-3 | value-missing") << "or Mach's";
+  EXPECT_EQ(haas_path("G13 Z-2. I5. K9. Q2.5 F100. D1\n"),
+            "l0,0,-2 a2.5,0,-2 a2.5,0,-2 l4,0,-2 a4,0,-2 a0,0,-2")
+      << "I is the tool's radius: no first circle";
   EXPECT_EQ(codes(read_text("G13 Z-2. I30. F100. D1\n", at_origin(Dialect::fanuc)), Severity::note),
             "cycle-entry");
 }

@@ -125,13 +125,15 @@ void HaasCycles::add_arc(std::vector<Vec3>& points, double radius, double angle,
 }
 
 // I is the first radius, or the only one; K the last, in steps of Q. D is the tool's radius.
+// Without Z the pocket is cut where the tool stands.
 bool HaasCycles::read_pocket(Pocket& out) {
   if (modal_.comp != Code::comp_off)
     return error("cycle-compensation", "a circular pocket under radius compensation",
                  *block_.oneshot);
   const Word* i = peek('I');
   const Word* z = take('Z');
-  if (!i || !z)
+  const bool is_haas = peek('K') || peek('Q') || peek('D');
+  if (!i || (!z && !is_haas))
     return error("value-missing", fmt::format("a circular pocket needs {}", i ? 'Z' : 'I'),
                  *block_.oneshot);
   const double tool = compensation_.register_radius(*block_.oneshot);
@@ -140,13 +142,16 @@ bool HaasCycles::read_pocket(Pocket& out) {
     out.last = length_of('K') - tool;
     out.step = length_of('Q');
   }
-  out.depth = z->value * length_unit(*z);
+  const double here = modal_.incremental ? 0 : position_.programmed.z;
+  out.depth = z ? z->value * length_unit(*z) : here;
   if (!count('L', 9999, out.times)) return false;
   const bool steps = out.last > out.first;
+  if (steps && std::abs(out.first) < kRounding)  // no room for a circle: I is the tool's radius
+    out.first = std::min(out.step, out.last);
   if (!(out.first > 0) || out.last < out.first || (steps && !(out.step > 0)) ||
       (steps && (out.last - out.first) / out.step > kMostCircles))
     return error("value-range",
-                 "a circular pocket needs I larger than the tool's radius and less than K, and Q "
+                 "a circular pocket needs I not less than the tool's radius and less than K, and Q "
                  "above 0",
                  *i);
   if (out.first > 2 * tool + kRounding && tool > 0)
