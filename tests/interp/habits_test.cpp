@@ -306,5 +306,14 @@ TEST(Habits, AxesWithoutANumberBehindG53AndG28) {
   EXPECT_EQ(codes(read_text("G28 X\n", kFanuc)), "address-without-number");
 }
 
+// "//" begins a comment; a single one skips.
+TEST(Habits, TwoSlashesBeginAComment) {
+  EXPECT_EQ(milled_path("//T1 X9. Y9. (PART\nG1 X1. F9 // G1 X5.\n/X2.\n"), "l1,0,0 l2,0,0");
+  EXPECT_EQ(notes("G1 X1. F9 //\n//\n"), "slash-comment");
+  Scratch folder;
+  const std::string file = folder.write("a.nc", "// O1234 M98 G65 P2\nG1 X1 Y1\n");
+  EXPECT_NE(recognise(file, {}).dialect, Dialect::fanuc);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -310,7 +310,8 @@ TEST(Primer, Turning) {
 
 TEST(Diagnostics, BeyondAHundredOfAKindAreCounted) {
   Scratch folder;
-  const std::string path = folder.write("flood.nc", std::string(1000000, '/') + "\nG1 X1 F100\n");
+  const std::string path =
+      folder.write("flood.nc", "/" + std::string(999999, '!') + "\nG1 X1 F100\n");
   const Program p = read_program(path, at_origin(Dialect::iso));
   ASSERT_EQ(p.diagnostics.size(), 101U);
   EXPECT_EQ(p.diagnostics[99].place.column, 101);

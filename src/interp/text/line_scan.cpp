@@ -76,6 +76,11 @@ void scan_line(std::string_view line, LineScan& out) {
   int depth = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
+    if (c == '/' && depth == 0 && line.substr(i).starts_with("//")) {
+      out.comment = line.substr(i + 2);
+      out.comment_kind = '/';
+      return;
+    }
     if (c == ';' && depth == 0) {
       const std::string_view rest = line.substr(i + 1);
       if (rest.find_first_not_of(" \t;") == std::string_view::npos) {

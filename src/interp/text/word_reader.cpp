@@ -72,6 +72,8 @@ WordReader::Step WordReader::step(Block& block) {
   }
   if (blank(c)) {
     ++p_;
+  } else if (c == '/' && at(p_ + 1) == '/') {
+    slashes(block);
   } else if ((c == '*' || c == '$') && is_end_sign()) {
     Word sign;
     sign.column = static_cast<int>(p_++);
@@ -99,6 +101,17 @@ WordReader::Step WordReader::step(Block& block) {
     strange_.character(block);
   }
   return Step::more;
+}
+
+// "//" is a comment of some routers' software, and no control's skip twice.
+void WordReader::slashes(Block& block) {
+  Word sign;
+  sign.column = static_cast<int>(p_);
+  sign.length = 2;
+  block.comments.push_back(line_.substr(p_ + 2));
+  p_ = line_.size();
+  reporter_.once(Severity::note, "slash-comment", "what stands behind // is read as a comment",
+                 sign, "slash-comment");
 }
 
 // Listings print the end of a block as "*" or "$".

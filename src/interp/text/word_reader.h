@@ -27,6 +27,7 @@ class WordReader : public LineParser {
   bool skip_rest(const Block& block);
   void letter_word(Block& block);
   bool ends_block() const;
+  void slashes(Block& block);
   bool is_end_sign() const;
   bool is_directive() const;
   void read_comment(Block& block, char close);
