@@ -124,6 +124,20 @@ void add_slants(SweepColumns& c) {
   }
 }
 
+void tag_others(SweepColumns& c) {
+  for (std::size_t i = 0; i < c.refs.size(); ++i) {
+    if (!is_other(c.tags[i])) continue;
+    const SweepRef& ref = c.refs[i];
+    const bool has_record = ref.frame == 0 && ref.row <= kSingleRow;
+    const SingleForm form = ref.kind == SweepKind::turn          ? SingleForm::turned
+                            : has_record && c.is_slant_line(ref) ? SingleForm::slant
+                            : has_record && c.is_chain(ref)      ? SingleForm::chain
+                                                                 : SingleForm::box;
+    c.tags[i] = kOtherForm << kTagShift | static_cast<std::uint32_t>(form) << kSingleShift |
+                (ref.row & kSingleRow);
+  }
+}
+
 }  // namespace
 
 void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
@@ -141,6 +155,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   out.uniform = out.uniform && !out.refs.empty();
   add_chains(out);
   add_slants(out);
+  tag_others(out);
   out.packs = SweepPacks(out, threads);
   cut_pieces(out);
   classify(out, threads);

@@ -64,6 +64,14 @@ struct SweepRef {
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
+/// Of the other form: what bounds the distance of a sweep that is asked on its own, above the row.
+enum class SingleForm : std::uint32_t { box, slant, chain, turned };
+inline constexpr std::uint32_t kSingleShift = 28, kSingleRow = (1u << kSingleShift) - 1;
+inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
+/// Requires: is_other(tag).
+inline SingleForm single_form(std::uint32_t tag) {
+  return static_cast<SingleForm>(tag >> kSingleShift & 3);
+}
 
 struct SweepColumns {
   std::vector<SweepRef> refs;

@@ -51,7 +51,8 @@ void run(const FormKernels<Record>& kernels, const Record* records, const Part& 
 
 // Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
 bool is_single(const SweepColumns& c, std::uint32_t id) {
-  return c.tags[id] >> kTagShift == kOtherForm && c.refs[id].kind != SweepKind::turn;
+  const std::uint32_t tag = c.tags[id];
+  return is_other(tag) && single_form(tag) != SingleForm::turned;
 }
 
 // A list has such sweeps only if one of these columns holds any.
@@ -143,19 +144,21 @@ class SingleBounds {
   /// asked on its own.
   void find(std::span<const std::uint32_t> ids, double limit) {
     Part slants, chains;
+    const bool one_tool = c_.chain_tools.size() == 1;
     std::int32_t tool = 0;  // of `chains`
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      const SweepRef& ref = c_.refs[ids[k]];
+      const std::uint32_t tag = c_.tags[ids[k]], row = tag & kSingleRow;
       bounds_[k] = std::numeric_limits<double>::infinity();
       if (!is_single(c_, ids[k])) continue;
-      if (ref.frame == 0 && c_.is_slant_line(ref)) {
-        slants.add(ref.row, k);
-      } else if (ref.frame == 0 && c_.is_chain(ref)) {
-        if (chains.n > 0 && ref.shape != tool) add_chains(tool, limit, chains);
-        tool = ref.shape;
-        chains.add(ref.row, k);
+      if (single_form(tag) == SingleForm::slant) {
+        slants.add(row, k);
+      } else if (single_form(tag) == SingleForm::chain) {
+        const std::int32_t own = one_tool ? 0 : c_.refs[ids[k]].shape;
+        if (chains.n > 0 && own != tool) add_chains(tool, limit, chains);
+        tool = own;
+        chains.add(row, k);
       } else {
-        bounds_[k] = box_bound(c_.bounds_of(ref), p_);
+        bounds_[k] = box_bound(c_.bounds_of(c_.refs[ids[k]]), p_);
       }
     }
     if (slants.n > 0) {
@@ -197,7 +200,7 @@ class BoundedSweeps {
     Memory& memory = thread_memory();
     memory.others.clear(), memory.singles.clear();
     const std::uint32_t last = memory.last;
-    const bool has_last = std::ranges::find(list, last) != list.end() && is_single(c_, last);
+    const bool has_last = std::ranges::binary_search(list, last) && is_single(c_, last);
     if (has_last) take(last, best.distance, best);
     SingleBounds bounds(c_, p_);
     for (; !list.empty(); list = list.subspan(std::min(kChunk, list.size()))) {
