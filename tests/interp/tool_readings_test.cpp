@@ -152,6 +152,8 @@ TEST(ToolCommentReadings, HyphensBetweenTheParts) {
       {mm, "ENDMILL-05", "? gives no diameter"},
       {inch, "TOOL NAME: UGT0201_001 MILL DIA=.750 LR=.0625", "bullmill 19.05, corner 1.5875"},
       {mm, "DM=9 VHM-BOHRER", "drill 9"},
+      {mm, "T2 D=20. CR=0. - ZMIN=-8 - slot mill", "? gives no width of the head"},
+      {mm, "T2 10MM SLOT MILL", "endmill 10"},
       {inch, "TAP-1/4-20", "endmill 6.35"},
       {mm, "ENDMILL - 10", "endmill 10"},
   });

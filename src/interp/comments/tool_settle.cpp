@@ -86,7 +86,7 @@ void Settler::settle_type() {
   const bool by_data =
       data && k && !is_turning(k->type) && (k->trade != ToolTrade::disc || disc_data);
   if (k && (k->firm || hint_.names_tool || by_data)) {
-    hint_.type = k->type;
+    hint_.type = facts_.fusion_slot ? ToolType::tslot : k->type;
     hint_.trade = k->trade;
     hint_.firm = k->firm;
     const bool round = k->trade == ToolTrade::rounding;
