@@ -217,6 +217,12 @@ void Settler::settle_nose() {
 
 // "R3 BALL" has the diameter 6.
 void Settler::settle_mill() {
+  if (trade_is(ToolTrade::face_mill) && facts_.taper > 0) {  // of Fusion: D is that of the tip
+    hint_.type = ToolType::taper;
+    hint_.trade = ToolTrade::cone_mill;
+    hint_.taper_angle = radians(facts_.taper);
+    return;
+  }
   if (facts_.tapered && (trade_is(ToolTrade::mill) || trade_is(ToolTrade::face_mill)))
     doubt("names a tapered mill, whose shape it does not tell");
   constexpr double kUpright = 85;  // degrees
