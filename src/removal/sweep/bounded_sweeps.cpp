@@ -1,0 +1,154 @@
+#include "removal/sweep/bounded_sweeps.h"
+
+#include "core/vec.h"
+#include "removal/forms/chain_sweep.h"
+#include "removal/forms/slant_sweep.h"
+#include "removal/simd/sweep_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrsim {
+namespace {
+
+// Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
+bool is_single(const SweepColumns& c, std::uint32_t id) {
+  const std::uint32_t tag = c.tags[id];
+  return is_other(tag) && single_form(tag) != SingleForm::turned;
+}
+
+// Bounds below the distances of a chunk of sweeps that are asked on their own, which cost less than
+// the distances: planes of straight moves, boxes of others.
+class SingleBounds {
+ public:
+  SingleBounds(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
+
+  /// Of up to kListChunk sweeps: not above the distance but for rounding; where it is above
+  /// `limit`, any bound that is. Minus infinity where nothing is known, infinity for a sweep that
+  /// is not asked on its own.
+  void find(std::span<const std::uint32_t> ids, double limit) {
+    ListPart slants, chains;
+    const bool one_tool = c_.chain_tools.size() == 1;
+    std::int32_t tool = 0;  // of `chains`
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const std::uint32_t tag = c_.tags[ids[k]], row = tag & kSingleRow;
+      bounds_[k] = std::numeric_limits<double>::infinity();
+      if (!is_single(c_, ids[k])) continue;
+      if (single_form(tag) == SingleForm::slant) {
+        slants.add(row, k);
+      } else if (single_form(tag) == SingleForm::chain) {
+        const std::int32_t own = one_tool ? 0 : c_.refs[ids[k]].shape;
+        if (chains.n > 0 && own != tool) add_chains(tool, limit, chains);
+        tool = own;
+        chains.add(row, k);
+      } else {
+        bounds_[k] = box_bound(c_.bounds_of(c_.refs[ids[k]]), p_);
+      }
+    }
+    if (slants.n > 0) {
+      sweep_kernels().slant_bounds(c_.slant_lines.data(), slants.rows, slants.n, p_, found_);
+      scatter(slants);
+    }
+    if (chains.n > 0) add_chains(tool, limit, chains);
+  }
+  double operator[](std::size_t k) const { return bounds_[k]; }
+
+ private:
+  void add_chains(std::int32_t tool, double limit, ListPart& chains) {
+    sweep_kernels().chain_bounds(c_.chain_tools[tool], c_.chain_lines.data(), chains.rows, chains.n,
+                                 p_, limit, found_);
+    scatter(chains);
+    chains.n = 0;
+  }
+  void scatter(const ListPart& part) {
+    for (std::size_t k = 0; k < part.n; ++k) bounds_[part.places[k]] = found_[k];
+  }
+
+  const SweepColumns& c_;
+  Vec3 p_;
+  double bounds_[kListChunk];
+  double found_[kListChunk];
+};
+
+}  // namespace
+
+double box_bound(const Box3& box, const Vec3& p) {
+  const auto beyond = [](double low, double x, double high) {
+    return std::max(std::max(low - x, x - high), 0.0);
+  };
+  const double x = beyond(box.lo.x, p.x, box.hi.x), y = beyond(box.lo.y, p.y, box.hi.y),
+               z = beyond(box.lo.z, p.z, box.hi.z);
+  const double square = x * x + y * y + z * z;
+  return square > 0 ? std::sqrt(square) : -std::numeric_limits<double>::infinity();
+}
+
+std::optional<std::uint32_t> least_bound(const SweepColumns& c, std::span<const std::uint32_t> ids,
+                                         const Vec3& p) {
+  SingleBounds bounds(c, p);
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<std::uint32_t> best;
+  for (; !ids.empty(); ids = ids.subspan(std::min(kListChunk, ids.size()))) {
+    const auto some = ids.first(std::min(kListChunk, ids.size()));
+    bounds.find(some, least);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      if (bounds[k] < least) least = bounds[k], best = some[k];
+  }
+  return best;
+}
+
+BoundedSweeps::Memory& BoundedSweeps::thread_memory() {
+  static thread_local Memory memory;
+  return memory;
+}
+
+std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint32_t> list,
+                                                      double enough, TurnTree::Nearest& best) {
+  Memory& memory = thread_memory();
+  memory.others.clear(), memory.singles.clear();
+  const std::uint32_t last = memory.last;
+  const bool has_last = std::ranges::binary_search(list, last) && is_single(c_, last);
+  if (has_last) take(last, best.distance, best);
+  SingleBounds bounds(c_, p_);
+  for (; !list.empty(); list = list.subspan(std::min(kListChunk, list.size()))) {
+    if (best.distance < enough) break;
+    const auto some = list.first(std::min(kListChunk, list.size()));
+    bounds.find(some, best.distance + kBoundError);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      if (has_last && some[k] == last) continue;
+      if (!is_single(c_, some[k]))
+        memory.others.push_back(some[k]);
+      else if (bounds[k] < enough)  // it may well hold p
+        take(some[k], best.distance, best);
+      else if (bounds[k] <= best.distance + kBoundError)
+        memory.singles.emplace_back(bounds[k], some[k]);
+      if (best.distance < enough) break;
+    }
+  }
+  if (best.distance < enough) {
+    memory.last = best.sweep;
+    return {};
+  }
+  auto& singles = memory.singles;
+  if (!singles.empty())
+    std::swap(singles.front(), *std::min_element(singles.begin(), singles.end()));
+  for (const auto& [bound, id] : singles) {
+    const double limit = best.distance + kBoundError;
+    if (bound <= limit) take(id, limit, best);
+  }
+  if (std::isfinite(best.distance)) memory.last = best.sweep;
+  return memory.others;
+}
+
+void BoundedSweeps::take(std::uint32_t id, double limit, TurnTree::Nearest& best) {
+  const SweepRef& ref = c_.refs[id];
+  if (ref.frame != 0 || !(c_.is_slant_line(ref) || c_.is_chain(ref)))
+    return take_nearer(c_.distance(id, p_), id, best);
+  const PathSample s = c_.is_slant_line(ref) ? slant_minimum(c_.slant_lines[ref.row], p_)
+                                             : chain_minimum(c_.chain_tools[ref.shape],
+                                                             c_.chain_lines[ref.row], p_, limit);
+  take_nearer(s.distance, id, best);
+  if (best.sweep == id) t_ = s.t, line_ = id;
+}
+
+}  // namespace mrsim
