@@ -76,6 +76,7 @@ std::optional<LevelSetSurface> receive(const std::string& bytes, const std::stri
 // process that is copied while threads start may wait for ever.
 LevelSetSurface read_voxels(const std::string& path, std::size_t size) {
   ChildLimits limits;
+  limits.what = "reading " + path;
   limits.seconds = 60 + static_cast<int>(std::min<std::size_t>(size >> 20, 1000)) * 5;
   limits.bytes = (std::size_t(3) << 29) + 100 * size;
   const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {

@@ -9,6 +9,7 @@
 #include "compare/play_json.h"
 #include "compare/report_template.h"
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +31,8 @@ constexpr std::size_t kMostShown = 200000;  // triangles of the part
 constexpr std::size_t kMostNominal = 150000;
 constexpr int kMostLines = 200000;       // of a program; beyond, only those around the cuts
 constexpr double kDeviationStep = 1e-4;  // mm
+// Bytes, measured: what is shown has at most so many triangles, but comes from copies.
+constexpr double kPage = 25e6, kPartTriangle = 50, kNominalTriangle = 200;
 
 // Positions as 24-bit steps over the bounds: 6 nm on 100 mm.
 struct Grid {
@@ -212,8 +216,11 @@ std::string script_safe(const std::string& json) {
 
 DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Comparison& c,
                        int threads) {
-  const TriMesh moved = transformed(part, c.transform);
-  if (nominal.triangles.empty()) return {moved, std::vector<float>(moved.vertices.size(), 0.0f)};
+  TriMesh moved = transformed(part, c.transform);
+  if (nominal.triangles.empty()) {
+    std::vector<float> none(moved.vertices.size(), 0.0f);
+    return {std::move(moved), std::move(none)};
+  }
   const NominalSurface surface(nominal, threads);
   return refine_for_display(moved, surface, (c.band.hi - c.band.lo) / 8, kMostShown, threads);
 }
@@ -222,6 +229,9 @@ DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Compar
 
 std::string report_html(const TriMesh& part, const TriMesh& nominal, const Comparison& comparison,
                         const ReportFacts& facts, int threads) {
+  require_memory(kPage + kPartTriangle * double(part.triangles.size()) +
+                     kNominalTriangle * double(nominal.triangles.size()),
+                 "a report", "--max-memory allows more, and a coarser mesh takes less");
   const DisplayMesh shown =
       cluster_for_display(shown_part(part, nominal, comparison, threads), kMostShown);
   const DisplayMesh overlay = cluster_for_display(

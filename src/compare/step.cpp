@@ -2,6 +2,7 @@
 #include "compare/step/module.h"
 #include "compare/step_text.h"
 #include "core/child_process.h"
+#include "core/memory_limit.h"
 #include "core/module.h"
 #include "core/text_io.h"
 #include "mesh/solid/check.h"
@@ -23,6 +24,8 @@ namespace mrsim {
 namespace {
 
 #ifdef MRSIM_HAS_STEP
+
+constexpr double kTriangleMemory = 360;  // bytes, measured: welding and checking the mesh
 
 struct StepModule {
   Module module{{"step", "step-module", "reads STEP files",
@@ -101,6 +104,8 @@ std::optional<StepMesh> receive_facets(const std::string& bytes, const std::stri
   std::vector<std::uint32_t> triangles(header.triangles * 3);
   if (point_bytes > 0) std::memcpy(points.data(), at, point_bytes);
   if (index_bytes > 0) std::memcpy(triangles.data(), at + point_bytes, index_bytes);
+  require_memory(kTriangleMemory * double(header.triangles), "reading " + path,
+                 "a larger --deflection takes less");
   StepFacets facets;
   facets.points = points.data();
   facets.point_count = header.points;
@@ -114,6 +119,7 @@ StepMesh read_solids(const std::string& path, double deflection) {
   const std::size_t size = require_step_header(path);
   static const StepModule module;
   ChildLimits limits;
+  limits.what = "reading " + path;
   limits.seconds = 120 + static_cast<int>(std::min<std::size_t>(size >> 20, 1000)) * 30;
   limits.bytes = (std::size_t(2) << 30) + 400 * size;
   const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {

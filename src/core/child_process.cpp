@@ -1,6 +1,7 @@
 #include "core/child_process.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <new>
 
 #include <fcntl.h>
@@ -52,12 +54,37 @@ void write_all(int fd, const char* data, std::size_t size) {
   }
 }
 
-[[noreturn]] void be_child(int fd, const ChildLimits& limits,
-                           const std::function<void(const ByteSink&)>& work) {
+// The process dies with the one that has started it.
+void die_with(pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int nowhere = ::open("/dev/null", O_WRONLY);  // what a dying library says is of no use
+  if (::getppid() != parent) ::_exit(1);  // which was dead already
+}
+
+void be_silent() {
+  const int nowhere = ::open("/dev/null", O_WRONLY);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
+}
+
+// In the copy of this process: only what is allowed where other threads have been.
+[[noreturn]] void be_program(char* const* words, ProgramLife life, pid_t parent, int told) {
+  if (life == ProgramLife::ours)
+    die_with(parent);
+  else
+    be_silent();
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(SIGXFSZ, SIG_DFL);
+  ::execvp(words[0], words);
+  write_all(told, "-", 1);
+  ::_exit(127);
+}
+
+[[noreturn]] void be_child(int fd, const ChildLimits& limits,
+                           const std::function<void(const ByteSink&)>& work, pid_t parent) {
+  die_with(parent);
+  be_silent();  // what a dying library says is of no use
   lower(RLIMIT_CORE, 0);
   lower(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
 #ifndef __SANITIZE_ADDRESS__  // its shadow takes all addresses
@@ -76,7 +103,7 @@ void write_all(int fd, const char* data, std::size_t size) {
 }
 
 // False where the clock ran out.
-bool collect(int fd, int seconds, std::string& bytes) {
+bool collect(int fd, int seconds, const std::string& what, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::seconds(seconds);
   std::array<char, 65536> piece;
@@ -87,6 +114,8 @@ bool collect(int fd, int seconds, std::string& bytes) {
     if (::poll(&wait, 1, static_cast<int>(left.count())) <= 0) continue;
     const ssize_t n = ::read(fd, piece.data(), piece.size());
     if (n == 0) return true;
+    if (n > 0 && bytes.size() + piece.size() > bytes.capacity())
+      require_memory(3.0 * double(bytes.capacity()), what);
     if (n > 0) bytes.append(piece.data(), static_cast<std::size_t>(n));
   }
 }
@@ -102,13 +131,18 @@ ChildOutcome::End end_of(int status) {
 
 }  // namespace
 
-ChildOutcome run_in_child(const ChildLimits& limits,
+ChildOutcome run_in_child(const ChildLimits& given,
                           const std::function<void(const ByteSink& sink)>& work) {
+  ChildLimits limits = given;
+  const double left = memory_left();
+  const bool is_little = limits.bytes > 0 && left < double(limits.bytes);
+  if (is_little) limits.bytes = static_cast<std::size_t>(left) + 1;
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error("process", fmt::format("no pipe: {}", std::strerror(errno)));
+  const pid_t parent = ::getpid();
   const pid_t child = ::fork();
-  if (child == 0) be_child(ends[1], limits, work);
+  if (child == 0) be_child(ends[1], limits, work, parent);
   const int error = errno;
   ::close(ends[1]);
   if (child < 0) {
@@ -117,8 +151,11 @@ ChildOutcome run_in_child(const ChildLimits& limits,
   }
   ChildOutcome out;
   bool in_time = false;
+  std::exception_ptr fault;
   try {
-    in_time = collect(ends[0], 4 * limits.seconds, out.bytes);
+    in_time = collect(ends[0], 4 * limits.seconds, limits.what, out.bytes);
+  } catch (const Error&) {
+    fault = std::current_exception();
   } catch (...) {
     out.end = ChildOutcome::End::out_of_memory;
   }
@@ -127,8 +164,31 @@ ChildOutcome run_in_child(const ChildLimits& limits,
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (fault) std::rethrow_exception(fault);
   if (out.end == ChildOutcome::End::done) out.end = end_of(status);
-  return out;
+  if (out.end != ChildOutcome::End::out_of_memory || !is_little) return out;
+  throw Error("memory", fmt::format("{} takes more than the {:.3g} GB that are left of the limit; "
+                                    "--max-memory allows more",
+                                    limits.what, left / 1e9));
+}
+
+int start_program(const std::vector<std::string>& words, ProgramLife life) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  std::array<int, 2> ends{};  // closed by the program; a byte where there is none
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return -1;
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) be_program(pointers.data(), life, parent, ends[1]);
+  ::close(ends[1]);
+  char byte = 0;
+  ssize_t n = 0;
+  while (child > 0 && (n = ::read(ends[0], &byte, 1)) < 0 && errno == EINTR) {
+  }
+  ::close(ends[0]);
+  if (child > 0 && n > 0) ::waitpid(child, nullptr, 0);
+  return child > 0 && n == 0 ? child : -1;
 }
 
 }  // namespace mrsim

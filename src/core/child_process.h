@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace mrsim {
 
 struct ChildLimits {
   int seconds = 60;       ///< of processor time; four times as many by the clock
-  std::size_t bytes = 0;  ///< of memory beyond what this process has
+  std::size_t bytes = 0;  ///< of memory beyond what this process has, or what its limit leaves
+  std::string what;       ///< it does, as messages call it: "reading a.step"
 };
 
 struct ChildOutcome {
@@ -22,8 +24,16 @@ struct ChildOutcome {
 
 /// Runs `work` in a copy of this process and collects the bytes that it writes. Whatever happens
 /// there, a crash or an endless loop, this process goes on. `work` must not use other threads.
-/// Throws Error "process" where the system gives no process.
+/// Throws Error "process" where the system gives no process, "memory" where the limit of this
+/// process (core/memory_limit.h) leaves less than the work or its bytes take.
 ChildOutcome run_in_child(const ChildLimits& limits,
                           const std::function<void(const ByteSink& sink)>& work);
+
+/// Of a program that is started: of our process, with which it dies and whose streams it has, or of
+/// its own, which says nothing.
+enum class ProgramLife { ours, own };
+/// Starts a program that is found by PATH, with the signals as a shell would set them. Its process,
+/// or -1 where it can not be started.
+int start_program(const std::vector<std::string>& words, ProgramLife life);
 
 }  // namespace mrsim

@@ -133,6 +133,25 @@ TEST_F(Memory, LimitsHistories) {
   expect_failure(cut + "200M", 1, "--history takes");
 }
 
+// A page for the browser, made from the whole mesh.
+TEST_F(Memory, LimitsReports) {
+  if (!kIsPlain) GTEST_SKIP();
+  const std::string cut =
+      "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --threads 1 --voxel 0.03 -v -q "
+      "-o part.stl --report r.html --json r.json";
+  const auto peak = [&] { return number_after(read("r.json"), "\"peak\": "); };
+  ASSERT_EQ(run(cut).code, 0);
+  const double free = peak();
+  for (const double share : {0.95, 0.85, 0.75}) {
+    const int limit = int(share * free / 1048576);
+    const Outcome outcome = run(cut + " --max-memory " + std::to_string(limit) + "M");
+    if (outcome.code == 0)
+      EXPECT_LT(peak(), 1.05 * limit * 1048576);
+    else
+      EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+  }
+}
+
 // A turned part, once its rings are counted.
 TEST_F(Memory, LimitsTurnedMeshes) {
   const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";

@@ -11,8 +11,11 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 #endif
@@ -108,6 +111,18 @@ TEST_F(StepFiles, BadOnesLeaveNothing) {
   fails(cut + "text.step", "STEP");
   fails("compare block.stl inch.step", "25.4");
   fails(cut + "block.stl --nominal inch.step", "25.4");
+}
+
+// Read in a process of its own, which has what the limit leaves.
+TEST_F(StepFiles, KeepToTheMemoryOfTheRun) {
+  BRep_Builder builder;
+  TopoDS_Compound balls;
+  builder.MakeCompound(balls);
+  for (int i = 0; i < 16; ++i)
+    builder.Add(balls, BRepPrimAPI_MakeSphere(gp_Pnt(20 * i, 0, 0), 9).Shape());
+  write_step(balls, "balls.step");
+  expect_failure("compare block.stl balls.step --max-memory 30M", 1, "reading balls.step takes");
+  EXPECT_EQ(run("compare block.stl balls.step --deflection 0.5 -q").code, 0);
 }
 
 // Open CASCADE crashes on some of them, in a process of its own.
