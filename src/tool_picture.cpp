@@ -134,10 +134,11 @@ Picture raster(const Drawing& drawing) {
 
 }  // namespace
 
-void write_tools_picture(const std::vector<Tool>& tools, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+void encode_tools_picture(const std::vector<Tool>& tools, const std::string& name,
+                          const ByteSink& sink) {
+  const std::string extension = std::filesystem::path(name).extension().string();
   if (extension != ".svg" && extension != ".png")
-    throw Error("output-format", fmt::format("{}: tools are drawn as .svg or .png", path),
+    throw Error("output-format", fmt::format("{}: tools are drawn as .svg or .png", name),
                 Error::Kind::usage);
   Drawing drawing;
   for (const Tool& tool : tools) {
@@ -146,11 +147,14 @@ void write_tools_picture(const std::vector<Tool>& tools, const std::string& path
     drawing.labels.push_back(label(tool));
   }
   if (drawing.tools.empty()) throw Error("tools-empty", "there is no tool to draw");
-  write_file_atomically(path, [&](const ByteSink& out) {
-    if (extension == ".png") return write_png(raster(drawing), out);
-    const std::string text = svg(drawing);
-    out(text.data(), text.size());
-  });
+  if (extension == ".png") return write_png(raster(drawing), sink);
+  const std::string text = svg(drawing);
+  sink(text.data(), text.size());
+}
+
+void write_tools_picture(const std::vector<Tool>& tools, const std::string& path) {
+  write_file_atomically(path,
+                        [&](const ByteSink& sink) { encode_tools_picture(tools, path, sink); });
 }
 
 }  // namespace mrsim

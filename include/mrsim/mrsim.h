@@ -80,6 +80,9 @@ MRSIM_API ToolTable load_tools(const std::string& path, std::vector<std::string>
 /// Draws tools from the side, .svg or .png by extension. Throws Error "tools-empty", and
 /// "output-format" (usage) for another extension.
 MRSIM_API void write_tools_picture(const std::vector<Tool>& tools, const std::string& path);
+/// The bytes of that picture, as the extension of `name` says; it throws the same.
+MRSIM_API void encode_tools_picture(const std::vector<Tool>& tools, const std::string& name,
+                                    const ByteSink& sink);
 /// The table [machine] of a TOML file (docs/job.md). Throws PlacedError "machine-syntax",
 /// "machine-missing", "machine-key", "machine-value".
 MRSIM_API MachineData load_machine(const std::string& path);

@@ -127,10 +127,8 @@ void read_files(Arguments& out, const TypedOptions& typed) {
   out.outputs = typed.texts("--output");
   out.history = typed.text("--history");
   out.rest = typed.text("--rest");
-  out.compare.json = typed.text("--json");
-  out.compare.junit = typed.text("--junit");
-  out.compare.report = typed.text("--report");
-  out.compare.deviation = typed.text("--deviation");
+  out.json = typed.flag("--json");
+  out.compare = named_request(typed);
   for (const std::string& file : typed.texts("--tools"))
     out.named_inputs.push_back({file, "--tools"});
   if (typed.has("--machine-file"))
@@ -142,7 +140,6 @@ void read_values(Arguments& out, const TypedOptions& typed) {
   out.quiet = typed.flag("--quiet");
   out.verbose = typed.flag("--verbose");
   out.strict = typed.flag("--strict");
-  out.json = typed.flag("--json");
   read_simulation_options(out, typed);
   read_picture_options(out, typed);
   out.compare = compare_request(typed);

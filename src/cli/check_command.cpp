@@ -72,7 +72,7 @@ class Checker {
                              [&](const Diagnostic& diagnostic) { findings.add(diagnostic); });
     } catch (const Error& error) {
       if (!many_ && !arguments_.json) throw;
-      add_error(error, path, findings);
+      findings.add(error, path);
     }
     ++programs_;
     if (findings.failed()) ++failed_;
@@ -93,17 +93,6 @@ class Checker {
   }
 
  private:
-  static void add_error(const Error& error, const std::string& path, Findings& findings) {
-    Diagnostic diagnostic;
-    if (const auto* placed = dynamic_cast<const PlacedError*>(&error))
-      diagnostic = placed->diagnostic();
-    else
-      diagnostic.text = error.what();
-    diagnostic.code = error.code();
-    if (diagnostic.place.file.empty()) diagnostic.place.file = path;
-    findings.add(diagnostic);
-  }
-
   void tell(const std::string& path, const CheckReport& report, const Findings& findings) const {
     const Program& program = report.program;
     if (arguments_.json) {

@@ -3,6 +3,7 @@
 #include "cli/compare_command.h"
 #include "cli/findings.h"
 #include "cli/report.h"
+#include "cli/shortage.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
@@ -12,6 +13,8 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -28,6 +31,24 @@ void check_picture(const Arguments& arguments, const char* input_role) {
   check_writable(arguments.outputs[0]);
   refuse_overwrites(picture, inputs);
   recover_outputs(arguments.outputs);
+}
+
+// Of what may be replaced although not all inputs are known: nothing, a device, or a file that
+// begins as a JSON or JUnit of mrsim does.
+void require_result(const std::string& path) {
+  const OutputPlace place = output_place(path);
+  std::error_code none;
+  if (place.kind != OutputPlace::Kind::file || !std::filesystem::exists(place.path, none)) return;
+  std::array<char, 128> bytes{};
+  std::ifstream file(place.path, std::ios::binary);
+  file.read(bytes.data(), bytes.size());
+  const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  if (begin.empty() || begin.starts_with("{\n \"schema\": ") ||
+      (begin.starts_with("<?xml ") && begin.find("<testsuites ") != begin.npos))
+    return;
+  throw Error("output-is-input",
+              path + " holds something else than an earlier result of this kind; name another file",
+              Error::Kind::usage);
 }
 
 // The page of a run without a stock.
@@ -59,6 +80,47 @@ int exit_code_of(const Error& error) {
   return error.kind() == Error::Kind::usage ? kUsage : kFailed;
 }
 
+void protect_program(const std::vector<std::string>& files, const std::vector<NamedPath>& outputs) {
+  std::vector<NamedPath> inputs;
+  for (const std::string& file : files) inputs.push_back({file, "the program"});
+  refuse_overwrites(outputs, inputs);
+}
+
+int run_told(const std::function<int()>& work, const std::function<void(const Failure&)>& tell) {
+  set_last_words([&tell](int code) { tell({"cancelled", "the run was stopped", code, true}); });
+  const auto fail = [&](const Failure& failure) {
+    set_last_words({});
+    tell(failure);
+  };
+  try {
+    const int code = work();
+    set_last_words({});
+    return code;
+  } catch (const Error& error) {
+    fail({error.code(), error.what(), exit_code_of(error)});
+    throw;
+  } catch (const std::exception& error) {
+    if (const Shortage* shortage = find_shortage(error))
+      fail({shortage->code, shortage->text, kFailed});
+    else
+      fail({"internal", error.what(), kInternal});
+    throw;
+  }
+}
+
+Arguments typed_arguments(int argc, const char* const* argv) {
+  Arguments refused;
+  try {
+    return parse_arguments(argc, argv, &refused);
+  } catch (const Error& error) {
+    if (refused.command == Command::simulate)
+      tell_refused(refused, error);
+    else if (refused.json)
+      Findings(refused).add(error);
+    throw;
+  }
+}
+
 void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept) {
   const NamedPath json{words.json_path, "--json"}, junit{words.junit_path, "--junit"};
   const auto write = [&](const NamedPath& file, const NamedPath& other, const std::string& text) {
@@ -67,6 +129,7 @@ void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept
     if (file.path != other.path) all.push_back(other);
     try {
       refuse_overwrites({&file, 1}, all);
+      require_result(file.path);
       write_file_atomically(file.path,
                             [&](const ByteSink& sink) { sink(text.data(), text.size()); });
     } catch (const Error& error) {
@@ -77,9 +140,10 @@ void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept
   write(json, junit, words.json);
 }
 
-int run_trace(const Arguments& arguments) {
+namespace {
+
+int trace_program(const Arguments& arguments, Findings& findings) {
   check_picture(arguments, "the program");
-  Findings findings(arguments);
   TraceSink sink;
   if (!arguments.quiet) sink.line = [](const std::string& line) { print(line + "\n"); };
   sink.diagnostic = [&](const Diagnostic& diagnostic) { findings.add(diagnostic); };
@@ -88,10 +152,23 @@ int run_trace(const Arguments& arguments) {
   trace(arguments.input, options, arguments.json, sink);
   if (!findings.failed() && !arguments.outputs.empty()) {
     const Program program = interpret(arguments.input, options);
+    protect_program(program.files, {{arguments.outputs[0], "-o"}});
     arguments.outputs[0].ends_with(".html") ? write_path_page(program, arguments)
                                             : write_path_picture(program, arguments.outputs[0]);
   }
   return finish_output(findings.failed() ? kFailed : kDone);
+}
+
+}  // namespace
+
+int run_trace(const Arguments& arguments) {
+  Findings findings(arguments);
+  try {
+    return trace_program(arguments, findings);
+  } catch (const Error& error) {
+    if (arguments.json) findings.add(error, arguments.input);
+    throw;
+  }
 }
 
 int run_render(const Arguments& arguments) {

@@ -5,6 +5,7 @@
 #include "cli/arguments.h"
 #include "core/output_place.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,34 @@ int exit_code_of(const Error& error);
 struct LastWords {
   std::string json_path, json, junit_path, junit;
 };
-/// Writes them: no failure of its own, and none of the files in `kept` is replaced. Of one name for
-/// both the JSON has it; one file by two names has neither.
+/// Writes them: no failure of its own, and none of the files in `kept` is replaced. Since a command
+/// that was refused may have inputs that are not known, no other file is replaced but one that
+/// begins like an earlier result. Of one name for both the JSON has it; one file by two names has
+/// neither.
 void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept);
 
+/// Throws Error "output-is-input" (usage) where an output is one of a program's files.
+void protect_program(const std::vector<std::string>& files, const std::vector<NamedPath>& outputs);
+
+/// What ended a command.
+struct Failure {
+  std::string code, text;
+  int exit_code = 0;
+  bool at_work = false;  ///< the user has stopped it, but it still goes on, on another thread
+};
+/// The exit code of `work`. Where it ends with an exception, or the user stops it, `tell` comes
+/// first. Once `work` makes the file that tells how it went, set_last_words({}) keeps a second
+/// one from following it.
+int run_told(const std::function<int()>& work, const std::function<void(const Failure&)>& tell);
+
+/// parse_arguments(); what is refused is told in --json and --junit of a run, and on the standard
+/// output of trace and check with --json.
+Arguments typed_arguments(int argc, const char* const* argv);
+
 int run_simulate(const Arguments& arguments);
-/// `result` has what was found.
-int run_simulate(const Arguments& arguments, JobResult& result);
+/// `result` has what was found. A failure is told in --json and --junit of `whole`, where given, a
+/// run of which this one is a part.
+int run_simulate(const Arguments& arguments, JobResult& result, const Arguments* whole = nullptr);
 /// Writes --json and --junit of a run whose command line, tools or job were refused with `error`.
 void tell_refused(const Arguments& refused, const Error& error);
 /// run_simulate() for each of arguments.frames moments.

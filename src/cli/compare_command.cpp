@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/report.h"
+#include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
 #include "core/output_place.h"
@@ -58,14 +59,6 @@ void check_places(const CompareRequest& request) {
   recover_outputs(paths);
 }
 
-// The programs whose lines are read beside the part.
-void protect_programs(const CompareRequest& request, const OwnerTable& origin) {
-  std::vector<NamedPath> inputs;
-  for (const std::string& file : program_places(origin, request.part, request.folders))
-    inputs.push_back({file, "the program"});
-  refuse_overwrites(named_files(request), inputs);
-}
-
 TriMesh read_named(const CompareRequest& request, const std::string& path, std::string& note) {
   const double deflection =
       request.deflection > 0 ? request.deflection : step_deflection(request.options.accept);
@@ -93,8 +86,12 @@ void write_results(const CompareRequest& request, const TriMesh& part, const Tri
   };
   add(request.report,
       [&] { return report_html(part, nominal, comparison, facts, request.options.threads); });
-  add(request.junit, [&] { return comparison_junit(comparison); });
-  add(request.json, [&] { return comparison_json(comparison); });
+  const auto said = [](std::string text) {
+    set_last_words({});  // from here on these are the words
+    return text;
+  };
+  add(request.junit, [&] { return said(comparison_junit(comparison)); });
+  add(request.json, [&] { return said(comparison_json(comparison)); });
   write_files_atomically(files);
 }
 
@@ -107,11 +104,11 @@ Alignment alignment_value(const std::string& text) {
 
 // --json and --junit of a comparison that has ended with an error. They replace no input and no
 // other output either.
-void tell_failure(const CompareRequest& request, const Error& error) {
+void tell_failure(const CompareRequest& request, const Failure& failure) {
   std::vector<NamedPath> kept{{request.part, "the part"}, {request.nominal, "the nominal"}};
   for (const std::string& path : {request.deviation, request.report})
     if (!path.empty()) kept.push_back({path, "an output"});
-  const FailedComparison failed{request.part, request.nominal, error.code(), error.what()};
+  const FailedComparison failed{request.part, request.nominal, failure.code, failure.text};
   write_last_words({request.json, comparison_json(failed), request.junit, comparison_junit(failed)},
                    kept);
 }
@@ -120,9 +117,18 @@ const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "l
 
 }  // namespace
 
-CompareRequest compare_request(const TypedOptions& typed) {
+CompareRequest named_request(const TypedOptions& typed) {
   CompareRequest out;
   out.nominal = typed.text("--nominal");
+  out.report = typed.text("--report");
+  out.json = typed.text("--json");
+  out.junit = typed.text("--junit");
+  out.deviation = typed.text("--deviation");
+  return out;
+}
+
+CompareRequest compare_request(const TypedOptions& typed) {
+  CompareRequest out = named_request(typed);
   if (typed.has("--accept")) out.options.accept = parse_acceptance(typed.text("--accept"));
   out.options.align = alignment_value(typed.text("--align"));
   typed.read("--density", out.options.density, number_value);
@@ -134,10 +140,6 @@ CompareRequest compare_request(const TypedOptions& typed) {
   if (!colors.empty() && colors != "standard" && colors != "safe")
     fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", colors));
   if (colors == "safe") out.scheme = DeviationScheme::safe;
-  out.report = typed.text("--report");
-  out.json = typed.text("--json");
-  out.junit = typed.text("--junit");
-  out.deviation = typed.text("--deviation");
   return out;
 }
 
@@ -193,7 +195,7 @@ int compare_files(const CompareRequest& request) {
   std::string note;
   const TriMesh part = read_named(request, request.part, note);
   if (!note.empty()) warn(request, note);
-  protect_programs(request, part.origin);
+  protect_program(program_places(part.origin, request.part, request.folders), named_files(request));
   if (part.owners.empty())
     warn(request, request.part +
                       ": this file does not say which line cut which face, so no lines are named; "
@@ -202,37 +204,43 @@ int compare_files(const CompareRequest& request) {
   facts.times = {{"compare", comparison.seconds}};
   if (!nominal.note.empty()) facts.facts.emplace_back("Nominal", nominal.note);
   write_results(request, part, nominal.mesh, comparison, facts);
+  all_is_written();
   return finish_output(show_comparison(request, nominal, comparison));
+}
+
+CompareRequest typed_request(const TypedOptions& typed) {
+  typed.refuse_unknown();
+  if (typed.inputs().size() != 2)
+    fail_usage(fmt::format("compare takes a part and a nominal; usage: {}",
+                           command_line(kUseCompare).usage));
+  CompareRequest out = compare_request(typed);
+  out.part = typed.inputs()[0];
+  out.nominal = typed.inputs()[1];
+  out.deviation = typed.text("--output");
+  out.folders = existing_paths("--path", typed.texts("--path"));
+  out.quiet = typed.flag("--quiet");
+  typed.read("--threads", out.options.threads, threads_value);
+  std::size_t max_memory = 0;
+  typed.read("--max-memory", max_memory, size_value);
+  set_memory_limit(max_memory);
+  return out;
 }
 
 }  // namespace
 
 int run_compare(int argc, const char* const* argv) {
-  const CommandLine& line = command_line(kUseCompare);
-  const TypedOptions typed(line, argc, argv);
+  const TypedOptions typed(command_line(kUseCompare), argc, argv);
   if (!typed.help().empty()) {
     print(typed.help());
     return kDone;
   }
-  typed.refuse_unknown();
-  if (typed.inputs().size() != 2)
-    fail_usage(fmt::format("compare takes a part and a nominal; usage: {}", line.usage));
-  CompareRequest request = compare_request(typed);
-  request.part = typed.inputs()[0];
-  request.nominal = typed.inputs()[1];
-  request.deviation = typed.text("--output");
-  request.folders = existing_paths("--path", typed.texts("--path"));
-  request.quiet = typed.flag("--quiet");
-  typed.read("--threads", request.options.threads, threads_value);
-  std::size_t max_memory = 0;
-  typed.read("--max-memory", max_memory, size_value);
-  set_memory_limit(max_memory);
-  try {
-    return compare_files(request);
-  } catch (const Error& error) {
-    tell_failure(request, error);
-    throw;
-  }
+  const std::vector<std::string>& inputs = typed.inputs();
+  CompareRequest named = named_request(typed);
+  if (!inputs.empty()) named.part = inputs[0];
+  if (inputs.size() > 1) named.nominal = inputs[1];
+  named.deviation = typed.text("--output");
+  return run_told([&] { return compare_files(typed_request(typed)); },
+                  [&](const Failure& failure) { tell_failure(named, failure); });
 }
 
 std::vector<ReportCollision> collisions_of(const JobResult& result) {

@@ -23,6 +23,8 @@ struct CompareRequest {
   bool quiet = false;
 };
 
+/// The files alone, whatever else was typed.
+CompareRequest named_request(const TypedOptions& typed);
 /// Throws Error of kind usage.
 CompareRequest compare_request(const TypedOptions& typed);
 

@@ -1,5 +1,6 @@
 #include "cli/film.h"
 
+#include "core/child_process.h"
 #include "core/error.h"
 #include "core/text_io.h"
 
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,15 +17,11 @@ namespace mrsim::cli {
 namespace {
 
 // Its exit code, or -1.
-int run_ffmpeg(std::vector<std::string> words) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, "ffmpeg", nullptr, nullptr, pointers.data(), environ) != 0) return -1;
+int run_ffmpeg(const std::vector<std::string>& words) {
+  const pid_t child = start_program(words, ProgramLife::ours);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
+  while (child < 0 || ::waitpid(child, &status, 0) < 0)
+    if (child < 0 || errno != EINTR) return -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

@@ -41,6 +41,7 @@ void Findings::add(const Diagnostic& diagnostic) {
   ++count_[static_cast<std::size_t>(diagnostic.severity)];
   if (json_) {
     std::string line = diagnostic_json(diagnostic);
+    if (!other_file_.empty()) line.insert(1, "\"file\":" + json_quoted(other_file_) + ",");
     if (!program_.empty()) line.insert(1, "\"program\":" + json_quoted(program_) + ",");
     return print(line + "\n");
   }
@@ -48,6 +49,20 @@ void Findings::add(const Diagnostic& diagnostic) {
   std::fflush(stdout);  // keeps motions and findings in order where both go to one place
   const std::string text = format_diagnostic(diagnostic, colours_);
   std::fputs(text.c_str(), stderr);
+}
+
+void Findings::add(const Error& error, const std::string& path) {
+  Diagnostic diagnostic;
+  if (const auto* placed = dynamic_cast<const PlacedError*>(&error))
+    diagnostic = placed->diagnostic();
+  else
+    diagnostic.text = error.what();
+  diagnostic.code = error.code();
+  if (diagnostic.place.file.empty()) diagnostic.place.file = path;
+  const bool elsewhere = json_ && diagnostic.place.file != path;
+  if (elsewhere) other_file_ = diagnostic.place.file;
+  add(diagnostic);
+  other_file_.clear();
 }
 
 std::string Findings::summary() const {

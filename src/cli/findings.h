@@ -23,6 +23,8 @@ class Findings {
   explicit Findings(const Arguments& arguments, std::string program = "");
 
   void add(const Diagnostic& diagnostic);
+  /// What is no finding of a reader: of `path` where it says no place of its own.
+  void add(const Error& error, const std::string& path = "");
   void add(const std::vector<Diagnostic>& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) add(diagnostic);
   }
@@ -38,7 +40,7 @@ class Findings {
   bool fails(Severity severity) const {
     return severity == Severity::error || (strict_ && severity == Severity::warning);
   }
-  std::string program_;
+  std::string program_, other_file_;
   bool quiet_, strict_, json_, colours_;
   std::array<std::size_t, 3> count_{};
 };

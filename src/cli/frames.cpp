@@ -4,14 +4,13 @@
 #include "cli/film.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
+#include "cli/temporary_place.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
-#include "core/scratch_file.h"
+#include "core/publish.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -49,27 +48,6 @@ std::string frame_path(const std::string& path, int frame, int frames) {
       .string();
 }
 
-// A folder that is gone with its owner.
-class Workshop {
- public:
-  Workshop() : path_(temporary_folder() + "/mrsim-XXXXXX") {
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw Error("output-folder", path_ + ": the temporary folder cannot be made");
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const char* name) const {
-    return (std::filesystem::path(path_) / name).string();
-  }
-
- private:
-  std::string path_;
-};
-
 // "f%04d.png" with the frame's number, else as frame_path() has it.
 std::string picture_path(const std::string& path, int frame, int frames) {
   const std::size_t percent = path.find('%');
@@ -90,11 +68,35 @@ Arguments frame_arguments(const Arguments& arguments, int frame) {
   return out;
 }
 
+// The files of all moments, before any work.
+std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std::string>& paths) {
+  std::vector<NamedPath> outputs, inputs = arguments.named_inputs;
+  for (const std::string& path : paths) {
+    check_writable(path);
+    outputs.push_back({path, "-o"});
+  }
+  inputs.push_back({arguments.input, "the program"});
+  inputs.push_back({arguments.stock, "the stock"});
+  refuse_overwrites(outputs, inputs);
+  recover_outputs(paths);
+  return outputs;
+}
+
 }  // namespace
 
 // The whole program comes first: it says what is to be said, and without its part there are no
 // others.
 int run_frames(const Arguments& arguments) {
+  std::vector<std::string> paths;
+  for (int frame = 1; frame <= arguments.frames; ++frame)
+    for (const std::string& path : arguments.outputs)
+      paths.push_back(frame_path(path, frame, arguments.frames));
+  try {
+    checked(arguments, paths);
+  } catch (const Error& error) {
+    tell_refused(arguments, error);
+    throw;
+  }
   JobResult whole;
   const int code = run_simulate(frame_arguments(arguments, arguments.frames), whole);
   if (code != kDone && code != kRejected) return code;
@@ -107,7 +109,8 @@ int run_frames(const Arguments& arguments) {
     one.history = "off";
     one.compare = {};
     one.rest.clear();
-    if (const int failed = run_simulate(one); failed != kDone) return failed;
+    JobResult part;
+    if (const int failed = run_simulate(one, part, &arguments); failed != kDone) return failed;
   }
   return code;
 }
@@ -116,18 +119,20 @@ int run_picture_frames(const Arguments& arguments) {
   const std::string& output = arguments.outputs[0];
   const bool film = is_film(output);
   if (film) require_ffmpeg();
-  const Workshop folder;
-  const std::string pictures = film ? folder.file("%04d.png") : output;
-  check_writable(output);
-  for (int frame = 1; frame <= arguments.frames; ++frame)
-    check_writable(picture_path(pictures, frame, arguments.frames));
+  const TemporaryPlace workshop(TemporaryPlace::Kind::folder);
+  const std::string pictures = film ? workshop.path() + "/%04d.png" : output;
+  std::vector<std::string> paths;
+  for (int frame = 1; frame <= (film ? 1 : arguments.frames); ++frame)
+    paths.push_back(film ? output : picture_path(pictures, frame, arguments.frames));
+  const std::vector<NamedPath> outputs = checked(arguments, paths);
   Arguments one = arguments;
-  one.outputs = {folder.file("part.ply")};
+  one.outputs = {workshop.path() + "/part.ply"};
   const auto draw = [&](int frame) {
     render(read_mesh(one.outputs[0]), picture_path(pictures, frame, arguments.frames), one.render);
   };
   JobResult whole;
   if (const int failed = run_simulate(one, whole); failed != kDone) return failed;
+  protect_program(whole.program.files, outputs);
   if (whole.program.machine == MachineKind::lathe && one.render.up == UpAxis::automatic)
     one.render.up = UpAxis::x;
   draw(arguments.frames);
@@ -140,7 +145,7 @@ int run_picture_frames(const Arguments& arguments) {
     if (const int failed = run_simulate(one); failed != kDone) return failed;
     draw(++frame);
   }
-  if (film) write_film(folder.file("."), output);
+  if (film) write_film(workshop.path(), output);
   return finish_output(kDone);
 }
 

@@ -42,16 +42,6 @@ int run(const Arguments& arguments) {
   return kInternal;
 }
 
-Arguments typed_arguments(int argc, const char* const* argv) {
-  Arguments refused;
-  try {
-    return parse_arguments(argc, argv, &refused);
-  } catch (const Error& error) {
-    tell_refused(refused, error);
-    throw;
-  }
-}
-
 int fail(const std::string& text, const char* code, int exit_code) {
   std::fflush(stdout);
   std::fputs(format_error(text, code, has_colours(stderr)).c_str(), stderr);

@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/rest_report.h"
+#include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
 #include "core/output_place.h"
@@ -42,14 +43,7 @@ std::vector<NamedPath> checked_outputs(const TypedOptions& typed) {
   return outputs;
 }
 
-}  // namespace
-
-int run_rest(int argc, const char* const* argv) {
-  const TypedOptions typed(command_line(kUseRest), argc, argv);
-  if (!typed.help().empty()) {
-    print(typed.help());
-    return kDone;
-  }
+int write_rest(const TypedOptions& typed) {
   typed.refuse_unknown();
   if (typed.inputs().size() != 2)
     fail_usage("rest takes a part and a nominal; usage: mrsim rest PART NOMINAL [-o pieces.stl]");
@@ -75,13 +69,42 @@ int run_rest(int argc, const char* const* argv) {
   for (const NamedPath& output : outputs)
     files.push_back({output.path, [&, path = output.path](const ByteSink& sink) {
                        if (path != typed.text("--json")) return encode_mesh(pieces, path, sink);
+                       set_last_words({});  // from here on these are the words
                        const std::string text =
                            rest_json(rest, typed.inputs()[0], typed.inputs()[1]);
                        sink(text.data(), text.size());
                      }});
   write_files_atomically(files);
+  all_is_written();
   if (!typed.flag("--quiet") && typed.text("--json") != "-") print(rest_text(rest));
   return finish_output(kDone);
+}
+
+// --json of a command that has failed. It replaces no input and no other output.
+void tell_failure(const TypedOptions& typed, const Failure& failure) {
+  std::vector<NamedPath> kept;
+  for (const std::string& path : typed.inputs()) kept.push_back({path, "an input"});
+  for (const std::string& path : typed.texts("--output")) kept.push_back({path, "-o"});
+  const auto input = [&](std::size_t i) {
+    return i < typed.inputs().size() ? typed.inputs()[i] : std::string();
+  };
+  write_last_words({typed.text("--json"),
+                    failed_rest_json(input(0), input(1), failure.code, failure.text),
+                    {},
+                    {}},
+                   kept);
+}
+
+}  // namespace
+
+int run_rest(int argc, const char* const* argv) {
+  const TypedOptions typed(command_line(kUseRest), argc, argv);
+  if (!typed.help().empty()) {
+    print(typed.help());
+    return kDone;
+  }
+  return run_told([&] { return write_rest(typed); },
+                  [&](const Failure& failure) { tell_failure(typed, failure); });
 }
 
 }  // namespace mrsim::cli

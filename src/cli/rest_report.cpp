@@ -72,11 +72,20 @@ std::string rest_json(const Rest& rest, const std::string& part, const std::stri
                  {"unit", "mm"},
                  {"part", to_utf8(part)},
                  {"nominal", to_utf8(nominal)},
+                 {"error", nullptr},
                  {"voxel", rest.voxel},
                  {"above", rest.above},
                  {"leaves", rest.leaves},
                  {"volume", rest.volume},
                  {"pieces", std::move(pieces)}};
+  return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string failed_rest_json(const std::string& part, const std::string& nominal,
+                             const std::string& error_code, const std::string& error_text) {
+  Json out = Json::parse(rest_json({}, part, nominal));
+  for (const char* unknown : {"voxel", "above", "leaves", "volume"}) out[unknown] = nullptr;
+  out["error"] = {{"code", error_code}, {"text", to_utf8(error_text)}};
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -96,6 +96,7 @@ class PartComparison {
     return report_html(result.mesh, nominal_.mesh, comparison_, facts, request_.options.threads);
   }
   RunRecord record(const JobResult& result) const {
+    set_last_words({});  // from here on these are the words
     const bool rejected = !comparison_.accepted.value_or(true);
     return {&arguments_, &result, measured(), rejected ? kRejected : kDone, {}, {}, rest_json()};
   }
@@ -198,6 +199,7 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
     tell_failure(record);
     return record.exit_code;
   }
+  all_is_written();
   const bool talks =
       !arguments.quiet && arguments.compare.json != "-" && arguments.compare.junit != "-";
   if (talks) print(format_report(arguments, result, has_colours(stdout)));
@@ -218,36 +220,16 @@ int run_simulate(const Arguments& arguments) {
   return run_simulate(arguments, result);
 }
 
-int run_simulate(const Arguments& arguments, JobResult& result) {
-  RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}, {}};
-  const auto fail = [&](const std::string& code, const char* text, int exit_code) {
-    if (result.ok) return;  // all files are there
-    record.error_code = code;
-    record.error_text = text;
-    record.exit_code = exit_code;
-    tell_failure(record);
-  };
-  set_last_words([&arguments](int code) {
-    tell_failure({&arguments, nullptr, nullptr, code, "cancelled", "the run was stopped", {}});
-  });
-  try {
-    const int code = simulate_and_tell(arguments, record, result);
-    set_last_words({});
-    return code;
-  } catch (const Error& error) {
-    set_last_words({});
-    fail(error.code(), error.what(), exit_code_of(error));
-    throw;
-  } catch (const std::exception& error) {
-    set_last_words({});
-    if (const Shortage* shortage = find_shortage(error)) {
-      result = {};
-      fail(shortage->code, shortage->text, kFailed);
-      throw;
-    }
-    fail("internal", error.what(), kInternal);
-    throw;
-  }
+int run_simulate(const Arguments& arguments, JobResult& result, const Arguments* whole) {
+  RunRecord record{whole != nullptr ? whole : &arguments, &result, nullptr, kInternal, {}, {}, {}};
+  return run_told([&] { return simulate_and_tell(arguments, record, result); },
+                  [&](const Failure& failure) {
+                    if (!failure.at_work && result.ok) return;  // all files are there
+                    RunRecord told{record.arguments, &result,      nullptr, failure.exit_code,
+                                   failure.code,     failure.text, {}};
+                    if (failure.at_work) told.result = nullptr;
+                    tell_failure(told);
+                  });
 }
 
 }  // namespace mrsim::cli

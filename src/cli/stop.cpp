@@ -1,5 +1,7 @@
 #include "cli/stop.h"
 
+#include "cli/temporary_place.h"
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -13,9 +15,12 @@
 namespace mrsim::cli {
 namespace {
 
-constexpr long kGrace = 800'000'000;  // ns in which the run may end in order
+// ns in which the run may end in order, then say its last words; what is left of the second goes to
+// the system, which takes the memory back.
+constexpr long kGrace = 600'000'000, kWords = 100'000'000;
 
 std::atomic<int> stopped = 0;
+std::atomic<bool> is_written = false;
 std::mutex words_mutex;
 std::function<void(int)> last_words;
 
@@ -28,7 +33,8 @@ sigset_t stop_signals() {
 }
 
 [[noreturn]] void end_now(int code) {
-  std::fputs("mrsim: stopped; nothing was written\n", stderr);
+  remove_temporary_places();
+  std::fputs(is_written ? "mrsim: stopped\n" : "mrsim: stopped; nothing was written\n", stderr);
   ::_exit(code);
 }
 
@@ -47,7 +53,7 @@ void wait_for_signals() {
     if (last_words) last_words(code);
     end_now(code);
   }).detach();
-  const timespec little{0, kGrace / 8};
+  const timespec little{0, kWords};
   ::sigtimedwait(&set, nullptr, &little);
   end_now(code);
 }
@@ -70,5 +76,7 @@ void set_last_words(std::function<void(int code)> say) {
   const std::lock_guard<std::mutex> lock(words_mutex);
   last_words = std::move(say);
 }
+
+void all_is_written() { is_written = true; }
 
 }  // namespace mrsim::cli

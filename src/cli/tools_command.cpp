@@ -6,6 +6,9 @@
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
+#include "core/output_place.h"
+#include "core/publish.h"
+#include "core/text_io.h"
 #include "core/units.h"
 #include <mrsim/mrsim.h>
 
@@ -53,6 +56,39 @@ void list(const ToolTable& table, bool json) {
   }
 }
 
+// The pictures, before any work.
+void check_places(const TypedOptions& typed) {
+  std::vector<NamedPath> pictures;
+  for (const std::string& path : typed.texts("--output")) {
+    check_writable(path);
+    pictures.push_back({path, "-o"});
+  }
+  const NamedPath input{typed.inputs()[0], "the tools"};
+  refuse_overwrites(pictures, {&input, 1});
+  recover_outputs(typed.texts("--output"));
+}
+
+int show_tools(const TypedOptions& typed) {
+  typed.refuse_unknown();
+  const std::vector<std::string>& inputs = typed.inputs();
+  if (inputs.size() != 1 || inputs[0].empty())
+    fail_usage("one file is needed; usage: mrsim tools FILE [-o tools.svg]");
+  check_places(typed);
+  const bool quiet = typed.flag("--quiet");
+  std::vector<std::string> notes;
+  const ToolTable table = load_tools(inputs[0], &notes);
+  std::vector<OutputFile> pictures;
+  for (const std::string& path : typed.texts("--output"))
+    pictures.push_back({path, [&table, &path](const ByteSink& sink) {
+                          encode_tools_picture(table.tools, path, sink);
+                        }});
+  if (!quiet)
+    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", printable(note));
+  if (!quiet) list(table, typed.flag("--json"));
+  write_files_atomically(pictures);
+  return finish_output(kDone);
+}
+
 }  // namespace
 
 int run_tools(int argc, const char* const* argv) {
@@ -61,19 +97,14 @@ int run_tools(int argc, const char* const* argv) {
     print(typed.help());
     return kDone;
   }
-  typed.refuse_unknown();
-  const std::vector<std::string>& inputs = typed.inputs();
-  if (inputs.size() != 1 || inputs[0].empty())
-    fail_usage("one file is needed; usage: mrsim tools FILE [-o tools.svg]");
-  const bool quiet = typed.flag("--quiet");
-  std::vector<std::string> notes;
-  const ToolTable table = load_tools(inputs[0], &notes);
-  if (!quiet)
-    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", printable(note));
-  if (!quiet) list(table, typed.flag("--json"));
-  for (const std::string& output : typed.texts("--output"))
-    write_tools_picture(table.tools, output);
-  return finish_output(kDone);
+  try {
+    return show_tools(typed);
+  } catch (const Error& error) {
+    Arguments told;
+    told.json = typed.flag("--json");
+    if (told.json) Findings(told).add(error);
+    throw;
+  }
 }
 
 }  // namespace mrsim::cli

@@ -88,13 +88,32 @@ TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const*
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    fail_usage(error.what());
+    fault_ = error.what();
+    read_paths(argc, argv);
+    return;
   }
   unknown_ = app.remaining();
   if (flag("--help")) help_ = single_spaced(app.help());
 }
 
+// Of words that do not parse: the files of --json and the like, "--json F" and "--json=F".
+void TypedOptions::read_paths(int argc, const char* const* argv) {
+  for (const OptionRow& row : option_table()) {
+    const auto found = typed_.find(row.name);
+    if (row.value != OptionValue::path || found == typed_.end()) continue;
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view word = argv[i];
+      if (word == row.name && i + 1 < argc &&
+          (argv[i + 1][0] != '-' || std::string_view(argv[i + 1]) == "-"))
+        found->second.text = argv[i + 1];
+      else if (word.starts_with(std::string(row.name) + "="))
+        found->second.text = word.substr(row.name.size() + 1);
+    }
+  }
+}
+
 void TypedOptions::refuse_unknown() const {
+  if (!fault_.empty()) fail_usage(fault_);
   for (const std::string& word : unknown_) {
     const std::string option = word.substr(0, word.find('='));
     fail_usage(fmt::format("unknown option {}{}", option, suggestion(option, known_)));

@@ -13,11 +13,12 @@ namespace mrsim::cli {
 
 class TypedOptions {
  public:
-  /// Throws Error of kind usage for an option without its value. Words that are no option of the
-  /// command are kept for refuse_unknown().
+  /// What is wrong with the words is kept for refuse_unknown(), so that a refusal can be told in
+  /// the files that they name.
   TypedOptions(const CommandLine& line, int argc, const char* const* argv);
 
-  /// Usage error for the first word that is no option, with the one that it may have meant.
+  /// Usage error for an option without its value, and for the first word that is no option, with
+  /// the one that it may have meant.
   void refuse_unknown() const;
 
   const std::vector<std::string>& inputs() const { return inputs_; }
@@ -43,11 +44,12 @@ class TypedOptions {
     bool flag = false;
   };
   const Typed& at(std::string_view name) const;
+  void read_paths(int argc, const char* const* argv);
 
   std::map<std::string_view, Typed> typed_;
   std::vector<std::string_view> known_;  // in the order of --help
   std::vector<std::string> inputs_, unknown_;
-  std::string help_;
+  std::string help_, fault_;
 };
 
 }  // namespace mrsim::cli

@@ -3,9 +3,10 @@
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
+#include "cli/temporary_place.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
-#include "core/scratch_file.h"
+#include "core/child_process.h"
 #include "core/text_io.h"
 #include <mrsim/compare.h>
 #include <mrsim/solid_files.h>
@@ -13,17 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
 
 namespace mrsim::cli {
 namespace {
@@ -37,39 +33,9 @@ bool is_part(const std::string& path) {
   return std::find(kEndings.begin(), kEndings.end(), end) != kEndings.end();
 }
 
-// A new file, gone with its owner unless it is kept.
-class TemporaryPage {
- public:
-  TemporaryPage() : path_(temporary_folder() + "/mrsim-XXXXXX.html") {
-    const int file = ::mkstemps(path_.data(), 5);
-    if (file < 0) throw Error("output-folder", path_ + ": the temporary file cannot be made");
-    ::close(file);
-  }
-  TemporaryPage(const TemporaryPage&) = delete;
-  TemporaryPage& operator=(const TemporaryPage&) = delete;
-  ~TemporaryPage() {
-    std::error_code ignored;
-    if (!kept_) std::filesystem::remove(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-  void keep() { kept_ = true; }
-
- private:
-  std::string path_;
-  bool kept_ = false;
-};
-
 void open_page(const std::string& path) {
-  posix_spawn_file_actions_t quiet;
-  posix_spawn_file_actions_init(&quiet);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
-  std::string name = "xdg-open", target = path;
-  char* const words[] = {name.data(), target.data(), nullptr};
-  pid_t child = 0;
-  const int fault = ::posix_spawnp(&child, name.c_str(), &quiet, nullptr, words, environ);
-  posix_spawn_file_actions_destroy(&quiet);
-  if (fault != 0) fmt::print(stderr, "xdg-open is missing: open the page with a browser\n");
+  if (start_program({"xdg-open", path}, ProgramLife::own) < 0)
+    fmt::print(stderr, "xdg-open is missing: open the page with a browser\n");
 }
 
 void write_part_page(const std::string& part, const std::string& page) {
@@ -85,7 +51,7 @@ void write_part_page(const std::string& part, const std::string& page) {
 }
 
 Arguments run_arguments(const std::vector<const char*>& words) {
-  Arguments arguments = parse_arguments(static_cast<int>(words.size()), words.data());
+  Arguments arguments = typed_arguments(static_cast<int>(words.size()), words.data());
   if (arguments.command != Command::simulate || arguments.frames > 0)
     fail_usage("view takes a program, a job or a part and the options of a run without --frames");
   return arguments;
@@ -104,7 +70,7 @@ int view_run(const std::vector<const char*>& words, bool opens) {
     const int code = run_simulate(arguments);
     return code == kDone || code == kRejected ? show(arguments.compare.report, opens, code) : code;
   }
-  TemporaryPage page;
+  TemporaryPlace page(TemporaryPlace::Kind::page);
   arguments.compare.report = page.path();
   const int code = run_simulate(arguments);
   if (code != kDone && code != kRejected) return code;
@@ -113,7 +79,7 @@ int view_run(const std::vector<const char*>& words, bool opens) {
 }
 
 int view_part(const std::string& part, bool opens) {
-  TemporaryPage page;
+  TemporaryPlace page(TemporaryPlace::Kind::page);
   write_part_page(part, page.path());
   page.keep();
   return show(page.path(), opens, kDone);

@@ -142,12 +142,14 @@ std::string comparison_json(const Comparison& c) {
 }
 
 std::string comparison_json(const FailedComparison& failed) {
-  const Json out{{"schema", 1},
-                 {"unit", "mm"},
-                 {"part", to_utf8(failed.part_name)},
-                 {"nominal", to_utf8(failed.nominal_name)},
-                 {"error", {{"code", failed.error_code}, {"text", to_utf8(failed.error_text)}}},
-                 {"verdict", "failed"}};
+  Json out = Json::parse(comparison_json(Comparison{}));
+  for (auto& value : out) value = nullptr;
+  out.update({{"schema", 1},
+              {"unit", "mm"},
+              {"part", to_utf8(failed.part_name)},
+              {"nominal", to_utf8(failed.nominal_name)},
+              {"error", {{"code", failed.error_code}, {"text", to_utf8(failed.error_text)}}},
+              {"verdict", "failed"}});
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <thread>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -59,6 +60,52 @@ TEST_F(OutputFiles, NeverReplaceASubprogram) {
   write("SUB.SPF", "G1 Z-1 F100\nG1 X20\nM17\n");
   expect_refused("MAIN.MPF --machine mill --tool 1=endmill:d=5 --voxel 5 --report SUB.SPF",
                  "--report", "a file of the program");
+}
+
+// A command that is refused may not know its inputs: --json that names one does not replace it.
+TEST_F(OutputFiles, OfARefusalReplaceNoInput) {
+  write("MAIN.MPF", "G54\nTRANS X0\nT1 M6\nG0 X0 Y0 Z5\nSUB\nM30\n");
+  write("SUB.SPF", "G1 Z-1 F100\nG1 X20\nM17\n");
+  write("job.toml", "program = \"PRIMER_2F.MPF\"\nvoxl = 5\n");
+  write("tools.json", "{\"data\": []}");
+  const std::string main = "MAIN.MPF --machine mill --tool 1=endmill:d=5 --voxel 5 ";
+  const std::string program = read("PRIMER_2F.MPF"), sub = read("SUB.SPF");
+  const std::string stock = read("block.stl"), tools = read("tools.json");
+  for (const std::string& arguments : std::vector<std::string>{
+           main + "--json SUB.SPF", main + "--junit SUB.SPF", main + "--unknown --json SUB.SPF",
+           "MAIN.MPF PRIMER_2F.MPF --json PRIMER_2F.MPF", "job.toml --json PRIMER_2F.MPF",
+           "job.toml --unknown --json tools.json",
+           "--voxel 1 PRIMER_2F.MPF --json block.stl --tool",
+           "compare bar.stl bar.stl block.stl --json block.stl",
+           "compare bar.stl --json=block.stl --accept", "rest bar.stl bar.stl --json bar.stl",
+           "rest bar.stl bar.stl block.stl --json block.stl"})
+    EXPECT_NE(run(arguments).code, 0) << arguments;
+  EXPECT_EQ(read("PRIMER_2F.MPF"), program);
+  EXPECT_EQ(read("SUB.SPF"), sub);
+  EXPECT_EQ(read("block.stl"), stock);
+  EXPECT_EQ(read("tools.json"), tools);
+}
+
+TEST_F(OutputFiles, OfPicturesAndFramesReplaceNoInput) {
+  write("MAIN.MPF", "G54\nTRANS X0\nT1 M6\nG0 X0 Y0 Z5\nSUB\nM30\n");
+  write("SUB.SPF", "G1 Z-1 F100\nG1 X20\nM17\n");
+  write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiameter = 5\n");
+  fs::create_symlink("tools.toml", folder_ / "tools.svg");
+  fs::create_symlink("block.stl", folder_ / "f-1.png");
+  fs::create_symlink("block.stl", folder_ / "f-1.stl");
+  fs::create_symlink("SUB.SPF", folder_ / "sub.svg");
+  fs::create_symlink("SUB.SPF", folder_ / "sub-1.png");
+  const std::string main = "MAIN.MPF --machine mill --tool 1=endmill:d=5 ";
+  const std::string tools = read("tools.toml"), sub = read("SUB.SPF"), stock = read("block.stl");
+  expect_refused("tools tools.toml -o new.svg -o tools.svg", "tools.svg", "the tools");
+  expect_refused("trace " + main + "-o sub.svg", "sub.svg", "SUB.SPF");
+  expect_refused("render " + main + "--frames 2 --voxel 5 -o sub.png", "sub-1.png", "SUB.SPF");
+  expect_refused("render " + std::string(kCut) + "--frames 2 -o f.png", "f-1.png", "the stock");
+  expect_refused(std::string(kCut) + "--frames 2 -o f.stl", "f-1.stl", "the stock");
+  EXPECT_EQ(read("tools.toml"), tools);
+  EXPECT_EQ(read("SUB.SPF"), sub);
+  EXPECT_EQ(read("block.stl"), stock);
+  for (const char* name : {"new.svg", "f-2.stl", "f-2.png"}) EXPECT_FALSE(exists(name)) << name;
 }
 
 TEST_F(OutputFiles, AreNotGivenTwice) {

@@ -109,6 +109,49 @@ TEST_F(RunJson, OtherCommandsFitTheirSchemas) {
   expect_valid("compare", "x.json");
 }
 
+// The same keys as when they do not fail.
+TEST_F(RunJson, OtherCommandsTellTheirFailures) {
+  const auto keys = [](const Json& j) {
+    std::string out;
+    for (const auto& [key, value] : j.items()) out += key + " ";
+    return out;
+  };
+  ASSERT_EQ(run("compare block.stl block.stl --json compare.json").code, 0);
+  ASSERT_EQ(run("rest block.stl block.stl --json rest.json").code, 0);
+  for (const std::string command : {"compare", "rest"})
+    for (const auto& [rest, code, error] :
+         {std::tuple(" block.stl missing.stl", 1, "file-missing"),
+          std::tuple(" block.stl", 2, "usage"),
+          std::tuple(" block.stl block.stl --unknown", 2, "usage"),
+          std::tuple(" block.stl block.stl --deflection x", 2, "usage"),
+          std::tuple(" block.stl block.stl --deflection", 2, "usage")}) {
+      EXPECT_EQ(run(command + " --json x.json" + rest).code, code) << command << rest;
+      expect_valid(command, "x.json");
+      const Json told = parsed("x.json");
+      EXPECT_EQ(told["error"]["code"], error) << command << rest;
+      EXPECT_EQ(keys(told), keys(parsed(command + ".json"))) << command << rest;
+      std::filesystem::remove(folder_ / "x.json");
+    }
+  write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiametr = 5\n");
+  for (const std::string command : {"check", "trace"})
+    for (const auto& [rest, error] :
+         {std::pair("missing.MPF", "file-missing"), std::pair("PRIMER_2F.MPF --start x", "usage"),
+          std::pair("PRIMER_2F.MPF --tools tools.toml", "tools-key")}) {
+      write("x.json", run(command + " --json " + rest).out);
+      expect_valid(command, "x.json", "--lines");
+      EXPECT_TRUE(contains(read("x.json"), error)) << command << rest << read("x.json");
+    }
+  EXPECT_TRUE(contains(run("tools --json tools.toml").out, "tools-key"));
+}
+
+// Where the last option has no value.
+TEST_F(RunJson, TellsWordsThatDoNotParse) {
+  EXPECT_EQ(run("PRIMER_2F.MPF --json r.json --junit=r.xml --voxel").code, 2);
+  expect_valid("run", "r.json");
+  EXPECT_EQ(parsed("r.json")["error"]["code"], "usage");
+  EXPECT_TRUE(contains(read("r.xml"), "<failure"));
+}
+
 TEST_F(RunJson, OptionsOfAComparisonNeedANominal) {
   for (const char* option : {"--deviation d.ply", "--align icp", "--density 3", "--colors safe"}) {
     const Outcome o = run(std::string(kCut) + option);

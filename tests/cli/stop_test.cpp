@@ -56,8 +56,30 @@ TEST_F(Stop, ALongRunIsAnnounced) {
   }
 }
 
+// While a film is made: its pictures are temporary files, and ffmpeg is a program of its own.
+TEST_F(Stop, LeavesNoTemporaryFileAndNoProgram) {
+  std::filesystem::create_directory(folder_ / "tmp");
+  write("ffmpeg", "#!/bin/sh\necho $$ > pid\nexec sleep 100\n");
+  std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
+  const std::string when_filmed =
+      "PATH=$PWD:$PATH TMPDIR=$PWD/tmp sh -c '\"$0\" \"$@\" & run=$!; for k in $(seq 600); do "
+      "[ -s pid ] && break; sleep 0.1; done; kill -TERM $run; wait $run'";
+  const Outcome outcome =
+      run("render PRIMER_2F.MPF --stock block.stl -q --size 80x60 --frames 2 -o film.webm",
+          when_filmed);
+  EXPECT_EQ(outcome.code, 143) << outcome.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "tmp"));
+  EXPECT_FALSE(exists("film.webm"));
+  const std::string gone = "for k in $(seq 50); do kill -0 " +
+                           std::to_string(std::stoi(read("pid"))) +
+                           " 2>/dev/null || exit 0; sleep 0.1; done; exit 1";
+  EXPECT_EQ(std::system(gone.c_str()), 0);
+}
+
 TEST_F(Stop, EndsAComparisonWithinASecond) {
-  expect_stopped("compare block.stl bar.stl --density 300", "TERM", 143);
+  expect_stopped("compare block.stl bar.stl --density 300 --json c.json", "TERM", 143);
+  expect_valid("compare", "c.json");
+  EXPECT_TRUE(contains(read("c.json"), "\"cancelled\""));
 }
 
 }  // namespace
