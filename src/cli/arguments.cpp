@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 
+#include "cli/idle_options.h"
 #include "cli/job_words.h"
 #include "cli/option_values.h"
 #include "cli/typed_options.h"
@@ -199,6 +200,7 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
     return parse_job_command(line, typed.inputs()[0], argc, argv, refused);
   read_input(out, typed, line);
   read_values(out, typed);
+  tell_idle_options(line, typed);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/findings.h"
+#include "cli/idle_options.h"
 #include "cli/option_values.h"
 #include "cli/report.h"
 #include "cli/stop.h"
@@ -214,6 +215,7 @@ CompareRequest typed_request(const TypedOptions& typed) {
     fail_usage(fmt::format("compare takes a part and a nominal; usage: {}",
                            command_line(kUseCompare).usage));
   CompareRequest out = compare_request(typed);
+  tell_idle_options(command_line(kUseCompare), typed);
   out.part = typed.inputs()[0];
   out.nominal = typed.inputs()[1];
   out.deviation = typed.text("--output");

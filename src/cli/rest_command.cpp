@@ -2,6 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/findings.h"
+#include "cli/idle_options.h"
 #include "cli/option_values.h"
 #include "cli/rest_report.h"
 #include "cli/stop.h"
@@ -53,6 +54,7 @@ int write_rest(const TypedOptions& typed) {
   typed.read("--threads", options.threads, threads_value);
   double deflection = 0.001;
   typed.read("--deflection", deflection, positive_value);
+  tell_idle_options(command_line(kUseRest), typed);
   const std::vector<NamedPath> outputs = checked_outputs(typed);
   const auto read = [&](const std::string& path) {
     std::string note;

@@ -160,6 +160,30 @@ TEST_F(RunJson, OptionsOfAComparisonNeedANominal) {
   }
 }
 
+TEST_F(RunJson, OptionsThatDoNothingSaySo) {
+  const std::string cut = kCut, talking = cut.substr(0, cut.find(" -q")) + " ";
+  for (const auto& [arguments, said] :
+       {std::pair("--color line -o part.stl", "--color does nothing"),
+        std::pair("--colors safe --nominal block.stl", "--colors does nothing"),
+        std::pair("--deflection 0.1 --nominal block.stl", "--deflection does nothing"),
+        std::pair("--tool 9=endmill:d=3", "--tool 9: the program calls no tool"),
+        std::pair("--least-increments", "[least-increments]")})
+    EXPECT_TRUE(contains(run(talking + arguments).err, said)) << arguments;
+  EXPECT_TRUE(contains(run("PRIMER_2F.MPF --voxel 5 --stock-repair wrap=0.1").err,
+                       "--stock-repair does nothing"));
+  EXPECT_TRUE(
+      contains(run("compare block.stl block.stl --colors safe").err, "--colors does nothing"));
+  EXPECT_TRUE(contains(run("rest block.stl block.stl --voxel 2 --deflection 1").err,
+                       "--deflection does nothing"));
+  for (const char* rest : {"--color line -o part.ply",
+                           "--colors safe --nominal block.stl "
+                           "--deviation d.ply",
+                           "--tool 04=endmill:d=5"})
+    EXPECT_FALSE(contains(run(talking + rest).err, "does nothing") ||
+                 contains(run(talking + rest).err, "tool-unused"))
+        << rest;
+}
+
 TEST_F(RunJson, ACoarseToleranceIsAWarningLikeOthers) {
   const std::string coarse =
       "PRIMER_2F.MPF --stock block.stl --tolerance 0.1 --nominal block.stl --accept 0.02";
