@@ -24,6 +24,11 @@ void set_tip(const std::vector<ProfileEdge>& edges, ChainTool& c) {
   c.tipped = true;
   if (e.radius > 0 && e.center.x == c.core) {
     c.tip = e.center.y, c.ball = e.radius, c.last = e.b - e.center;
+    // A lollipop's ball goes on above its equator.
+    const auto goes_on = [&](const ProfileEdge& next) {
+      return next.radius == e.radius && next.center.x == 0 && next.center.y == e.center.y;
+    };
+    while (++k < edges.size() && goes_on(edges[k])) c.last = edges[k].b - e.center;
   } else {
     c.tipped = e.radius == 0;
     c.last = {e.direction.y, -e.direction.x};
