@@ -212,5 +212,32 @@ TEST(Sinumerik, MarkersAndOutputsKeepTheirValues) {
   EXPECT_EQ(run("T1 M6 ; SCHAFTFRAESER D6\nG1 F9 X=$TC_DP6[1,1]\n"), "3,0,0 ");
 }
 
+// 802S and 802C: G158, G258, G259 are TRANS, ROT, AROT; LCYC82 and its kin read R parameters.
+TEST(Sinumerik, FramesAndCyclesOf802) {
+  EXPECT_EQ(run("F9 G1\nG158 X5 Y2\nX1 Y0\nG259 RPL=90\nX1\nG258 RPL=90\nX2 Y0\nG158\nX3\n"),
+            "6,2,0 6,3,0 0,2,0 3,2,0 ");
+  const std::string levels = "F9 G0 Z5\nR101=5 R102=1 R103=0 R104=-9 R105=0\n";
+  EXPECT_EQ(run(levels + "X1\nLCYC82\n"), "0,0,5 1,0,5 1,0,1 1,0,-9 1,0,5 ");
+  const std::string deep = "R107=9 R108=9 R109=0 R110=-4 R111=1 R127=0\n";
+  EXPECT_EQ(run(levels + deep + "LCYC83\n"),
+            "0,0,5 0,0,1 0,0,-4 0,0,-3 0,0,-7 0,0,-6 0,0,-9 0,0,5 ");
+  const std::string row = "R115=82 R116=1 R117=2 R118=3 R119=2 R120=90 R121=5\n";
+  EXPECT_EQ(run(levels + row + "LCYC60\n"),
+            "0,0,5 1,5,5 1,5,1 1,5,-9 1,5,5 1,10,5 1,10,1 1,10,-9 1,10,5 ");
+  EXPECT_EQ(run(levels + "R115=82 R116=1 R117=0 R118=3 R119=2 R120=0 R121=0\nLCYC61\n"),
+            "0,0,5 4,0,5 4,0,1 4,0,-9 4,0,5 -2,0,5 -2,0,1 -2,0,-9 -2,0,5 ");
+  EXPECT_EQ(run(levels + "R115=75 R116=1 R117=2 R118=3 R119=2 R120=90 R121=5\nLCYC60\n"),
+            "0,0,5 value-range");
+  EXPECT_EQ(run("G0 Z5\nLCYC82\n"), "0,0,5 variable-unset");
+  EXPECT_EQ(run("G0 Z5\nLCYC93\n"), "0,0,5 not-supported");
+  const auto pocket = [](const std::string& text) {
+    return path_text(read_text("T1 M6 ; SCHAFTFRAESER D10\nF9 G0 Z5\n" + text + "\n",
+                               at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(pocket("R101=5 R102=1 R103=0 R104=-3 R116=1 R117=2 R118=40 R119=30 R120=6 R121=2 "
+                   "R122=50 R123=90 R124=0 R125=0 R126=3 R127=1\nLCYC75"),
+            pocket("POCKET3(5,0,1,-3,40,30,6,1,2,0,2,0,0,90,50,3,11)"));
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -134,6 +134,22 @@ TEST(TurnCycles, CornersOfRoundBladesKeepTheirSize) {
   EXPECT_EQ(radii, "1.4 1.6 1.4 1.6 ");
 }
 
+// LCYC95 and LCYC97 of 802S and 802C; G22 and G23 are its radius and diameter.
+TEST(TurnCycles, CyclesOf802) {
+  const std::string contour = "\nM2\n%_N_KONT1_SPF\nG1 X30 Z0\nZ-30\nX60 Z-40\nM17";
+  const std::string by_list =
+      lathe_path("CYCLE95(\"KONT1\",2,0,0,0.3,0.25,0.25,0.1,9,,,0.5)" + contour);
+  EXPECT_NE(by_list.find(" l15,-30 "), std::string::npos) << by_list;
+  EXPECT_EQ(lathe_path("_CNAME=\"KONT1\" R105=9 R106=0.3 R108=2 R109=0 R110=0.5 R111=0.25 "
+                       "R112=0.1\nLCYC95" +
+                       contour),
+            by_list);
+  EXPECT_EQ(lathe_path("S500 M3 R100=40 R101=0 R102=40 R103=-30 R104=1.5 R105=1 R106=0.05 R109=2 "
+                       "R110=1 R111=0.92 R112=0 R113=5 R114=1\nLCYC97"),
+            lathe_path("S500 M3\nCYCLE97(1.5,,0,-30,40,40,2,1,0.92,0.05,0,0,5,0,3,1)"));
+  EXPECT_EQ(lathe_path("G22 G0 X20\nG23 X20"), "r20,-10 r10,-10 program-without-cuts");
+}
+
 TEST(TurnCycles, GroovesThatAreNotRead) {
   const Tool tool = grooving_tool(4, 3);
   // The manual's example: in a cone, with oblique flanks and chamfers.

@@ -62,8 +62,8 @@ double iso_pitch(double thread) {
 }
 
 bool SinumerikCycles::knows(std::string_view name) {
-  return is_cycle(name) || MillCycles::knows(name) || SinumerikContours::knows(name) ||
-         TurnCycles::knows(name) || measures(name) ||
+  return is_cycle(name) || is_of_802(name) || MillCycles::knows(name) ||
+         SinumerikContours::knows(name) || TurnCycles::knows(name) || measures(name) ||
          std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
@@ -78,6 +78,7 @@ Word SinumerikCycles::where() const {
 bool SinumerikCycles::read_call(Call& call) {
   call.name = std::string(block_.function_name);
   call.place = block_.place();
+  if (is_of_802(block_.function_name)) return read_802(block_.function_name, call);
   return statements_ && statements_->call_values(block_.argument, call.values);
 }
 
@@ -102,7 +103,8 @@ bool SinumerikCycles::run() {
   if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
   if (SinumerikContours::knows(call.name)) return contours_.run(call, where());
   if (TurnCycles::knows(call.name)) return turns_.run(call, where());
-  return is_cycle(call.name) ? drill(call) : pattern(call);
+  if (is_cycle(call.name)) return drill(call);
+  return call.written.empty() ? pattern(call) : pattern_802(call);
 }
 
 bool SinumerikCycles::modal_call() {

@@ -1,6 +1,6 @@
 // SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840, the patterns HOLES1, HOLES2,
-// CYCLE801 and CYCLE802, and MCALL, which runs a cycle, also one of milling, behind every move in
-// the plane. Private to src/interp.
+// CYCLE801 and CYCLE802, those of 802S and 802C (LCYC82 and its kin), and MCALL, which runs a
+// cycle, also one of milling, behind every move in the plane. Private to src/interp.
 #pragma once
 
 #include "interp/milling/mill_cycles.h"
@@ -46,6 +46,9 @@ class SinumerikCycles : public ControlPart {
 
   bool measure();
   bool read_call(Call& call);
+  static bool is_of_802(std::string_view name);
+  bool read_802(std::string_view name, Call& call);
+  bool pattern_802(const Call& places);
   bool hole(const Call& call, Hole& out);
   bool depth(const Call& call, std::size_t mode, double reference, double down, double& bottom);
   bool to_diameter(const Call& call, double reference, double down, double& bottom);

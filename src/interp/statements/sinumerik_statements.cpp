@@ -21,6 +21,8 @@ constexpr std::string_view kKeywords[] = {
 SinumerikStatements::SinumerikStatements(Control& control, BlockReader& reader)
     : Statements(control, reader, sinumerik_rules(), VariableForm::sinumerik,
                  OutlineForm::sinumerik) {
+  std::string ignored;  // the contour of LCYC95
+  variables_.define("_CNAME", VariableType::text, {}, true, ignored);
   read_definitions();
 }
 

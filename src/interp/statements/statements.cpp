@@ -211,6 +211,12 @@ bool Statements::call_values(std::string_view argument, std::vector<std::optiona
   return fail("value-range", fmt::format("more than {} values", kMostCallValues), from, to);
 }
 
+bool Statements::value_of(std::string_view expression, Value& out, const Word& word) {
+  std::size_t p = 0;
+  return evaluator_.expression(expression, p, out) ||
+         error(evaluator_.fault().code, evaluator_.fault().text, word);
+}
+
 bool Statements::jump_always(const Place& to) {
   if (decided_ || reader_.depth() > 1) return reader_.jump(to);
   if (to.line + 1 >= block_.line_number) {

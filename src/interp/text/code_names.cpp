@@ -163,6 +163,10 @@ constexpr std::string_view kReadCalls[] = {
     "CYCLE971",  "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "CYCLE982",
     "CYCLE994",  "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 
+// Of SINUMERIK 802S and 802C, which read their values from R parameters.
+constexpr std::string_view kCyclesOf802[] = {"LCYC60", "LCYC61",  "LCYC75", "LCYC82", "LCYC83",
+                                             "LCYC84", "LCYC840", "LCYC85", "LCYC95", "LCYC97"};
+
 struct UnsupportedName {
   std::string_view prefix;
   bool whole;  // the name itself; else the name and a number
@@ -196,6 +200,7 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
                                             {"SETVN", true, "a variable"},
                                             {"MCALL", true, "a modal call"},
                                             {"CYCLE", false, "a canned cycle"},
+                                            {"LCYC", false, "a canned cycle"},
                                             {"HOLES", false, "a canned cycle"},
                                             {"POCKET", false, "a canned cycle"},
                                             {"SLOT", false, "a canned cycle"},
@@ -211,6 +216,8 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
 }  // namespace
 
 std::span<const std::string_view> read_calls() { return kReadCalls; }
+
+std::span<const std::string_view> cycles_of_802() { return kCyclesOf802; }
 
 CodeEntry find_function(std::string_view name) {
   for (const NamedRow& row : kFunctions)

@@ -17,6 +17,8 @@ constexpr Row kShared[] = {{0, C::rapid, G::motion},          {10, C::line, G::m
 
 constexpr Row kSinumerik[] = {
     {90, C::ignored, G::other},
+    {220, C::diameter_off, G::diameter},  // 802S, 802C
+    {230, C::diameter_on, G::diameter},
     {250, C::speed_limit, G::frame},
     {260, C::speed_limit, G::frame},
     {330, C::thread, G::motion},
@@ -47,8 +49,11 @@ constexpr Row kSinumerik[] = {
     {1470, C::unsupported, G::oneshot},
     {1480, C::unsupported, G::oneshot},
     {1530, C::suppress_frames, G::suppress},
+    {1580, C::trans, G::frame},  // 802S, 802C
     {2470, C::unsupported, G::oneshot},
     {2480, C::unsupported, G::oneshot},
+    {2580, C::rot, G::frame},  // 802S, 802C
+    {2590, C::arot, G::frame},
     {2900, C::ignored, G::other},
     {2910, C::unsupported, G::other},
     {3310, C::tap_in, G::motion},

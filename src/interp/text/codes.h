@@ -206,6 +206,8 @@ std::vector<std::pair<std::string_view, CodeEntry>> function_names();
 
 /// SINUMERIK calls whose arguments the interpreter reads, upper case.
 std::span<const std::string_view> read_calls();
+/// Cycles without brackets, whose values stand in R parameters.
+std::span<const std::string_view> cycles_of_802();
 
 /// What an upper-case name (WHEN, CYCLE60) announces that this reader does not do yet; or empty.
 std::string_view unsupported_name(std::string_view name);

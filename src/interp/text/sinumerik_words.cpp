@@ -195,6 +195,11 @@ void SinumerikWords::program_name(Block& block, std::size_t from, std::string_vi
     if (!block.bad) push(block, word, from);
     return;
   }
+  for (const std::string_view cycle : cycles_of_802()) {
+    if (name != cycle) continue;
+    block.function_name = cycle;
+    return;
+  }
   const std::string_view what = unsupported_name(name);
   if (!what.empty()) return unsupported(block, run, what, from);
   if (run.size() > kLongestName)
