@@ -17,7 +17,7 @@ namespace {
 
 // ns in which the run may end in order, then say its last words; what is left of the second goes to
 // the system, which takes the memory back.
-constexpr long kGrace = 600'000'000, kWords = 100'000'000;
+constexpr long kGrace = 400'000'000, kWords = 100'000'000;
 
 std::atomic<int> stopped = 0;
 std::atomic<bool> is_written = false;

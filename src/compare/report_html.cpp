@@ -32,7 +32,7 @@ constexpr std::size_t kMostNominal = 150000;
 constexpr int kMostLines = 200000;       // of a program; beyond, only those around the cuts
 constexpr double kDeviationStep = 1e-4;  // mm
 // Bytes, measured: what is shown has at most so many triangles, but comes from copies.
-constexpr double kPage = 25e6, kPartTriangle = 50, kNominalTriangle = 200;
+constexpr double kPage = 25e6, kPartTriangle = 30, kNominalTriangle = 200;
 
 // Positions as 24-bit steps over the bounds: 6 nm on 100 mm.
 struct Grid {
@@ -229,7 +229,8 @@ DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Compar
 
 std::string report_html(const TriMesh& part, const TriMesh& nominal, const Comparison& comparison,
                         const ReportFacts& facts, int threads) {
-  require_memory(kPage + kPartTriangle * double(part.triangles.size()) +
+  const double copies = nominal.triangles.empty() ? 1 : 2;
+  require_memory(kPage + copies * kPartTriangle * double(part.triangles.size()) +
                      kNominalTriangle * double(nominal.triangles.size()),
                  "a report", "--max-memory allows more, and a coarser mesh takes less");
   const DisplayMesh shown =
