@@ -218,9 +218,13 @@ TEST(Sinumerik, FramesAndCyclesOf802) {
             "6,2,0 6,3,0 0,2,0 3,2,0 ");
   const std::string levels = "F9 G0 Z5\nR101=5 R102=1 R103=0 R104=-9 R105=0\n";
   EXPECT_EQ(run(levels + "X1\nLCYC82\n"), "0,0,5 1,0,5 1,0,1 1,0,-9 1,0,5 ");
-  const std::string deep = "R107=9 R108=9 R109=0 R110=-4 R111=1 R127=0\n";
+  const std::string deep = "R107=7 R108=9 R109=0 R110=-4 R111=1 R127=0\n";
   EXPECT_EQ(run(levels + deep + "LCYC83\n"),
             "0,0,5 0,0,1 0,0,-4 0,0,-3 0,0,-7 0,0,-6 0,0,-9 0,0,5 ");
+  const Program drilled = read_text("G0 Z5\n" + levels.substr(levels.find('R')) + deep + "LCYC83\n",
+                                    at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(drilled), "");
+  EXPECT_EQ(drilled.motions[2].feed, 7);
   const std::string row = "R115=82 R116=1 R117=2 R118=3 R119=2 R120=90 R121=5\n";
   EXPECT_EQ(run(levels + row + "LCYC60\n"),
             "0,0,5 1,5,5 1,5,1 1,5,-9 1,5,5 1,10,5 1,10,1 1,10,-9 1,10,5 ");

@@ -11,7 +11,7 @@ namespace {
 
 struct CycleOf802 {
   std::string_view name, cycle;
-  std::string_view values;  ///< of the later cycle's list
+  std::string_view values;  ///< of the later cycle's list; behind that of CYCLE83 its feed
 };
 
 constexpr CycleOf802 kCycles802[] = {
@@ -20,7 +20,7 @@ constexpr CycleOf802 kCycles802[] = {
     {"LCYC75", "POCKET3",
      "R101,R103,R102,R104,R118,R119,R120,R116,R117,0,R121,R124,R125,R123,R122,R126,R127+10"},
     {"LCYC82", "CYCLE82", "R101,R103,R102,R104,,R105"},
-    {"LCYC83", "CYCLE83", "R101,R103,R102,R104,,R110,,R111,R105,R109,1,R127"},
+    {"LCYC83", "CYCLE83", "R101,R103,R102,R104,,R110,,R111,R105,R109,1,R127,,,,,,,,,R107"},
     {"LCYC84", "CYCLE84", "R101,R103,R102,R104,,R105,5,,R106,0,R112,R113"},
     {"LCYC840", "CYCLE840", "R101,R103,R102,R104,,0,0,R126,0,,R106"},
     {"LCYC85", "CYCLE85", "R101,R103,R102,R104,,R105,R107,R108"},

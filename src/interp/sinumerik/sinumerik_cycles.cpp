@@ -187,6 +187,7 @@ bool SinumerikCycles::hole(const Call& call, Hole& out) {
   if (!depth(call, mode_of(call.name), rfp, down, out.bottom)) return false;
   if (by_shape && (call.name == "CYCLE82" || call.name == "CYCLE83"))
     out.bottom += down * point_length();
+  if (!call.written.empty() && call.name == "CYCLE83") out.feed = call.get(20) * feed_scale();
   if (call.name == "CYCLE83") return strokes(call, rfp, out);
   if (call.name == "CYCLE84" || call.name == "CYCLE840") tapping(call, out);
   if (call.name == "CYCLE85") {
