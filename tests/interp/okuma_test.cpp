@@ -83,7 +83,8 @@ TEST(Okuma, VariablesHaveNames) {
 TEST(Okuma, ProgramsForBars) {
   const Program p = read_text(
       "$PART.MIN%\nM1\nNBAR\nCLEAR\nDEF WORK\nPS LC,[-400,0],[400,19]\nPS LC, [0,0],[46,9],0\nEND\n"
-      "DRAW\nNAT01  (OD AND FACE RGH. TURN .032R)\nG0 X20 Z20\nT010101\nG96 S200 M3\nG0 X10 Z1\n"
+      "DRAW\nMSG (LOAD BAR)\nNAT01  (OD AND FACE RGH. TURN .032R)\nG0 X20 Z20\nT010101\nG96 S200 "
+      "M3\nG0 X10 Z1\n"
       "G1 Z-5 F.1\nG0 X20\nGOTO NBAR\nM2\n",
       InterpOptions{});
   EXPECT_EQ(path_text(p), "r10,0,20 r5,0,1 l5,0,-5 r10,0,-5") << listing(p);

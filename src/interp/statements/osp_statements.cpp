@@ -37,8 +37,8 @@ bool draws_blank(std::string_view line, std::size_t p) {
 
 bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = upper_case(name_from(line, p).substr(0, 8));
-  return draws_blank(line, p) || name == "CALL" || name == "RTS" || name == "MODIN" ||
-         name == "MODOUT" || MacroStatements::starts_statement(line, p);
+  return draws_blank(line, p) || name == "MSG" || name == "CALL" || name == "RTS" ||
+         name == "MODIN" || name == "MODOUT" || MacroStatements::starts_statement(line, p);
 }
 
 bool OspStatements::statement(std::size_t from) {
@@ -50,6 +50,10 @@ bool OspStatements::statement(std::size_t from) {
     return true;
   }
   const std::string name = letters(p);
+  if (name == "MSG") {  // "MSG (TEXT)": for the operator
+    reader_.set_position(block_.line.size());
+    return true;
+  }
   if (name == "IF") {
     std::size_t behind = p;
     bool holds = false;
