@@ -5,17 +5,25 @@
 // nearer. From that position down to the lower end the tool moves away from p in plan and falls: a
 // stretch. Its parameter is the way along the line, so that no slope is above 1.
 
-/// Not above the distance but for rounding: the tool stays within its radius of the line in plan,
-/// above its lower end, and above the plane along the line that its core's rim touches at the back.
-/// Right but for rounding (1e-8 mm). `c` are the columns of SlantRecord.
+/// Not above the distance but for rounding (1e-8 mm): the tool's core stays within its radius of the
+/// line, in plan and across it, above its lower end, and above the plane along the line that its
+/// rim touches at the back. Of both pairs the directions are at right angles. `c` are the columns
+/// of SlantRecord.
 MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
   const V ux = c[3], uy = c[4], length = c[5], plan = c[6], rise = c[7], core = c[8], round = c[9];
+  const V zero = splat(0.0);
   const V dx = px - c[0], dy = py - c[1], below = c[2] - pz;
   const V along = dx * ux + dy * uy, off = dx * uy - dy * ux;
-  const V beyond = along - vmin(vmax(along, splat(0.0)), length * plan);
-  const V aside = vsqrt(off * off + beyond * beyond) - core;
+  const V beyond = along - vmin(vmax(along, zero), length * plan);
+  const V aside = vsqrt(off * off + beyond * beyond) - core, across = vabs(off) - core;
   const V under = plan * below + rise * (along - core);
-  return vmax(vmax(aside, under), below) - round;
+  const auto corner = [&](V level, V upright) {
+    const V a = vmax(level, zero), b = vmax(upright, zero);
+    return a * a + b * b;
+  };
+  const V square = vmax(corner(aside, below), corner(across, under));
+  const V inside = vmax(vmax(aside, under), below);
+  return select(less(zero, square), vsqrt(square), inside) - round;
 }
 
 class SlantStretch {
