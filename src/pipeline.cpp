@@ -109,6 +109,10 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
                                  : read_mesh(spec);
   if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
   if (findings != nullptr) *findings = found;
+  constexpr double kTriangleMemory = 350;  // bytes, measured: what looks for crossings
+  require_memory(kTriangleMemory * double(mesh.triangles.size()),
+                 fmt::format("a stock of {} triangles", mesh.triangles.size()),
+                 "a coarser mesh takes less");
   const std::string repairs = make_solid(mesh, spec);
   StockShape shape = recognise_stock(std::move(mesh), options, spec);
   shape.repairs = repairs;

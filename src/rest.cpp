@@ -3,7 +3,9 @@
 #include "compare/inner_edges.h"
 #include "compare/nominal.h"
 #include "compare/reach.h"
+#include "compare/sampling.h"
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "mesh/solid/check.h"
@@ -27,7 +29,8 @@ constexpr double kVoxels = 400;      // along the longest side
 constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
-constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
+constexpr double kSquareMemory = 140;  // bytes a square of a voxel on both surfaces, measured
+constexpr double kMostVoxels = 2500;   // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, asked for the place that is nearest.
 class Surfaces {
@@ -138,6 +141,9 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
     throw Error("rest-voxel",
                 fmt::format("{:g} mm are more than 2 voxels of {:g} mm", out.above, out.voxel),
                 Error::Kind::usage);
+  require_memory(
+      kSquareMemory * (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel),
+      fmt::format("what is left by voxels of {:.3g} mm", out.voxel), "a larger --voxel takes less");
   std::vector<RestVoxels> found =
       find_rest_voxels({part, nominal, out.voxel, out.above, options.threads});
   const Surfaces surfaces(part, nominal, options.threads);

@@ -125,7 +125,7 @@ constexpr OptionRow kRows[] = {
      "look for the programs here; may be repeated"},
     {"--threads", "", kUseCompare | kUseRest, comparison, V::whole, "N",
      "default: all cores; the result is the same for any number"},
-    {"--max-memory", "", kUseCompare, comparison, V::text, "SIZE",
+    {"--max-memory", "", kUseCompare | kUseRest, comparison, V::text, "SIZE",
      "refuse what would need more; default: what is free"},
 
     {"--dialect", "", kPrograms, program, V::choice, "D",

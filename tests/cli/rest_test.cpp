@@ -171,6 +171,14 @@ TEST_F(Rest, RunTellsWhatIsLeftForItsNominal) {
                  "nominal.json.json");
 }
 
+TEST_F(Rest, KeepsToItsMemory) {
+  write_corner("part.off", 6);
+  write_corner("nominal.off", 3);
+  expect_failure("rest part.off nominal.off --voxel 0.1 --max-memory 60M", 1,
+                 "a larger --voxel takes less");
+  EXPECT_EQ(run("rest part.off nominal.off --voxel 1 --max-memory 200M -q").code, 0);
+}
+
 TEST_F(Rest, PiecesAreAMeshOfTheirVolume) {
   write_corner("part.off", 6);
   write_corner("nominal.off", 3);
