@@ -25,7 +25,7 @@ TEST_F(Limits, FilesThatNeverEnd) {
 }
 
 TEST_F(Limits, MessagesOfADamagedProgram) {
-  write("flood.MPF", std::string(200000, '/') + "\n");
+  write("flood.MPF", std::string(200000, '!') + "\n");
   const Outcome outcome = run("flood.MPF --machine mill --stock block.stl -o part.stl");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_LT(outcome.err.size(), 100000U);

@@ -154,6 +154,7 @@ TEST(ToolCommentReadings, HyphensBetweenTheParts) {
       {mm, "DM=9 VHM-BOHRER", "drill 9"},
       {mm, "T2 D=20. CR=0. - ZMIN=-8 - slot mill", "? gives no width of the head"},
       {mm, "T2 10MM SLOT MILL", "endmill 10"},
+      {mm, "T2 50MM FACE MILL TAPER 40", "? names a tapered mill, whose shape it does not tell"},
       {mm, "T2 MASCHINENREIBAHLE 10H7", "endmill 10"},
       {mm, "T2 D=50. CR=0. TAPER=45deg - ZMIN=-1. - face mill", "taper 50, side 45"},
       {inch, "TAP-1/4-20", "endmill 6.35"},

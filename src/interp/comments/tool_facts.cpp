@@ -381,11 +381,12 @@ void FactReader::read_rest() {
     facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
     facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
     facts_.left_hand |= view_.is_one(i, {"LEFT", "LH", "LINKS"});
-    facts_.fusion_slot |= view_.is(i, "CR") && view_.is(i + 1, "=") && kind() &&
-                          view_.is(kind()->first, "SLOT") && view_.is(kind()->first + 1, "MILL");
+    facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
     facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});
   }
+  facts_.fusion_slot = facts_.fusion && kind() && view_.is(kind()->first, "SLOT") &&
+                       view_.is(kind()->first + 1, "MILL");
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ struct ToolFacts {
   bool helix = false;       ///< the angle may be that of the flutes
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
-  bool fusion_slot = false;  ///< "slot mill" beside CR=: the disc on a neck of Fusion's lists
+  bool fusion = false;       ///< "CR=", which posts of Fusion write of every tool
+  bool fusion_slot = false;  ///< its "slot mill", the disc on a neck of its lists
   bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
   bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
   bool bores = false;        ///< "BORE", "BORING" alone

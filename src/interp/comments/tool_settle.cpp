@@ -217,7 +217,7 @@ void Settler::settle_nose() {
 
 // "R3 BALL" has the diameter 6.
 void Settler::settle_mill() {
-  if (trade_is(ToolTrade::face_mill) && facts_.taper > 0) {  // of Fusion: D is that of the tip
+  if (trade_is(ToolTrade::face_mill) && facts_.fusion && facts_.taper > 0) {  // D: of the tip
     hint_.type = ToolType::taper;
     hint_.trade = ToolTrade::cone_mill;
     hint_.taper_angle = radians(facts_.taper);
