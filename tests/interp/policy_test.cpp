@@ -295,6 +295,38 @@ TEST(Policy, Programs) {
   EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
 }
 
+// A part given in the place of the program is one error, not one for each of its characters.
+TEST(Policy, FilesOfOtherKindsAreNoPrograms) {
+  using namespace std::string_literals;
+  Scratch scratch;
+  const std::string header(80, 'x'), triangle(50, '\0');
+  const std::pair<std::string, const char*> kinds[] = {
+      {header + "\x02\0\0\0"s + triangle + triangle, "STL"},
+      {"solid a\nfacet normal 0 0 1\n", "STL"},
+      {"\x20\x42\x44\x56\0\0\0\0\xE0"s, "OpenVDB"},
+      {"\x89PNG\r\n", "PNG"},
+      {"%PDF-1.4\n", "PDF"},
+      {"PK\x03\x04", "ZIP"},
+      {"ISO-10303-21;\n", "STEP"},
+      {"ply\nformat ascii 1.0\n", "PLY"},
+      {" {\n \"kind\": 1}", "JSON"},
+      {"  0\r\nSECTION\r\n", "DXF"}};
+  for (const auto& [text, name] : kinds) try {
+      read_program(scratch.write("part.nc", text), at_origin(Dialect::automatic));
+      ADD_FAILURE() << name;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), "file-not-program") << name;
+      EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();
+    }
+  for (const char* program : {"%\nO1\nG1 X1\n", "<PART>\nG1 X1\n", "[remark]\nG1 X1\n",
+                              "0\nG1 X1\n", "(solid)\nG1 X1\n", "", "{1}\n"})
+    try {
+      read_program(scratch.write("a.nc", program), at_origin(Dialect::fanuc));
+    } catch (const Error& e) {
+      EXPECT_NE(e.code(), "file-not-program") << program;
+    }
+}
+
 // The leader of a tape, and what a serial line starts and stops a transfer with.
 TEST(Policy, SignsOfTransfersAreNoText) {
   const std::string nul(3, '\0');

@@ -185,7 +185,6 @@ TEST(RecogniseForeign, NamedAndRefused) {
             std::string::npos);
   EXPECT_NE(refusal("[H\nVERSION=\"4.0\"\n<100 \\WerkStck\\\nLA=\"800\"\n").find("woodWOP"),
             std::string::npos);
-  EXPECT_NE(refusal("  0\nSECTION\n  2\nHEADER\n").find("DXF"), std::string::npos);
   EXPECT_EQ(refusal("M300 S440\nG21 G90\nM300 S880\nS12000 M3\nG0 X0 Y0\nG1 Z-1 F100\nX9\n"), "");
   EXPECT_NE(refusal("O1 (CITIZEN L20)\nT0100\nG0 X13. Z-1.\nG1 Z10. F.05\n").find("headstock"),
             std::string::npos);

@@ -47,7 +47,7 @@ bool fagor_turning(std::string_view code) {
   return (has_word(line, "G81") || has_word(line, "G82")) && all("XZQRC");
 }
 
-// Files of drills, plotters and routers that speak no G code, and of drawings; or nullptr.
+// Files of drills, plotters and routers that speak no G code; or nullptr.
 const char* named_format(const std::string& path, std::string_view raw) {
   const std::string text = upper_case(raw.substr(0, 64));
   const std::string_view line(text.data(), text.find_last_not_of(" \t\r") + 1);
@@ -57,11 +57,9 @@ const char* named_format(const std::string& path, std::string_view raw) {
   if (begins_any(line, {"IN;", "PU;", "PD;", "SP1;", ";:H A"})) return "a plotter's file (HPGL)";
   if (any_of(line, {";;^IN;", "!MC1", "!MC0", "!PZ", "!VZ"})) return "a Roland program (RML)";
   if (begins_any(line, {"IMF_PBL", "FASTABS ", "MOVEABS "})) return "an isel program (NCP)";
-  if (line == "[H" || begins_any(line, {"H DX=", "BEGIN MAINDATA"}) ||
-      any_of(line, {"\\WERKSTCK\\", "BEGIN ID CID3"}))
-    return "a woodworking program (woodWOP, bSolid, Xilog)";
-  if (begins_any(line, {"<?XML", "<SVG", "<HTML", "<!DOCTYPE"})) return "an XML file";
-  return line == "SECTION" ? "a DXF drawing" : nullptr;
+  const bool is_wood = line == "[H" || begins_any(line, {"H DX=", "BEGIN MAINDATA"}) ||
+                       any_of(line, {"\\WERKSTCK\\", "BEGIN ID CID3"});
+  return is_wood ? "a woodworking program (woodWOP, bSolid, Xilog)" : nullptr;
 }
 
 // A block that ends in "*"; brackets may stand behind the code.
@@ -103,10 +101,6 @@ const char* named_control(const std::string& path, std::string_view code, std::s
   if (ends_with(path, {".SIMPL"})) return "a DATRON SimPL program";
   if (begins_any(text, {"LOADTL/", "GOTO/", "FROM/", "PARTNO/", "FEDRAT/"}))
     return "an APT cutter location file";
-  if (raw.starts_with("ISO-10303-21")) return "a STEP file";
-  if (raw.starts_with("PK\x03\x04")) return "a zip archive";
-  if (raw.starts_with("%PDF-")) return "a PDF document";
-  if (raw.starts_with("solid ") || text.starts_with("FACET NORMAL")) return "an STL file";
   return named_format(path, raw);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "interp/recognise/dialect_signs.h"
+#include "interp/recognise/file_kind.h"
 #include "interp/recognise/foreign_programs.h"
 #include "interp/recognise/machine_signs.h"
 #include "interp/text/characters.h"
@@ -125,6 +126,12 @@ Recognition Reader::answer() const {
 Recognition recognise(const std::string& path, const InterpOptions& options) {
   Reader reader(path, options);
   LineSource source(path);
+  if (const std::string_view kind = kind_of_file(source.ahead(kFileHead), source.size());
+      !kind.empty())
+    throw Error("file-not-program",
+                fmt::format("{} is {}, no NC program: parts and stocks are given with --stock, "
+                            "--nominal or to mrsim render",
+                            path, kind));
   std::string_view raw;
   while (source.next(raw)) {
     const int n = source.line_number();

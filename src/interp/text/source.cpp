@@ -58,9 +58,11 @@ LineSource::LineSource(const std::string& name, std::size_t chunk)
     throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
   if (!S_ISREG(info.st_mode)) {
     piped_ = read_pipe(path, info);
+    size_ = piped_->size();
   } else {
     fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd_ < 0) fail(path);
+    size_ = static_cast<std::uint64_t>(info.st_size);
   }
   buffer_.resize(chunk);
 }
@@ -73,10 +75,17 @@ LineSource::LineSource(LineSource&& other) noexcept
       buffer_offset_(other.buffer_offset_),
       begin_(other.begin_),
       end_(other.end_),
+      size_(other.size_),
       line_(other.line_) {}
 
 LineSource::~LineSource() {
   if (fd_ >= 0) ::close(fd_);
+}
+
+std::string_view LineSource::ahead(std::size_t bytes) {
+  while (end_ - begin_ < bytes && refill()) {
+  }
+  return {buffer_.data() + begin_, std::min(bytes, end_ - begin_)};
 }
 
 void LineSource::seek(std::uint64_t offset, int line_number) {

@@ -22,6 +22,10 @@ class LineSource {
 
   /// The next line without its end (\n, \r\n or \r); valid until the next call. False at the end.
   bool next(std::string_view& line);
+  /// Up to `bytes` of what comes next, without reading on; valid until the next call.
+  std::string_view ahead(std::size_t bytes);
+  /// Bytes of the whole file.
+  std::uint64_t size() const { return size_; }
   /// Goes on at a line start seen earlier.
   void seek(std::uint64_t offset, int line_number);
 
@@ -39,6 +43,7 @@ class LineSource {
   std::vector<char> buffer_;
   std::uint64_t buffer_offset_ = 0;  ///< offset in the file of buffer_[0]
   std::size_t begin_ = 0, end_ = 0;  ///< unread part of the buffer
+  std::uint64_t size_ = 0;
   int line_ = 0;
 };
 

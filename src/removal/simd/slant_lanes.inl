@@ -5,10 +5,10 @@
 // nearer. From that position down to the lower end the tool moves away from p in plan and falls: a
 // stretch. Its parameter is the way along the line, so that no slope is above 1.
 
-/// Not above the distance but for rounding (1e-8 mm): the tool's core stays within its radius of the
-/// line, in plan and across it, above its lower end, and above the plane along the line that its
-/// rim touches at the back. Of both pairs the directions are at right angles. `c` are the columns
-/// of SlantRecord.
+/// Not above the distance but for rounding (1e-8 mm): the tool's core stays within its radius of
+/// the line, in plan and across it, above its lower end, and above the plane along the line that
+/// its rim touches at the back. Of both pairs the directions are at right angles. `c` are the
+/// columns of SlantRecord.
 MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
   const V ux = c[3], uy = c[4], length = c[5], plan = c[6], rise = c[7], core = c[8], round = c[9];
   const V zero = splat(0.0);
