@@ -174,6 +174,7 @@ ChildOutcome run_in_child(const ChildLimits& given,
 
 int start_program(const std::vector<std::string>& words, ProgramLife life) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   std::array<int, 2> ends{};  // closed by the program; a byte where there is none
