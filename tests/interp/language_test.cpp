@@ -356,6 +356,8 @@ TEST(Sinumerik, ParametersOfTheMainProgram) {
 }
 
 TEST(Language, SystemVariablesOfGeometry) {
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3\nX#4107\nD7 X1\nX#4107\n"), "3,0,0 0,0,0 1,0,0 7,0,0 ")
+      << "no D was given yet";
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3 Y4\nX[#5001+10] Y#5002\nG#4001 X1\n"),
             "3,4,0 13,4,0 1,4,0 ");
   EXPECT_EQ(run(Dialect::ngc, "G1 F100 X3 Y4\nX[#5420+10] Y#<_y>\nM2\n"), "3,4,0 13,4,0 ");

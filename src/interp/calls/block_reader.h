@@ -42,6 +42,8 @@ class BlockReader : public ControlPart {
   bool finished() const { return stack_.empty(); }
   /// Subprograms under way, the main program included.
   std::size_t depth() const { return stack_.size(); }
+  /// Calls under way, without repeated parts of a program.
+  std::size_t levels() const { return levels_; }
 
   /// Tape marks and headers: whether a new program begins in this block, which ends the one being
   /// read. `program`: its O word, or null.

@@ -3,6 +3,7 @@
 #include "core/units.h"
 #include "interp/language/expression.h"
 #include "interp/language/operations.h"
+#include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"
 
 #include <cmath>
@@ -12,6 +13,7 @@
 namespace mrsim {
 namespace {
 
+constexpr double kLargestOfFrame = 1e9;
 constexpr std::size_t kMostIndices = 3;
 
 constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -341,13 +343,12 @@ bool Evaluator::exists_call(std::size_t from, Value& out) {
 
 // CTRANS(X, 10, Y, 5), CROT(Z, 30), CMIRROR(X): axes and values in turn.
 bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out) {
-  Frame frame;
-  Vec3 factors{1, 1, 1}, shift;
+  FrameParts parts;
   const bool mirror = row.function == Function::frame_mirror;
   const std::size_t first = line_.find_first_not_of(" \t", p_ + 1);
   if (first != line_.npos && line_[first] == ')') {  // CTRANS(): no shift
     p_ = first + 1;
-    out = Value::of_frame(frame);
+    out = Value::of_frame({});
     return true;
   }
   do {
@@ -365,23 +366,21 @@ bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out)
       const std::size_t begin = p_;
       if (!binary(0, value) || !usable(value, begin)) return false;
       if (!value.is_number()) return fail("expression", "a number is needed here", begin, p_);
+      if (std::abs(value.number) > kLargestOfFrame)
+        return fail("number-too-large", "too large for a frame", begin, p_);
     }
     const int i = axis - 'X';
-    if (row.function == Function::frame_trans)
-      component(shift, i) = value.number;
-    else if (row.function == Function::frame_rot)
-      frame = compose(frame, rotation_frame(i, value.number));
-    else
-      component(factors, i) = value.number;
+    Vec3& values = row.function == Function::frame_trans ? parts.shift
+                   : row.function == Function::frame_rot ? parts.turns
+                                                         : parts.scale;
+    component(values, i) = value.number;
     skip_blanks();
   } while (at(p_) == ',');
   if (at(p_) != ')') return fail("bracket", "the ( here is not closed with )", from, p_);
   ++p_;
-  if (factors.x == 0 || factors.y == 0 || factors.z == 0)
+  if (parts.scale.x == 0 || parts.scale.y == 0 || parts.scale.z == 0)
     return fail("expression", "a scale of 0 leaves nothing", from, p_);
-  if (row.function == Function::frame_trans) frame = shift_frame(shift);
-  if (row.function == Function::frame_scale || mirror) frame = scale_frame(factors);
-  out = Value::of_frame(frame);
+  out = Value::of_frame(frame_of(parts));
   return true;
 }
 

@@ -87,6 +87,7 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"MATCH", F::text_match, 2, 2},
     {"SUBSTR", F::part_of_text, 2, 3},
     {"AXSTRING", F::as_text},
+    {"AXNAME", F::upper_text},
     {"CTRANS", F::frame_trans, 2, 16},
     {"CROT", F::frame_rot, 2, 16},
     {"CSCALE", F::frame_scale, 2, 16},

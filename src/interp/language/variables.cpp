@@ -11,7 +11,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostElements = 1'000'000;
 constexpr int kMostR = 32536;
 constexpr int kLinuxcncLast = 5602, kLinuxcncSystem = 5001, kLinuxcncLocals = 30;
 constexpr int kFanucLast = 1000, kFanucLocals = 33;
@@ -183,7 +182,7 @@ bool Variables::exists(double number) {
 // Names differ in no case and have no blanks.
 std::string Variables::key(std::string_view name) const { return upper_case(name); }
 
-Variables::Named* Variables::find(std::string_view name) {
+Variables::Array* Variables::find(std::string_view name) {
   const std::string wanted = key(name);
   const bool global = form_ == VariableForm::linuxcnc && name[0] == '_';
   if (!global)
@@ -200,11 +199,8 @@ bool Variables::exists(std::string_view name) {
 
 bool Variables::named(std::string_view name, std::span<const Value> indices, Value& out,
                       std::string& why) {
-  if (Named* const variable = find(name)) {
-    std::size_t at = 0;
-    if (!element(name, *variable, indices, at, why)) return false;
-    out = variable->elements[at];
-    return true;
+  if (Array* const variable = find(name)) {
+    return read_element(name, *variable, indices, out, why);
   }
   const bool plc = form_ == VariableForm::codesys;
   const bool dollar = name[0] == '$' && !plc;
@@ -238,7 +234,7 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
 
 bool Variables::assign(std::string_view name, std::span<const Value> indices, const Value& value,
                        std::string& why) {
-  Named* variable = find(name);
+  Array* variable = find(name);
   const bool plc = form_ == VariableForm::codesys;
   if (!variable && system_ && !plc && (name[0] == '$' || system_->knows(name)))
     return system_->write(name, indices, value, why);
@@ -256,109 +252,7 @@ bool Variables::assign(std::string_view name, std::span<const Value> indices, co
                       plc ? ": LET it first" : " (alarm 12550): DEF it first");
     return false;
   }
-  std::size_t at = 0;
-  return element(name, *variable, indices, at, why) && store(*variable, at, value, why);
-}
-
-bool Variables::define(std::string_view name, VariableType type, std::array<int, 3> dimensions,
-                       bool global, std::string& why) {
-  Names& names = global ? globals_ : levels_.back()->names;
-  std::size_t count = 1;
-  for (const int size : dimensions) {
-    if (size < 0 || static_cast<std::size_t>(size) > kMostElements) count = kMostElements + 1;
-    if (size > 0 && count <= kMostElements) count *= static_cast<std::size_t>(size);
-  }
-  if (elements_ + count > kMostElements) {
-    why = fmt::format("more than {} variables and elements of arrays", kMostElements);
-    return false;
-  }
-  const auto [at, fresh] = names.try_emplace(key(name));
-  if (!fresh && !global) {
-    why = fmt::format("{} is defined twice (alarm 12170)", to_utf8(name.substr(0, 60)));
-    return false;
-  }
-  elements_ += count - at->second.elements.size();
-  at->second.type = type;
-  at->second.dimensions = dimensions;
-  const Value first = type == VariableType::frame ? Value::of_frame({})
-                      : type == VariableType::text || type == VariableType::axis
-                          ? Value::of_text({})
-                          : Value::of(0);
-  at->second.elements.assign(count, first);
-  return true;
-}
-
-bool Variables::element(std::string_view name, Named& variable, std::span<const Value> indices,
-                        std::size_t& at, std::string& why) const {
-  at = 0;
-  std::size_t wanted = 0;
-  for (const int size : variable.dimensions) wanted += size > 0 ? 1U : 0U;
-  if (indices.size() != wanted) {
-    why = fmt::format("{} has {} indices, and {} are given", to_utf8(name.substr(0, 60)), wanted,
-                      indices.size());
-    return false;
-  }
-  for (std::size_t i = 0; i < wanted; ++i) {
-    const double index = indices[i].is_number() ? nearest_whole(indices[i].number) : -1;
-    if (index < 0 || index >= variable.dimensions[i]) {
-      why = fmt::format("index {} of {} is 0 to {} (alarm 17020)", i + 1,
-                        to_utf8(name.substr(0, 60)), variable.dimensions[i] - 1);
-      return false;
-    }
-    at = at * static_cast<std::size_t>(variable.dimensions[i]) + static_cast<std::size_t>(index);
-  }
-  return true;
-}
-
-bool Variables::store(Named& variable, std::size_t at, const Value& value, std::string& why) const {
-  using Kind = Value::Kind;
-  Value& out = variable.elements[at];
-  if (value.kind == Kind::faulty) {
-    out = value;
-    return true;
-  }
-  const Kind wanted = variable.type == VariableType::frame ? Kind::frame
-                      : variable.type == VariableType::text || variable.type == VariableType::axis
-                          ? Kind::text
-                          : Kind::number;
-  const bool letter = variable.type == VariableType::character && value.kind == Kind::text &&
-                      value.text.size() == 1;
-  if (letter) {
-    out = Value::of(static_cast<unsigned char>(value.text[0]));
-    return true;
-  }
-  if (value.kind != wanted) {
-    why = fmt::format("the variable is a {}{}",
-                      wanted == Kind::frame    ? "FRAME"
-                      : wanted == Kind::number ? "number"
-                                               : "text",
-                      form_ == VariableForm::sinumerik ? " (alarm 12150)" : "");
-    return false;
-  }
-  out = value;
-  if (variable.type == VariableType::integer || variable.type == VariableType::character)
-    out.number = nearest_whole(value.number);
-  if (variable.type == VariableType::boolean) out.number = value.number != 0;
-  return true;
-}
-
-bool Variables::fill(std::string_view name, std::span<const Value> indices,
-                     std::span<const Value> values, bool repeat, std::string& why) {
-  Named* const variable = find(name);
-  std::size_t at = 0;
-  if (!variable) {
-    why = fmt::format("{} is not defined (alarm 12550)", to_utf8(name.substr(0, 60)));
-    return false;
-  }
-  if (!indices.empty() && !element(name, *variable, indices, at, why)) return false;
-  const std::size_t left = variable->elements.size() - at;
-  if (values.size() > left) {
-    why = fmt::format("{} values for {} elements", values.size(), left);
-    return false;
-  }
-  for (std::size_t i = 0; i < (repeat ? left : values.size()); ++i)
-    if (!store(*variable, at + i, values[repeat ? 0 : i], why)) return false;
-  return true;
+  return write_element(name, *variable, indices, value, why);
 }
 
 bool Variables::is_common(std::string_view name) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,13 @@ class Variables : public VariableReader {
  public:
   static constexpr int kLocals = 34;
 
+  /// A defined variable; dimensions of 0 stand for none.
+  struct Array {
+    VariableType type = VariableType::real;
+    std::array<int, 3> dimensions{};
+    std::vector<Value> elements;
+  };
+
   explicit Variables(VariableForm form);
   void set_system(SystemVariables* system) { system_ = system; }
 
@@ -61,9 +69,14 @@ class Variables : public VariableReader {
   /// DEF: dimensions of 0 stand for none. Elements hold 0, "" or the identity.
   bool define(std::string_view name, VariableType type, std::array<int, 3> dimensions, bool global,
               std::string& why);
-  /// Elements of a defined variable in order (SET, REP), from the element at `indices`.
-  bool fill(std::string_view name, std::span<const Value> indices, std::span<const Value> values,
-            bool repeat, std::string& why);
+  /// Elements of a defined variable in order, from the element at `indices`: SET, a value that is
+  /// left out leaves its element; or with `repeats` REP, so often the first value.
+  bool fill(std::string_view name, std::span<const Value> indices,
+            std::span<const std::optional<Value>> values, std::size_t repeats, std::string& why);
+  /// The whole array of a name, nullptr: there is none.
+  const Array* array(std::string_view name);
+  /// Gives a defined variable the type, size and elements of an array.
+  void set_array(std::string_view name, const Array& values);
   bool is_defined(std::string_view name) { return find(name) != nullptr; }
   /// VC1 and V1 of Okuma, common to all programs.
   static bool is_common(std::string_view name);
@@ -83,12 +96,7 @@ class Variables : public VariableReader {
     double number = 0;
     State state = State::unset;
   };
-  struct Named {
-    VariableType type = VariableType::real;
-    std::array<int, 3> dimensions{};
-    std::vector<Value> elements;
-  };
-  using Names = std::map<std::string, Named, std::less<>>;
+  using Names = std::map<std::string, Array, std::less<>>;
   struct Level {
     std::array<Cell, kLocals> cells;
     Names names;
@@ -96,10 +104,16 @@ class Variables : public VariableReader {
 
   Cell* cell(double number, std::string& why);
   void answer(const Cell& cell, double number, Value& out) const;
-  Named* find(std::string_view name);
-  bool element(std::string_view name, Named& variable, std::span<const Value> indices,
+  Array* find(std::string_view name);
+  static bool names_part(const Array& variable, std::span<const Value> indices);
+  static bool names_character(const Array& variable, std::span<const Value> indices);
+  bool read_element(std::string_view name, const Array& variable, std::span<const Value> indices,
+                    Value& out, std::string& why) const;
+  bool write_element(std::string_view name, Array& variable, std::span<const Value> indices,
+                     const Value& value, std::string& why) const;
+  bool element(std::string_view name, const Array& variable, std::span<const Value> indices,
                std::size_t& at, std::string& why) const;
-  bool store(Named& variable, std::size_t at, const Value& value, std::string& why) const;
+  bool store(Array& variable, std::size_t at, const Value& value, std::string& why) const;
   std::string key(std::string_view name) const;
 
   VariableForm form_;

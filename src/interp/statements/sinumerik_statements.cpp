@@ -48,6 +48,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   for (const std::string_view keyword : kKeywords)
     if (name == keyword) return true;
   if (name == "CALL") return is_letter(next) || next == '(';
+  if (name == "RET") return next == '(';
   if (next != '(' || name.size() < 2 || find_function(name).code != Code::unknown) return false;
   SubprogramName wanted;
   wanted.text = name;
@@ -70,6 +71,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name == "CASE") return case_of(p);
   if (name == "DEF") return define(p);
   if (name == "MCALL") return modal_call(p);
+  if (name == "RET") return go_back(from, p);
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
     if (name == "SETAL")
       note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
@@ -183,23 +185,8 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
     decided_ = true;
   }
   const bool forward = word != "GOTOB", backward = word != "GOTOF";
-  const Outline& all = places_.outline();
-  const Place here = reader_.place_at(from);
-  const int section = all.section_at(here);
   Place to;
-  bool found = false;
-  const bool block = target.size() > 1 && target[0] == 'N' &&
-                     target.find_first_not_of("0123456789", 1) == std::string::npos;
-  if (block) {
-    const double n = parse_number(target.substr(1)).value_or(-1);
-    found = n < 1e9 && places_.find_number(static_cast<long>(n), forward, backward, to);
-  } else {
-    int i = forward ? all.find_label(target, here, all.section_end(section), false) : -1;
-    if (i < 0 && backward) i = all.find_label(target, all.section_begin(section), here, !forward);
-    found = i >= 0;
-    if (found) to = all.entry(i).at;
-  }
-  if (found) {
+  if (find_target(target, forward, backward, to)) {
     reader_.leave_stretches();
     return jump_always(to);
   }
@@ -213,6 +200,58 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
                           : !forward ? "before this block"
                                      : "in this program"),
               from, p);
+}
+
+// A label or N10, from the block that is being read on, or back from it.
+bool SinumerikStatements::find_target(const std::string& target, bool forward, bool backward,
+                                      Place& to) {
+  const Outline& all = places_.outline();
+  const Place here = reader_.place_at(0);
+  const int section = all.section_at(here);
+  const bool block = target.size() > 1 && target[0] == 'N' &&
+                     target.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (block) {
+    const double n = parse_number(target.substr(1)).value_or(-1);
+    return n < 1e9 && places_.find_number(static_cast<long>(n), forward, backward, to);
+  }
+  int i = forward ? all.find_label(target, here, all.section_end(section), false) : -1;
+  if (i < 0 && backward) i = all.find_label(target, all.section_begin(section), here, !forward);
+  if (i >= 0) to = all.entry(i).at;
+  return i >= 0;
+}
+
+// RET("LABEL", 1, 2): back by so many levels, there to the block of a label or a number, or with
+// the second value to the block behind it.
+bool SinumerikStatements::go_back(std::size_t from, std::size_t p) {
+  std::vector<Argument> given;
+  if (!arguments(p, given) || !end_statement(p)) return false;
+  given.resize(std::max<std::size_t>(given.size(), 4));
+  const auto number = [&](std::size_t i, double other) {
+    return given[i].value ? given[i].value->number : other;
+  };
+  const double levels = number(2, 1);
+  if (given.size() > 4 || number(3, 0) != 0)
+    return fail("not-supported", "RET with a fourth value is not supported", from, p);
+  if (!(levels >= 1) || levels != std::floor(levels) ||
+      static_cast<double>(reader_.levels()) < levels)
+    return fail("value-range", "RET goes back by 1 level up to those there are (alarm 14091)", from,
+                p);
+  const std::string target = given[0].value ? upper_case(given[0].value->text) : std::string();
+  for (int i = 0; i < static_cast<int>(levels); ++i) {
+    reader_.leave_stretches();
+    if (levels > 1 || !target.empty()) reader_.drop_repeats();
+    reader_.end_activation(false);
+  }
+  if (target.empty()) return true;
+  Place to;
+  if (!find_target(target, true, true, to))
+    return fail("jump-target",
+                fmt::format("there is no label {} in the program that RET goes back to (alarm "
+                            "14080)",
+                            to_utf8(target.substr(0, 40))),
+                from, p);
+  reader_.leave_stretches();
+  return reader_.jump(number(1, 0) > 0 ? places_.behind_line(to) : to);
 }
 
 // CASE (expression) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
@@ -331,15 +370,15 @@ bool SinumerikStatements::run_part(const std::vector<std::string>& labels, bool 
   CallRequest request;
   request.file = reader_.file();
   request.begin = places[0];
-  const int closing = all.find_label("ENDLABEL", places[0], bottom, false);
+  const bool before = places[0].offset < here.offset;
+  const int closing = all.find_label("ENDLABEL", places[0], before ? here : bottom, false);
   Place end = here;
   if (places.size() == 2) {
     end = places_.behind_line(places[1]);
   } else if (line_alone) {
     end = places_.behind_line(places[0]);
   } else if (closing >= 0) {
-    end = all.entry(closing).at;
-    if (end.position > 0) end = places_.behind_line(end);
+    end = places_.behind_line(all.entry(closing).at);
   }
   request.end = end.offset;
   request.repeats = static_cast<long>(std::min(std::max(0.0, runs), 1e8));

@@ -26,6 +26,7 @@ class SinumerikStatements : public Statements {
     VariableType type = VariableType::real;
     std::string name;
     bool by_reference = false;
+    bool is_array = false;
     std::optional<Value> initial;
   };
   struct Procedure {
@@ -34,7 +35,13 @@ class SinumerikStatements : public Statements {
   };
   struct Argument {
     std::optional<Value> value;
-    std::string variable;  ///< as written, where it is nothing but a name
+    std::string variable;                   ///< where it is nothing but a variable: its name ...
+    std::vector<Value> indices;             ///< ... and the element of an array
+    std::optional<Variables::Array> array;  ///< a whole array, which has no value
+  };
+  struct SavedState {
+    Modal modal;
+    Frames frames;
   };
   struct ModalCall {
     bool active = false;
@@ -44,12 +51,16 @@ class SinumerikStatements : public Statements {
 
   bool assign_all(std::string_view line, std::size_t& p, std::string_view name,
                   std::span<const Value> indices, std::size_t from, std::size_t to);
+  bool fill(std::string_view line, std::size_t& p, std::string_view name,
+            std::span<const Value> at_index, bool repeats, std::size_t from);
   bool indices(std::string_view line, std::size_t& p, std::vector<Value>& out);
   bool branch(std::size_t from, std::size_t p);
   bool loop(const FlowEntry& entry, std::size_t p);
   bool for_loop(const FlowEntry& entry, std::size_t p, bool first);
   bool loop_end(const FlowEntry& entry, std::size_t p);
   bool go_to(const std::string& word, std::size_t p);
+  bool find_target(const std::string& target, bool forward, bool backward, Place& to);
+  bool go_back(std::size_t from, std::size_t p);
   bool case_of(std::size_t p);
   bool define(std::size_t p);
   bool definitions(std::size_t& p, bool global);
@@ -68,6 +79,9 @@ class SinumerikStatements : public Statements {
             const Word& word);
   bool bind(const Procedure& procedure, const std::vector<Argument>& arguments, const Word& word,
             CallRequest& request);
+  void restore(const SavedState& saved);
+  void give_back(const Argument& to);
+  bool argument(std::size_t& p, Argument& out);
   std::vector<Parameter> read_parameters(std::string_view line, std::size_t& p);
   void take_initial_values(std::size_t p);
   Procedure read_procedure(const SubprogramPlace& place);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kMostValues = 10'000;  // of SET( )
+constexpr std::size_t kAllElements = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
@@ -55,26 +57,13 @@ bool SinumerikStatements::assign_all(std::string_view line, std::size_t& p, std:
   std::size_t q = p;
   const std::string word = word_at(line, q);
   const bool list = (word == "SET" || word == "REP") && at(q) == '(';
-  const bool bare = at(p) == '(' && variables_.is_defined(name) && !at_index.empty();
   const bool r = upper(name[0]) == 'R' &&
                  name.find_first_not_of("0123456789", 1) == std::string_view::npos &&
                  (name.size() > 1) != (at_index.size() == 1);
-  std::vector<Value> values;
   if (list) {
     p = q;
-    do {
-      ++p;
-      values.emplace_back();
-      if (!evaluator_.expression(line, p, values.back())) return report(evaluator_.fault());
-      p = blanks(line, p);
-    } while (at(p) == ',' && values.size() < kMostValues);
-    if (at(p) != ')') return fail("bracket", "the ( here is not closed with )", q, q + 1);
-    ++p;
-    std::string why;
-    return variables_.fill(name, at_index, values, word == "REP", why) ||
-           fail("variable-unset", why, from, p);
+    return fill(line, p, name, at_index, word == "REP", from);
   }
-  (void)bare;
   Value value;
   if (!evaluator_.expression(line, p, value)) {
     report(evaluator_.fault());
@@ -92,6 +81,34 @@ bool SinumerikStatements::assign_all(std::string_view line, std::size_t& p, std:
   if (number != std::floor(number))
     return fail("variable-number", "the number of an R parameter is a whole number", from, to);
   return store(number, value, from, to);
+}
+
+// SET(1, , 3), where a value left out leaves its element; REP(2) of all elements, REP(2, 5) of
+// five.
+bool SinumerikStatements::fill(std::string_view line, std::size_t& p, std::string_view name,
+                               std::span<const Value> at_index, bool repeats, std::size_t from) {
+  const std::size_t open = p;
+  std::vector<std::optional<Value>> values;
+  do {
+    p = blanks(line, p + 1);
+    values.emplace_back();
+    if (at(p) == ',' || at(p) == ')') continue;
+    Value value;
+    if (!evaluator_.expression(line, p, value)) return report(evaluator_.fault());
+    values.back() = std::move(value);
+    p = blanks(line, p);
+  } while (at(p) == ',' && values.size() < kMostValues);
+  if (at(p) != ')') return fail("bracket", "the ( here is not closed with )", open, open + 1);
+  ++p;
+  std::size_t count = repeats ? kAllElements : 0;
+  if (repeats && values.size() == 2 && values[1]) {
+    if (!values[1]->is_number() || !(values[1]->number >= 1))
+      return fail("value-range", "REP needs a number of elements from 1 on", open, p);
+    count = static_cast<std::size_t>(std::min(values[1]->number, 1e9));
+  }
+  std::string why;
+  return variables_.fill(name, at_index, values, count, why) ||
+         fail("variable-unset", why, from, p);
 }
 
 // DEF REAL A, B=2, C[3,2]; DEF STRING[20] NAME
@@ -186,17 +203,37 @@ bool SinumerikStatements::define_one(std::size_t& p, VariableType type, bool glo
   const std::string word = name_at(q);
   if (dimensions[0] == 0 || word == "SET" || word == "REP")
     return assign_all(block_.line, p, name, {}, from, to);
-  const bool listed = at(p) == '(';
-  if (listed) ++p;
-  std::vector<Value> values;
-  do {
-    values.emplace_back();
-    if (!evaluator_.expression(block_.line, p, values.back())) return report(evaluator_.fault());
-    p = skip_blanks(p);
-  } while (listed && at(p) == ',' && ++p && values.size() < kMostValues);
-  if (listed && at(p) != ')') return fail("bracket", "the ( here is not closed", q, q + 1);
-  if (listed) ++p;
-  return variables_.fill(name, {}, values, !listed, why) || fail("variable-unset", why, from, p);
+  if (at(p) == '(') return fill(block_.line, p, name, {}, false, from);
+  Value value;
+  if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+  const std::optional<Value> all[] = {value};
+  return variables_.fill(name, {}, all, kAllElements, why) || fail("variable-unset", why, from, p);
+}
+
+// A value, or a variable that may get another one: NAME, NAME[2], an array.
+bool SinumerikStatements::argument(std::size_t& p, Argument& out) {
+  std::size_t q = p;
+  std::string name = name_at(q);
+  const auto ends = [&] {
+    const char behind = at(skip_blanks(q));
+    return behind == ',' || behind == ')';
+  };
+  const bool element = at(q) == '[' && (name == "R" || variables_.array(name));
+  if (element && !indices(block_.line, q, out.indices)) return false;
+  const bool r = name.size() > 1 && name[0] == 'R' &&
+                 name.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (ends() && (r || element || variables_.is_defined(name))) out.variable = name;
+  const Variables::Array* const whole = element ? nullptr : variables_.array(name);
+  if (whole && !out.variable.empty()) {
+    out.array = *whole;
+    p = skip_blanks(q);
+    return true;
+  }
+  Value value;
+  if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+  out.value = std::move(value);
+  p = skip_blanks(p);
+  return true;
 }
 
 // The values between brackets; one may be left out.
@@ -205,19 +242,9 @@ bool SinumerikStatements::arguments(std::size_t& p, std::vector<Argument>& out) 
   const std::size_t from = p;
   do {
     p = skip_blanks(p + 1);
-    Argument argument;
     if (at(p) == ')' && out.empty()) break;
-    if (at(p) != ',' && at(p) != ')') {
-      std::size_t q = p;
-      std::string name = name_at(q);
-      const char behind = at(skip_blanks(q));
-      if (behind == ',' || behind == ')') argument.variable = name;
-      Value value;
-      if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
-      argument.value = std::move(value);
-      p = skip_blanks(p);
-    }
-    out.push_back(std::move(argument));
+    out.emplace_back();
+    if (at(p) != ',' && at(p) != ')' && !argument(p, out.back())) return false;
   } while (at(p) == ',' && out.size() < 128);
   if (at(p) != ')')
     return fail("bracket", "the ( here is not closed (alarm 12080)", from, from + 1);

@@ -1,5 +1,6 @@
 // PROC with parameters: read from a subprogram's first lines, bound to the values of a call.
 #include "core/text_io.h"
+#include "interp/frames/frame_words.h"
 #include "interp/language/operations.h"
 #include "interp/statements/sinumerik_statements.h"
 #include "interp/statements/sinumerik_text.h"
@@ -34,6 +35,8 @@ std::vector<SinumerikStatements::Parameter> SinumerikStatements::read_parameters
     if (p < line.size() && line[p] == '[') p = std::min(line.find(']', p), line.size() - 1) + 1;
     one.name = word_at(line, p);
     p = blanks(line, p);
+    one.is_array = p < line.size() && line[p] == '[';
+    if (one.is_array) p = blanks(line, std::min(line.find(']', p), line.size() - 1) + 1);
     Value value;
     if (p < line.size() && line[p] == '=' && evaluator_.expression(line, ++p, value))
       one.initial = value;
@@ -74,6 +77,42 @@ SinumerikStatements::Procedure SinumerikStatements::read_procedure(const Subprog
   return out;
 }
 
+// SAVE: the G codes of the caller come back and with them its frames, though what a settable frame
+// holds by now stays where the subprogram has chosen no other. F, S and D are no G codes.
+void SinumerikStatements::restore(const SavedState& saved) {
+  const Modal now = modal_;
+  modal_ = saved.modal;
+  modal_.feed = now.feed;
+  modal_.speed = now.speed;
+  modal_.cutting_speed = now.cutting_speed;
+  modal_.edge = now.edge;
+  modal_.edge_given = now.edge_given;
+  FrameWords frames(control_);
+  frames.save();
+  if (frames_.work_name != saved.frames.work_name) {
+    frames_.work = saved.frames.work;
+    frames_.work_turn = saved.frames.work_turn;
+    frames_.work_name = saved.frames.work_name;
+    frames_.work_given = saved.frames.work_given;
+  }
+  frames_.program = saved.frames.program;
+  frames.rebuild();
+}
+
+// What a VAR parameter holds at the end is the caller's variable's.
+void SinumerikStatements::give_back(const Argument& to) {
+  std::string ignored;
+  const bool r = to.variable[0] == 'R' &&
+                 to.variable.find_first_not_of("0123456789", 1) == std::string::npos &&
+                 (to.variable.size() > 1) != (to.indices.size() == 1);
+  if (!r)
+    variables_.assign(to.variable, to.indices, *to.value, ignored);
+  else
+    variables_.assign(to.indices.empty() ? parse_number(to.variable.substr(1)).value_or(-1)
+                                         : to.indices[0].number,
+                      *to.value, ignored);
+}
+
 bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Argument>& given,
                                const Word& word, CallRequest& request) {
   if (given.size() > procedure.parameters.size())
@@ -83,52 +122,55 @@ bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Arg
                  word);
   struct Bound {
     Parameter parameter;
-    Value value;
-    bool has_value = false;
-    std::string variable;
+    Argument argument;
   };
   std::vector<Bound> bound;
   for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
-    Bound one;
-    one.parameter = procedure.parameters[i];
-    const bool has = i < given.size() && given[i].value;
-    if (has) one.variable = given[i].variable;
-    if (has || one.parameter.initial) {
-      one.value = has ? *given[i].value : *one.parameter.initial;
-      one.has_value = true;
-    }
-    if (one.parameter.by_reference && one.variable.empty())
+    Bound one{procedure.parameters[i], i < given.size() ? given[i] : Argument{}};
+    if (!one.argument.value && !one.argument.array) one.argument.value = one.parameter.initial;
+    if (one.parameter.by_reference && one.argument.variable.empty())
       return error("call-arguments",
                    fmt::format("the VAR parameter {} needs a variable", one.parameter.name), word);
+    if (one.parameter.is_array != one.argument.array.has_value())
+      return error("call-arguments",
+                   fmt::format("the parameter {} {}", one.parameter.name,
+                               one.parameter.is_array ? "needs an array" : "takes no array"),
+                   word);
     bound.push_back(std::move(one));
   }
-  const Modal modal = modal_;
-  const bool saves = procedure.saves;
+  const std::optional<SavedState> saved =
+      procedure.saves ? std::optional<SavedState>({modal_, frames_}) : std::nullopt;
   request.on_start = [this, bound] {
     variables_.enter_level();
     std::string ignored;
     for (const Bound& one : bound) {
+      const Argument& from = one.argument;
       variables_.define(one.parameter.name, one.parameter.type, {}, false, ignored);
-      if (one.has_value) variables_.assign(one.parameter.name, {}, one.value, ignored);
+      if (from.array) variables_.set_array(one.parameter.name, *from.array);
+      if (from.value) variables_.assign(one.parameter.name, {}, *from.value, ignored);
     }
   };
-  request.on_end = [this, bound, modal, saves] {
-    std::vector<std::pair<std::string, Value>> back;
+  request.on_end = [this, bound, saved] {
+    std::vector<Argument> back;
     std::string ignored;
     for (const Bound& one : bound) {
+      if (!one.parameter.by_reference) continue;
+      Argument now = one.argument;
       Value value;
-      if (one.parameter.by_reference && variables_.named(one.parameter.name, {}, value, ignored))
-        back.emplace_back(one.variable, value);
+      if (const Variables::Array* const whole = variables_.array(one.parameter.name))
+        now.array = *whole;
+      else if (variables_.named(one.parameter.name, {}, value, ignored))
+        now.value = value;
+      back.push_back(std::move(now));
     }
     variables_.leave_level();
-    for (const auto& [name, value] : back) {
-      const bool r = name[0] == 'R' && name.size() > 1 && is_digit(name[1]);
-      if (r)
-        variables_.assign(parse_number(name.substr(1)).value_or(-1), value, ignored);
+    for (const Argument& one : back) {
+      if (one.array)
+        variables_.set_array(one.variable, *one.array);
       else
-        variables_.assign(name, {}, value, ignored);
+        give_back(one);
     }
-    if (saves) modal_ = modal;
+    if (saved) restore(*saved);
   };
   return true;
 }

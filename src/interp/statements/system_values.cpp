@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "interp/frames/frame_words.h"
+#include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_changer.h"
 
@@ -33,11 +34,6 @@ constexpr WorkNumbers kWorkNumbers[] = {
 constexpr std::string_view kFrameParts[] = {"TR", "FI", "RT", "SC", "MI"};
 
 }  // namespace
-
-int SystemValues::axis_named(std::string_view name) {
-  return name.size() == 1 && upper(name[0]) >= 'X' && upper(name[0]) <= 'Z' ? upper(name[0]) - 'X'
-                                                                            : -1;
-}
 
 double SystemValues::work_position(int axis) const {
   return shown(axis, component(position_.programmed, axis));
@@ -89,7 +85,8 @@ void SystemValues::set_work(const std::string& name, const Vec3& shift) {
                          [&](const WorkOffset& work) { return work.name == name; });
   if (at == control_.work.end()) at = control_.work.insert(at, WorkOffset{name, {}});
   at->shift = name == "EXT" ? shift : shift + control_.machine_shift;
-  if (!is(Dialect::ngc)) FrameWords(control_).renew_work();  // LinuxCNC: from its next word on
+  if (is(Dialect::ngc) || is(Dialect::sinumerik)) return;  // in force from its next word on
+  FrameWords(control_).renew_work();
 }
 
 // #5230 and every 20th behind it: the turn of a work offset of LinuxCNC.

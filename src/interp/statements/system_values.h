@@ -63,7 +63,6 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool write_program_frame(std::span<const Value> indices, const Value& value);
   bool write_work_frame(std::span<const Value> indices, const Value& value);
   /// 0 to 2 of "X" to "Z", else -1.
-  static int axis_named(std::string_view name);
   int axis_numbered(int number) const;
   double shown(int axis, double mm) const;
   double work_position(int axis) const;

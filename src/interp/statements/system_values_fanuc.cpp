@@ -111,7 +111,7 @@ bool SystemValues::lathe_group(int group, double& out) const {
 bool SystemValues::fanuc_address(int number, double& out) const {
   switch (number) {
     case 7:  // D
-      out = modal_.edge;
+      out = modal_.edge_given ? modal_.edge : 0;
       return true;
     case 9:
       out = modal_.feed / feed_scale();

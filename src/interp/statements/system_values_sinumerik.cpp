@@ -4,6 +4,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/frames/frame_words.h"
+#include "interp/path/frame_parts.h"
 #include "interp/statements/system_values.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_changer.h"
@@ -89,7 +90,6 @@ bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) c
 bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
                                Value& out) const {
   Frame frame;
-  double turned = 0;
   const bool programmed = name == "$P_PFRAME" || name == "$P_ACTFRAME";
   const double unit = programmed ? scale() : data_scale();
   if (name == "$P_IFRAME") {
@@ -101,8 +101,7 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
   } else if (name == "$P_UIFR" && !indices.empty() && indices[0].is_number()) {
     const double n = indices[0].number;
     const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
-    turned = work_turn(wanted);
-    frame = compose(shift_frame(work_shift(wanted)), rotation_frame(2, turned));
+    frame = compose(shift_frame(work_shift(wanted)), rotation_frame(2, work_turn(wanted)));
     indices = indices.subspan(1);
   } else {
     return false;
@@ -112,15 +111,11 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
     out = Value::of_frame(frame);
     return true;
   }
-  if (name == "$P_UIFR" && indices.size() == 2 && indices[1].text == "RT" &&
-      indices[0].text == "Z") {
-    out = Value::of(turned);
-    return true;
-  }
-  if (indices.size() != 2 || indices[1].text != "TR" || axis_named(indices[0].text) < 0)
-    return false;
-  out = Value::of(component(frame.shift, axis_named(indices[0].text)) / unit);
-  return true;
+  if (indices.size() != 2) return false;
+  const std::string& part = indices[1].text;
+  const std::optional<double> value = frame_part(frame, axis_named(indices[0].text), part);
+  if (value) out = Value::of(part == "TR" ? *value / unit : *value);
+  return value.has_value();
 }
 
 // The tool's data: radius and its wear decide the compensation; lengths are those of the real
@@ -150,9 +145,10 @@ bool SystemValues::write_program_frame(std::span<const Value> indices, const Val
   if (indices.empty() && value.kind == Value::Kind::frame) {
     frame = *value.frame;
     frame.shift = scale() * frame.shift;
-  } else if (indices.size() == 2 && indices[1].text == "TR" && value.is_number() &&
-             axis_named(indices[0].text) >= 0) {
-    component(frame.shift, axis_named(indices[0].text)) = value.number * scale();
+  } else if (indices.size() == 2 && value.is_number()) {
+    const std::string& part = indices[1].text;
+    const double number = value.number * (part == "TR" ? scale() : 1);
+    if (!set_frame_part(frame, axis_named(indices[0].text), part, number)) return false;
   } else {
     return false;
   }

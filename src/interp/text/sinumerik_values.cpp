@@ -16,6 +16,9 @@ constexpr std::pair<std::string_view, Form> kForms[] = {
     {"DIC", Form::dic}, {"RAC", Form::rac}, {"RIC", Form::ric},
     {"DC", Form::ac},   {"ACP", Form::ac},  {"ACN", Form::ac}};
 
+constexpr std::string_view kOperators[] = {"DIV", "MOD",  "AND",   "OR",
+                                           "XOR", "B_OR", "B_AND", "B_XOR"};
+
 }  // namespace
 
 // The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
@@ -99,10 +102,11 @@ bool SinumerikValues::more_follows() const {
       return is_digit(at(i - 1)) || at(i - 1) == '.';
   }
   while (blank(at(i)) && i < line_.size()) ++i;
-  const std::string_view rest = line_.substr(std::min(i, line_.size()), 4);
-  const std::string word = upper_case(rest);
+  std::size_t end = i;
+  while (is_name(at(end))) ++end;
+  const std::string word = upper_case(line_.substr(std::min(i, line_.size()), end - i));
   return at(i) == '*' || at(i) == '/' || at(i) == '<' || at(i) == '>' || at(i) == '+' ||
-         at(i) == '-' || word.starts_with("DIV ") || word.starts_with("MOD ") ||
+         at(i) == '-' || std::ranges::find(kOperators, word) != std::end(kOperators) ||
          (at(i) == '=' && at(i + 1) == '=');
 }
 

@@ -1,0 +1,32 @@
+// A frame by its parts, as SINUMERIK counts them: shift, turns about Z, the new Y and the new X,
+// scale, mirror images, the innermost last.
+#pragma once
+
+#include "interp/path/frames.h"
+
+#include <optional>
+#include <string_view>
+
+namespace mrsim {
+
+struct FrameParts {
+  Vec3 shift;
+  Vec3 turns;  ///< degrees, about X, Y, Z
+  Vec3 scale{1, 1, 1};
+  unsigned mirrored = 0;  ///< bit per axis
+};
+
+/// 0 to 2 of X, Y, Z; -1 of another name.
+int axis_named(std::string_view name);
+
+Frame frame_of(const FrameParts& parts);
+/// Nothing where the frame is sheared.
+std::optional<FrameParts> parts_of(const Frame& frame);
+
+/// One part of one axis: TR the shift, RT the turn, SC the scale, MI 1 where it is mirrored.
+/// Nothing: the frame has no such part.
+std::optional<double> frame_part(const Frame& frame, int axis, std::string_view part);
+/// False: the frame has no such part, or the value is none for it.
+bool set_frame_part(Frame& frame, int axis, std::string_view part, double value);
+
+}  // namespace mrsim

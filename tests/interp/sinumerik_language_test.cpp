@@ -1,0 +1,115 @@
+// SINUMERIK's language as its manuals tell it: frames by their parts, arrays and elements as
+// parameters, SAVE, RET with values, parts of a program.
+#include "interp/support.h"
+
+#include <map>
+
+namespace mrsim {
+namespace {
+
+std::string moves(const std::string& text, const std::map<std::string, std::string>& subs = {}) {
+  const Scratch scratch;
+  for (const auto& [name, sub] : subs) scratch.write(name, sub);
+  const std::string main = scratch.write("MAIN.MPF", "G71 G90 G1 F100\n" + text + "M30\n");
+  return path_text(read_program(main, at_origin(Dialect::sinumerik)));
+}
+
+// FR[axis, part]: TR shift, RT turn (Z, new Y, new X), SC scale, MI mirror image.
+TEST(SinumerikFrames, PartsAreReadAndSet) {
+  const std::string frame = "DEF FRAME FR\n";
+  EXPECT_EQ(moves(frame + "FR[X,TR]=5\n$P_PFRAME=FR\nX1\n"), "l6,0,0");
+  EXPECT_EQ(moves(frame + "FR=CTRANS(X,5,Y,6)\nX=FR[X,TR] Y=FR[Y,TR]\n"), "l5,6,0");
+  EXPECT_EQ(moves(frame + "FR[Z,RT]=90\n$P_PFRAME=FR\nX1\nX=FR[Z,RT]/90+1\n"), "l0,1,0 l0,2,0");
+  EXPECT_EQ(moves(frame + "FR[X,SC]=2\nFR[Y,MI]=1\n$P_PFRAME=FR\nX1 Y1\nX=FR[X,SC] Y=FR[Y,MI]+1\n"),
+            "l2,-1,0 l4,-2,0");
+  EXPECT_EQ(moves("DEF FRAME FR[2]\nFR[1,X,TR]=5\n$P_PFRAME=FR[1]\nX1\n"), "l6,0,0");
+  EXPECT_EQ(moves("$P_PFRAME[X,SC]=2\nX1\n$P_PFRAME[X,MI]=1\nX2\nX=$P_PFRAME[X,SC]+1\n"),
+            "l2,0,0 l-4,0,0 l-6,0,0");
+  EXPECT_EQ(moves("$P_PFRAME=CROT(X,20,Z,30)\nR1=$P_PFRAME[X,RT] R2=$P_PFRAME[Z,RT]\n"
+                  "$P_PFRAME=CTRANS()\nX=R1 Y=R2\n"),
+            "l20,30,0");
+  EXPECT_EQ(moves(frame + "FR[X,FI]=5\n"), " | variable-unset");
+}
+
+// The order of CROT's axes is that of ROT, whichever is written first.
+TEST(SinumerikFrames, CrotTurnsAsRotDoes) {
+  const std::string there = "X10 Y20 Z30\n";
+  EXPECT_EQ(moves("$P_PFRAME=CROT(X,30,Z,40)\n" + there), moves("ROT X30 Z40\n" + there));
+  EXPECT_EQ(moves("$P_PFRAME=CROT(Z,40,X,30)\n" + there), moves("ROT X30 Z40\n" + there));
+}
+
+// $P_UIFR holds what the next G54 to G599 puts in force.
+TEST(SinumerikFrames, SettableFramesWaitForTheirWord) {
+  EXPECT_EQ(moves("G54\n$P_UIFR[1]=CTRANS(X,5)\nX1\nG54 X2\n"), "l1,0,0 l7,0,0");
+}
+
+TEST(SinumerikProc, SaveRestoresFramesAndGCodesAlone) {
+  EXPECT_EQ(moves("SUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nTRANS X10\nX1\nRET\n"}}),
+            "l11,0,0 l1,0,0");
+  EXPECT_EQ(moves("TRANS X2\nSUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nTRANS X10\nX1\nRET\n"}}),
+            "l11,0,0 l3,0,0");
+  EXPECT_EQ(moves("SUB\nX1\n", {{"SUB.SPF", "PROC SUB\nTRANS X10\nX1\nRET\n"}}), "l11,0,0")
+      << "without SAVE the frame stays";
+  EXPECT_EQ(
+      moves("$P_UIFR[2]=CTRANS(X,5)\nSUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nG55 X1\nRET\n"}}),
+      "l6,0,0 l1,0,0");
+  EXPECT_EQ(moves("G54\nSUB\nX1\n",
+                  {{"SUB.SPF", "PROC SUB SAVE\n$P_UIFR[1]=CTRANS(X,5)\nG54\nX2\nRET\n"}}),
+            "l7,0,0 l6,0,0")
+      << "no other settable frame was chosen";
+}
+
+TEST(SinumerikProc, ArraysAndElementsAreParameters) {
+  EXPECT_EQ(moves("DEF REAL VQ[3]\nVQ[2]=4\nSUB(VQ)\nX=VQ[1]\n",
+                  {{"SUB.SPF", "PROC SUB(VAR REAL VA[3])\nVA[1]=VA[2]+5\nRET\n"}}),
+            "l9,0,0");
+  EXPECT_EQ(moves("DEF REAL VQ[3]\nVQ[2]=4\nSUB(VQ)\nX=VQ[1]+1\n",
+                  {{"SUB.SPF", "PROC SUB(REAL VA[])\nVA[1]=9\nX=VA[2]\nRET\n"}}),
+            "l4,0,0 l1,0,0");
+  const std::map<std::string, std::string> twice = {
+      {"SUB.SPF", "PROC SUB(VAR REAL VA)\nVA=VA*2\nRET\n"}};
+  EXPECT_EQ(moves("DEF REAL VQ[3]\nVQ[1]=3\nSUB(VQ[1])\nX=VQ[1]\n", twice), "l6,0,0");
+  EXPECT_EQ(moves("R1=4\nSUB(R1)\nSUB(R[1])\nX=R1\n", twice), "l16,0,0");
+  EXPECT_EQ(moves("X1\nSUB(4)\n", twice), "l1,0,0 | call-arguments");
+  EXPECT_EQ(moves("DEF REAL VQ[3]\nX1\nSUB(VQ)\n", twice), "l1,0,0 | call-arguments");
+}
+
+// Back by levels, and there to the block of a label or behind it.
+TEST(SinumerikProc, RetWithValues) {
+  const std::string main = "SUB\nX1\nLEND: X5\nN50 X6\n";
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET()\n"}}), "l3,0,0 l1,0,0 l5,0,0 l6,0,0");
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(\"LEND\")\n"}}), "l3,0,0 l5,0,0 l6,0,0");
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(\"LEND\",1)\n"}}), "l3,0,0 l6,0,0");
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(\"N50\")\n"}}), "l3,0,0 l6,0,0");
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(\"NONE\")\n"}}), "l3,0,0 | jump-target");
+  const std::string outer = "PROC OUTER\nINNER\nX99\nRET\n";
+  EXPECT_EQ(moves("OUTER\nX1\nLEND: X7\n",
+                  {{"OUTER.SPF", outer}, {"INNER.SPF", "PROC INNER\nX3\nRET(,,2)\n"}}),
+            "l3,0,0 l1,0,0 l7,0,0");
+  EXPECT_EQ(moves("OUTER\nX1\nLEND: X7\n",
+                  {{"OUTER.SPF", outer}, {"INNER.SPF", "PROC INNER\nX3\nRET(\"LEND\",,2)\n"}}),
+            "l3,0,0 l7,0,0");
+  EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(,,2)\n"}}), "l3,0,0 | value-range");
+}
+
+// What else stands in the block of ENDLABEL belongs to the part.
+TEST(SinumerikParts, EndlabelEndsBehindItsBlock) {
+  EXPECT_EQ(moves("G91\nLAB1: X1\nENDLABEL: X4\nX10\nREPEAT LAB1 P=1\n"),
+            "l1,0,0 l5,0,0 l15,0,0 l16,0,0 l20,0,0");
+  EXPECT_EQ(moves("G91\nLAB1: X1\nREPEAT LAB1 P=1\nLAB2: X10\nENDLABEL:\nREPEAT LAB2 P=1\n"),
+            "l1,0,0 l2,0,0 l12,0,0 l22,0,0")
+      << "an ENDLABEL behind REPEAT is that of another part";
+}
+
+TEST(SinumerikValues, ListsAndOperatorsOfBits) {
+  EXPECT_EQ(moves("DEF REAL VQ[4]\nVQ=REP(1)\nVQ[1]=REP(4,2)\nX=VQ[0] Y=VQ[2] Z=VQ[3]\n"),
+            "l1,4,1");
+  EXPECT_EQ(moves("DEF REAL VQ[3]\nVQ=REP(7)\nVQ[0]=SET(1,,3)\nX=VQ[0] Y=VQ[1] Z=VQ[2]\n"),
+            "l1,7,3");
+  EXPECT_EQ(moves("X=12 B_AND 10 Y=12 B_OR 10 Z=12 B_XOR 10\n"), "l8,14,6");
+  EXPECT_EQ(moves("AX[AXNAME(\"Y\")]=3\n"), "l0,3,0");
+  EXPECT_EQ(moves("DEF STRING[8] VS=\"AB\"\nIF VS[1]==\"B\"\nX1\nENDIF\n"), "l1,0,0");
+}
+
+}  // namespace
+}  // namespace mrsim
