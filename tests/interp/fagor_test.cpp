@@ -133,6 +133,13 @@ TEST(Fagor, PlacesOfACycle) {
   EXPECT_EQ(holes("G80\nG60 X40 K3"), "10,20 not-supported") << "no cycle is in force";
 }
 
+// Values of the control's tables are no comments.
+TEST(FagorLanguage, TablesThatAreSetAreErrors) {
+  EXPECT_EQ(fagor("G1 F100 X5\n(ORGX54=5)\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(fagor("G1 F100 X5\n(TOR1=4.98)\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(fagor("(TOL=0.01)\n(ORG = CORNER)\nG1 F100 X5\n"), "l5,0,0");
+}
+
 // 8060 to 8070: what changes no path is read over, what does is an error by name.
 TEST(FagorLanguage, InstructionsOfThe8070) {
   EXPECT_EQ(

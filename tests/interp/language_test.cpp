@@ -361,6 +361,17 @@ TEST(Language, SystemVariablesOfGeometry) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3 Y4\nX[#5001+10] Y#5002\nG#4001 X1\n"),
             "3,4,0 13,4,0 1,4,0 ");
   EXPECT_EQ(run(Dialect::ngc, "G1 F100 X3 Y4\nX[#5420+10] Y#<_y>\nM2\n"), "3,4,0 13,4,0 ");
+  EXPECT_EQ(run(Dialect::ngc,
+                "G98\nG1 F100 X[#<_retract_old_z>+2*#<_retract_r_plane>]\nG99\n"
+                "X[#<_retract_old_z>+2*#<_retract_r_plane>]\nM2\n"),
+            "1,0,0 2,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "G90.1\nG1 F100 X[#<_ijk_absolute_mode>+#<_spindle_rpm_mode>]\nM2\n"),
+            "2,0,0 ");
+  EXPECT_EQ(run(Dialect::ngc, "G1 F100 X#5161\nM2\n"), "variable-number");
+  InterpOptions placed = at_origin(Dialect::ngc);
+  placed.places.zero = {{"G54", {}}};
+  placed.places.reference = {7, 8, 9};
+  EXPECT_EQ(path_of(read_text("G1 F100 X#5161 Y#5162\nM2\n", placed)), "7,8,0 ");
   EXPECT_EQ(run(Dialect::sinumerik, "G1 F100 X3 Y4\nX=$P_EP[X]+10\n"), "3,4,0 13,4,0 ");
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3\nX#3011\n"), "3,0,0 variable-number");
 }

@@ -29,6 +29,15 @@ bool asks(const Tokens& tokens) {
                      [&](std::string_view word) { return has(tokens, word); });
 }
 
+// (ORGX54=5), (TOR1=4.98), (GUP 100=2): values of the control's tables.
+bool sets_table(const Tokens& tokens) {
+  if (tokens.size() < 4 || !tokens[1].is_number() || !tokens[2].is("=")) return false;
+  const std::string_view name = tokens.front().text;
+  const std::array tables{"TOR", "TOL", "TOI", "TOK", "GUP", "LUP"};
+  return std::ranges::find(tables, name) != tables.end() ||
+         (name.size() == 4 && name.starts_with("ORG"));
+}
+
 }  // namespace
 
 std::size_t closing_round_bracket(std::string_view line, std::size_t open) {
@@ -56,6 +65,7 @@ std::string bracket_statement(std::string_view text) {
   if (std::ranges::find(to_program, first) != to_program.end() && tokens.size() > 1 &&
       (tokens[1].is_number() || tokens[1].is("(") || is_address(tokens, 1, "P")))
     return std::string(first);
+  if (sets_table(tokens)) return std::string(first);
   if (first == "ERROR" && tokens.size() > 1 && tokens[1].is_number()) return "ERROR";
   return "";
 }

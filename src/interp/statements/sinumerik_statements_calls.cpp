@@ -107,8 +107,12 @@ bool SinumerikStatements::fill(std::string_view line, std::size_t& p, std::strin
     count = static_cast<std::size_t>(std::min(values[1]->number, 1e9));
   }
   std::string why;
-  return variables_.fill(name, at_index, values, count, why) ||
-         fail("variable-unset", why, from, p);
+  if (!variables_.fill(name, at_index, values, count, why))
+    return fail("variable-unset", why, from, p);
+  if (options_.trace_variables)
+    reporter_.assignment(
+        name, fmt::format("{}{}", repeats ? "REP" : "SET", to_utf8(line.substr(open, p - open))));
+  return true;
 }
 
 // DEF REAL A, B=2, C[3,2]; DEF STRING[20] NAME

@@ -120,6 +120,10 @@ bool SystemValues::read_linuxcnc(int number, double& out) const {
     out = component(frames_.position_shift, number - 5211) / scale();
   } else if (number >= 5401 && number <= 5409) {
     out = 0;
+  } else if (number >= 5161 && number <= 5163 && control_.machine_known) {  // where G28 leads
+    out = component(options_.places.reference, number - 5161) / scale();
+  } else if (number >= 5181 && number <= 5183 && control_.machine_known && options_.places.second) {
+    out = component(*options_.places.second, number - 5181) / scale();
   } else {
     return false;
   }
@@ -209,6 +213,14 @@ bool SystemValues::named_linuxcnc(std::string_view name, double& out) const {
     out = feed_number(modal_.feed_unit) == (key == "_INVERSE_TIME"       ? 93
                                             : key == "_UNITS_PER_MINUTE" ? 94
                                                                          : 95);
+  else if (key == "_RETRACT_R_PLANE" || key == "_RETRACT_OLD_Z")
+    out = (modal_.hole_return == HoleReturn::initial) == (key == "_RETRACT_OLD_Z");
+  else if (key == "_SPINDLE_RPM_MODE" || key == "_SPINDLE_CSS_MODE")
+    out = modal_.surface_speed == (key == "_SPINDLE_CSS_MODE");
+  else if (key == "_LATHE_DIAMETER_MODE" || key == "_LATHE_RADIUS_MODE")
+    out = (modal_.diameter == Code::diameter_on) == (key == "_LATHE_DIAMETER_MODE");
+  else if (key == "_IJK_ABSOLUTE_MODE")
+    out = modal_.center_absolute;
   else if (key == "_FEED")
     out = modal_.feed / feed_scale();
   else if (key == "_RPM")
