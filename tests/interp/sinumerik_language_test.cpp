@@ -101,6 +101,24 @@ TEST(SinumerikParts, EndlabelEndsBehindItsBlock) {
       << "an ENDLABEL behind REPEAT is that of another part";
 }
 
+// A name stands for its text in the program that defines it, and from a file of definitions in all.
+TEST(SinumerikMacros, NamesStandForText) {
+  EXPECT_EQ(moves("DEFINE GOHOME AS G0 X5 Y5 ; a comment\nGOHOME Z1\nG1 X1 ; GOHOME\n"),
+            "r5,5,1 l1,5,1");
+  EXPECT_EQ(moves("DEFINE WIDTH AS 12\nR1=WIDTH/4\nX=R1+WIDTH\nMSG(\"WIDTH\")\n"), "l15,0,0");
+  EXPECT_EQ(moves("DEFINE TWICE AS P=1\nG91\nLAB1: X1\nREPEAT LAB1 TWICE\n"), "l1,0,0 l2,0,0");
+  EXPECT_EQ(moves("DEFINE THERE AS X5\nTHERE\nSUB\n", {{"SUB.SPF", "X1\nTHERE\nM17\n"}}),
+            "l5,0,0 l1,0,0 | subprogram-missing")
+      << "not in a subprogram";
+  EXPECT_EQ(moves("DEFINE ASK AS IF R1==1\nX1\n"), " | not-supported");
+  const Scratch scratch;
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.search_path = {scratch.write("UMAC.DEF", "DEFINE THERE AS X5\nDEF REAL _WIDE=7\nM30\n")};
+  const std::string main = scratch.write("MAIN.MPF", "G90 G1 F100\nTHERE\nX=_WIDE\nSUB\nM30\n");
+  scratch.write("SUB.SPF", "THERE\nM17\n");
+  EXPECT_EQ(path_text(read_program(main, options)), "l5,0,0 l7,0,0 l5,0,0");
+}
+
 TEST(SinumerikValues, ListsAndOperatorsOfBits) {
   EXPECT_EQ(moves("DEF REAL VQ[4]\nVQ=REP(1)\nVQ[1]=REP(4,2)\nX=VQ[0] Y=VQ[2] Z=VQ[3]\n"),
             "l1,4,1");

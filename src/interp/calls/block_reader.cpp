@@ -62,7 +62,21 @@ bool BlockReader::read_line(Activation& top) {
   if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
   top.line_number = top.source->line_number();
   if (is(Dialect::fanuc) && modal_.okuma) join_lines(top);
+  const Macros& own = program_read().macros;
+  if (!(own.empty() && macros_.empty()) && expand_macros(top.line, own, macros_, top.joined))
+    top.line = {top.joined.data(), top.joined.size()};
   return true;
+}
+
+// Without the parts of it that are repeated.
+BlockReader::Activation& BlockReader::program_read() {
+  std::size_t i = stack_.size() - 1;
+  while (i > 0 && !stack_[i].level) --i;
+  return stack_[i];
+}
+
+void BlockReader::define_macro(const std::string& name, std::string_view text, bool everywhere) {
+  (everywhere ? macros_ : program_read().macros).define(name, text);
 }
 
 // "$ XB=40 DB=1" of Okuma goes on with the block of the line before; "$PART.MIN%" does not.

@@ -2,6 +2,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/calls/macros.h"
 #include "interp/calls/subprogram.h"
 #include "interp/control/control.h"
 #include "interp/language/outline.h"
@@ -67,6 +68,8 @@ class BlockReader : public ControlPart {
   const std::string& file() const {
     return program_.files[static_cast<std::size_t>(stack_.back().file)];
   }
+  /// DEFINE of SINUMERIK: a name that stands for text in the program that is being read, or in all.
+  void define_macro(const std::string& name, std::string_view text, bool everywhere);
   /// No further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
   /// Ends stretches that are no calls (repeated parts of a program) about what is being read.
@@ -85,7 +88,8 @@ class BlockReader : public ControlPart {
     std::unique_ptr<LineSource> source;
     std::string_view line;
     int line_number = 0;
-    std::vector<char> joined;  ///< the line, where others continue it
+    std::vector<char> joined;  ///< the line, where others continue it or names stand for text
+    Macros macros;
     std::uint64_t line_offset = 0;
     std::size_t position = 0;
     std::size_t resume = 0;  ///< position in the next line where reading goes on
@@ -100,6 +104,7 @@ class BlockReader : public ControlPart {
     std::function<void()> on_start, on_end, on_left;
   };
 
+  Activation& program_read();
   bool read_line(Activation& top);
   void join_lines(Activation& top);
   bool count_step();
@@ -113,6 +118,7 @@ class BlockReader : public ControlPart {
   Parser parser_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
+  Macros macros_;                 ///< of files of definitions
   std::size_t levels_ = 0;        ///< calls under way
   std::uint64_t steps_ = 0;       ///< jumps, calls and repeats
   std::set<std::string> called_;  ///< programs, "O2" or "ONAME"

@@ -12,9 +12,9 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kKeywords[] = {
-    "IF",      "ELSE",   "ENDIF",   "WHILE",  "ENDWHILE", "FOR",  "ENDFOR", "LOOP",
-    "ENDLOOP", "REPEAT", "REPEATB", "UNTIL",  "CASE",     "GOTO", "GOTOF",  "GOTOB",
-    "GOTOC",   "GOTOS",  "DEF",     "EXTERN", "MCALL",    "PROC", "SETAL",  "PCALL"};
+    "IF",     "ELSE",    "ENDIF", "WHILE", "ENDWHILE", "FOR",   "ENDFOR", "LOOP",  "ENDLOOP",
+    "REPEAT", "REPEATB", "UNTIL", "CASE",  "GOTO",     "GOTOF", "GOTOB",  "GOTOC", "GOTOS",
+    "DEF",    "EXTERN",  "MCALL", "PROC",  "SETAL",    "PCALL", "DEFINE"};
 
 }  // namespace
 
@@ -70,6 +70,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name.starts_with("GOTO")) return go_to(name, p);
   if (name == "CASE") return case_of(p);
   if (name == "DEF") return define(p);
+  if (name == "DEFINE") return define_macro(p, false);
   if (name == "MCALL") return modal_call(p);
   if (name == "RET") return go_back(from, p);
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {

@@ -64,6 +64,7 @@ class SinumerikStatements : public Statements {
   bool case_of(std::size_t p);
   bool define(std::size_t p);
   bool definitions(std::size_t& p, bool global);
+  bool define_macro(std::size_t p, bool everywhere);
   std::string behind_attributes(std::size_t& p, bool& global);
   void read_definitions();
   bool define_one(std::size_t& p, VariableType type, bool global);

@@ -160,6 +160,32 @@ bool SinumerikStatements::definitions(std::size_t& p, bool global) {
   }
 }
 
+// DEFINE NAME AS TEXT. Structures are found in the lines as they are written, so that none may be
+// behind a name.
+bool SinumerikStatements::define_macro(std::size_t p, bool everywhere) {
+  static constexpr std::string_view kStructures[] = {"IF",       "ELSE",   "ENDIF",  "WHILE",
+                                                     "ENDWHILE", "FOR",    "ENDFOR", "LOOP",
+                                                     "ENDLOOP",  "REPEAT", "UNTIL",  "DEFINE"};
+  const std::size_t from = p;
+  const std::string name = name_at(p);
+  std::size_t q = p;
+  if (name.empty() || name_at(q) != "AS")
+    return fail("statement", "DEFINE NAME AS TEXT (alarm 12080)", from, q);
+  const std::size_t begin = p = skip_blanks(q);
+  for (bool quoted = false; p < block_.line.size() && (quoted || at(p) != ';'); ++p)
+    if (at(p) == '"') quoted = !quoted;
+  std::string_view text = block_.line.substr(begin, p - begin);
+  text = text.substr(0, text.find_last_not_of(" \t\r") + 1);
+  q = begin;
+  const std::string first = name_at(q);
+  if (std::ranges::find(kStructures, first) != std::end(kStructures))
+    return fail("not-supported", fmt::format("{} behind a name of DEFINE is not supported", first),
+                begin, q);
+  reader_.define_macro(name, text, everywhere);
+  if (!everywhere) reader_.set_position(block_.line.size());
+  return true;
+}
+
 // Files of definitions (UGUD.DEF) among the search path: their variables live as long as the run.
 void SinumerikStatements::read_definitions() {
   for (const std::string& file : options_.search_path) {
@@ -173,7 +199,9 @@ void SinumerikStatements::read_definitions() {
       block_.line = line;
       reporter_.set_place(index, source.line_number(), -1, line);
       std::size_t p = 0;
-      if (name_at(p) == "DEF") definitions(p, true);
+      const std::string word = name_at(p);
+      if (word == "DEF") definitions(p, true);
+      if (word == "DEFINE") define_macro(p, true);
     }
     block_.line = {};
     reporter_.forget_text();
