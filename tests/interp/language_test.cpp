@@ -70,6 +70,16 @@ TEST(Macro, ArgumentListsAndLevels) {
             "1,0,0 20,3,0 40,5,0 6,5,0 ");
 }
 
+// The manual's example: G66 in G66; the last macro runs, a move in it calls the one before, and G67
+// ends the last one alone.
+TEST(Macro, ModalCallsInsideOneAnother) {
+  const std::string macros = "M30\nO7\nG91 Y1\nG90\nM99\nO8\nZ6\nZ7\nM99\nO9\nZ[#26]\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nX10\nG66 P8\nX15\nG67\nG67\nX-25\n" + macros),
+            "10,0,0 10,1,0 15,1,0 15,1,6 15,2,6 15,2,7 15,3,7 -25,3,7 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nG66 P9 Z2\nG67\nX1\nG67\nX2\n" + macros),
+            "1,0,0 1,1,0 2,1,0 ");
+}
+
 // More common variables of the 30i; those of Mitsubishi's begin at #400.
 TEST(Macro, MoreCommonVariables) {
   EXPECT_EQ(run(Dialect::fanuc,

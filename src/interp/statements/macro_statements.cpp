@@ -150,8 +150,8 @@ bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
 }
 
 bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
-                                 const Arguments& arguments, const Word& where) {
-  if (macro_levels_ >= kMostMacroLevels)
+                                 const Arguments& arguments, std::size_t modal, const Word& where) {
+  if (modal_in_macro_.size() >= kMostMacroLevels)
     return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", where);
   const auto place = reader_.locate(program, where);
   if (!place) return false;
@@ -159,8 +159,8 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
   request.file = place->file;
   request.begin = {place->offset, place->line, 0};
   request.repeats = repeats;
-  request.on_start = [this, arguments] {
-    ++macro_levels_;
+  request.on_start = [this, arguments, modal] {
+    modal_in_macro_.push_back(modal);
     variables_.enter_level();
     std::string ignored;
     for (int i = 1; i < Variables::kLocals; ++i)
@@ -168,7 +168,7 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
         variables_.assign(i, Value::of(arguments.values[static_cast<std::size_t>(i)]), ignored);
   };
   request.on_end = [this] {
-    --macro_levels_;
+    modal_in_macro_.pop_back();
     variables_.leave_level();
   };
   return reader_.enter(std::move(request), where);
@@ -212,9 +212,24 @@ bool MacroStatements::macro_call(const Word& code) {
   const long repeats = l ? static_cast<long>(l->value) : 1;
   Arguments arguments;
   if (!collect(&code, true, arguments)) return false;
-  if (code.value == 65) return call_macro(program, repeats, arguments, code);
-  modal_call_ = {true, code.value > 66, program, repeats, arguments, code};
+  if (code.value == 65) return call_macro(program, repeats, arguments, 0, code);
+  if (modal_calls_.size() >= kMostMacroLevels)
+    return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", code);
+  modal_calls_.push_back({code.value > 66, program, repeats, arguments});
   return true;
+}
+
+// The macro of the last G66; a move in that macro calls the one before.
+const MacroStatements::ModalCall* MacroStatements::modal_call(bool every_block) const {
+  const std::size_t count = modal_in_macro_.empty() ? modal_calls_.size() : modal_in_macro_.back();
+  if (count == 0 || count > modal_calls_.size()) return nullptr;
+  const ModalCall& last = modal_calls_[count - 1];
+  return last.every_block == every_block ? &last : nullptr;
+}
+
+bool MacroStatements::run_modal(const ModalCall& call, const Arguments& arguments) {
+  const auto before = static_cast<std::size_t>(&call - modal_calls_.data());
+  return call_macro(call.program, call.repeats, arguments, before, block_.words.front());
 }
 
 bool MacroStatements::take_block() {
@@ -224,22 +239,19 @@ bool MacroStatements::take_block() {
       macro_call(word);
       return true;
     }
-    if (word.value == 67) modal_call_.active = false;
+    if (word.value == 67 && !modal_calls_.empty()) modal_calls_.pop_back();
   }
-  if (!modal_call_.active || !modal_call_.every_block || macro_levels_ > 0 ||
-      block_.words.empty() || block_.words[0].address == letter('M'))
-    return false;
-  Arguments arguments = modal_call_.arguments;  // G66.1: the words of the block are arguments
-  if (collect(nullptr, false, arguments))
-    call_macro(modal_call_.program, modal_call_.repeats, arguments, block_.words.front());
+  const ModalCall* const call = modal_call(true);
+  if (!call || block_.words.empty() || block_.words[0].address == letter('M')) return false;
+  Arguments arguments = call->arguments;  // G66.1: the words of the block are arguments
+  if (collect(nullptr, false, arguments)) run_modal(*call, arguments);
   return true;
 }
 
 // G66: the macro runs at the end of every block that moves.
 void MacroStatements::end_block(bool moved) {
-  if (moved && modal_call_.active && !modal_call_.every_block && macro_levels_ == 0)
-    call_macro(modal_call_.program, modal_call_.repeats, modal_call_.arguments,
-               block_.words.front());
+  const ModalCall* const call = moved ? modal_call(false) : nullptr;
+  if (call) run_modal(*call, call->arguments);
 }
 
 }  // namespace mrsim

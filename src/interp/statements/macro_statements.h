@@ -5,6 +5,7 @@
 #include "interp/statements/statements.h"
 
 #include <array>
+#include <vector>
 
 namespace mrsim {
 
@@ -28,11 +29,10 @@ class MacroStatements : public Statements {
     std::uint64_t given = 0;  ///< a bit each
   };
   struct ModalCall {
-    bool active = false, every_block = false;
+    bool every_block = false;  ///< G66.1
     SubprogramName program;
     long repeats = 1;
     Arguments arguments;
-    Word place;
   };
 
   bool if_statement(std::size_t p);
@@ -41,12 +41,14 @@ class MacroStatements : public Statements {
   bool go_to(std::size_t p);
   bool collect(const Word* code, bool first, Arguments& out);
   bool call_macro(const SubprogramName& program, long repeats, const Arguments& arguments,
-                  const Word& where);
+                  std::size_t modal, const Word& where);
+  const ModalCall* modal_call(bool every_block) const;
+  bool run_modal(const ModalCall& call, const Arguments& arguments);
   bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
 
-  ModalCall modal_call_;
-  std::size_t macro_levels_ = 0;
+  std::vector<ModalCall> modal_calls_;       ///< G66 in G66: the last one runs
+  std::vector<std::size_t> modal_in_macro_;  ///< of each macro under way: modal calls of its moves
 };
 
 }  // namespace mrsim
