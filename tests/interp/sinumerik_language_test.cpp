@@ -43,6 +43,17 @@ TEST(SinumerikFrames, SettableFramesWaitForTheirWord) {
   EXPECT_EQ(moves("G54\n$P_UIFR[1]=CTRANS(X,5)\nX1\nG54 X2\n"), "l1,0,0 l7,0,0");
 }
 
+// Behind each block that moves, whichever program it stands in, but not in the one that is called.
+TEST(SinumerikProc, ModalCallsHoldInSubprograms) {
+  const std::map<std::string, std::string> subs = {{"HOLE.SPF", "PROC HOLE\nZ-3\nZ5\nRET\n"},
+                                                   {"PLACES.SPF", "X1\nX2 M17\n"}};
+  const std::string holes = "l1,0,0 l1,0,-3 l1,0,5 l2,0,5 l2,0,-3 l2,0,5";
+  EXPECT_EQ(moves("MCALL HOLE\nPLACES\nMCALL\nX9\n", subs), holes + " l9,0,5");
+  EXPECT_EQ(moves("MCALL HOLE\nLAB1: X=IC(1)\nREPEATB LAB1 P=1\nMCALL\nX9\n", subs),
+            holes + " l9,0,5");
+  EXPECT_EQ(moves("MCALL HOLE\nHOLES1(0,0,0,1,1,2)\nMCALL\nX9\n", subs), "l9,0,0 | not-supported");
+}
+
 TEST(SinumerikProc, SaveRestoresFramesAndGCodesAlone) {
   EXPECT_EQ(moves("SUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nTRANS X10\nX1\nRET\n"}}),
             "l11,0,0 l1,0,0");

@@ -19,6 +19,12 @@ constexpr double kMostHoles = 10'000;
 
 bool SinumerikCycles::pattern(const Call& call) {
   if (!reads_all_of(call)) return false;
+  if (statements_ && statements_->has_modal_call() && call.name != "CYCLE800")
+    return error("not-supported",
+                 fmt::format("{} under MCALL of a program is not supported: write the places as "
+                             "blocks",
+                             call.name),
+                 where());
   if (call.name == "HOLES1") return row(call);
   if (call.name == "HOLES2") return circle(call);
   if (call.name == "CYCLE800") return swivel(call);

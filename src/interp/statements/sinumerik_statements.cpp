@@ -285,10 +285,10 @@ bool SinumerikStatements::case_of(std::size_t p) {
   return true;
 }
 
-// A block of words under MCALL ends with the call, where it moved.
+// A block of words under MCALL ends with the call, where it moved, in subprograms too.
 void SinumerikStatements::end_block(bool moved) {
-  if (!moved || !modal_call_.active || in_modal_call_ || reader_.depth() > 1) return;
-  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front());
+  if (!moved || !modal_call_.active || in_modal_call_) return;
+  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
 }
 
 bool SinumerikStatements::modal_call(std::size_t p) {

@@ -15,6 +15,7 @@ class SinumerikStatements : public Statements {
 
   bool assignment(std::string_view line, std::size_t& p) override;
   bool starts_statement(std::string_view line, std::size_t p) override;
+  bool has_modal_call() const override { return modal_call_.active; }
   void end_block(bool moved) override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 
@@ -77,7 +78,7 @@ class SinumerikStatements : public Statements {
   bool modal_call(std::size_t p);
   bool arguments(std::size_t& p, std::vector<Argument>& out);
   bool call(const SubprogramName& name, const std::vector<Argument>& arguments, long repeats,
-            const Word& word);
+            const Word& word, bool modal = false);
   bool bind(const Procedure& procedure, const std::vector<Argument>& arguments, const Word& word,
             CallRequest& request);
   void restore(const SavedState& saved);

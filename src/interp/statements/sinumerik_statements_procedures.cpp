@@ -176,7 +176,7 @@ bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Arg
 }
 
 bool SinumerikStatements::call(const SubprogramName& name, const std::vector<Argument>& given,
-                               long repeats, const Word& word) {
+                               long repeats, const Word& word, bool modal) {
   const auto place = reader_.locate(name, word);
   if (!place) return false;
   CallRequest request;
@@ -184,6 +184,13 @@ bool SinumerikStatements::call(const SubprogramName& name, const std::vector<Arg
   request.begin = {place->offset, place->line, 0};
   request.repeats = repeats;
   if (!bind(read_procedure(*place), given, word, request)) return false;
+  if (modal) {
+    request.on_start = [this, start = std::move(request.on_start)] {
+      in_modal_call_ = true;
+      start();
+    };
+    request.on_left = [this] { in_modal_call_ = false; };
+  }
   return reader_.enter(std::move(request), word);
 }
 

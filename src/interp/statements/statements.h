@@ -38,6 +38,8 @@ class Statements : public ControlPart, public LanguageReader {
   /// The main program's text ends without a word that says so.
   virtual void end_of_main() {}
   /// After a block of words; `moved`: it had a motion.
+  /// MCALL of a program is in force.
+  virtual bool has_modal_call() const { return false; }
   virtual void end_block(bool moved) { (void)moved; }
   /// A call by number or name without arguments. False: reported.
   virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {

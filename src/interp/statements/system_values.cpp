@@ -101,6 +101,18 @@ double SystemValues::tool_radius() const {
   return tools_ ? tools_->radius(is(Dialect::sinumerik) ? modal_.edge : -1) : 0;
 }
 
+// Where G28 and G30 lead, in the machine's coordinates.
+bool SystemValues::stored_place(int which, int axis, double& out) const {
+  const std::optional<Vec3>& second = options_.places.second;
+  std::optional<Vec3> place;
+  if (control_.stored_places[which])
+    place = *control_.stored_places[which] - control_.machine_shift;
+  else if (control_.machine_known)
+    place = which == 0 ? std::optional<Vec3>(options_.places.reference) : second;
+  if (place) out = component(*place, axis) / scale();
+  return place.has_value();
+}
+
 bool SystemValues::read_linuxcnc(int number, double& out) const {
   if (number >= 5420 && number <= 5428) {
     out = number < 5423 ? work_position(number - 5420) : 0;
@@ -120,10 +132,8 @@ bool SystemValues::read_linuxcnc(int number, double& out) const {
     out = component(frames_.position_shift, number - 5211) / scale();
   } else if (number >= 5401 && number <= 5409) {
     out = 0;
-  } else if (number >= 5161 && number <= 5163 && control_.machine_known) {  // where G28 leads
-    out = component(options_.places.reference, number - 5161) / scale();
-  } else if (number >= 5181 && number <= 5183 && control_.machine_known && options_.places.second) {
-    out = component(*options_.places.second, number - 5181) / scale();
+  } else if (number % 20 >= 1 && number % 20 <= 3 && (number / 20 == 258 || number / 20 == 259)) {
+    return stored_place(number / 20 - 258, number % 20 - 1, out);  // #5161, #5181
   } else {
     return false;
   }

@@ -52,6 +52,7 @@ class SystemValues : public ControlPart, public SystemVariables {
   bool fanuc_address(int number, double& out) const;
   bool mill_group(int group, double& out) const;
   bool lathe_group(int group, double& out) const;
+  bool stored_place(int which, int axis, double& out) const;
   bool read_linuxcnc(int number, double& out) const;
   bool named_linuxcnc(std::string_view name, double& out) const;
   double data_scale() const;
