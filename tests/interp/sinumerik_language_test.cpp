@@ -137,6 +137,14 @@ TEST(SinumerikValues, ListsAndOperatorsOfBits) {
             "l1,7,3");
   EXPECT_EQ(moves("X=12 B_AND 10 Y=12 B_OR 10 Z=12 B_XOR 10\n"), "l8,14,6");
   EXPECT_EQ(moves("AX[AXNAME(\"Y\")]=3\n"), "l0,3,0");
+  const std::string letter = "DEF CHAR VC=\"B\"\nDEF STRING[8] VS=\"ABC\"\n";
+  EXPECT_EQ(moves(letter + "IF VC==\"B\"\nX1\nENDIF\nIF VC==VS[1]\nX2\nENDIF\nX=VC Y=VC+1\n"),
+            "l1,0,0 l2,0,0 l66,67,0");
+  EXPECT_EQ(moves(letter + "X1\nVC=256\n"), "l1,0,0 | variable-unset");
+  EXPECT_EQ(moves(letter + "VS=\"A\"<<-VC\nIF VS==\"A-66\"\nX1\nENDIF\n"), "l1,0,0");
+  EXPECT_EQ(moves(letter + "VS[2]=VC\nVS[0]=\"X\"\nIF VS==\"XBB\"\nX1\nENDIF\n"
+                           "IF (\"L\"<<VC)==\"LB\"\nX2\nENDIF\nVS[3]=VC\n"),
+            "l1,0,0 l2,0,0 | variable-unset");
   EXPECT_EQ(moves("DEF STRING[8] VS=\"AB\"\nIF VS[1]==\"B\"\nX1\nENDIF\n"), "l1,0,0");
 }
 

@@ -167,6 +167,7 @@ bool Evaluator::binary(int least_level, Value& out) {
       return fail("expression", std::move(why), place, p_);
     if (!(std::abs(out.number) <= kLargestValue))
       return fail("number-too-large", "the result is too large", place, p_);
+    out.letter = false;
   }
 }
 
@@ -205,6 +206,7 @@ bool Evaluator::unary(Value& out) {
     if (!usable(out, from)) return false;
     if (!out.is_number()) return fail("expression", "a sign needs a number", from, p_);
     if (c == '-') out.number = -out.number;
+    out.letter = false;
     return true;
   }
   if (is_letter(c)) return word(out);

@@ -178,7 +178,7 @@ bool Evaluator::negation(std::size_t from, bool bits, Value& out) {
   if (!out.is_number()) return fail("expression", "NOT needs a number", from, p_);
   if (spelled(Spelling::parameter) && out.number != 0 && out.number != 1)
     return fail("expression", "NOT is read only of conditions, which are 0 or 1", from, p_);
-  out.number = bits ? -nearest_whole(out.number) - 1 : (out.number == 0 ? 1.0 : 0.0);
+  out = Value::of(bits ? -nearest_whole(out.number) - 1 : (out.number == 0 ? 1.0 : 0.0));
   return true;
 }
 

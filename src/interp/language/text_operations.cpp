@@ -28,6 +28,7 @@ double index_of(const std::string& text, const std::string& sought, Function how
 
 bool text_operator(Operator op, Value& left, const Value& right, std::string& why) {
   const auto as_text = [](const Value& value) {
+    if (value.letter) return std::string(1, letter_of(value));
     return value.kind == Value::Kind::text ? value.text : value_text(value.number);
   };
   if (op == Operator::join) {
@@ -35,8 +36,9 @@ bool text_operator(Operator op, Value& left, const Value& right, std::string& wh
     if (left.text.size() > kLongestText) return fail(why, "the text grows too long");
     return true;
   }
-  if (left.kind != right.kind) return fail(why, "a text and a number cannot be combined here");
-  const int order = left.text.compare(right.text);
+  if (left.kind != right.kind && !left.letter && !right.letter)
+    return fail(why, "a text and a number cannot be combined here");
+  const int order = as_text(left).compare(as_text(right));
   switch (op) {
     case Operator::equal:
       left = Value::of(order == 0);

@@ -19,6 +19,7 @@ struct Value {
   };
   Kind kind = Kind::number;
   bool never_set = false;  ///< vacant, and no assignment ever gave it a value
+  bool letter = false;     ///< a number that is the code of a CHAR: in texts it is the character
   double number = 0;
   std::string text;                    ///< of Kind::text
   std::shared_ptr<const Frame> frame;  ///< of Kind::frame
@@ -48,6 +49,11 @@ struct Value {
   }
   bool is_number() const { return kind == Kind::number; }
 };
+
+/// The character of a CHAR, whose code is 0 to 255.
+inline char letter_of(const Value& value) {
+  return static_cast<char>(static_cast<unsigned char>(value.number));
+}
 
 /// Why an expression has no value, and where; an empty code: the cause was reported before.
 struct Fault {

@@ -109,6 +109,8 @@ class Variables : public VariableReader {
   static bool names_character(const Array& variable, std::span<const Value> indices);
   bool read_element(std::string_view name, const Array& variable, std::span<const Value> indices,
                     Value& out, std::string& why) const;
+  static bool write_character(Array& variable, const Value& index, const Value& value,
+                              std::string& why);
   bool write_element(std::string_view name, Array& variable, std::span<const Value> indices,
                      const Value& value, std::string& why) const;
   bool element(std::string_view name, const Array& variable, std::span<const Value> indices,

@@ -81,6 +81,7 @@ bool Variables::store(Array& variable, std::size_t at, const Value& value, std::
                       value.text.size() == 1;
   if (letter) {
     out = Value::of(static_cast<unsigned char>(value.text[0]));
+    out.letter = true;
     return true;
   }
   if (value.kind != wanted) {
@@ -91,9 +92,14 @@ bool Variables::store(Array& variable, std::size_t at, const Value& value, std::
                       form_ == VariableForm::sinumerik ? " (alarm 12150)" : "");
     return false;
   }
+  if (variable.type == VariableType::character && !(value.number >= 0 && value.number < 255.5)) {
+    why = "a CHAR is 0 to 255";
+    return false;
+  }
   out = value;
   if (variable.type == VariableType::integer || variable.type == VariableType::character)
     out.number = nearest_whole(value.number);
+  out.letter = variable.type == VariableType::character;
   if (variable.type == VariableType::boolean) out.number = value.number != 0;
   return true;
 }
@@ -135,15 +141,29 @@ bool Variables::read_element(std::string_view name, const Array& variable,
   return value.has_value();
 }
 
+// Of a text that has one there.
+bool Variables::write_character(Array& variable, const Value& index, const Value& value,
+                                std::string& why) {
+  Value& out = variable.elements[0];
+  if (out.kind == Value::Kind::faulty || value.kind == Value::Kind::faulty) {
+    out.kind = Value::Kind::faulty;
+    return true;
+  }
+  const double place = nearest_whole(index.number);
+  const bool one = value.letter || value.text.size() == 1;
+  if (!one || !(place >= 0 && place < static_cast<double>(out.text.size()))) {
+    why = "one character is set in the place of one that is there";
+    return false;
+  }
+  out.text[static_cast<std::size_t>(place)] = value.letter ? letter_of(value) : value.text[0];
+  return true;
+}
+
 bool Variables::write_element(std::string_view name, Array& variable,
                               std::span<const Value> indices, const Value& value,
                               std::string& why) const {
   std::size_t at = 0;
-  if (names_character(variable, indices)) {
-    why = fmt::format("a character of {} cannot be set here: assign the whole text",
-                      to_utf8(name.substr(0, 60)));
-    return false;
-  }
+  if (names_character(variable, indices)) return write_character(variable, indices[0], value, why);
   if (!names_part(variable, indices))
     return element(name, variable, indices, at, why) && store(variable, at, value, why);
   const int axis = axis_named(indices[indices.size() - 2].text);
