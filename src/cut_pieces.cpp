@@ -2,6 +2,7 @@
 
 #include "core/trig.h"
 #include "core/vec.h"
+#include "removal/history/cut_extent.h"
 #include "removal/part/default_stock.h"
 
 #include <algorithm>
@@ -15,6 +16,10 @@ namespace {
 int pieces_in(const CutList& cuts, const Motion& m, double voxel, const PieceRule& rule) {
   if (!is_cut(m) || m.tool < 0) return 1;
   return pieces_of(m, cuts.tools()[static_cast<std::size_t>(m.tool)], voxel, rule);
+}
+
+bool is_plunge(const Motion& m, const Tool& tool) {
+  return m.kind == MotionKind::line && !is_turning(tool.type) && is_along_axis(m);
 }
 
 // The motion from share `from` of its way to share `to`.
@@ -50,7 +55,8 @@ double length_of(const Motion& m) {
 
 int pieces_of(const Motion& m, const Tool& tool, double voxel, const PieceRule& rule) {
   if (m.kind == MotionKind::rapid || (m.kind == MotionKind::arc && !rule.arcs)) return 1;
-  const double piece = std::max(rule.diameters * tool.diameter, rule.voxels * voxel);
+  const PieceLength& length = is_plunge(m, tool) ? rule.plunge : rule.length;
+  const double piece = std::max(length.diameters * tool.diameter, length.voxels * voxel);
   return static_cast<int>(std::clamp(std::floor(length_of(m) / piece), 1.0, rule.most));
 }
 

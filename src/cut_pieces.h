@@ -8,13 +8,19 @@
 
 namespace mrsim {
 
-/// How long pieces are: the larger of two lengths, and longer where they would be too many.
+/// The larger of two lengths.
+struct PieceLength {
+  double diameters = 0;  ///< of the tool
+  double voxels = 0;     ///< of the voxel that is asked; above 0
+};
+
+/// How long pieces are; longer where they would be too many.
 struct PieceRule {
-  double diameters = 0;    ///< of the tool
-  double voxels = 0;       ///< of the voxel that is asked
+  PieceLength length;
   double most = 0;         ///< pieces of one motion
   std::size_t in_all = 0;  ///< motions of a program that has more are not divided
   bool arcs = false;       ///< arcs, too; else an arc is one piece
+  PieceLength plunge;      ///< of a mill's or drill's way along its axis
 };
 
 /// The motions of a list in pieces that sweep together what these do.

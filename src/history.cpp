@@ -45,9 +45,11 @@ constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 constexpr double kNothing = 1e-3;
 
 // Cuts are asked in pieces, so that a cut that leaves the material counts as air from
-// there: half a diameter long, so that they do not add much to what is asked. 60 000 pieces take
-// some 30 MB.
-constexpr PieceRule kPieces{0.5, 2, 64, 60000, true};
+// there: half a diameter long, so that they do not add much to what is asked. A plunge is short and
+// begins in the air: an eighth, and where heights tell the history nothing is sampled along it.
+// 60 000 pieces take some 30 MB.
+constexpr PieceRule kPieces{{0.5, 2}, 64, 60000, true, {0.125, 2}};
+constexpr PieceRule kHeightPieces{{0.5, 2}, 64, 60000, true, {0.125, 0.25}};
 
 // mm. Forms have no diameter.
 double width_of(const Tool& tool) {
@@ -57,11 +59,11 @@ double width_of(const Tool& tool) {
 }
 
 // mm^2 in plan that the cutter passes over in all pieces.
-double swept_area(const Motion& m, const Tool& tool, double voxel) {
+double swept_area(const Motion& m, const Tool& tool, double voxel, const PieceRule& rule) {
   const Vec3 way = m.end - m.start;
   const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
                                                   : std::sqrt(way.x * way.x + way.y * way.y);
-  return width_of(tool) * (length + pieces_of(m, tool, voxel, kPieces) * width_of(tool));
+  return width_of(tool) * (length + pieces_of(m, tool, voxel, rule) * width_of(tool));
 }
 
 // How many columns or sweeps each of a tool counts as where they leave heights.
@@ -187,7 +189,8 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
     if (is_turning(tool.type)) continue;
-    area += columns_of(motion, tool) * swept_area(motion, tool, std::max(usual, voxel)), ++count;
+    area += columns_of(motion, tool) * swept_area(motion, tool, std::max(usual, voxel), kPieces);
+    ++count;
   }
   const double coarser = std::sqrt(area / (kMostColumns + kColumnsPerCut * count));
   return std::max({usual, coarser, voxel});
@@ -201,7 +204,7 @@ double summary_column(const StockShape& shape, const CutList& cuts) {
   for (const Motion& motion : cuts.motions()) {
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
-    const double own = swept_area(motion, tool, least);
+    const double own = swept_area(motion, tool, least, kHeightPieces);
     area += own;
     swept += bottoms_of(tool) * own;
     searched += searches_of(motion, cuts.tools()) * own;
@@ -227,9 +230,10 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
     return removed_volumes(of, history_lattice(of, history.voxel), motions.size(), threads, nullptr,
                            job.carve.progress, has_shapes ? &extents : nullptr);
   };
-  const double piece = piece_voxel(cuts, history.voxel, kPieces);
+  const PieceRule& rule = has_height_history(field) ? kHeightPieces : kPieces;
+  const double piece = piece_voxel(cuts, history.voxel, rule);
   const bool whole = !std::isfinite(piece);
-  const CutPieces pieces = divide_cuts(cuts, piece, kPieces);
+  const CutPieces pieces = divide_cuts(cuts, piece, rule);
   const std::vector<double> removed =
       whole ? removed_by(field, cuts.motions())
             : removed_by(PartField(field.solid(),

@@ -86,8 +86,11 @@ bool writes_vdb(const Job& job) {
   return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
 }
 
-// A stock of voxels is read in a copy of this process, made while no threads start (vdb_files.cpp).
-bool opens_voxels_early(const Job& job) { return writes_vdb(job) && !is_vdb(job.stock); }
+// A stock of voxels is read, and one with gaps wrapped, in a copy of this process, made while no
+// threads start (vdb_files.cpp).
+bool opens_voxels_early(const Job& job) {
+  return writes_vdb(job) && !is_vdb(job.stock) && job.stock_options.wrap.distance == 0;
+}
 
 // What the file of a stock made necessary.
 struct StockFindings {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kVoxels = 200;  // along the longest side
 
 // Pieces that look like a steady motion: an eighth of the tool, three voxels at least.
-constexpr PieceRule kSteady{0.125, 3, 1000, 150000, true};
+constexpr PieceRule kSteady{{0.125, 3}, 1000, 150000, true, {0.125, 3}};
 
 void add_volume(const PartField& field, const CutPieces& pieces, std::size_t inherited, int threads,
                 const Progress& progress, Play& play) {

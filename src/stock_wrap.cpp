@@ -1,9 +1,14 @@
 #include "stock_wrap.h"
 
 #include "compare/hausdorff.h"
+#include "core/child_parcel.h"
+#include "core/error.h"
 #include "mesh/solid/wrap.h"
 
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,14 +17,42 @@ namespace {
 
 constexpr double kError = 0.02;  // of the wrap's distance: of what is measured
 
+// The work takes what the limit of memory leaves, and its two million triangles at most take
+// minutes.
+constexpr int kSeconds = 3600;
+constexpr std::size_t kAllMemory = std::size_t(1) << 46;
+
+ChildParcel wrap_parcel(const TriMesh& mesh, const StockWrap& options) {
+  Wrap wrap = wrap_surface(mesh, options);
+  const HausdorffBound found =
+      surface_distance(wrap.solid, wrap.closed, kError * options.distance, 1);
+  return {{double(wrap.openings), wrap.widest, found.lower, found.upper, found.place.x,
+           found.place.y, found.place.z},
+          {},
+          std::move(wrap.solid)};
+}
+
+[[noreturn]] void refuse_wrap(ChildOutcome::End end) {
+  using End = ChildOutcome::End;
+  if (end == End::out_of_memory)
+    throw Error("memory", "--stock-repair takes more memory than there is; a larger W takes less");
+  throw Error("stock-wrap",
+              fmt::format("--stock-repair: CGAL {} the stock's surface; try a larger W",
+                          end == End::too_long ? "takes too long to wrap" : "crashed on"));
+}
+
 }  // namespace
 
 StockRepair wrap_stock(TriMesh& mesh, const StockWrap& options) {
-  Wrap wrap = wrap_surface(mesh, options);
-  const HausdorffBound found =
-      surface_distance(wrap.solid, wrap.closed, kError * options.distance, 0);
-  mesh = std::move(wrap.solid);
-  return {true, wrap.openings, wrap.widest, found.lower, found.upper, found.place};
+  ChildLimits limits;
+  limits.what = fmt::format("--stock-repair wrap={:g}", options.distance);
+  limits.seconds = kSeconds;
+  limits.bytes = kAllMemory;
+  ChildDelivery done = deliver_from_child(limits, [&] { return wrap_parcel(mesh, options); });
+  if (done.end != ChildOutcome::End::done) refuse_wrap(done.end);
+  mesh = std::move(done.parcel.mesh);
+  const std::vector<double>& n = done.parcel.numbers;
+  return {true, std::size_t(n[0]), n[1], n[2], n[3], {n[4], n[5], n[6]}};
 }
 
 std::string wrap_text(const std::string& name, const StockRepair& repair) {

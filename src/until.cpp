@@ -1,6 +1,7 @@
 #include "until.h"
 
 #include "core/error.h"
+#include "interp/text/source.h"
 
 #include <algorithm>
 #include <charconv>
@@ -28,11 +29,37 @@ std::optional<std::size_t> whole_number(std::string_view text) {
   return value;
 }
 
+[[noreturn]] void fail_beyond(const std::string& until, const std::string& there_are) {
+  throw Error("until-beyond", fmt::format("--until {}: there are {}", until, there_are),
+              Error::Kind::usage);
+}
+
+// Lines behind the last motion end the program as its end does; those that the file has not are a
+// slip of the finger.
+void require_line(const Program& program, const std::string& until, int file, std::size_t line) {
+  const std::string& path = program.files[static_cast<std::size_t>(file)];
+  LineSource source(path);
+  std::string_view text;
+  while (source.next(text))
+    if (static_cast<std::size_t>(source.line_number()) == line) return;
+  fail_beyond(until, fmt::format("{} lines in {}", source.line_number(),
+                                 std::filesystem::path(path).filename().string()));
+}
+
+// 100 of "O100", "O0100" and "0100".
+std::optional<std::size_t> program_number(std::string_view name) {
+  if (name.starts_with('O') || name.starts_with('o')) name.remove_prefix(1);
+  return whole_number(name);
+}
+
 int file_named(const Program& program, const std::string& name) {
+  const std::optional<std::size_t> number = program_number(name);
   std::string known;
   for (std::size_t i = 0; i < program.files.size(); ++i) {
     const std::filesystem::path path = program.files[i];
-    if (name == path.filename() || name == path.stem()) return static_cast<int>(i);
+    if (name == path.filename() || name == path.stem() ||
+        (number && number == program_number(path.stem().string())))
+      return static_cast<int>(i);
     known += (known.empty() ? "" : ", ") + path.filename().string();
   }
   throw Error(
@@ -79,13 +106,16 @@ std::size_t motions_until(const Program& program, const std::string& until) {
   if (until.starts_with('#')) {
     const std::optional<std::size_t> motion = whole_number(std::string_view(until).substr(1));
     if (!motion) fail_invalid(until);
-    return std::min(*motion, program.motions.size());
+    if (*motion > program.motions.size())
+      fail_beyond(until, fmt::format("{} motions", program.motions.size()));
+    return *motion;
   }
   const std::size_t colon = until.rfind(':');
   const std::optional<std::size_t> line =
       whole_number(std::string_view(until).substr(colon == until.npos ? 0 : colon + 1));
   if (!line || colon == 0) fail_invalid(until);
   const int file = colon == until.npos ? 0 : file_named(program, until.substr(0, colon));
+  require_line(program, until, file, *line);
   return motions_until_line(program, file, *line);
 }
 

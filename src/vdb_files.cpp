@@ -1,16 +1,12 @@
 #include "vdb_files.h"
 
-#include "core/bytes.h"
-#include "core/child_process.h"
+#include "core/child_parcel.h"
 #include "core/error.h"
-#include "core/heap.h"
 #include "core/text_io.h"
 #include "voxel_module.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,57 +15,15 @@ namespace {
 
 constexpr const char* kUnreadable = "vdb-unreadable";
 
-// What goes through the pipe: numbers, then the texts, vertices and triangles.
-struct SurfaceHeader {
-  double voxel = 0;
-  std::uint64_t code = 0, fault = 0, grid = 0, hash = 0, vertices = 0, triangles = 0;
-};
-
-void send(const LevelSetSurface& found, const std::string& code, const std::string& fault,
-          const ByteSink& sink) {
-  const SurfaceHeader header{found.voxel,
-                             code.size(),
-                             fault.size(),
-                             found.grid.size(),
-                             found.hash.size(),
-                             found.surface.vertices.size(),
-                             found.surface.triangles.size()};
-  sink(&header, sizeof header);
-  sink(code.data(), code.size());
-  sink(fault.data(), fault.size());
-  sink(found.grid.data(), found.grid.size());
-  sink(found.hash.data(), found.hash.size());
-  sink(found.surface.vertices.data(), bytes_of(found.surface.vertices));
-  sink(found.surface.triangles.data(), bytes_of(found.surface.triangles));
-}
-
-// Empty where the bytes are fewer than their header says: the process died while it wrote.
-std::optional<LevelSetSurface> receive(const std::string& bytes, const std::string& path) {
-  SurfaceHeader header;
-  if (bytes.size() < sizeof header) return std::nullopt;
-  std::memcpy(&header, bytes.data(), sizeof header);
+ChildParcel read_parcel(const std::string& path) {
   LevelSetSurface found;
-  const std::size_t texts = header.code + header.fault + header.grid + header.hash;
-  if (bytes.size() != sizeof header + texts + header.vertices * sizeof(found.surface.vertices[0]) +
-                          header.triangles * sizeof(found.surface.triangles[0]))
-    return std::nullopt;
-  const char* at = bytes.data() + sizeof header;
-  const auto take = [&](std::size_t size) {
-    at += size;
-    return std::string(at - size, size);
-  };
-  const std::string code = take(header.code), fault = take(header.fault);
-  if (code == kUnreadable) throw Error(code, path + ": " + fault);
-  if (!code.empty()) throw Error(code, fault);
-  found.voxel = header.voxel;
-  found.grid = take(header.grid);
-  found.hash = take(header.hash);
-  found.surface.vertices.resize(header.vertices);
-  found.surface.triangles.resize(header.triangles);
-  std::memcpy(found.surface.vertices.data(), at, bytes_of(found.surface.vertices));
-  at += bytes_of(found.surface.vertices);
-  std::memcpy(found.surface.triangles.data(), at, bytes_of(found.surface.triangles));
-  return found;
+  try {
+    read_level_set(path, found);
+  } catch (const Error& error) {
+    if (error.code() != kUnreadable) throw;
+    throw Error(kUnreadable, path + ": " + error.what());
+  }
+  return {{found.voxel}, {found.grid, found.hash}, std::move(found.surface)};
 }
 
 // The module is opened there, too: a library that it needs starts threads while it is loaded, and a
@@ -79,28 +33,20 @@ LevelSetSurface read_voxels(const std::string& path, std::size_t size) {
   limits.what = "reading " + path;
   limits.seconds = 60 + static_cast<int>(std::min<std::size_t>(size >> 20, 1000)) * 5;
   limits.bytes = (std::size_t(3) << 29) + 100 * size;
-  const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {
-    LevelSetSurface found;
-    std::string code, fault;
-    try {
-      read_level_set(path, found);
-    } catch (const Error& error) {
-      code = error.code();
-      fault = error.what();
-    }
-    send(found, code, fault, sink);
-  });
+  ChildDelivery delivery = deliver_from_child(limits, [&] { return read_parcel(path); });
   using End = ChildOutcome::End;
-  if (outcome.end == End::done)
-    if (std::optional<LevelSetSurface> found = receive(outcome.bytes, path))
-      return *std::move(found);
-  throw Error(kUnreadable, path +
-                               (outcome.end == End::too_long ? ": OpenVDB takes too long to read it"
-                                : outcome.end == End::out_of_memory
-                                    ? ": OpenVDB takes too much memory to read it"
-                                    : ": the file is damaged: OpenVDB crashed "
-                                      "while it read it") +
-                               "; write it again, or give the stock as a mesh");
+  if (delivery.end == End::done) {
+    ChildParcel& parcel = delivery.parcel;
+    return {parcel.texts[0], parcel.numbers[0], parcel.texts[1], std::move(parcel.mesh)};
+  }
+  throw Error(
+      kUnreadable,
+      path +
+          (delivery.end == End::too_long        ? ": OpenVDB takes too long to read it"
+           : delivery.end == End::out_of_memory ? ": OpenVDB takes too much memory to read it"
+                                                : ": the file is damaged: OpenVDB crashed "
+                                                  "while it read it") +
+          "; write it again, or give the stock as a mesh");
 }
 
 std::string accuracy_of(const LevelSetSurface& found) {

@@ -17,14 +17,15 @@ namespace mrsim {
 /// What of a machine decides how long a program takes. Every value is above 0, but for those that
 /// say otherwise.
 struct MachineData {
-  Vec3 rapid{15000, 15000, 10000};      ///< mm/min, by axis
-  Vec3 acceleration{2000, 2000, 1500};  ///< mm/s^2, by axis
-  double tool_change = 6;               ///< s; may be 0
-  double spindle_acceleration = 2000;   ///< rev/min per second
-  double max_spindle = 6000;            ///< rev/min: G96 turns no faster
-  double corner_tolerance = 0.01;       ///< mm; 0 = the machine stops at every corner
-  MachinePlaces places;                 ///< for the moves in machine coordinates
-  std::string origin;                   ///< where the data came from; empty: the values above
+  Vec3 rapid{15000, 15000, 10000};            ///< mm/min, by axis
+  Vec3 acceleration{2000, 2000, 1500};        ///< mm/s^2, by axis
+  double tool_change = 6;                     ///< s; may be 0
+  double spindle_acceleration = 2000;         ///< rev/min per second
+  double max_spindle = 6000;                  ///< rev/min: G96 turns no faster
+  double corner_tolerance = 0.01;             ///< mm; 0 = the machine stops at every corner
+  MachinePlaces places;                       ///< for the moves in machine coordinates
+  MachineKind kind = MachineKind::automatic;  ///< automatic: not said
+  std::string origin;                         ///< where the data came from; empty: the values above
 };
 
 /// Seconds that one tool works.

@@ -253,7 +253,7 @@ struct JobResult {
 /// The whole way from program to part. With any error in the program nothing is carved or written
 /// and `ok` is false. Throws what interpret(), load_stock() and the writers throw, and:
 ///   "program-no-cuts", "part-empty"       nothing is cut, nothing is left
-///   "until-invalid", "until-file"         Job::until (usage)
+///   "until-invalid", "until-file", "until-beyond"  Job::until (usage)
 ///   "voxel-invalid", "tolerance-invalid"  out of range for this part
 ///   "tool-invalid", "tool-missing", "motion-unsupported"  a cut that can not be swept
 ///   "mesh-unresolved", "max-triangles"    no mesh keeps the promise that was asked for

@@ -17,6 +17,7 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
   typed.read("--dialect", out.interp.dialect, dialect_value);
   if (typed.has("--machine-file")) out.machine = load_machine(typed.text("--machine-file"));
   out.interp.places = out.machine.places;
+  out.interp.machine = out.machine.kind;
   typed.read("--machine", out.interp.machine, machine_value);
   typed.read("--start", out.interp.start, point_value);
   typed.read("--comp", out.interp.comp, comp_value);

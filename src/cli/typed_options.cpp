@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/suggest.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -58,6 +59,17 @@ std::string single_spaced(std::string text) {
   return text;
 }
 
+// --stock "$BLOCK" of a variable that is not set would be a run without --stock: "" or what is
+// wrong.
+std::string empty_value(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (!option->get_positional() && std::find(values.begin(), values.end(), "") != values.end())
+      return option->get_name() + " has an empty value";
+  }
+  return "";
+}
+
 }  // namespace
 
 TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const* argv) {
@@ -92,6 +104,7 @@ TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const*
     read_paths(argc, argv);
     return;
   }
+  fault_ = empty_value(app);
   unknown_ = app.remaining();
   if (flag("--help")) help_ = single_spaced(app.help());
 }

@@ -1,6 +1,7 @@
 #include "core/child_process.h"
 
 #include "core/error.h"
+#include "core/heap.h"
 #include "core/memory_limit.h"
 
 #include <algorithm>
@@ -88,7 +89,12 @@ void be_silent() {
   lower(RLIMIT_CORE, 0);
   lower(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
 #ifndef __SANITIZE_ADDRESS__  // its shadow takes all addresses
-  if (limits.bytes > 0) lower(RLIMIT_AS, address_space() + limits.bytes);
+  if (limits.bytes > 0) {
+    // Room that the heap keeps and has not touched would come on top of the limit.
+    grow_heap_in_small_steps();
+    release_freed_memory();
+    lower(RLIMIT_AS, address_space() + limits.bytes);
+  }
 #endif
   try {
     work([fd](const void* data, std::size_t size) {

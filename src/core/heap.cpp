@@ -19,6 +19,12 @@ void grow_heap_in_large_steps() {
 #endif
 }
 
+void grow_heap_in_small_steps() {
+#ifdef __GLIBC__
+  mallopt(M_TOP_PAD, 1 << 20);
+#endif
+}
+
 void prefer_huge_pages(const void* begin, std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   constexpr std::size_t kHuge = std::size_t(2) << 20;

@@ -1,4 +1,4 @@
-// How the process gets its memory. Neither call changes a result.
+// How the process gets its memory. No call changes a result.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,8 @@ namespace mrsim {
 /// and each small growth of the heap halts every thread that is touching new pages. Pages that are
 /// not touched cost nothing. Does nothing where the C library has no such settings.
 void grow_heap_in_large_steps();
+/// For a process whose address space is limited: a large step would fail where a small one fits.
+void grow_heap_in_small_steps();
 
 /// Asks for huge pages for a large range that will be touched from end to end.
 void prefer_huge_pages(const void* begin, std::size_t bytes);

@@ -41,7 +41,6 @@ constexpr std::array kAxes = {
 };
 // Places of the machine.
 constexpr std::string_view kZero = "zero", kReference = "reference", kSecond = "second";
-// Read by the command line (job_file.cpp).
 constexpr std::string_view kKind = "kind";
 
 class MachineReader {
@@ -100,6 +99,13 @@ class MachineReader {
     return {number(key, (*row)[0], -kLargest), number(key, (*row)[1], -kLargest),
             number(key, (*row)[2], -kLargest)};
   }
+  MachineKind kind(const toml::node& node) const {
+    const std::string word = node.value_or(std::string());
+    if (word == "mill") return MachineKind::mill;
+    if (word == "lathe") return MachineKind::lathe;
+    if (word == "auto") return MachineKind::automatic;
+    fail(node.source().begin, "machine-value", "kind must be \"mill\", \"lathe\" or \"auto\"");
+  }
   // zero.G54 = [x, y, z]
   void read_zeros(MachineData& machine, const toml::node& node) const {
     const toml::table* zeros = node.as_table();
@@ -109,9 +115,11 @@ class MachineReader {
     for (const auto& [name, value] : *zeros)
       machine.places.zero.push_back({std::string(name.str()), place(name.str(), value)});
   }
-  bool read_place(MachineData& machine, const toml::key& key, const toml::node& node) const {
+  bool read_word(MachineData& machine, const toml::key& key, const toml::node& node) const {
     if (key.str() == kZero)
       read_zeros(machine, node);
+    else if (key.str() == kKind)
+      machine.kind = kind(node);
     else if (key.str() == kReference)
       machine.places.reference = place(kReference, node);
     else if (key.str() == kSecond)
@@ -131,7 +139,7 @@ class MachineReader {
         machine.*known.value = axes(key.str(), node);
         return;
       }
-    if (key.str() != kKind && !read_place(machine, key, node)) fail_unknown(key);
+    if (!read_word(machine, key, node)) fail_unknown(key);
   }
   [[noreturn]] void fail_unknown(const toml::key& key) const {
     std::vector<std::string_view> known = {kKind, kZero, kReference, kSecond};

@@ -42,6 +42,18 @@ TEST_F(Cli, ReportSaysWhatWasDecidedAndWhy) {
 }
 
 // A mesh with a tolerance is that of the exact part: voxels are sampled where they are asked for.
+// The machine of a file decides where --machine is not typed.
+TEST_F(Cli, MachineFileSaysWhetherItIsALathe) {
+  write("plain.nc", "G90 G21\nT1\nS500 M3\nG0 X20 Z5\nG1 Z-10 F100\nX30\nM30\n");
+  write("lathe.toml", "[machine]\nkind = \"lathe\"\n");
+  write("mill.toml", "[machine]\nkind = \"mill\"\n");
+  const std::string words = "check plain.nc --dialect iso --json ";
+  EXPECT_TRUE(contains(run(words + "--machine-file lathe.toml").out, "\"machine\":\"lathe\""));
+  EXPECT_TRUE(contains(run(words + "--machine-file mill.toml").out, "\"machine\":\"mill\""));
+  EXPECT_TRUE(contains(run(words + "--machine-file mill.toml --machine lathe").out,
+                       "\"machine\":\"lathe\""));
+}
+
 TEST_F(Cli, VoxelsAreReportedWhereThereAreAny) {
   for (const auto& [options, sampled] : {std::pair<const char*, bool>{"--tolerance 0.1", false},
                                          {"--voxel 1 --tolerance 0.1", false},

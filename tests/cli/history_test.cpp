@@ -241,6 +241,44 @@ TEST_F(HistoryOfRun, CutThatLeavesTheMaterialIsInTheAirFromThere) {
   EXPECT_NEAR(row["removed"], 4 * 8 * 50, 0.02 * 4 * 8 * 50);
 }
 
+// 2 mm of 5 mm, of 4 mm from the bottom of the first hole on, in a mill of 10 mm and a drill of 1
+// mm.
+TEST_F(HistoryOfRun, PlungeIsInTheAirDownToTheMaterial) {
+  write("plunge.nc", "G17 G90 G71\nT1 M6\nG0 X25 Y25 Z2\nG1 Z-3 F100\nG0 Z1\nG1 Z-4\nG0 Z5\nM30\n");
+  for (const std::string tool : {"endmill:d=10", "drill:d=1"}) {
+    const std::string words =
+        "plunge.nc --dialect sinumerik --machine mill --stock box:0,0,-10,50,50,0 --json r.json "
+        "--voxel 0.5 -o part.stl -q --tool 1=" +
+        tool;
+    ASSERT_EQ(run(words + " --history h.json").code, 0);
+    const Json found = history();
+    EXPECT_NEAR(found["rows"][0]["air"], 2.0 / 5, 1.25 / 5) << tool;
+    EXPECT_NEAR(found["rows"][1]["air"], 4.0 / 5, 1.25 / 5) << tool;
+    ASSERT_EQ(run(words).code, 0);
+    EXPECT_NEAR(Json::parse(read("r.json"))["history"]["total"]["air"], 6.0 / 10, 0.15) << tool;
+  }
+}
+
+// A groove of some 1 mm, deeper and shallower, across columns of 0.2 mm: as with those of a tenth.
+TEST_F(HistoryOfRun, GroovesOfVToolsAddUpToTheirVolume) {
+  std::string text = "G17 G90 G71\nT1 M6\nG0 X5 Y5 Z2\nG1 Z-0.4 F100\n";
+  double x = 5, y = 5;
+  for (int k = 0; k < 40; ++k)
+    x += 0.83, y += 0.37 + 0.01 * k,
+        text +=
+        "X" + std::to_string(x) + " Y" + std::to_string(y) + (k % 2 ? " Z-0.4\n" : " Z-0.9\n");
+  write("v.nc", text + "G0 Z5\nM30\n");
+  const std::string words =
+      "v.nc --dialect sinumerik --machine mill --stock box:0,0,-4,60,42,0 --tool "
+      "1=chamfer:d=6,a=60 -o part.stl -q --voxel ";
+  const auto sum = [&](const std::string& voxel) {
+    EXPECT_EQ(run(words + voxel + " --history h.json").code, 0);
+    return history()["rows"].back()["removed"].get<double>();
+  };
+  const double exact = sum("0.02");
+  EXPECT_NEAR(sum("0.2"), exact, 1e-3 * exact);
+}
+
 // A half circle about (50, 0); the stock ends at x = 50.
 TEST_F(HistoryOfRun, ArcThatLeavesTheMaterialIsInTheAirFromThere) {
   write("arc.MPF", "G17 G90 G71\nT1 M6\nG0 X10 Y0 Z5\nG1 Z-2 F200\nG2 X90 Y0 I40 J0\nG0 Z5\nM30\n");

@@ -72,7 +72,7 @@ TEST_F(Until, LinesOfOneFileHoldAllThatTheyCall) {
 }
 
 TEST_F(Until, MomentsThatAreNoneAreWrongUsage) {
-  for (const char* moment : {"0", "'#'", "-3", "7a", ":7", "OTHER:7"})
+  for (const char* moment : {"0", "'#'", "-3", "7a", ":7", "OTHER:7", "'#8'", "13", "''"})
     expect_failure(std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --until ") + moment, 2,
                    "until");
 }

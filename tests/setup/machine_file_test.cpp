@@ -21,6 +21,7 @@ TEST(MachineFile, ReadsWhatItNamesAndKeepsTheRest) {
       "job.toml");
   EXPECT_EQ(machine.rapid, (Vec3{30000, 30000, 30000}));
   EXPECT_EQ(machine.acceleration, (Vec3{5000, 4000, 3000}));
+  EXPECT_EQ(machine.kind, MachineKind::mill);
   EXPECT_EQ(machine.tool_change, 0);
   EXPECT_EQ(machine.max_spindle, 12000);
   EXPECT_EQ(machine.corner_tolerance, MachineData{}.corner_tolerance);
@@ -45,6 +46,8 @@ TEST(MachineFile, ReadsThePlacesOfTheMachine) {
 
 TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
+  EXPECT_EQ(code_of("[machine]\nkind = \"grinder\""), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nkind = 1"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nrapid = 0"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nrapid = [1, 2]"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nrapid = [1, 2, nan]"), "machine-value");

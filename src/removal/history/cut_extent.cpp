@@ -32,6 +32,11 @@ double radius_at(const Underside& tool, double height) {
 
 }  // namespace
 
+bool is_along_axis(const Motion& line) {
+  const Vec3 way = line.end - line.start;
+  return length(cross(line.tool_axis, way)) <= kUpright * length(way);
+}
+
 CutFrame::CutFrame(const Motion& motion, const Tool& tool)
     : is_arc_(motion.kind == MotionKind::arc),
       origin_(is_arc_ ? motion.center : motion.start),
@@ -54,9 +59,8 @@ CutFrame::CutFrame(const Motion& motion, const Tool& tool)
     kind_ = Kind::arc;
     return;
   }
-  const Vec3 way = motion.end - motion.start, left = cross(axis_, way);
-  if (length(left) > kUpright * length(way)) {
-    side_ = normalized(left);
+  if (!is_along_axis(motion)) {
+    side_ = normalized(cross(axis_, motion.end - motion.start));
     return;
   }
   kind_ = Kind::plunge;

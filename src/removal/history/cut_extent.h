@@ -11,6 +11,9 @@
 
 namespace mrsim {
 
+/// Whether a mill's line goes along its axis: up, down or nowhere.
+bool is_along_axis(const Motion& line);
+
 /// The directions of one motion. A turning tool has no width: what it removes is measured across
 /// the feed, in the plane of the X and Z axes.
 class CutFrame {

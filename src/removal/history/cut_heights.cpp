@@ -13,9 +13,11 @@
 namespace mrsim {
 namespace {
 
-constexpr int kCell = 8;        // voxels of a cell that is handed on, each way
-constexpr int kBlock = 4;       // columns of a block that is cut at once, each way
-constexpr double kSteep = 0.5;  // of the depth of cut: where heights differ by more, columns halve
+constexpr int kCell = 8;   // voxels of a cell that is handed on, each way
+constexpr int kBlock = 4;  // columns of a block that is cut at once, each way
+// Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
+// of a column says little of the sharp valleys of V tools. Balls leave none.
+constexpr double kSteep = 0.5, kSteepInFile = 0.125;
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
 
 template <class Visit>
@@ -185,7 +187,9 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
 // Between these bounds of the lowest bottom in a square heights do not differ much.
 bool HeightWalker::is_even(double least, double most) const {
   least = std::max(least, low_), most = std::max(most, low_);
-  return most - least <= kSteep * (high_ - least);
+  const bool is_fine = !frames_.empty() && heights_.balls().empty();
+  const double steep = is_fine ? kSteepInFile : kSteep;
+  return most - least <= steep * (high_ - least);
 }
 
 void HeightWalker::cut(const Square& square, const List& list) {
