@@ -11,7 +11,10 @@ class Sinumerik : public Grammar {
 
  private:
   void head() override {
-    line("DEF REAL AA=1, BB[3]\nDEF INT COUNT=0\nR1=1 R2=2 R3=0\nT1 D1 M6\nG0 X0 Y0 Z0 F100 S100");
+    line(
+        "DEF REAL AA=1, BB[3]\nDEF INT COUNT=0\nDEF FRAME FR\nDEF CHAR VC=\"B\"\n"
+        "DEF STRING[9] VS=\"ABC\"\nDEFINE ASIDE AS G1 X5\nR1=1 R2=2 R3=0\nT1 D1 M6\nG0 X0 Y0 Z0 "
+        "F100 S100");
   }
   std::string variable() override { return one_of({"R1", "R2", "R3", "AA", "BB[1]", "$P_EP[X]"}); }
   std::string bracket(const std::string& text) override { return "(" + text + ")"; }
@@ -58,10 +61,11 @@ class Sinumerik : public Grammar {
   }
   void special(int depth) override {
     const int label = ++labels_;
-    switch (pick(10)) {
+    switch (pick(11)) {
       case 0:
         return line(one_of({"R1", "R2", "R3", "AA", "COUNT", "BB[2]", "$P_UIFR[1,X,TR]",
-                            "$P_PFRAME[Y,TR]", "$TC_DP6[1,1]"}) +
+                            "$P_PFRAME[Y,TR]", "$TC_DP6[1,1]", "FR[X,TR]", "FR[Y,RT]", "FR[Z,SC]",
+                            "FR[X,MI]", "VC", "$P_PFRAME[X,RT]"}) +
                     "=" + expression(0));
       case 1:
         line("IF " + condition());
@@ -95,6 +99,10 @@ class Sinumerik : public Grammar {
         return line(fmt::format("CASE {} OF 1 GOTOF DONE DEFAULT GOTOF DONE", variable()));
       case 8:
         return line("$P_UIFR[2]=CTRANS(X," + expression(0) + "):CROT(Z," + number() + ")");
+      case 9:
+        return line(one_of({"BB=REP(2,2)", "BB[1]=SET(1,,3)", "VS=VS<<VC", "VS[0]=VC", "VC=VS[1]",
+                            "$P_PFRAME=FR:CROT(X,30,Z,40)", "FR=$P_PFRAME:CMIRROR(X)", "ASIDE",
+                            "MCALL HOLE(BB,R1)", "HOLE(BB,R2)", "HOLE(BB,BB[0])", "AWAY P2"}));
       default:
         return line(one_of({"CUTCONON", "CUTCONOF", "G500", "KONT", "NORM", "G64", "M17", "STOPRE",
                             "MSG(\"A\")", "SUPA G0 Z0", "G74 X1=0"}));
@@ -102,6 +110,10 @@ class Sinumerik : public Grammar {
   }
   void subprograms() override {
     line("DONE: M30\nE_LAB_A_KONTUR: G1 X0 Y0\nX10 Y0 Z-5\nX10 Y10\nE_LAB_E_KONTUR: X0");
+    line(
+        "%_N_HOLE_SPF\nPROC HOLE(VAR REAL AR[], VAR REAL AT) SAVE\nTRANS X=AR[0]\nZ=AT\nZ0\n"
+        "AR[0]=AT\nAT=AT+1\nRET\n%_N_AWAY_SPF\nDEFINE ASIDE AS Y5\nASIDE\nR3=R3+1\n"
+        "IF R3<9\nRET(\"DONE\",1)\nENDIF\nRET(,,2)");
   }
 
   int labels_ = 0;
