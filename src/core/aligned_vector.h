@@ -1,4 +1,5 @@
-// A vector of numbers that starts on a cache line, for loops over whole registers.
+// A vector of numbers that starts on a cache line, for loops over whole registers. What resize()
+// adds is not set: pages that nobody writes to cost nothing.
 //
 // One array, unlike a vector of aligned structs: a pointer to its first number reaches them all.
 #pragma once
@@ -20,6 +21,10 @@ struct CacheLineAllocator {
   T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
     return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+  }
+  template <class U>
+  void construct(U* number) {
+    ::new (static_cast<void*>(number)) U;  // as it lies, unlike U()
   }
   void deallocate(T* numbers, std::size_t) { ::operator delete(numbers, kAlignment); }
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }

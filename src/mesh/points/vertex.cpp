@@ -12,6 +12,8 @@ constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
 constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
 constexpr double kSharpDeterminant = 0.05;  ///< the same, seen from a crease
+constexpr double kAlike = 0.95;             ///< cosine between faces that may be exchanged
+constexpr int kExchanges = 8;               ///< of faces on the way to a crease
 constexpr double kRidgeReach = 2;  ///< of a room's diagonal: how far a ridge may lie beyond it
 
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat) {
@@ -141,6 +143,39 @@ bool project(const Probe& probe, const Box3& room, int axis, Vec3& p, FieldSampl
 // Whether the crease between two faces was found from a point, or is known not to be met.
 enum class CreaseSearch : std::uint8_t { found, not_found, none };
 
+// The crease between two faces, from p on. The surface may pass a third face between them, which
+// takes the place of the one that it is like: short moves in rows meet in a crease that few pairs
+// of their faces draw. None where the third joins both smoothly.
+CreaseSearch crease_by_exchange(const Probe& probe, const Box3& room, int axis, Vec3 p,
+                                FieldSample a, FieldSample b, SurfacePoint& found) {
+  const double size = length(room.hi - room.lo);
+  for (int k = 0; k < kExchanges; ++k) {
+    const FieldSample pair[2] = {a, b};
+    if (!solve_faces(probe.field, pair, axis, room, p)) break;
+    if (axis >= 0) component(p, axis) = component(room.lo, axis);
+    if (!in_reach(p, room)) break;
+    const FieldSample third = probe.sample(p);
+    if (std::abs(third.distance) <= kOnSurface) {
+      if (!strictly_inside(p, room, axis)) break;
+      found.position = p;
+      found.count = 2;
+      std::copy(pair, pair + 2, found.faces);
+      return CreaseSearch::found;
+    }
+    const Vec3 normal = probe.field.face_plane(p, third).normal;
+    const Vec3 of_a = probe.field.face_plane(p, a).normal,
+               of_b = probe.field.face_plane(p, b).normal;
+    const bool joins_a = join_smoothly(probe, normal, of_a, size),
+               joins_b = join_smoothly(probe, normal, of_b, size);
+    if (joins_a && joins_b) return CreaseSearch::none;
+    const bool is_like_a = dot(normal, of_a) > dot(normal, of_b);
+    if (dot(normal, is_like_a ? of_a : of_b) < kAlike) break;
+    const bool replaces_a = joins_a || (is_like_a && !joins_b);
+    (replaces_a ? a : b) = third;
+  }
+  return CreaseSearch::not_found;
+}
+
 // The crease between the two faces, found from p; none where they join smoothly or meet outside of
 // the room.
 CreaseSearch crease_from(const Probe& probe, const Box3& room, int axis, Vec3 p,
@@ -157,19 +192,18 @@ CreaseSearch crease_from(const Probe& probe, const Box3& room, int axis, Vec3 p,
   return CreaseSearch::found;
 }
 
-// Halves the way over the surface between two of its points on different faces, until the crease
-// between two faces is near, which need not be those two: tries each pair when it is met first, and
-// again from nearer by. What is known from near by ends the search.
-SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& p,
-                            const Vec3& q) {
-  Vec3 low = p, high = q;
-  FieldSample a = probe.sample(p), b = probe.sample(q);
-  SurfacePoint found;
-  if (same_face(a, b)) return found;
+// False where the surface between two of its points joins their faces smoothly. Else halves the way
+// over it until the crease between two faces is near, which need not be those two: tries each pair
+// when it is met first, and again from nearer by. What is known from near by ends the search.
+bool crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& from, FieldSample a,
+                    const Vec3& to, FieldSample b, SurfacePoint& found) {
+  const CreaseSearch first = crease_by_exchange(probe, room, axis, 0.5 * (from + to), a, b, found);
+  if (first != CreaseSearch::not_found) return first == CreaseSearch::found;
+  Vec3 low = from, high = to;
   for (int k = 0; k < 20; ++k) {
     Vec3 m = 0.5 * (low + high);
     FieldSample s;
-    if (!project(probe, room, axis, m, s)) return found;
+    if (!project(probe, room, axis, m, s)) break;
     const bool is_near = k >= 4 && k % 4 == 0;
     bool is_new = false;
     if (same_face(s, a)) {
@@ -181,20 +215,18 @@ SurfacePoint crease_between(const Probe& probe, const Box3& room, int axis, cons
     }
     if (!is_near && !is_new) continue;
     const CreaseSearch end = crease_from(probe, room, axis, 0.5 * (low + high), a, b, found);
-    if (end == CreaseSearch::found || (is_near && end == CreaseSearch::none)) return found;
+    if (end == CreaseSearch::found || (is_near && end == CreaseSearch::none)) break;
   }
-  return found;
+  return true;
 }
 
 SurfacePoint crease_between_some(const Probe& probe, const Box3& room, const CellHints& hints) {
-  for (std::size_t k = 1; k < hints.crossings.size(); ++k) {
-    if (same_face(hints.faces[k - 1], hints.faces[k])) continue;
-    if (SurfacePoint s =
-            crease_between(probe, room, -1, hints.crossings[k - 1], hints.crossings[k]);
-        s.count > 0)
-      return s;
-  }
-  return {};
+  SurfacePoint found;
+  for (std::size_t k = 1; k < hints.crossings.size() && found.count == 0; ++k)
+    if (!same_face(hints.faces[k - 1], hints.faces[k]))
+      crease_between(probe, room, -1, hints.crossings[k - 1], hints.faces[k - 1],
+                     hints.crossings[k], hints.faces[k], found);
+  return found;
 }
 
 SurfacePoint try_smooth(const Probe& probe, const Box3& room, const Vec3& start) {
@@ -260,28 +292,24 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 }
 
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
-                           const FieldSample& a, const FieldSample* b) {
-  // Newton from the middle of the chord.
-  const FieldSample pair[2] = {a, b ? *b : a};
+                           const FieldSample& face) {
   SurfacePoint result;
   Vec3 p = start;
-  const std::span<const FieldSample> faces(pair, b ? 2 : 1);
-  if (solve_faces(probe.field, faces, axis, room, p)) {
-    component(p, axis) = component(room.lo, axis);
-    if (accept(probe, p, room, axis)) {
-      result.position = p;
-      result.count = b ? 2 : 1;
-      std::copy(pair, pair + 2, result.faces);
-      return result;
-    }
-  }
+  if (!solve_faces(probe.field, std::span(&face, 1), axis, room, p)) return result;
+  component(p, axis) = component(room.lo, axis);
+  if (!accept(probe, p, room, axis)) return result;
+  result.position = p;
+  result.count = 1;
+  result.faces[0] = face;
   return result;
 }
 
-SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
-                            const FieldSample& a, const Vec3& to, const FieldSample& b) {
-  SurfacePoint s = point_in_face(probe, room, axis, 0.5 * (from + to), a, &b);
-  return s.count > 0 ? s : crease_between(probe, room, axis, from, to);
+std::optional<SurfacePoint> crease_in_face(const Probe& probe, const Box3& room, int axis,
+                                           const Vec3& from, const FieldSample& a, const Vec3& to,
+                                           const FieldSample& b) {
+  SurfacePoint found;
+  if (!crease_between(probe, room, axis, from, a, to, b, found)) return {};
+  return found;
 }
 
 // A segment from the border of a convex room to its middle runs in its interior.

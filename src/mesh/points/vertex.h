@@ -4,6 +4,7 @@
 
 #include "mesh/points/surface_search.h"
 
+#include <optional>
 #include <span>
 
 namespace mrsim::detail {
@@ -28,15 +29,17 @@ bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, cons
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
                  const Box3& room, Vec3& p, const FacePlane* planes = nullptr);
 
-/// A point on the surface strictly inside the rectangle `room`, flat on `axis`: on the crease of a
-/// and b, or smooth where b is null. count = 0 where there is none.
+/// A point on a face of the part and on the surface, strictly inside the rectangle `room`, flat on
+/// `axis`. count = 0 where there is none.
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
-                           const FieldSample& a, const FieldSample* b);
+                           const FieldSample& face);
 
 /// Where a crease passes the rectangle between two points of the surface on its border, which lie
-/// on faces a and b of the part.
-SurfacePoint crease_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& from,
-                            const FieldSample& a, const Vec3& to, const FieldSample& b);
+/// on faces a and b of the part; count = 0: not found. Nothing where the surface between them joins
+/// both smoothly.
+std::optional<SurfacePoint> crease_in_face(const Probe& probe, const Box3& room, int axis,
+                                           const Vec3& from, const FieldSample& a, const Vec3& to,
+                                           const FieldSample& b);
 
 /// A point of the surface between the middle of `room` and one of the points, of which the two
 /// nearest in order lie on different sides. Requires: points on the border of the room.

@@ -92,7 +92,7 @@ Vec3 LoopTriangles::explicit_vertex(const Segment& s) const {
   if (s.crease >= 0) point = at(creases_, s.crease).point;
   if (point.count == 0 && face.count == 2) {
     const Probe p = probe(face_cell(face));
-    point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at, nullptr);
+    point = point_in_face(p, box, face.axis, 0.5 * (a.position + b.position), a.at);
     const Vec3 ends[] = {a.low_end(), a.high_end()};
     if (point.count == 0) point = point_towards_middle(p, box, ends);
   }

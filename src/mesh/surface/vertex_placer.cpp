@@ -36,17 +36,15 @@ void VertexPlacer::find_creases() {
     s.crease = s.is_crease ? static_cast<std::int32_t>(creases_.size()) : -1;
     if (s.is_crease) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
   }
-  std::vector<std::uint64_t> fresh(creases_.size(), 0);  // keys of what is not known yet
+  std::vector<std::uint64_t> keys(creases_.size(), 0);
+  std::vector<PlacedPoints::Place> places(creases_.size());
+  std::vector<std::uint8_t> is_known(creases_.size());
   const auto place = [&](std::size_t k) {
-    Crease& crease = creases_[k];
-    const std::uint64_t key = options_.remember ? key_of(at(segments_, crease.segment)) : 0;
-    if (const PlacedPoints::Place* known = key ? placed_creases_.find(key) : nullptr) {
-      crease.point = known->point;
-      crease.outside = known->outside;
-      return;
-    }
-    place_crease(crease);
-    fresh[k] = key;
+    const Segment& s = at(segments_, creases_[k].segment);
+    if (options_.remember) keys[k] = key_of(s);
+    const PlacedPoints::Place* known = options_.remember ? placed_creases_.find(keys[k]) : nullptr;
+    is_known[k] = known != nullptr;
+    places[k] = known ? *known : place_crease(s);
   };
   // Those of cells with the same candidates follow each other.
   std::vector<std::int32_t> all(creases_.size());
@@ -60,20 +58,27 @@ void VertexPlacer::find_creases() {
         for (const std::int32_t k : groups[g]) place(static_cast<std::size_t>(k));
       },
       16);
-  for (std::size_t k = 0; k < fresh.size(); ++k)
-    if (fresh[k]) placed_creases_.add(fresh[k], {creases_[k].point, creases_[k].outside});
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (options_.remember && !is_known[k]) placed_creases_.add(keys[k], places[k]);
+    creases_[k].point = places[k].point, creases_[k].outside = places[k].outside;
+    if (places[k].smooth) segments_[static_cast<std::size_t>(creases_[k].segment)].crease = -1;
+  }
 }
 
-void VertexPlacer::place_crease(Crease& crease) const {
-  const Segment& s = at(segments_, crease.segment);
+PlacedPoints::Place VertexPlacer::place_crease(const Segment& s) const {
+  PlacedPoints::Place place;
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
   const Probe p = probe_within(face_cell(face));
-  crease.point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
+  const auto point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
+  place.smooth = !point;
+  if (place.smooth) return place;
+  place.point = *point;
   const FieldSample ends[2] = {a.at, b.at};
-  if (options_.sharpen && crease.point.count == 0)
-    crease.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
+  if (options_.sharpen && place.point.count == 0)
+    place.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
+  return place;
 }
 
 void VertexPlacer::place_loops() {

@@ -17,6 +17,7 @@ class PlacedPoints {
  public:
   struct Place {
     SurfacePoint point, outside;
+    bool smooth = false;  ///< of creases: there is none
   };
   const Place* find(std::uint64_t key) const {
     const std::int32_t i = ids_.find(key);
@@ -45,7 +46,7 @@ class VertexPlacer : public SurfaceStep {
 
  private:
   void find_creases();
-  void place_crease(Crease& crease) const;
+  PlacedPoints::Place place_crease(const Segment& s) const;
   void place_loops();
   void place_loops_of(std::span<const std::int32_t> loops);
   bool is_smooth(const Loop& loop) const;

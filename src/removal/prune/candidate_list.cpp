@@ -11,6 +11,7 @@ void CandidateList::reset(std::size_t slots, const Vec3& about) {
   closed = true;
   if (lines * kPad <= stride_) return;
   stride_ = lines * kPad;
+  numbers_.clear();  // nothing of it is copied
   numbers_.resize(stride_ * kNearColumns);
 }
 
