@@ -13,10 +13,14 @@ namespace mrsim {
 namespace {
 
 // Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
-bool is_single(const SweepColumns& c, std::uint32_t id) {
-  const std::uint32_t tag = c.tags[id];
+bool is_single(std::uint32_t tag) {
   return is_other(tag) && single_form(tag) != SingleForm::turned;
 }
+
+constexpr std::uint32_t kChainTag =
+    kOtherForm << kTagShift | static_cast<std::uint32_t>(SingleForm::chain) << kSingleShift;
+
+bool is_chain_tag(std::uint32_t tag) { return (tag & ~kSingleRow) == kChainTag; }
 
 // Bounds below the distances of a chunk of sweeps that are asked on their own, which cost less than
 // the distances: planes of straight moves, boxes of others.
@@ -25,23 +29,25 @@ class SingleBounds {
   SingleBounds(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
   /// Of up to kListChunk sweeps: not above the distance but for rounding; where it is above
-  /// `limit`, any bound that is. Minus infinity where nothing is known, infinity for a sweep that
-  /// is not asked on its own.
-  void find(std::span<const std::uint32_t> ids, double limit) {
+  /// `limit`, any bound that is. Minus infinity where nothing is known, NaN for a sweep that
+  /// is not asked on its own: `other` takes those.
+  template <class Other>
+  void find(std::span<const std::uint32_t> ids, double limit, const Other& other) {
     ListPart slants, chains;
     const bool one_tool = c_.chain_tools.size() == 1;
     std::int32_t tool = 0;  // of `chains`
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const std::uint32_t tag = c_.tags[ids[k]], row = tag & kSingleRow;
-      bounds_[k] = std::numeric_limits<double>::infinity();
-      if (!is_single(c_, ids[k])) continue;
-      if (single_form(tag) == SingleForm::slant) {
-        slants.add(row, k);
-      } else if (single_form(tag) == SingleForm::chain) {
+      if (is_chain_tag(tag)) {
         const std::int32_t own = one_tool ? 0 : c_.refs[ids[k]].shape;
         if (chains.n > 0 && own != tool) add_chains(tool, limit, chains);
         tool = own;
         chains.add(row, k);
+      } else if (!is_single(tag)) {
+        bounds_[k] = std::numeric_limits<double>::quiet_NaN();
+        other(ids[k]);
+      } else if (single_form(tag) == SingleForm::slant) {
+        slants.add(row, k);
       } else {
         bounds_[k] = box_bound(c_.bounds_of(c_.refs[ids[k]]), p_);
       }
@@ -90,7 +96,7 @@ std::optional<std::uint32_t> least_bound(const SweepColumns& c, std::span<const 
   std::optional<std::uint32_t> best;
   for (; !ids.empty(); ids = ids.subspan(std::min(kListChunk, ids.size()))) {
     const auto some = ids.first(std::min(kListChunk, ids.size()));
-    bounds.find(some, least);
+    bounds.find(some, least, [](std::uint32_t) {});
     for (std::size_t k = 0; k < some.size(); ++k)
       if (bounds[k] < least) least = bounds[k], best = some[k];
   }
@@ -107,20 +113,19 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
   Memory& memory = thread_memory();
   memory.others.clear(), memory.singles.clear();
   const std::uint32_t last = memory.last;
-  const bool has_last = std::ranges::binary_search(list, last) && is_single(c_, last);
+  const bool has_last = std::ranges::binary_search(list, last) && is_single(c_.tags[last]);
   if (has_last) take(last, best.distance, best);
   SingleBounds bounds(c_, p_);
   for (; !list.empty(); list = list.subspan(std::min(kListChunk, list.size()))) {
     if (best.distance < enough) break;
     const auto some = list.first(std::min(kListChunk, list.size()));
-    bounds.find(some, best.distance + kBoundError);
+    bounds.find(some, best.distance + kBoundError,
+                [&](std::uint32_t id) { memory.others.push_back(id); });
     for (std::size_t k = 0; k < some.size(); ++k) {
-      if (has_last && some[k] == last) continue;
-      if (!is_single(c_, some[k]))
-        memory.others.push_back(some[k]);
-      else if (bounds[k] < enough)  // it may well hold p
+      if (!(bounds[k] <= best.distance + kBoundError) || (has_last && some[k] == last)) continue;
+      if (bounds[k] < enough)  // it may well hold p
         take(some[k], best.distance, best);
-      else if (bounds[k] <= best.distance + kBoundError)
+      else
         memory.singles.emplace_back(bounds[k], some[k]);
       if (best.distance < enough) break;
     }
