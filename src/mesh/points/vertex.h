@@ -2,44 +2,16 @@
 // creases and corners where faces of the part meet (docs/mesh.md, Vertices).
 #pragma once
 
-#include "mesh/points/surface_search.h"
+#include "mesh/points/crease.h"
 
-#include <optional>
 #include <span>
 
 namespace mrsim::detail {
-
-/// A point of the surface and the unit normal of the part's face there.
-struct SurfaceElement {
-  Vec3 position, normal;
-};
-/// True where the surface between the two points leaves their chord so little that a cell of `size`
-/// mm may cut off a crease between them. A sufficient test, for any faces.
-bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceElement& b,
-                    double size);
-
-/// True where the two faces join smoothly about p, or so nearly that a cell of `size` mm may cut
-/// off their crease: none is looked for.
-bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
-                   double size);
-
-/// Newton's iteration from p to the common zero of up to three faces of the part, within the plane
-/// where coordinate `plane_axis` is kept (-1: none). False where it does not settle near `room`.
-/// `planes`: of the faces at p, if they are known.
-bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
-                 const Box3& room, Vec3& p, const FacePlane* planes = nullptr);
 
 /// A point on a face of the part and on the surface, strictly inside the rectangle `room`, flat on
 /// `axis`. count = 0 where there is none.
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& face);
-
-/// Where a crease passes the rectangle between two points of the surface on its border, which lie
-/// on faces a and b of the part; count = 0: not found. Nothing where the surface between them joins
-/// both smoothly.
-std::optional<SurfacePoint> crease_in_face(const Probe& probe, const Box3& room, int axis,
-                                           const Vec3& from, const FieldSample& a, const Vec3& to,
-                                           const FieldSample& b);
 
 /// A point of the surface between the middle of `room` and one of the points, of which the two
 /// nearest in order lie on different sides. Requires: points on the border of the room.
@@ -50,8 +22,8 @@ SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
 /// the cell through its faces.
 struct CellHints {
   std::span<const Vec3> crossings;
-  std::span<const FieldSample> faces;  ///< of the crossings
-  std::span<const Vec3> creases;       ///< may be empty
+  std::span<const FieldSample> faces;     ///< of the crossings
+  std::span<const SurfacePoint> creases;  ///< of two faces each; may be empty
 };
 
 /// A point on the surface strictly inside `room`, as sharp as the part is there. count = 0: none.

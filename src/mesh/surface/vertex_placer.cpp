@@ -215,7 +215,8 @@ void VertexPlacer::finish_loop(std::int32_t id) {
   Loop& loop = loops_[static_cast<std::size_t>(id)];
   const Box3 box = cells_.box(loop.cell);
   if (loop.point.count == 0 || options_.sharpen) {
-    static thread_local std::vector<Vec3> crossings, creases;
+    static thread_local std::vector<Vec3> crossings;
+    static thread_local std::vector<SurfacePoint> creases;
     static thread_local std::vector<FieldSample> faces;
     crossings.clear();
     creases.clear();
@@ -226,8 +227,7 @@ void VertexPlacer::finish_loop(std::int32_t id) {
     }
     for (const std::int32_t k : segments_of(loop)) {
       const std::int32_t c = at(segments_, k).crease;
-      if (c >= 0 && at(creases_, c).point.count == 2)
-        creases.push_back(at(creases_, c).point.position);
+      if (c >= 0 && at(creases_, c).point.count == 2) creases.push_back(at(creases_, c).point);
     }
     const Probe p = probe_within(loop.cell);
     if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
