@@ -74,9 +74,35 @@ std::string spill_folder(const std::vector<std::string>& paths) {
   return folder.empty() ? "." : folder;
 }
 
+struct PreparedFiles::Files {
+  std::vector<std::unique_ptr<DraftFile>> drafts;
+  std::vector<SideFile> last;
+  bool hash_files = false;
+
+  // Makes one that is no mesh.
+  void make(const SideFile& side, JobResult& result) {
+    DraftFile& draft = *drafts.emplace_back(std::make_unique<DraftFile>(side.file.path));
+    side.write(result, draft.sink());
+    draft.finish();
+    note_file(draft, hash_files, result.files);
+  }
+};
+
+PreparedFiles::PreparedFiles() : files_(std::make_unique<Files>()) {}
+PreparedFiles::~PreparedFiles() = default;
+
+void PreparedFiles::publish(JobResult& result) {
+  for (const SideFile& side : files_->last) files_->make(side, result);
+  files_->last.clear();
+  std::vector<DraftFile*> all;
+  for (const auto& draft : files_->drafts) all.push_back(draft.get());
+  mrsim::publish(all);
+  files_->drafts.clear();
+}
+
 struct Outputs::File {
-  explicit File(const std::string& path) : draft(path) {}
-  DraftFile draft;
+  explicit File(const std::string& path) : draft(std::make_unique<DraftFile>(path)) {}
+  std::unique_ptr<DraftFile> draft;
   std::unique_ptr<StlStream> stream;  ///< that has taken the blocks
 };
 
@@ -85,7 +111,7 @@ Outputs::Outputs(const std::vector<std::string>& paths, const MeshFileOptions& o
   for (const std::string& path : paths) {
     File& file = *files_.emplace_back(std::make_unique<File>(path));
     if (!is_vdb(path) && mesh_format_of(path) == MeshFormat::stl && !options.ascii)
-      file.stream = std::make_unique<StlStream>(file.draft, threads);
+      file.stream = std::make_unique<StlStream>(*file.draft, threads);
   }
 }
 
@@ -104,35 +130,37 @@ void Outputs::restart() {
 void Outputs::complete_file(File& file, const MeshSource& mesh, const Stock& stock,
                             const StockRecipe& recipe) {
   if (file.stream && !replaced_) return file.stream->finish();
-  if (file.stream) file.draft.clear();
-  const std::string& path = file.draft.path();
+  if (file.stream) file.draft->clear();
+  const std::string& path = file.draft->path();
   if (is_vdb(path))
-    write_vdb(stock, recipe, file.draft.sink());
+    write_vdb(stock, recipe, file.draft->sink());
   else
-    encode_mesh(mesh, mesh_format_of(path), options_, file.draft.sink());
-  file.draft.finish();
+    encode_mesh(mesh, mesh_format_of(path), options_, file.draft->sink());
+  file.draft->finish();
 }
 
 void Outputs::complete(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe,
                        bool hash, std::vector<WrittenFile>& written) {
   for (const auto& file : files_) {
     complete_file(*file, mesh, stock, recipe);
-    note_file(file->draft, hash, written);
+    note_file(*file->draft, hash, written);
   }
 }
 
-void Outputs::publish(const Job& job, JobResult& result) {
-  std::vector<DraftFile*> all;
-  for (const auto& file : files_) all.push_back(&file->draft);
-  std::vector<std::unique_ptr<DraftFile>> sides;
-  for (const SideFile& side : job.side_files) {
-    DraftFile& draft = *sides.emplace_back(std::make_unique<DraftFile>(side.file.path));
-    side.write(result, draft.sink());
-    draft.finish();
-    note_file(draft, job.hash_files, result.files);
-    all.push_back(&draft);
+void Outputs::prepare(const Job& job, JobResult& result, PreparedFiles& prepared) {
+  PreparedFiles::Files& all = *prepared.files_;
+  all.hash_files = all.hash_files || job.hash_files;
+  for (const auto& file : files_) {
+    file->stream.reset();
+    all.drafts.push_back(std::move(file->draft));
   }
-  mrsim::publish(all);
+  files_.clear();
+  for (const SideFile& side : job.side_files) {
+    if (side.is_last)
+      all.last.push_back(side);
+    else
+      all.make(side, result);
+  }
 }
 
 TriMesh read_mesh(const std::string& path) { return load_mesh(path); }

@@ -50,8 +50,8 @@ class Outputs final : public MeshSink {
   /// Completes the part's files; none is seen yet. `written` gets them.
   void complete(const MeshSource& mesh, const Stock& stock, const StockRecipe& recipe, bool hash,
                 std::vector<WrittenFile>& written);
-  /// Lets all of them appear, after the side files of `job` have been made, or none.
-  void publish(const Job& job, JobResult& result);
+  /// Makes the side files of `job` and gives all of them to `prepared`.
+  void prepare(const Job& job, JobResult& result, PreparedFiles& prepared);
 
  private:
   struct File;

@@ -320,7 +320,10 @@ void simulate(const Job& job, JobResult& result) {
   result.stock.mesh = {};
   result.peak_memory = peak_memory();
   clock.done("write");
-  outputs.publish(job, result);
+  PreparedFiles own;
+  PreparedFiles& prepared = job.prepared != nullptr ? *job.prepared : own;
+  outputs.prepare(job, result, prepared);
+  if (job.prepared == nullptr) prepared.publish(result);
   result.peak_memory = peak_memory();  // with what histories and documents took
   clock.done("publish");
   result.ok = true;

@@ -26,6 +26,7 @@
 #include <mrsim/types.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,6 +126,7 @@ struct SideFile {
   NamedPath file;  ///< "-" is the standard output; the role is what messages call it, "--report"
   /// Called once the part's files are complete, in the order of Job::side_files.
   std::function<void(const JobResult& result, const ByteSink& sink)> write;
+  bool is_last = false;  ///< tells of all files: made when PreparedFiles are published
 };
 
 /// A file that a run has written.
@@ -132,6 +134,24 @@ struct WrittenFile {
   std::string path;
   std::uint64_t bytes = 0;
   std::string sha256;  ///< where Job::hash_files asks for it
+};
+
+/// Files of one run or of several, complete but not yet in their places. They lie on the disk
+/// without names, each with an open descriptor, and are gone if nobody publishes them.
+class MRSIM_API PreparedFiles {
+ public:
+  PreparedFiles();
+  ~PreparedFiles();
+  PreparedFiles(const PreparedFiles&) = delete;
+  PreparedFiles& operator=(const PreparedFiles&) = delete;
+  /// Makes the last ones of `result`, whose `files` they join; then all take their places, or none
+  /// does and an Error is thrown.
+  void publish(JobResult& result);
+
+ private:
+  friend class Outputs;
+  struct Files;
+  std::unique_ptr<Files> files_;
 };
 
 struct Job {
@@ -145,8 +165,10 @@ struct Job {
   std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
   MeshFileOptions files;             ///< colours and such of the mesh files among them
   std::vector<SideFile> side_files;  ///< written together with the outputs
-  std::vector<NamedPath> inputs;     ///< further files that no output may overwrite
-  bool hash_files = false;           ///< fill WrittenFile::sha256
+  /// Gets the files of the run, which appear when it is published; nullptr: at the end of the run.
+  PreparedFiles* prepared = nullptr;
+  std::vector<NamedPath> inputs;  ///< further files that no output may overwrite
+  bool hash_files = false;        ///< fill WrittenFile::sha256
   /// Pieces that the program cuts loose: kept, with a warning, or dropped but for the largest, with
   /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
   KeepPieces keep = KeepPieces::all;

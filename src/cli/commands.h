@@ -47,14 +47,16 @@ int run_told(const std::function<int()>& work, const std::function<void(const Fa
 Arguments typed_arguments(int argc, const char* const* argv);
 
 int run_simulate(const Arguments& arguments);
-/// `result` has what was found. A failure is told in --json and --junit of `whole`, where given, a
-/// run of which this one is a part.
-int run_simulate(const Arguments& arguments, JobResult& result, const Arguments* whole = nullptr);
+/// Runs to earlier moments, once the whole program has been run.
+using FrameChoice = std::function<std::vector<Arguments>(const JobResult& whole)>;
+/// `result` has what was found. The files of the frames, if any, appear with those of the whole.
+int run_simulate(const Arguments& arguments, JobResult& result,
+                 const FrameChoice& choose_frames = {});
 /// Writes --json and --junit of a run whose command line, tools or job were refused with `error`.
 void tell_refused(const Arguments& refused, const Error& error);
-/// run_simulate() for each of arguments.frames moments.
+/// The parts of arguments.frames moments: all of them or none.
 int run_frames(const Arguments& arguments);
-/// A picture of the part at each of arguments.frames moments.
+/// A picture of the part at each of arguments.frames moments, or the film of them.
 int run_picture_frames(const Arguments& arguments);
 int run_trace(const Arguments& arguments);
 int run_check(const Arguments& arguments);

@@ -2,7 +2,6 @@
 
 #include "core/child_process.h"
 #include "core/error.h"
-#include "core/text_io.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -39,14 +38,13 @@ void require_ffmpeg() {
               "-o f%04d.png");
 }
 
-void write_film(const std::string& folder, const std::string& path) {
+std::string make_film(const std::string& folder) {
   const std::string film = folder + "/film.webm";
   const int code = run_ffmpeg({"ffmpeg", "-nostdin", "-v", "error", "-y", "-framerate", "12", "-i",
                                folder + "/%04d.png", "-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p",
                                "-crf", "32", "-b:v", "0", film});
-  if (code != 0) throw Error("film", fmt::format("{}: ffmpeg failed", path));
-  const std::string bytes = read_file(film);
-  write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes.data(), bytes.size()); });
+  if (code != 0) throw Error("film", "ffmpeg failed: there is no film");
+  return film;
 }
 
 }  // namespace mrsim::cli

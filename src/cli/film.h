@@ -11,8 +11,8 @@ bool is_film(const std::string& path);
 /// Throws Error "ffmpeg-missing" where no folder of PATH holds ffmpeg.
 void require_ffmpeg();
 
-/// Writes a .webm of the pictures `folder`/0001.png and on, twelve a second, by way of a file in
-/// that folder. Throws Error "film" where ffmpeg fails; its own words go to the standard error.
-void write_film(const std::string& folder, const std::string& path);
+/// Makes a .webm of the pictures `folder`/0001.png and on, twelve a second. Its name, in that
+/// folder. Throws Error "film" where ffmpeg fails; its own words go to the standard error.
+std::string make_film(const std::string& folder);
 
 }  // namespace mrsim::cli

@@ -8,11 +8,13 @@
 #include "cli/terminal.h"
 #include "core/output_place.h"
 #include "core/publish.h"
+#include "core/text_io.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 namespace mrsim::cli {
 namespace {
@@ -68,6 +70,20 @@ Arguments frame_arguments(const Arguments& arguments, int frame) {
   return out;
 }
 
+// The runs of all moments but the last.
+std::vector<Arguments> earlier_frames(const Arguments& arguments, const JobResult& whole) {
+  std::vector<Arguments> out;
+  for (const std::size_t end : frame_ends(whole, arguments)) {
+    Arguments& one = out.emplace_back(frame_arguments(arguments, static_cast<int>(out.size()) + 1));
+    one.until = fmt::format("#{}", end);
+    one.quiet = true;
+    one.history = "off";
+    one.compare = {};
+    one.rest.clear();
+  }
+  return out;
+}
+
 // The files of all moments, before any work.
 std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std::string>& paths) {
   std::vector<NamedPath> outputs, inputs = arguments.named_inputs;
@@ -80,6 +96,22 @@ std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std
   refuse_overwrites(outputs, inputs);
   recover_outputs(paths);
   return outputs;
+}
+
+OutputFile copy_of(const std::string& made, const std::string& path) {
+  return {path, [made](const ByteSink& sink) {
+            const std::string bytes = read_file(made);
+            sink(bytes.data(), bytes.size());
+          }};
+}
+
+// Each file that waits for its place is open: 256 frames may be more than a process may have.
+void allow_open_files(std::size_t count) {
+  constexpr std::size_t kOthers = 200;
+  struct rlimit limit {};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
+  ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 }  // namespace
@@ -97,38 +129,28 @@ int run_frames(const Arguments& arguments) {
     tell_refused(arguments, error);
     throw;
   }
+  allow_open_files(paths.size());
   JobResult whole;
-  const int code = run_simulate(frame_arguments(arguments, arguments.frames), whole);
-  if (code != kDone && code != kRejected) return code;
-  whole.mesh = {};
-  int frame = 0;
-  for (const std::size_t end : frame_ends(whole, arguments)) {
-    Arguments one = frame_arguments(arguments, ++frame);
-    one.until = fmt::format("#{}", end);
-    one.quiet = true;
-    one.history = "off";
-    one.compare = {};
-    one.rest.clear();
-    JobResult part;
-    if (const int failed = run_simulate(one, part, &arguments); failed != kDone) return failed;
-  }
-  return code;
+  return run_simulate(frame_arguments(arguments, arguments.frames), whole,
+                      [&](const JobResult& result) { return earlier_frames(arguments, result); });
 }
 
 int run_picture_frames(const Arguments& arguments) {
   const std::string& output = arguments.outputs[0];
   const bool film = is_film(output);
   if (film) require_ffmpeg();
-  const TemporaryPlace workshop(TemporaryPlace::Kind::folder);
-  const std::string pictures = film ? workshop.path() + "/%04d.png" : output;
   std::vector<std::string> paths;
   for (int frame = 1; frame <= (film ? 1 : arguments.frames); ++frame)
-    paths.push_back(film ? output : picture_path(pictures, frame, arguments.frames));
+    paths.push_back(film ? output : picture_path(output, frame, arguments.frames));
   const std::vector<NamedPath> outputs = checked(arguments, paths);
+  const TemporaryPlace workshop(TemporaryPlace::Kind::folder);
   Arguments one = arguments;
   one.outputs = {workshop.path() + "/part.ply"};
+  const auto picture = [&](int frame) {
+    return fmt::format("{}/{:04}.png", workshop.path(), frame);
+  };
   const auto draw = [&](int frame) {
-    render(read_mesh(one.outputs[0]), picture_path(pictures, frame, arguments.frames), one.render);
+    render(read_mesh(one.outputs[0]), picture(frame), one.render);
   };
   JobResult whole;
   if (const int failed = run_simulate(one, whole); failed != kDone) return failed;
@@ -145,7 +167,11 @@ int run_picture_frames(const Arguments& arguments) {
     if (const int failed = run_simulate(one); failed != kDone) return failed;
     draw(++frame);
   }
-  if (film) write_film(workshop.path(), output);
+  std::vector<OutputFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    files.push_back(
+        copy_of(film ? make_film(workshop.path()) : picture(static_cast<int>(i) + 1), paths[i]));
+  write_files_atomically(files);
   return finish_output(kDone);
 }
 

@@ -55,17 +55,20 @@ class PartComparison {
                      [this](const JobResult& result, const ByteSink& sink) {
                        write_deviation(request_, result.mesh, nominal_.mesh, comparison_, sink);
                      }});
-    const auto add = [&](const std::string& path, const char* role, auto text) {
+    const auto add = [&](const std::string& path, const char* role, auto text,
+                         bool is_last = false) {
       if (path.empty()) return;
-      out.push_back({{path, role}, [this, text](const JobResult& result, const ByteSink& sink) {
+      out.push_back({{path, role},
+                     [this, text](const JobResult& result, const ByteSink& sink) {
                        const std::string bytes = (this->*text)(result);
                        sink(bytes.data(), bytes.size());
-                     }});
+                     },
+                     is_last});
     };
     add(arguments_.rest, "--rest", &PartComparison::rest);
     add(request_.report, "--report", &PartComparison::report);
-    add(request_.junit, "--junit", &PartComparison::junit);
-    add(request_.json, "--json", &PartComparison::json);
+    add(request_.junit, "--junit", &PartComparison::junit, true);
+    add(request_.json, "--json", &PartComparison::json, true);
     return out;
   }
 
@@ -177,14 +180,8 @@ void tell_failure(const RunRecord& record) {
       {arguments.compare.json, run_json(record), arguments.compare.junit, run_junit(record)}, kept);
 }
 
-int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& result) {
-  set_memory_limit(arguments.carve.max_memory);  // of the comparison and its report, too
-  Job job = job_of(arguments);
-  PartComparison comparison(arguments);
-  job.whole_mesh = comparison.is_wanted();
-  job.side_files = comparison.files();
-  add_history_file(arguments, job);
-  if (job.whole_mesh) job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
+// Files of a run, and what it found to the terminal. False: it has failed.
+bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   {
     ProgressBar bar(!arguments.quiet);
     job.stock_options.progress = job.carve.progress = job.collisions.progress = job.mesh.progress =
@@ -193,12 +190,55 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
   }
   Findings findings(arguments);
   findings.add(result.program.diagnostics);
-  if (!result.ok) {
+  if (!result.ok)
     fmt::print(stderr, "{}: {}; nothing was cut or written\n", arguments.input, findings.summary());
+  return result.ok;
+}
+
+// Frames, if any, whose files appear with those of the whole run: an earlier moment each. The files
+// of the whole are told with theirs; where one fails, that is the result.
+bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, bool hash_files,
+                    JobResult& whole) {
+  std::vector<WrittenFile> written;
+  for (const Arguments& frame : frames) {
+    JobResult part;
+    Job job = job_of(frame);
+    job.prepared = &files;
+    job.hash_files = hash_files;
+    job.whole_mesh = false;
+    if (!prepare(frame, job, part)) {
+      whole = std::move(part);
+      return false;
+    }
+    written.insert(written.end(), part.files.begin(), part.files.end());
+  }
+  whole.files.insert(whole.files.begin(), written.begin(), written.end());
+  return true;
+}
+
+int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& result,
+                      const FrameChoice& choose_frames, bool& is_written) {
+  set_memory_limit(arguments.carve.max_memory);  // of the comparison and its report, too
+  Job job = job_of(arguments);
+  PreparedFiles files;  // of a run in frames
+  PartComparison comparison(arguments);
+  job.whole_mesh = comparison.is_wanted();
+  job.side_files = comparison.files();
+  add_history_file(arguments, job);
+  if (job.whole_mesh) job.inspect = [&](const TriMesh& part) { comparison.measure(part); };
+  if (choose_frames) job.prepared = &files;
+  bool done = prepare(arguments, job, result);
+  if (done && choose_frames) {
+    result.mesh = {};
+    done = prepare_frames(choose_frames(result), files, job.hash_files, result);
+    if (done) files.publish(result);
+  }
+  if (!done) {
     record.exit_code = failed_code(result);
     tell_failure(record);
     return record.exit_code;
   }
+  is_written = true;
   all_is_written();
   const bool talks =
       !arguments.quiet && arguments.compare.json != "-" && arguments.compare.junit != "-";
@@ -220,16 +260,18 @@ int run_simulate(const Arguments& arguments) {
   return run_simulate(arguments, result);
 }
 
-int run_simulate(const Arguments& arguments, JobResult& result, const Arguments* whole) {
-  RunRecord record{whole != nullptr ? whole : &arguments, &result, nullptr, kInternal, {}, {}, {}};
-  return run_told([&] { return simulate_and_tell(arguments, record, result); },
-                  [&](const Failure& failure) {
-                    if (!failure.at_work && result.ok) return;  // all files are there
-                    RunRecord told{record.arguments, &result,      nullptr, failure.exit_code,
-                                   failure.code,     failure.text, {}};
-                    if (failure.at_work) told.result = nullptr;
-                    tell_failure(told);
-                  });
+int run_simulate(const Arguments& arguments, JobResult& result, const FrameChoice& choose_frames) {
+  RunRecord record{&arguments, &result, nullptr, kInternal, {}, {}, {}};
+  bool is_written = false;
+  return run_told(
+      [&] { return simulate_and_tell(arguments, record, result, choose_frames, is_written); },
+      [&](const Failure& failure) {
+        if (!failure.at_work && is_written) return;
+        RunRecord told{&arguments,   &result,      nullptr, failure.exit_code,
+                       failure.code, failure.text, {}};
+        if (failure.at_work) told.result = nullptr;
+        tell_failure(told);
+      });
 }
 
 }  // namespace mrsim::cli

@@ -125,6 +125,7 @@ void DraftFile::clear() {
 
 void DraftFile::finish() {
   flush();
+  buffer_.shrink_to_fit();  // many may be waiting for their places
   if (place_.kind == OutputPlace::Kind::stream) return;
   // As open(2) would have made it: 0666 less the umask; an existing file keeps its mode.
   struct stat old {};

@@ -106,6 +106,27 @@ TEST_F(Until, FramesLeaveTheFilesOfTheWholeRun) {
   EXPECT_TRUE(contains(read("run.json"), "\"verdict\": \"accepted\"")) << read("run.json");
 }
 
+// All of them or none: half of the time passes before the cut, and under --strict that a frame cuts
+// nothing is an error.
+TEST_F(Until, FramesAppearTogether) {
+  write("main.MPF", "G17 G90 G71\nT1 M6\nG0 X-1000 Y20 Z5\nG1 Z-2 F1000\nX-10\nX110\nG0 Z5\nM30\n");
+  for (const char* name : {"part-1.stl", "part-2.stl", "page.html"}) write(name, "old");
+  const std::string rest =
+      "main.MPF --machine mill --stock box:0,0,-10,100,40,0 --tool 1=endmill:d=4 --voxel 0.5 -q "
+      "-o part.stl --json run.json --report page.html --frames 2";
+  const Outcome failed = run(rest + " --strict");
+  EXPECT_EQ(failed.code, 1) << failed.err;
+  for (const char* name : {"part-1.stl", "part-2.stl", "page.html"}) EXPECT_EQ(read(name), "old");
+  EXPECT_TRUE(contains(read("run.json"), "\"nothing-cut\"")) << read("run.json");
+  EXPECT_TRUE(contains(read("run.json"), "\"outputs\": []"));
+  expect_valid("run", "run.json");
+  ASSERT_EQ(run(rest).code, 0);
+  for (const char* name : {"part-1.stl", "part-2.stl", "page.html"}) {
+    EXPECT_GT(read(name).size(), 1000u);
+    EXPECT_TRUE(contains(read("run.json"), std::string("\"path\": \"") + name)) << name;
+  }
+}
+
 TEST_F(Until, FramesByVolumeAreEqualSharesOfWhatIsRemoved) {
   write("main.MPF",
         "G17 G90 G71\nT1 M6\nG0 X-10 Y20 Z5\nG1 Z-2 F1000\nX0\nX25\nX50\nX75\nX110\nX400\nG0 "
