@@ -6,6 +6,8 @@
 # UBSan's checks of each access (null, alignment, object-size, vptr) are left out: they take a third of all compile time, and
 # AddressSanitizer sees the access that they announce. What it does not see, a pointer cast to a type of larger alignment, is a warning of
 # the compiler (-Wcast-align=strict, warnings.cmake).
+#
+# mrsim_unsanitized() names sources that are little but headers of CGAL, which take a minute each with the checks.
 if(MRSIM_SANITIZE)
   add_compile_options(-fsanitize=${MRSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   if(MRSIM_SANITIZE MATCHES undefined)
@@ -16,3 +18,9 @@ if(MRSIM_SANITIZE)
   endif()
   add_link_options(-fsanitize=${MRSIM_SANITIZE})
 endif()
+
+function(mrsim_unsanitized)
+  if(MRSIM_SANITIZE)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
+  endif()
+endfunction()
