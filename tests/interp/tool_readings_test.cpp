@@ -337,63 +337,6 @@ TEST(ToolCommentReadings, OneToolOrTwo) {
   });
 }
 
-TEST(ToolCommentReadings, Tongues) {
-  expect_readings({
-      {mm, "FRÄSER Ø 20", "endmill 20"},
-      {mm, "HPC-FRAESER 12 Z4", "endmill 12"},
-      {mm, "SCHAFTFR. D16 ECKENRADIUS 1", "bullmill 16, corner 1"},
-      {mm, "NC-ANBOHRER 10 90GRAD", "drill 10, point 90"},
-      {mm, "ZENTRIERBOHRER 3.15", "drill 3.15, point 60"},
-      {mm, "SENKER DIN 335 90GRAD D16.5", "chamfer 16.5, point 90"},
-      {mm, "SENKER 90/16", "chamfer 16, point 90"},
-      {mm, "FLACHSENKER D11", "endmill 11"},
-      {mm, "POGLEBIACZ WALCOWY FI11", "endmill 11"},
-      {mm, "AVELLANADOR PLANO D11", "endmill 11"},
-      {mm, "FORET A LAMER D11", "endmill 11"},
-      {mm, "T NUT HOLES 5MM DRILL", "drill 5"},
-      {mm, "FREZ DO ROWKOW TEOWYCH FI 20", "? gives no width of the head"},
-      {mm, "FRESA PER CAVE A T D20", "? gives no width of the head"},
-      {mm, "FREZ TRAPEZOWY FI20 60", "? gives no angle of its flanks"},
-      {mm, "KERNLOCHBOHRER 6.8 M8", "drill 6.8"},
-      {mm, "WENDEPLATTENBOHRER D25", "drill 25"},
-      {mm, "FRAISE BOULE D6", "ballmill 6"},
-      {mm, "FRAISE 2 TAILLES D12", "endmill 12"},
-      {mm, "FRAISE TORIQUE D10 R2", "bullmill 10, corner 2"},
-      {mm, "FRAISE A CHANFREINER D10 90°", "chamfer 10, point 90"},
-      {mm, "FORET À CENTRER D3", "drill 3, point 60"},
-      {mm, "TARAUD M8", "endmill 8"},
-      {mm, "FRAISE T D20 EP 5", "tslot 20, width 5"},
-      {mm, "FRAISE DE 10", "endmill 10"},
-      {mm, "FRESA DE BOLA 6", "ballmill 6"},
-      {mm, "FRESA PLANA 12", "endmill 12"},
-      {mm, "BROCA DE 8,5", "drill 8.5"},
-      {mm, "BROCA DE CENTRAR 3", "drill 3, point 60"},
-      {mm, "MACHO DE ROSCAR M10X1.5", "endmill 10"},
-      {mm, "AVELLANADOR 90 GRADOS 12", "chamfer 12, point 90"},
-      {mm, "FRESA SFERICA D8", "ballmill 8"},
-      {mm, "PUNTA D8.5", "drill 8.5"},
-      {mm, "MASCHIO M8", "endmill 8"},
-      {mm, "ALESATORE 10", "endmill 10"},
-      {mm, "FREZ 10", "endmill 10"},
-      {mm, "FREZ FI12 Z4", "endmill 12"},
-      {mm, "FREZ KULISTY R5", "ballmill 10"},
-      {mm, "FREZ TRZPIENIOWY 8", "endmill 8"},
-      {mm, "WIERTLO 5", "drill 5"},
-      {mm, "WIERTŁO 8.5", "drill 8.5"},
-      {mm, "NAWIERTAK 90 ST FI 10", "drill 10, point 90"},
-      {mm, "GWINTOWNIK M8", "endmill 8"},
-      {mm, "ROZWIERTAK 10H7", "endmill 10"},
-      {mm, "POGŁĘBIACZ 90 FI 16", "chamfer 16, point 90"},
-      {mm, "STEBLASTO FREZALO FI 10", "endmill 10"},
-      {mm, "KROGLIČNO FREZALO R4", "ballmill 8"},
-      {mm, "SVEDER 8.5", "drill 8.5"},
-      {mm, "NAVOJNI SVEDER M8", "endmill 8"},
-      {mm, "POVRTALO 10H7", "endmill 10"},
-      {mm, "GREZILO 90 FI 16", "chamfer 16, point 90"},
-      {mm, "VRTANJE FI 5", "-"},
-  });
-}
-
 // How many tools, files or parts there are is no size.
 TEST(ToolCommentReadings, NumbersThatCount) {
   expect_readings({

@@ -1,0 +1,52 @@
+// Variables that a FANUC control answers from its tables: offsets, modal codes, positions.
+#include "interp/support.h"
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+TEST(FanucVariables, AreAnsweredFromTables) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.table.offsets = {{"H2", 0, 0.5, 80}, {"D2", 4, 0.25, 0}};
+  options.variables = {{"#2001", "7"}};
+  const auto x = [&](const std::string& text, const char* variable) {
+    const Program p = read_text("G1 F100 X1\n" + text + "\nX" + variable + " Y1\n", options);
+    return codes(p) + fmt::format("{:g}", p.motions.back().end.x);
+  };
+  EXPECT_EQ(x("", "#2001"), "7") << "given from outside";
+  EXPECT_EQ(x("", "#2002"), "variable-number1");
+  EXPECT_EQ(x("#2001=9", "#2001"), "variable-number7");
+  EXPECT_EQ(x("", "#11002"), "80");
+  EXPECT_EQ(x("", "#10002"), "0.5");
+  EXPECT_EQ(x("", "#13002"), "4");
+  EXPECT_EQ(x("", "#11003"), "variable-number1");
+  EXPECT_EQ(x("G43 H2", "#4111"), "2");
+  EXPECT_EQ(x("G43 H2", "#4008"), "43");
+  EXPECT_EQ(x("G99", "#4010"), "99");
+  EXPECT_EQ(x("T7 M6", "#4120"), "7");
+  EXPECT_EQ(x("G10 L2 P0 X3.", "#5201"), "6") << "the external offset counts for X too";
+  EXPECT_EQ(x("G10 L20 P2 X3.", "#7021"), "3");
+  EXPECT_EQ(x("#14041=4", "#7041"), "4");
+  EXPECT_EQ(x("", "#5021"), "variable-number1") << "where the machine's zero is, is not known";
+  EXPECT_EQ(x("G28 X2.", "#5041"), "variable-number2");
+}
+
+// The second axis of a lathe is Z; its groups of G codes are others than those of mills.
+TEST(FanucVariables, OfLathesCountTheirAxesAndGroups) {
+  const auto z = [](const std::string& text, const char* variable) {
+    const Program p = read_text("G1 F.1 X30. Z-5.\n" + text + "\nZ" + variable + "\n",
+                                at_origin(Dialect::fanuc, MachineKind::lathe));
+    return codes(p) + fmt::format("{:g}", p.motions.back().end.z);
+  };
+  EXPECT_EQ(z("", "[#5002-1.]"), "-6");
+  EXPECT_EQ(z("", "#5001"), "30");
+  EXPECT_EQ(z("G96 S100", "#4002"), "96");
+  EXPECT_EQ(z("G98", "#4005"), "98");
+  EXPECT_EQ(z("G10 L2 P2 X8. Z3.", "#5242"), "3");
+  EXPECT_EQ(z("G10 L2 P2 X8. Z3.", "#5241"), "8");
+  EXPECT_EQ(z("T0303", "#4120"), "303");
+}
+
+}  // namespace
+}  // namespace mrsim

@@ -1,0 +1,186 @@
+// What programs for lathes say of their tools in comments.
+#include "interp/support.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+TEST(ToolNotes, FourDigitsAreStationAndOffsetOnLathes) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const Program p = read_text(
+      "(T0202 D=10 DRILL)\n(T0101 OD TURN CNMG 120408)\nT0101\nG0 X50. Z2.\nG1 Z-5. F.2\n"
+      "T0202\nG0 X0 Z5.\nG1 Z-20. F.1\nT1212 (12. DRILL)\nG1 Z-30.\n",
+      options);
+  ASSERT_EQ(p.tools.size(), 3U) << listing(p);
+  EXPECT_EQ(p.tools[0].insert, "CNMG");
+  EXPECT_EQ(p.tools[1].type, ToolType::drill);
+  EXPECT_EQ(p.tools[1].diameter, 10);
+  EXPECT_EQ(p.tools[2].id, "12");
+  EXPECT_EQ(p.tools[2].diameter, 12);
+}
+
+// "T4 D1 ; PARTING 3MM": beside the T word the work names the tool, on every lathe.
+TEST(ToolNotes, WorkNamesTheToolOfALathe) {
+  InterpOptions options;
+  options.dialect = Dialect::sinumerik;
+  options.machine = MachineKind::lathe;
+  const Program p = read_text(
+      "G18 G95\nT1 D1 ; PARTING 3MM\nG0 X50 Z-20\nG1 X-1 F0.1\nG0 X50\nT2 D1 ; THREAD\nG0 X30 Z2\n"
+      "G33 Z-10 K2\nT=\"PLUNGE_CUTTER_2\" D1\nG0 X50 Z-5\nG1 X40 F0.1\n"
+      "T=\"STECHER_4\" D1\nG0 X50\nG1 X40\nT=\"ROUGHING_T80_A\" D1\nG0 X50\nG1 X48\n",
+      options);
+  ASSERT_EQ(p.tools.size(), 5U) << listing(p);
+  EXPECT_EQ(p.tools[0].type, ToolType::grooving);
+  EXPECT_EQ(p.tools[0].width, 3);
+  EXPECT_EQ(p.tools[1].type, ToolType::threading);
+  EXPECT_EQ(p.tools[2].width, 2);
+  EXPECT_EQ(p.tools[3].width, 4);
+  EXPECT_EQ(p.tools[4].type, ToolType::turning);
+}
+
+// As SINUMERIK's lists call them; A and I are outside and inside.
+TEST(ToolNotes, NamesInTheListsOfLathes) {
+  const auto named = [](const std::string& name) {
+    InterpOptions options;
+    options.dialect = Dialect::sinumerik;
+    options.machine = MachineKind::lathe;
+    const Program p =
+        read_text("G18 G95\nT=\"" + name + "\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\nG1 X55\n", options);
+    if (p.tools.size() != 1) return listing(p);
+    const Tool& tool = p.tools[0];
+    EXPECT_EQ(tool.nose_radius, name.ends_with("R08") ? 0.8 : name.ends_with("R0.4") ? 0.4 : 0);
+    return fmt::format("{} tip {}, {:.3g} deg, width {}", static_cast<int>(tool.type), tool.tip,
+                       degrees(tool.insert_angle), tool.width);
+  };
+  const auto turning = [](ToolType type, int tip, int corner, int width) {
+    return fmt::format("{} tip {}, {} deg, width {}", static_cast<int>(type), tip, corner, width);
+  };
+  const std::string inside = turning(ToolType::boring, 0, 80, 0);
+  EXPECT_EQ(named("ROUGHING_T80_A"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("ROUGHING_T80 I"), inside);
+  EXPECT_EQ(named("ROUGHING_T80_R08"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("FINISHER_35 R0.4"), turning(ToolType::turning, 0, 35, 0));
+  EXPECT_EQ(named("SCHRUPPER_80_I"), inside);
+  EXPECT_EQ(named("ROUGHER_80"), turning(ToolType::turning, 0, 80, 0));  // no mill of 80 mm
+  EXPECT_EQ(named("FINISHING_T35_A"), turning(ToolType::turning, 0, 35, 0));
+  EXPECT_EQ(named("DREHMEISSEL_55_I"), turning(ToolType::boring, 0, 55, 0));
+  EXPECT_EQ(named("PLUNGE_CUTTER_3_A"), turning(ToolType::grooving, 0, 35, 3));
+  EXPECT_EQ(named("STECHER_3_I"), turning(ToolType::grooving, 2, 35, 3));
+  EXPECT_EQ(named("GROOVER_3"), turning(ToolType::grooving, 0, 35, 3));
+  EXPECT_EQ(named("ID_ROUGH"), turning(ToolType::boring, 0, 35, 0));
+  EXPECT_EQ(named("OD_80_L"), turning(ToolType::turning, 0, 80, 0));
+  EXPECT_EQ(named("ID_55_L"), turning(ToolType::boring, 0, 55, 0));
+  const Program bare =
+      read_text("G18 G95 DIAMON\nT=\"EINSTECHER\" D1\nG0 X50 Z-20\nG1 X40 F0.1\n", {});
+  EXPECT_EQ(codes(bare, Severity::error), "tool-unknown");
+  const Program said = read_text(
+      "; T=\"ROUGHER_80\"\nG18 G95 DIAMON\nT=\"ROUGHER_80\" D1\nG0 X50 Z2\nG1 Z-20 F0.1\n", {});
+  ASSERT_EQ(said.tools.size(), 1U) << listing(said);
+  EXPECT_EQ(said.tools[0].type, ToolType::turning);
+}
+
+TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const std::string cut = "G0 X30. Z2.\nG1 Z-5. F.1\n";
+  const Program p = read_text("T0101 (ID GROOVE 3MM)\n" + cut + "T0202 (ID THREAD)\n" + cut +
+                                  "T0303 (GROOVE 3MM)\n" + cut + "T0505 (FINISH BORE)\n" + cut,
+                              options);
+  ASSERT_EQ(p.tools.size(), 4U) << listing(p);
+  EXPECT_EQ(p.tools[0].tip, 2);
+  EXPECT_EQ(p.tools[1].tip, 6);
+  EXPECT_EQ(p.tools[2].tip, 0);
+  EXPECT_EQ(p.tools[3].type, ToolType::boring);
+  EXPECT_EQ(codes(read_text("T0404 (FACE GROOVE 3MM)\n" + cut, options), Severity::error),
+            "tool-unknown");
+}
+
+// A radius of inserts is the tool's, any other one the work's.
+TEST(ToolNotes, NoseBesideTheWork) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine = MachineKind::lathe;
+  const std::pair<const char*, double> rows[] = {{"OD ROUGH R0.8", 0.8},
+                                                 {"OD ROUGH R.8", 0.8},
+                                                 {"FINISH OD NR 0.4", 0.4},
+                                                 {"ROUGH TURN .031R", 0.7874},
+                                                 {"OD TURN 1/32 R", 0.79375},
+                                                 {"DESB. EXT. R0.8", 0.8},
+                                                 {"TURNING R0.8", 0.8},
+                                                 {"SCHLICHTEN AUSSEN R0.4", 0.4},
+                                                 {"FINISH BORE R0.4", 0.4},
+                                                 {"TURN R10", 0},
+                                                 {"FINISH R5 FILLET", 0},
+                                                 {"OD FACE FIN.015R", 0.381},
+                                                 {"BORE R20", 0}};
+  for (const auto& [comment, nose] : rows) {
+    const std::string text = std::string("T0101 (") + comment + ")\nG0 X30. Z2.\nG1 Z-5. F.1\n";
+    const Program p = read_text(text, options);
+    ASSERT_EQ(p.tools.size(), 1U) << comment << listing(p);
+    EXPECT_NEAR(p.tools[0].nose_radius, nose, 1e-9) << comment;
+    const bool bores = std::string_view(comment).find("BORE") != std::string_view::npos;
+    EXPECT_EQ(p.tools[0].type, bores ? ToolType::boring : ToolType::turning) << comment;
+  }
+  EXPECT_EQ(codes(read_text("G20\nT0101 (OD ROUGH R0.8)\nG0 X3. Z.2\nG1 Z-.5 F.01\n", options)), "")
+      << "mm in a program in inches";
+}
+
+// T words of lathes with six and eight digits have half of them for the offset.
+TEST(ToolNotes, StationsOfLathes) {
+  const auto tools = [](const std::string& program) {
+    InterpOptions options;
+    options.dialect = Dialect::fanuc;
+    options.machine = MachineKind::lathe;
+    const Program p = read_text(program, options);
+    std::string out;
+    for (const Tool& tool : p.tools) out += fmt::format("{}:{:g} ", tool.id, tool.diameter);
+    if (codes(p, Severity::note).find("tool-station") != std::string::npos) out += "tool-station";
+    return out;
+  };
+  const std::string cut = "\nG0 X0 Z5\nG1 Z-1 F.1\n";
+  EXPECT_EQ(tools("T0101 (DRILL 8MM)" + cut + "T1212 (DRILL 9MM)" + cut), "1:8 12:9 ");
+  EXPECT_EQ(tools("T001001 (DRILL 8MM)" + cut + "T012012 (DRILL 9MM)" + cut), "1:8 12:9 ");
+  EXPECT_EQ(tools("(T003003 DRILL 8MM)\nT003003" + cut), "3:8 ");
+  EXPECT_EQ(tools("T00020002 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T0202.1 (DRILL 8MM)" + cut + "T0303.01 (DRILL 9MM)" + cut),
+            "2:8 3:9 tool-station")
+      << "Mazak: a suffix";
+  EXPECT_EQ(codes(read_text("T0202.1 (DRILL 8MM)" + cut + "T0202.2" + cut,
+                            at_origin(Dialect::fanuc, MachineKind::lathe))),
+            "value-range");
+  EXPECT_EQ(tools("T020202 (DRILL 8MM)" + cut), "2:8 ") << "Okuma: nose, tool and offset";
+  EXPECT_EQ(tools("T002000 (DRILL 8MM)" + cut), "2:8 ");
+  EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";
+}
+
+// Words for the work above a T word name its tool, but not in a list above the first cut.
+TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
+  const auto tools = [](const std::string& text) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    const Program p = read_text(text, options);
+    std::string out = codes(p);
+    for (const Tool& tool : p.tools) out += fmt::format(" {}", static_cast<int>(tool.type));
+    return out;
+  };
+  const auto type = [](ToolType t) { return fmt::format(" {}", static_cast<int>(t)); };
+  const std::string first = "G97 S500 M3\nT0101\nG0 X50. Z2.\nG1 Z-5. F.2\nX52.\nG0 Z9.\n";
+  const std::string cut = "T0404\nG0 X50. Z2.\nG1 Z-5. F.2\nX52.\nM30\n";
+  const std::string turned = type(ToolType::turning);
+  EXPECT_EQ(tools(first + "N3 (CUT OFF 4MM)\n" + cut), turned + type(ToolType::grooving));
+  EXPECT_EQ(tools(first + "(OD THREAD)\n" + cut), turned + type(ToolType::threading));
+  EXPECT_EQ(tools(first + "(FINISH BORE)\n" + cut), turned + type(ToolType::boring));
+  EXPECT_EQ(tools("(1. FACE)\n(2. CUT OFF)\n" + first + cut), turned + turned);
+  EXPECT_EQ(tools(first + "(GROOVE)\n" + cut).substr(0, 12), "tool-unknown")
+      << "no insert of 35 degrees cuts it";
+}
+
+}  // namespace
+}  // namespace mrsim
