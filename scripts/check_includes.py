@@ -98,7 +98,7 @@ THIRD_PARTY = {
     "zlib.h": r"src/core/zip\.cpp|src/mesh/.*|tests/.*",
 }
 # Public header -> the public headers that it may include.
-PUBLIC = {"types.h": set(), "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"types.h", "options.h", "compare.h"},
+PUBLIC = {"events.h": set(), "types.h": {"events.h"}, "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"types.h", "options.h", "compare.h"},
           "play.h": {"types.h"}, "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h", "history.h", "play.h"}, "job_file.h": {"types.h"},
           "compare.h": {"types.h", "options.h", "cycle_time.h", "play.h"}, "cycle_time.h": {"types.h"}, "history.h": {"types.h", "cycle_time.h"},
           "rest.h": {"types.h", "options.h"}}

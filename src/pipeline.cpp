@@ -221,7 +221,7 @@ void end_program(const Job& job, JobResult& result) {
   Program& program = result.program;
   const std::size_t all = program.motions.size(), kept = motions_until(program, job.until);
   program.motions.resize(kept);
-  std::erase_if(program.dwells, [&](const Dwell& dwell) { return dwell.after > kept; });
+  std::erase_if(program.events, [&](const Event& event) { return event.before > kept; });
   count_motions(result);
   report(result, Severity::note, "until",
          fmt::format("--until {}: the program ends after {} of {} motions", job.until, kept, all));

@@ -33,18 +33,18 @@ class Collector : public MotionSink {
                      fmt::format("a program of more than {} motions", motions.size()));
     motions.push_back(motion);
   }
-  void dwell(const Dwell& dwell) override {
-    if (!dwells.empty() && dwells.back().after == motions.size() &&
-        dwells.back().tool == dwell.tool) {
-      dwells.back().seconds += dwell.seconds;
+  void event(const Event& event) override {
+    if (events.size() == events.capacity() && events.size() > kFew)
+      require_memory(2.0 * double(events.size()) * sizeof(Event),
+                     fmt::format("a program of more than {} events", events.size()));
+    if (!events.empty() && events.back().before == motions.size() && joins(event, events.back()))
       return;
-    }
-    dwells.push_back(dwell);
-    dwells.back().after = motions.size();
+    events.push_back(event);
+    events.back().before = motions.size();
   }
   void diagnostic(const Diagnostic& diagnostic) override { diagnostics.push_back(diagnostic); }
   std::vector<Motion> motions;
-  std::vector<Dwell> dwells;
+  std::vector<Event> events;
   std::vector<Diagnostic> diagnostics;
 
  private:
@@ -60,8 +60,8 @@ class TraceSinkAdapter : public MotionSink {
     if (sink_.line)
       sink_.line(json_ ? motion_json(*program_, motion) : motion_text(*program_, motion));
   }
-  void dwell(const Dwell& dwell) override {
-    if (sink_.line) sink_.line(json_ ? dwell_json(*program_, dwell) : dwell_text(*program_, dwell));
+  void event(const Event& event) override {
+    if (sink_.line) sink_.line(json_ ? event_json(*program_, event) : event_text(*program_, event));
   }
   void diagnostic(const Diagnostic& diagnostic) override {
     if (sink_.diagnostic) sink_.diagnostic(diagnostic);
@@ -86,7 +86,7 @@ Program interpret(const std::string& path, const InterpOptions& options) {
   Collector collector(path);
   Program program = interpret(path, options, collector);
   program.motions = std::move(collector.motions);
-  program.dwells = std::move(collector.dwells);
+  program.events = std::move(collector.events);
   program.diagnostics = std::move(collector.diagnostics);
   return program;
 }

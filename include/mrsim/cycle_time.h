@@ -1,8 +1,8 @@
 /// mrsim: how long a program takes on a machine.
 ///
 /// Feeds in all modes (mm/min, mm/rev, inverse time, constant surface speed), rapids by axis,
-/// acceleration with look-ahead over corners, dwells, tool changes. The path is not changed: a
-/// corner is passed at the speed at which the control may round it by
+/// acceleration with look-ahead over corners, exact stops, dwells, tool changes. The path is not
+/// changed: a corner is passed at the speed at which the control may round it by
 /// MachineData::corner_tolerance. Standard library types only.
 #pragma once
 
@@ -42,6 +42,7 @@ struct CycleTime {
   double tool_change = 0;  ///< s
   double spindle = 0;      ///< s in which the spindle runs up or changes its speed
   std::size_t tool_changes = 0;
+  std::size_t stops = 0, optional_stops = 0;  ///< M0, M1: the operator's time is not counted
   std::size_t without_feed = 0;  ///< cuts for which no feed is known: counted at no time
   std::vector<ToolTime> tools;   ///< in the order of their first motions
   std::vector<double> seconds;   ///< #motions: of each motion alone

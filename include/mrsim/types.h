@@ -11,6 +11,8 @@
 ///     m.end = {10, 0, 0};  // 10 mm along X from the origin
 #pragma once
 
+#include <mrsim/events.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -127,16 +129,6 @@ struct Motion {
   int call = -1;    ///< index into Program::calls, -1 = in the main program
 };
 
-/// The tool stays where it is: G4, or the bottom of a hole.
-struct Dwell {
-  std::size_t after = 0;  ///< how many of Program::motions lie before it
-  double seconds = 0;     ///< above 0
-  int tool = -1;          ///< index into Program::tools, -1 = none chosen yet
-  int file = 0;           ///< index into Program::files
-  int line = 0;           ///< 1-based
-  int call = -1;          ///< index into Program::calls, -1 = in the main program
-};
-
 /// Where a subprogram was called from; `outer` leads to the caller's own call, -1 ends the chain.
 struct CallSite {
   int file = 0;
@@ -218,6 +210,7 @@ struct MachinePlaces {
   std::vector<WorkOffset> zero;  ///< work zeros; empty: where the machine's zero lies is unknown
   Vec3 reference;                ///< where G28 and G74 lead
   std::optional<Vec3> second;    ///< where G30 and G75 lead
+  std::optional<Box3> limits;    ///< of travel; infinite where an axis has none
 };
 struct ToolTable {
   std::vector<Tool> tools;
@@ -311,7 +304,7 @@ struct Program {
   std::vector<CallSite> calls;
   std::vector<Tool> tools;  ///< those the program uses, with inferred data filled in
   std::vector<Motion> motions;
-  std::vector<Dwell> dwells;  ///< ascending by `after`
+  std::vector<Event> events;  ///< ascending by `before`
   double zero_height = 0;     ///< Z of the highest work zero (G54 .., G92) that cuts count from
   std::vector<Diagnostic> diagnostics;
   std::optional<StockShape> workpiece;  ///< stock stated by the program itself (WORKPIECE)

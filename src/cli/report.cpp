@@ -132,6 +132,9 @@ void add_cycle(Sheet& sheet, const Arguments& arguments, const JobResult& result
   if (t.tool_changes > 0)
     parts += fmt::format(", {} {}", plural(t.tool_changes, "tool change"), duration(t.tool_change));
   if (t.spindle > 0) parts += fmt::format(", spindle {}", duration(t.spindle));
+  if (t.stops > 0) parts += fmt::format("; {} (M0)", plural(t.stops, "stop"));
+  if (t.optional_stops > 0)
+    parts += fmt::format("; {} (M1)", plural(t.optional_stops, "optional stop"));
   if (t.without_feed > 0) parts += fmt::format("; {} have no feed", plural(t.without_feed, "cut"));
   const std::string& origin = arguments.machine.origin;
   sheet.row("cycle", duration(t.total),

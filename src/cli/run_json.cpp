@@ -56,7 +56,9 @@ Json program_json(const RunRecord& record) {
             {"arc", r.arc_motions},
             {"cutting", r.cutting_motions}}},
           {"machine_seconds", number(r.cycle.total)},
-          {"dwell_seconds", number(r.cycle.dwell)}};
+          {"dwell_seconds", number(r.cycle.dwell)},
+          {"stops", r.cycle.stops},
+          {"optional_stops", r.cycle.optional_stops}};
 }
 
 Json tools_json(const Program& program) {

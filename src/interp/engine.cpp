@@ -24,6 +24,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       moves_(control_, axes_, frames_, tools_, compensation_, out_),
       modes_(control_, frames_, compensation_),
       values_(control_, tools_),
+      events_(control_, out_),
       oneshots_(control_, axes_, frames_, moves_),
       holes_(control_, reader_, moves_),
       drilling_(control_, axes_, holes_),
@@ -116,6 +117,7 @@ void Engine::execute() {
     if (control_.saved_tool) control_.tool = *control_.saved_tool;
     return;
   }
+  events_.after_motion();
   if (moved_) control_.paused = false;
   if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();
   tools_.end_block();
@@ -178,6 +180,7 @@ bool Engine::interpret_block() {
     moves_.to_place(&options_.places.reference, 4, *block.home);
   const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
   if (!dwells && !values_.apply()) return false;
+  events_.before_motion();
   oneshots_.settle_tip();
   if (block.pause) moves_.dwell(DwellTime(control_).of_cycle(*block.pause));
   if (block.oneshot && !oneshots_.run()) return false;

@@ -12,6 +12,7 @@
 #include "interp/turning/contour_cycles.h"
 #include "interp/turning/linuxcnc_turning.h"
 #include "interp/turning/turn_words.h"
+#include "interp/words/event_words.h"
 #include "interp/words/iso_words.h"
 #include "interp/words/modal_words.h"
 #include "interp/words/oneshot_words.h"
@@ -52,6 +53,7 @@ class Engine {
   Moves moves_;
   ModalWords modes_;
   ValueWords values_;
+  EventWords events_;
   OneShotWords oneshots_;
   HoleMaker holes_;
   DrillWords drilling_;

@@ -3,9 +3,11 @@
 #include "core/error.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include "core/vec.h"
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -41,7 +43,7 @@ constexpr std::array kAxes = {
 };
 // Places of the machine.
 constexpr std::string_view kZero = "zero", kReference = "reference", kSecond = "second";
-constexpr std::string_view kKind = "kind";
+constexpr std::string_view kLimits = "limits", kKind = "kind";
 
 class MachineReader {
  public:
@@ -99,6 +101,33 @@ class MachineReader {
     return {number(key, (*row)[0], -kLargest), number(key, (*row)[1], -kLargest),
             number(key, (*row)[2], -kLargest)};
   }
+  // limits = { x = [-600, 0], z = [-500, 0] }; an axis without limits ends nowhere.
+  Box3 limits(const toml::node& node) const {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const toml::table* table = node.as_table();
+    if (table == nullptr)
+      fail(node.source().begin, "machine-value",
+           "limits must name axes: limits = { x = [-600, 0], z = [-500, 0] }");
+    Box3 box{{-kNone, -kNone, -kNone}, {kNone, kNone, kNone}};
+    for (const auto& [name, value] : *table) {
+      const std::size_t axis = std::string_view("xyz").find(name.str());
+      if (name.str().size() != 1 || axis == std::string_view::npos)
+        fail(name.source().begin, "machine-key",
+             fmt::format("unknown axis \"{}\" in limits: x, y and z are known", name.str()));
+      const toml::array* range = value.as_array();
+      if (range == nullptr || range->size() != 2)
+        fail(value.source().begin, "machine-value",
+             fmt::format("limits.{} must be two numbers: the least and the largest", name.str()));
+      double& lo = component(box.lo, int(axis));
+      double& hi = component(box.hi, int(axis));
+      lo = number(name.str(), (*range)[0], -kLargest);
+      hi = number(name.str(), (*range)[1], -kLargest);
+      if (!(lo < hi))
+        fail(value.source().begin, "machine-value",
+             fmt::format("limits.{}: {:g} is not below {:g}", name.str(), lo, hi));
+    }
+    return box;
+  }
   MachineKind kind(const toml::node& node) const {
     const std::string word = node.value_or(std::string());
     if (word == "mill") return MachineKind::mill;
@@ -120,6 +149,8 @@ class MachineReader {
       read_zeros(machine, node);
     else if (key.str() == kKind)
       machine.kind = kind(node);
+    else if (key.str() == kLimits)
+      machine.places.limits = limits(node);
     else if (key.str() == kReference)
       machine.places.reference = place(kReference, node);
     else if (key.str() == kSecond)
@@ -142,7 +173,7 @@ class MachineReader {
     if (!read_word(machine, key, node)) fail_unknown(key);
   }
   [[noreturn]] void fail_unknown(const toml::key& key) const {
-    std::vector<std::string_view> known = {kKind, kZero, kReference, kSecond};
+    std::vector<std::string_view> known = {kKind, kZero, kReference, kSecond, kLimits};
     for (const NumberKey& k : kNumbers) known.push_back(k.name);
     for (const AxesKey& k : kAxes) known.push_back(k.name);
     std::string hint = suggestion(key.str(), known);

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mrsim {
 namespace {
+
+constexpr double kStraight = 1.25e-7;  // 1 - cosine of half a turn of a milliradian
 
 // The speed at a corner between two directions: that of an arc which touches both and cuts the
 // corner off by `tolerance` mm.
@@ -15,7 +18,7 @@ double corner_speed(const MotionSpeed& before, const MotionSpeed& after, double 
   const double cosine = std::clamp(dot(before.end, after.begin), -1.0, 1.0);
   const double slowest = std::min(before.speed, after.speed);
   const double half = std::sqrt(0.5 * (1 + cosine));  // cosine of half the turn
-  if (half >= 1) return slowest;
+  if (half >= 1 - kStraight) return slowest;
   const double radius = tolerance * half / (1 - half);
   return std::min(slowest, std::sqrt(std::min(before.acceleration, after.acceleration) * radius));
 }
@@ -33,18 +36,59 @@ bool stops_between(const Motion& before, const Motion& after) {
          (before.kind == MotionKind::rapid) != (after.kind == MotionKind::rapid);
 }
 
+// What events say of the corners, asked in the order of the motions.
+class EventStops {
+ public:
+  enum class Corner : std::uint8_t { rounded, exact, stop };
+  explicit EventStops(const std::vector<Event>& events) : events_(events) {}
+
+  // The corner where motion i begins: that before it ran in the mode of then.
+  Corner before(std::size_t i) {
+    while (next_ < events_.size() && events_[next_].before < i) take(events_[next_++]);
+    bool stops = mode_ == PathMode::exact_stop;
+    const Corner corner = mode_ == PathMode::exact_path ? Corner::exact : Corner::rounded;
+    while (next_ < events_.size() && events_[next_].before == i)
+      if (take(events_[next_++])) stops = true;
+    return stops ? Corner::stop : corner;
+  }
+
+ private:
+  // True: the tool stops there.
+  bool take(const Event& event) {
+    switch (event.kind) {
+      case EventKind::path_mode:
+        if (event.path == PathMode::exact_once) return true;
+        mode_ = event.path;
+        return false;
+      case EventKind::spindle:
+        return std::exchange(turn_, event.turn) != event.turn;
+      case EventKind::coolant:
+        return false;
+      default:
+        return true;
+    }
+  }
+
+  const std::vector<Event>& events_;
+  std::size_t next_ = 0;
+  PathMode mode_ = PathMode::continuous;
+  SpindleTurn turn_ = SpindleTurn::off;
+};
+
 // begin[i]: the speed at which motion i begins; one more for the end of the last.
 std::vector<double> begin_speeds(const Program& program, const std::vector<MotionSpeed>& speeds,
                                  double tolerance) {
   const std::vector<Motion>& motions = program.motions;
   const std::size_t n = motions.size();
   std::vector<double> begin(n + 1, 0.0);
-  for (std::size_t i = 1; i < n; ++i)
-    if (speeds[i - 1].speed > 0 && speeds[i].speed > 0 &&
+  EventStops stops(program.events);
+  for (std::size_t i = 1; i < n; ++i) {
+    const EventStops::Corner corner = stops.before(i);
+    if (speeds[i - 1].speed > 0 && speeds[i].speed > 0 && corner != EventStops::Corner::stop &&
         !stops_between(motions[i - 1], motions[i]))
-      begin[i] = corner_speed(speeds[i - 1], speeds[i], tolerance);
-  for (const Dwell& dwell : program.dwells)
-    if (dwell.after < n) begin[dwell.after] = 0;
+      begin[i] = corner_speed(speeds[i - 1], speeds[i],
+                              corner == EventStops::Corner::exact ? 0 : tolerance);
+  }
   const auto reachable = [&](double from, std::size_t i) {
     return std::sqrt(from * from + 2 * speeds[i].acceleration * speeds[i].length);
   };
@@ -83,30 +127,48 @@ class Sums {
 // A dwell between a tool change and the first cut is that of the tool that cuts next.
 void add_dwells(const Program& program, Sums& sums) {
   int next = -1;
-  std::size_t left = program.dwells.size();
+  std::size_t left = program.events.size();
   for (std::size_t i = program.motions.size() + 1; i-- > 0;) {
-    for (; left > 0 && program.dwells[left - 1].after >= i; --left) {
-      const Dwell& dwell = program.dwells[left - 1];
-      sums.add_dwell(dwell.seconds, dwell.tool >= 0 ? dwell.tool : next);
+    for (; left > 0 && program.events[left - 1].before >= i; --left) {
+      const Event& event = program.events[left - 1];
+      if (event.kind == EventKind::dwell)
+        sums.add_dwell(event.seconds, event.tool >= 0 ? event.tool : next);
     }
     if (i > 0 && program.motions[i - 1].tool >= 0) next = program.motions[i - 1].tool;
   }
 }
 
-// The spindle starts after each tool change, and runs at another speed where S says so.
-void add_changes(const std::vector<Motion>& motions, const MachineData& machine, CycleTime& time) {
+double turning(SpindleTurn turn) {
+  return turn == SpindleTurn::off ? 0 : turn == SpindleTurn::clockwise ? 1 : -1;
+}
+
+// The spindle starts after each tool change and after each stop, and runs at another speed or in
+// another direction where the program says so. Without a word about it, it turns.
+void add_changes(const Program& program, const MachineData& machine, CycleTime& time) {
   int tool = -1;
-  double speed = 0;
-  for (const Motion& m : motions) {
+  double speed = 0, direction = 1;
+  auto event = program.events.begin();
+  for (std::size_t i = 0; i < program.motions.size(); ++i) {
+    const Motion& m = program.motions[i];
+    for (; event != program.events.end() && event->before <= i; ++event) {
+      if (event->kind != EventKind::spindle) continue;
+      direction = turning(event->turn);
+      if (direction == 0) speed = 0;
+    }
     if (m.tool != tool && m.tool >= 0) {
       if (tool >= 0) ++time.tool_changes, speed = 0;
       tool = m.tool;
     }
     if (m.kind == MotionKind::rapid || !(m.speed > 0) || m.constant_surface_speed) continue;
-    const double wanted = spindle_speed(m, m.start.x, machine);
+    const double wanted = direction * spindle_speed(m, m.start.x, machine);
     time.spindle += std::fabs(wanted - speed) / machine.spindle_acceleration;
     speed = wanted;
   }
+  for (const Event& stop : program.events)
+    if (stop.kind == EventKind::stop) {
+      time.stops += stop.stop == StopKind::program;
+      time.optional_stops += stop.stop == StopKind::optional;
+    }
   time.tool_change = static_cast<double>(time.tool_changes) * machine.tool_change;
 }
 
@@ -130,7 +192,7 @@ CycleTime cycle_time(const Program& program, const MachineData& machine) {
     sums.add(motions[i], time.seconds[i]);
   }
   add_dwells(program, sums);
-  add_changes(motions, machine, time);
+  add_changes(program, machine, time);
   time.total = time.cutting + time.rapid + time.dwell + time.tool_change + time.spindle;
   return time;
 }

@@ -9,8 +9,8 @@ std::string dwells(const std::string& text, Dialect dialect,
                    MachineKind machine = MachineKind::mill) {
   const Program p = read_text(text, at_origin(dialect, machine));
   std::string out;
-  for (const Dwell& d : p.dwells)
-    out += fmt::format("{}{}:{:g}", out.empty() ? "" : " ", d.after, d.seconds);
+  for (const Event& d : dwells_of(p))
+    out += fmt::format("{}{}:{:g}", out.empty() ? "" : " ", d.before, d.seconds);
   for (const Diagnostic& d : p.diagnostics)
     if (d.code.starts_with("dwell") || d.severity == Severity::error) out += " " + d.code;
   return out;
@@ -36,8 +36,8 @@ TEST(Dwell, LeastIncrementsCountThousandthsOfASecond) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.least_increments = true;
   const Program p = read_text("G21 G90 S100 M3\nG1 X1. F9\nG4 X20\nX2.\nM30\n", options);
-  ASSERT_EQ(p.dwells.size(), 1u);
-  EXPECT_DOUBLE_EQ(p.dwells[0].seconds, 0.02);
+  ASSERT_EQ(dwells_of(p).size(), 1u);
+  EXPECT_DOUBLE_EQ(dwells_of(p)[0].seconds, 0.02);
 }
 
 TEST(Dwell, SinumerikCountsSecondsInFAndTurnsInS) {
@@ -118,28 +118,28 @@ TEST(Dwell, StaysBetweenItsBlocksUnderCompensation) {
   const Program p =
       read_text("S100 M3 F60\nG41 D1 G1 X10 Y10\nX20\nG4 F2\nX30\nY20\nG40 X40 Y40\nM30\n",
                 at_origin(Dialect::sinumerik));
-  ASSERT_EQ(p.dwells.size(), 1u) << listing(p);
-  ASSERT_LT(p.dwells[0].after, p.motions.size());
-  EXPECT_EQ(p.motions[p.dwells[0].after].line, 5);
-  EXPECT_EQ(p.motions[p.dwells[0].after - 1].line, 3);
+  ASSERT_EQ(dwells_of(p).size(), 1u) << listing(p);
+  ASSERT_LT(dwells_of(p)[0].before, p.motions.size());
+  EXPECT_EQ(p.motions[dwells_of(p)[0].before].line, 5);
+  EXPECT_EQ(p.motions[dwells_of(p)[0].before - 1].line, 3);
 }
 
 TEST(Dwell, ThoseInARowAreOneUnderCompensationToo) {
   const Program p =
       read_text("S100 M3 F60\nG41 D1 G1 X10 Y10\nX20\nG4 F2\nG4 F3\nX30\nG4 F1\nG40 X40 Y40\nM30\n",
                 at_origin(Dialect::sinumerik));
-  ASSERT_EQ(p.dwells.size(), 2u) << listing(p);
-  EXPECT_EQ(p.dwells[0].seconds, 5);
-  EXPECT_EQ(p.motions[p.dwells[0].after].line, 6);
-  EXPECT_EQ(p.dwells[1].seconds, 1);
+  ASSERT_EQ(dwells_of(p).size(), 2u) << listing(p);
+  EXPECT_EQ(dwells_of(p)[0].seconds, 5);
+  EXPECT_EQ(p.motions[dwells_of(p)[0].before].line, 6);
+  EXPECT_EQ(dwells_of(p)[1].seconds, 1);
 }
 
 TEST(Dwell, HasALineOfTheTrace) {
   const Program p = read_text("S100 M3 F60\nG1 X10\nG4 F2.5\nX20 RND=1\nG4 F1\nX30\nM30\n",
                               at_origin(Dialect::sinumerik));
-  ASSERT_EQ(p.dwells.size(), 2u);
-  EXPECT_EQ(dwell_text(p, p.dwells[0]), "    3     dwell  2.5 s");
-  EXPECT_EQ(dwell_json(p, p.dwells[1]), R"({"line":5,"kind":"dwell","seconds":1,"tool":""})");
+  ASSERT_EQ(dwells_of(p).size(), 2u);
+  EXPECT_EQ(event_text(p, dwells_of(p)[0]), "    3     dwell  2.5 s");
+  EXPECT_EQ(event_json(p, dwells_of(p)[1]), R"({"line":5,"kind":"dwell","seconds":1,"tool":""})");
 }
 
 TEST(Dwell, AtTheEndOfAHeldBackContourIsNotLost) {

@@ -45,7 +45,7 @@ TEST(HaasCycles, PatternsOfMitsubishi) {
   EXPECT_EQ(haas_path("G0 Z10.\nG34 I10. J0 K4\n"), "r0,0,10 | value-missing") << "no cycle";
   const Program p =
       read_text(start + "G36 X0 Y0 I10. J0 P90. K2\nG80\n", at_origin(Dialect::fanuc));
-  EXPECT_TRUE(p.dwells.empty()) << "P is the pattern's";
+  EXPECT_TRUE(dwells_of(p).empty()) << "P is the pattern's";
 }
 
 TEST(HaasCycles, AloneG70AndG71AreTheUnits) {

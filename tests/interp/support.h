@@ -19,13 +19,13 @@ namespace mrsim {
 class CollectingSink : public MotionSink {
  public:
   void motion(const Motion& m) override { motions.push_back(m); }
-  void dwell(const Dwell& d) override {
-    dwells.push_back(d);
-    dwells.back().after = motions.size();
+  void event(const Event& e) override {
+    events.push_back(e);
+    events.back().before = motions.size();
   }
   void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
   std::vector<Motion> motions;
-  std::vector<Dwell> dwells;
+  std::vector<Event> events;
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -46,9 +46,16 @@ inline Program read_program(const std::string& path, const InterpOptions& option
   CollectingSink sink;
   Program program = interpret(path, options, sink);
   program.motions = std::move(sink.motions);
-  program.dwells = std::move(sink.dwells);
+  program.events = std::move(sink.events);
   program.diagnostics = std::move(sink.diagnostics);
   return program;
+}
+
+inline std::vector<Event> dwells_of(const Program& program) {
+  std::vector<Event> out;
+  for (const Event& event : program.events)
+    if (event.kind == EventKind::dwell) out.push_back(event);
+  return out;
 }
 
 /// Options of a test: everything known, a tool in the spindle, the tool at the origin.

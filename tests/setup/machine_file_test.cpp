@@ -46,6 +46,12 @@ TEST(MachineFile, ReadsThePlacesOfTheMachine) {
 
 TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
+  EXPECT_EQ(code_of("[machine]\nlimits = [1, 2]"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nlimits = { x = 5 }"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nlimits = { x = [1, 2, 3] }"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nlimits = { z = [0, -500] }"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nlimits = { z = [0, 0] }"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nlimits = { a = [0, 90] }"), "machine-key");
   EXPECT_EQ(code_of("[machine]\nkind = \"grinder\""), "machine-value");
   EXPECT_EQ(code_of("[machine]\nkind = 1"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nrapid = 0"), "machine-value");

@@ -21,6 +21,26 @@ Motion rapid(const Vec3& start, const Vec3& end) {
   return m;
 }
 
+Event dwell(std::size_t before, double seconds, int tool) {
+  Event event;
+  event.before = before, event.seconds = seconds, event.tool = tool;
+  return event;
+}
+
+Event spindle(std::size_t before, SpindleTurn turn) {
+  Event event;
+  event.kind = EventKind::spindle;
+  event.before = before, event.turn = turn;
+  return event;
+}
+
+Event path(std::size_t before, PathMode mode) {
+  Event event;
+  event.kind = EventKind::path_mode;
+  event.before = before, event.path = mode;
+  return event;
+}
+
 Program program_of(std::vector<Motion> motions) {
   Program program;
   program.motions = std::move(motions);
@@ -194,7 +214,7 @@ TEST(CycleTime, ToolsAreSummedAndChanged) {
 TEST(CycleTime, DwellsCountAndStopTheTool) {
   Program program =
       program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {100, 0, 0}, 3000)});
-  program.dwells = {{1, 2.5, 0}, {2, 0.5, 0}};
+  program.events = {dwell(1, 2.5, 0), dwell(2, 0.5, 0)};
   const CycleTime t = cycle_time(program, machine());
   EXPECT_NEAR(t.cutting, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
   EXPECT_EQ(t.dwell, 3);
@@ -208,11 +228,76 @@ TEST(CycleTime, DwellsBehindAToolChangeAreThoseOfTheNextTool) {
   Motion a = line({0, 0, 0}, {50, 0, 0}, 3000), way = rapid({50, 0, 0}, {50, 0, 9}), b = a;
   way.tool = -1, b.tool = 1;
   Program program = program_of({a, way, b});
-  program.dwells = {{0, 1, -1}, {1, 2, 0}, {1, 4, -1}, {2, 8, -1}, {3, 16, -1}};
+  program.events = {dwell(0, 1, -1), dwell(1, 2, 0), dwell(1, 4, -1), dwell(2, 8, -1),
+                    dwell(3, 16, -1)};
   const CycleTime t = cycle_time(program, machine());
   EXPECT_EQ(t.dwell, 31);
   for (const ToolTime& tool : t.tools)
     EXPECT_EQ(tool.dwell, tool.tool == 0 ? 3 : tool.tool == 1 ? 12 : 16) << tool.tool;
+}
+
+// Two halves of a line: in one go under G64, with a stop between them under G60, G61.1 and G9.
+TEST(CycleTime, ExactStopsStopAtTheEndOfEachMotion) {
+  Program program =
+      program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {100, 0, 0}, 3000)});
+  const double v = 50, through = 100 / v + v / 1000, stopped = 2 * (50 / v + v / 1000);
+  const auto cutting = [&](std::vector<Event> events) {
+    program.events = std::move(events);
+    return cycle_time(program, machine()).cutting;
+  };
+  EXPECT_NEAR(cutting({path(0, PathMode::exact_stop)}), stopped, 1e-12);
+  EXPECT_NEAR(cutting({path(1, PathMode::exact_once)}), stopped, 1e-12);
+  EXPECT_NEAR(cutting({path(0, PathMode::exact_stop), path(1, PathMode::continuous)}), stopped,
+              1e-12)
+      << "the first motion ran under G60";
+  EXPECT_NEAR(cutting({path(0, PathMode::exact_stop), path(0, PathMode::continuous)}), through,
+              1e-12);
+  EXPECT_NEAR(cutting({path(1, PathMode::exact_stop)}), through, 1e-12)
+      << "the second motion stops at its end, as it does anyway";
+  EXPECT_NEAR(cutting({path(0, PathMode::exact_path)}), through, 1e-12) << "no corner";
+}
+
+TEST(CycleTime, AnExactPathStopsAtCorners) {
+  Program program =
+      program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {50, 50, 0}, 3000)});
+  program.events = {path(0, PathMode::exact_path)};
+  EXPECT_NEAR(cycle_time(program, machine()).cutting, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
+}
+
+// 1000 rev/min at 500 rev/min a second: 2 s from rest, 4 s from one direction into the other.
+TEST(CycleTime, ASpindleThatWasStoppedRunsUpAgain) {
+  Motion a = line({0, 0, 0}, {50, 0, 0}, 3000), b = line({50, 0, 0}, {100, 0, 0}, 3000);
+  a.speed = b.speed = 1000;
+  Program program = program_of({a, b});
+  MachineData slow = machine();
+  slow.spindle_acceleration = 500;
+  const auto seconds = [&](std::vector<Event> events) {
+    program.events = std::move(events);
+    return cycle_time(program, slow).spindle;
+  };
+  using enum SpindleTurn;
+  EXPECT_NEAR(seconds({}), 2, 1e-12) << "a program without a word about it";
+  EXPECT_NEAR(seconds({spindle(0, clockwise)}), 2, 1e-12);
+  EXPECT_NEAR(seconds({spindle(0, clockwise), spindle(1, off), spindle(1, clockwise)}), 4, 1e-12);
+  EXPECT_NEAR(seconds({spindle(0, clockwise), spindle(1, counter_clockwise)}), 6, 1e-12);
+  EXPECT_NEAR(seconds({spindle(0, clockwise), spindle(2, off)}), 2, 1e-12);
+  EXPECT_NEAR(seconds({spindle(0, clockwise), spindle(1, off)}), 2, 1e-12) << "it stands";
+}
+
+TEST(CycleTime, ProgrammedStopsAreCountedAndStopTheTool) {
+  Program program =
+      program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {100, 0, 0}, 3000)});
+  Event stop;
+  stop.kind = EventKind::stop;
+  stop.before = 1;
+  Event perhaps = stop, end = stop;
+  perhaps.stop = StopKind::optional, end.stop = StopKind::end;
+  perhaps.before = end.before = 2;
+  program.events = {stop, perhaps, end};
+  const CycleTime t = cycle_time(program, machine());
+  EXPECT_EQ(t.stops, 1u);
+  EXPECT_EQ(t.optional_stops, 1u);
+  EXPECT_NEAR(t.total, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
 }
 
 TEST(CycleTime, CutsWithoutAFeedAreCounted) {

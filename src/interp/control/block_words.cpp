@@ -12,6 +12,7 @@ void BlockWords::begin() {
       comp_word = pause = nullptr;
   motion = Code::unknown;
   turn_cycle = 0;
+  path_mode.reset();
   suppress_frames = comp_selected = comp_moved = length_changed = false;
   tool_change = stop_after = return_after = loops = home_guessed = false;
 }

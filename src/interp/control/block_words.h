@@ -5,6 +5,7 @@
 #include "core/vec.h"
 #include "interp/text/block.h"
 #include "interp/text/codes.h"
+#include <mrsim/events.h>
 
 #include <algorithm>
 #include <array>
@@ -97,10 +98,11 @@ class BlockWords : public Block {
   bool loops = false;               ///< M99
   const Word* call_word = nullptr;
   const Word* m98 = nullptr;
-  const Word* set_tool = nullptr;  ///< Q of M61 (LinuxCNC): the tool in the spindle
-  const Word* home = nullptr;      ///< M25 of Centroid: Z goes to its reference point
-  bool home_guessed = false;       ///< ... unless M25 is another control's
-  std::vector<Vec3> places;        ///< of Fagor's G60 to G64, in the frame in force
+  const Word* set_tool = nullptr;     ///< Q of M61 (LinuxCNC): the tool in the spindle
+  const Word* home = nullptr;         ///< M25 of Centroid: Z goes to its reference point
+  bool home_guessed = false;          ///< ... unless M25 is another control's
+  std::optional<PathMode> path_mode;  ///< G9 G60 G61 G64
+  std::vector<Vec3> places;           ///< of Fagor's G60 to G64, in the frame in force
 
  private:
   // Epochs make clearing free.

@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kAllBlocks = static_cast<std::size_t>(-1);
+constexpr std::size_t kAllMoves = static_cast<std::size_t>(-1);
 constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
 constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
 
@@ -22,6 +22,7 @@ MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, 
     : ControlPart(control),
       words_(compensation),
       sink_(sink),
+      travel_(control),
       corners_(control.reporter, [this](const PathMove& m) { compensation_.push(m); }),
       compensation_(control.reporter, [this](const PathMove& m) { give(m); }),
       captured_corners_(control.reporter,
@@ -35,32 +36,56 @@ void MotionEmitter::capture(std::vector<Motion>* contour) {
 void MotionEmitter::flush() {
   corners_.flush();
   compensation_.flush();
-  give_dwells(kAllBlocks);
+  give_events(kAllMoves);
+  travel_.finish();
 }
 
 void MotionEmitter::dwell(double seconds) {
-  if (captured_ || !(seconds > 0) || !std::isfinite(seconds)) return;
-  const Dwell dwell{0, seconds, control_.tool.index, block_.file, block_.line_number, block_.call};
-  if (idle_) return sink_.dwell(dwell);
-  if (!dwells_.empty() && !moved_ && dwells_.back().dwell.tool == dwell.tool) {
-    dwells_.back().dwell.seconds += seconds;  // a loop of them takes no memory
+  if (!(seconds > 0) || !std::isfinite(seconds)) return;
+  Event stays;
+  stays.seconds = seconds;
+  event(std::move(stays));
+}
+
+void MotionEmitter::event(Event event) {
+  if (captured_) return;
+  event.tool = control_.tool.index;
+  event.file = block_.file;
+  event.line = block_.line_number;
+  event.call = block_.call;
+  if (idle_) return sink_.event(event);
+  if (!events_.empty() && events_.back().moves == held_moves_ && joins(event, events_.back().event))
     return;
-  }
-  dwells_.push_back({block_.number, dwell});
-  moved_ = false;
+  events_.push_back({held_moves_, std::move(event)});
 }
 
-// A dwell comes before the motions of the blocks behind it.
+void MotionEmitter::change_tool() {
+  const ToolState& tool = control_.tool;
+  if (captured_ || !tool.chosen || (tool_told_ && told_tool_ == tool.current)) return;
+  tool_told_ = true;
+  told_tool_ = tool.current;
+  Event change;
+  change.kind = EventKind::tool_change;
+  change.name = tool.current;
+  event(std::move(change));
+}
+
+// An event comes before the moves that came behind it.
 void MotionEmitter::give(const PathMove& move) {
-  if (!dwells_.empty()) give_dwells(move.block);
-  sink_.motion(move.motion);
+  if (!events_.empty()) give_events(move.order);
+  send(move.motion, move.placed);
 }
 
-void MotionEmitter::give_dwells(std::size_t block) {
+void MotionEmitter::send(const Motion& motion, unsigned placed) {
+  if (placed != 0) travel_.check(motion, placed);
+  sink_.motion(motion);
+}
+
+void MotionEmitter::give_events(std::size_t order) {
   std::size_t given = 0;
-  for (; given < dwells_.size() && dwells_[given].block < block; ++given)
-    sink_.dwell(dwells_[given].dwell);
-  dwells_.erase(dwells_.begin(), dwells_.begin() + static_cast<std::ptrdiff_t>(given));
+  for (; given < events_.size() && events_[given].moves < order; ++given)
+    sink_.event(events_[given].event);
+  events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(given));
 }
 
 void MotionEmitter::emit(const Motion& motion) {
@@ -79,6 +104,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     path.block = block_.number;
     return captured_corners_.push(path);
   }
+  change_tool();
   if (lathe()) turn_to_plus(motion);
   if (motion.kind != MotionKind::rapid) {
     note_zero();
@@ -103,18 +129,20 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
                 *word);
     return;
   }
+  const unsigned placed = travel_.axes(motion);
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
-  if (plain && idle_) return sink_.motion(motion);
+  if (plain && idle_) return send(motion, placed);
   PathMove path;
   path.motion = motion;
   path.basis = stock_basis();
   path.corner = corner;
   path.comp = words_.for_move();
   path.block = block_.number;
-  moved_ = true;
+  path.placed = placed;
+  path.order = ++held_moves_;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
-  if (idle_) give_dwells(kAllBlocks);
+  if (idle_) give_events(kAllMoves);
 }
 
 // An insert that works at X below 0, beyond the axis as seen from the others, points to +X. Turned

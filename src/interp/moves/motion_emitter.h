@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/motion_sink.h"
+#include "interp/moves/travel_check.h"
 #include "interp/path/compensation.h"
 #include "interp/tools/compensation_words.h"
 
@@ -17,8 +18,13 @@ class MotionEmitter : public ControlPart {
   /// Gives a move on, with the corner words of its block.
   void emit(const Motion& motion);
   void emit(Motion motion, const CornerSpec& corner);
-  /// The tool stays behind the motions so far, those of contours excepted.
+  /// The control does something behind the motions so far; in contours of cycles nothing. Place
+  /// and tool are those of the block.
+  void event(Event event);
+  /// The tool stays for `seconds`, where these are above 0.
   void dwell(double seconds);
+  /// The event of another tool in the spindle, once it is there.
+  void change_tool();
   /// RND CHF CHR of the block, else RNDM.
   CornerSpec corner_spec();
   /// What is held back goes out: the program ends.
@@ -42,23 +48,27 @@ class MotionEmitter : public ControlPart {
   void refuse_live_tool(const Motion& motion);
   void warn_unknown_start(const Motion& motion);
   void give(const PathMove& move);
-  void give_dwells(std::size_t block);
+  void give_events(std::size_t order);
+  void send(const Motion& motion, unsigned placed);
   void turned_corner(const Word*& round, const Word*& leg);
 
   CompensationWords& words_;
   MotionSink& sink_;
+  TravelCheck travel_;
   CornerStage corners_;
   CompensationStage compensation_;
   std::vector<Motion>* captured_ = nullptr;
   double farthest_cut_ = 0;
   CornerStage captured_corners_;
-  /// A dwell behind motions that are held back.
-  struct HeldDwell {
-    std::size_t block = 0;
-    Dwell dwell;
+  /// An event behind the first `moves` of those that were held back.
+  struct HeldEvent {
+    std::size_t moves = 0;
+    Event event;
   };
-  std::vector<HeldDwell> dwells_;
-  bool moved_ = false;  ///< since the last of them
+  std::vector<HeldEvent> events_;
+  std::size_t held_moves_ = 0;
+  bool tool_told_ = false;
+  std::string told_tool_;
   bool idle_ = true;
   double last_length_ = 0;
   bool bored_ = false;  ///< the last motion fed along the axis of a lathe

@@ -37,6 +37,8 @@ struct PathMove {
   CornerSpec corner;
   Compensation comp;
   std::size_t block = 0;  ///< running number of its block
+  unsigned placed = 0;    ///< axes that travel limits are checked in, a bit each
+  std::size_t order = 0;  ///< running number among the moves that were held back
 };
 
 using NextStage = std::function<void(const PathMove&)>;

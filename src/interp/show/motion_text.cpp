@@ -34,11 +34,12 @@ std::string calls_text(const Program& program, int call) {
   return out + "]";
 }
 
+}  // namespace
+
 std::string tool_of(const Program& program, int tool) {
   return tool < 0 ? "" : program.tools[static_cast<std::size_t>(tool)].id;
 }
 
-// Of a motion or a dwell in a subprogram; else nothing.
 std::string called_json(const Program& program, int file, int call) {
   if (call < 0) return "";
   return fmt::format(",\"file\":{},\"called_from\":{}",
@@ -53,8 +54,6 @@ std::string called_text(const Program& program, int file, int call) {
     out += fmt::format(", called from line {}", program.calls[static_cast<std::size_t>(i)].line);
   return out;
 }
-
-}  // namespace
 
 std::string number_text(double value) {
   if (!std::isfinite(value)) return "null";
@@ -143,19 +142,6 @@ std::string motion_text(const Program& program, const Motion& motion) {
     out += fmt::format("  F {} {}", number_text(motion.feed), unit_name(motion.feed_unit));
   if (motion.assumed_start) out += "  (start assumed)";
   return out + called_text(program, motion.file, motion.call);
-}
-
-std::string dwell_json(const Program& program, const Dwell& dwell) {
-  std::string out = fmt::format("{{\"line\":{},\"kind\":\"dwell\",\"seconds\":{}", dwell.line,
-                                number_text(dwell.seconds));
-  if (dwell.tool >= 0) out += ",\"tool\":" + json_string(tool_of(program, dwell.tool));
-  return out + called_json(program, dwell.file, dwell.call) + "}";
-}
-
-std::string dwell_text(const Program& program, const Dwell& dwell) {
-  std::string out = fmt::format("{:>5}     dwell  {} s", dwell.line, number_text(dwell.seconds));
-  if (const std::string tool = tool_of(program, dwell.tool); !tool.empty()) out += "  T" + tool;
-  return out + called_text(program, dwell.file, dwell.call);
 }
 
 }  // namespace mrsim

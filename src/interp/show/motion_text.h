@@ -12,9 +12,15 @@ namespace mrsim {
 /// never -0.
 std::string number_text(double value);
 
-/// A dwell as a line of the trace, as JSON and for people.
-std::string dwell_json(const Program& program, const Dwell& dwell);
-std::string dwell_text(const Program& program, const Dwell& dwell);
+/// An event as a line of the trace, as JSON and for people.
+std::string event_json(const Program& program, const Event& event);
+std::string event_text(const Program& program, const Event& event);
+
+/// The tool's id; of -1 nothing.
+std::string tool_of(const Program& program, int tool);
+/// File and calls of what stands in a subprogram, as JSON and for people; else nothing.
+std::string called_json(const Program& program, int file, int call);
+std::string called_text(const Program& program, int file, int call);
 
 /// "[x,y,z]"
 std::string vector_text(const Vec3& v);

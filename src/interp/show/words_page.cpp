@@ -1,8 +1,10 @@
 #include "interp/show/words_page.h"
 
 #include "interp/text/codes.h"
+#include "interp/text/m_codes.h"
 
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,6 +29,10 @@ Reading reading(Code code) {
       return Reading::unknown;
     case Code::ignored:
     case Code::ignored_words:
+    case Code::path_continuous:
+    case Code::path_exact:
+    case Code::path_stops:
+    case Code::path_stops_once:
     case Code::high_speed:
     case Code::header:
     case Code::diameter_cycles_off:
@@ -92,6 +98,41 @@ std::string names() {
   return titled(lists);
 }
 
+struct Controls {
+  const char* name;
+  Dialect dialect;
+  MachineKind machine;
+};
+constexpr Controls kControls[] = {{"SINUMERIK", Dialect::sinumerik, MachineKind::mill},
+                                  {"SINUMERIK, lathe", Dialect::sinumerik, MachineKind::lathe},
+                                  {"FANUC", Dialect::fanuc, MachineKind::mill},
+                                  {"FANUC, lathe", Dialect::fanuc, MachineKind::lathe},
+                                  {"ISO", Dialect::iso, MachineKind::mill},
+                                  {"CODESYS", Dialect::codesys, MachineKind::mill},
+                                  {"LinuxCNC", Dialect::ngc, MachineKind::mill}};
+
+// Each word with what it does, and on which controls where not on all of them.
+std::string m_words() {
+  std::string out = "\n| word | event | controls |\n|---|---|---|\n";
+  for (int number = 0; number < 100; ++number) {
+    std::string_view what;
+    std::string who;
+    std::size_t count = 0;
+    for (const Controls& control : kControls) {
+      const std::string_view text =
+          m_code_text(find_m_code(control.dialect, control.machine, number));
+      if (text.empty()) continue;
+      what = text;
+      who += fmt::format("{}{}", who.empty() ? "" : "; ", control.name);
+      ++count;
+    }
+    if (count > 0)
+      out += fmt::format("| M{} | {} | {} |\n", number, what,
+                         count == std::size(kControls) ? "all" : who);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string words_page() {
@@ -103,6 +144,7 @@ std::string words_page() {
   page += "\n## ISO\n" + g_words(Dialect::iso, mill);
   page += "\n## CODESYS\n" + g_words(Dialect::codesys, mill);
   page += "\n## LinuxCNC\n" + g_words(Dialect::ngc, mill);
+  page += "\n## M words that are events\n" + m_words();
   return page;
 }
 

@@ -1,10 +1,9 @@
 #include "interp/statements/program_flow.h"
 
 #include "core/text_io.h"
+#include "interp/text/m_codes.h"
 #include "interp/text/sinumerik_words.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,10 +11,6 @@
 namespace mrsim {
 namespace {
 
-// M words that control spindle, coolant, chuck and the like: no geometry, no note.
-constexpr std::array<int, 34> kKnownM = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
-                                         13, 14, 17, 19, 29, 30, 36, 37, 38, 40, 41, 42,
-                                         43, 44, 45, 46, 48, 49, 70, 98, 99, 97};
 constexpr int kMostM = 5;  // in a block of SINUMERIK
 
 }  // namespace
@@ -141,7 +136,7 @@ bool ProgramFlow::m_word(const Word& word) {
   if (m == 97 || m == 98 || external) return call_word(word, m);
   if (m == 25 && z_home(word)) return true;
   if (m >= 52 && m <= 54 && okuma_return(m)) return true;
-  if (std::find(kKnownM.begin(), kKnownM.end(), m) == kKnownM.end())
+  if (find_m_code(control_.dialect, program_.machine, m) == MCode::unknown)
     note_once("m-unknown",
               fmt::format("M{} is not known: taken to be without effect on the part", m), word,
               fmt::format("M{}", m));

@@ -15,21 +15,25 @@ namespace mrsim {
 /// The meaning of a function word, the same for all dialects.
 enum class Code : std::uint8_t {
   unknown,
-  ignored,         ///< known, without effect on geometry
-  ignored_words,   ///< the same, and so are the other words of its block
-  high_speed,      ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
-  unsupported,     ///< known, not read yet: an error
-  statement,       ///< read before the others, by the language or IsoWords
-  turn_pass,       ///< G90 G92 G94 of a lathe: modal, one pass a block
-  turn_cycle,      ///< G70 to G76 of a lathe
-  drill_cycle,     ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
-  cycle_off,       ///< G80
-  circle_pocket,   ///< G12 G13 of Haas
-  contour_pocket,  ///< G150 of Haas
-  engrave,         ///< G47 P of Haas
-  hole_pattern,    ///< G70 G71 G72 of Haas; G70 and G71 alone are the units; G34 to G37.1
-  return_initial,  ///< G98: cycles return to the level before them
-  return_r,        ///< G99: ... to R
+  ignored,          ///< known, without effect on geometry
+  path_continuous,  ///< the same, but the control's mode at corners: an event
+  path_exact,       ///< ... G61 of LinuxCNC
+  path_stops,       ///< ... G60 G61
+  path_stops_once,  ///< ... G9
+  ignored_words,    ///< the same, and so are the other words of its block
+  high_speed,       ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
+  unsupported,      ///< known, not read yet: an error
+  statement,        ///< read before the others, by the language or IsoWords
+  turn_pass,        ///< G90 G92 G94 of a lathe: modal, one pass a block
+  turn_cycle,       ///< G70 to G76 of a lathe
+  drill_cycle,      ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
+  cycle_off,        ///< G80
+  circle_pocket,    ///< G12 G13 of Haas
+  contour_pocket,   ///< G150 of Haas
+  engrave,          ///< G47 P of Haas
+  hole_pattern,     ///< G70 G71 G72 of Haas; G70 and G71 alone are the units; G34 to G37.1
+  return_initial,   ///< G98: cycles return to the level before them
+  return_r,         ///< G99: ... to R
   rapid,
   line,
   arc_cw,

@@ -129,7 +129,19 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
         control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
       return true;
     case Code::ignored:
-      return is(Dialect::sinumerik) || path_control(word);
+      return true;
+    case Code::path_continuous:
+      block_.path_mode = PathMode::continuous;
+      return path_control(word);
+    case Code::path_exact:
+      block_.path_mode = PathMode::exact_path;
+      return path_control(word);
+    case Code::path_stops:
+      block_.path_mode = PathMode::exact_stop;
+      return path_control(word);
+    case Code::path_stops_once:
+      block_.path_mode = PathMode::exact_once;
+      return true;
     case Code::ignored_words:
       for (const Word& other : block_.words)
         if (other.address != letter('G') && other.address != letter('M')) take(other.address);
@@ -185,7 +197,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
 
 // G64 P Q of Mach and LinuxCNC; R belongs to it where no motion of the block can use it.
 bool ModalWords::path_control(const Word& word) {
-  if (word.value != 61 && word.value != 64) return true;
+  if (is(Dialect::sinumerik) || (word.value != 61 && word.value != 64)) return true;
   if (word.value == 64)
     for (const char c : {'P', 'Q'}) take(c);
   const Word* r = is(Dialect::ngc) ? peek('R') : nullptr;
