@@ -58,12 +58,15 @@ double width_of(const Tool& tool) {
   return width;
 }
 
+double plan_length(const Motion& m) {
+  const Vec3 way = m.end - m.start;
+  return m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
+                                   : std::sqrt(way.x * way.x + way.y * way.y);
+}
+
 // mm^2 in plan that the cutter passes over in all pieces.
 double swept_area(const Motion& m, const Tool& tool, double voxel, const PieceRule& rule) {
-  const Vec3 way = m.end - m.start;
-  const double length = m.kind == MotionKind::arc ? std::fabs(m.sweep) * m.radius
-                                                  : std::sqrt(way.x * way.x + way.y * way.y);
-  return width_of(tool) * (length + pieces_of(m, tool, voxel, rule) * width_of(tool));
+  return width_of(tool) * (plan_length(m) + pieces_of(m, tool, voxel, rule) * width_of(tool));
 }
 
 // How many columns or sweeps each of a tool counts as where they leave heights.
@@ -196,20 +199,26 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
   return std::max({usual, coarser, voxel});
 }
 
+// Where cutters with slow bottoms pass, each place of the stock costs more; where nothing passes,
+// as between holes, nothing.
 double summary_column(const StockShape& shape, const CutList& cuts) {
   const Vec3 size = shape.box.hi - shape.box.lo;
-  const double count = static_cast<double>(cuts.motions().size());
-  const double least = std::sqrt(size.x * size.y / (kHeightColumns + kHeightColumnsPerCut * count));
-  double area = 0, swept = 0, searched = 0;  // mm^2
+  const double count = static_cast<double>(cuts.motions().size()), plan = size.x * size.y;
+  const double columns = kHeightColumns + kHeightColumnsPerCut * count;
+  const double least = std::sqrt(plan / columns);
+  double area = 0, slow = 0, swept = 0, searched = 0;  // mm^2
   for (const Motion& motion : cuts.motions()) {
     if (!is_cut(motion) || motion.tool < 0) continue;
     const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
     const double own = swept_area(motion, tool, least, kHeightPieces);
-    area += own;
+    const double whole = width_of(tool) * (plan_length(motion) + width_of(tool));
+    area += whole;
+    slow += (bottoms_of(tool) - 1) * whole;
     swept += bottoms_of(tool) * own;
     searched += searches_of(motion, cuts.tools()) * own;
   }
-  const double usual = area > 0 ? least * std::sqrt(swept / area) : least;
+  const double share = area > plan ? plan / area : 1;  // what passes again costs nothing new
+  const double usual = std::sqrt((plan + share * slow) / columns);
   return std::max({usual, std::sqrt(swept / (kColumnsSwept + kColumnsSweptPerCut * count)),
                    std::sqrt(searched / (kSearches + kSearchesPerCut * count))});
 }
