@@ -86,7 +86,7 @@ FACADE_PARTS = {"src/interp/show/motion_text.h", "src/interp/show/path_picture.h
 THIRD_PARTY = {
     "openvdb/": r"src/removal/vdb/.*|tests/(removal|mesh|reference)/.*|bench/mesh_bench\.cpp",
     "CGAL/": r"src/mesh/solid/(solid_repair|wrap)\.cpp|tests/.*|bench/compare_bench\.cpp",
-    "OpenMesh/": r"src/mesh/reduce/reduce\.cpp|tests/.*",
+    "OpenMesh/": r"src/mesh/reduce/decimation\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "embree3/": r"src/(mesh/draw|compare)/[^/]*\.cpp",

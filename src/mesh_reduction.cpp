@@ -1,8 +1,8 @@
 #include "mesh_reduction.h"
 
+#include "compare/hausdorff.h"
 #include "core/error.h"
 #include "mesh/reduce/reduce.h"
-#include <mrsim/compare.h>
 
 #include <utility>
 
@@ -11,17 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kSamples = 50000;  // of each mesh, where the search for the distance starts
-
-MeshReduction measure(const TriMesh& before, const TriMesh& after, const Job& job) {
-  CompareOptions options;
-  options.samples = kSamples;
-  options.hints = false;
-  options.threads = job.mesh.threads;
-  options.progress = job.mesh.progress;
-  const HausdorffBound found = compare(after, before, options).hausdorff;
-  return {before.triangles.size(), found.lower, found.upper, found.place};
-}
+constexpr DistanceError kError{1e-4, 0.01};
 
 }  // namespace
 
@@ -36,7 +26,8 @@ bool reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& out
                 fmt::format("--max-triangles {}: no mesh of so few triangles was found that does "
                             "not cross itself; {} are possible",
                             job.max_triangles, after.triangles.size()));
-  result.reduction = measure(before, after, job);
+  const HausdorffBound apart = surface_distance(after, before, kError, job.mesh.threads);
+  result.reduction = {before.triangles.size(), apart.lower, apart.upper, apart.place};
   part.replace(std::move(after));
   outputs.replace_mesh();
   return true;

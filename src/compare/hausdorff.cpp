@@ -246,6 +246,41 @@ class Search {
   int threads_;
 };
 
+// From one mesh to the other, with a distance to start from: the largest at some of its corners and
+// middles.
+class DirectedWay {
+ public:
+  DirectedWay(const TriMesh& from, const TriMesh& to, int threads)
+      : from_(from), surface_(to, threads), patches_(to, surface_, threads) {
+    const std::size_t step = std::max<std::size_t>(1, from.triangles.size() / kStarts);
+    const std::size_t n = (from.triangles.size() + step - 1) / step;
+    std::vector<std::pair<double, Vec3>> found(n);
+    parallel_for(n, threads, [&](std::size_t i) {
+      const std::size_t f = i * step;
+      const Vec3 p = corner(from, f, 0), q = corner(from, f, 1), r = corner(from, f, 2);
+      for (const Vec3& at : {p, (1.0 / 3) * (p + q + r), 0.5 * (p + q)}) {
+        const double d = std::sqrt(surface_.tree().nearest(at).distance2);
+        if (d >= found[i].first) found[i] = {d, at};
+      }
+    });
+    for (const auto& [d, at] : found)
+      if (d >= known_) known_ = d, place_ = at;
+  }
+  double known() const { return known_; }
+  HausdorffBound search(double error, int threads) const {
+    return directed_hausdorff(from_, surface_, patches_, known_, place_, error, kHausdorffPieces,
+                              threads);
+  }
+
+ private:
+  static constexpr std::size_t kStarts = 20'000;
+  const TriMesh& from_;
+  NominalSurface surface_;
+  FlatPatches patches_;
+  double known_ = 0;
+  Vec3 place_;
+};
+
 }  // namespace
 
 HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
@@ -257,15 +292,14 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
   return Search(to, patches, {known, known, place}, error, threads).run(std::move(pieces), budget);
 }
 
-HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, double error, int threads) {
+HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, const DistanceError& error,
+                                int threads) {
+  const DirectedWay ways[2] = {{a, b, threads}, {b, a, threads}};
+  const double known = std::max(ways[0].known(), ways[1].known());
+  const double enough = std::max(error.least, error.share * known);
   HausdorffBound out;
-  for (const auto& [from, to] : {std::pair(&a, &b), {&b, &a}}) {
-    const NominalSurface surface(*to, threads);
-    const FlatPatches patches(*to, surface, threads);
-    const Vec3 first = corner(*from, 0, 0);
-    const double known = std::abs(surface.at(first).distance);
-    const HausdorffBound one =
-        directed_hausdorff(*from, surface, patches, known, first, error, kHausdorffPieces, threads);
+  for (const DirectedWay& way : ways) {
+    const HausdorffBound one = way.search(enough, threads);
     if (one.lower >= out.lower) out.lower = one.lower, out.place = one.place;
     out.upper = std::max(out.upper, one.upper);
   }

@@ -26,7 +26,13 @@ HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
 
 inline constexpr std::size_t kHausdorffPieces = 300'000;
 
+/// How close a bound is searched: to `least` mm, or to `share` of the distance where that is more.
+struct DistanceError {
+  double least = 0, share = 0;
+};
+
 /// The larger of both directed distances of two surfaces, of which either may be open.
-HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, double error, int threads);
+HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, const DistanceError& error,
+                                int threads);
 
 }  // namespace mrsim
