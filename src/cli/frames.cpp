@@ -91,6 +91,14 @@ std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std
     check_writable(path);
     outputs.push_back({path, "-o"});
   }
+  const CompareRequest& more = arguments.compare;
+  for (const NamedPath& side : {NamedPath{more.report, "--report"},
+                                {more.json, "--json"},
+                                {more.junit, "--junit"},
+                                {more.deviation, "--deviation"},
+                                {arguments.history == "off" ? "" : arguments.history, "--history"},
+                                {arguments.rest, "--rest"}})
+    if (!side.path.empty()) outputs.push_back(side);
   inputs.push_back({arguments.input, "the program"});
   inputs.push_back({arguments.stock, "the stock"});
   refuse_overwrites(outputs, inputs);

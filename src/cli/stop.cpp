@@ -1,6 +1,7 @@
 #include "cli/stop.h"
 
 #include "cli/temporary_place.h"
+#include "core/memory_limit.h"
 
 #include <atomic>
 #include <csignal>
@@ -15,9 +16,15 @@
 namespace mrsim::cli {
 namespace {
 
-// ns in which the run may end in order, then say its last words; what is left of the second goes to
-// the system, which takes the memory back.
-constexpr long kGrace = 400'000'000, kWords = 100'000'000;
+// ns in which the run may end in order, then say its last words, which wait for the disk. What is
+// left of the second goes to the system, which takes the memory back: 0.1 s for each GB on an idle
+// machine. So a large run, whose way out in order is as long, has less.
+constexpr long kGrace = 200'000'000, kWords = 300'000'000;
+
+timespec grace() {
+  const double gigabytes = static_cast<double>(peak_memory()) / 1e9;
+  return {0, static_cast<long>(static_cast<double>(kGrace) / (1 + gigabytes))};
+}
 
 std::atomic<int> stopped = 0;
 std::atomic<bool> is_written = false;
@@ -45,16 +52,16 @@ void wait_for_signals() {
   }
   const int code = 128 + signal;
   stopped = code;
-  const timespec grace{0, kGrace};
-  if (::sigtimedwait(&set, nullptr, &grace) > 0) end_now(code);
+  const timespec in_order = grace();
+  if (::sigtimedwait(&set, nullptr, &in_order) > 0) end_now(code);
   // The words are said beside this thread, so that they cannot hold up the end.
   std::thread([code] {
     const std::lock_guard<std::mutex> lock(words_mutex);
     if (last_words) last_words(code);
     end_now(code);
   }).detach();
-  const timespec little{0, kWords};
-  ::sigtimedwait(&set, nullptr, &little);
+  const timespec for_words{0, kWords};
+  ::sigtimedwait(&set, nullptr, &for_words);
   end_now(code);
 }
 

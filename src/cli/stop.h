@@ -6,7 +6,7 @@
 namespace mrsim::cli {
 
 /// Takes SIGINT and SIGTERM from now on. Once one has come, stop_code() tells it; a run that has
-/// not ended within 0.4 s, or a second signal, ends the process with that code. Nothing is lost by
+/// not ended within 0.2 s, or a second signal, ends the process with that code. Nothing is lost by
 /// that: drafts have no names, and what is just being published is settled by the next run. Call it
 /// before the process has other threads.
 void watch_signals();

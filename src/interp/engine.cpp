@@ -83,12 +83,36 @@ void Engine::run() {
     reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
                           "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");
+  tell_unused_options();
   stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut());
   reporter_.finish();
 }
 
+// What was asked for and met nothing: a slip of the finger, or the wrong program.
+void Engine::tell_unused_options() {
+  if (statements_) statements_->tell_unread_presets();
+  std::string levels;
+  for (int level = 0; level < 10; ++level)
+    if ((options_.block_skip & ~skip_levels_) >> level & 1U)
+      levels += fmt::format("{}{}", levels.empty() ? "" : ",", level);
+  if (!levels.empty())
+    reporter_.add_general(
+        Severity::note, "block-skip-unused",
+        fmt::format("--block-skip {} does nothing: no block that was read has that level", levels));
+  // The tool's radius is what counts without the option, too.
+  const bool differs = options_.comp == CompRadius::wear || options_.comp == CompRadius::off;
+  if (differs && !compensation_.asked_option())
+    reporter_.add_general(
+        Severity::note, "comp-unused",
+        compensation_.was_on()
+            ? "--comp does nothing: what D names tells the radius of each G41 and G42"
+            : "--comp does nothing: the program has no G41 or G42 that counts");
+}
+
 void Engine::execute() {
   BlockWords& block = control_.block;
+  for (const int level : {block.skip_level, block.inner_skip})
+    if (level >= 0) skip_levels_ |= 1U << level;
   if (block.skip_level >= 0 && (options_.block_skip >> block.skip_level & 1U) != 0) return;
   block.begin();
   if (control_.unread_end != 0 && UnreadModes(control_).skips_iso_mode()) return;

@@ -32,6 +32,7 @@ class Engine {
 
  private:
   void execute();
+  void tell_unused_options();
   bool interpret_block();
   bool run_move();
   bool run_turning();
@@ -67,7 +68,8 @@ class Engine {
   LinuxCncTurning profiles_;
   CommentedStock stock_;
   std::size_t executed_ = 0;
-  bool moved_ = false;  ///< the block had a motion
+  unsigned skip_levels_ = 0;  ///< of blocks that were read, a bit each
+  bool moved_ = false;        ///< the block had a motion
 };
 
 }  // namespace mrsim

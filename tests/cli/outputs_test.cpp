@@ -102,6 +102,8 @@ TEST_F(OutputFiles, OfPicturesAndFramesReplaceNoInput) {
   expect_refused("render " + main + "--frames 2 --voxel 5 -o sub.png", "sub-1.png", "SUB.SPF");
   expect_refused("render " + std::string(kCut) + "--frames 2 -o f.png", "f-1.png", "the stock");
   expect_refused(std::string(kCut) + "--frames 2 -o f.stl", "f-1.stl", "the stock");
+  for (const char* side : {"--json", "--junit", "--report", "--history"})
+    expect_refused(std::string(kCut) + "--frames 2 -o g.stl " + side + " g-1.stl", "g-1.stl", side);
   EXPECT_EQ(read("tools.toml"), tools);
   EXPECT_EQ(read("SUB.SPF"), sub);
   EXPECT_EQ(read("block.stl"), stock);

@@ -59,11 +59,6 @@ double folded(VariableForm form, double number) {
   return number;
 }
 
-bool is_system(VariableForm form, double number) {
-  if (form == VariableForm::linuxcnc) return number >= kLinuxcncSystem && number < kLinuxcncLast;
-  return form == VariableForm::fanuc && number >= kFanucLast && folded(form, number) == number;
-}
-
 // The numbers between those of the control, in a sentence; empty: there are none, or `n` is not
 // among them.
 const char* gap(VariableForm form, std::size_t n) {
@@ -81,6 +76,13 @@ Variables::Variables(VariableForm form) : form_(form) {
   common_.resize(form == VariableForm::sinumerik ? 300U : static_cast<std::size_t>(count_of(form)));
   levels_.push_back(std::make_unique<Level>());
 }
+
+bool Variables::is_system(double number) const {
+  if (form_ == VariableForm::linuxcnc) return number >= kLinuxcncSystem && number < kLinuxcncLast;
+  return form_ == VariableForm::fanuc && number >= kFanucLast && folded(form_, number) == number;
+}
+
+bool Variables::is_local(double number) const { return number <= locals_of(form_); }
 
 void Variables::enter_level() {
   levels_.push_back(std::make_unique<Level>());
@@ -105,7 +107,7 @@ Variables::Cell* Variables::cell(double number, std::string& why) {
     return nullptr;
   }
   const auto n = static_cast<std::size_t>(index);
-  if (static_cast<int>(n) <= locals_of(form_)) return &levels_.back()->cells[n];
+  if (is_local(index)) return &levels_.back()->cells[n];
   if (const std::string_view there = gap(form_, n); !there.empty()) {
     why =
         fmt::format("{} is no variable of this control: there are {}", shown(form_, number), there);
@@ -131,7 +133,7 @@ void Variables::answer(const Cell& cell, double number, Value& out) const {
 }
 
 bool Variables::numbered(double number, Value& out, std::string& why) {
-  if (is_system(form_, number)) {
+  if (is_system(number)) {
     if (system_) return system_->read(number, out, why);
     why = fmt::format("the system variable {} is not answered here", shown(form_, number));
     return false;
@@ -142,12 +144,13 @@ bool Variables::numbered(double number, Value& out, std::string& why) {
   }
   const Cell* const at = cell(number, why);
   if (!at) return false;
+  if (!unread_.empty()) note_read(number);
   answer(*at, number, out);
   return true;
 }
 
 bool Variables::assign(double number, const Value& value, std::string& why) {
-  if (is_system(form_, number)) {
+  if (is_system(number)) {
     if (system_) return system_->write(number, value, why);
     why = fmt::format("the system variable {} cannot be set here", shown(form_, number));
     return false;
@@ -158,6 +161,7 @@ bool Variables::assign(double number, const Value& value, std::string& why) {
   }
   Cell* const at = cell(number, why);
   if (!at) return false;
+  if (!unread_.empty()) note_replaced(number);
   switch (value.kind) {
     case Value::Kind::number:
       *at = {value.number, State::number};
@@ -194,12 +198,16 @@ Variables::Array* Variables::find(std::string_view name) {
 }
 
 bool Variables::exists(std::string_view name) {
-  return !name.empty() && (find(name) || (system_ && system_->knows(name)));
+  if (name.empty()) return false;
+  const Array* const variable = find(name);
+  if (variable) note_read(-1, variable);
+  return variable || (system_ && system_->knows(name));
 }
 
 bool Variables::named(std::string_view name, std::span<const Value> indices, Value& out,
                       std::string& why) {
   if (Array* const variable = find(name)) {
+    note_read(-1, variable);
     return read_element(name, *variable, indices, out, why);
   }
   const bool plc = form_ == VariableForm::codesys;
@@ -252,6 +260,7 @@ bool Variables::assign(std::string_view name, std::span<const Value> indices, co
                       plc ? ": LET it first" : " (alarm 12550): DEF it first");
     return false;
   }
+  note_replaced(-1, variable);
   return write_element(name, *variable, indices, value, why);
 }
 
@@ -259,35 +268,6 @@ bool Variables::is_common(std::string_view name) {
   const std::size_t digits = name.size() > 1 && upper(name[1]) == 'C' ? 2 : 1;
   return name.size() > digits && upper(name[0]) == 'V' &&
          name.find_first_not_of("0123456789", digits) == name.npos;
-}
-
-bool Variables::preset(std::string_view name, const Value& value, std::string& why) {
-  if (name.empty()) return false;
-  if (form_ == VariableForm::fanuc && is_common(name))
-    return define(name, VariableType::real, {}, true, why) && assign(name, {}, value, why);
-  const bool hash = name.starts_with('#');
-  const bool numbers = form_ == VariableForm::linuxcnc || form_ == VariableForm::fanuc;
-  const std::string_view rest = name.substr(hash ? 1 : 0);
-  const bool r = !hash && form_ == VariableForm::sinumerik && name.size() > 1 &&
-                 upper(name[0]) == 'R' &&
-                 name.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  const auto number = parse_number(r ? name.substr(1) : rest);
-  why = fmt::format("{} is not a variable of this control", to_utf8(name.substr(0, 60)));
-  if (r || (hash && number && numbers)) return assign(*number, value, why);
-  if (form_ == VariableForm::fagor && upper(name[0]) == 'P')
-    if (const auto parameter = parse_number(name.substr(1)); parameter)
-      return assign(*parameter, value, why);
-  if (form_ == VariableForm::codesys)
-    return name.size() > 2 && name.front() == '$' && name.find('$', 1) == name.size() - 1 &&
-           assign(name, {}, value, why);
-  if (hash && form_ == VariableForm::linuxcnc && rest.size() > 2 && rest.front() == '<' &&
-      rest.back() == '>')
-    return assign(rest.substr(1, rest.size() - 2), {}, value, why);
-  if (hash || form_ != VariableForm::sinumerik || number) return false;
-  for (const char c : name)
-    if (!is_name(c)) return false;
-  const auto type = value.kind == Value::Kind::text ? VariableType::text : VariableType::real;
-  return define(name, type, {}, true, why) && assign(name, {}, value, why);
 }
 
 }  // namespace mrsim

@@ -83,6 +83,14 @@ class Variables : public VariableReader {
   /// A variable from outside: "R1", "#100", "#<_name>", "NAME". False: not a variable of this
   /// control.
   bool preset(std::string_view name, const Value& value, std::string& why);
+  /// One from outside that the program has not read. Those of the control's state are not watched.
+  struct Unread {
+    std::string given;  ///< its name as it came
+    double number = -1;
+    const Array* named = nullptr;  ///< instead of a number
+    bool is_replaced = false;      ///< the program has set it
+  };
+  const std::vector<Unread>& unread() const { return unread_; }
 
   /// A call begins or ends: its locals. `arguments`: bit n = local n is given, else it is vacant.
   void enter_level();
@@ -117,6 +125,14 @@ class Variables : public VariableReader {
                std::size_t& at, std::string& why) const;
   bool store(Array& variable, std::size_t at, const Value& value, std::string& why) const;
   std::string key(std::string_view name) const;
+  bool is_system(double number) const;
+  bool is_local(double number) const;
+  bool preset_number(std::string_view given, double number, const Value& value, std::string& why);
+  bool preset_name(std::string_view given, std::string_view name, const Value& value,
+                   std::string& why);
+  bool is_meant(const Unread& one, double number, const Array* named) const;
+  void note_read(double number, const Array* named = nullptr);
+  void note_replaced(double number, const Array* named = nullptr);
 
   VariableForm form_;
   SystemVariables* system_ = nullptr;
@@ -124,6 +140,7 @@ class Variables : public VariableReader {
   std::vector<Cell> common_;
   Names globals_;
   std::size_t elements_ = 0;
+  std::vector<Unread> unread_;
 };
 
 }  // namespace mrsim

@@ -59,6 +59,16 @@ Statements::Statements(Control& control, BlockReader& reader, const ExpressionRu
   }
 }
 
+void Statements::tell_unread_presets() {
+  std::string names;
+  for (const Variables::Unread& one : variables_.unread())
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", to_utf8(one.given),
+                         one.is_replaced ? "set before it is read" : "never read");
+  if (!names.empty())
+    reporter_.add_general(Severity::note, "set-unused",
+                          fmt::format("--set does nothing to this program for {}", names));
+}
+
 bool Statements::fail(const char* code, const std::string& text, std::size_t from, std::size_t to) {
   reporter_.add(Severity::error, code, text, static_cast<int>(from),
                 static_cast<int>(to > from ? to - from : 1));

@@ -62,6 +62,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool jump_to_number(const Word& word, bool from_main);
   /// M97 P: calls from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
+  /// At the end of the program: values from outside that it has not read.
+  void tell_unread_presets();
   /// Where blocks, labels and programs are.
   ProgramPlaces& places() { return places_; }
 

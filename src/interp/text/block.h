@@ -75,6 +75,7 @@ struct Block {
   static constexpr std::size_t kNoStatement = static_cast<std::size_t>(-1);
   std::size_t statement = kNoStatement;  ///< where a statement of the control's language begins
   int skip_level = -1;                   ///< -1 = no "/"
+  int inner_skip = -1;                   ///< of a "/" behind words; -1 = none
   bool bad = false;                      ///< the parser reported an error
   bool has_number = false;
   std::string_view name;     ///< of the block, where it has one instead of a number

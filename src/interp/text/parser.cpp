@@ -21,7 +21,7 @@ bool Parser::next(Block& block, std::size_t& position) {
   block.words.clear();
   block.comments.clear();
   block.argument = block.function_name = block.name = block.contour = {};
-  block.skip_level = -1;
+  block.skip_level = block.inner_skip = -1;
   block.modal_call = false;
   block.statement = Block::kNoStatement;
   block.bad = block.has_number = block.no_hole = false;

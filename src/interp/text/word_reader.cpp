@@ -179,12 +179,13 @@ bool WordReader::head_of_block(Block& block) {
 }
 
 // "G0 Z50. /2M9" of FANUC: what stands behind the sign is left out where its level is.
-bool WordReader::skip_rest(const Block& block) {
+bool WordReader::skip_rest(Block& block) {
   if (line_[p_] != '/' || dialect_ != Dialect::fanuc || block.words.empty()) return false;
   std::size_t end = p_ + 1;
   const int level = is_digit(at(end)) ? at(end++) - '0' : 0;
   while (blank(at(end)) && end < line_.size()) ++end;
   if (!is_letter(at(end))) return false;
+  block.inner_skip = level;
   p_ = (skip_ >> level & 1U) != 0 ? line_.size() : end;
   return true;
 }

@@ -24,7 +24,7 @@ class WordReader : public LineParser {
   void plain_words(Block& block);
   Step step(Block& block);
   bool head_of_block(Block& block);
-  bool skip_rest(const Block& block);
+  bool skip_rest(Block& block);
   void letter_word(Block& block);
   bool ends_block() const;
   void slashes(Block& block);

@@ -118,8 +118,11 @@ const Tool* CompensationWords::tool_of_edge() const {
 
 // The tool radius in force, from the register or the tool.
 void CompensationWords::set_radius() {
+  const bool is_off = options_.comp == CompRadius::off;
+  was_on_ = true;
+  asked_option_ = asked_option_ || is_off;
   if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size itself
-    radius_ = options_.comp == CompRadius::off ? 0 : modal_.edge_radius;
+    radius_ = is_off ? 0 : modal_.edge_radius;
     tip_ = {};
     key_.clear();
     return;
@@ -142,6 +145,7 @@ void CompensationWords::set_radius() {
   const double own = !tool ? 0 : turning ? tool->nose_radius : tool->diameter / 2;
   const CompRadius comp =
       options_.comp == CompRadius::automatic ? tools_.commented_radius() : options_.comp;
+  asked_option_ = asked_option_ || !reg;
   radius_ = reg ? reg->radius + reg->wear
                 : (comp == CompRadius::wear ? 0 : own) + control_.bare_wear(edge);
   if (comp == CompRadius::off) radius_ = 0;
@@ -171,6 +175,7 @@ Vec2 CompensationWords::tip_vector(const Tool& tool, double radius) {
 Compensation CompensationWords::of_tool() {
   Compensation c;
   c.arcs = true;
+  asked_option_ = asked_option_ || options_.comp == CompRadius::off;
   if (options_.programmed_contour || options_.comp == CompRadius::off) return c;
   c.radius = tools_.radius(modal_.edge);
   const Tool* tool = tools_.current();

@@ -23,6 +23,9 @@ class CompensationWords : public ControlPart {
   /// What CompensationStage needs to know about the next move.
   Compensation for_move() const;
   bool started() const { return started_; }
+  /// At the end of the program: whether a radius was asked for, and depended on --comp.
+  bool was_on() const { return was_on_; }
+  bool asked_option() const { return asked_option_; }
   /// For a cycle that moves its contour aside by itself: radius and point of the tool in force.
   Compensation of_tool();
   /// The tool's radius by the register in force, mm.
@@ -41,6 +44,7 @@ class CompensationWords : public ControlPart {
 
   ToolChanger& tools_;
   bool started_ = false;
+  bool was_on_ = false, asked_option_ = false;
   double radius_ = 0;
   Vec2 tip_;
   std::string key_;  ///< register and tool that `radius_` was made of
