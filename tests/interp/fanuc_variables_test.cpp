@@ -48,5 +48,38 @@ TEST(FanucVariables, OfLathesCountTheirAxesAndGroups) {
   EXPECT_EQ(z("T0303", "#4120"), "303");
 }
 
+// What was asked for and meets nothing is a note, once each.
+TEST(Macro, OptionsThatMeetNothingAreTold) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.variables = {{"#100", "2.5"}, {"#1", "4"}, {"#2", "1"}, {"#501", "1"}, {"#5221", "0"}};
+  const std::string text = "G1 F1 X#100\n#2=3\nG65 P2 A5\n/2 Y#2\nM30\nO2\n#3=#1\nX#3 /3 Y1\nM99\n";
+  const auto told = [&] {
+    std::string out;
+    for (const Diagnostic& d : read_text(text, options).diagnostics)
+      if (d.code.ends_with("-unused")) out += d.code + ": " + d.text + "\n";
+    return out;
+  };
+  EXPECT_EQ(told(),
+            "set-unused: --set does nothing to this program for #1 (never read), #2 (set before "
+            "it is read), #501 (never read)\n");
+  options.variables.clear();
+  options.block_skip = 0b1100;
+  EXPECT_EQ(told(), "");
+  options.block_skip = 0b10011;
+  EXPECT_EQ(told(),
+            "block-skip-unused: --block-skip 0,1,4 does nothing: no block that was read has that "
+            "level\n");
+  options.block_skip = 0;
+  options.comp = CompRadius::wear;
+  EXPECT_EQ(told(),
+            "comp-unused: --comp does nothing: the program has no G41 or G42 that counts\n");
+  options = at_origin(Dialect::sinumerik);
+  options.variables = {{"R1", "5"}, {"WIDTH", "7"}, {"LEN", "1"}};
+  const Program local = read_text("DEF REAL WIDTH\nWIDTH=1\nG1 F1 X=R1 Y=WIDTH\n", options);
+  ASSERT_EQ(local.diagnostics.size(), 1U);
+  EXPECT_EQ(local.diagnostics[0].text,
+            "--set does nothing to this program for WIDTH (never read), LEN (never read)");
+}
+
 }  // namespace
 }  // namespace mrsim
