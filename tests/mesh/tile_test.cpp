@@ -70,7 +70,7 @@ Found all_of(const DualSurface& surface, const SurfaceCells& cells) {
 }
 
 DualSurface::Options options(const Lattice& lattice) {
-  return {.shallow = lattice.voxel() / 64, .narrow = true, .threads = 1};
+  return {.shallow = lattice.voxel() / 64, .threads = 1};
 }
 
 Found found(const PartField& field, const Lattice& lattice, const LatticePoint& first) {

@@ -179,7 +179,6 @@ Loop& LoopFinder::new_loop(std::int32_t cell) {
 }
 
 void LoopFinder::begin_loops() {
-  lists_.restart();
   loops_.clear();
   loops_in_cell_.assign(cells_.size(), 0);
   crowded_.clear();

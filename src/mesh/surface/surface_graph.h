@@ -2,7 +2,6 @@
 // crossing to crossing, loops of segments about cells, and the steps that fill it.
 #pragma once
 
-#include "mesh/cells/cell_lists.h"
 #include "mesh/cells/cells.h"
 #include "mesh/points/surface_search.h"
 
@@ -75,7 +74,6 @@ const T& at(const std::vector<T>& v, std::int32_t i) {
 struct SurfaceOptions {
   double shallow = 0;     ///< mm: creases that may be cut off by that much are
   bool sharpen = false;   ///< look for creases just outside of their cells, for sharpen()
-  bool narrow = false;    ///< cells share lists of candidates: long ones are narrowed to a cell
   bool remember = false;  ///< keep crossings and vertices for the next round
   int threads = 0;
 };
@@ -83,11 +81,10 @@ struct SurfaceOptions {
 struct SurfaceGraph {
   SurfaceGraph(const ExactField& field_in, const SurfaceCells& cells_in,
                const SurfaceOptions& options_in)
-      : field(field_in), cells(cells_in), lists(field_in, cells_in), options(options_in) {}
+      : field(field_in), cells(cells_in), options(options_in) {}
 
   const ExactField& field;
   const SurfaceCells& cells;
-  CellLists lists;
   SurfaceOptions options;
   std::vector<Crossing> crossings;
   std::vector<CellFace> faces;
@@ -110,7 +107,6 @@ class SurfaceStep {
   explicit SurfaceStep(SurfaceGraph& graph)
       : field_(graph.field),
         cells_(graph.cells),
-        lists_(graph.lists),
         options_(graph.options),
         crossings_(graph.crossings),
         faces_(graph.faces),
@@ -126,10 +122,6 @@ class SurfaceStep {
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
   }
-  /// For several samples in one cell.
-  Probe probe_within(std::int32_t cell) const {
-    return {field_, options_.narrow ? lists_.of(cell) : cells_.candidates(cell), options_.shallow};
-  }
   std::int32_t face_cell(const CellFace& face) const { return smaller_cell(cells_, face); }
   Box3 face_box(const CellFace& face) const;
   std::span<const std::int32_t> crossings_of(const Loop& loop) const {
@@ -141,7 +133,6 @@ class SurfaceStep {
 
   const ExactField& field_;
   const SurfaceCells& cells_;
-  CellLists& lists_;
   const SurfaceOptions& options_;
   std::vector<Crossing>& crossings_;
   std::vector<CellFace>& faces_;

@@ -70,7 +70,7 @@ PlacedPoints::Place VertexPlacer::place_crease(const Segment& s) const {
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
-  const Probe p = probe_within(face_cell(face));
+  const Probe p = probe(face_cell(face));
   const auto point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
   place.smooth = !point;
   if (place.smooth) return place;
@@ -229,7 +229,7 @@ void VertexPlacer::finish_loop(std::int32_t id) {
       const std::int32_t c = at(segments_, k).crease;
       if (c >= 0 && at(creases_, c).point.count == 2) creases.push_back(at(creases_, c).point);
     }
-    const Probe p = probe_within(loop.cell);
+    const Probe p = probe(loop.cell);
     if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
     if (options_.sharpen && loop.point.count < 2)
       outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);

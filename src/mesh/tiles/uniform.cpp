@@ -42,8 +42,7 @@ struct TileNotes {
 struct TileMaker {
   TileMaker(const ExactField& field, const Lattice& lattice, const CommonLists& common)
       : cells(field, lattice, &common),
-        surface(field, cells,
-                {.shallow = kShallow * lattice.voxel(), .narrow = true, .threads = 1}) {}
+        surface(field, cells, {.shallow = kShallow * lattice.voxel(), .threads = 1}) {}
   CellTile cells;
   DualSurface surface;
 };
