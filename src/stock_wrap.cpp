@@ -15,7 +15,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kError = 0.02;  // of the wrap's distance: of what is measured
+constexpr double kWrapError = 0.02;  // of the wrap's distance: of what is measured
 
 // The work takes what the limit of memory leaves, and its two million triangles at most take
 // minutes.
@@ -25,7 +25,7 @@ constexpr std::size_t kAllMemory = std::size_t(1) << 46;
 ChildParcel wrap_parcel(const TriMesh& mesh, const StockWrap& options) {
   Wrap wrap = wrap_surface(mesh, options);
   const HausdorffBound found =
-      surface_distance(wrap.solid, wrap.closed, {kError * options.distance, 0}, 1);
+      surface_distance(wrap.solid, wrap.closed, {kWrapError * options.distance, 0}, 1);
   return {{double(wrap.openings), wrap.widest, found.lower, found.upper, found.place.x,
            found.place.y, found.place.z},
           {},

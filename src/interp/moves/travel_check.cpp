@@ -14,7 +14,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kTouch = 1e-4;  // mm beyond a limit that rounding explains
+constexpr double kAtLimit = 1e-4;  // mm beyond a limit that rounding explains
 
 // Least and largest coordinate on the way, its start excepted, which ended another motion.
 std::pair<double, double> reach(const Motion& m, int axis) {
@@ -54,7 +54,7 @@ unsigned TravelCheck::axes(const Motion& motion) {
   known_ = position_.known;
   for (int i = 0; i < 3; ++i)
     if (motion.kind == MotionKind::arc ||
-        std::abs(component(motion.end, i) - component(motion.start, i)) > kRounding)
+        std::abs(component(motion.end, i) - component(motion.start, i)) > kAtLimit)
       moved |= 1U << i;
   if (modal_.comp != Code::comp_off) moved = 7;
   if (control_.tool.below) moved &= ~1U;
@@ -72,7 +72,7 @@ void TravelCheck::check(const Motion& motion, unsigned axes) {
     const double beyond[2] = {component(limits.lo, i) + zero - low,
                               high - zero - component(limits.hi, i)};
     for (const std::size_t side : {0U, 1U}) {
-      if (!(beyond[side] > kTouch)) continue;
+      if (!(beyond[side] > kAtLimit)) continue;
       Excess& found = found_[static_cast<std::size_t>(i)][side];
       if (found.motions++ == 0) found.first = motion;
       if (beyond[side] <= found.most) continue;
