@@ -4,12 +4,6 @@
 namespace mrsim {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
-#else
-constexpr bool kIsPlain = true;
-#endif
-
 class Memory : public CliTest {
  protected:
   // Rows of short moves of a ball mill, 1 mm apart, over waves: cells with many faces.

@@ -13,6 +13,12 @@
 
 namespace mrsim {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
+#else
+inline constexpr bool kIsPlain = true;
+#endif
+
 struct Outcome {
   int code = -1;
   std::string out, err;

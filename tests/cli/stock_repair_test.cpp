@@ -254,13 +254,14 @@ TEST_F(StockWrap, SphereOfApartTrianglesIsASphere) {
 
 // The run without the wrap keeps to it.
 TEST_F(StockWrap, KeepsToTheLimitOfMemory) {
+  if (!kIsPlain) GTEST_SKIP();
   Facets box = block(0, 0);
   std::erase(box.triangles, std::vector<int>{4, 5, 7});
   write("open.off", off_text(box));
   write("kept.stl", "old");
   const std::string words = "PRIMER_2F.MPF --stock open.off --stock-repair wrap=0.2 --voxel 1 -o ";
   expect_failure(words + "kept.stl --max-memory 35M", 1, "--stock-repair wrap=0.2 takes");
-  EXPECT_EQ(read("kept.stl"), "old");
+  EXPECT_TRUE(read("kept.stl") == "old");
 }
 
 TEST_F(StockWrap, WhatItCannotDoIsSaid) {
