@@ -18,7 +18,7 @@ Module::Description description() {
   if (!has_address_space(kLoading))
     throw Error("memory",
                 "the module that samples voxels needs 0.5 GB of address space to be opened; raise "
-                "its limit (ulimit -v), or ask for a mesh instead of a .vdb");
+                "its limit (ulimit -v); a run that only writes meshes does without");
   return {"vdb", "vdb-module", "samples voxels",
           "install mrsim with all its files and OpenVDB's library, build it again where that has "
           "changed, or ask for a mesh instead of a .vdb"};

@@ -3,6 +3,7 @@
 #include "cli/idle_options.h"
 #include "cli/job_words.h"
 #include "cli/option_values.h"
+#include "cli/standard_streams.h"
 #include "cli/typed_options.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
     std::vector<std::string> notes;
     ToolTable more = load_tools(file, &notes);
     for (const std::string& note : notes)
-      if (!typed.flag("--quiet")) fmt::print(stderr, "note: {}\n", note);
+      if (!typed.flag("--quiet")) say("note: " + note + "\n");
     const std::size_t given = table.tools.size();
     // A tool on the command line is meant to replace the one in the file.
     for (Tool& tool : more.tools) {

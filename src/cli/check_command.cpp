@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/report.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include <mrsim/mrsim.h>
 

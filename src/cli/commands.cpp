@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/report.h"
 #include "cli/shortage.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
@@ -133,7 +134,7 @@ void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept
       write_file_atomically(file.path,
                             [&](const ByteSink& sink) { sink(text.data(), text.size()); });
     } catch (const Error& error) {
-      fmt::print(stderr, "mrsim: {} is not written: {}\n", file.role, error.what());
+      say(fmt::format("mrsim: {} is not written: {}\n", file.role, error.what()));
     }
   };
   if (json.path != junit.path) write(junit, json, words.junit);
@@ -182,10 +183,10 @@ int run_render(const Arguments& arguments) {
     mesh = color_by_deviation(request, mesh);
   }
   if (arguments.render.color != ColorBy::none && mesh.owners.empty() && mesh.colors.empty())
-    fmt::print(stderr,
-               "{}: this file does not say which line cut which face, so --color shows nothing; "
-               ".ply, .obj, .glb, .3mf and .vdb do\n",
-               arguments.input);
+    say(fmt::format(
+        "{}: this file does not say which line cut which face, so --color shows nothing; "
+        ".ply, .obj, .glb, .3mf and .vdb do\n",
+        arguments.input));
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)
     print(fmt::format("{}: {} triangles drawn from {}\n", arguments.outputs[0],

@@ -1,10 +1,10 @@
 #include "cli/compare_command.h"
 
 #include "cli/commands.h"
-#include "cli/findings.h"
 #include "cli/idle_options.h"
 #include "cli/option_values.h"
 #include "cli/report.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
@@ -67,7 +67,7 @@ TriMesh read_named(const CompareRequest& request, const std::string& path, std::
 }
 
 void warn(const CompareRequest& request, const std::string& text) {
-  if (!request.quiet) fmt::print(stderr, "{}\n", text);
+  if (!request.quiet) say(text + "\n");
 }
 
 // All of them or none.
@@ -171,8 +171,7 @@ void write_deviation(const CompareRequest& request, const TriMesh& part, const T
 int show_comparison(const CompareRequest& request, const NamedNominal& nominal,
                     const Comparison& comparison) {
   if (!nominal.note.empty()) warn(request, nominal.note);
-  if (!request.quiet && request.json != "-")
-    std::fputs(comparison_text(comparison).c_str(), stdout);
+  if (!request.quiet && request.json != "-") print(comparison_text(comparison));
   return comparison.accepted.value_or(true) ? kDone : kRejected;
 }
 
@@ -234,7 +233,7 @@ int run_compare(int argc, const char* const* argv) {
   const TypedOptions typed(command_line(kUseCompare), argc, argv);
   if (!typed.help().empty()) {
     print(typed.help());
-    return kDone;
+    return finish_output(kDone);
   }
   const std::vector<std::string>& inputs = typed.inputs();
   CompareRequest named = named_request(typed);

@@ -1,6 +1,7 @@
 #include "cli/findings.h"
 
 #include "cli/diagnostics.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include <mrsim/mrsim.h>
 
@@ -9,14 +10,6 @@
 #include <fmt/format.h>
 
 namespace mrsim::cli {
-
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-int finish_output(int code) {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw Error("output-unwritable", "cannot write to the standard output");
-  return code;
-}
 
 std::string json_quoted(const std::string& text) {
   std::string out = "\"";
@@ -46,9 +39,7 @@ void Findings::add(const Diagnostic& diagnostic) {
     return print(line + "\n");
   }
   if (quiet_ && !fails(diagnostic.severity)) return;
-  std::fflush(stdout);  // keeps motions and findings in order where both go to one place
-  const std::string text = format_diagnostic(diagnostic, colours_);
-  std::fputs(text.c_str(), stderr);
+  say(format_diagnostic(diagnostic, colours_));
 }
 
 void Findings::add(const Error& error, const std::string& path) {

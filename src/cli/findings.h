@@ -11,11 +11,6 @@
 
 namespace mrsim::cli {
 
-/// Text to the standard output.
-void print(const std::string& text);
-/// Flushes it: a full disk or a closed pipe is an Error, not a short answer. Returns `code`.
-int finish_output(int code);
-
 /// Prints findings to stderr (JSON: to stdout) as they come and counts them.
 class Findings {
  public:

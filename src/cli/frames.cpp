@@ -4,6 +4,7 @@
 #include "cli/film.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
+#include "cli/standard_streams.h"
 #include "cli/temporary_place.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"

@@ -1,6 +1,7 @@
 #include "cli/idle_options.h"
 
 #include "cli/command_lines.h"
+#include "cli/standard_streams.h"
 #include "cli/typed_options.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ std::vector<std::string> idle_options(const CommandLine& line, const TypedOption
 
 void tell_idle_options(const CommandLine& line, const TypedOptions& typed) {
   if (typed.flag("--quiet")) return;
-  for (const std::string& note : idle_options(line, typed)) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : idle_options(line, typed)) say("note: " + note + "\n");
 }
 
 }  // namespace mrsim::cli

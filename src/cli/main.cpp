@@ -6,6 +6,7 @@
 #include "cli/diagnostics.h"
 #include "cli/rest_command.h"
 #include "cli/shortage.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/tools_command.h"
@@ -33,18 +34,17 @@ int run(const Arguments& arguments) {
     case Command::render:
       return arguments.frames > 0 ? run_picture_frames(arguments) : run_render(arguments);
     case Command::help:
-      std::fputs(arguments.help.c_str(), stdout);
-      return kDone;
+      print(arguments.help);
+      return finish_output(kDone);
     case Command::version:
-      fmt::print("mrsim {}\n", version());
-      return kDone;
+      print(fmt::format("mrsim {}\n", version()));
+      return finish_output(kDone);
   }
   return kInternal;
 }
 
 int fail(const std::string& text, const char* code, int exit_code) {
-  std::fflush(stdout);
-  std::fputs(format_error(text, code, has_colours(stderr)).c_str(), stderr);
+  say(format_error(text, code, has_colours(stderr)));
   return exit_code;
 }
 
@@ -56,12 +56,11 @@ int run_guarded(int argc, const char* const* argv) {
     if (argc > 1 && std::string_view(argv[1]) == "view") return run_view(argc - 1, argv + 1);
     return run(typed_arguments(argc, argv));
   } catch (const PlacedError& error) {
-    std::fflush(stdout);
-    std::fputs(format_diagnostic(error.diagnostic(), has_colours(stderr)).c_str(), stderr);
+    say(format_diagnostic(error.diagnostic(), has_colours(stderr)));
     return exit_code_of(error);
   } catch (const Error& error) {
     const int code = fail(error.what(), error.code().c_str(), exit_code_of(error));
-    if (error.code() == "usage") std::fputs("Try: mrsim --help\n", stderr);
+    if (error.code() == "usage") say("Try: mrsim --help\n");
     return code;
   } catch (const std::exception& error) {
     if (const Shortage* shortage = find_shortage(error))
@@ -76,6 +75,7 @@ int run_guarded(int argc, const char* const* argv) {
 }  // namespace mrsim::cli
 
 int main(int argc, char** argv) {
+  mrsim::cli::keep_standard_streams();
   mrsim::cli::catch_shortages();
   mrsim::grow_heap_in_large_steps();
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk

@@ -1,10 +1,10 @@
 #include "cli/rest_command.h"
 
 #include "cli/commands.h"
-#include "cli/findings.h"
 #include "cli/idle_options.h"
 #include "cli/option_values.h"
 #include "cli/rest_report.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
@@ -64,7 +64,7 @@ int write_rest(const TypedOptions& typed) {
   const auto read = [&](const std::string& path) {
     std::string note;
     TriMesh mesh = read_solid(path, deflection, options.threads, &note);
-    if (!note.empty() && !typed.flag("--quiet")) fmt::print(stderr, "{}\n", note);
+    if (!note.empty() && !typed.flag("--quiet")) say(note + "\n");
     return mesh;
   };
   const TriMesh part = read(typed.inputs()[0]), nominal = read(typed.inputs()[1]);
@@ -108,7 +108,7 @@ int run_rest(int argc, const char* const* argv) {
   const TypedOptions typed(command_line(kUseRest), argc, argv);
   if (!typed.help().empty()) {
     print(typed.help());
-    return kDone;
+    return finish_output(kDone);
   }
   return run_told([&] { return write_rest(typed); },
                   [&](const Failure& failure) { tell_failure(typed, failure); });

@@ -13,7 +13,9 @@
 namespace mrsim::cli {
 namespace {
 
-constexpr Shortage kMemory{"memory", "memory ran out; a larger --voxel or --tolerance needs less"};
+constexpr Shortage kMemory{"memory",
+                           "memory ran out: free some, or raise its limit (ulimit -v); a run needs "
+                           "less with a larger --voxel or --tolerance"};
 constexpr Shortage kThreads{"threads",
                             "the system gives no more threads: fewer --threads, or a higher limit "
                             "of threads or memory"};

@@ -6,6 +6,7 @@
 #include "cli/rest_report.h"
 #include "cli/run_json.h"
 #include "cli/shortage.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "core/output_place.h"
@@ -191,7 +192,7 @@ bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   Findings findings(arguments);
   findings.add(result.program.diagnostics);
   if (!result.ok)
-    fmt::print(stderr, "{}: {}; nothing was cut or written\n", arguments.input, findings.summary());
+    say(fmt::format("{}: {}; nothing was cut or written\n", arguments.input, findings.summary()));
   return result.ok;
 }
 

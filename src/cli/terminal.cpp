@@ -1,6 +1,7 @@
 #include "cli/terminal.h"
 
 #include "cli/report.h"
+#include "cli/standard_streams.h"
 #include "cli/stop.h"
 
 #include <algorithm>
@@ -108,9 +109,8 @@ bool ProgressBar::update(const char* stage, double fraction) {
 }
 
 void ProgressBar::tell_long(const char* stage, double seconds) {
-  fmt::print(stderr, "{}note: {} will take about {}; Ctrl-C stops the run\n",
-             drawn_ ? "\r\x1b[K" : "", stage, duration(seconds));
-  std::fflush(stderr);
+  say(fmt::format("{}note: {} will take about {}; Ctrl-C stops the run\n", drawn_ ? "\r\x1b[K" : "",
+                  stage, duration(seconds)));
   drawn_ = false, told_ = true;
 }
 
@@ -119,9 +119,8 @@ void ProgressBar::draw(const char* stage, double share, double left) {
   const int filled = static_cast<int>(share * width);
   const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                           std::string(static_cast<std::size_t>(width - filled), '.');
-  fmt::print(stderr, "\r\x1b[K{:<12.12} [{}] {:3.0f} %{}", stage, bar, 100 * share,
-             left < 1 ? "" : fmt::format("  {} left", duration(left)));
-  std::fflush(stderr);
+  say(fmt::format("\r\x1b[K{:<12.12} [{}] {:3.0f} %{}", stage, bar, 100 * share,
+                  left < 1 ? "" : fmt::format("  {} left", duration(left))));
   drawn_ = true;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/report.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
 #include "core/output_place.h"
@@ -83,7 +84,7 @@ int show_tools(const TypedOptions& typed) {
                           encode_tools_picture(table.tools, path, sink);
                         }});
   if (!quiet)
-    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", printable(note));
+    for (const std::string& note : notes) say("note: " + printable(note) + "\n");
   if (!quiet) list(table, typed.flag("--json"));
   write_files_atomically(pictures);
   return finish_output(kDone);
@@ -95,7 +96,7 @@ int run_tools(int argc, const char* const* argv) {
   const TypedOptions typed(command_line(kUseTools), argc, argv);
   if (!typed.help().empty()) {
     print(typed.help());
-    return kDone;
+    return finish_output(kDone);
   }
   try {
     return show_tools(typed);

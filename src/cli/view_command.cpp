@@ -1,8 +1,8 @@
 #include "cli/view_command.h"
 
 #include "cli/commands.h"
-#include "cli/findings.h"
 #include "cli/option_values.h"
+#include "cli/standard_streams.h"
 #include "cli/temporary_place.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
@@ -35,7 +35,7 @@ bool is_part(const std::string& path) {
 
 void open_page(const std::string& path) {
   if (start_program({"xdg-open", path}, ProgramLife::own) < 0)
-    fmt::print(stderr, "xdg-open is missing: open the page with a browser\n");
+    say("xdg-open is missing: open the page with a browser\n");
 }
 
 void write_part_page(const std::string& part, const std::string& page) {

@@ -114,6 +114,8 @@ std::optional<StepMesh> receive_facets(const std::string& bytes, const std::stri
   return StepMesh{weld_facets(facets), header.deviation, text};
 }
 
+constexpr std::size_t kSpare = std::size_t(32) << 20;  // what a small file needs at a time
+
 // Open CASCADE crashes on some damaged files, or never ends: it reads in a process of its own.
 StepMesh read_solids(const std::string& path, double deflection) {
   const std::size_t size = require_step_header(path);
@@ -124,7 +126,8 @@ StepMesh read_solids(const std::string& path, double deflection) {
   limits.bytes = (std::size_t(2) << 30) + 400 * size;
   const ChildOutcome outcome = run_in_child(limits, [&](const ByteSink& sink) {
     const StepFacets* facets = module.read(path.c_str(), deflection);
-    if (facets == nullptr) throw std::bad_alloc();
+    // Open CASCADE takes a shortage for a fault of the file.
+    if (facets == nullptr || (facets->code && !has_address_space(kSpare))) throw std::bad_alloc();
     send_facets(*facets, sink);
     module.free(facets);
   });

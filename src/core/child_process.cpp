@@ -172,7 +172,12 @@ ChildOutcome run_in_child(const ChildLimits& given,
   }
   if (fault) std::rethrow_exception(fault);
   if (out.end == ChildOutcome::End::done) out.end = end_of(status);
-  if (out.end != ChildOutcome::End::out_of_memory || !is_little) return out;
+  if (out.end != ChildOutcome::End::out_of_memory) return out;
+  if (is_address_space_limited() && !has_address_space(limits.bytes))
+    throw Error(
+        "memory",
+        limits.what + " takes more address space than is free; raise its limit (ulimit -v)");
+  if (!is_little) return out;
   throw Error("memory", fmt::format("{} takes more than the {:.3g} GB that are left of the limit; "
                                     "--max-memory allows more",
                                     limits.what, left / 1e9));

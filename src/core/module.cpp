@@ -18,7 +18,7 @@ const char kHere = 0;
 
 Module::Module(const Description& about) : about_(about), path_(find()) {
   handle_ = dlopen(path_.c_str(), RTLD_LAZY | RTLD_LOCAL);
-  if (!handle_) fail(dlerror());
+  if (!handle_) fail_to_open(dlerror());
 }
 
 // Beside the library, wherever that was moved to.
@@ -29,6 +29,16 @@ std::string Module::find() const {
   std::error_code ignored;
   const std::filesystem::path library = std::filesystem::weakly_canonical(self.dli_fname, ignored);
   return (library.parent_path() / "mrsim" / about_.name).string() + ".so";
+}
+
+// The loader tells a lack of memory by its words alone.
+void Module::fail_to_open(const std::string& why) const {
+  for (const char* words : {"failed to map", "cannot map", "cannot allocate", "Cannot allocate"})
+    if (why.find(words) != why.npos)
+      throw Error("memory", fmt::format("the module that {} finds too little address space to be "
+                                        "opened: raise its limit (ulimit -v); {}",
+                                        about_.task, why));
+  fail(why);
 }
 
 void* Module::symbol(const char* name) const {

@@ -29,6 +29,7 @@ class Module {
  private:
   void* symbol(const char* name) const;
   [[noreturn]] void fail(const std::string& why) const;
+  [[noreturn]] void fail_to_open(const std::string& why) const;
   std::string find() const;
 
   Description about_;

@@ -132,6 +132,23 @@ TEST_F(BadInput, Output) {
     expect_failure("PRIMER_2F.MPF --stock block.stl -o closed/part.stl", 1, "cannot write");
 }
 
+// What cannot be printed is an error; closed streams leave their numbers to no file of the run, and
+// nobody who hears no note stops it.
+TEST_F(BadInput, ClosedStreams) {
+  const auto with = [](const char* streams) {
+    return std::string("sh -c '\"$0\" \"$@\" ") + streams + "'";
+  };
+  std::filesystem::copy(MRSIM_DATA_DIR "/../tests/fuzz/corpus/step/box", folder_ / "box.step");
+  const char* const compared = "compare box.step box.step --json -";
+  for (const char* asked :
+       {"--help", "--version", "rest --help", "PRIMER_2F.MPF -o p.stl --json -", compared})
+    for (const char* streams : {">&-", ">&- <&-", ">/dev/full", ">&- <&- 2>&-"})
+      EXPECT_EQ(run(asked, with(streams)).code, 1) << asked << streams;
+  EXPECT_FALSE(exists("p.stl"));
+  for (const char* streams : {"<&-", "2>&-", "2>/dev/full", "<&- 2>&-"})
+    EXPECT_EQ(run(compared, with(streams)).code, 0) << streams;
+}
+
 TEST_F(BadInput, OldOutputStaysWhenARunFails) {
   write("old.stl", "old");
   EXPECT_EQ(run("missing.MPF -o old.stl").code, 1);

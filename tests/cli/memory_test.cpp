@@ -58,6 +58,21 @@ TEST_F(Memory, LittleAddressSpaceIsAnError) {
     }
 }
 
+TEST_F(Memory, LittleAddressSpaceIsAnErrorInOtherCommands) {
+  if (!kIsPlain) GTEST_SKIP();
+  std::filesystem::copy(MRSIM_DATA_DIR "/../tests/fuzz/corpus/step/box", folder_ / "box.step");
+  for (const char* command : {"render block.stl -o p.png", "compare block.stl box.step -q",
+                              "rest block.stl box.step --voxel 2"})
+    for (int kilobytes = 100000; kilobytes <= 500000; kilobytes += 40000) {
+      const Outcome outcome = run(command, "ulimit -v " + std::to_string(kilobytes) + " &&");
+      if (outcome.code == 0) continue;
+      EXPECT_EQ(outcome.code, 1) << command << " " << kilobytes << "\n" << outcome.err;
+      EXPECT_TRUE(contains(outcome.err, "[memory]") || contains(outcome.err, "[threads]"))
+          << command << " " << kilobytes << "\n"
+          << outcome.err;
+    }
+}
+
 // A mesh with a tolerance is refused once its cells are known, or too many.
 TEST_F(Memory, LimitsMeshesWithATolerance) {
   const std::string milled =

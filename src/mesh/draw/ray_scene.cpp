@@ -23,6 +23,11 @@ struct RayScene::Embree {
 
 namespace {
 
+[[noreturn]] void fail_memory() {
+  throw Error("memory",
+              "not enough memory to draw the mesh: free some, or raise its limit (ulimit -v)");
+}
+
 RTCRay make_ray(const Vec3& origin, const Vec3& direction, double length) {
   RTCRay ray{};
   ray.org_x = float(origin.x), ray.org_y = float(origin.y), ray.org_z = float(origin.z);
@@ -40,7 +45,7 @@ void fill_geometry(RTCGeometry geometry, const TriMesh& mesh, const Vec3& center
   auto* indices = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                               3 * sizeof(std::uint32_t), mesh.triangles.size()));
-  if (!points || !indices) throw Error("memory", "not enough memory to draw the mesh");
+  if (!points || !indices) fail_memory();
   for (const auto& vertex : mesh.vertices) {
     const Vec3 p = to_vec(vertex) - center;
     *points++ = float(p.x), *points++ = float(p.y), *points++ = float(p.z);
@@ -55,7 +60,7 @@ RayScene::RayScene(const TriMesh& mesh, int threads) : embree_(std::make_unique<
   const Box3 box = mesh_bounds(mesh);
   center_ = 0.5 * (box.lo + box.hi);
   embree_->device = rtcNewDevice("set_affinity=0");
-  MRSIM_ASSERT(embree_->device != nullptr);
+  if (!embree_->device) fail_memory();
   embree_->scene = rtcNewScene(embree_->device);
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -66,8 +71,7 @@ RayScene::RayScene(const TriMesh& mesh, int threads) : embree_(std::make_unique<
     rtcReleaseGeometry(geometry);
     rtcCommitScene(embree_->scene);
   });
-  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE)
-    throw Error("memory", "not enough memory to draw the mesh");
+  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) fail_memory();
 }
 
 RayScene::~RayScene() = default;
