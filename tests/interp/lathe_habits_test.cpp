@@ -58,12 +58,21 @@ TEST(LatheHabits, BarStopsAndPullersCutNothing) {
   const std::string work =
       "G0 X0 Z5\nG1 Z1 F2\nG0 Z50\nT0101 (CNMG 120408)\nG0 X20 Z0\nG1 X0 F.1\n";
   for (const char* tool :
-       {"BAR STOP", "STOPPER", "BAR PULLER", "STANGENGREIFER", "ANSCHLAG", "TOPE"}) {
+       {"BAR STOP", "STOPPER", "BAR PULLER", "STANGENGREIFER", "ANSCHLAG", "TOPE", "BAR FEED"}) {
     const Program p = read_text("(T0909 " + std::string(tool) + ")\nT0909\n" + work, options);
     EXPECT_EQ(path_text(p), "r0,0,5 r0,0,1 r0,0,50 r10,0,0 l0,0,0") << tool;
     EXPECT_EQ(codes(p, Severity::note), "tool-touches tool-inferred") << tool;
     EXPECT_EQ(p.motions[1].tool, -1);
   }
+  // A comment that speaks of one names no tool: the next tool cuts.
+  EXPECT_EQ(path_text(read_text("(USES BAR PULLER)\n" + work.substr(work.find("T0101")), options)),
+            "r10,0,0 l0,0,0");
+  EXPECT_EQ(codes(read_text("(NOW BAR STOP GOES BACK)\nT0303\nG0 X9 Z5\nG1 Z1 F2\n", options),
+                  Severity::note),
+            "tool-inferred");
+  EXPECT_EQ(codes(read_text("(N3 BAR STOP)\nT0303\nG0 X0 Z5\nG1 Z1 F2\n" + work, options),
+                  Severity::note),
+            "tool-touches tool-inferred");
   // With a second trade, and in the tool table, it may cut.
   EXPECT_EQ(codes(read_text("T0909 (BAR STOP AND CENTER DRILL 3MM)\n" + work, options)),
             "tool-unknown");

@@ -50,6 +50,32 @@ TEST(LatheToolReadings, Inserts) {
       {lathe_mm, "16 NR 14 W", "-"},
       {mm, "THREAD MILL 16ER AG60 D20", "endmill 20"},
       {lathe_mm, "GROOVE TURNING", "? gives no width of the blade"},
+      {lathe_mm, "ID ROUGH MIN. 16. DIA. - 75 DEG.  INSERT - CCMT-09-T3-08",
+       "boring, insert 80, nose 0.8"},
+      {lathe_mm, "DCMT-11-T304", "turning, insert 55, nose 0.4"},
+      {lathe_mm, "BUTTON TOOL R4", "turning, nose 4"},
+      {lathe_inch, "ROUND INSERT DIA .5", "turning, nose 6.35"},
+  });
+}
+
+// A number that nothing names, of the value of a nose radius in mm or inches.
+TEST(LatheToolReadings, NosesWithoutAName) {
+  expect_readings({
+      {lathe_mm, "80 DEG ROUGH .031", "turning, insert 80, nose 0.7874"},
+      {lathe_mm, "CNMG .8", "turning, insert 80, nose 0.8"},
+      {lathe_inch, "CNMG 432 .05 DOC", "turning, insert 80, nose 0.79375"},
+      {lathe_mm, "CNMG 1.5", "turning, insert 80"},
+      {lathe_mm, "FINISH BORE .8", "-"},
+  });
+}
+
+TEST(LatheToolReadings, BladesInAnotherUnit) {
+  expect_readings({
+      {lathe_mm, "CUTOFF TOOL .118 WIDE",
+       "? gives the width 0.118 of the blade without a unit, in a program in mm"},
+      {lathe_inch, "CUTOFF TOOL 3 WIDE",
+       "? gives the width 3 of the blade without a unit, in a program in inches"},
+      {lathe_inch, "CUTOFF TOOL 3MM WIDE", "grooving, width 3"},
   });
 }
 

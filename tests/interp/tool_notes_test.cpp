@@ -62,8 +62,51 @@ TEST(ToolNotes, SeveralCommentsOfOneTool) {
   EXPECT_EQ(
       diameters("(T1 D=6. CR=0. - ZMIN=-2. - FLAT END MILL)\nT1 M6\n(T1 DRILL HOLES)\n" + cut),
       "1:6");
+  EXPECT_EQ(diameters("T1 M6 (6MM ENDMILL)\n(T2 NEXT: 8MM DRILL)\n" + cut + "T2 M6\n" + cut),
+            "1:6 2:8");
   EXPECT_EQ(diameters("(T1 D=6. - FLAT END MILL)\n(T1 D=8. - FLAT END MILL)\nT1 M6\n" + cut),
             "1:0 tool-unknown");
+}
+
+// WorkNC and others end with the number.
+TEST(ToolNotes, ANumberBehindWhatItNumbers) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("(TOOL NAME: BALL MILL D8)\n(TOOL NUMBER: 5)\n(TOOL NAME: END MILL D10)\n"
+                      "(TOOL NUMBER: 6)\nT5 M6\n" +
+                      cut + "T6 M6\n" + cut),
+            "5:8 6:10");
+  EXPECT_EQ(diameters("(10MM ENDMILL)\n(TOOL 5)\nT5 M6\n" + cut), "5:10");
+  // A comment about the work, then a list that begins with the numbers.
+  EXPECT_EQ(diameters("(ROUGH WITH 10MM ENDMILL)\n(TOOL 5)\n(8MM DRILL)\nT5 M6\n" + cut), "5:8");
+  EXPECT_EQ(diameters("(ROUGH WITH 10MM ENDMILL)\n(T5 8MM DRILL)\n(T6 HAIMER)\nT5 M6\n" + cut +
+                      "T6 M6\n" + cut),
+            "5:8 6:0 tool-unknown");
+}
+
+TEST(ToolNotes, AKeyAndItsValueInALine) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("(TOOL: 5)\n(TYPE: BALL)\n(DIAMETER: 8.0)\n(OPERATION: CONTOUR)\n(TOOL: 6)\n"
+                      "(TYPE: ENDMILL)\n(DIAMETER: 10.0)\nT5 M6\n" +
+                      cut + "T6 M6\n" + cut),
+            "5:8 6:10");
+  EXPECT_EQ(diameters("(DIAMETER: 50.0)\nT5 M6\n" + cut), "5:0 tool-unknown") << "of the work";
+  EXPECT_EQ(diameters("(DIAMETER: 50.0)\nG0\n(TOOL 5)\n(ENDMILL D8)\nT5 M6\n" + cut), "5:8");
+}
+
+// A list of NX: each line is about the tool whose name it gives.
+TEST(ToolNotes, AListOfNames) {
+  const std::string cut = "G90 G0 X0 Y0 Z5\nG1 Z-1 F100\n";
+  const std::string list = "; MILL_D20R2 (D20 R2)\n; MILL_D20 (D20)\n; DRILL_D8\n";
+  EXPECT_EQ(diameters(list + "T=\"MILL_D20R2\" M6\n" + cut + "T=\"DRILL_D8\" M6\n" + cut,
+                      Dialect::sinumerik),
+            "MILL_D20R2:20 DRILL_D8:8");
+}
+
+// What the comment leaves open the name may tell.
+TEST(ToolNotes, AKindInAndASizeByTheName) {
+  const std::string call = " ALL HOLES\nT=\"DRILL_8\" M6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n";
+  EXPECT_EQ(diameters("; TWIST DRILL FOR" + call, Dialect::sinumerik), "DRILL_8:8");
+  EXPECT_EQ(diameters("; END MILL FOR" + call, Dialect::sinumerik), "DRILL_8:0 tool-unknown");
 }
 
 TEST(ToolNotes, UnitsOfTheProgram) {

@@ -168,7 +168,7 @@ TEST(ToolCommentReadings, TwoDiametersOfAPointedMill) {
       {mm, "CHAMFER D2-D10 90 DEG", "chamfer 10, point 90, tip 2"},
       {mm, "CHAMFER MILL D10 D2", "? can be read as a tip of 2 or as register D2"},
       {mm, "T3 CHAMFER MILL D10 D3", "chamfer 10, point 90"},
-      {mm, "CHAMFER MILL D10 H2 D2", "? gives no diameter"},
+      {mm, "CHAMFER MILL D10 H2 D2", "chamfer 10, point 90"},
   });
 }
 
@@ -209,6 +209,32 @@ TEST(ToolCommentReadings, WhatWouldBeLost) {
       {mm, "FRESA TONDA R3", "ballmill 6"},
       {mm, "DRILL 8.5 X 120", "drill 8.5"},
       {inch, "REAMER .251/.250", "? can be read as diameter 0.251 or 0.25"},
+  });
+}
+
+TEST(ToolCommentReadings, RegistersBesideADiameter) {
+  expect_readings({
+      {mm, "T01 FRAISE 2T D10 H1 D1", "endmill 10"},
+      {mm, "T01 H1 D1 FRAISE D10", "endmill 10"},
+      {mm, "T10 FRAISE D10 H10", "? gives no diameter"},
+      {mm, "T10 FRAISE D12 D10 H7", "? gives no diameter"},
+  });
+}
+
+TEST(ToolCommentReadings, AngleThatNoSideHas) {
+  expect_readings({
+      {mm, "T5 D=10. CR=0. TAPER=45DEG - CHAMFER MILL", "chamfer 10, side 45"},
+      {mm, "T5 D=10. CR=0. TAPER=90DEG - CHAMFER MILL", "chamfer 10, point 90"},
+      {mm, "T5 D=10. CR=0. TAPER=120DEG - CHAMFER MILL", "chamfer 10, point 120"},
+  });
+}
+
+TEST(ToolCommentReadings, MoreNamesOfMills) {
+  expect_readings({
+      {mm, "WENDEPLATTENFRAESER D32 R0.8", "bullmill 32, corner 0.8"},
+      {inch, "3/4 HOGGER", "endmill 19.05"},
+      {inch, "1/2 RGHR", "endmill 12.7"},
+      {mm, "Bit diameter: 22mm", "endmill 22"},
   });
 }
 

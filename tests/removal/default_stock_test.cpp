@@ -218,6 +218,37 @@ TEST(DefaultStock, KeepsTheEndsOfRowsThatARapidJoins) {
   EXPECT_LE(box.lo.x, 0);
 }
 
+// A face milled in passes: rapids lead from one to the next beside the part.
+TEST(DefaultStock, EndsBesideLevelRapidsFromPassToPass) {
+  const Box3 box = StockPath()
+                       .rapid({-20, 0, 5})
+                       .cut({-20, 0, -1})
+                       .cut({120, 0, -1})
+                       .rapid({120, 3, -1})
+                       .cut({-20, 3, -1})
+                       .rapid({-20, 6, -1})
+                       .cut({120, 6, -1})
+                       .rapid({120, 6, 5})
+                       .box();
+  EXPECT_EQ(box.hi.z, 0);
+  EXPECT_NEAR(box.lo.x, -17.9, 1e-9);
+  EXPECT_NEAR(box.hi.x, 117.9, 1e-9);
+  EXPECT_EQ(box.lo.y, -10);
+}
+
+// From one pocket to the next without a way up: nothing says that the edge is none.
+TEST(DefaultStock, KeepsWhatALevelRapidGoesThrough) {
+  StockPath path;
+  for (const double x : {0, 60}) {
+    path.rapid({x, 0, x > 0 ? -5.0 : 5.0}).cut({x, 0, -5});
+    for (double y = 0; y < 60; y += 2) path.cut({x + 30, y, -5}).cut({x, y + 2, -5});
+    path.cut({x, 0, -5});
+  }
+  const Box3 box = path.box();
+  EXPECT_EQ(box.lo.y, -7);
+  EXPECT_EQ(box.lo.x, -7);
+}
+
 // Down beside the part, and on at that height to where the cut begins.
 TEST(DefaultStock, EndsBesideRapidsThatGoOnBelowTheTop) {
   const Box3 box = StockPath()

@@ -72,17 +72,24 @@ bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   return code.has_size;
 }
 
-// "09T304", "09 T3 04": thickness T3, 3.97 mm. The letter makes tokens of it.
+// Behind the dash that stands there perhaps.
+std::size_t past_dash(const std::vector<CommentToken>& tokens, std::size_t i) {
+  return i < tokens.size() && tokens[i].is("-") ? i + 1 : i;
+}
+
+// "09T304", "09 T3 04", "09-T3-04": thickness T3, 3.97 mm. The letter makes tokens of it.
 bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
                  InsertCode& code) {
-  if (i + 2 >= tokens.size() || !tokens[i + 1].is("T") || !tokens[i + 2].glued) return false;
-  std::string rest(tokens[i + 2].text);
-  code.end = i + 3;
+  const std::size_t t = past_dash(tokens, i + 1);
+  if (t + 1 >= tokens.size() || !tokens[t].is("T") || !tokens[t + 1].glued) return false;
+  std::string rest(tokens[t + 1].text);
+  code.end = t + 2;
   if (shape.angle == 0 && rest.size() == 1)  // "RCMT 10T3 MO"
     return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
-  if (rest.size() == 1 && i + 3 < tokens.size() && tokens[i + 3].text.size() == 2) {
-    rest += tokens[i + 3].text;
-    code.end = i + 4;
+  const std::size_t nose = past_dash(tokens, t + 2);
+  if (rest.size() == 1 && nose < tokens.size() && tokens[nose].text.size() == 2) {
+    rest += tokens[nose].text;
+    code.end = nose + 1;
   }
   if (tokens[i].text.size() != 2 || rest.size() != 3) return false;
   return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
@@ -93,7 +100,7 @@ bool read_spaced_size(const std::vector<CommentToken>& tokens, std::size_t i, co
                       InsertCode& code) {
   std::string_view parts[3];
   for (std::string_view& part : parts) {
-    if (&part != parts && i < tokens.size() && tokens[i].is("-")) ++i;
+    if (&part != parts) i = past_dash(tokens, i);
     if (i >= tokens.size() || !tokens[i].is_number()) return false;
     part = tokens[i++].text;
   }

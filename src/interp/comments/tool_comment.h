@@ -48,6 +48,9 @@ struct ToolHint {
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
   bool left_hand = false, inside = false, bores = false, face_groove = false;
+  bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
+  bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"
+  bool diameter_line = false;  ///< "DIAMETER: 8.0" and nothing else
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
@@ -55,6 +58,8 @@ struct ToolHint {
   bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
   /// It adds a corner radius to what other comments say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
+  /// It adds a diameter to them.
+  bool only_diameter() const { return diameter_line && !type && id.empty() && !names_tool; }
 };
 
 /// Its size is one of the trade in inches: "1/2 END MILL", "CNMG-432".

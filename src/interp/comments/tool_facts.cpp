@@ -7,6 +7,7 @@
 #include "interp/comments/thread_name.h"
 #include "interp/comments/tool_labels.h"
 #include "interp/comments/tool_sides.h"
+#include "interp/comments/whole_comment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,7 @@ class FactReader {
     read_loose();
     drop_count();
     read_rest();
+    read_whole_comment(view_, facts_);
   }
 
  private:
@@ -93,9 +95,7 @@ void FactReader::set_id(std::size_t i) {
 bool FactReader::begins_id(std::size_t i) const {
   for (const ToolKind& k : facts_.kinds)
     if (i > k.first && i < k.end) return false;  // "GROOVING TOOL 3"
-  if (view_.is_one(i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE",
-                       "NARZEDZIE"}))
-    return true;
+  if (is_word_for_tool(view_, i)) return true;
   return i == 0 && view_.is_one(i, {"NO", "NR"}) && view_.is(i + 2, ":");
 }
 
@@ -103,6 +103,7 @@ bool FactReader::begins_id(std::size_t i) const {
 // Vectric.
 void FactReader::read_id() {
   if (kind() && view_.number(0) && view_.is(1, "=")) set_id(0);
+  if (kind() && view_.is(0, "TYPE") && view_.is_one(1, {":", "="})) facts_.names_tool = true;
   for (std::size_t i = 0; i < view_.size(); ++i) {
     const bool inside = facts_.insert && i >= facts_.insert->first && i < facts_.insert->end;
     if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);
@@ -372,7 +373,6 @@ void FactReader::drop_count() {
 }
 
 void FactReader::read_rest() {
-  facts_.corner_line = is_corner_line(view_);
   facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
   facts_.tapered = facts_.taper > 0;
   for (std::size_t i = 0; i < view_.size(); ++i) {

@@ -52,15 +52,20 @@ struct ToolFacts {
   bool helix = false;       ///< the angle may be that of the flutes
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
-  bool fusion = false;       ///< "CR=", which posts of Fusion write of every tool
-  bool fusion_slot = false;  ///< its "slot mill", the disc on a neck of its lists
-  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
-  bool bores = false;        ///< "BORE", "BORING" alone
-  bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
-  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
-  bool corner_line = false;  ///< "TIP RADIUS: 1.0" and nothing else
-  bool holes = false;        ///< "4 DRILL HOLES"
+  bool fusion = false;           ///< "CR=", which posts of Fusion write of every tool
+  bool fusion_slot = false;      ///< its "slot mill", the disc on a neck of its lists
+  bool inside = false;           ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool turned_side = false;      ///< "OD", "ID", "TURN": a lathe's words
+  bool bores = false;            ///< "BORE", "BORING" alone
+  bool full_radius = false;      ///< "FULL RADIUS": the end of a blade is half a circle
+  bool face_groove = false;      ///< "FACE GROOVE": the blade stands along Z
+  bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
+  bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
+  bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else
+  bool bare_kind = false;        ///< nothing but the kind and its attributes: "BAR STOP"
+  bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
+  std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
+  bool holes = false;            ///< "4 DRILL HOLES"
 
   const ToolKind* kind() const { return kinds.empty() ? nullptr : &kinds.front(); }
   bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }

@@ -18,6 +18,7 @@ constexpr double kRounded = 0.05;            // mm: a radius in inches with thre
 constexpr double kLeastVee = 1;              // mm: of a V-bit; a smaller size is rather its tip's
 constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
 constexpr double kLargestMetric = 500;       // mm: a larger one is rather a name, "endmill1000"
+constexpr double kWidestBlade = 25;          // mm: a wider one is rather told in another unit
 
 // mm in a program of this unit. A fraction is a size in inches wherever it stands.
 double in_mm(const ToolLength& length, double unit) {
@@ -200,6 +201,7 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   if (hint.inside && out.type == ToolType::grooving) out.tip = 2;
   out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
   out.width = hint.width ? in_mm(hint.width, unit) : 0;
+  if (out.insert == "R" && out.edge_length == 0) out.edge_length = 2 * out.nose_radius;
   complete_turning_tool(out);
   const std::string insert =
       out.insert.empty()
@@ -239,7 +241,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
              !more.diameters.empty() && !into.diameters.empty() &&
              !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
-    into.doubt = fmt::format("and \"{}\" name different kinds of tool", more.text);
+    into.doubt = "name different kinds of tool";
   }
   into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
   if (into.diameter == 0) into.diameter = more.diameter;
@@ -255,7 +257,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   }
   const bool inserts = !into.insert.empty() && !more.insert.empty();
   if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
-    into.doubt = fmt::format("and \"{}\" name different inserts", more.text);
+    into.doubt = "name different inserts";
   if (into.insert.empty()) into.insert = more.insert;
   if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
   if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
@@ -301,6 +303,13 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   }
   if (out.type == ToolType::grooving && !(out.width > 0)) {
     why = "gives no width of the blade";
+    return false;
+  }
+  const bool thousandths = unit == 1 && hint.width.inch_style;  // ".118 WIDE"
+  if (out.type == ToolType::grooving && hint.width.unit == 0 &&
+      (thousandths || out.width > kWidestBlade)) {
+    why = fmt::format("gives the width {} of the blade without a unit, in a program in {}",
+                      as_written(hint.width), unit > 1 ? "inches" : "mm");
     return false;
   }
   return true;

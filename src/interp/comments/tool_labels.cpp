@@ -68,6 +68,8 @@ class LabelReader {
   void read_corner(const Label& label);
   void keep(WordRole role, std::size_t number);
   void read_signs();
+  double length_register_beside() const;
+  bool is_beside_its_register(std::size_t size, double length_register) const;
   void read_letter_d();
   void read_second_d(std::size_t i);
   void take(const Label& label, std::size_t number) {
@@ -260,7 +262,7 @@ void LabelReader::keep(WordRole role, std::size_t number) {
 // "DIA. - 10.", ".5 DIA". Where numbers stand on both sides both are readings.
 void LabelReader::read_diameter(const Label& label) {
   const std::size_t i = label.first;
-  facts_.names_tool |= i > 0 && view_.is_one(i - 1, {"TOOL", "CUTTER"});
+  facts_.names_tool |= i > 0 && view_.is_one(i - 1, {"TOOL", "CUTTER", "BIT"});
   if (!facts_.kinds.empty()) {
     const ToolKind& kind = facts_.kinds.front();
     facts_.names_tool |= i > 0 && kind.firm && kind.first == 0 && kind.end == i;
@@ -291,13 +293,29 @@ void LabelReader::read_signs() {
   }
 }
 
+// The number of an H; -1: there is none. "D10H7" is a fit.
+double LabelReader::length_register_beside() const {
+  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
+    if (view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) &&
+        !(i > 0 && view_.glued(i)))
+      return view_[i + 1].value;
+  return -1;
+}
+
+// "FRAISE D10 H1 D1": D1 is the register that goes with H1.
+bool LabelReader::is_beside_its_register(std::size_t size, double length_register) const {
+  if (view_[size + 1].value == length_register) return false;
+  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
+    if (view_.is(i, "D") && view_[i + 1].is_number() && view_.glued(i + 1) &&
+        view_[i + 1].value == length_register)
+      return true;
+  return false;
+}
+
 // "END MILL D5", "D10R1"; beside an H it is the number of a register, behind a name in quotation
 // marks (T="CUTTER 10" D1) that of an edge.
 void LabelReader::read_letter_d() {
-  bool length_register = false;
-  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
-    length_register |= view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) &&
-                       !(i > 0 && view_.glued(i));  // "D10H7" is a fit
+  const double length_register = length_register_beside();
   for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
     if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
@@ -307,7 +325,8 @@ void LabelReader::read_letter_d() {
       continue;
     }
     const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
-    if (length_register || edge || !(value.value > 0)) continue;
+    if (length_register >= 0 && !is_beside_its_register(i, length_register)) continue;
+    if (edge || !(value.value > 0)) continue;
     if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"
     if (facts_.letter_d && has_flat_tip()) read_second_d(i);
     if (!facts_.letter_d) facts_.letter_d = view_.length(i + 1);
@@ -342,14 +361,6 @@ void read_blade(CommentView& view, ToolFacts& facts) {
 void read_tool_labels(CommentView& view, ToolFacts& facts) {
   read_blade(view, facts);
   LabelReader(view, facts).read();
-}
-
-// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
-bool is_corner_line(const CommentView& view) {
-  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
-  if (!view.is_one(i, {"TIP", "CORNER"}) || !view.is_one(i + 1, {"RADIUS", "RAD"})) return false;
-  i = view.behind(i + 1);
-  return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 
 }  // namespace mrsim

@@ -9,7 +9,4 @@ namespace mrsim {
 /// Takes the tokens it explains, but not those of the kind or the insert, which are taken before.
 void read_tool_labels(CommentView& view, ToolFacts& facts);
 
-/// "TIP RADIUS: 1.0" and nothing else: a line of several about one tool.
-bool is_corner_line(const CommentView& view);
-
 }  // namespace mrsim

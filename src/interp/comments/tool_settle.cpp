@@ -28,6 +28,9 @@ class Settler {
     hint_.inside = facts_.inside;
     hint_.face_groove = facts_.face_groove;
     hint_.bores = facts_.bores;
+    hint_.bare_id = facts_.bare_id;
+    hint_.bare_kind = facts_.bare_kind;
+    hint_.diameter_line = facts_.diameter_line;
     if (facts_.several_ids) doubt("names several tools");
     angles_ = settle_sizes(facts_, hint_);
     settle_type();
@@ -55,6 +58,8 @@ class Settler {
   void settle_mill();
   bool has_usual_corner() const;
   void take_nose_of_work();
+  ToolLength bare_nose() const;
+  void settle_round_insert();
   void settle_angle();
   void set_angle(double degrees);
   void drop_unclaimed();
@@ -109,6 +114,7 @@ void Settler::settle_type() {
   else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
+  if (facts_.round_insert) settle_round_insert();
   if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
 }
@@ -116,7 +122,7 @@ void Settler::settle_type() {
 // "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
 // in mm or inches, is no radius of the work.
 void Settler::take_nose_of_work() {
-  ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
+  ToolLength nose = hint_.nose ? hint_.nose : hint_.corner ? hint_.corner : bare_nose();
   if (!nose || (kind() && (!is_turning(kind()->type) || kind()->type == ToolType::threading)))
     return;
   const double unit = usual_nose_unit(nose.value);
@@ -124,6 +130,25 @@ void Settler::take_nose_of_work() {
   if (nose.unit == 0) nose.unit = unit;
   hint_.nose = nose;
   if (!hint_.operation) hint_.operation = ToolType::turning;
+}
+
+// "80 DEG ROUGH .031", "CNMG .8", "ROUGH OD .031": a number that nothing names, of the value of a
+// nose radius.
+ToolLength Settler::bare_nose() const {
+  const bool one = facts_.bare.size() == 1 && usual_nose_unit(facts_.bare.front().value) > 0;
+  return one && !facts_.bores ? facts_.bare.front() : ToolLength{};
+}
+
+// "BUTTON TOOL R4", "ROUND INSERT DIA 8" of a lathe.
+void Settler::settle_round_insert() {
+  ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
+  if (!facts_.named.empty() && !nose) (nose = facts_.named.front()).value /= 2;
+  if (kind() || facts_.insert || facts_.pair || !nose) return;
+  hint_.type = ToolType::turning;
+  hint_.insert = "R";
+  hint_.nose = nose;
+  hint_.corner = {};
+  hint_.diameters.clear();
 }
 
 // "80 DEG DIAMOND" is an insert; "GROOVE 3MM", ".093 GROOVE" name the work, and the blade perhaps.
@@ -200,7 +225,9 @@ void Settler::take_lead_angle() {
 
 void Settler::settle_nose() {
   if (!hint_.nose) hint_.nose = hint_.corner;
-  if (hint_.nose.unit == 0) hint_.nose.unit = usual_nose_unit(hint_.nose.value);
+  if (!hint_.nose && hint_.type == ToolType::turning) hint_.nose = bare_nose();
+  if (hint_.nose.unit == 0 && hint_.insert != "R")
+    hint_.nose.unit = usual_nose_unit(hint_.nose.value);
   hint_.corner = {};
   if (facts_.blade && facts_.blade->nose > 0) hint_.nose = {facts_.blade->nose, 1, false};
   if (facts_.full_radius && hint_.type == ToolType::grooving) (hint_.nose = hint_.width).value /= 2;
@@ -258,8 +285,10 @@ void Settler::settle_angle() {
   }
   if (trade_is(dovetail) && angle < 90) hint_.taper_angle = radians(angle);
   if (!pointed()) return;
-  if (facts_.taper > 0) {
-    const bool included = hint_.type == ToolType::drill || trade_is(countersink);
+  if (facts_.taper > 0) {  // of a side, as in Fusion's lists, unless that leaves no cone
+    constexpr double kLargestSide = 80;  // degrees
+    const bool included =
+        hint_.type == ToolType::drill || trade_is(countersink) || facts_.taper > kLargestSide;
     (included ? hint_.tip_angle : hint_.taper_angle) = radians(facts_.taper);
   } else if (angle > 0 && angle < 180) {
     set_angle(angle);
@@ -286,7 +315,7 @@ void Settler::set_angle(double degrees) {
 
 // What belongs to no tool after all.
 void Settler::drop_unclaimed() {
-  if (!hint_.type && !hint_.names_tool) hint_.diameters.clear();
+  if (!hint_.type && !hint_.names_tool && !facts_.diameter_line) hint_.diameters.clear();
   const bool tool = hint_.type || (hint_.names_tool && !hint_.diameters.empty());
   if (!tool && !facts_.corner_line) hint_.corner = {};
   if (!hint_.type) hint_.gauge.clear();

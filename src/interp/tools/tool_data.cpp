@@ -26,6 +26,19 @@ bool tells_blade_width(std::string_view comment) {
          std::none_of(unit.begin(), unit.end(), is_digit);
 }
 
+// "DRILL ALL HOLES" above T="DRILL_8".
+bool lacks_size(const ToolHint& comment) {
+  return comment.type && !is_turning(*comment.type) && comment.diameters.empty() &&
+         comment.doubt.empty();
+}
+
+// An end mill by what a comment says may have a corner by its name: "MILL_D20R2".
+bool is_kind_of(const ToolHint& name, const ToolHint& comment) {
+  if (!name.type) return false;
+  const bool corner = name.type == ToolType::bullmill && comment.type == ToolType::endmill;
+  return corner || name.type == comment.type;
+}
+
 }  // namespace
 
 ToolData::ToolData(Control& control, const ToolNotes& notes) : ControlPart(control), notes_(notes) {
@@ -57,7 +70,8 @@ bool ToolData::repeats_name(const std::string& comment, const std::string& id) c
 // From what comments say of it, else from its name. False and a reason where they do not suffice;
 // no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
 bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
-  if (const ToolHint* hint = notes_.find(id)) {
+  const ToolHint* said_of_it = notes_.find(id);
+  if (const ToolHint* hint = said_of_it) {
     if (hint->plain_teeth()) said = Severity::warning;
     if (fill_tool(*hint, scale(), lathe(), out, why)) {
       const bool number = !id.empty() && hint->gauge == id;  // "#7 DRILL" beside T7
@@ -69,7 +83,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
                          hint->diameter);
     }
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
-    if (!repeats_name(hint->text, id)) return false;
+    if (!repeats_name(hint->text, id) && !lacks_size(*hint)) return false;
   }
   std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -79,6 +93,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
   if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
   hint.text = id;
   std::string ignored;
+  if (said_of_it && lacks_size(*said_of_it) && !is_kind_of(hint, *said_of_it)) return false;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
     if (why.empty() && lathe() && hint.type == ToolType::grooving)  // no insert that turns
       why = fmt::format("its name \"{}\" {}", id, ignored);

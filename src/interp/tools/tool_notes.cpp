@@ -16,6 +16,28 @@ bool heads_list(const std::string& comment) {
   return false;
 }
 
+// Runs and lists that are kept: a program of nothing but comments fills no memory.
+constexpr std::size_t kLongestList = 1000;
+
+// "(BALL MILL D8)", "(TOOL NUMBER: 5)", "(DRILL D6)", "(TOOL NUMBER: 6)": the number ends what is
+// said of a tool.
+bool numbers_come_last(const std::vector<ToolHint>& run) {
+  return run.front().id.empty() && run.back().bare_id && !run.back();
+}
+
+// As a whole word: MILL_D10 is none in "MILL_D10_R1".
+bool has_name(const std::string& text, const std::string& id) {
+  const auto inside = [&](std::size_t i) { return i < text.size() && is_name(text[i]); };
+  for (std::size_t at = text.find(id); at != text.npos; at = text.find(id, at + 1))
+    if (!inside(at + id.size()) && (at == 0 || !inside(at - 1))) return true;
+  return false;
+}
+
+// "MILL_D20R2" of a tool list; DRILL alone is a word of many comments.
+bool is_distinct_name(const std::string& id) {
+  return id.find_first_of("0123456789") != id.npos && id.find_first_not_of("0123456789") != id.npos;
+}
+
 // "6mm endmill" is a tool wherever it stands; "drill 6mm" may be the work.
 bool is_tool_with_size(const ToolHint& hint) {
   if (!hint.type || !hint.firm || hint.diameters.empty()) return false;
@@ -39,6 +61,11 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone, bool heads) {
   ToolHint hint = read_tool_comment(bytes);
+  if (hint.only_diameter()) {
+    if (!called.empty()) not_understood_.try_emplace(called, hint.text);
+    if (!run_.empty() && called.empty() && alone) merge_hint(run_.back(), hint);
+    return;
+  }
   if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
   if (!hint.id.empty() && hint) return add(hint.id, hint);
@@ -50,6 +77,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     return;
   }
   if (!alone) return;
+  // "USES BAR PULLER" is no name of a tool: its moves would not be swept.
+  if (lathe_ && hint.trade == ToolTrade::no_cutter && hint.id.empty() && !hint.bare_kind) return;
   // Behind the first cut it is no list of what the program does.
   if (lathe_ && (cuts_ || heads) && !hint && (hint.operation || hint.bores))
     name_by_operation(hint);
@@ -61,15 +90,32 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
     return add(current_, hint);
   if (hint.id.empty()) add_unnumbered(hint);
-  if (!hint.id.empty() || interrupted_) {  // "TOOL 3" begins what is said of it
-    if (!group_.id.empty() && group_) add(group_.id, group_);
-    group_ = {};
+  if (hint.id.empty() && !cuts_ && named_.size() < kLongestList) named_.push_back(hint);
+  if (run_.size() == kLongestList) settle_run();
+  run_.push_back(std::move(hint));
+}
+
+// The comments between two blocks, told apart by the tools that they name. The last of them wait
+// for their tool.
+void ToolNotes::settle_run() {
+  if (run_.empty()) return;
+  end_group();
+  const bool last = numbers_come_last(run_);
+  for (const ToolHint& hint : run_) {
+    const bool ends = last && hint.bare_id && !hint;
+    if (!hint.id.empty() && !ends) end_group();  // "TOOL 3" begins what is said of it
+    if (group_.text.empty())
+      group_ = hint;
+    else
+      merge_hint(group_, hint);
+    if (ends) end_group();
   }
-  interrupted_ = false;
-  if (group_.text.empty())
-    group_ = hint;
-  else
-    merge_hint(group_, hint);
+  run_.clear();
+}
+
+void ToolNotes::end_group() {
+  if (!group_.id.empty() && group_) add(group_.id, group_);
+  group_ = {};
 }
 
 // A tool with its size: one that a T word has named and no M6 brought yet (pcb2gcode), or the one
@@ -95,8 +141,8 @@ void ToolNotes::name_by_operation(ToolHint& hint) {
 void ToolNotes::add_corner(const ToolHint& hint) {
   if (blocks_since_change_ == 0 && find(current_) != nullptr)
     add(current_, hint);
-  else if (!group_.text.empty() && !interrupted_)
-    merge_hint(group_, hint);
+  else if (!run_.empty())
+    merge_hint(run_.back(), hint);
 }
 
 // "(Endmill 3mm)" in a program without T words.
@@ -122,10 +168,25 @@ bool ToolNotes::adopt_nameless() {
 }
 
 void ToolNotes::call(const std::string& id) {
+  settle_run();
   const bool other = !group_.id.empty() && group_.id != id;
-  if (group_ && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
+  const bool listed = !other && add_by_name(id);
+  if (group_ && !listed && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
   group_ = {};
   called_ = id;
+}
+
+// "; MILL_D20R2 (D20 R2)" in a list of names. False: no comment names the tool.
+bool ToolNotes::add_by_name(const std::string& id) {
+  if (!is_distinct_name(id)) return false;
+  bool found = false;
+  for (const ToolHint& hint : named_) {
+    const bool sized = hint.diameter > 0 || !hint.insert.empty();
+    if (!sized || !has_name(hint.text, id)) continue;
+    add(id, hint);
+    found = true;
+  }
+  return found;
 }
 
 void ToolNotes::change(const std::string& id) {
@@ -136,8 +197,13 @@ void ToolNotes::change(const std::string& id) {
 }
 
 void ToolNotes::end_block() {
-  interrupted_ = true;
+  settle_run();
   if (blocks_since_change_ < 1) ++blocks_since_change_;
+}
+
+void ToolNotes::end_waiting() {
+  settle_run();
+  end_group();
 }
 
 std::string ToolNotes::not_understood(const std::string& id) const {

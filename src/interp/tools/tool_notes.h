@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace mrsim {
 
@@ -33,7 +34,7 @@ class ToolNotes {
   void end_block();
   /// A cut: comments above it are not about the next tool.
   void cut() {
-    if (!group_.text.empty()) group_ = {};  // asked at every cut
+    if (!group_.text.empty() || !run_.empty()) end_waiting();  // asked at every cut
     cuts_ = cuts_since_change_ = true;
     called_.clear();
   }
@@ -56,6 +57,10 @@ class ToolNotes {
   void add(const std::string& id, const ToolHint& hint);
   static void name_by_operation(ToolHint& hint);
   void add_corner(const ToolHint& hint);
+  bool add_by_name(const std::string& id);
+  void settle_run();
+  void end_group();
+  void end_waiting();
   void add_nameless(const ToolHint& hint);
   void add_unnumbered(const ToolHint& hint);
 
@@ -63,12 +68,13 @@ class ToolNotes {
   std::size_t turret_digits_;
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
-  ToolHint group_;      ///< the comments that wait for their tool
-  ToolHint nameless_;   ///< above the first cut
-  bool lists_ = false;  ///< a comment has headed a list of tools
+  std::vector<ToolHint> run_;    ///< the comments since the last block
+  ToolHint group_;               ///< those before it that wait for their tool
+  std::vector<ToolHint> named_;  ///< without a number, above the first cut
+  ToolHint nameless_;            ///< above the first cut
+  bool lists_ = false;           ///< a comment has headed a list of tools
   bool cuts_ = false, cuts_since_change_ = false;
-  bool interrupted_ = false;  ///< a block stands between the group and the next comment
-  bool adopted_ = false;      ///< nameless_ is the tool
+  bool adopted_ = false;  ///< nameless_ is the tool
   std::string other_, current_;
   std::string called_;  ///< the tool that a T word has named, before the next cut and change
   int blocks_since_change_ = 1;

@@ -156,10 +156,11 @@ double distance_in_plan(const Motion& m, const Vec3& p) {
 }
 
 // A place where a rapid goes down below the stock's top before anything is cut there, or straight
-// down below what has been cut: beside it.
+// down below what has been cut: beside it. So does one to the next pass, level and below the top.
 struct WayDown {
-  Vec3 place;
+  Vec3 place, from;
   double radius = 0;
+  bool is_level = false;
 };
 
 // Whether a cut has made way for this rapid: down to its end where it goes straight down. Rapids
@@ -184,18 +185,19 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
   for (std::size_t i = 0; i < motions.size() && ways.size() < kMost; ++i) {
     const Motion& m = motions[i];
     const bool goes_on = is_beside && m.end.z <= m.start.z;
+    const bool is_level = !goes_on && m.end.z == m.start.z;
     is_beside = false;
     if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 ||
-        !(m.end.z < m.start.z || goes_on) || m.end.z > top - kSameHeight)
+        !(m.end.z < m.start.z || goes_on || is_level) || m.end.z > top - kSameHeight)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
-    if (!(radius > 0) || is_cut_before(motions, i, radius)) continue;
-    is_beside = true;
+    if (!(radius > 0) || is_cut_before(motions, i, is_level ? radius / 2 : radius)) continue;
+    is_beside = !is_level;
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
       return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) <
              (goes_on ? kSameHeight : radius);
     });
-    if (!known) ways.push_back({m.end, radius});
+    if (!known) ways.push_back({m.end, is_level ? m.start : m.end, radius, is_level});
   }
   return ways;
 }
@@ -211,42 +213,50 @@ class SideKeeper {
   bool keep_beside(Box3& box) const {
     constexpr double kMostOfCuts = 0.1, kEverywhere = std::numeric_limits<double>::infinity();
     const std::vector<WayDown> ways = ways_down(motions_, radii_, top_);
-    const double most = ways.empty() ? 0 : kMostOfCuts * cut_beyond(0, kEverywhere);
+    const double most = ways.empty() ? 0 : kMostOfCuts * cut_beyond(0, kEverywhere).whole;
+    const Vec3 size = box.hi - box.lo;
     bool all = true;
-    for (const WayDown& way : ways) all = keep_beside(box, way, most) && all;
+    for (const WayDown& way : ways) all = keep_beside(box, size, way, most) && all;
     return all;
   }
 
  private:
   // The side beyond which the least is cut, `most` mm at most, the nearest of several.
-  bool keep_beside(Box3& box, const WayDown& way, double most) const {
+  // `size`: of the whole box.
+  bool keep_beside(Box3& box, const Vec3& size, const WayDown& way, double most) const {
     constexpr double kGap = 0.1, kMostOfSide = 1.0 / 3;
     const double reach = way.radius + kGap;
-    const double places[] = {round_up(way.place.x + reach), round_down(way.place.x - reach),
-                             round_up(way.place.y + reach), round_down(way.place.y - reach)};
+    const Vec3 &a = way.place, &b = way.from;
+    const double places[] = {
+        round_up(std::max(a.x, b.x) + reach), round_down(std::min(a.x, b.x) - reach),
+        round_up(std::max(a.y, b.y) + reach), round_down(std::min(a.y, b.y) - reach)};
     double* const sides[] = {&box.lo.x, &box.hi.x, &box.lo.y, &box.hi.y};
     int best = -1;
     std::pair<double, double> least;
     for (int side = 0; side < 4; ++side) {
       const double drawn = (side % 2 == 0 ? 1 : -1) * (places[side] - *sides[side]);
       if (drawn <= 0) return true;  // outside already
-      const double length = side < 2 ? box.hi.x - box.lo.x : box.hi.y - box.lo.y;
-      if (drawn > kMostOfSide * length) continue;
-      const double lost = cut_beyond(side, places[side]);
+      if (drawn > kMostOfSide * (side < 2 ? size.x : size.y)) continue;
+      const auto [lost, longest] = cut_beyond(side, places[side]);
       const std::pair<double, double> costs(std::floor(lost / way.radius), drawn);
-      if (lost > most || (best >= 0 && costs >= least)) continue;
+      const bool cuts_along = way.is_level && longest > way.radius / 2;
+      if (lost > most || cuts_along || (best >= 0 && costs >= least)) continue;
       best = side;
       least = costs;
     }
     if (best >= 0) *sides[best] = places[best];
-    return best >= 0;
+    return best >= 0 || way.is_level;  // between two passes inside: through the stock
   }
 
+  struct Lost {
+    double whole = 0, longest = 0;  // mm; of all cuts, and of one in plan
+  };
+
   // How much of the way below the top tools would go beside a stock that ends at `at`.
-  double cut_beyond(int side, double at) const {
+  Lost cut_beyond(int side, double at) const {
     const double sign = side % 2 == 0 ? 1 : -1;
     const auto along = [&](const Vec3& p) { return sign * (side < 2 ? p.x : p.y); };
-    double lost = 0;
+    Lost lost;
     for (const Motion& m : motions_) {
       if (!is_cut(m) || m.tool < 0 || std::min(m.start.z, m.end.z) > top_ - kSameHeight) continue;
       const bool arc = m.kind == MotionKind::arc;
@@ -255,7 +265,10 @@ class SideKeeper {
       const double to = arc ? along(m.center) + m.radius : along(m.end);
       const double end = sign * at - radii_[static_cast<std::size_t>(m.tool)];
       const double low = std::min(from, to), span = std::fabs(to - from);
-      lost += way * std::clamp((end - low) / std::max(span, kSameHeight), 0.0, 1.0);
+      const double beside = way * std::clamp((end - low) / std::max(span, kSameHeight), 0.0, 1.0);
+      lost.whole += beside;
+      if (m.start.x != m.end.x || m.start.y != m.end.y || arc)
+        lost.longest = std::max(lost.longest, beside);
     }
     return lost;
   }

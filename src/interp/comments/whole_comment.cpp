@@ -1,0 +1,57 @@
+#include "interp/comments/whole_comment.h"
+
+#include "interp/comments/comment_words.h"
+
+namespace mrsim {
+namespace {
+
+// "TIP RADIUS: 1.0", "CORNER: 1.0" and nothing else: a line of several about one tool.
+bool is_corner_line(const CommentView& view) {
+  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  if (!view.is_one(i, {"TIP", "CORNER"})) return false;
+  const bool radius = view.is_one(i + 1, {"RADIUS", "RAD"});
+  i = view.behind(radius ? i + 1 : i);
+  return view.has(i) && view[i].is_number() && (radius || view[i].decimals) && i + 1 == view.size();
+}
+
+// "DIAMETER: 8.0" and nothing else.
+bool is_diameter_line(const CommentView& view) {
+  if (!view.word(0) || comment_word(view[0].text).role != WordRole::diameter) return false;
+  const std::size_t i = view.behind(0);
+  return view.has(i) && view[i].is_number() && i + 1 == view.size();
+}
+
+// "T", "NO.", "NUMBER": words beside a tool's number.
+bool is_word_of_id(const CommentView& view, std::size_t i) {
+  return is_word_for_tool(view, i) || view.is_one(i, {"T", "NO", "NR", "NUMBER", "NUMMER", "ID"});
+}
+
+bool names_round_insert(const CommentView& view, std::size_t i) {
+  return (view.is(i, "BUTTON") && view.is_one(i + 1, {"TOOL", "INSERT"})) ||
+         (view.is(i, "ROUND") && view.is(i + 1, "INSERT")) || view.is(i, "RUNDPLATTE");
+}
+
+}  // namespace
+
+bool is_word_for_tool(const CommentView& view, std::size_t i) {
+  return view.is_one(
+      i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE", "NARZEDZIE"});
+}
+
+void read_whole_comment(const CommentView& view, ToolFacts& facts) {
+  facts.corner_line = is_corner_line(view);
+  facts.diameter_line = is_diameter_line(view);
+  facts.bare_id = !facts.id.empty();
+  facts.bare_kind = facts.kind() != nullptr;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    const bool word = view.word(i);
+    if (view[i].is_number()) facts.bare_id &= view.taken(i);
+    if (word) facts.bare_id &= is_word_of_id(view, i);
+    if (word && !view.taken(i) && !view.is_one(i, {"TOOL", "N"}))
+      facts.bare_kind &= comment_word(view[i].text).role != WordRole::none;
+    facts.round_insert |= names_round_insert(view, i);
+    if (view.number(i) && view[i].decimals && !view[i].angle) facts.bare.push_back(view.length(i));
+  }
+}
+
+}  // namespace mrsim
