@@ -1,6 +1,7 @@
 #include "part_findings.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "mesh/solid/pieces.h"
 #include "removal/part/default_stock.h"
 #include "thread_passes.h"
@@ -172,10 +173,9 @@ void report_mesh(JobResult& result, const MeshReport& found) {
 void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
   result.slabs = part.blocks();
   report(result, Severity::note, "slabs",
-         fmt::format("done in {} slabs, to stay below {:.3g} GB: in one piece it would take about "
-                     "{:.3g} GB",
-                     part.blocks(), static_cast<double>(stock.memory_limit()) / 1e9,
-                     stock.memory_whole() / 1e9));
+         fmt::format("done in {} slabs, to stay below {}: in one piece it would take about {}",
+                     part.blocks(), size_text(static_cast<double>(stock.memory_limit())),
+                     size_text(stock.memory_whole())));
 }
 
 }  // namespace mrsim

@@ -124,6 +124,7 @@ class Checker {
 }  // namespace
 
 int run_check(const Arguments& arguments) {
+  tell_stop_as_finding(arguments);
   const std::vector<std::string> programs = programs_of(arguments.inputs);
   Checker checker(arguments, programs.size() > 1);
   for (const std::string& program : programs) checker.check(program);

@@ -163,6 +163,7 @@ int trace_program(const Arguments& arguments, Findings& findings) {
 }  // namespace
 
 int run_trace(const Arguments& arguments) {
+  tell_stop_as_finding(arguments);
   Findings findings(arguments);
   try {
     return trace_program(arguments, findings);

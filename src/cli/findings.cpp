@@ -2,6 +2,7 @@
 
 #include "cli/diagnostics.h"
 #include "cli/standard_streams.h"
+#include "cli/stop.h"
 #include "cli/terminal.h"
 #include <mrsim/mrsim.h>
 
@@ -21,6 +22,14 @@ std::string json_quoted(const std::string& text) {
       out += c;
   }
   return out + "\"";
+}
+
+void tell_stop_as_finding(const Arguments& arguments) {
+  if (!arguments.json) return;
+  set_last_words([arguments](int) {
+    ::flockfile(stdout);  // the last line
+    Findings(arguments).add(Error("cancelled", "the run was stopped"), arguments.input);
+  });
 }
 
 Findings::Findings(const Arguments& arguments, std::string program)

@@ -40,6 +40,9 @@ class Findings {
   std::array<std::size_t, 3> count_{};
 };
 
+/// From now on a stop is told as an error, with --json as an object of its line like others.
+void tell_stop_as_finding(const Arguments& arguments);
+
 /// `text` as a JSON string, with its quotes.
 std::string json_quoted(const std::string& text);
 

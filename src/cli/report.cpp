@@ -1,6 +1,7 @@
 #include "cli/report.h"
 
 #include "cli/terminal.h"
+#include "core/memory_limit.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -115,8 +116,9 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
       sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
   }
   for (const std::string& path : arguments.outputs) {
-    std::error_code ignored;
-    sheet.row("written", path, file_size(std::filesystem::file_size(path, ignored)));
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    sheet.row("written", path, unknown ? "" : size_text(static_cast<double>(size)));
   }
 }
 
@@ -169,8 +171,8 @@ void add_time(Sheet& sheet, const JobResult& result) {
     stages += fmt::format("{}{} {:.3f}", stages.empty() ? "" : ", ", stage, seconds);
   }
   sheet.row("time", fmt::format("{:.3f} s", total), stages);
-  sheet.row("memory", file_size(result.peak_memory) + " at most",
-            file_size(result.expected_memory) + " were expected");
+  sheet.row("memory", size_text(static_cast<double>(result.peak_memory)) + " at most",
+            size_text(static_cast<double>(result.expected_memory)) + " were expected");
 }
 
 }  // namespace
@@ -238,14 +240,6 @@ std::string duration(double seconds) {
   if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-}
-
-std::string file_size(std::size_t bytes) {
-  const double size = static_cast<double>(bytes);
-  if (size < 1000) return fmt::format("{} bytes", bytes);
-  if (size < 1e6) return fmt::format("{:.1f} kB", size / 1e3);
-  if (size < 1e9) return fmt::format("{:.1f} MB", size / 1e6);
-  return fmt::format("{:.2f} GB", size / 1e9);
 }
 
 std::string format_program(const Program& program, bool verbose, bool colours) {

@@ -28,7 +28,5 @@ std::string grouped(double value, int decimals);
 std::string small_volume(double volume);
 /// "1 h 02 min", "3 min 07 s", "12.4 s"
 std::string duration(double seconds);
-/// "1.5 MB"
-std::string file_size(std::size_t bytes);
 
 }  // namespace mrsim::cli

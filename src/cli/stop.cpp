@@ -4,6 +4,7 @@
 #include "core/memory_limit.h"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -11,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include <poll.h>
 #include <unistd.h>
 
 namespace mrsim::cli {
@@ -39,10 +41,30 @@ sigset_t stop_signals() {
   return out;
 }
 
+// What is printed ends with a whole line, where its reader takes it: JSON is read line by line.
+void end_line() {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::milliseconds(20);
+  while (::ftrylockfile(stdout) != 0)  // kept: nobody prints from here on
+    if (Clock::now() > end) return;    // its reader takes nothing
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  if (::poll(&out, 1, 0) == 1) std::fflush(stdout);
+}
+
 [[noreturn]] void end_now(int code) {
+  end_line();
   remove_temporary_places();
   std::fputs(is_written ? "mrsim: stopped\n" : "mrsim: stopped; nothing was written\n", stderr);
   ::_exit(code);
+}
+
+// `timeout`, for one, sends its signal to the process and to the group of it: that is one stop, not
+// an impatient second.
+void drop_twins(const sigset_t& set) {
+  const timespec moment{0, 30'000'000}, none{0, 0};
+  ::nanosleep(&moment, nullptr);
+  while (::sigtimedwait(&set, nullptr, &none) > 0) {
+  }
 }
 
 void wait_for_signals() {
@@ -52,6 +74,7 @@ void wait_for_signals() {
   }
   const int code = 128 + signal;
   stopped = code;
+  drop_twins(set);
   const timespec in_order = grace();
   if (::sigtimedwait(&set, nullptr, &in_order) > 0) end_now(code);
   // The words are said beside this thread, so that they cannot hold up the end.

@@ -178,9 +178,9 @@ ChildOutcome run_in_child(const ChildLimits& given,
         "memory",
         limits.what + " takes more address space than is free; raise its limit (ulimit -v)");
   if (!is_little) return out;
-  throw Error("memory", fmt::format("{} takes more than the {:.3g} GB that are left of the limit; "
+  throw Error("memory", fmt::format("{} takes more than the {} that are left of the limit; "
                                     "--max-memory allows more",
-                                    limits.what, left / 1e9));
+                                    limits.what, size_text(left)));
 }
 
 int start_program(const std::vector<std::string>& words, ProgramLife life) {

@@ -56,10 +56,16 @@ double memory_left() {
 void require_memory(double bytes, const std::string& what, const std::string& advice) {
   const double left = memory_left();
   if (bytes <= left) return;
-  throw Error("memory", fmt::format("{} takes about {:.3g} GB, {:.3g} GB of the limit of {:.3g} GB "
-                                    "are left; {}",
-                                    what, bytes / 1e9, left / 1e9, double(limit) / 1e9,
+  throw Error("memory", fmt::format("{} takes about {}, {} of the limit of {} are left; {}", what,
+                                    size_text(bytes), size_text(left), size_text(double(limit)),
                                     advice.empty() ? "--max-memory allows more" : advice));
+}
+
+std::string size_text(double bytes) {
+  if (bytes < 1e3) return fmt::format("{:.0f} bytes", bytes);
+  if (bytes < 1e6) return fmt::format("{:.1f} kB", bytes / 1e3);
+  if (bytes < 1e9) return fmt::format("{:.1f} MB", bytes / 1e6);
+  return fmt::format("{:.2f} GB", bytes / 1e9);
 }
 
 void release_freed_memory() {

@@ -34,6 +34,9 @@ void require_memory(double bytes, const std::string& what, const std::string& ad
 /// The part of the limit that is not in use yet, in bytes; infinity without a limit.
 double memory_left();
 
+/// "684 bytes", "38.6 MB": an amount of memory, or the size of a file.
+std::string size_text(double bytes);
+
 /// Gives memory that was freed back to the machine: after a stage whose memory is of no use to the
 /// next one, whose peak would come on top of it.
 void release_freed_memory();

@@ -85,7 +85,7 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
       ASSERT_EQ(whole.code, 0) << name << whole.err;
       // In slabs it takes less: what a run asks for that has too little.
       const Outcome refused = run(command + " --max-memory 16M -o none.stl");
-      const double needed = 1.02e9 * number_after(refused.err, "needs up to ");
+      const double needed = 1.02e6 * number_after(refused.err, "needs up to ");  // MB
       const std::string limit = std::to_string(static_cast<int>(needed / 1024));
       const Outcome outcome = run(command + " --max-memory " + limit + "K -o slabs.stl");
       ASSERT_EQ(outcome.code, 0) << name << outcome.err;

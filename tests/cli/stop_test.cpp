@@ -2,6 +2,7 @@
 // nothing.
 #include "run_program.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace mrsim {
@@ -80,6 +81,22 @@ TEST_F(Stop, EndsAComparisonWithinASecond) {
   expect_stopped("compare block.stl bar.stl --density 300 --json c.json", "TERM", 143);
   expect_valid("compare", "c.json");
   EXPECT_TRUE(contains(read("c.json"), "\"cancelled\""));
+}
+
+// The lines of JSON end with a whole one, which says that there are not all.
+TEST_F(Stop, EndsAListWithAWholeLine) {
+  write("long.nc",
+        "G17 G90 G21\nF500\nG0 X0 Y0\nM98 P1 L9999999\nM30\nO1\nG91 G1 X1\nG1 X-1\nM99\n");
+  for (const char* command : {"trace", "check"}) {
+    const std::string arguments =
+        std::string(command) + " long.nc --dialect fanuc --machine mill --tool endmill:d=5 --json";
+    const Outcome outcome = run(arguments, "timeout -s TERM 0.5");  // which sends it twice
+    EXPECT_EQ(outcome.code, 124) << command << outcome.err;         // of timeout
+    const std::size_t late = outcome.out.size() - std::min<std::size_t>(outcome.out.size(), 20000);
+    write("lines", outcome.out.substr(late == 0 ? 0 : outcome.out.find('\n', late) + 1));
+    expect_valid(command, "lines", "--lines");
+    EXPECT_TRUE(contains(outcome.out, "\"cancelled\"")) << command;
+  }
 }
 
 }  // namespace

@@ -89,10 +89,10 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 void require_memory(double needed, std::size_t available, double tolerance) {
   if (available == 0 || needed <= static_cast<double>(available)) return;
   throw Error("memory",
-              fmt::format("the mesh within a tolerance of {:.6g} mm needs about {:.3g} GB or more, "
-                          "{:.3g} GB are available for it; a larger --tolerance takes less, and "
+              fmt::format("the mesh within a tolerance of {:.6g} mm needs about {} or more, "
+                          "{} are available for it; a larger --tolerance takes less, and "
                           "with --voxel and no --tolerance the run is done in slabs",
-                          tolerance, needed / 1e9, static_cast<double>(available) / 1e9));
+                          tolerance, size_text(needed), size_text(static_cast<double>(available))));
 }
 
 double expected_nodes(double memory) { return memory / kNodeOfAll; }

@@ -121,13 +121,13 @@ struct Need {
   double fits = voxel;
   while (fits < coarsest && need.at_most(fits, may_slab) > available) fits *= 1.05;
   throw Error("memory",
-              fmt::format("a voxel of {:.6g} mm needs up to {:.3g} GB for this stock and {} "
-                          "motions{}, {:.3g} GB are available; {}{}",
-                          voxel, need.at_most(voxel, may_slab) / 1e9, need.motions,
-                          may_slab ? " in slabs" : "", available / 1e9,
+              fmt::format("a voxel of {:.6g} mm needs up to {} for this stock and {} "
+                          "motions{}, {} are available; {}{}",
+                          voxel, size_text(need.at_most(voxel, may_slab)), need.motions,
+                          may_slab ? " in slabs" : "", size_text(available),
                           need.at_most(fits, may_slab) <= available
                               ? fmt::format("{:.3g} mm would fit", fits)
-                              : "no voxel would fit",
+                              : "no voxel would fit: a larger --max-memory, or fewer --threads",
                           may_slab ? "" : "; " + need.options.no_slabs));
 }
 
