@@ -221,6 +221,38 @@ TEST(ToolCommentReadings, RegistersBesideADiameter) {
   });
 }
 
+// Numbers of the work beside a kind that names a tool, too.
+TEST(ToolCommentReadings, SizesOfTheWork) {
+  for (const char* none :
+       {"FACE MILL 0.5MM OFF TOP", "FACE MILL TOP 0.5MM", "BALL MILL 0.2MM STEPOVER",
+        "END MILL 45MM BOSS", "ENDMILL POCKET 20MM", "ENDMILL 30MM POCKET",
+        "ENDMILL IN 16MM COLLET", "ENDMILL HOLDER 20MM", "ENDMILL FINISH WALL 0.2MM",
+        "ENDMILL 40MM LONG", "CHAMFER MILL EDGES 0.5MM", "CHAMFER MILL 0.5MM EDGE BREAK"})
+    EXPECT_EQ(told(none, 1, false), "? gives no diameter") << none;
+  for (const char* none :
+       {"DRILL THRU 20MM", "DRILL ON 50MM PCD", "DRILL PCD 50MM", "DRILL 20MM APART",
+        "DRILL 50MM BOLT CIRCLE", "DRILL EVERY 15MM", "PECK DRILL 3MM STEP", "DRILL CHUCK 13MM",
+        "ROUGH MILL 0.3MM STOCK", "REST MILL AFTER 10MM ENDMILL"})
+    EXPECT_EQ(told(none, 1, false), "-") << none;
+  expect_readings({
+      {mm, "FINISH WALLS 10MM ENDMILL", "endmill 10"},
+      {mm, "POCKET 20MM ENDMILL", "endmill 20"},
+      {mm, "ROUGH TOP 50MM FACEMILL", "endmill 50"},
+      {mm, "10MM ENDMILL STOCK .5", "endmill 10"},
+      {mm, ".5 STOCK 10MM ENDMILL", "endmill 10"},
+      {mm, "20MM CHUCK 6MM DRILL", "drill 6"},
+      {mm, "DRILL 8.5MM GUHRING", "drill 8.5"},
+      {mm, "FACE MILL 1MM", "? can be read as diameter 1 mm or as what the work loses"},
+      {mm, "CHAMFER HOLES 0.5MM", "? can be read as diameter 0.5 mm or as what the work loses"},
+      {mm, "CHAMFER MILL DIA 1", "chamfer 1, point 90"},
+      {mm, "DRILL 4X 8.5MM", "? can be read as diameter 4 or as 4 places"},
+      {mm, "COUNTERBORE 4X 11MM", "? can be read as diameter 4 or as 4 places"},
+      {mm, "8.5 X 117 DRILL", "drill 8.5"},
+      {mm, "4 X 75 DRILL", "drill 4"},
+      {inch, "1/2 OR 12MM ENDMILL", "? names two sizes"},
+  });
+}
+
 TEST(ToolCommentReadings, AngleThatNoSideHas) {
   expect_readings({
       {mm, "T5 D=10. CR=0. TAPER=45DEG - CHAMFER MILL", "chamfer 10, side 45"},

@@ -22,7 +22,8 @@ enum class WordRole : std::uint8_t {
   taper,
   tip,
   count,  ///< "4 HOLES"
-  other   ///< a number of no interest: depth, speed, shank, register
+  other,  ///< a number of no interest: depth, speed, shank, register
+  work    ///< the same of words about the work: "STOCK .5", "50MM PCD"
 };
 
 /// Where the number of a word stands.

@@ -36,6 +36,7 @@ struct ToolHint {
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
   double diameter = 0;                ///< value of the first reading, 0 = none
+  bool bare_size = false;             ///< nothing names it: "FACE MILL 1MM"
   ToolLength corner, nose, width;
   ToolLength tip;                             ///< diameter of a V tool's tip
   ToolLength flute_length;                    ///< "LOC 1.0"

@@ -130,11 +130,12 @@ void FactReader::take_kinds() {
   if (facts_.insert) view_.take(facts_.insert->first, facts_.insert->end);
 }
 
-// "6.8 DRILL FOR M8 TAP": what stands behind the FOR is another tool.
+// "6.8 DRILL FOR M8 TAP", "REST MILL AFTER 10MM ENDMILL": what stands behind is another tool.
 void FactReader::drop_purpose() {
   std::vector<ToolKind>& kinds = facts_.kinds;
   for (std::size_t i = 1; i < view_.size(); ++i) {
-    if (!view_.is_one(i, {"FOR", "FUER", "F~R", "POUR", "PARA", "DLA"})) continue;
+    if (!view_.is_one(i, {"FOR", "FUER", "F~R", "POUR", "PARA", "DLA", "AFTER", "NACH", "APRES"}))
+      continue;
     const bool told =
         std::any_of(kinds.begin(), kinds.end(), [&](const ToolKind& k) { return k.first < i; });
     if (!told) continue;
@@ -325,6 +326,7 @@ void FactReader::read_behind(const ToolKind& kind) {
   if (group == nullptr) return;
   group->used = true;
   if (view_.is(group->end, "OF") && view_.number(group->end + 1)) return;  // "DRILL 1 OF 2"
+  if (view_.is(group->end, "LONG")) return;                                // "ENDMILL 40MM LONG"
   facts_.behind_ends = ends(group->end);
   facts_.behind_kind = sizes(*group);
 }

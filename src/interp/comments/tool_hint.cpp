@@ -168,6 +168,17 @@ void sketch(const ToolHint& hint, double unit, Tool& out) {
   out.taper_angle = hint.taper_angle;
 }
 
+// "FACE MILL 1MM", "CHAMFER MILL 0.5MM": what the work loses, for a diameter is larger.
+bool may_be_depth(const ToolHint& hint, double diameter, std::string& why) {
+  constexpr double kLeastFaceMill = 6, kLeastChamferMill = 2;  // mm
+  const double least = hint.trade == ToolTrade::face_mill      ? kLeastFaceMill
+                       : hint.trade == ToolTrade::chamfer_mill ? kLeastChamferMill
+                                                               : 0;
+  if (!hint.bare_size || diameter >= least) return false;
+  why = fmt::format("can be read as diameter {:.4g} mm or as what the work loses", diameter);
+  return true;
+}
+
 bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   const bool open_cone = hint.trade == ToolTrade::vee && hint.diameters.empty();
   if (hint.diameters.empty() && !open_cone) {
@@ -176,6 +187,7 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   }
   if (!open_cone) out.diameter = agreed_diameter(hint, unit, why);
   if (!open_cone && !(out.diameter > 0)) return false;
+  if (may_be_depth(hint, out.diameter, why)) return false;
   out.taper_angle = hint.taper_angle;
   out.tip_angle = hint.tip_angle;
   if (hint.assumed_angle)
@@ -243,6 +255,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
              !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
     into.doubt = "name different kinds of tool";
   }
+  into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
   into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
   if (into.diameter == 0) into.diameter = more.diameter;
   if (!into.corner) into.corner = more.corner;

@@ -22,7 +22,8 @@ struct Label {
 WordRole joined(WordRole a, WordRole b) {
   using enum WordRole;
   const bool rounding = b == WordRole::radius || b == radius_letter;
-  if (a == other && (b == diameter || b == other || rounding || b == angle)) return other;
+  if ((a == other || a == work) && (b == diameter || b == other || rounding || b == angle))
+    return a;
   if (a == diameter && b == register_of) return other;
   if ((a == corner || a == tip) && rounding) return WordRole::radius;
   if (a == nose && rounding) return nose;
@@ -65,6 +66,7 @@ class LabelReader {
   bool has_corner() const;
   void read_label(const Label& label);
   void read_diameter(const Label& label);
+  void read_register(const Label& label);
   void read_corner(const Label& label);
   void keep(WordRole role, std::size_t number);
   void read_signs();
@@ -162,7 +164,8 @@ std::size_t LabelReader::number_behind(const Label& label) const {
   if (!view_.number(number) || (view_[number].angle && !angle)) return kNone;
   const bool sign = number > label.end && !view_.is(label.end, "-");
   if (sign || view_.glued(number)) return number;
-  const bool other = label.role == WordRole::other && number_before(label) != kNone;
+  const bool other = label.role == WordRole::work ||
+                     (label.role == WordRole::other && number_before(label) != kNone);
   return claimed(number) || (other && is_of_kind(number)) ? kNone : number;
 }
 
@@ -183,7 +186,7 @@ std::size_t LabelReader::number_before(const Label& label) const {
 void LabelReader::read_label(const Label& label) {
   if (label.role == WordRole::flutes) return;
   if (label.role == WordRole::corner) return read_corner(label);
-  if (label.role == WordRole::register_of) return;
+  if (label.role == WordRole::register_of) return read_register(label);
   if (label.role == WordRole::diameter) return read_diameter(label);
   std::size_t number = number_behind(label);
   if (number == kNone) number = number_before(label);
@@ -193,9 +196,16 @@ void LabelReader::read_label(const Label& label) {
   if (label.role == WordRole::angle && view_[number].value < kLeastAngle) return;
   keep(label.role, number);
   take(label, number);
-  if (label.role != WordRole::other) return;
+  if (label.role != WordRole::other && label.role != WordRole::work) return;
   for (std::size_t i = number + 1; view_.is(i, "X") && view_.number(i + 1); i += 2)
     view_.take(i, i + 2);  // "STOCK 100 X 50"
+}
+
+// "FACE MILL 0.5MM OFF TOP": what is taken off.
+void LabelReader::read_register(const Label& label) {
+  const bool off = view_.is(label.first, "OFF") && label.first > 0;
+  if (off && number_behind(label) == kNone && view_.is_size(label.first - 1))
+    view_.take(label.first - 1);
 }
 
 // "D10 ENDMILL CORNER 0.5"; "CORNER 1" is a place.

@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -26,6 +28,7 @@ class SizeSettler {
   void add_group(const SizeGroup& group);
   void add_further(const ToolLength& first, const ToolLength& next);
   bool may_be_work(const SizeGroup& group) const;
+  bool may_count(const SizeGroup& group);
 
   const ToolFacts& facts_;
   ToolHint& hint_;
@@ -70,6 +73,7 @@ std::vector<double> SizeSettler::settle() {
   if (facts_.thread && *facts_.thread && trade_is(ToolTrade::tap)) add(*facts_.thread);
   if (facts_.gauge) add(*facts_.gauge);
   hint_.gauge = facts_.gauge_name;
+  hint_.bare_size = hint_.diameters.empty();
   add_groups();
   return std::move(angles_);
 }
@@ -121,7 +125,22 @@ void SizeSettler::add_group(const SizeGroup& group) {
                    sizes[1].fraction && sizes[0].value < sizes[1].value;
   if (key) std::swap(sizes[0], sizes[1]);
   add(sizes.front());
+  if (sizes.size() > 1 && may_count(group)) return;
   if (sizes.size() > 1) add_further(sizes[0], sizes[1]);
+}
+
+// "DRILL 4X 8.5": four holes; "8.5 X 117" are a diameter and a length.
+bool SizeSettler::may_count(const SizeGroup& group) {
+  using enum ToolTrade;
+  const CommentToken &first = group.sizes[0], &next = group.sizes[1];
+  const bool makes_holes = trade_is(twist_drill) || trade_is(spot_drill) || trade_is(hole) ||
+                           trade_is(tap) || trade_is(countersink);
+  const bool bare = !first.decimals && !first.fraction && first.unit == 0;
+  const bool size = next.decimals || next.fraction || next.unit > 0;
+  if (!makes_holes || !bare || !size) return false;
+  if (hint_.doubt.empty())
+    hint_.doubt = fmt::format("can be read as diameter {0} or as {0} places", first.text);
+  return true;
 }
 
 // What stands behind the X of a diameter.

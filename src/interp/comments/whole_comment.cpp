@@ -49,6 +49,8 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
     if (word) facts.bare_id &= is_word_of_id(view, i);
     if (word && !view.taken(i) && !view.is_one(i, {"TOOL", "N"}))
       facts.bare_kind &= comment_word(view[i].text).role != WordRole::none;
+    facts.alternatives |= view.is_one(i, {"OR", "ODER", "OU"}) && i > 0 &&
+                          view[i - 1].is_number() && view.has(i + 1) && view[i + 1].is_number();
     facts.round_insert |= names_round_insert(view, i);
     if (view.number(i) && view[i].decimals && !view[i].angle) facts.bare.push_back(view.length(i));
   }
