@@ -175,8 +175,8 @@ double narrow_side(const Acceptance& accept) {
 
 Acceptance parse_acceptance(const std::string& text) {
   const std::size_t comma = text.find(',');
-  const auto lo = parse_number(text.substr(0, comma));
-  const auto hi = comma == std::string::npos ? lo : parse_number(text.substr(comma + 1));
+  const auto lo = parse_number(text.substr(0, comma), true);
+  const auto hi = comma == std::string::npos ? lo : parse_number(text.substr(comma + 1), true);
   if (!lo || !hi)
     throw Error("accept-invalid", "'" + text + "' is no tolerance: T or LO,HI in mm",
                 Error::Kind::usage);

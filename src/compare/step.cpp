@@ -154,12 +154,19 @@ StepMesh read_solids(const std::string& path, double) {
 
 #endif
 
+constexpr double kFinest = 1e-6;  // mm; Open CASCADE takes points within 1e-7 mm for one
+
 }  // namespace
 
 TriMesh read_step(const std::string& path, double deflection, std::string* note) {
   if (!(deflection > 0) || !std::isfinite(deflection))
     throw Error("deflection-invalid", "the deflection of a STEP file is a length above 0 mm",
                 Error::Kind::usage);
+  if (deflection < kFinest)
+    throw Error(
+        "deflection-invalid",
+        fmt::format("a deflection of {} mm is too small: {} mm or more", deflection, kFinest),
+        Error::Kind::usage);
   StepMesh step = read_solids(path, deflection);
   const MeshSummary summary = check_mesh(step.mesh);
   if (!summary.closed || !summary.oriented)

@@ -75,7 +75,7 @@ void refuse_empty(const ExactField& field, double voxel) {
                   "{:.3f}, {:.3f}), so that no mesh was made; --voxel {:.2g} --tolerance "
                   "{:.2g} shows it",
                   left->thickness, left->place.x, left->place.y, left->place.z,
-                  0.45 * left->thickness, voxel / 8));
+                  0.45 * left->thickness, std::min(voxel / 8, left->thickness / 2)));
 }
 
 }  // namespace mrsim

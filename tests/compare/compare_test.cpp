@@ -162,6 +162,7 @@ TEST(Compare, NoVerdictWithoutATolerance) {
 TEST(ParseAcceptance, TakesOneOrTwoNumbers) {
   EXPECT_EQ(parse_acceptance("0.05").lo, -0.05);
   EXPECT_EQ(parse_acceptance("-0.02,+0.05").hi, 0.05);
+  EXPECT_EQ(parse_acceptance("-2e-2,5e-2").lo, -0.02);
   for (const char* bad : {"", "x", "0.1,0.2", "0,0", "0.1,", "nan", "-0.02", "0"})
     EXPECT_EQ(testing::error_code([&] { parse_acceptance(bad); }), "accept-invalid") << bad;
 }

@@ -240,6 +240,9 @@ TEST(MeshPart, RefusesWhatItCanNotMesh) {
                             {flat_line({-20, 25}, {70, 25}, 75, -9.9)});
   for (const double tolerance : {0.0, 0.01})
     EXPECT_EQ(error_code([&] { mesh_part(floor, 0.25, with_tolerance(tolerance)); }), "part-thin");
+  // Nor is a stock that is smaller than the voxels.
+  for (const double voxel : {50.0, 100.0, 1000.0, 1e6})
+    EXPECT_EQ(error_code([&] { mesh_part(part, voxel); }), "part-thin") << voxel;
 }
 
 }  // namespace

@@ -291,7 +291,9 @@ std::optional<ThinFeature> find_material(const ExactField& field, const Box3& bo
 }  // namespace
 
 std::optional<ThinFeature> find_material(const ExactField& field, double voxel) {
-  return find_material(field, cube_about(field.bounds()), voxel, field.all());
+  const Box3 cube = cube_about(field.bounds());
+  // A voxel as large as the stock would look at a few places of it.
+  return find_material(field, cube, std::min(voxel, (cube.hi.x - cube.lo.x) / 64), field.all());
 }
 
 std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high) {
