@@ -83,6 +83,15 @@ TEST(ToolNotes, ANumberBehindWhatItNumbers) {
             "5:8 6:0 tool-unknown");
 }
 
+// T6 of an alloy is no tool.
+TEST(ToolNotes, TempersOfAlloys) {
+  const std::string cut = kCut;
+  EXPECT_EQ(diameters("(10MM ENDMILL)\n(MATERIAL 6061-T6)\nT1 M6\n" + cut), "1:10");
+  EXPECT_EQ(diameters("(MATERIAL 7075 T6)\n(10MM ENDMILL)\nT1 M6\n" + cut + "T6 M6\n" + cut),
+            "1:10 6:0 tool-unknown");
+  EXPECT_EQ(diameters("(10MM ENDMILL FOR 6061-T6)\nT1 M6\n" + cut), "1:10");
+}
+
 TEST(ToolNotes, AKeyAndItsValueInALine) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("(TOOL: 5)\n(TYPE: BALL)\n(DIAMETER: 8.0)\n(OPERATION: CONTOUR)\n(TOOL: 6)\n"

@@ -5,6 +5,7 @@
 #include "interp/comments/drill_gauge.h"
 #include "interp/comments/hyphenated_name.h"
 #include "interp/comments/thread_name.h"
+#include "interp/comments/tool_id.h"
 #include "interp/comments/tool_labels.h"
 #include "interp/comments/tool_sides.h"
 #include "interp/comments/whole_comment.h"
@@ -24,7 +25,7 @@ class FactReader {
     facts_.kinds = find_tool_kinds(view_.tokens());
     read_short_kind();
     facts_.insert = find_insert_code(view_.tokens());
-    read_id();
+    read_tool_id(view_, facts_);
     take_kinds();
     read_inch_word();
     read_thread();
@@ -46,9 +47,6 @@ class FactReader {
     bool used = false;
   };
 
-  void set_id(std::size_t i);
-  bool begins_id(std::size_t i) const;
-  void read_id();
   void take_kinds();
   void drop_purpose();
   void read_inch_word();
@@ -78,50 +76,6 @@ class FactReader {
   ToolFacts& facts_;
   std::vector<Group> groups_;
 };
-
-// A whole number without a point or a unit.
-void FactReader::set_id(std::size_t i) {
-  const CommentToken& t = view_[i];
-  if (!view_.whole(i) || t.text.size() > 8) return;
-  std::string id(t.text);
-  id.erase(0, std::min(id.find_first_not_of('0'), id.size() - 1));
-  view_.take(i);
-  facts_.names_tool = true;
-  facts_.several_ids |= !facts_.id.empty() && facts_.id != id;
-  facts_.id = id;
-  facts_.id_digits = t.text.size();
-}
-
-bool FactReader::begins_id(std::size_t i) const {
-  for (const ToolKind& k : facts_.kinds)
-    if (i > k.first && i < k.end) return false;  // "GROOVING TOOL 3"
-  if (is_word_for_tool(view_, i)) return true;
-  return i == 0 && view_.is_one(i, {"NO", "NR"}) && view_.is(i + 2, ":");
-}
-
-// "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:"; "1 = End Mill {6 mm}" of
-// Vectric.
-void FactReader::read_id() {
-  if (kind() && view_.number(0) && view_.is(1, "=")) set_id(0);
-  if (kind() && view_.is(0, "TYPE") && view_.is_one(1, {":", "="})) facts_.names_tool = true;
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    const bool inside = facts_.insert && i >= facts_.insert->first && i < facts_.insert->end;
-    if (view_.is(i, "T") && !inside && view_.number(i + 1) && view_.glued(i + 1)) set_id(i + 1);
-    if (view_.is_one(i, {"TC", "TOOL", "WERKZEUG", "HERRAMIENTA", "ORODJE"}))
-      facts_.names_tool = true;
-    if (i == 0 && view_.is(0, "CUTTER") && view_.is(1, ":")) facts_.names_tool = true;
-    if (!begins_id(i)) continue;
-    std::size_t at = i + 1;
-    while (view_.is_one(at, {"NO", "NR", "NUMBER", "NUMMER", "#", "-", ":", "=", "T"})) ++at;
-    const bool diameter = view_.is_one(at + 1, {"DIA", "DIAM", "DIAMETER"}) &&
-                          !view_.is(at + 2, "OFF") &&
-                          view_.value_behind(at + 1) == CommentView::kNone;  // "TOOL 10 DIA"
-    if (view_.number(at) && !diameter)
-      set_id(at);
-    else if (view_.is_one(at, {"CHANGE", "PATH"}))
-      facts_.names_tool = false;
-  }
-}
 
 void FactReader::take_kinds() {
   drop_purpose();

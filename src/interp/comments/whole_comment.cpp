@@ -1,6 +1,7 @@
 #include "interp/comments/whole_comment.h"
 
 #include "interp/comments/comment_words.h"
+#include "interp/comments/tool_id.h"
 
 namespace mrsim {
 namespace {
@@ -32,11 +33,6 @@ bool names_round_insert(const CommentView& view, std::size_t i) {
 }
 
 }  // namespace
-
-bool is_word_for_tool(const CommentView& view, std::size_t i) {
-  return view.is_one(
-      i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE", "NARZEDZIE"});
-}
 
 void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.corner_line = is_corner_line(view);
