@@ -7,6 +7,7 @@
 #include "removal/columns/sweep_classes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <memory>
 
@@ -142,6 +143,8 @@ void tag_others(SweepColumns& c) {
 
 void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
                    const SweepSelection& selection, int threads, SweepColumns& out) {
+  static std::atomic<std::uint64_t> tables{0};
+  out.serial = ++tables;
   Joiner joiner(out, program.size());
   make_in_order((program.size() + kPart - 1) / kPart, threads,
                 [&](std::size_t part) {

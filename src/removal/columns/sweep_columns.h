@@ -74,6 +74,7 @@ inline SingleForm single_form(std::uint32_t tag) {
 }
 
 struct SweepColumns {
+  std::uint64_t serial = 0;  ///< no other table of the process has it
   std::vector<SweepRef> refs;
   std::vector<std::int32_t> motions;  ///< that make the sweeps
   std::vector<std::uint32_t> tags;    ///< form and row of each sweep, all that lists have to read

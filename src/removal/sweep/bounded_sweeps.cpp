@@ -12,6 +12,8 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kLongList = 32;  // sweeps that are worth runs
+
 // Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
 bool is_single(std::uint32_t tag) {
   return is_other(tag) && single_form(tag) != SingleForm::turned;
@@ -115,6 +117,7 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
   const std::uint32_t last = memory.last;
   const bool has_last = std::ranges::binary_search(list, last) && is_single(c_.tags[last]);
   if (has_last) take(last, best.distance, best);
+  if (list.size() >= kLongList && !c_.chain_lines.empty()) list = near_runs(list, best);
   SingleBounds bounds(c_, p_);
   for (; !list.empty(); list = list.subspan(std::min(kListChunk, list.size()))) {
     if (best.distance < enough) break;
@@ -143,6 +146,17 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
   }
   if (std::isfinite(best.distance)) memory.last = best.sweep;
   return memory.others;
+}
+
+// What is left of a list without the runs of moves that are farther than the best.
+std::span<const std::uint32_t> BoundedSweeps::near_runs(std::span<const std::uint32_t> list,
+                                                        TurnTree::Nearest& best) {
+  MoveRuns& runs = thread_memory().runs;
+  runs.prepare(c_, list);
+  runs.measure(c_, p_, best.distance + kBoundError);
+  if (!std::isfinite(best.distance))
+    if (const auto id = runs.promising()) take(*id, best.distance, best);
+  return runs.within(best.distance + kBoundError);
 }
 
 void BoundedSweeps::take(std::uint32_t id, double limit, TurnTree::Nearest& best) {

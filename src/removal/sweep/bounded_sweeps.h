@@ -4,6 +4,7 @@
 
 #include "removal/columns/sweep_columns.h"
 #include "removal/columns/turn_tree.h"
+#include "removal/sweep/move_runs.h"
 
 #include <cstdint>
 #include <optional>
@@ -63,12 +64,15 @@ class BoundedSweeps {
  private:
   using Single = std::pair<double, std::uint32_t>;  // bound, sweep
   struct Memory {
+    MoveRuns runs;
     std::vector<std::uint32_t> others;
     std::vector<Single> singles;
     std::uint32_t last = 0;  // the nearest of the last list, if still one of this table
   };
   static Memory& thread_memory();
   void take(std::uint32_t id, double limit, TurnTree::Nearest& best);
+  std::span<const std::uint32_t> near_runs(std::span<const std::uint32_t> list,
+                                           TurnTree::Nearest& best);
 
   const SweepColumns& c_;
   Vec3 p_;
