@@ -1,5 +1,6 @@
 #include "mesh/points/crease.h"
 
+#include "mesh/points/vertex.h"
 #include "support/analytic_field.h"
 
 #include <cmath>
@@ -68,6 +69,38 @@ TEST(Crease, IsToldFromARowOfShortMoves) {
   const auto found =
       crease_in_face(probe, room, 2, from, field.sample(from, all), to, field.sample(to, all));
   EXPECT_FALSE(found && found->count > 0);
+}
+
+// Between two rows a cusp passes a cell, whose faces it meets between other pieces on each side.
+TEST(Crease, PassesACellOfShortMoves) {
+  constexpr int kPieces = 32;
+  std::vector<Cut> cuts;
+  add_row({0, 0}, {1, 0}, kPieces, cuts);
+  add_row({0, 1.2}, {1, 1.2}, kPieces - 1, cuts);
+  const testing::AnalyticField field({{-5, -5, -5}, {5, 5, 1}}, false, cuts);
+  const auto all = field.all();
+  const detail::Probe probe{field, all};
+  const Box3 room{{0.3, 0.45, 0.1}, {0.6, 0.75, 0.4}};
+  std::vector<detail::SurfacePoint> ends;
+  for (const double x : {room.lo.x, room.hi.x}) {
+    Box3 side = room;
+    side.lo.x = side.hi.x = x;
+    const Vec3 from{x, 0.5, 1 - std::sqrt(0.75)}, to{x, 0.7, 1 - std::sqrt(0.75)};
+    const auto end =
+        crease_in_face(probe, side, 0, from, field.sample(from, all), to, field.sample(to, all));
+    ASSERT_TRUE(end && end->count == 2);
+    EXPECT_NEAR(end->position.y, 0.6, 1e-6);
+    EXPECT_NEAR(end->position.z, 0.2, 1e-6);
+    ends.push_back(*end);
+  }
+  const std::vector<Vec3> crossings = {ends[0].position, ends[1].position};
+  const std::vector<FieldSample> faces = {ends[0].faces[0], ends[0].faces[1], ends[1].faces[0],
+                                          ends[1].faces[1]};
+  const detail::SurfacePoint found = point_in_cell(probe, room, {crossings, faces, ends});
+  ASSERT_EQ(found.count, 2);
+  EXPECT_NEAR(found.position.x, 0.45, 0.01);
+  EXPECT_NEAR(found.position.y, 0.6, 1e-6);
+  EXPECT_NEAR(found.position.z, 0.2, 1e-6);
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ Vec3 mean_of(std::span<const Vec3> points) {
 }
 
 // On the only crease that passes a cell: between the two faces of its ends, or where it goes over
-// from one face to a third.
+// from one face to a third. Where both change, exchanges find the two in the middle.
 SurfacePoint passing_crease(const Probe& probe, const Box3& room, const Vec3& start,
                             std::span<const SurfacePoint> ends) {
   SurfacePoint found;
@@ -114,7 +114,7 @@ SurfacePoint passing_crease(const Probe& probe, const Box3& room, const Vec3& st
   const FieldSample both[] = {ends[0].faces[0], ends[0].faces[1], ends[1].faces[0],
                               ends[1].faces[1]};
   const std::size_t n = distinct_faces(both, faces, 4);
-  if (n == 2) crease_by_exchange(probe, room, -1, start, faces[0], faces[1], found);
+  if (n != 3) crease_by_exchange(probe, room, -1, start, ends[0].faces[0], ends[0].faces[1], found);
   return n == 3 ? try_faces(probe, room, start, {faces, n}, nullptr) : found;
 }
 
