@@ -255,6 +255,20 @@ TEST(ToolCommentReadings, SizesOfTheWork) {
   });
 }
 
+// A behind a size is the angle of the point; alone it may be a rotary axis or a steel.
+TEST(ToolCommentReadings, AnglesByTheirLetter) {
+  expect_readings({
+      {mm, "T3 - SPOT DRILL - D10. A120.", "drill 10, point 120"},
+      {mm, "SPOTDRILL D=6 A=142", "drill 6, point 142"},
+      {mm, "DRILL D8.5 A140", "drill 8.5, point 140"},
+      {mm, "CHAMFER MILL D10 A45", "chamfer 10, side 45"},
+      {mm, "DRILL D8.5 A30", "drill 8.5"},
+      {mm, "6MM ENDMILL A90", "endmill 6"},
+      {mm, "MATERIAL A36 STEEL", "-"},
+      {mm, "FRAISE A SURFACER D80", "endmill 80"},
+  });
+}
+
 TEST(ToolCommentReadings, AngleThatNoSideHas) {
   expect_readings({
       {mm, "T5 D=10. CR=0. TAPER=45DEG - CHAMFER MILL", "chamfer 10, side 45"},

@@ -43,6 +43,7 @@ constexpr WordRow kWordRows[] = {
     {width, before, "WIDE BREIT THICK THK"},
     {length, either, "LOC LCF"},
     {angle, either, "ANGLE KAPR WINKEL ANGULO ANGOLO KOT POINT PT"},
+    {angle, behind, "A"},
     {taper, either, "TAPER"},
     {tip, either, "TIP TIPD TIPDIA SPITZE"},
     {other, either,

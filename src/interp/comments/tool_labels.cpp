@@ -1,6 +1,7 @@
 #include "interp/comments/tool_labels.h"
 
 #include "interp/comments/comment_words.h"
+#include "interp/comments/tool_sizes.h"
 
 #include <algorithm>
 #include <utility>
@@ -194,6 +195,10 @@ void LabelReader::read_label(const Label& label) {
   if (label.role == WordRole::tip && !has_flat_tip()) return;
   if (label.role == WordRole::count && !view_.whole(number)) return;  // "1/4 HOLES"
   if (label.role == WordRole::angle && view_[number].value < kLeastAngle) return;
+  const bool letter = view_.is(label.first, "A");  // "SPOT DRILL D10 A90"; a rotary axis, or A36
+  if (letter &&
+      (facts_.kinds.empty() || !is_usual_angle(facts_.kinds.front().trade, view_[number].value)))
+    return;
   keep(label.role, number);
   take(label, number);
   if (label.role != WordRole::other && label.role != WordRole::work) return;

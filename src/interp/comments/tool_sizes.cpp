@@ -43,25 +43,7 @@ bool SizeSettler::is_angle(const CommentToken& size, bool joined) const {
   if (trade_is(ToolTrade::lathe) && kind()->type == ToolType::turning && !kind()->firm)
     return whole && (size.value == 35 || size.value == 55 || size.value == 80);  // "80. DIAMOND"
   if (!kind() || size.decimals || size.fraction || size.unit > 0) return false;
-  const auto one_of = [&](std::initializer_list<double> usual) {
-    return std::find(usual.begin(), usual.end(), size.value) != usual.end();
-  };
-  switch (kind()->trade) {
-    case twist_drill:
-      return !joined && one_of({118, 135, 140});
-    case spot_drill:
-      return one_of({60, 82, 90, 118, 120, 135, 140, 142, 145});
-    case center_drill:
-      return one_of({60, 90, 120});
-    case countersink:
-      return one_of({60, 75, 82, 90, 100, 110, 120});
-    case chamfer_mill:
-      return one_of({30, 45, 60, 82, 90, 120});
-    case vee:
-      return one_of({30, 45, 60, 90, 120});
-    default:
-      return false;
-  }
+  return !(joined && kind()->trade == twist_drill) && is_usual_angle(kind()->trade, size.value);
 }
 
 std::vector<double> SizeSettler::settle() {
@@ -170,6 +152,29 @@ void SizeSettler::add_further(const ToolLength& first, const ToolLength& next) {
 }
 
 }  // namespace
+
+bool is_usual_angle(ToolTrade trade, double degrees) {
+  using enum ToolTrade;
+  const auto one_of = [&](std::initializer_list<double> usual) {
+    return std::find(usual.begin(), usual.end(), degrees) != usual.end();
+  };
+  switch (trade) {
+    case twist_drill:
+      return one_of({118, 135, 140});
+    case spot_drill:
+      return one_of({60, 82, 90, 118, 120, 135, 140, 142, 145});
+    case center_drill:
+      return one_of({60, 90, 120});
+    case countersink:
+      return one_of({60, 75, 82, 90, 100, 110, 120});
+    case chamfer_mill:
+      return one_of({30, 45, 60, 82, 90, 120});
+    case vee:
+      return one_of({30, 45, 60, 90, 120});
+    default:
+      return false;
+  }
+}
 
 std::vector<double> settle_sizes(const ToolFacts& facts, ToolHint& hint) {
   return SizeSettler(facts, hint).settle();
