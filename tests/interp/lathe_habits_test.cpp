@@ -64,6 +64,12 @@ TEST(LatheHabits, BarStopsAndPullersCutNothing) {
     EXPECT_EQ(codes(p, Severity::note), "tool-touches tool-inferred") << tool;
     EXPECT_EQ(p.motions[1].tool, -1);
   }
+  options.dialect = Dialect::sinumerik;
+  EXPECT_EQ(codes(read_text("T=\"BAR_STOP\" D1\nG95\nG0 X0 Z5\nG1 Z1 F2\nT=\"BUTTON_8\" D1\n"
+                            "G0 X20 Z0\nG1 X0 F.1\n",
+                            options)),
+            "tool-unknown");
+  options.dialect = Dialect::fanuc;
   // A comment that speaks of one names no tool: the next tool cuts.
   EXPECT_EQ(path_text(read_text("(USES BAR PULLER)\n" + work.substr(work.find("T0101")), options)),
             "r10,0,0 l0,0,0");

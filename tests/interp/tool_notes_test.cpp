@@ -132,6 +132,16 @@ TEST(ToolNotes, ByName) {
             "ENDMILL_D10:10");
   EXPECT_EQ(diameters("T=\"CUTTER 10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
             "CUTTER 10:10");
+  const auto corner = [](const char* name) {
+    InterpOptions options;
+    options.dialect = Dialect::sinumerik;
+    options.machine = MachineKind::mill;
+    const Program p =
+        read_text(fmt::format("T=\"{}\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", name), options);
+    return p.tools.empty() ? -1 : p.tools[0].corner_radius;
+  };
+  EXPECT_EQ(corner("MILL_D12_R0_5"), 0.5) << "names have no points";
+  EXPECT_EQ(corner("MILL_D12_R05"), 0) << "an error: R5 or R0.5";
 }
 
 TEST(ToolNotes, TipsThatAreNotToldAreSaidToBeSharp) {

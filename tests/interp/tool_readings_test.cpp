@@ -255,6 +255,19 @@ TEST(ToolCommentReadings, SizesOfTheWork) {
   });
 }
 
+// A point left out, or a leading zero.
+TEST(ToolCommentReadings, PaddedRadii) {
+  expect_readings({
+      {mm, "EM 12 R05", "? can be read as radius 5 or 0.5"},
+      {mm, "EM 12 R0.5", "bullmill 12, corner 0.5"},
+      {mm, "ENDMILL D06 R00", "endmill 6"},
+      {lathe_mm, "CNMG R08", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "OD_35_R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_mm, "BUTTON TOOL 8", "? gives no radius of its round insert"},
+      {lathe_mm, "PRESS GREEN BUTTON 2", "-"},
+  });
+}
+
 // A behind a size is the angle of the point; alone it may be a rotary axis or a steel.
 TEST(ToolCommentReadings, AnglesByTheirLetter) {
   expect_readings({

@@ -49,6 +49,7 @@ struct ToolHint {
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
   bool left_hand = false, inside = false, bores = false, face_groove = false;
+  bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
   bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"
   bool diameter_line = false;  ///< "DIAMETER: 8.0" and nothing else

@@ -63,6 +63,7 @@ struct ToolFacts {
   bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
   bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;        ///< nothing but the kind and its attributes: "BAR STOP"
+  bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"

@@ -166,6 +166,7 @@ void sketch(const ToolHint& hint, double unit, Tool& out) {
   if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
   out.tip_angle = hint.tip_angle;
   out.taper_angle = hint.taper_angle;
+  out.insert = hint.insert;
 }
 
 // "FACE MILL 1MM", "CHAMFER MILL 0.5MM": what the work loses, for a diameter is larger.

@@ -29,6 +29,7 @@ bool is_temper(const CommentView& view, std::size_t t) {
 bool begins_id(const CommentView& view, const ToolFacts& facts, std::size_t i) {
   for (const ToolKind& k : facts.kinds)
     if (i > k.first && i < k.end) return false;  // "GROOVING TOOL 3"
+  if (i > 0 && view.is(i - 1, "BUTTON")) return false;
   if (is_word_for_tool(view, i)) return true;
   return i == 0 && view.is_one(i, {"NO", "NR"}) && view.is(i + 2, ":");
 }

@@ -250,6 +250,9 @@ void LabelReader::keep(WordRole role, std::size_t number) {
     case WordRole::radius:
     case WordRole::radius_letter:
       facts_.corner = length;
+      facts_.padded_radius = view_.number(number) && !view_[number].decimals &&
+                             view_[number].text.size() > 1 && view_[number].text.front() == '0' &&
+                             length;
       return;
     case WordRole::nose:
       facts_.nose = length;

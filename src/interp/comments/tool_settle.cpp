@@ -34,6 +34,7 @@ class Settler {
     if (facts_.several_ids) doubt("names several tools");
     if (facts_.alternatives && facts_.kind()) doubt("names two sizes");
     angles_ = settle_sizes(facts_, hint_);
+    settle_padded_radius();
     settle_type();
     if (hint_.type && !is_turning(*hint_.type)) {
       settle_mill();
@@ -60,6 +61,7 @@ class Settler {
   bool has_usual_corner() const;
   void take_nose_of_work();
   ToolLength bare_nose() const;
+  void settle_padded_radius();
   void settle_round_insert();
   void settle_angle();
   void set_angle(double degrees);
@@ -140,11 +142,25 @@ ToolLength Settler::bare_nose() const {
   return one && !facts_.bores ? facts_.bare.front() : ToolLength{};
 }
 
+// "R05" is 5, or 0.5 without its point; of an insert "R08" is 0.8.
+void Settler::settle_padded_radius() {
+  if (!facts_.padded_radius) return;
+  hint_.padded_radius = true;
+  ToolLength tenth = hint_.corner;
+  tenth.value /= 10;
+  const bool turns = facts_.insert || facts_.turned_side || (kind() && is_turning(kind()->type));
+  if (turns && usual_nose_unit(tenth.value) > 0)
+    hint_.corner = tenth;
+  else
+    doubt(fmt::format("can be read as radius {:g} or {:g}", hint_.corner.value, tenth.value));
+}
+
 // "BUTTON TOOL R4", "ROUND INSERT DIA 8" of a lathe.
 void Settler::settle_round_insert() {
   ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
   if (!facts_.named.empty() && !nose) (nose = facts_.named.front()).value /= 2;
-  if (kind() || facts_.insert || facts_.pair || !nose) return;
+  if (kind() || facts_.insert || facts_.pair) return;
+  if (!nose) doubt("gives no radius of its round insert");
   hint_.type = ToolType::turning;
   hint_.insert = "R";
   hint_.nose = nose;

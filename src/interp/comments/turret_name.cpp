@@ -57,6 +57,19 @@ std::string take_last(std::string& text) {
 
 }  // namespace
 
+std::string with_points(std::string_view name) {
+  std::string out(name);
+  const auto is = [&](std::size_t i, auto accepts) { return i < out.size() && accepts(out[i]); };
+  for (std::size_t i = 1; i + 1 < out.size(); ++i) {
+    const char letter = upper(out[i - 1]);
+    const bool begins = i < 2 || !is_name(out[i - 2]) || out[i - 2] == '_' || is_digit(out[i - 2]);
+    if ((letter == 'R' || letter == 'D') && begins && out[i] == '0' && out[i + 1] == '_' &&
+        is(i + 2, is_digit) && !is(i + 3, is_name))
+      out[i + 1] = '.';
+  }
+  return out;
+}
+
 std::string spelled_turret_name(std::string_view name) {
   std::string text = upper_case(name);
   spell_sides(text);
@@ -89,7 +102,11 @@ void spell_sides(std::string& folded) {
     const std::string_view corner = corner_of(std::string_view(folded).substr(at + 3, 2));
     std::size_t end = at + 5;
     const std::string_view rest = std::string_view(folded).substr(std::min(end, folded.size()));
-    if (rest.starts_with("_L") || rest.starts_with("_R")) end += 2;
+    const bool radius = rest.size() > 2 && rest.starts_with("_R") && is_digit(rest[2]);
+    if (radius)
+      end += 1;  // "OD_35_R0.4"
+    else if (rest.starts_with("_L") || rest.starts_with("_R"))
+      end += 2;
     if (corner.empty() || (end < folded.size() && is_digit(folded[end]))) continue;
     const std::string words = fmt::format("{}D TURNING {} DEG ", side.front(), corner);
     folded.replace(at, end - at, words);

@@ -11,6 +11,9 @@ namespace mrsim {
 /// The name as a comment would say it: "TOOL ID TURNING TOOL 80 DEG".
 std::string spelled_turret_name(std::string_view name);
 
+/// A name with the points that names can not have: "MILL_D10_R0_5" is MILL_D10_R0.5.
+std::string with_points(std::string_view name);
+
 /// In a folded comment: "I.D." and "I/D" become "ID", NX's "OD_80_L" becomes "OD TURNING 80 DEG".
 void spell_sides(std::string& folded);
 

@@ -85,9 +85,10 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
     why = fmt::format("the comment \"{}\" {}", hint->text, why);
     if (!repeats_name(hint->text, id) && !lacks_size(*hint)) return false;
   }
-  std::string name = id;  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
+  std::string name =
+      with_points(id);  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
-  if (lathe()) name = spelled_turret_name(id);
+  if (lathe()) name = spelled_turret_name(with_points(id));
   if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
   ToolHint hint = read_tool_comment(name);
   if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
@@ -95,7 +96,8 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
   std::string ignored;
   if (said_of_it && lacks_size(*said_of_it) && !is_kind_of(hint, *said_of_it)) return false;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
-    if (why.empty() && lathe() && hint.type == ToolType::grooving)  // no insert that turns
+    const bool asks = hint.type == ToolType::grooving || hint.insert == "R" || hint.padded_radius;
+    if (why.empty() && hint.type && asks)  // no insert that turns
       why = fmt::format("its name \"{}\" {}", id, ignored);
     return false;
   }

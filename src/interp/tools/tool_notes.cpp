@@ -2,6 +2,8 @@
 
 #include "interp/text/characters.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -171,9 +173,19 @@ void ToolNotes::call(const std::string& id) {
   settle_run();
   const bool other = !group_.id.empty() && group_.id != id;
   const bool listed = !other && add_by_name(id);
+  if (lathe_) add_no_cutter(id);
   if (group_ && !listed && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
   group_ = {};
   called_ = id;
+}
+
+// T="BAR_STOP".
+void ToolNotes::add_no_cutter(const std::string& id) {
+  if (id.find_first_not_of("0123456789") == id.npos || find(id) != nullptr) return;
+  std::string name = id;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const ToolHint hint = read_tool_comment(name);
+  if (hint.trade == ToolTrade::no_cutter && hint.bare_kind) add(id, hint);
 }
 
 // "; MILL_D20R2 (D20 R2)" in a list of names. False: no comment names the tool.

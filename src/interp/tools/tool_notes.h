@@ -57,6 +57,7 @@ class ToolNotes {
   void add(const std::string& id, const ToolHint& hint);
   static void name_by_operation(ToolHint& hint);
   void add_corner(const ToolHint& hint);
+  void add_no_cutter(const std::string& id);
   bool add_by_name(const std::string& id);
   void settle_run();
   void end_group();
