@@ -10,6 +10,7 @@
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/text_io.h"
+#include "core/tool_types.h"
 #include "core/units.h"
 #include <mrsim/mrsim.h>
 
@@ -22,13 +23,9 @@
 namespace mrsim::cli {
 namespace {
 
-constexpr const char* kTypeNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
-                                      "drill",   "tslot",    "lollipop", "barrel",   "form",
-                                      "turning", "grooving", "boring",   "threading"};
-
 std::string tool_json(const Tool& tool) {
-  std::string out = fmt::format("{{\"id\":{},\"type\":\"{}\"", json_quoted(tool.id),
-                                kTypeNames[static_cast<std::size_t>(tool.type)]);
+  std::string out =
+      fmt::format("{{\"id\":{},\"type\":\"{}\"", json_quoted(tool.id), tool_type_name(tool.type));
   const auto add = [&](const char* name, double value) {
     if (value != 0) out += fmt::format(",\"{}\":{:.9g}", name, value);
   };

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/memory_limit.h"
 #include "core/text_io.h"
+#include "core/tool_types.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "mesh/solid/half_edges.h"
@@ -154,10 +155,7 @@ const char* severity_name(Severity s) {
 }
 
 Json tool_json(const Tool& t) {
-  static constexpr const char* kNames[] = {"endmill", "ballmill", "bullmill", "chamfer",  "taper",
-                                           "drill",   "tslot",    "lollipop", "barrel",   "form",
-                                           "turning", "grooving", "boring",   "threading"};
-  return {{"id", to_utf8(t.id)},          {"type", kNames[std::size_t(t.type)]},
+  return {{"id", to_utf8(t.id)},          {"type", tool_type_name(t.type)},
           {"diameter", t.diameter},       {"corner_radius", t.corner_radius},
           {"nose_radius", t.nose_radius}, {"flute_length", t.flute_length},
           {"origin", to_utf8(t.origin)}};

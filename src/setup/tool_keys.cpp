@@ -1,5 +1,6 @@
 #include "setup/tool_keys.h"
 
+#include "core/tool_types.h"
 #include "core/trig.h"
 #include "core/units.h"
 
@@ -12,11 +13,6 @@ namespace mrsim {
 namespace {
 
 constexpr double kLargest = 1e5;  // mm
-
-// In the order of ToolType.
-const std::vector<std::string_view> kTypeNames = {
-    "endmill",  "ballmill", "bullmill", "chamfer", "taper",    "drill",  "tslot",
-    "lollipop", "barrel",   "form",     "turning", "grooving", "boring", "threading"};
 
 constexpr std::uint32_t bits() { return 0; }
 template <class... Rest>
@@ -65,16 +61,6 @@ double largest_corner(const Tool& tool) {
 
 }  // namespace
 
-std::optional<ToolType> tool_type(std::string_view name) {
-  const auto at = std::find(kTypeNames.begin(), kTypeNames.end(), name);
-  if (at == kTypeNames.end()) return std::nullopt;
-  return static_cast<ToolType>(at - kTypeNames.begin());
-}
-
-std::string_view tool_type_name(ToolType type) {
-  return kTypeNames[static_cast<std::size_t>(type)];
-}
-const std::vector<std::string_view>& tool_type_names() { return kTypeNames; }
 const std::vector<ToolKey>& tool_keys() { return kKeys; }
 
 const ToolKey* find_tool_key(std::string_view name, ToolType type) {

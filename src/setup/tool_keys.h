@@ -5,7 +5,6 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +21,6 @@ struct ToolKey {
   double low, high;     ///< mm or degrees; `low` itself is allowed
   std::uint32_t types;  ///< bit n: ToolType(n) has it
 };
-
-/// The type of tool by its name in tools.toml; nothing for another word.
-std::optional<ToolType> tool_type(std::string_view name);
-std::string_view tool_type_name(ToolType type);
-const std::vector<std::string_view>& tool_type_names();
 
 /// All keys that are one number.
 const std::vector<ToolKey>& tool_keys();

@@ -2,6 +2,7 @@
 
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include "core/tool_types.h"
 #include "core/units.h"
 #include "setup/tool_keys.h"
 

@@ -35,6 +35,12 @@ TEST(ToolSpec, WithoutNumberIsTheToolOfAProgramThatNamesNone) {
   EXPECT_EQ(tool.flute_length, 20);
 }
 
+TEST(ToolSpec, MillsHaveShortNames) {
+  EXPECT_EQ(parse_tool_spec("1=flat:d=6").type, ToolType::endmill);
+  EXPECT_EQ(parse_tool_spec("1=ball:d=6").type, ToolType::ballmill);
+  EXPECT_EQ(parse_tool_spec("1=bull:d=6,r=1").type, ToolType::bullmill);
+}
+
 TEST(ToolSpec, AngleIsTheOneTheToolHas) {
   EXPECT_NEAR(parse_tool_spec("drill:d=8,a=118").tip_angle, radians(118), 1e-15);
   EXPECT_NEAR(parse_tool_spec("taper:d=8,a=3").taper_angle, radians(3), 1e-15);
