@@ -103,6 +103,25 @@ TEST(ControlsDiffer, LiveToolsOfLathesAreRefused) {
   EXPECT_EQ(p.diagnostics.back().place.line, 2);
 }
 
+// FANUC reads D0 there, and nothing is offset; programs that leave it out mean the tool's radius.
+TEST(ControlsDiffer, CompensationWithoutDIsSaid) {
+  const auto found = [](Dialect dialect, MachineKind machine, CompRadius comp) {
+    InterpOptions options = at_origin(dialect, machine);
+    options.comp = comp;
+    const bool turns = machine == MachineKind::lathe;
+    return codes(read_text(turns ? "G1 G42 X0 Z-10 F1\nZ-20\nX10 Z-30\nG40 X20\n"
+                                 : "G1 G42 X0 Y10 F100\nY20\nX10 Y30\nG40 X20\n",
+                           options));
+  };
+  const auto mill = MachineKind::mill;
+  EXPECT_EQ(found(Dialect::fanuc, mill, CompRadius::automatic), "register-missing");
+  EXPECT_EQ(found(Dialect::fanuc, mill, CompRadius::radius), "");
+  EXPECT_EQ(found(Dialect::fanuc, mill, CompRadius::off), "");
+  EXPECT_EQ(found(Dialect::ngc, mill, CompRadius::automatic), "") << "that of the tool";
+  EXPECT_EQ(found(Dialect::sinumerik, mill, CompRadius::automatic), "") << "D1";
+  EXPECT_EQ(found(Dialect::fanuc, MachineKind::lathe, CompRadius::automatic), "") << "T0101";
+}
+
 // Mastercam's list of tools says what is in the registers.
 TEST(ControlsDiffer, TheListOfToolsSaysWhatDIs) {
   InterpOptions options = at_origin(Dialect::fanuc);

@@ -88,7 +88,7 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
                    where);
     started_ = false;
   }
-  if (modal_.comp != Code::comp_off) set_radius();
+  if (modal_.comp != Code::comp_off) set_radius(where);
   return true;
 }
 
@@ -117,7 +117,7 @@ const Tool* CompensationWords::tool_of_edge() const {
 }
 
 // The tool radius in force, from the register or the tool.
-void CompensationWords::set_radius() {
+void CompensationWords::set_radius(const Word& where) {
   const bool is_off = options_.comp == CompRadius::off;
   was_on_ = true;
   asked_option_ = asked_option_ || is_off;
@@ -161,6 +161,14 @@ void CompensationWords::set_radius() {
                         : "if the program holds the path of the tool's centre (wear "
                           "compensation), say --comp wear"),
         control_.edge_word, key);
+  if (!reg && own > 0 && !modal_.edge_given && comp == CompRadius::automatic && !lathe() &&
+      is(Dialect::fanuc))
+    reporter_.once(Severity::warning, "register-missing",
+                   fmt::format("G41 and G42 stand without D, which FANUC reads as D0: nothing is "
+                               "offset; as many programs mean it, the tool's own radius {:g} mm is "
+                               "used; say --comp radius if that is right, else --comp off",
+                               own),
+                   where, key);
   if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
 }
 

@@ -31,12 +31,12 @@ class CompensationWords : public ControlPart {
   /// The tool's radius by the register in force, mm.
   double register_radius(const Word& where) {
     tools_.require(where, true);
-    set_radius();
+    set_radius(where);
     return radius_;
   }
 
  private:
-  void set_radius();
+  void set_radius(const Word& where);
   bool work_selected() const;
   std::string edge_name() const;
   const Tool* tool_of_edge() const;

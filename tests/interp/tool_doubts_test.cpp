@@ -1,0 +1,95 @@
+// Numbers in comments that are of the work, of registers and rotary axes, or have lost their point.
+#include "interp/tool_readings.h"
+
+namespace mrsim {
+namespace {
+
+TEST(ToolCommentDoubts, RegistersBesideADiameter) {
+  expect_readings({
+      {mm, "T01 FRAISE 2T D10 H1 D1", "endmill 10"},
+      {mm, "T01 H1 D1 FRAISE D10", "endmill 10"},
+      {mm, "T10 FRAISE D10 H10", "? gives no diameter"},
+      {mm, "T10 FRAISE D12 D10 H7", "? gives no diameter"},
+  });
+}
+
+// Numbers of the work beside a kind that names a tool, too.
+TEST(ToolCommentDoubts, SizesOfTheWork) {
+  for (const char* none :
+       {"FACE MILL 0.5MM OFF TOP", "FACE MILL TOP 0.5MM", "BALL MILL 0.2MM STEPOVER",
+        "END MILL 45MM BOSS", "ENDMILL POCKET 20MM", "ENDMILL 30MM POCKET",
+        "ENDMILL IN 16MM COLLET", "ENDMILL HOLDER 20MM", "ENDMILL FINISH WALL 0.2MM",
+        "ENDMILL 40MM LONG", "CHAMFER MILL EDGES 0.5MM", "CHAMFER MILL 0.5MM EDGE BREAK"})
+    EXPECT_EQ(told(none, 1, false), "? gives no diameter") << none;
+  for (const char* none :
+       {"D2 TOOL STEEL", "MATERIAL: TOOL STEEL D2", "TOOL OFFSET D10", "TOOL STICK OUT 30MM",
+        "TOOL MUST BE 50MM LONG", "MATERIAL 6061-T6", "DRILL THRU 20MM", "DRILL ON 50MM PCD",
+        "DRILL PCD 50MM", "DRILL 20MM APART", "DRILL 50MM BOLT CIRCLE", "DRILL EVERY 15MM",
+        "PECK DRILL 3MM STEP", "DRILL CHUCK 13MM", "ROUGH MILL 0.3MM STOCK",
+        "REST MILL AFTER 10MM ENDMILL"})
+    EXPECT_EQ(told(none, 1, false), "-") << none;
+  expect_readings({
+      {mm, "FINISH WALLS 10MM ENDMILL", "endmill 10"},
+      {mm, "POCKET 20MM ENDMILL", "endmill 20"},
+      {mm, "ROUGH TOP 50MM FACEMILL", "endmill 50"},
+      {mm, "10MM ENDMILL STOCK .5", "endmill 10"},
+      {mm, ".5 STOCK 10MM ENDMILL", "endmill 10"},
+      {mm, "20MM CHUCK 6MM DRILL", "drill 6"},
+      {mm, "DRILL 8.5MM GUHRING", "drill 8.5"},
+      {mm, "FACE MILL 1MM", "? can be read as diameter 1 mm or as what the work loses"},
+      {mm, "CHAMFER HOLES 0.5MM", "? can be read as diameter 0.5 mm or as what the work loses"},
+      {mm, "CHAMFER MILL DIA 1", "chamfer 1, point 90"},
+      {mm, "DRILL 4X 8.5MM", "? can be read as diameter 4 or as 4 places"},
+      {mm, "COUNTERBORE 4X 11MM", "? can be read as diameter 4 or as 4 places"},
+      {mm, "8.5 X 117 DRILL", "drill 8.5"},
+      {mm, "4 X 75 DRILL", "drill 4"},
+      {inch, "1/2 OR 12MM ENDMILL", "? names two sizes"},
+  });
+}
+
+// A point left out, or a leading zero.
+TEST(ToolCommentDoubts, PaddedRadii) {
+  expect_readings({
+      {mm, "EM 12 R05", "? can be read as radius 5 or 0.5"},
+      {mm, "EM 12 R0.5", "bullmill 12, corner 0.5"},
+      {mm, "ENDMILL D06 R00", "endmill 6"},
+      {lathe_mm, "CNMG R08", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "OD_35_R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_mm, "BUTTON TOOL 8", "? gives no radius of its round insert"},
+      {lathe_mm, "PRESS GREEN BUTTON 2", "-"},
+  });
+}
+
+// A behind a size is the angle of the point; alone it may be a rotary axis or a steel.
+TEST(ToolCommentDoubts, AnglesByTheirLetter) {
+  expect_readings({
+      {mm, "T3 - SPOT DRILL - D10. A120.", "drill 10, point 120"},
+      {mm, "SPOTDRILL D=6 A=142", "drill 6, point 142"},
+      {mm, "DRILL D8.5 A140", "drill 8.5, point 140"},
+      {mm, "CHAMFER MILL D10 A45", "chamfer 10, side 45"},
+      {mm, "DRILL D8.5 A30", "drill 8.5"},
+      {mm, "6MM ENDMILL A90", "endmill 6"},
+      {mm, "MATERIAL A36 STEEL", "-"},
+      {mm, "FRAISE A SURFACER D80", "endmill 80"},
+  });
+}
+
+TEST(ToolCommentDoubts, AngleThatNoSideHas) {
+  expect_readings({
+      {mm, "T5 D=10. CR=0. TAPER=45DEG - CHAMFER MILL", "chamfer 10, side 45"},
+      {mm, "T5 D=10. CR=0. TAPER=90DEG - CHAMFER MILL", "chamfer 10, point 90"},
+      {mm, "T5 D=10. CR=0. TAPER=120DEG - CHAMFER MILL", "chamfer 10, point 120"},
+  });
+}
+
+TEST(ToolCommentDoubts, MoreNamesOfMills) {
+  expect_readings({
+      {mm, "WENDEPLATTENFRAESER D32 R0.8", "bullmill 32, corner 0.8"},
+      {inch, "3/4 HOGGER", "endmill 19.05"},
+      {inch, "1/2 RGHR", "endmill 12.7"},
+      {mm, "Bit diameter: 22mm", "endmill 22"},
+  });
+}
+
+}  // namespace
+}  // namespace mrsim
