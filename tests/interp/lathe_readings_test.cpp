@@ -53,6 +53,7 @@ TEST(LatheToolReadings, Inserts) {
       {lathe_mm, "ID ROUGH MIN. 16. DIA. - 75 DEG.  INSERT - CCMT-09-T3-08",
        "boring, insert 80, nose 0.8"},
       {lathe_mm, "DCMT-11-T304", "turning, insert 55, nose 0.4"},
+      {lathe_inch, "TNMP 332", "turning, insert 60, nose 0.79375"},
       {lathe_mm, "BUTTON TOOL R4", "turning, nose 4"},
       {lathe_inch, "ROUND INSERT DIA .5", "turning, nose 6.35"},
   });

@@ -43,6 +43,10 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
       {mm, "COUNTERBORE 4X 11MM", "? can be read as diameter 4 or as 4 places"},
       {mm, "8.5 X 117 DRILL", "drill 8.5"},
       {mm, "4 X 75 DRILL", "drill 4"},
+      {mm, "CENTER DRILL 2.5X6.3", "? can be read as diameter 2.5 or 6.3"},
+      {mm, "CENTER DRILL 3 X 50", "drill 3, point 60"},
+      {mm, "DEBURR MILL 6MM 90 DEG", "chamfer 6, point 90"},
+      {mm, "DEBURR MILL 6MM", "? gives no angle"},
       {inch, "1/2 OR 12MM ENDMILL", "? names two sizes"},
   });
 }

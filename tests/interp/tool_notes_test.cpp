@@ -283,6 +283,7 @@ TEST(ToolNotes, ANumberDrillOrTheToolsNumber) {
   EXPECT_EQ(diameters("G20\nT5 M6 (#7 DRILL)\n" + cut), "5:5.1054");
   EXPECT_EQ(diameters("G20\nT7 M6 (#7 DRILL)\n" + cut), "7:0 tool-unknown");
   EXPECT_EQ(diameters("G20\nT7 M6 (TOOL #7 .201 DRILL)\n" + cut), "7:5.1054");
+  EXPECT_EQ(diameters("G20\n(T7 #7 DRILL)\n(T7 .201 DRILL)\nT7 M6\n" + cut), "7:5.1054");
 }
 
 // An angle that the kind implies stays when another comment tells the diameter, and is noted.

@@ -32,7 +32,9 @@ const Shape* find_shape(std::string_view letters) {
   if (letters.size() != 4) return nullptr;
   const bool clearance = std::string_view("ABCDEFGNOP").find(letters[1]) != letters.npos;
   const bool tolerance = std::string_view("ACEFGHJKLMNU").find(letters[2]) != letters.npos;
-  const bool chipbreaker = std::string_view("ABCFGHJMNQRTUWX").find(letters[3]) != letters.npos;
+  const bool american = letters.substr(1, 2) == "NM" && (letters[3] == 'P' || letters[3] == 'S');
+  const bool chipbreaker =
+      american || std::string_view("ABCFGHJMNQRTUWX").find(letters[3]) != letters.npos;
   if (!clearance || !tolerance || !chipbreaker) return nullptr;
   for (const Shape& shape : kShapes)
     if (shape.letter == letters[0]) return &shape;

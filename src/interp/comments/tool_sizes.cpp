@@ -144,6 +144,8 @@ void SizeSettler::add_further(const ToolLength& first, const ToolLength& next) {
   }
   const bool ignored =
       trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
+  constexpr double kWidestBody = 3.2;  // of its pilot, DIN 333
+  if (trade_is(center_drill) && other > size && other < kWidestBody * size) return add(next);
   if (ignored || other >= size) return;  // lengths
   if (kind() && kind()->type == ToolType::bullmill && other <= size / 2 && !hint_.corner)
     hint_.corner = next;
