@@ -191,12 +191,14 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
         !(m.end.z < m.start.z || goes_on || is_level) || m.end.z > top - kSameHeight)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
-    if (!(radius > 0) || is_cut_before(motions, i, is_level ? radius / 2 : radius)) continue;
-    is_beside = !is_level;
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
       return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) <
              (goes_on ? kSameHeight : radius);
     });
+    if (!(radius > 0) || (known && is_level) ||
+        is_cut_before(motions, i, is_level ? radius / 2 : radius))
+      continue;
+    is_beside = !is_level;
     if (!known) ways.push_back({m.end, is_level ? m.start : m.end, radius, is_level});
   }
   return ways;
