@@ -53,18 +53,29 @@ void read_json(const Json& root, const std::string& name, ToolLibrary& out) {
   fail_format(name, "is JSON, but no tool library that is known");
 }
 
-// "T1 P1 D6 ;end mill": the first line that is no comment.
-bool is_linuxcnc(std::string_view text) {
+// The first line that is neither blank nor a comment.
+std::string_view first_line(std::string_view text, char comment) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-    if (line.empty() || line.front() == ';' || line.front() == '\r') continue;
-    return line.size() > 1 && (line[0] == 'T' || line[0] == 't') && line[1] >= '0' &&
-           line[1] <= '9';
+    if (!line.empty() && line.front() != comment && line.front() != '\r') return line;
   }
-  return false;
+  return {};
+}
+
+// "T1 P1 D6 ;end mill".
+bool is_linuxcnc(std::string_view text) {
+  const std::string_view line = first_line(text, ';');
+  return line.size() > 1 && (line[0] == 'T' || line[0] == 't') && line[1] >= '0' && line[1] <= '9';
+}
+
+// "[[tool]]", "units = "; a program begins with "%", "O0001", "(T1 ...)".
+bool may_be_toml(std::string_view text) {
+  const std::string_view line = first_line(text, '#');
+  return line.empty() || line.front() == '[' ||
+         (line.find('=') != line.npos && std::string_view("(%;:/'!").find(line[0]) == line.npos);
 }
 
 // Two commas or semicolons at least in the first line, and no "=": as tables are exported.
@@ -136,6 +147,8 @@ ToolLibrary parse_library(std::string_view bytes, const std::string& name) {
     read_linuxcnc_table(bytes, name, out);
   } else if (is_csv(bytes.substr(first))) {
     fail_format(name, "is a table of values with commas (CSV)");
+  } else if (!may_be_toml(bytes)) {
+    fail_format(name, "is no table of tools");
   } else {
     out.table = parse_tools(bytes, name);
   }

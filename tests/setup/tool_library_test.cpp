@@ -138,6 +138,10 @@ TEST(ToolLibrary, OtherTablesAreNamed) {
   for (const char* csv : {"Tool,Description,Diameter\n1,End Mill,6\n",
                           "Tool Index (tool_index);Number;Diameter\n1;1;6 mm\n"})
     EXPECT_NE(why(csv).find("tools-format f is a table of values"), std::string::npos) << why(csv);
+  for (const char* program :
+       {"%\nO0001\nG21\n", "(T1 D=6.)\nG21\n", "# a\nG90 G21\n", "N10 T1 M6\n"})
+    EXPECT_NE(why(program).find("tools-format f is no table of tools"), std::string::npos)
+        << program;
   EXPECT_NE(why("[{\"type\":\"drill\"}]").find("tools-format f is a JSON list"), std::string::npos);
   EXPECT_EQ(why("[[tool]]\nid = \"1\"\ntype = \"endmill\"\ndiameter = 5\n"), "");
   EXPECT_EQ(why("[offsets.D3]\nradius = 5\n"), "");
