@@ -10,8 +10,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongestLine = 1000;
-
 struct PartWords {
   const char *code, *name;
 };
@@ -39,7 +37,7 @@ LineTexts read_lines(const Program& program, const std::vector<Collision>& colli
       std::string_view text;
       for (; at != texts.end() && at->first.first == file && source.next(text);)
         if (source.line_number() == at->first.second)
-          (at++)->second = to_utf8(text.substr(0, kLongestLine));
+          (at++)->second = to_utf8(text.substr(0, kShownLine));
     } catch (const Error&) {
     }
     while (at != texts.end() && at->first.first == file) ++at;

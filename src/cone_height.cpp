@@ -1,5 +1,6 @@
 #include "cone_height.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "part_findings.h"
 #include "removal/forms/sweep_motion.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,7 +17,6 @@ namespace {
 
 // For each tool from its lowest cut up to the top, or to where the highest cut begins or ends.
 std::vector<double> heights_of_cuts(const Program& program, std::optional<double> stock_top) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> heights(program.tools.size(), kInfinity);
   double top = program.zero_height;
   for (const Motion& m : program.motions) {

@@ -13,13 +13,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kRatio1 = 0.7548776662466927, kRatio2 = 0.5698402909980532;  // 1/g, 1/g^2, g^3=g+1
 constexpr std::size_t kMostSamples = 5'000'000;
 
-double fraction(double x) { return x - std::floor(x); }
-
 Vec3 point_in_face(const TriMesh& mesh, std::size_t face, std::size_t index) {
-  double u = fraction(0.5 + kRatio1 * double(index)), v = fraction(0.5 + kRatio2 * double(index));
+  auto [u, v] = spread_point(index);
   if (u + v > 1) {
     u = 1 - u;
     v = 1 - v;
@@ -59,6 +56,13 @@ void find_extremes(const DeviationField& field, DeviationFigures& out) {
 }
 
 }  // namespace
+
+Vec2 spread_point(std::size_t k) {
+  constexpr double kRatio1 = 0.7548776662466927,
+                   kRatio2 = 0.5698402909980532;  // g^3 = g + 1: 1/g, 1/g^2
+  const double u = 0.5 + kRatio1 * double(k), v = 0.5 + kRatio2 * double(k);
+  return {u - std::floor(u), v - std::floor(v)};
+}
 
 double surface_area(const TriMesh& mesh) {
   double area = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compare/nominal.h"
+#include "core/vec.h"
 #include <mrsim/compare.h>
 
 #include <vector>
@@ -17,8 +18,11 @@ struct SurfaceSamples {
   double area = 0;    ///< mm^2
 };
 
-/// `count` samples at equal steps of the summed area, in each triangle at the points of the R2
-/// sequence (Roberts 2018): every triangle gets its share of the area to within one sample, and
+/// Point k of the R2 sequence (Roberts 2018), which fills the unit square evenly.
+Vec2 spread_point(std::size_t k);
+
+/// `count` samples at equal steps of the summed area, in each triangle at the points of
+/// spread_point(): every triangle gets its share of the area to within one sample, and
 /// tiny ones share samples. A function of the mesh alone.
 SurfaceSamples sample_surface(const TriMesh& mesh, std::size_t count);
 

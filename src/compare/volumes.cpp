@@ -1,5 +1,6 @@
 #include "compare/volumes.h"
 
+#include "compare/sampling.h"
 #include "core/parallel.h"
 #include "core/vec.h"
 #include "mesh/solid/check.h"
@@ -11,7 +12,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kRatio1 = 0.7548776662466927, kRatio2 = 0.5698402909980532;
 constexpr std::size_t kCells = 512;  // a side; about one ray a cell
 
 struct Crossing {
@@ -26,9 +26,9 @@ class RayGrid {
   RayGrid(const Box3& box, std::size_t rays) : box_(box), begin_(kCells * kCells + 1, 0) {
     std::vector<std::pair<std::uint32_t, Vec2>> keyed(rays);
     for (std::size_t i = 0; i < rays; ++i) {
-      const double u = 0.5 + kRatio1 * double(i), v = 0.5 + kRatio2 * double(i);
-      const Vec2 p{box.lo.x + (u - std::floor(u)) * (box.hi.x - box.lo.x),
-                   box.lo.y + (v - std::floor(v)) * (box.hi.y - box.lo.y)};
+      const Vec2 at = spread_point(i);
+      const Vec2 p{box.lo.x + at.x * (box.hi.x - box.lo.x),
+                   box.lo.y + at.y * (box.hi.y - box.lo.y)};
       keyed[i] = {cell(p.x, 0) + std::uint32_t(kCells) * cell(p.y, 1), p};
     }
     std::stable_sort(keyed.begin(), keyed.end(),

@@ -1,7 +1,12 @@
-// Below what size a difference of doubles is rounding, and no geometry.
+// Numbers that are no geometry: below what size a difference of doubles is rounding, and infinity.
 #pragma once
 
+#include <limits>
+
 namespace mrsim {
+
+/// Where there is nothing to be near to, or no end.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// mm: lengths and gaps up to this are none. Coordinates up to 10 m are rounded by 1e-12, sums of
 /// some of them by 1e-11; no control reads steps below 1e-5.

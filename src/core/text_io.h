@@ -36,6 +36,9 @@ struct OutputFile {
 /// what write_file_atomically throws.
 void write_files_atomically(std::span<const OutputFile> files);
 
+/// Bytes of a line of a program that findings show: one of a megabyte is no help on a terminal.
+inline constexpr std::size_t kShownLine = 1000;
+
 /// `bytes` as UTF-8: as it is when valid, else every byte read as Latin-2 (ISO 8859-2).
 std::string to_utf8(std::string_view bytes);
 

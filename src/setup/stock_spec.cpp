@@ -1,6 +1,7 @@
 #include "setup/stock_spec.h"
 
 #include "core/text_io.h"
+#include "setup/tool_keys.h"
 
 #include <cmath>
 #include <string_view>
@@ -19,7 +20,6 @@ struct Form {
 constexpr Form kForms[] = {{"box", "x0,y0,z0,x1,y1,z1", 6},
                            {"cylinder", "diameter,z0,z1", 3},
                            {"tube", "diameter,bore,z0,z1", 4}};
-constexpr double kLargest = 1e5;  // mm; a hundred metres is a slip of the keyboard
 
 [[noreturn]] void fail(const std::string& spec, const Form& form, const std::string& what) {
   throw Error(
@@ -44,8 +44,8 @@ std::vector<double> numbers_of(const std::string& spec, const Form& form) {
     if (more) rest.remove_prefix(comma + 1);
     const std::optional<double> value = parse_number(word, true);
     if (!value) fail(spec, form, fmt::format("\"{}\" is not a number", word));
-    if (std::fabs(*value) > kLargest)
-      fail(spec, form, fmt::format("{} is beyond {} mm", word, kLargest));
+    if (std::fabs(*value) > kLargestLength)
+      fail(spec, form, fmt::format("{} is beyond {} mm", word, kLargestLength));
     numbers.push_back(*value);
   }
   if (numbers.size() != form.count)

@@ -12,8 +12,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLargest = 1e5;  // mm
-
 constexpr std::uint32_t bits() { return 0; }
 template <class... Rest>
 constexpr std::uint32_t bits(ToolType first, Rest... rest) {
@@ -27,23 +25,24 @@ constexpr std::uint32_t kRound = kMilling & ~bits(ToolType::form);
 
 using enum ToolType;
 const std::vector<ToolKey> kKeys = {
-    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargest,
+    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargestLength,
      kRound | bits(turning, boring)},
-    {"corner_radius", "r", Quantity::length, &Tool::corner_radius, 0, kLargest,
+    {"corner_radius", "r", Quantity::length, &Tool::corner_radius, 0, kLargestLength,
      bits(endmill, bullmill, chamfer, taper, tslot, barrel)},
-    {"flute_length", "l", Quantity::length, &Tool::flute_length, 0, kLargest, kMilling},
+    {"flute_length", "l", Quantity::length, &Tool::flute_length, 0, kLargestLength, kMilling},
     {"taper_angle", "a", Quantity::angle, &Tool::taper_angle, 0, 89, bits(taper, chamfer, barrel)},
     {"tip_angle", "a", Quantity::angle, &Tool::tip_angle, 1, 180, bits(drill, chamfer)},
-    {"tip_diameter", "t", Quantity::length, &Tool::tip_diameter, 0, kLargest,
+    {"tip_diameter", "t", Quantity::length, &Tool::tip_diameter, 0, kLargestLength,
      bits(chamfer, taper, barrel)},
-    {"neck_diameter", "n", Quantity::length, &Tool::neck_diameter, 0, kLargest,
+    {"neck_diameter", "n", Quantity::length, &Tool::neck_diameter, 0, kLargestLength,
      bits(tslot, lollipop)},
-    {"profile_radius", "p", Quantity::length, &Tool::profile_radius, 1e-3, kLargest, bits(barrel)},
+    {"profile_radius", "p", Quantity::length, &Tool::profile_radius, 1e-3, kLargestLength,
+     bits(barrel)},
     {"insert_angle", "", Quantity::angle, &Tool::insert_angle, 1, 179, kTurning},
-    {"nose_radius", "r", Quantity::length, &Tool::nose_radius, 0, kLargest, kTurning},
+    {"nose_radius", "r", Quantity::length, &Tool::nose_radius, 0, kLargestLength, kTurning},
     {"lead_angle", "a", Quantity::angle, &Tool::lead_angle, 1, 179, kTurning},
-    {"edge_length", "l", Quantity::length, &Tool::edge_length, 1e-3, kLargest, kTurning},
-    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargest,
+    {"edge_length", "l", Quantity::length, &Tool::edge_length, 1e-3, kLargestLength, kTurning},
+    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargestLength,
      bits(grooving, tslot, threading)},
 };
 

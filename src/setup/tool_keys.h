@@ -11,6 +11,9 @@
 
 namespace mrsim {
 
+/// mm: a hundred metres is a slip of the keyboard, in tools, offsets and stocks.
+inline constexpr double kLargestLength = 1e5;
+
 enum class Quantity : std::uint8_t { length, angle };
 
 struct ToolKey {

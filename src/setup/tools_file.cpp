@@ -21,7 +21,6 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kFileLimit = std::size_t(16) << 20;
-constexpr double kLargest = 1e5;  // mm
 
 using Words = std::vector<std::string_view>;
 
@@ -102,8 +101,8 @@ double Reader::number(std::string_view key, const toml::node& node) const {
 
 double Reader::length(std::string_view key, const toml::node& node, double low) const {
   const double value = scale_ * number(key, node);
-  if (value < low || value > kLargest)
-    fail_value(key, node, fmt::format("must be between {:g} and {:g} mm", low, kLargest));
+  if (value < low || value > kLargestLength)
+    fail_value(key, node, fmt::format("must be between {:g} and {:g} mm", low, kLargestLength));
   return value;
 }
 
@@ -133,7 +132,7 @@ std::vector<double> Reader::row(std::string_view key, const toml::node& node, st
   std::vector<double> numbers;
   for (const toml::node& item : list) numbers.push_back(number(key, item));
   for (const double value : numbers)
-    if (std::fabs(value * scale_) > kLargest) fail_value(key, node, "is beyond 100 m");
+    if (std::fabs(value * scale_) > kLargestLength) fail_value(key, node, "is beyond 100 m");
   return numbers;
 }
 
@@ -245,11 +244,11 @@ void Reader::read_offsets(const toml::node& node) {
     offset.name = name.str();
     for (const auto& [key, value] : table(name.str(), entry)) {
       if (key == "radius")
-        offset.radius = length(key.str(), value, -kLargest);
+        offset.radius = length(key.str(), value, -kLargestLength);
       else if (key == "wear")
-        offset.wear = length(key.str(), value, -kLargest);
+        offset.wear = length(key.str(), value, -kLargestLength);
       else if (key == "length")
-        offset.length = length(key.str(), value, -kLargest);
+        offset.length = length(key.str(), value, -kLargestLength);
       else
         fail_key(key, fmt::format("[offsets.{}]", offset.name), {"radius", "wear", "length"});
     }
@@ -265,7 +264,7 @@ void Reader::read_work(const toml::node& node) {
       if (key != "x" && key != "y" && key != "z")
         fail_key(key, fmt::format("[work.{}]", work.name), {"x", "y", "z"});
       double& axis = key == "x" ? work.shift.x : key == "y" ? work.shift.y : work.shift.z;
-      axis = length(key.str(), value, -kLargest);
+      axis = length(key.str(), value, -kLargestLength);
     }
     table_.work.push_back(work);
   }

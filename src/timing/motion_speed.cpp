@@ -1,18 +1,17 @@
 #include "timing/motion_speed.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
 constexpr double kSecondsPerMinute = 60;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The largest value along `direction` that keeps each axis within its limit.
 double along(const Vec3& direction, const Vec3& limits) {

@@ -10,8 +10,6 @@
 namespace mrsim {
 namespace {
 
-// A line of a megabyte is no help on a terminal.
-constexpr std::size_t kLongestLine = 1000;
 constexpr std::size_t kMostRemembered = 65536;
 constexpr std::size_t kMostOfAKind = 100;
 // Lines that were read long ago are looked up in the file, a few of them.
@@ -76,18 +74,17 @@ void Reporter::add(Severity severity, const char* code, const std::string& text,
   d.code = code;
   d.text = text;
   d.length = std::max(1, length);
-  d.source_line = to_utf8(text_.substr(0, kLongestLine));
+  d.source_line = to_utf8(text_.substr(0, kShownLine));
   emit(std::move(d), call_);
 }
 
 std::string Reporter::line_text(int file, int line) {
-  if (line == line_ && file == file_ && !text_.empty())
-    return to_utf8(text_.substr(0, kLongestLine));
+  if (line == line_ && file == file_ && !text_.empty()) return to_utf8(text_.substr(0, kShownLine));
   if (line > kDeepestLookup || ++lookups_ > kMostLookups) return {};
   LineSource source(program_.files[static_cast<std::size_t>(file)], std::size_t(1) << 16);
   std::string_view text;
   while (source.next(text))
-    if (source.line_number() == line) return to_utf8(text.substr(0, kLongestLine));
+    if (source.line_number() == line) return to_utf8(text.substr(0, kShownLine));
   return {};
 }
 

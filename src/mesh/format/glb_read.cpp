@@ -20,7 +20,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMostNodes = 100'000;
-constexpr std::size_t kMostLegend = 64;
 
 // Columns of a 3 x 4 matrix.
 struct Frame {

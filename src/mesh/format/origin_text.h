@@ -15,6 +15,7 @@ std::vector<std::string> origin_lines(const OwnerTable& table);
 
 /// "legend 20 76 168 +0.060 mm and more" (sRGB, text).
 std::vector<std::string> legend_lines(const std::vector<ColorLabel>& legend);
+inline constexpr std::size_t kMostLegend = 64;  ///< lines that are read
 /// The label of such a line; nothing for others.
 std::optional<ColorLabel> read_legend_line(std::string_view line);
 

@@ -20,7 +20,6 @@ using detail::MeshBuilder;
 using detail::TextScan;
 
 enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
-constexpr std::size_t kMostLegend = 64;
 constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
 constexpr std::pair<std::string_view, Type> kTypes[] = {
     {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},

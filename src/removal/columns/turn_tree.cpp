@@ -1,5 +1,6 @@
 #include "removal/columns/turn_tree.h"
 
+#include "core/rounding.h"
 #include "core/vec.h"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A pack of this many times the size of a region goes into its list unopened.
 constexpr double kSmall = 8;

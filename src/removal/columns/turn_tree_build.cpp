@@ -1,5 +1,6 @@
 // How the tree of turning sweeps is made.
 #include "core/parallel.h"
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/columns/turn_tree.h"
 
@@ -8,8 +9,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Room for rounding in a bound, mm: coordinates up to 10 m.
 constexpr double kBoundSlack = 1e-9;

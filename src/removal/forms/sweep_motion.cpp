@@ -1,17 +1,15 @@
 #include "removal/forms/sweep_motion.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Extent of c + u cos t + v sin t + rise t for t in [0, sweep] along one axis.
 void arc_extent(double c, double u, double v, double rise, double sweep, double& lo, double& hi) {

@@ -9,6 +9,7 @@
 #include "removal/forms/turn_sweep.h"
 
 #include "core/error.h"
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/simd/lane_scalar.h"
@@ -16,14 +17,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
 using Side = ConvexPolygon::Side;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTiny = 1e-12;         // mm
 constexpr std::size_t kMostSides = 16;  // of an insert
 

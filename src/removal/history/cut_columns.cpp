@@ -1,16 +1,15 @@
 #include "removal/history/cut_columns.h"
 
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/part/block_index.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRootTwo = 1.4142135623730952, kRootThree = 1.7320508075688774;
 
 double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }

@@ -1,6 +1,7 @@
 #include "removal/history/cut_faces.h"
 
 #include "core/parallel.h"
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/part/block_index.h"
 
@@ -13,7 +14,6 @@ namespace mrsim {
 namespace {
 
 constexpr int kSide = 8;  // voxels of a leaf each way
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::uint8_t to_byte(double x) { return std::uint8_t(std::clamp(std::lround(x), 0L, 255L)); }
 

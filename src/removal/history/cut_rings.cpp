@@ -1,15 +1,14 @@
 #include "removal/history/cut_rings.h"
 
+#include "core/rounding.h"
 #include "core/vec.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNarrowest = 1.0 / 32;  // voxels: a ring of more than one value is not divided
 
 void measure_all(const PartField& field, std::uint32_t sweep, PointColumns& points) {

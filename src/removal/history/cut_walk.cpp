@@ -1,16 +1,14 @@
 #include "removal/history/cut_walk.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "removal/field/lattice.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a voxel: what a pass along a finished surface removes by rounding is not part of its extent.
 constexpr double kLeastGone = 0.01;

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/field/lattice.h"
 #include "removal/history/cut_columns.h"
@@ -17,8 +18,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a height of an arc, where only sums are wanted: mm, and of the stock's height. A search takes
 // 20 to 100 times as long as its bounds.

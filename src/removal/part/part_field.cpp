@@ -11,12 +11,10 @@
 #include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box
 constexpr std::size_t kTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned

@@ -6,7 +6,7 @@
 namespace mrsim {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 // Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
 constexpr std::size_t kFewOthers = 6;
@@ -94,12 +94,13 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
   const Vec3& p = region_.center;
   table.distances(s.ids, p, s.distance.data());
   const CandidateRows out = s.rows.at(run.first);
-  LeastDistance& least = s.least.emplace_back(LeastDistance{kInfinity, kInfinity, kInfinity});
+  LeastDistance& least =
+      s.least.emplace_back(LeastDistance{kFloatInfinity, kFloatInfinity, kFloatInfinity});
   const std::size_t padded =
       (run.count + CandidateList::kPad - 1) / CandidateList::kPad * CandidateList::kPad;
-  std::fill(out.distance + run.count, out.distance + padded, kInfinity);
-  std::fill(out.squared + run.count, out.squared + padded, kInfinity);
-  std::fill(out.z + run.count, out.z + padded, kInfinity);
+  std::fill(out.distance + run.count, out.distance + padded, kFloatInfinity);
+  std::fill(out.squared + run.count, out.squared + padded, kFloatInfinity);
+  std::fill(out.z + run.count, out.z + padded, kFloatInfinity);
   // Where a sweep is dropped by its distance, its nearest point is not asked for.
   const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
   const double limit =
@@ -113,7 +114,7 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
     out.x[k] = static_cast<float>(f.offset.x), out.y[k] = static_cast<float>(f.offset.y);
     out.z[k] = static_cast<float>(f.offset.z);
     out.rest[k] =
-        f.convex ? static_cast<float>(region_.radius * region_.radius * 1.00001) : kInfinity;
+        f.convex ? static_cast<float>(region_.radius * region_.radius * 1.00001) : kFloatInfinity;
     out.height_number[k] =
         columns_.height_numbers.empty()
             ? 0
@@ -135,7 +136,7 @@ LeastDistance MeasuredList::measure_packs(const CandidateList::Run& run) {
     scratch_.packs.push_back(in_.number(run, k) - static_cast<std::uint32_t>(columns_.refs.size()));
     columns_.turn_tree.nearest(scratch_.packs.back(), rho, c.z, scratch_.turned);
   }
-  return {static_cast<float>(scratch_.turned.distance), kInfinity, kInfinity};
+  return {static_cast<float>(scratch_.turned.distance), kFloatInfinity, kFloatInfinity};
 }
 
 // A few sweeps here and there in a long run tell most regions that are deep in one, which is no
@@ -171,7 +172,7 @@ void MeasuredList::measure_run(std::size_t i) {
     return;
   }
   const Kernel kernel = kernel_of(kernels_, type(i).form);
-  least = {kInfinity, kInfinity, kInfinity};
+  least = {kFloatInfinity, kFloatInfinity, kFloatInfinity};
   for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
     const LeastDistance some =
         kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether), at_,
@@ -207,7 +208,7 @@ void MeasuredList::drop_high(std::size_t i) {
   const CandidateRows r = rows(i);
   const float* lower = scratch_.lower.data() + in_.runs()[i].first;
   for (std::size_t k = 0; k < in_.runs()[i].count; ++k)
-    if (lower[k] > heights_.limit()) r.distance[k] = kInfinity;
+    if (lower[k] > heights_.limit()) r.distance[k] = kFloatInfinity;
 }
 
 }  // namespace mrsim

@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 // A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
 bool is_horizontal(const SweepClass& type) {
@@ -125,7 +125,7 @@ class Keeper {
       static constexpr std::size_t kColumns[] = {8, 7, 9, 0, 0, 8};  // by form
       const std::size_t columns =
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
-      args.limit = std::nextafter(static_cast<float>(limit + spread_of(type(i))), kInfinity);
+      args.limit = std::nextafter(static_cast<float>(limit + spread_of(type(i))), kFloatInfinity);
       float* to_slot = out.column(0) + out.begin_run(run.of, run.numbers);
       at_.tool = type(i).tool;
       args.within = args.plan ? top() + within_band() : surely_within(at_, region_, reach_);
@@ -141,13 +141,13 @@ class Keeper {
   void find_beater(std::size_t from, std::size_t to, KeepArgs& args) {
     if (type(from).group < 0) return;
     Beater& best = args.beater[0];
-    best.squared = kInfinity;
+    best.squared = kFloatInfinity;
     for (std::size_t i = from; i < to; ++i) {
       const float squared = measured_.least_of(i).squared;
       const std::size_t k = kernels_.find(rows(i).squared, in_.runs()[i].count, squared);
       if (squared < best.squared) best = beater_at(i, k);
     }
-    if (best.squared < kInfinity) args.beaters = 1;
+    if (best.squared < kFloatInfinity) args.beaters = 1;
   }
 
   void find_plan_beaters(std::size_t from, std::size_t to, double band, KeepArgs& args) {
@@ -155,16 +155,16 @@ class Keeper {
     const auto spread = static_cast<float>(1.0001 * 2 * measured_.spread());
     const float slack = lateral(at_) + 2 * at_.delta + 1e-5f + spread;
     // Over the flat end, and farther inside its rim than above its floor, the floor decides.
-    float lowest_tip = kInfinity;
+    float lowest_tip = kFloatInfinity;
     for (std::size_t i = from; i < to; ++i)
       lowest_tip = std::min(lowest_tip, measured_.least_of(i).z);
     const float above = top() - lowest_tip;
     const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
     const bool covers = band > 0 && tool.rising && inside > 0;
     const float beyond = tool.flat + slack;
-    args.beyond = tool.flat > 0 ? beyond * beyond : kInfinity;
+    args.beyond = tool.flat > 0 ? beyond * beyond : kFloatInfinity;
     Beater &nearest = args.beater[0], &lowest = args.beater[1];
-    nearest.squared = kInfinity, lowest.z = kInfinity, args.cover.z = kInfinity;
+    nearest.squared = kFloatInfinity, lowest.z = kFloatInfinity, args.cover.z = kFloatInfinity;
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t n = in_.runs()[i].count;
       const CandidateRows r = rows(i);
@@ -173,14 +173,14 @@ class Keeper {
       const auto take = [&](std::size_t k) { return beater_at(i, k); };
       if (found.nearest < n && r.squared[found.nearest] < nearest.squared)
         nearest = take(found.nearest);
-      if (found.lowest < n && r.squared[found.lowest] < kInfinity &&
+      if (found.lowest < n && r.squared[found.lowest] < kFloatInfinity &&
           (r.z[found.lowest] < lowest.z ||
            (r.z[found.lowest] == lowest.z && r.squared[found.lowest] < lowest.squared)))
         lowest = take(found.lowest);
       if (found.cover < n && r.z[found.cover] < args.cover.z) args.cover = take(found.cover);
     }
-    args.has_cover = args.cover.z < kInfinity;
-    args.beaters = lowest.z < kInfinity ? 2 : nearest.squared < kInfinity ? 1 : 0;
+    args.has_cover = args.cover.z < kFloatInfinity;
+    args.beaters = lowest.z < kFloatInfinity ? 2 : nearest.squared < kFloatInfinity ? 1 : 0;
   }
 
   const SweepColumns& columns_;

@@ -101,7 +101,7 @@ MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionAr
 }
 
 MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
-  const V zero = splat(0), infinite = splat(kInfinity);
+  const V zero = splat(0), infinite = splat(kFloatInfinity);
   const V radius = load(c[ArcColumn::radius] + k), mx = load(c[ArcColumn::mx] + k),
           my = load(c[ArcColumn::my] + k);
   const V cosine = load(c[ArcColumn::cosine] + k), sine = load(c[ArcColumn::sine] + k);
@@ -135,7 +135,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
 #define MRSIM_NEAR(form)                                                                          \
   static LeastDistance near_##form(const CandidateColumns& c, std::size_t n, const RegionArgs& a, \
                                    const CandidateRows& out) {                                    \
-    const V infinite = splat(kInfinity);                                                          \
+    const V infinite = splat(kFloatInfinity);                                                     \
     V distance = infinite, squared = infinite, z = infinite;                                      \
     for (std::size_t k = 0; k < n; k += kLanes) {                                                 \
       Row r = form##_row(c, k, a);                                                                \
@@ -168,7 +168,7 @@ static std::size_t find(const float* column, std::size_t n, float value) {
 
 static PlanBeaters plan_beaters(const CandidateRows& rows, std::size_t n,
                                 const LeastDistance& least, float inside) {
-  const V infinite = splat(kInfinity), tip = splat(least.z), limit = splat(inside);
+  const V infinite = splat(kFloatInfinity), tip = splat(least.z), limit = splat(inside);
   V low = infinite, cover = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const V squared = load(rows.squared + k), z = load(rows.z + k);
@@ -232,7 +232,7 @@ static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const Cand
 static void strip_quarters(const CandidateColumns& c, std::size_t n, const RegionArgs& a, float b,
                            StripAt* out) {
   constexpr std::size_t kParts = 4;
-  const V infinite = splat(kInfinity), twice = splat(b + b);
+  const V infinite = splat(kFloatInfinity), twice = splat(b + b);
   V least[kParts] = {infinite, infinite, infinite, infinite};
   V slots[kParts] = {infinite, infinite, infinite, infinite};
   for (std::size_t k = 0; k < n; k += kLanes) {

@@ -59,7 +59,7 @@ MRSIM_LANE V tangent_height(const HeightTool& t, V wide, V slope, V gu, V gv, V 
 static float piece_heights(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
                            float* lower) {
   const HeightTool& t = a.tool;
-  const V zero = splat(0), infinite = splat(kInfinity);
+  const V zero = splat(0), infinite = splat(kFloatInfinity);
   V least = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const V dx = splat(a.x) - load(c[BallSlot::x] + k), dy = splat(a.y) - load(c[BallSlot::y] + k),
@@ -108,7 +108,7 @@ static float piece_heights(const CandidateColumns& c, std::size_t n, const Heigh
 static float horizontal_heights(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                                 float* lower) {
   const HeightTool& t = a.tool;
-  const V zero = splat(0), infinite = splat(kInfinity);
+  const V zero = splat(0), infinite = splat(kFloatInfinity);
   V least = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const V squared = load(rows.squared + k), z = load(rows.z + k);

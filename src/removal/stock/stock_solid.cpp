@@ -1,6 +1,7 @@
 #include "removal/stock/stock_solid.h"
 
 #include "core/error.h"
+#include "core/rounding.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "removal/field/face_range.h"
@@ -9,8 +10,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Neighbouring triangles whose normals agree within 1e-4 rad are one flat face: float32 coordinates
 // do not tell more.

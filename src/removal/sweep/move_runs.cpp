@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
@@ -14,8 +13,6 @@ namespace {
 constexpr std::uint32_t kMostMoves = 16;  // of a run
 constexpr double kStraight = 1.0 / 16;    // largest spread of a chord of length 1
 constexpr double kSteep = 1e-3;           // in plan: shorter chords of length 1 have no direction
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of a straight move with a record; -1 for other sweeps.
 std::int32_t tool_of(const SweepColumns& c, std::uint32_t sweep) {

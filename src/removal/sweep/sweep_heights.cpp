@@ -1,5 +1,6 @@
 #include "removal/sweep/sweep_heights.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -13,7 +14,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShort = 1e-9;   // mm in plan: an upright move
 constexpr double kFound = 1e-10;  // mm: to which a height is searched
 constexpr int kMostSteps = 80;

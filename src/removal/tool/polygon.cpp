@@ -1,14 +1,14 @@
 #include "removal/tool/polygon.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace mrsim {
 namespace {
 
 using Side = ConvexPolygon::Side;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTiny = 1e-12;  // mm
 
 // Convex hull, counter-clockwise (Andrew's monotone chain), points on its sides left out.

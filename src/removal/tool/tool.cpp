@@ -9,12 +9,9 @@
 #include "core/units.h"
 
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Outline {
  public:

@@ -8,7 +8,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAllSteps = 60, kBoundSteps = 4;
 constexpr double kContact = 1e-6;  // mm: the height changes by its square, 1e-12 / radius
 
