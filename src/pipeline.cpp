@@ -104,6 +104,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
   VdbContent saved;
   if (is_vdb(spec)) saved = read_vdb_file(spec);
+  release_freed_memory();  // the file's
   if (saved.recipe) return std::move(saved.recipe->shape);
   StockFindings found;
   found.accuracy = saved.accuracy;

@@ -29,8 +29,9 @@ constexpr double kVoxels = 400;      // along the longest side
 constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
-constexpr double kSquareMemory = 140;  // bytes a square of a voxel on both surfaces, measured
-constexpr double kMostVoxels = 2500;   // along it: some 10 GB for the surfaces of a block
+// Bytes, measured: of the module, for a square of a voxel on both surfaces, for a triangle of them.
+constexpr double kModuleMemory = 25e6, kSquareMemory = 150, kTriangleMemory = 100;
+constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, asked for the place that is nearest.
 class Surfaces {
@@ -141,9 +142,11 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
     throw Error("rest-voxel",
                 fmt::format("{:g} mm are more than 2 voxels of {:g} mm", out.above, out.voxel),
                 Error::Kind::usage);
-  require_memory(
-      kSquareMemory * (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel),
-      fmt::format("what is left by voxels of {:.3g} mm", out.voxel), "a larger --voxel takes less");
+  const double squares = (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel);
+  const double triangles = double(part.triangles.size() + nominal.triangles.size());
+  require_memory(kModuleMemory + kSquareMemory * squares + kTriangleMemory * triangles,
+                 fmt::format("what is left by voxels of {:.3g} mm", out.voxel),
+                 "a larger --voxel takes less");
   std::vector<RestVoxels> found =
       find_rest_voxels({part, nominal, out.voxel, out.above, options.threads});
   const Surfaces surfaces(part, nominal, options.threads);

@@ -5,6 +5,7 @@
 #include "cli/option_values.h"
 #include "cli/standard_streams.h"
 #include "cli/typed_options.h"
+#include <mrsim/memory.h>
 
 #include <algorithm>
 #include <string_view>
@@ -15,6 +16,8 @@ namespace mrsim::cli {
 namespace {
 
 void read_program_options(Arguments& out, const TypedOptions& typed) {
+  typed.read("--max-memory", out.carve.max_memory, size_value);
+  set_memory_limit(out.carve.max_memory);  // of the tables of tools, too
   typed.read("--dialect", out.interp.dialect, dialect_value);
   if (typed.has("--machine-file")) out.machine = load_machine(typed.text("--machine-file"));
   out.interp.places = out.machine.places;
@@ -88,7 +91,6 @@ void read_simulation_options(Arguments& out, const TypedOptions& typed) {
   out.mesh.threads = out.render.threads = out.carve.threads;
   typed.read("--color", out.files.color, color_value);
   out.render.color = out.files.color;
-  typed.read("--max-memory", out.carve.max_memory, size_value);
 }
 
 void read_picture_options(Arguments& out, const TypedOptions& typed) {

@@ -9,6 +9,7 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
+#include "core/memory_limit.h"
 #include "core/output_place.h"
 #include "core/text_io.h"
 #include <mrsim/memory.h>
@@ -212,6 +213,8 @@ bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, 
       return false;
     }
     written.insert(written.end(), part.files.begin(), part.files.end());
+    part = {};
+    release_freed_memory();  // before the next moment's
   }
   whole.files.insert(whole.files.begin(), written.begin(), written.end());
   return true;

@@ -1,6 +1,7 @@
 #include "compare/nominal.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/parallel.h"
 #include "core/trig.h"
 #include "core/units.h"
@@ -15,6 +16,7 @@
 namespace mrsim {
 namespace {
 
+constexpr double kCheckBytes = 520;  // a triangle, measured: to say where a mesh is no solid
 constexpr std::size_t kBatch = 512;  // points that share one chain of hints
 
 // Bits 0, 3, 6, ... of the low 21.
@@ -156,6 +158,8 @@ double require_comparable(const TriMesh& mesh, const std::string& role, const st
       if (std::fabs(x) > detail::kFarthest)
         throw Error("compare-too-far", who + " has " + detail::too_far(double(x)));
     }
+  require_memory(kCheckBytes * double(mesh.triangles.size()), "checking " + who,
+                 "a coarser mesh takes less");
   try {
     require_solid(mesh, who, threads);
   } catch (const Error& error) {

@@ -144,7 +144,8 @@ std::string read_file(const std::string& path, std::size_t limit) {
                                     "what is meant to be read",
                                     path, limit));
     if (text.size() + static_cast<std::size_t>(n) > text.capacity())
-      require_memory(2.0 * static_cast<double>(text.capacity()), "reading " + path);
+      // Twice as much room, beside the room that smaller ones have left in the heap.
+      require_memory(3.0 * static_cast<double>(text.capacity()), "reading " + path);
     text.append(chunk.data(), static_cast<std::size_t>(n));
   }
 }

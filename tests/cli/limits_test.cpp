@@ -52,6 +52,27 @@ TEST_F(Limits, Comparison) {
   EXPECT_TRUE(contains(small.err, "[memory]")) << small.err;
 }
 
+// What is read before and beside motions: tables of tools, long lines, comments, many tools.
+TEST_F(Limits, MemoryOfToolsAndText) {
+  std::filesystem::create_symlink("/dev/zero", folder_ / "zero.toml");
+  const std::string cut = "G1 X9 Y9 Z-1 F500\n",
+                    stock = " --stock block.stl -o part.stl --max-memory ";
+  expect_failure("PRIMER_2F.MPF --tools zero.toml" + stock + "60M", 1, "[memory]");
+  write("long.MPF", "G1 X" + std::string(20'000'000, '1') + "\n");
+  expect_failure("long.MPF --machine mill" + stock + "60M", 1, "[memory]");
+  std::string comments = "G17 G90\n", program = "G17 G90\n", tools;
+  for (int i = 1; i < 40000; ++i) comments += "(TOOL " + std::to_string(i) + " D=5 ENDMILL)\n";
+  write("comments.nc", comments + "T1 M6\nG0 X0 Y0 Z9\n" + cut + "M30\n");
+  expect_failure("comments.nc --dialect fanuc" + stock + "30M", 1, "comments about tools");
+  for (int i = 1; i < 5000; ++i) {
+    program += "T" + std::to_string(i) + " M6\nG0 Z9\n" + cut;
+    tools += "[[tool]]\nid = " + std::to_string(i) + "\ntype = \"endmill\"\ndiameter = 5\n";
+  }
+  write("many.nc", program + "M30\n");
+  write("many.toml", tools);
+  expect_failure("many.nc --dialect fanuc --tools many.toml" + stock + "50M", 1, "4999 tools");
+}
+
 TEST_F(Limits, MemoryOfReading) {
   write_raster(60000);
   expect_failure(

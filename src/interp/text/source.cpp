@@ -1,6 +1,7 @@
 #include "interp/text/source.h"
 
 #include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@
 
 namespace mrsim {
 namespace {
+
+constexpr std::size_t kLongLine = std::size_t(1) << 20;
 
 [[noreturn]] void fail(const std::string& path) {
   if (errno == ENOENT || errno == ENOTDIR)
@@ -105,7 +108,11 @@ bool LineSource::refill() {
     end_ -= begin_;
     begin_ = 0;
   }
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  if (end_ == buffer_.size()) {
+    if (end_ > kLongLine)  // measured: three times its length, of the words in it as well
+      require_memory(5.0 * double(end_), fmt::format("a line of more than {} bytes", end_));
+    buffer_.resize(2 * buffer_.size());
+  }
   const std::uint64_t from = buffer_offset_ + end_;
   if (piped_) {
     const std::size_t left = from < piped_->size() ? piped_->size() - from : 0;

@@ -1,8 +1,10 @@
 #include "interp/tools/tool_notes.h"
 
+#include "core/memory_limit.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <fmt/format.h>
 
@@ -46,6 +48,14 @@ bool is_tool_with_size(const ToolHint& hint) {
   return hint.diameters.front().unit > 0 || hint.diameters.front().fraction;
 }
 
+// Where their number doubles.
+void require_notes(std::size_t count) {
+  constexpr std::size_t kFew = 1024;
+  constexpr double kNote = 550;  // bytes, measured
+  if (count >= kFew && std::has_single_bit(count))
+    require_memory(kNote * double(count), fmt::format("more than {} comments about tools", count));
+}
+
 }  // namespace
 
 long turret_station(long number, std::size_t digits) {
@@ -56,6 +66,7 @@ long turret_station(long number, std::size_t digits) {
 }
 
 void ToolNotes::add(const std::string& id, const ToolHint& hint) {
+  require_notes(hints_.size());
   const auto [at, fresh] = hints_.try_emplace(id, hint);
   const bool repeated = at->second.text.find(hint.text) != std::string::npos;
   if (!fresh && !repeated) merge_hint(at->second, hint);

@@ -91,7 +91,9 @@ void encode_mesh(const MeshSource& mesh, MeshFormat format, const MeshFileOption
 
 TriMesh load_mesh(const std::string& path) {
   const MeshFormat format = mesh_format_of(path);
-  return parse_mesh(read_file(path), format, path);
+  TriMesh mesh = parse_mesh(read_file(path), format, path);
+  release_freed_memory();  // the text's, before what the mesh is read for
+  return mesh;
 }
 
 void save_mesh(const std::string& path, const TriMesh& mesh, const MeshFileOptions& options) {

@@ -20,6 +20,8 @@ namespace {
 // each voxel that the cuts' surface passes; flat sides that a box keeps have few.
 constexpr double kProgram = 10e6, kMotion = 320;
 constexpr double kSweep = 200, kPiece = 250;  ///< in lists of candidates
+constexpr double kStockTriangle = 230;        ///< of a mesh: its tree, and what its check left
+constexpr double kTool = 9000;                ///< as it is looked for by motions
 constexpr double kOpenVdb = 30e6;             ///< its library
 constexpr double kRecipe = 400;               ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
@@ -90,7 +92,8 @@ struct Need {
   }
 
   double always() const {
-    return kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps);
+    return kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
+           kStockTriangle * static_cast<double>(stock.triangles());
   }
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
@@ -146,6 +149,9 @@ void require_columns(const StockSolid& stock, double voxel) {
 
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection) {
+  if (tools.size() > 100)
+    require_memory(kTool * static_cast<double>(tools.size()),
+                   fmt::format("what {} tools sweep", tools.size()));
   if (motions.size() < 2 * kSample) return;
   std::vector<Motion> some;
   for (std::size_t k = 0; k < kSample; ++k) some.push_back(motions[motions.size() / kSample * k]);

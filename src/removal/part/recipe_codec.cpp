@@ -2,6 +2,7 @@
 
 #include "core/bytes.h"
 #include "core/error.h"
+#include "core/memory_limit.h"
 
 #include <array>
 #include <cmath>
@@ -83,7 +84,12 @@ void fields(Archive& a, T& v);
 template <class Archive, class List>
 void list(Archive& a, List& v, std::size_t least_size) {
   const std::uint64_t n = a.count(v.size(), least_size);
-  if constexpr (!std::is_const_v<List>) v.resize(n);
+  if constexpr (!std::is_const_v<List>) {
+    constexpr std::uint64_t kFew = 10000;
+    if (n > kFew)
+      require_memory(double(n) * sizeof(typename List::value_type), "what a .vdb was cut by");
+    v.resize(n);
+  }
   for (auto& entry : v) fields(a, entry);
 }
 

@@ -58,6 +58,8 @@ class StockSolid {
   const Box3& bounds() const { return shape_.box; }
   /// A cylinder or tube about the Z axis: the same at every angle.
   bool is_turned() const;
+  /// 0 where it is no mesh.
+  std::size_t triangles() const { return shape_.mesh.triangles.size(); }
   /// mm^3; of a mesh, its signed volume.
   double volume() const;
   /// mm^2.
