@@ -158,6 +158,10 @@ TEST(Cycles, SinumerikDeepHoles) {
   EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-12,,-5,,1,0,0,1,1)\n"),
             "r0,0,5 r0,0,1 l0,0,-5 r0,0,1 r0,0,-4.746 l0,0,-9 r0,0,1 r0,0,-8.746 l0,0,-12 r0,0,5");
   // Chip breaking: 1 mm back.
+  // By AMODE in percent, 4 2 1, and the first stroke from RFP.
+  EXPECT_EQ(run(s, "G0 Z15\nF100\nCYCLE83(15,10,1,2.5,,4,,50,0,0,90,1,0,0.5,1,0,1,0,1,11211112)\n"),
+            "r0,0,15 r0,0,11 l0,0,6 r0,0,11 r0,0,7 l0,0,4 r0,0,11 r0,0,5 l0,0,3 r0,0,11 r0,0,4 "
+            "l0,0,2.5 r0,0,15");
   EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-8,,,5,0,0,0,1,0)\n"),
             "r0,0,5 r0,0,1 l0,0,-5 r0,0,-4 l0,0,-8 r0,0,5");
 }

@@ -247,16 +247,20 @@ double SinumerikCycles::point_length() {
   return (tool->diameter - tool->tip_diameter) / 2 * cone.cos / cone.sin;
 }
 
-// FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor; the last
-// two are equal.
+// FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor (below 0,
+// or in percent by AMODE); the last two are equal.
 bool SinumerikCycles::strokes(const Call& call, double reference, Hole& hole) {
   const double unit = scale(), total = std::abs(hole.bottom - reference);
   const double down = hole.bottom < reference ? -1 : 1;
   const bool relative = call.given(6) && call.get(6) != 0;
-  double stroke =
-      relative ? std::abs(call.get(6)) * unit : std::abs(call.get(5) * unit - reference);
+  const bool said_relative = call.digit(19, 4) == 1 && call.given(5);  // of AMODE
+  double stroke = relative        ? std::abs(call.get(6)) * unit
+                  : said_relative ? std::abs(call.get(5)) * unit
+                                  : std::abs(call.get(5) * unit - reference);
   if (!relative && !call.given(5)) stroke = total;
-  const double dam = call.get(7), least = std::abs(call.get(13)) * unit;
+  const bool percent = call.digit(19, 5) == 2;
+  const double dam = percent ? -std::abs(call.get(7)) / 100 : call.get(7);
+  const double least = std::abs(call.get(13)) * unit;
   hole.chips_out = call.get(11) >= 1;
   if (call.given(14) && call.get(14) > 0 && !hole.chips_out) hole.clearance = call.get(14) * unit;
   if (!hole.chips_out && !(call.get(14) > 0)) hole.clearance = 1;
