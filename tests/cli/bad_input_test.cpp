@@ -132,6 +132,18 @@ TEST_F(BadInput, Output) {
     expect_failure("PRIMER_2F.MPF --stock block.stl -o closed/part.stl", 1, "cannot write");
 }
 
+TEST_F(BadInput, OutputThatIsTooLarge) {
+  for (const char* name : {"p.stl", "p.ply", "p.obj", "p.off", "p.3mf", "p.glb", "p.vdb"}) {
+    const Outcome outcome =
+        run("PRIMER_2F.MPF --stock block.stl --voxel 0.5 -q -o " + std::string(name),
+            "ulimit -f 20 &&");
+    EXPECT_EQ(outcome.code, 1) << name;
+    EXPECT_TRUE(contains(outcome.err, "cannot write " + std::string(name) + ": File too large"))
+        << outcome.err;
+    EXPECT_FALSE(exists(name));
+  }
+}
+
 // What cannot be printed is an error; closed streams leave their numbers to no file of the run, and
 // nobody who hears no note stops it.
 TEST_F(BadInput, ClosedStreams) {

@@ -8,6 +8,7 @@
 #include "removal/part/stock_grid.h"
 
 #include <algorithm>
+#include <exception>
 #include <ostream>
 #include <streambuf>
 
@@ -31,19 +32,24 @@ class SinkBuffer : public std::streambuf {
   SinkBuffer(const ByteSink& out, ContentHash& hash, std::string uuid)
       : out_(out), hash_(hash), uuid_(std::move(uuid)) {}
 
+  /// What the sink threw: a stream keeps no more of it than that something failed.
+  void rethrow() const {
+    if (fault_) std::rethrow_exception(fault_);
+  }
+
  protected:
   std::streamsize xsputn(const char* data, std::streamsize size) override {
-    std::string piece(data, static_cast<std::size_t>(size));
-    for (std::size_t i = 0; i < piece.size() && position_ + i < kUuidOffset + kUuidSize; ++i)
-      if (position_ + i >= kUuidOffset) piece[i] = uuid_[position_ + i - kUuidOffset];
-    hash_.update(piece.data(), piece.size());
-    out_(piece.data(), piece.size());
-    position_ += piece.size();
-    return size;
+    try {
+      return hand_on(data, size);
+    } catch (...) {
+      fault_ = std::current_exception();
+      return 0;
+    }
   }
   int_type overflow(int_type c) override {
     const char byte = traits_type::to_char_type(c);
-    return traits_type::eq_int_type(c, traits_type::eof()) ? 0 : (xsputn(&byte, 1), c);
+    if (traits_type::eq_int_type(c, traits_type::eof())) return 0;
+    return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
   }
   // OpenVDB asks where it is, and never goes back in a stream.
   pos_type seekoff(off_type offset, std::ios_base::seekdir direction,
@@ -54,10 +60,21 @@ class SinkBuffer : public std::streambuf {
   }
 
  private:
+  std::streamsize hand_on(const char* data, std::streamsize size) {
+    std::string piece(data, static_cast<std::size_t>(size));
+    for (std::size_t i = 0; i < piece.size() && position_ + i < kUuidOffset + kUuidSize; ++i)
+      if (position_ + i >= kUuidOffset) piece[i] = uuid_[position_ + i - kUuidOffset];
+    hash_.update(piece.data(), piece.size());
+    out_(piece.data(), piece.size());
+    position_ += piece.size();
+    return size;
+  }
+
   const ByteSink& out_;
   ContentHash& hash_;
   std::string uuid_;
   std::size_t position_ = 0;
+  std::exception_ptr fault_;
 };
 
 // Takes strings, numbers and bytes from the front of a text; what is missing is an empty text.
@@ -159,6 +176,7 @@ void write_vdb(const Stock& stock, const StockRecipe& recipe, const ByteSink& ou
   std::ostream stream(&buffer);
   stock.grid().voxels->write(*stock.grid().field, *stock.grid().index, sealed_recipe(encoded),
                              stream);
+  buffer.rethrow();
   if (!stream) throw Error("output-unwritable", "cannot write the .vdb file");
 
   std::string seal(kMagic);
