@@ -135,6 +135,9 @@ TEST(MillCycles, SpigotsLeaveTheirShape) {
     return blank > 0.01 ? 0 : -spigot;  // beyond the blank nothing is asked
   };
   expect_cleared("CYCLE76(50,0,2,-6,,40,30,4,0,0,0,3,0,0,800,200,0,1,60,56)", -6, ring, -35, 35);
+  // AMODE 1 with the depth in DPR.
+  expect_cleared("CYCLE76(50,0,2,,6,40,30,4,0,0,0,3,0,0,800,200,0,1,60,56,1,2,1100,1,101)", -6,
+                 ring, -35, 35);
   const auto round = [](double x, double y) {
     const double d = std::hypot(x - 2, y - 1);
     return d > 25 ? 0 : 15 - d;

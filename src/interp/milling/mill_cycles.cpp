@@ -58,7 +58,8 @@ bool MillCycles::depth(Levels& l) {
   const int amode = list_->amode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->amode), 0);
   const double dpr = value(list_->dpr);
   l.bottom = call_->get(3) * unit;
-  if (amode == 1) l.bottom = l.reference + down * std::abs(call_->get(3)) * unit;
+  const double relative = call_->given(3) ? call_->get(3) : dpr;  // with a mode, in DP or DPR
+  if (amode == 1) l.bottom = l.reference + down * std::abs(relative) * unit;
   if (amode == 0 && dpr != 0) l.bottom = l.reference + down * std::abs(dpr) * unit;
   if ((l.bottom - l.reference) * down <= 0)
     return fail("value-range",
