@@ -4,13 +4,17 @@
 #include "mesh/solid/exact_predicates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace mrsim::detail {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr std::uint32_t kLeaf = 8;
+constexpr std::uint32_t kLeaf = 8;   // triangles
+constexpr std::uint32_t kBlock = 8;  // triangles that go through the tree together
+constexpr float kFar = std::numeric_limits<float>::infinity();
 
 bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b, int axis) {
   for (const int i : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -116,6 +120,28 @@ class PairTest {
   std::span<const Triangle> triangles_;
 };
 
+// In single precision, rounded outwards.
+struct Bounds {
+  float lo[3] = {kFar, kFar, kFar}, hi[3] = {-kFar, -kFar, -kFar};
+
+  void extend(const Vec3& p) {
+    for (int k = 0; k < 3; ++k) {
+      const double x = mrsim::component(p, k);
+      float low = static_cast<float>(x), high = low;
+      if (low > x) low = std::nextafter(low, -kFar);
+      if (high < x) high = std::nextafter(high, kFar);
+      lo[k] = std::min(lo[k], low), hi[k] = std::max(hi[k], high);
+    }
+  }
+  void extend(const Bounds& b) {
+    for (int k = 0; k < 3; ++k) lo[k] = std::min(lo[k], b.lo[k]), hi[k] = std::max(hi[k], b.hi[k]);
+  }
+  bool overlaps(const Bounds& b) const {
+    return lo[0] <= b.hi[0] && b.lo[0] <= hi[0] && lo[1] <= b.hi[1] && b.lo[1] <= hi[1] &&
+           lo[2] <= b.hi[2] && b.lo[2] <= hi[2];
+  }
+};
+
 // A tree of boxes over the chosen triangles (none chosen: all), halved at the median of the longest
 // side.
 class BoxTree {
@@ -124,26 +150,28 @@ class BoxTree {
           std::span<const char> chosen) {
     boxes_.resize(triangles.size());
     for (std::size_t k = 0; k < triangles.size(); ++k)
-      for (const std::uint32_t v : triangles[k]) extend(boxes_[k], vertices[v]);
+      for (const std::uint32_t v : triangles[k]) boxes_[k].extend(vertices[v]);
     for (std::uint32_t k = 0; k < triangles.size(); ++k)
       if (chosen.empty() || chosen[k]) order_.push_back(k);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
   }
 
+  /// Calls f(i, j) for the triangles i of [first, end), which are near each other in most meshes,
+  /// and those of the tree whose boxes overlap theirs.
   template <class F>
-  void visit(std::uint32_t triangle, F&& f) const {
-    const Box3& b = boxes_[triangle];
+  void visit(std::uint32_t first, std::uint32_t end, F&& f) const {
+    Bounds all;
+    for (std::uint32_t i = first; i < end; ++i) all.extend(boxes_[i]);
     static thread_local std::vector<std::uint32_t> stack;
     stack.assign(nodes_.empty() ? 0 : 1, 0);
     while (!stack.empty()) {
       const Node& n = nodes_[stack.back()];
       stack.pop_back();
-      if (!overlap(n.box, b)) continue;
-      if (n.right == 0)
-        for (std::uint32_t k = n.begin; k < n.end; ++k) {
-          if (order_[k] != triangle && overlap(boxes_[order_[k]], b)) f(order_[k]);
-        }
-      else {
+      if (!n.box.overlaps(all)) continue;
+      if (n.right == 0) {
+        for (std::uint32_t i = first; i < end; ++i)
+          if (n.box.overlaps(boxes_[i])) visit_leaf(n, i, f);
+      } else {
         stack.push_back(n.right);
         stack.push_back(static_cast<std::uint32_t>(&n - nodes_.data()) + 1);
       }
@@ -152,31 +180,41 @@ class BoxTree {
 
  private:
   struct Node {
-    Box3 box;
-    std::uint32_t begin = 0, end = 0, right = 0;
+    Bounds box;
+    std::uint32_t begin = 0, end = 0, right = 0, leaf = 0;
+  };
+  // The boxes of a leaf by columns, so that they are tested together.
+  struct Leaf {
+    float lo[3][kLeaf], hi[3][kLeaf];
   };
 
-  static bool overlap(const Box3& a, const Box3& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-           a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+  template <class F>
+  void visit_leaf(const Node& n, std::uint32_t i, F& f) const {
+    const Leaf& leaf = leaves_[n.leaf];
+    const Bounds& b = boxes_[i];
+    std::int32_t overlap[kLeaf];
+    for (std::uint32_t k = 0; k < kLeaf; ++k)
+      overlap[k] = (leaf.lo[0][k] <= b.hi[0]) & (b.lo[0] <= leaf.hi[0][k]) &
+                   (leaf.lo[1][k] <= b.hi[1]) & (b.lo[1] <= leaf.hi[1][k]) &
+                   (leaf.lo[2][k] <= b.hi[2]) & (b.lo[2] <= leaf.hi[2][k]);
+    for (std::uint32_t k = 0; k < n.end - n.begin; ++k)
+      if (const std::uint32_t j = order_[n.begin + k]; overlap[k] != 0 && j != i) f(i, j);
   }
 
   void build(std::uint32_t begin, std::uint32_t end) {
     const auto id = nodes_.size();
-    nodes_.push_back({{}, begin, end, 0});
-    Box3 box;
-    for (std::uint32_t k = begin; k < end; ++k) extend(box, boxes_[order_[k]]);
+    nodes_.push_back({{}, begin, end, 0, 0});
+    Bounds box;
+    for (std::uint32_t k = begin; k < end; ++k) box.extend(boxes_[order_[k]]);
     nodes_[id].box = box;
-    if (end - begin <= kLeaf) return;
-    const Vec3 size = box.hi - box.lo;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    if (end - begin <= kLeaf) return add_leaf(nodes_[id]);
+    const float size[] = {box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]};
+    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
     const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto center = [&](std::uint32_t t) {
-      return mrsim::component(boxes_[t].lo, axis) + mrsim::component(boxes_[t].hi, axis);
-    };
+    const auto center = [&](std::uint32_t t) { return boxes_[t].lo[axis] + boxes_[t].hi[axis]; };
     std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                      [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = center(a), y = center(b);
+                       const float x = center(a), y = center(b);
                        return x < y || (x == y && a < b);
                      });
     build(begin, middle);
@@ -184,9 +222,19 @@ class BoxTree {
     build(middle, end);
   }
 
-  std::vector<Box3> boxes_;
+  void add_leaf(Node& node) {
+    node.leaf = static_cast<std::uint32_t>(leaves_.size());
+    Leaf& leaf = leaves_.emplace_back();
+    for (std::uint32_t k = 0; k < kLeaf; ++k) {
+      const Bounds box = node.begin + k < node.end ? boxes_[order_[node.begin + k]] : Bounds();
+      for (int a = 0; a < 3; ++a) leaf.lo[a][k] = box.lo[a], leaf.hi[a][k] = box.hi[a];
+    }
+  }
+
+  std::vector<Bounds> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
 };
 
 }  // namespace
@@ -198,17 +246,19 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
   const BoxTree tree(vertices, triangles, chosen);
   std::vector<std::vector<std::uint32_t>> found(triangles.size());
   // Every triangle looks for the chosen ones; two chosen ones meet once.
-  parallel_for(
-      triangles.size(), threads,
-      [&](std::size_t i) {
-        const auto id = static_cast<std::uint32_t>(i);
-        const bool is_chosen = chosen.empty() || chosen[i];
-        tree.visit(id, [&](std::uint32_t j) {
-          if ((j > id || !is_chosen) && test.meet(id, j)) found[i].push_back(j);
-        });
-        std::sort(found[i].begin(), found[i].end());
-      },
-      64);
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  parallel_for((count + kBlock - 1) / kBlock, threads,
+               [&](std::size_t block) {
+                 const std::uint32_t first = static_cast<std::uint32_t>(block) * kBlock,
+                                     end = std::min(first + kBlock, count);
+                 tree.visit(first, end, [&](std::uint32_t i, std::uint32_t j) {
+                   const bool is_chosen = chosen.empty() || chosen[i];
+                   if ((j > i || !is_chosen) && test.meet(i, j)) found[i].push_back(j);
+                 });
+                 for (std::uint32_t i = first; i < end; ++i)
+                   std::sort(found[i].begin(), found[i].end());
+               },
+               16);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < found.size(); ++i)
     for (const std::uint32_t j : found[i]) pairs.emplace_back(i, j);
