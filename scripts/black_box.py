@@ -10,6 +10,7 @@ outputs it was told to write. The same seed gives the same mutants; --keep holds
 """
 import argparse
 import hashlib
+import json
 import os
 import random
 import re
@@ -75,6 +76,36 @@ TOKENS = [b"G", b"X", b"Y-1e9", b"Z.", b"R0", b"I-0", b"T99999", b"M30", b"G91",
           b"'", b"<", b">", b"&", b"0x", b"-", b"+", b".", b"%", b"$", b"{", b"}"]
 
 
+NESTS = [b"(", b"[", b"{", b"[[", b"{\"a\":", b"<a>", b"a.", b"#1=", b"/*"]
+NUMBER = re.compile(rb"[-+]?[0-9]+\.?[0-9]*")
+
+# Tables and libraries of tools of other programs, and what else a run reads, all with a tool 4 where they have numbers.
+FUSION = [json.dumps({"data": [
+    {"type": kind, "unit": unit, "description": "x", "post-process": {"number": 4},
+     "geometry": {"DC": 6, "RE": 0.2, "TA": 30, "SIG": 118, "LCF": 12, "LB": 20, "SFDM": 6, "shoulder-length": 15},
+     "holder": {"segments": [{"height": 20, "lower-diameter": 20, "upper-diameter": 30}]}}]}).encode()
+          for kind, unit in (("flat end mill", "millimeters"), ("bull nose end mill", "inches"), ("drill", "millimeters"),
+                             ("tapered mill", "millimeters"), ("lollipop mill", "millimeters"))]
+LIBRARIES = {
+    "t.tbl": [b"T4 P1 D6.0 Z-51 ;6mm flat end mill\nT2 P2 D3 Q2 I10 J30 ;CCMT\n"],
+    "t.camotics": [b'{"units":"metric","tools":{"4":{"units":"imperial","shape":"snubnose","length":1,"diameter":0.5,'
+                   b'"snub_diameter":0.1}},"files":["p.nc"],"workpiece":{"bounds":{"min":[0,0,-10],"max":[40,40,0]}}}'],
+    "t.json": FUSION + [b'{"4":{"units":"metric","shape":"spheroid","length":5,"diameter":5}}'],
+    "t.fctb": [b'{"version":2,"name":"v","shape":"v-bit.fcstd","parameter":{"CuttingEdgeAngle":"60.0 deg","Diameter":"1/4 in",'
+               b'"CuttingEdgeHeight":"10 mm","ShankDiameter":"6 mm","TipDiameter":"0.1 mm"}}'],
+    "t.fctl": [b'{"tools":[{"nr":4,"path":"x.fctb"},{"nr":5,"path":"x.fctb"}],"version":1}'],
+}
+MACHINE = b"""[machine]
+kind = "mill"
+rapid = [15000, 15000, 10000]
+acceleration = 2000
+corner_tolerance = 0.01
+zero.G54 = [-210.5, -120, -180]
+second = [-400, 0, 0]
+limits = { x = [-600, 0], y = [-400, 0] }
+"""
+
+
 def box_obj():
     lines = [f"v {x} {y} {z}" for z in (-10, 0) for y in (0, 40) for x in (0, 40)]
     faces = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"]
@@ -121,7 +152,7 @@ class Mutator:
     def step(self, data):
         r = self.random
         at = r.randrange(len(data) + 1)
-        kind = r.choice((0, 0, 1, 2, 3, 4, 4, 4, 4, 5, 5, 6, 7, 7))
+        kind = r.choice((0, 0, 1, 2, 3, 4, 4, 4, 4, 5, 5, 6, 7, 7, 8, 8, 9))
         if kind == 0 and data:
             data[at % len(data)] = r.randrange(256)
         elif kind == 1:
@@ -138,9 +169,20 @@ class Mutator:
             del data[at:]
         elif kind == 7 and data:
             data[at % len(data)] ^= 1 << r.randrange(8)
+        elif kind == 8:
+            self.swap_numbers(data)
+        elif kind == 9:
+            data[at:at] = r.choice(NESTS) * r.choice((10, 1000, 50000))
+
+    def swap_numbers(self, data):
+        """One number in the place of another: references that lead elsewhere, or in a circle."""
+        numbers = list(NUMBER.finditer(bytes(data[: 1 << 16])))
+        if numbers:
+            to, by = self.random.choice(numbers), self.random.choice(numbers)
+            data[to.start(): to.end()] = by.group()
 
     def change_number(self, data):
-        numbers = list(re.finditer(rb"[-+]?[0-9]+\.?[0-9]*", bytes(data[: 1 << 16])))
+        numbers = list(NUMBER.finditer(bytes(data[: 1 << 16])))
         if not numbers:
             return
         chosen = self.random.choice(numbers)
@@ -201,6 +243,14 @@ def cases(seeds):
     out.append(Case("voxels", "s.vdb", voxels, ["p.nc", "--stock", "s.vdb"] + milled[2:], {"p.nc": MILL}))
     out.append(Case("tools", "t.toml", [TOOLS], ["p.nc", "--tools", "t.toml"] + milled[:2] + milled[4:], {"p.nc": MILL}))
     out.append(Case("job", "job.toml", [JOB], ["job.toml"], {"p.nc": MILL}))
+    beside = {"p.nc": MILL, "x.fctb": LIBRARIES["t.fctb"][0]}
+    for file, seed in LIBRARIES.items():
+        out.append(Case("library." + file[2:], file, seed, ["p.nc", "--tools", file] + milled[:2] + milled[4:], beside))
+    out.append(Case("machine", "m.toml", [MACHINE], ["p.nc", "--machine-file", "m.toml"] + milled, {"p.nc": MILL}))
+    for end in ("ply", "3mf", "glb"):
+        out.append(Case("rest." + end, "s." + end, [seeds["part." + end]],
+                        ["rest", "s." + end, "n.stl", "--voxel", "1", "--json", "out.json", "--threads", "1"],
+                        {"n.stl": seeds["part.stl"]}))
     # The model of a 3MF is packed again, or nearly all mutants would fail at the check sum.
     models = [seeds["part.3mf"]]
     out.append(Case("3mf-model", "s.3mf", models, ["p.nc", "--stock", "s.3mf"] + milled[2:], {"p.nc": MILL}, repack=True))
