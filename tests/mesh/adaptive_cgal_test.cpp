@@ -4,11 +4,17 @@
 #include "core/units.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/self_intersection.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
 #include "support/rounds.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -87,6 +93,47 @@ double largest_edge_distance(const TriMesh& mesh) {
 
 TEST(ContourCgal, SharpEdgesAreKeptAtHalfAMillimetre) {
   EXPECT_LE(largest_edge_distance(mesh_part(primer_2f(), 0.5)), 0.036);
+}
+
+// A mesh and a copy of it, moved: the triangles that meet are those that CGAL finds, of all and of
+// some.
+TEST(ContourCgal, TrianglesThatMeetAreFound) {
+  TriMesh mesh = mesh_part(primer_2s(), 0.2, with_tolerance(0.05));
+  constexpr float kSteps = 1 << 12;  // in a millimetre: coordinates on the lattice of vertices
+  for (auto& v : mesh.vertices)
+    for (float& x : v) x = std::round(x * kSteps) / kSteps;
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::size_t triangles = mesh.triangles.size();
+  for (std::uint32_t k = 0; k < vertices; ++k) {
+    const auto& v = mesh.vertices[k];
+    mesh.vertices.push_back({v[0] + 3.25F, v[1] + 1.5F, v[2] + 2.75F});
+  }
+  for (std::size_t k = 0; k < triangles; ++k) {
+    const auto& t = mesh.triangles[k];
+    mesh.triangles.push_back({t[0] + vertices, t[1] + vertices, t[2] + vertices});
+  }
+  using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+  Pairs all, some;
+  std::vector<char> chosen(mesh.triangles.size());
+  for (std::size_t k = 0; k < chosen.size(); k += 7) chosen[k] = 1;
+  for (const auto& [f, g] : meeting_faces(mesh)) {
+    const std::pair<std::uint32_t, std::uint32_t> pair(std::min(f, g), std::max(f, g));
+    all.insert(pair);
+    if (chosen[pair.first] || chosen[pair.second]) some.insert(pair);
+  }
+  ASSERT_GT(some.size(), 20u);
+  ASSERT_GT(all.size(), some.size());
+
+  std::vector<Vec3> points;
+  for (const auto& v : mesh.vertices) points.push_back({v[0], v[1], v[2]});
+  const auto found = [&](std::span<const char> of) {
+    Pairs out;
+    for (const auto& [i, j] : detail::self_intersections(points, mesh.triangles, 2, of))
+      EXPECT_TRUE(out.emplace(std::min(i, j), std::max(i, j)).second);
+    return out;
+  };
+  EXPECT_EQ(found({}), all);
+  EXPECT_EQ(found(chosen), some);
 }
 
 TEST(ContourCgal, ExactPartIsWithinToleranceOfTheMesh) {

@@ -26,11 +26,14 @@ inline SurfaceMesh to_cgal(const TriMesh& mesh) {
   return out;
 }
 
-inline std::size_t self_intersections(const TriMesh& mesh) {
+inline std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> meeting_faces(
+    const TriMesh& mesh) {
   const SurfaceMesh m = to_cgal(mesh);
   std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections(m, std::back_inserter(pairs));
-  return pairs.size();
+  return pairs;
 }
+
+inline std::size_t self_intersections(const TriMesh& mesh) { return meeting_faces(mesh).size(); }
 
 }  // namespace mrsim::testing
