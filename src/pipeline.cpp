@@ -221,7 +221,9 @@ void require_cuts(const Job& job, const JobResult& result) {
 void end_program(const Job& job, JobResult& result) {
   Program& program = result.program;
   const std::size_t all = program.motions.size(), kept = motions_until(program, job.until);
+  const bool is_part = kept < program.motions.size() / 2;
   program.motions.resize(kept);
+  if (is_part) program.motions.shrink_to_fit();  // plans of memory count those that are kept
   std::erase_if(program.events, [&](const Event& event) { return event.before > kept; });
   count_motions(result);
   report(result, Severity::note, "until",

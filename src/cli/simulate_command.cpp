@@ -197,6 +197,14 @@ bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   return result.ok;
 }
 
+// What is left of a limit, if there is one, beside the whole run's program and sums, which are
+// kept.
+std::size_t beside(const JobResult& whole, std::size_t max_memory) {
+  constexpr std::size_t kHeld = 450;  // bytes a motion, measured
+  const std::size_t held = kHeld * whole.program.motions.size();
+  return max_memory == 0 ? 0 : std::max<std::size_t>(max_memory - std::min(held, max_memory), 1);
+}
+
 // Frames, if any, whose files appear with those of the whole run: an earlier moment each. The files
 // of the whole are told with theirs; where one fails, that is the result.
 bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, bool hash_files,
@@ -208,6 +216,7 @@ bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, 
     job.prepared = &files;
     job.hash_files = hash_files;
     job.whole_mesh = false;
+    job.carve.max_memory = beside(whole, job.carve.max_memory);
     if (!prepare(frame, job, part)) {
       whole = std::move(part);
       return false;
