@@ -140,13 +140,12 @@ struct Glb {
   // Position of a vertex in mm, Z up again.
   Vec3 position(int accessor, std::size_t i) const {
     const Json& node = json["nodes"][0];
-    EXPECT_NEAR(node["rotation"][0].get<double>(), -std::sqrt(0.5), 1e-12);
-    EXPECT_NEAR(node["rotation"][3].get<double>(), std::sqrt(0.5), 1e-12);
-    const double s = node["scale"][0];
-    const Vec3 p{s * value(accessor, i, 0), s * value(accessor, i, 1), s * value(accessor, i, 2)};
-    const Json& t = node["translation"];
-    const Vec3 world{p.x + t[0].get<double>(), p.z + t[1].get<double>(), -p.y + t[2].get<double>()};
-    return {1000 * world.x, -1000 * world.z, 1000 * world.y};
+    double world[3] = {};
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        world[row] += node["matrix"][4 * column + row].get<double>() *
+                      (column < 3 ? value(accessor, i, column) : 1);
+    return {1000 * world[0], -1000 * world[2], 1000 * world[1]};
   }
 };
 
@@ -175,7 +174,7 @@ TEST_F(Foreign, GlbKeepsTheRulesOfGltf) {
     const auto v = std::size_t(glb.value(indices, h, 0));
     ASSERT_LT(v, count(positions));
     const Vec3 exact = corner(m, h / 3, int(h % 3));
-    EXPECT_LE(distance(glb.position(positions, v), exact), glb_max_error(m) + 1e-6);
+    EXPECT_LE(distance(glb.position(positions, v), exact), 1e-12);
     EXPECT_EQ(glb.value(owners, v, 0), m.owners[h / 3]);
     const Vec3 n{glb.value(normals, v, 0), glb.value(normals, v, 1), glb.value(normals, v, 2)};
     EXPECT_NEAR(length(n), 1, 0.02);
@@ -183,8 +182,9 @@ TEST_F(Foreign, GlbKeepsTheRulesOfGltf) {
     EXPECT_EQ(glb.value(colors, v, 3), 1);
   }
   const Json& limits = glb.json["accessors"][std::size_t(positions)];
-  EXPECT_EQ(limits["min"], Json::array({0, 0, 0}));
-  EXPECT_EQ(limits["max"][0], 65535);
+  const Box3 box = check_mesh(m).bounds;
+  EXPECT_EQ(limits["min"], Json::array({box.lo.x, box.lo.y, box.lo.z}));
+  EXPECT_EQ(limits["max"], Json::array({box.hi.x, box.hi.y, box.hi.z}));
   const Json& told = glb.json["meshes"][0]["extras"]["mrsim"];
   EXPECT_EQ(told["files"], Json::array({"PRIMER_2F.MPF"}));
   EXPECT_EQ(told["origins"][2], Json::array({2, 0, 12, 0}));

@@ -18,7 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kCrease = 25;  // degrees
-constexpr double kSteps = 65535;
 enum : int {
   kByte = 5120,
   kUnsignedByte = 5121,
@@ -28,27 +27,6 @@ enum : int {
   kArrayBuffer = 34962,
   kElementBuffer = 34963
 };
-
-struct Quantizer {
-  Vec3 lo;
-  double step = 1;  // mm
-  std::array<std::uint16_t, 3> operator()(const std::array<float, 3>& p) const {
-    const Vec3 q = (1 / step) * (to_vec(p) - lo);
-    return {std::uint16_t(std::lround(q.x)), std::uint16_t(std::lround(q.y)),
-            std::uint16_t(std::lround(q.z))};
-  }
-};
-
-Quantizer quantizer_for(const TriMesh& mesh) {
-  Box3 box;
-  for (const auto& v : mesh.vertices) extend(box, to_vec(v));
-  Quantizer q;
-  if (is_empty(box)) return q;
-  q.lo = box.lo;
-  const Vec3 side = box.hi - box.lo;
-  q.step = std::max({side.x, side.y, side.z, 1e-6}) / kSteps;
-  return q;
-}
 
 // All that tells one vertex of the file from another.
 struct Corner {
@@ -115,23 +93,19 @@ Json accessor(int type, const char* shape, std::size_t count, bool normalized = 
   return a;
 }
 
-int add_positions(const TriMesh& mesh, const Vertices& vertices, const Quantizer& quantize,
-                  Binary& binary) {
+int add_positions(const TriMesh& mesh, const Vertices& vertices, Binary& binary) {
   std::string data;
-  std::array<int, 3> lo = {65535, 65535, 65535}, hi = {0, 0, 0};
+  Box3 box;
   for (const Corner& c : vertices.corners) {
-    const auto q = quantize(mesh.vertices[c.vertex]);
-    for (int k = 0; k < 3; ++k) {
-      detail::store(data, q[k]);
-      lo[k] = std::min<int>(lo[k], q[k]);
-      hi[k] = std::max<int>(hi[k], q[k]);
-    }
-    detail::store(data, std::uint16_t(0));  // rows of the file begin at multiples of four
+    const std::array<float, 3>& p = mesh.vertices[c.vertex];
+    for (const float x : p) detail::store(data, x);
+    extend(box, to_vec(p));
   }
-  Json a = accessor(kUnsignedShort, "VEC3", vertices.corners.size());
-  a["min"] = lo;
-  a["max"] = hi;
-  return binary.add(data, 8, kArrayBuffer, a);
+  Json a = accessor(kFloat, "VEC3", vertices.corners.size());
+  if (is_empty(box)) box = {{}, {}};
+  a["min"] = {box.lo.x, box.lo.y, box.lo.z};
+  a["max"] = {box.hi.x, box.hi.y, box.hi.z};
+  return binary.add(data, 12, kArrayBuffer, a);
 }
 
 int add_normals(const Vertices& vertices, Binary& binary) {
@@ -190,19 +164,15 @@ Json extras_of(const TriMesh& mesh) {
   return {{"mrsim", out}};
 }
 
-// From steps to metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000.
-Json node_of(const Quantizer& q) {
-  constexpr double kHalfRoot = 0.70710678118654752;
-  const double scale = q.step / 1000;
+// To metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000. By columns.
+Json node_of_part() {
+  constexpr double kMetre = 0.001;
   return {{"mesh", 0},
           {"name", "part"},
-          {"rotation", {-kHalfRoot, 0, 0, kHalfRoot}},
-          {"scale", {scale, scale, scale}},
-          {"translation", {q.lo.x / 1000, q.lo.z / 1000, -q.lo.y / 1000}}};
+          {"matrix", {kMetre, 0, 0, 0, 0, 0, -kMetre, 0, 0, kMetre, 0, 0, 0, 0, 0, 1}}};
 }
 
-Json document(const TriMesh& mesh, const Quantizer& quantizer, const Json& primitive,
-              const Binary& binary) {
+Json document(const TriMesh& mesh, const Json& primitive, const Binary& binary) {
   const bool colored = primitive["attributes"].contains("COLOR_0");
   const double gray = to_linear(kStockColor).r;
   const Json base = colored ? Json{1, 1, 1, 1} : Json{gray, gray, gray * 1.04, 1};
@@ -213,7 +183,7 @@ Json document(const TriMesh& mesh, const Quantizer& quantizer, const Json& primi
           {"extensionsRequired", {"KHR_mesh_quantization"}},
           {"scene", 0},
           {"scenes", {{{"nodes", {0}}}}},
-          {"nodes", {node_of(quantizer)}},
+          {"nodes", {node_of_part()}},
           {"meshes", {part}},
           {"materials",
            {{{"name", "part"},
@@ -226,22 +196,19 @@ Json document(const TriMesh& mesh, const Quantizer& quantizer, const Json& primi
 
 }  // namespace
 
-double glb_max_error(const TriMesh& mesh) { return std::sqrt(3.0) / 2 * quantizer_for(mesh).step; }
-
 void write_glb(const TriMesh& mesh, const MeshFileOptions& options, const ByteSink& out) {
   const FacePalette palette = make_palette(mesh, options.color);
-  const Quantizer quantizer = quantizer_for(mesh);
   const Vertices vertices = split_vertices(mesh, palette);
   Binary binary;
   Json attributes;
-  attributes["POSITION"] = add_positions(mesh, vertices, quantizer, binary);
+  attributes["POSITION"] = add_positions(mesh, vertices, binary);
   attributes["NORMAL"] = add_normals(vertices, binary);
   if (!mesh.colors.empty() || !palette.index.empty())
     attributes["COLOR_0"] = add_colors(mesh, vertices, palette, binary);
   if (!mesh.owners.empty()) attributes["_OWNER"] = add_owners(vertices, binary);
   const Json primitive = {
       {"attributes", attributes}, {"indices", add_indices(vertices, binary)}, {"material", 0}};
-  std::string json = document(mesh, quantizer, primitive, binary).dump();
+  std::string json = document(mesh, primitive, binary).dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t total = 12 + 8 + json.size() + 8 + binary.bytes.size();
   if (total > 0xffffffff)

@@ -1,11 +1,10 @@
 // GLB (binary glTF 2.0), for browsers and Blender.
 //
-// Positions are 16 bit steps of the longest side (KHR_mesh_quantization: 1.5 micrometres for a part
-// of 100 mm), normals 8 bit, split at edges; the part stands in metres with Y up, as glTF wants it,
-// by its node's transform. Faces carry their owner in the vertex attribute _OWNER (float, -1 =
-// stock), what owners stand for is in the mesh's extras: {"mrsim": {"files": [..], "tools": [..],
-// "origins": [[owner, file, line, tool], ..]}}, with "legend": [[r, g, b, text], ..] where vertices
-// have colours. For measuring below the steps take PLY or STL instead.
+// Positions are exact, in mm; normals have 8 bit (KHR_mesh_quantization) and are split at edges.
+// The part stands in metres with Y up, as glTF wants it, by its node's matrix. Faces carry their
+// owner in the vertex attribute _OWNER (float, -1 = stock), what owners stand for is in the mesh's
+// extras: {"mrsim": {"files": [..], "tools": [..], "origins": [[owner, file, line, tool], ..]}},
+// with "legend": [[r, g, b, text], ..] where vertices have colours.
 #pragma once
 
 #include "core/text_io.h"
@@ -16,9 +15,6 @@
 #include <string_view>
 
 namespace mrsim {
-
-/// Largest distance in mm between a vertex and its place in the GLB file.
-double glb_max_error(const TriMesh& mesh);
 
 /// The triangles of the scene of any GLB file, transforms of its nodes applied, in mm with Z up.
 /// Colours are read where a legend explains them. Throws Error "glb-syntax", "glb-truncated",
