@@ -4,6 +4,9 @@
 #include "core/units.h"
 #include <mrsim/compare.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -63,14 +66,24 @@ bool is_proven(const Comparison& c) {
   return !*c.accepted || c.hausdorff.upper <= std::min(-c.band.lo, c.band.hi);
 }
 
+// With as many digits as tell on which side of the limit it is.
+std::string found_text(double found, double limit) {
+  int digits = 4;
+  for (double scale = 1e4; digits < 9; scale *= 10, ++digits) {
+    const double shown = std::round(found * scale) / scale;
+    if ((shown < limit) == (found < limit) && (shown > limit) == (found > limit)) break;
+  }
+  return fmt::format("{:+.{}f}", found, digits);
+}
+
 std::string verdict_text(const Comparison& c) {
   if (!c.accepted)
     return fmt::format("No tolerance was given (--accept): regions are beyond {:+g} .. {:+g} mm\n",
                        c.band.lo, c.band.hi);
-  std::string out =
-      fmt::format("{}: tolerance {:+g} .. {:+g} mm, found {:+.4f} .. {:+.4f} mm",
-                  *c.accepted ? "ACCEPTED" : "REJECTED", c.band.lo, c.band.hi,
-                  std::min(c.part.min, c.nominal.min), std::max(c.part.max, c.nominal.max));
+  std::string out = fmt::format("{}: tolerance {:+g} .. {:+g} mm, found {} .. {} mm",
+                                *c.accepted ? "ACCEPTED" : "REJECTED", c.band.lo, c.band.hi,
+                                found_text(std::min(c.part.min, c.nominal.min), c.band.lo),
+                                found_text(std::max(c.part.max, c.nominal.max), c.band.hi));
   if (*c.accepted && !is_proven(c))
     out += fmt::format("; by samples: proven is that no distance exceeds {:.4f} mm",
                        c.hausdorff.upper);

@@ -47,6 +47,18 @@ TEST(Compare, SpheresOfTwoRadii) {
   EXPECT_NEAR(compare(nominal, part, accept(-1, 1)).part.mean, -0.01, 1e-4);
 }
 
+// "found ... +0.0500" beside a tolerance of 0.05 would hide why.
+TEST(Compare, VerdictShowsWhatIsJustBeyond) {
+  Comparison c;
+  c.band = {-0.05, 0.05};
+  c.part.min = -0.02, c.part.max = 0.050003;
+  c.accepted = false;
+  EXPECT_NE(comparison_text(c).find("found -0.0200 .. +0.050003 mm"), std::string::npos);
+  c.part.max = 0.04;
+  c.accepted = true;
+  EXPECT_NE(comparison_text(c).find("found -0.0200 .. +0.0400 mm"), std::string::npos);
+}
+
 TEST(Compare, PlateOffsetBy50Microns) {
   const TriMesh nominal = testing::box_mesh({0, 0, 0}, {80, 50, 5});
   const TriMesh part = testing::box_mesh({0, 0, 0}, {80, 50, 5.05});
