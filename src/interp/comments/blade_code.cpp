@@ -86,11 +86,24 @@ std::optional<BladeCode> read_n123(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W".
+// "GTN-3", "TDC3": grooving blades of a size that is only about their width.
+std::optional<BladeCode> read_sized_blade(const Tokens& tokens, std::size_t i) {
+  if (!one_of(tokens[i].text, {"GTN", "GTR", "GTL", "TDC", "TDJ", "KGT", "KGM"}))
+    return std::nullopt;
+  const std::size_t size = i + 1 < tokens.size() && tokens[i + 1].is("-") ? i + 2 : i + 1;
+  if (!is_whole(tokens, size, 1)) return std::nullopt;
+  BladeCode code;
+  code.end = size + 1;
+  return code;
+}
+
+// "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W"; "16 ER 1.5" with a lead behind it.
 std::optional<BladeCode> read_thread(const Tokens& tokens, std::size_t i) {
   if (!tokens[i].is_number() || !one_of(tokens[i].text, {"06", "08", "11", "16", "22", "27"}) ||
-      !is_glued(tokens, i + 1) || tokens[i + 1].text.size() < 2)
+      i + 1 >= tokens.size() || tokens[i + 1].text.size() < 2)
     return std::nullopt;
+  const bool has_lead = i + 2 < tokens.size() && tokens[i + 2].decimals;
+  if (!tokens[i + 1].glued && !has_lead) return std::nullopt;
   const std::string_view word = tokens[i + 1].text, hand = word.substr(0, 2);
   const std::string_view profile = word.substr(2);
   if (!one_of(hand, {"ER", "EL", "IR", "IL", "NR", "NL"}) || !one_of(profile, {"", "A", "G", "AG"}))
@@ -121,6 +134,7 @@ std::optional<BladeCode> find_blade_code(const Tokens& tokens) {
     if (!code) code = read_n151(tokens, i);
     if (!code) code = read_iscar(tokens, i);
     if (!code) code = read_top_notch(tokens, i);
+    if (!code) code = read_sized_blade(tokens, i);
     if (!code) code = read_thread(tokens, i);
     if (!code) continue;
     code->first = i;
