@@ -54,6 +54,7 @@ TEST_F(Limits, Comparison) {
 
 // What is read before and beside motions: tables of tools, long lines, comments, many tools.
 TEST_F(Limits, MemoryOfToolsAndText) {
+  if (!kIsPlain) GTEST_SKIP();
   std::filesystem::create_symlink("/dev/zero", folder_ / "zero.toml");
   const std::string cut = "G1 X9 Y9 Z-1 F500\n",
                     stock = " --stock block.stl -o part.stl --max-memory ";
