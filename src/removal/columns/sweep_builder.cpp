@@ -305,9 +305,6 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     const SinCos last = sincos(path.sweep);
     path.last = {last.cos, last.sin};
     path.bored = path.lowest_turn && path.sweep >= kTwoPi && tool.is_rounded();
-    const double low = path.center.z + tool.round();
-    path.bore = {{path.center.x, path.center.y, path.radius, tool.core(), tool.round(), low,
-                  low + path.sweep * path.rise.z}};
     if (tool.is_rising() && is_upright(l)) set_upright(path, tool);
   } else {
     path.start = l.start;

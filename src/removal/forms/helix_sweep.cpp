@@ -29,10 +29,17 @@ HelixRecord helix_record(const Profile& tool, const ToolPath& path) {
           {path.sweep, path.last.y, path.last.x}};
 }
 
+LineRecord bore_record(const Profile& tool, const ToolPath& path) {
+  const Vec3& at = path.center;
+  const double low = at.z + tool.round();
+  return {
+      {at.x, at.y, path.radius, tool.core(), tool.round(), low, low + path.sweep * path.rise.z}};
+}
+
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p) {
   const HelixRecord record = helix_record(tool, path);
   if (path.bored)
-    if (const lane::Bore wall = lane::bore(path.bore.c, p.x, p.y, p.z); wall.decided)
+    if (const lane::Bore wall = lane::bore(bore_record(tool, path).c, p.x, p.y, p.z); wall.decided)
       return {wall.distance, lane::HelixView(record, p.x, p.y, p.z).facing()};
   return minimum(record, p);
 }

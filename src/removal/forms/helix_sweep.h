@@ -11,6 +11,9 @@ namespace mrsim {
 /// is_rounded().
 HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 
+/// What lane::bore (sweep_lanes.inl) knows of a whole turn. Requires: path.bored.
+LineRecord bore_record(const Profile& tool, const ToolPath& path);
+
 /// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
 /// is_rounded(). None to about five sines.
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);

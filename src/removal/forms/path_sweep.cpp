@@ -52,7 +52,7 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
 double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (path.upright) return upright_value(tool, path, p);
   if (path.bored)
-    if (const lane::Bore wall = lane::bore(path.bore.c, p.x, p.y, p.z); wall.decided)
+    if (const lane::Bore wall = lane::bore(bore_record(tool, path).c, p.x, p.y, p.z); wall.decided)
       return wall.distance;
   if (path.flanked)
     if (const auto least = flank_value(tool, path, p)) return *least;

@@ -23,7 +23,6 @@ struct ToolPath {
   bool horizontal = false;       ///< arc in a horizontal plane, or helix about Z
   bool lowest_turn = false;      ///< horizontal and falling, at most one turn, tool rising
   bool bored = false;            ///< a whole lowest turn, tool with is_rounded()
-  LineRecord bore;               ///< then that of lane::bore (sweep_lanes.inl)
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
 
   bool disc = false;  ///< disc_minimum() answers (disc_sweep.h)

@@ -45,7 +45,7 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
   if (ref.kind == SweepKind::path && ref.frame == 0) {
     const ToolPath& path = c.paths[ref.row];
     const Profile& tool = c.cutter(ref);
-    if (path.bored) open &= sweep_kernels().bore(path.bore, id, points);
+    if (path.bored) open &= sweep_kernels().bore(bore_record(tool, path), id, points);
     if (path.lowest_turn && tool.is_rounded())
       return sweep_kernels().helix(helix_record(tool, path), id, open, points);
   }
