@@ -80,8 +80,7 @@ void Engine::run() {
     reporter_.add_general(Severity::error, "not-supported",
                           "G10 L3 or L50 has no G11: nothing behind it has been read");
   if (out_.cuts() == 0 && reporter_.errors() == 0)
-    reporter_.add_general(options_.require_tools ? Severity::error : Severity::warning,
-                          "program-without-cuts",
+    reporter_.add_general(Severity::warning, "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");
   tell_unused_options();
   stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut());

@@ -22,7 +22,7 @@ TEST_F(BadInput, Program) {
   write("nocuts.MPF",
         "G54\nTRANS X0 Y0\nT4 D1 M6; Steblasto frezalo \xC3\x98"
         "5\nG0 X0 Y0 Z5\nM30\n");
-  expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "nothing is cut");
+  expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "cuts nothing");
   write("error.MPF", "G54\nTRANS X0\nT4 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X12.3.4\nM30\n");
   expect_failure("error.MPF --tool 4=endmill:d=5 --stock block.stl -o part.stl", 1, "error.MPF:6:");
 }

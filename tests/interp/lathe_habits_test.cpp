@@ -154,7 +154,7 @@ TEST(LatheHabits, BlocksOfOkumaHaveNames) {
   EXPECT_EQ(path_text(p), "r20,0,2 l20,0,-5");
   EXPECT_EQ(codes(p, Severity::note), "block-name");
   for (const char* block :
-       {"G0 X40. NAT01\n", "N1 NAT01 G0 X40.\n", "NTOOLONG G0 X40.\n", "NAT=1\n", "GOTO NAT01\n"})
+       {"G1 X40. NAT01\n", "N1 NAT01 G1 X40.\n", "NMUCHTOOLONG G1 X40.\n", "GOTO NAT01\nG1 X40.\n"})
     EXPECT_NE(codes(read_text(block, options), Severity::error), "") << block;
 }
 
